@@ -1,0 +1,28 @@
+# One layer = one folder in src/, one static library resect_<layer>, one test executable test_<layer>.
+# Which layer may include which is written once, in tools/layers.txt, and checked by a test.
+
+function(resect_layer name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
+  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.h)
+  if(sources)
+    add_library(resect_${name} STATIC ${sources} ${headers})
+    target_include_directories(resect_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
+    target_link_libraries(resect_${name} PUBLIC ${ARGN})
+  else()
+    add_library(resect_${name} INTERFACE)
+    target_include_directories(resect_${name} INTERFACE ${CMAKE_SOURCE_DIR}/src)
+    target_link_libraries(resect_${name} INTERFACE ${ARGN})
+  endif()
+endfunction()
+
+function(resect_layer_test name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/test/${name}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(test_${name} ${CMAKE_SOURCE_DIR}/test/support/doctest_main.cpp ${sources})
+  target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/test)
+  target_link_libraries(test_${name} PRIVATE resect_${name} resect_test_support ${ARGN})
+  add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
+  set_tests_properties(${name} PROPERTIES TIMEOUT 900)
+endfunction()

@@ -1,0 +1,10 @@
+// Is our own code wrong here? Then stop at once and say where; errors of the outside world are
+// `Error`s.
+#pragma once
+
+namespace resect {
+[[noreturn]] void assertFailed(const char* condition, const char* file, int line);
+}
+
+#define RESECT_ASSERT(condition) \
+  ((condition) ? void(0) : ::resect::assertFailed(#condition, __FILE__, __LINE__))

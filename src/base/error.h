@@ -1,0 +1,38 @@
+// How does Resect tell a person that what came from outside (file, mesh, setting, argument) is
+// unusable? By throwing one sentence: what is wrong, where (file:line or field), what to do about
+// it.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace resect {
+
+// `main` prints "resect: error: <sentence>" and exits with the status.
+class Error : public std::runtime_error {
+ public:
+  enum class Status { Failed = 1, Usage = 2 };
+  explicit Error(const std::string& sentence, Status status = Status::Failed)
+      : std::runtime_error(sentence), status_(status) {}
+  Status status() const { return status_; }
+
+ private:
+  Status status_;
+};
+
+// throw error("{}: line {} has no z; give three numbers", file, line);
+template <typename... Args>
+[[nodiscard]] Error error(fmt::format_string<Args...> format, Args&&... args) {
+  return Error(fmt::format(format, std::forward<Args>(args)...));
+}
+
+// The same for a wrong argument or setting: exit status 2.
+template <typename... Args>
+[[nodiscard]] Error usageError(fmt::format_string<Args...> format, Args&&... args) {
+  return Error(fmt::format(format, std::forward<Args>(args)...), Error::Status::Usage);
+}
+
+}  // namespace resect

@@ -1,0 +1,41 @@
+// Are two states the same, bit for bit? A 64-bit digest of their bytes answers.
+//
+// Not cryptographic. Depends on the order of the calls and on every bit fed in. Mixing steps: the
+// finaliser of splitmix64 (Steele, Lea, Flood 2014) on 8-byte words.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+
+namespace resect {
+
+class StateHash {
+ public:
+  void addBytes(const void* data, std::size_t bytes);
+
+  template <typename T>
+  void add(const T& value) {
+    static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+    std::uint64_t word = 0;
+    std::memcpy(&word, &value, sizeof value);
+    addWord(word);
+  }
+  // Elements without padding only (numbers, Eigen vectors of fixed size).
+  template <typename T>
+  void addSpan(std::span<const T> values) {
+    add(values.size());
+    addBytes(values.data(), values.size_bytes());
+  }
+
+  std::uint64_t value() const { return state_; }
+  std::string hex() const;  // 16 digits
+
+ private:
+  void addWord(std::uint64_t word);
+  std::uint64_t state_ = 0x9e3779b97f4a7c15u;
+};
+
+}  // namespace resect

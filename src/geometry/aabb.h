@@ -1,0 +1,46 @@
+// Which axis-aligned box holds these points, and do two boxes meet?
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "base/vec.h"
+
+namespace resect {
+
+// Closed box [min, max], m. A default box is empty: it holds nothing and grows from nothing.
+struct Aabb {
+  Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+  bool empty() const { return (min.array() > max.array()).any(); }
+  Vec3 size() const { return empty() ? Vec3(Vec3::Zero()) : Vec3(max - min); }
+  Vec3 centre() const { return 0.5 * (min + max); }
+  void grow(const Vec3& p) {
+    min = min.cwiseMin(p);
+    max = max.cwiseMax(p);
+  }
+  void grow(const Aabb& box) {
+    min = min.cwiseMin(box.min);
+    max = max.cwiseMax(box.max);
+  }
+  Aabb padded(double margin) const {
+    return {min - Vec3::Constant(margin), max + Vec3::Constant(margin)};
+  }
+  bool contains(const Vec3& p) const {
+    return (p.array() >= min.array()).all() && (p.array() <= max.array()).all();
+  }
+};
+
+// The common part; empty when the boxes do not meet.
+inline Aabb intersection(const Aabb& a, const Aabb& b) {
+  return {a.min.cwiseMax(b.min), a.max.cwiseMin(b.max)};
+}
+
+inline Aabb bounds(std::span<const Vec3> points) {
+  Aabb box;
+  for (const Vec3& p : points) box.grow(p);
+  return box;
+}
+
+}  // namespace resect

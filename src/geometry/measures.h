@@ -1,0 +1,19 @@
+// How large is a surface, and how much does it enclose?
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+
+namespace resect {
+
+// Sum of the triangles' areas, m^2.
+double area(const TriangleMesh& mesh);
+
+// Signed sum of the tetrahedra that the triangles make with the origin, m^3: the enclosed volume of
+// a closed mesh that looks outwards, its negative for one inside out; for an open mesh a number
+// that depends on where the origin is.
+double volume(const TriangleMesh& mesh);
+
+// Volume centroid of a closed mesh, m; centre of the bounding box when it encloses nothing.
+Vec3 centroid(const TriangleMesh& mesh);
+
+}  // namespace resect

@@ -1,0 +1,27 @@
+// Where is a rigid body and how is it turned?
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "base/vec.h"
+
+namespace resect {
+
+// World point = rotation * body point + position. `rotation` is a unit quaternion; position in m.
+struct Pose {
+  Vec3 position = Vec3::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+
+  Vec3 operator*(const Vec3& p) const { return rotation * p + position; }
+  Pose inverse() const {
+    const Eigen::Quaterniond back = rotation.conjugate();
+    return {back * -position, back};
+  }
+};
+
+// From a at share 0 to b at share 1: positions linearly, rotations along the shorter great circle.
+inline Pose interpolate(const Pose& a, const Pose& b, double share) {
+  return {a.position + share * (b.position - a.position), a.rotation.slerp(share, b.rotation)};
+}
+
+}  // namespace resect

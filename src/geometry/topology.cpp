@@ -1,0 +1,91 @@
+#include "geometry/topology.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace resect {
+namespace {
+
+// An undirected edge as one sortable word, with the direction it was used in as the lowest bit.
+std::vector<std::uint64_t> sortedEdges(const TriangleMesh& mesh) {
+  std::vector<std::uint64_t> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const auto a = std::uint64_t(t[i]), b = std::uint64_t(t[(i + 1) % 3]);
+      edges.push_back(a < b ? a << 33 | b << 1 : b << 33 | a << 1 | 1);
+    }
+  std::sort(edges.begin(), edges.end());
+  return edges;
+}
+
+std::int32_t findRoot(std::vector<std::int32_t>& parent, std::int32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+}  // namespace
+
+Topology topology(const TriangleMesh& mesh) {
+  Topology result;
+  const std::vector<std::uint64_t> edges = sortedEdges(mesh);
+  for (std::size_t first = 0; first < edges.size();) {
+    std::size_t last = first;
+    int balance = 0;
+    for (; last < edges.size() && edges[last] >> 1 == edges[first] >> 1; ++last)
+      balance += edges[last] & 1 ? -1 : 1;
+    const std::size_t uses = last - first;
+    if (uses % 2 == 1) {
+      if (!result.firstBoundaryPoint)
+        result.firstBoundaryPoint =
+            0.5 * (mesh.points[edges[first] >> 33] + mesh.points[edges[first] >> 1 & 0xffffffffu]);
+      ++result.boundaryEdges;
+    }
+    if (uses > 2) ++result.nonManifoldEdges;
+    if (balance != 0) ++result.unorientedEdges;
+    first = last;
+  }
+  pointComponents(mesh, &result.components);
+  return result;
+}
+
+std::vector<std::int32_t> pointComponents(const TriangleMesh& mesh, int* count) {
+  std::vector<std::int32_t> parent(mesh.points.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    const std::int32_t a = findRoot(parent, t[0]);
+    const std::int32_t b = findRoot(parent, t[1]);
+    const std::int32_t c = findRoot(parent, t[2]);
+    parent[a] = parent[b] = parent[c] = std::min({a, b, c});
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  std::vector<std::int32_t> component(mesh.points.size(), -1);
+  std::int32_t next = 0;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (!used[i]) continue;
+    // A root is the smallest index of its piece, so it was numbered before all others.
+    const std::int32_t root = findRoot(parent, std::int32_t(i));
+    component[i] = root == std::int32_t(i) ? next++ : component[root];
+  }
+  if (count) *count = next;
+  return component;
+}
+
+std::vector<TriangleMesh> splitComponents(const TriangleMesh& mesh) {
+  int count = 0;
+  const std::vector<std::int32_t> component = pointComponents(mesh, &count);
+  std::vector<TriangleMesh> pieces(count);
+  std::vector<std::int32_t> newIndex(mesh.points.size(), -1);
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (component[i] < 0) continue;
+    TriangleMesh& piece = pieces[component[i]];
+    newIndex[i] = std::int32_t(piece.points.size());
+    piece.points.push_back(mesh.points[i]);
+  }
+  for (const Triangle& t : mesh.triangles)
+    pieces[component[t[0]]].triangles.push_back({newIndex[t[0]], newIndex[t[1]], newIndex[t[2]]});
+  return pieces;
+}
+
+}  // namespace resect

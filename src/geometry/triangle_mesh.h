@@ -1,0 +1,32 @@
+// What is a surface in Resect? Points and triangles that index them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/vec.h"
+#include "geometry/aabb.h"
+#include "geometry/pose.h"
+
+namespace resect {
+
+using Triangle = std::array<std::int32_t, 3>;  // counter-clockwise seen from outside
+
+struct TriangleMesh {
+  std::vector<Vec3> points;         // m
+  std::vector<Triangle> triangles;  // indices into points
+};
+
+Aabb bounds(const TriangleMesh& mesh);
+
+// Every point moved by the pose.
+TriangleMesh transformed(TriangleMesh mesh, const Pose& pose);
+
+// Appends b's points and triangles to a.
+void append(TriangleMesh& a, const TriangleMesh& b);
+
+// Makes every triangle look the other way.
+void flip(TriangleMesh& mesh);
+
+}  // namespace resect

@@ -1,0 +1,46 @@
+// Where are the cells of an organ in rest space, and how are they numbered?
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "base/vec.h"
+#include "geometry/aabb.h"
+
+namespace resect {
+
+// A regular grid of cells. Cell (i, j, k) is a box of sides `spacing` round its centre origin + (i,
+// j, k) * spacing. Cells are numbered with x fastest: (k * dims.y + j) * dims.x + i.
+struct Lattice {
+  Vec3 origin = Vec3::Zero();   // centre of cell (0, 0, 0), m
+  Vec3 spacing = Vec3::Ones();  // > 0, m; equal on the three axes for an organ that can deform
+  Vec3i dims = Vec3i::Zero();   // cells along each axis, >= 0
+
+  std::int64_t cellCount() const { return std::int64_t(dims.x()) * dims.y() * dims.z(); }
+  double cellVolume() const { return spacing.prod(); }  // m^3
+  bool cubic() const {
+    return std::abs(spacing.maxCoeff() - spacing.minCoeff()) <= 1e-6 * spacing.maxCoeff();
+  }
+  bool contains(const Vec3i& cell) const {
+    return (cell.array() >= 0).all() && (cell.array() < dims.array()).all();
+  }
+  std::int64_t index(const Vec3i& cell) const {
+    return (std::int64_t(cell.z()) * dims.y() + cell.y()) * dims.x() + cell.x();
+  }
+  Vec3i cell(std::int64_t index) const {
+    const std::int64_t row = index / dims.x();
+    return {int(index % dims.x()), int(row % dims.y()), int(row / dims.y())};
+  }
+  Vec3 centre(const Vec3i& cell) const {
+    return origin + spacing.cwiseProduct(cell.cast<double>());
+  }
+  // Cell coordinates of a point: (0, 0, 0) at the centre of the first cell.
+  Vec3 toCellSpace(const Vec3& p) const { return (p - origin).cwiseQuotient(spacing); }
+  // The box of all cells, sides included.
+  Aabb box() const {
+    return {origin - 0.5 * spacing,
+            origin + spacing.cwiseProduct(dims.cast<double>() - Vec3::Constant(0.5))};
+  }
+};
+
+}  // namespace resect
