@@ -1,0 +1,171 @@
+#include "sph/colour_field.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "sph/kernel.h"
+#include "sph/particle_sums.h"
+#include "support/block_organ.h"
+
+using namespace resect;
+
+namespace {
+
+// The same field by the general SPH sums over all cells.
+struct Reference {
+  explicit Reference(const Discretization& d)
+      : sums(positions(d), std::vector<double>(d.value.size(), d.lattice.cellVolume()),
+             kSmoothingPerSpacing * d.lattice.spacing.x()),
+        attribute(d.value.begin(), d.value.end()) {}
+  static std::vector<Vec3> positions(const Discretization& d) {
+    std::vector<Vec3> p;
+    for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i)
+      p.push_back(d.lattice.centre(d.lattice.cell(i)));
+    return p;
+  }
+  double operator()(const Vec3& r) const { return sums.interpolate(attribute, r); }
+  ParticleSums sums;
+  std::vector<double> attribute;
+};
+
+Vec3i nodeAt(const ColourField& f, std::int64_t i) {
+  const Vec3i n = f.nodeDims();
+  return {int(i % n.x()), int(i / n.x() % n.y()), int(i / n.x() / n.y())};
+}
+
+bool sameField(const ColourField& a, const ColourField& b) {
+  for (std::int64_t i = 0; i < a.brickCount(); ++i) {
+    if ((a.slot(i) >= 0) != (b.slot(i) >= 0)) return false;
+    if (a.slot(i) < 0 && a.slot(i) != b.slot(i)) return false;
+    if (a.slot(i) >= 0 && !std::ranges::equal(a.values(a.slot(i)), b.values(b.slot(i))))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("the colour field equals the general SPH sum at every node, at every refinement") {
+  for (int refine : {1, 2, 3, 4})
+    for (const Discretization& d : {test::noise({5, 7, 4}, 11), test::ball(12),
+                                    test::fullBlock({9, 8, 7}), test::fullBlock({1, 1, 1})}) {
+      const ColourField field(d, refine);
+      const Reference reference(d);
+      const Vec3i n = field.nodeDims();
+      double worst = 0;
+      for (std::int64_t i = 0; i < std::int64_t(n.x()) * n.y() * n.z(); ++i) {
+        const Vec3i node = nodeAt(field, i);
+        worst = std::max(
+            worst, std::abs(field.node(node) - reference(field.nodePosition(node.cast<double>()))));
+      }
+      // 36 float products of up to 100: rounding below 36 * 100 * 2^-24.
+      CHECK(worst < 2.2e-4);
+    }
+}
+
+TEST_CASE(
+    "solid tissue has the colour value 100 within one per cent and a surface never runs through "
+    "it") {
+  const ColourField field(test::fullBlock({20, 20, 20}), 2);
+  for (int x = 12; x < 30; ++x) {
+    const float c = field.node({x, 20, 21});
+    CHECK(c > kMaxIso);
+    CHECK(c < 101);
+  }
+  // The inner bricks are known without being stored.
+  std::int64_t full = 0;
+  for (std::int64_t b = 0; b < field.brickCount(); ++b) full += field.slot(b) == ColourField::kFull;
+  CHECK(full > 100);
+}
+
+TEST_CASE("the outermost nodes are zero so that every surface is closed") {
+  for (int refine : {1, 2, 3, 4}) {
+    const ColourField field(test::fullBlock({3, 4, 5}), refine);
+    const Vec3i n = field.nodeDims();
+    for (int a = 0; a < 3; ++a)
+      for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 40; ++j)
+          for (int end : {0, n[a] - 1}) {
+            Vec3i node;
+            node[a] = end;
+            node[(a + 1) % 3] = i;
+            node[(a + 2) % 3] = j;
+            REQUIRE(field.node(node) == 0);
+          }
+  }
+}
+
+TEST_CASE("after any edits the field is bit for bit the one built from the edited cells") {
+  for (int refine : {1, 2, 3, 4}) {
+    Discretization d = test::ball(16);
+    ColourField field(d, refine);
+    Random random(refine);
+    for (int round = 0; round < 30; ++round) {
+      for (int i = 0; i < 20; ++i) {
+        const int cell = random.below(int(d.value.size()));
+        const float v = random.below(4) == 0 ? 100.f : 0.f;
+        d.value[cell] = v;
+        field.setCellValue(cell, v);
+      }
+      field.update();
+      REQUIRE(sameField(field, ColourField(d, refine)));
+    }
+  }
+}
+
+TEST_CASE("the original field is remembered through edits") {
+  const Discretization d = test::ball(12);
+  const ColourField before(d, 2);
+  ColourField field(d, 2);
+  for (std::int64_t i = 0; i < d.lattice.cellCount(); i += 3) field.setCellValue(i, 0);
+  field.update();
+  const Vec3i n = field.nodeDims();
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3i node = nodeAt(field, i * 7 % (n.x() * n.y() * n.z()));
+    REQUIRE(field.originalNode(node) == doctest::Approx(before.node(node)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("setting a cell to its own value touches nothing") {
+  Discretization d = test::ball(10);
+  ColourField field(d, 2);
+  field.setCellValue(5, d.value[5]);
+  CHECK(field.update().empty());
+}
+
+TEST_CASE("the field has the same bits at 1, 2 and 3 threads") {
+  const Discretization d = test::noise({20, 21, 22}, 5);
+  const ColourField one = [&] {
+    const ThreadLimit limit(1);
+    return ColourField(d, 2);
+  }();
+  for (int threads : {2, 3}) {
+    const ThreadLimit limit(threads);
+    CHECK(sameField(one, ColourField(d, 2)));
+  }
+}
+
+TEST_CASE("the general sums give density, unity and zero where they should") {
+  const Discretization d = test::fullBlock({14, 14, 14}, 0.01);
+  const auto positions = Reference::positions(d);
+  const std::vector<double> volume(positions.size(), 1e-6), mass(positions.size(), 1060e-6);
+  const ParticleSums sums(positions, volume, 0.01);
+  const Vec3 middle = d.lattice.box().centre();
+  CHECK(std::abs(sums.partitionOfUnity(middle) - 1) < 6e-4);
+  CHECK(std::abs(sums.density(mass, middle) / 1060 - 1) < 6e-4);
+  CHECK(sums.colour(middle) == sums.partitionOfUnity(middle));
+  CHECK(sums.partitionOfUnity(middle + Vec3(1, 0, 0)) == 0);
+  CHECK(ParticleSums({}, {}, 0.01).colour(middle) == 0);
+  // Against the plain sum over all particles.
+  Random random(3);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 r(random.uniform(-0.02, 0.18), random.uniform(-0.04, 0.14), random.uniform(0, 0.2));
+    double plain = 0;
+    for (const Vec3& p : positions) plain += 1e-6 * kernel((r - p).norm(), 0.01);
+    CHECK(sums.partitionOfUnity(r) == doctest::Approx(plain).epsilon(1e-12));
+  }
+}
