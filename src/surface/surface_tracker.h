@@ -1,0 +1,99 @@
+// What is the organ's surface now, and which part of it did the last edit change?
+//
+// Incremental marching cubes over the bricks of a colour field (Lorensen and Cline 1987). The mesh
+// is a function of the field and the iso level alone: after any edits it equals a rebuild from
+// scratch bit for bit (compare mesh()), is closed, and looks outwards. Cost of an update: the
+// touched bricks, whatever the size of the organ.
+//
+// points(), normals(), cut() and triangles() are arrays with holes, made for viewers: a brick keeps
+// its ranges while they suffice, unused triangles are (0, 0, 0), and changes() lists what to
+// upload.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/triangle_mesh.h"
+#include "sph/colour_field.h"
+#include "surface/brick_mesher.h"
+#include "surface/range_allocator.h"
+
+namespace resect {
+
+struct IndexRange {
+  std::int32_t first, count;
+};
+
+class SurfaceTracker {
+ public:
+  // Meshes all of the field. iso in [kMinIso, kMaxIso].
+  SurfaceTracker(const ColourField& field, float iso);
+
+  // After field.update() returned `touched`: meshes those bricks again.
+  void update(const ColourField& field, std::span<const std::int64_t> touched);
+  // Another iso level: meshes all again.
+  void setIso(const ColourField& field, float iso);
+  float iso() const { return iso_; }
+
+  std::span<const Vec3f> points() const { return points_; }    // rest space, m
+  std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards
+  std::span<const float> cut() const { return cut_; }  // 0 original skin ... 1 cut parenchyma
+  std::span<const Triangle> triangles() const { return triangles_; }
+  std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
+
+  // What the last update or setIso wrote: ranges of vertices and of triangles.
+  struct Changes {
+    std::vector<IndexRange> vertices, triangles;
+    std::int64_t bricks = 0;
+    bool everything = false;  // the arrays were made anew
+  };
+  const Changes& changes() const { return changes_; }
+
+  // The surface without holes, in the order of the bricks: the same for the same field, however it
+  // came about.
+  struct Compact {
+    TriangleMesh mesh;
+    std::vector<Vec3f> normals;
+    std::vector<float> cut;
+  };
+  Compact compact() const;
+  TriangleMesh mesh() const { return compact().mesh; }
+
+  // The triangles of bricks whose nodes can lie in `box` (rest space), as a mesh of their own; the
+  // columns along z are complete, so that an inside test along z may use it for points in the box.
+  TriangleMesh meshAround(const ColourField& field, const Aabb& box) const;
+
+  std::size_t bytes() const;
+
+ private:
+  struct BrickMesh {
+    BrickSigns signs;
+    std::int32_t firstVertex = 0, vertices = 0;
+    std::int32_t firstTriangle = 0, triangles = 0;
+  };
+  static constexpr std::int32_t kNone = -1;
+
+  void clear(const ColourField& field);
+  void remesh(const ColourField& field, std::span<const std::int64_t> bricks);
+  void dropRecord(std::int64_t brick);
+  template <typename Emit>
+  void visitTriangles(const ColourField& field, std::int64_t brick, Emit emit) const;
+
+  float iso_;
+  std::vector<std::int32_t> recordOf_;  // per brick: into bricks_, or kNone
+  std::vector<BrickMesh> bricks_;
+  std::vector<std::int32_t> freeRecords_;
+  RangeAllocator vertexSpace_, triangleSpace_;
+  std::vector<Vec3f> points_, normals_;
+  std::vector<float> cut_;
+  std::vector<Triangle> triangles_;
+  std::int64_t triangleCount_ = 0;
+  Changes changes_;
+  // Working lists, kept so that a steady update allocates nothing.
+  std::vector<BrickSigns> newSigns_;
+  std::vector<std::int64_t> retriangulate_;
+  std::vector<std::int32_t> newTriangles_;
+};
+
+}  // namespace resect
