@@ -1,0 +1,417 @@
+#include "collision/columns.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/assert.h"
+#include "base/parallel.h"
+
+namespace resect {
+namespace {
+
+constexpr double kRaster = 1 << 30;
+// Where columns beside the mesh are put: no triangle reaches them.
+constexpr std::int32_t kBelow = -1, kAbove = (1 << 30) + 1;
+
+std::int32_t snapColumn(double offset, double step) {
+  const double steps = std::floor(offset / step + 0.5);
+  return !(steps >= 0) ? kBelow : steps > kRaster ? kAbove : std::int32_t(steps);
+}
+
+// One triangle over the raster, turned so that its area is positive.
+struct Footprint {
+  struct Edge {
+    std::int64_t x, y, dx, dy, owned;  // start, direction; owned: the value from which it covers
+    // > 0 left of the edge, 0 on it. |value| < 2^62.
+    std::int64_t at(std::int64_t px, std::int64_t py) const {
+      return dx * (py - y) - dy * (px - x);
+    }
+  };
+  Edge edge[3];        // edge i lies opposite of corner i
+  double z, dz1, dz2;  // depth of corner 0, rise to corners 1 and 2
+  double area;         // twice the area, raster steps squared; <= 0: covers nothing
+  std::int32_t sign;
+
+  Footprint(const SnappedMesh::Point& a, const SnappedMesh::Point& b0,
+            const SnappedMesh::Point& c0) {
+    std::int64_t twice =
+        std::int64_t(b0.x - a.x) * (c0.y - a.y) - std::int64_t(b0.y - a.y) * (c0.x - a.x);
+    // A face that looks up is where the column leaves.
+    sign = twice > 0 ? -1 : 1;
+    const SnappedMesh::Point& b = twice > 0 ? b0 : c0;
+    const SnappedMesh::Point& c = twice > 0 ? c0 : b0;
+    edge[0] = makeEdge(b, c);
+    edge[1] = makeEdge(c, a);
+    edge[2] = makeEdge(a, b);
+    z = a.z;
+    dz1 = b.z - a.z;
+    dz2 = c.z - a.z;
+    area = double(std::abs(twice));
+  }
+
+  static Edge makeEdge(const SnappedMesh::Point& from, const SnappedMesh::Point& to) {
+    const std::int64_t dx = to.x - from.x, dy = to.y - from.y;
+    // At (x + e, y + e^2) the value grows by -dy e + dx e^2: a column on the edge is covered if
+    // that is positive.
+    const bool owns = dy < 0 || (dy == 0 && dx > 0);
+    return {from.x, from.y, dx, dy, owns ? 0 : 1};
+  }
+
+  // Calls hit(depth) if the triangle covers the column.
+  template <typename Hit>
+  void test(std::int64_t x, std::int64_t y, Hit&& hit) const {
+    if (edge[0].at(x, y) < edge[0].owned) return;
+    const std::int64_t w1 = edge[1].at(x, y);
+    if (w1 < edge[1].owned) return;
+    const std::int64_t w2 = edge[2].at(x, y);
+    if (w2 < edge[2].owned) return;
+    hit(z + (double(w1) * dz1 + double(w2) * dz2) / area);
+  }
+};
+
+// Half-open ranges of columns or cells that a triangle may cover.
+struct Range {
+  std::int32_t first, last;
+  bool empty() const { return first >= last; }
+};
+Range rangeOf(std::int32_t a, std::int32_t b, std::int32_t c) {
+  return {std::min({a, b, c}), std::max({a, b, c})};
+}
+
+// Triangles by the band of rows they reach; a band's triangles keep their order.
+struct Bands {
+  int rowsPerBand = 1;
+  std::vector<std::uint32_t> offsets, triangles;
+  std::size_t count() const { return offsets.size() - 1; }
+
+  // rows(t): half-open range of rows of triangle t, empty if it covers no column.
+  template <typename Rows>
+  Bands(int rows, int wantedBands, std::size_t triangleCount, Rows&& rowsOf) {
+    rowsPerBand = std::max(1, (rows + wantedBands - 1) / wantedBands);
+    offsets.assign((rows + rowsPerBand - 1) / rowsPerBand + 1, 0);
+    std::vector<std::uint32_t> kept;
+    std::vector<Range> bands;
+    for (std::size_t t = 0; t < triangleCount; ++t) {
+      const Range range = rowsOf(t);
+      if (range.empty()) continue;
+      const Range band{range.first / rowsPerBand, (range.last - 1) / rowsPerBand + 1};
+      kept.push_back(std::uint32_t(t));
+      bands.push_back(band);
+      for (int b = band.first; b < band.last; ++b) ++offsets[b + 1];
+    }
+    for (std::size_t b = 1; b < offsets.size(); ++b) offsets[b] += offsets[b - 1];
+    triangles.resize(offsets.back());
+    std::vector<std::uint32_t> cursor(offsets.begin(), offsets.end() - 1);
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      for (int b = bands[i].first; b < bands[i].last; ++b) triangles[cursor[b]++] = kept[i];
+  }
+};
+
+bool before(const Crossing& a, const Crossing& b) {
+  return a.depth < b.depth || (a.depth == b.depth && a.sign > b.sign);
+}
+
+void sortColumn(Crossing* first, Crossing* last) {
+  if (last - first > 32) {
+    std::sort(first, last, before);
+    return;
+  }
+  for (Crossing* i = first; i < last; ++i) {
+    const Crossing moved = *i;
+    Crossing* j = i;
+    for (; j > first && before(moved, j[-1]); --j) *j = j[-1];
+    *j = moved;
+  }
+}
+
+struct Hit {
+  std::uint32_t column;
+  std::int32_t sign;
+  double depth;
+};
+
+// Counting sort of one band's hits into its columns: offsets[c + 1] counts, then ends.
+void sortHits(const std::vector<Hit>& hits, std::span<std::size_t> ends,
+              std::vector<Crossing>& sorted) {
+  for (const Hit& hit : hits) ++ends[hit.column];
+  std::size_t sum = 0;
+  for (std::size_t& end : ends) end = std::exchange(sum, sum + end);
+  sorted.resize(hits.size());
+  for (const Hit& hit : hits) sorted[ends[hit.column]++] = {hit.depth, hit.sign};
+  std::size_t begin = 0;
+  for (const std::size_t end : ends) {
+    if (end - begin > 1) sortColumn(sorted.data() + begin, sorted.data() + end);
+    begin = end;
+  }
+}
+
+// Raster places of the lines of one axis of a grid, and the first line at or beyond a place.
+struct GridLines {
+  std::vector<std::int32_t> at;
+  double linesPerStep, first;
+
+  GridLines(double origin, double pitch, int count, double meshOrigin, double step)
+      : at(count), linesPerStep(step / pitch), first((meshOrigin - origin) / pitch) {
+    for (int i = 0; i < count; ++i) at[i] = snapColumn(origin + i * pitch - meshOrigin, step);
+  }
+  double estimate(double place) const { return first + place * linesPerStep; }
+  std::int32_t lowerBound(std::int32_t place) const {
+    const int count = int(at.size());
+    int i = int(std::clamp(std::ceil(estimate(place)), 0.0, double(count)));
+    while (i > 0 && at[i - 1] >= place) --i;
+    while (i < count && at[i] < place) ++i;
+    return i;
+  }
+};
+
+}  // namespace
+
+SnappedMesh snapToRaster(const TriangleMesh& mesh) {
+  SnappedMesh snapped;
+  snapped.triangles = mesh.triangles;
+  snapped.box = bounds(mesh);
+  if (mesh.points.empty()) return snapped;
+  const Aabb& box = snapped.box;
+  RESECT_ASSERT(box.min.allFinite() && box.max.allFinite());
+  snapped.origin = box.min.head<2>();
+  const double extent = box.size().head<2>().maxCoeff();
+  if (extent > 0) snapped.step = extent / kRaster;
+  snapped.points.resize(mesh.points.size());
+  parallelFor(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3& p = mesh.points[i];
+      snapped.points[i] = {snapColumn(p.x() - box.min.x(), snapped.step),
+                           snapColumn(p.y() - box.min.y(), snapped.step), p.z()};
+      // The highest point may round to one step beyond the raster; it stays on it.
+      snapped.points[i].x = std::clamp(snapped.points[i].x, 0, kAbove - 1);
+      snapped.points[i].y = std::clamp(snapped.points[i].y, 0, kAbove - 1);
+    }
+  });
+  return snapped;
+}
+
+Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
+  Crossings result;
+  result.offsets.assign(grid.count() + 1, 0);
+  if (grid.count() == 0 || mesh.points.empty()) return result;
+  RESECT_ASSERT(grid.pitch.x() > 0 && grid.pitch.y() > 0);
+  const GridLines linesX(grid.origin.x(), grid.pitch.x(), grid.countX, mesh.origin.x(), mesh.step);
+  const GridLines linesY(grid.origin.y(), grid.pitch.y(), grid.countY, mesh.origin.y(), mesh.step);
+
+  // A line at a triangle's lowest place may be covered, one at its highest is not (it counts as
+  // moved upwards), so the first line at or beyond each corner gives half-open ranges.
+  struct Cell {
+    std::int32_t column, row;
+  };
+  std::vector<Cell> cells(mesh.points.size());
+  parallelFor(cells.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      cells[i] = {linesX.lowerBound(mesh.points[i].x), linesY.lowerBound(mesh.points[i].y)};
+  });
+  const Bands bands(grid.countY, 32, mesh.triangles.size(), [&](std::size_t t) {
+    const Cell &a = cells[mesh.triangles[t][0]], &b = cells[mesh.triangles[t][1]],
+               &c = cells[mesh.triangles[t][2]];
+    if (rangeOf(a.column, b.column, c.column).empty()) return Range{0, 0};
+    return rangeOf(a.row, b.row, c.row);
+  });
+
+  const double slack = 2 + std::ceil(linesX.linesPerStep);
+  std::vector<std::vector<Crossing>> sorted(bands.count());
+  parallelFor(bands.count(), 1, [&](std::size_t firstBand, std::size_t lastBand) {
+    std::vector<Hit> hits;
+    for (std::size_t band = firstBand; band < lastBand; ++band) {
+      hits.clear();
+      const int bandFirst = int(band) * bands.rowsPerBand;
+      const int bandLast = std::min(grid.countY, bandFirst + bands.rowsPerBand);
+      for (std::uint32_t n = bands.offsets[band]; n < bands.offsets[band + 1]; ++n) {
+        const auto& [ia, ib, ic] = mesh.triangles[bands.triangles[n]];
+        const Footprint footprint(mesh.points[ia], mesh.points[ib], mesh.points[ic]);
+        if (footprint.area <= 0) continue;
+        Range rows = rangeOf(cells[ia].row, cells[ib].row, cells[ic].row);
+        rows = {std::max(rows.first, bandFirst), std::min(rows.last, bandLast)};
+        const Range all = rangeOf(cells[ia].column, cells[ib].column, cells[ic].column);
+        for (int row = rows.first; row < rows.last; ++row) {
+          const std::int64_t y = linesY.at[row];
+          Range columns = all;
+          if (columns.last - columns.first > 8) {
+            // Where the row crosses the edges, by floating point; the exact test decides.
+            double low = all.first, high = all.last;
+            for (const Footprint::Edge& e : footprint.edge) {
+              if (e.dy == 0) continue;
+              const double at =
+                  linesX.estimate(double(e.x) + double(e.dx) * double(y - e.y) / double(e.dy));
+              if (e.dy < 0) low = std::max(low, at - slack);
+              if (e.dy > 0) high = std::min(high, at + slack);
+            }
+            columns = {int(std::min(low, double(all.last))),
+                       int(std::ceil(std::max(high, double(all.first))))};
+          }
+          for (int column = columns.first; column < columns.last; ++column)
+            footprint.test(linesX.at[column], y, [&](double depth) {
+              hits.push_back(
+                  {std::uint32_t((row - bandFirst) * grid.countX + column), footprint.sign, depth});
+            });
+        }
+      }
+      const std::span<std::size_t> ends(
+          result.offsets.data() + 1 + std::size_t(bandFirst) * grid.countX,
+          std::size_t(bandLast - bandFirst) * grid.countX);
+      sortHits(hits, ends, sorted[band]);
+    }
+  });
+
+  std::size_t total = 0;
+  for (std::size_t band = 0; band < bands.count(); ++band) {
+    const std::size_t first = band * bands.rowsPerBand * grid.countX;
+    const std::size_t last =
+        std::min(grid.count(), first + std::size_t(bands.rowsPerBand) * grid.countX);
+    for (std::size_t c = first; c < last; ++c) result.offsets[c + 1] += total;
+    total += sorted[band].size();
+  }
+  result.all.reserve(total);
+  for (const auto& band : sorted) result.all.insert(result.all.end(), band.begin(), band.end());
+  return result;
+}
+
+namespace {
+
+// Columns at any places, in the cells of a coarse grid over them.
+struct Buckets {
+  struct Entry {
+    std::int32_t x, y;
+    std::uint32_t column;
+  };
+  std::int32_t originX = 0, originY = 0;
+  std::int64_t width = 1, height = 1;  // of a cell, raster steps
+  int countX = 0, countY = 0;
+  std::vector<std::uint32_t> offsets;
+  std::vector<Entry> entries;
+
+  int cellX(std::int32_t x) const {
+    return int(std::clamp<std::int64_t>((std::int64_t(x) - originX) / width, 0, countX - 1));
+  }
+  int cellY(std::int32_t y) const {
+    return int(std::clamp<std::int64_t>((std::int64_t(y) - originY) / height, 0, countY - 1));
+  }
+};
+
+// place(i): x, y of column i, m. Columns beside the mesh are left out.
+template <typename Place>
+Buckets bucketColumns(const SnappedMesh& mesh, std::size_t count, Place&& place) {
+  Buckets buckets;
+  std::vector<Buckets::Entry> entries;
+  std::int32_t lowX = kAbove, lowY = kAbove, highX = kBelow, highY = kBelow;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec2 p = place(i);
+    const std::int32_t x = snapColumn(p.x() - mesh.origin.x(), mesh.step);
+    const std::int32_t y = snapColumn(p.y() - mesh.origin.y(), mesh.step);
+    if (x == kBelow || x == kAbove || y == kBelow || y == kAbove) continue;
+    entries.push_back({x, y, std::uint32_t(i)});
+    lowX = std::min(lowX, x), highX = std::max(highX, x);
+    lowY = std::min(lowY, y), highY = std::max(highY, y);
+  }
+  if (entries.empty()) return buckets;
+  const int side = int(std::clamp(std::sqrt(double(entries.size()) / 2), 1.0, 1024.0));
+  buckets.originX = lowX, buckets.originY = lowY;
+  buckets.countX = buckets.countY = side;
+  buckets.width = (std::int64_t(highX) - lowX) / side + 1;
+  buckets.height = (std::int64_t(highY) - lowY) / side + 1;
+  buckets.offsets.assign(std::size_t(side) * side + 1, 0);
+  const auto bucketOf = [&](const Buckets::Entry& e) {
+    return std::size_t(buckets.cellY(e.y)) * side + buckets.cellX(e.x);
+  };
+  for (const auto& e : entries) ++buckets.offsets[bucketOf(e) + 1];
+  for (std::size_t b = 1; b < buckets.offsets.size(); ++b)
+    buckets.offsets[b] += buckets.offsets[b - 1];
+  buckets.entries.resize(entries.size());
+  std::vector<std::uint32_t> cursor(buckets.offsets.begin(), buckets.offsets.end() - 1);
+  for (const auto& e : entries) buckets.entries[cursor[bucketOf(e)]++] = e;
+  return buckets;
+}
+
+// Calls visit(column, depth, sign) for every crossing; all calls of one column come from one
+// thread, in the order of the triangles.
+template <typename Visit>
+void visitCrossings(const SnappedMesh& mesh, const Buckets& buckets, Visit&& visit) {
+  if (buckets.entries.empty()) return;
+  struct Cell {
+    std::int32_t column, row;
+  };
+  const std::int64_t endX = buckets.originX + buckets.width * buckets.countX;
+  const std::int64_t endY = buckets.originY + buckets.height * buckets.countY;
+  // Half-open as on a grid: a triangle wholly beside the buckets gets an empty range.
+  const auto rowsOf = [&](std::size_t t) {
+    const auto &a = mesh.points[mesh.triangles[t][0]], &b = mesh.points[mesh.triangles[t][1]],
+               &c = mesh.points[mesh.triangles[t][2]];
+    const Range x = rangeOf(a.x, b.x, c.x), y = rangeOf(a.y, b.y, c.y);
+    if (x.empty() || y.empty() || x.first >= endX || y.first >= endY || x.last < buckets.originX ||
+        y.last < buckets.originY)
+      return Range{0, 0};
+    return Range{buckets.cellY(y.first), buckets.cellY(y.last) + 1};
+  };
+  const int wanted =
+      int(std::clamp<std::size_t>((mesh.triangles.size() + buckets.entries.size()) / 4096, 1, 32));
+  const Bands bands(buckets.countY, wanted, mesh.triangles.size(), rowsOf);
+  parallelFor(bands.count(), 1, [&](std::size_t firstBand, std::size_t lastBand) {
+    for (std::size_t band = firstBand; band < lastBand; ++band) {
+      const int bandFirst = int(band) * bands.rowsPerBand;
+      const int bandLast = std::min(buckets.countY, bandFirst + bands.rowsPerBand);
+      for (std::uint32_t n = bands.offsets[band]; n < bands.offsets[band + 1]; ++n) {
+        const auto& triangle = mesh.triangles[bands.triangles[n]];
+        const auto &a = mesh.points[triangle[0]], &b = mesh.points[triangle[1]],
+                   &c = mesh.points[triangle[2]];
+        const Footprint footprint(a, b, c);
+        if (footprint.area <= 0) continue;
+        const Range x = rangeOf(a.x, b.x, c.x), y = rangeOf(a.y, b.y, c.y);
+        const int rowFirst = std::max(bandFirst, buckets.cellY(y.first));
+        const int rowLast = std::min(bandLast, buckets.cellY(y.last) + 1);
+        const int columnFirst = buckets.cellX(x.first), columnLast = buckets.cellX(x.last);
+        for (int row = rowFirst; row < rowLast; ++row) {
+          const std::size_t base = std::size_t(row) * buckets.countX;
+          const std::uint32_t last = buckets.offsets[base + columnLast + 1];
+          for (std::uint32_t e = buckets.offsets[base + columnFirst]; e < last; ++e) {
+            const Buckets::Entry& entry = buckets.entries[e];
+            footprint.test(entry.x, entry.y,
+                           [&](double depth) { visit(entry.column, depth, footprint.sign); });
+          }
+        }
+      }
+    }
+  });
+}
+
+}  // namespace
+
+Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns) {
+  Crossings result;
+  result.offsets.assign(columns.size() + 1, 0);
+  if (mesh.points.empty()) return result;
+  const Buckets buckets =
+      bucketColumns(mesh, columns.size(), [&](std::size_t i) { return columns[i]; });
+  visitCrossings(mesh, buckets,
+                 [&](std::uint32_t column, double, std::int32_t) { ++result.offsets[column + 1]; });
+  for (std::size_t c = 1; c < result.offsets.size(); ++c)
+    result.offsets[c] += result.offsets[c - 1];
+  result.all.resize(result.offsets.back());
+  std::vector<std::size_t> cursor(result.offsets.begin(), result.offsets.end() - 1);
+  visitCrossings(mesh, buckets, [&](std::uint32_t column, double depth, std::int32_t sign) {
+    result.all[cursor[column]++] = {depth, sign};
+  });
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    sortColumn(result.all.data() + result.offsets[c], result.all.data() + result.offsets[c + 1]);
+  return result;
+}
+
+std::vector<std::int32_t> windingNumbers(const SnappedMesh& mesh, std::span<const Vec3> points) {
+  std::vector<std::int32_t> winding(points.size(), 0);
+  if (mesh.points.empty()) return winding;
+  const Buckets buckets =
+      bucketColumns(mesh, points.size(), [&](std::size_t i) { return Vec2(points[i].head<2>()); });
+  visitCrossings(mesh, buckets, [&](std::uint32_t point, double depth, std::int32_t sign) {
+    if (depth < points[point].z()) winding[point] += sign;
+  });
+  return winding;
+}
+
+}  // namespace resect
