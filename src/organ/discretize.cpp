@@ -1,0 +1,147 @@
+#include "organ/discretize.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "collision/columns.h"
+#include "sph/lattice_extent.h"
+
+namespace resect {
+namespace {
+
+constexpr int kSamples = 4;  // per axis of a cell
+
+// Throws when there are too many cells; `counts` may be beyond int.
+Lattice makeLattice(const Vec3& origin, const Vec3& spacing, const Vec3& counts) {
+  if (!(counts.prod() <= double(kMaxCells)))
+    throw error("a spacing of {:.3g} m needs {:.3g} cells, more than {}; choose a larger spacing",
+                spacing.minCoeff(), counts.prod(), kMaxCells);
+  return settled({origin, spacing, counts.cast<int>()});
+}
+
+// Cells needed to cover `extent`; a hair's breadth beyond the last cell gets none.
+Vec3 cellsOver(const Vec3& extent, double spacing) {
+  return (extent / spacing - Vec3::Constant(1e-9)).array().ceil().cwiseMax(1);
+}
+
+// Samples along z in ascending order, and the first one beyond a depth.
+struct Samples {
+  std::vector<double> z;
+  double first, pitch;
+
+  Samples(double start, double step, int count) : z(count), first(start), pitch(step) {
+    for (int i = 0; i < count; ++i) z[i] = start + i * step;
+  }
+  int firstAbove(double depth) const {
+    const int count = int(z.size());
+    int i = int(std::clamp(std::floor((depth - first) / pitch) + 1, 0.0, double(count)));
+    while (i > 0 && z[i - 1] > depth) --i;
+    while (i < count && z[i] <= depth) ++i;
+    return i;
+  }
+};
+
+}  // namespace
+
+Lattice latticeForSpacing(const Aabb& box, double spacing) {
+  if (!(spacing > 0) || !std::isfinite(spacing))
+    throw usageError("the spacing must be a length above zero, not {} m", spacing);
+  if (box.empty()) throw error("there is no lattice over an empty mesh; give one with triangles");
+  return makeLattice(box.min + Vec3::Constant(0.5 * spacing), Vec3::Constant(spacing),
+                     cellsOver(box.size(), spacing));
+}
+
+Lattice latticeForDims(const Aabb& box, const Vec3i& dims) {
+  if ((dims.array() < 1).any())
+    throw usageError("the grid needs at least one cell per axis, not {} x {} x {}", dims.x(),
+                     dims.y(), dims.z());
+  if (box.empty() || (box.size().array() <= 0).any())
+    throw error("there is no grid over a flat or empty mesh; give a closed body");
+  return makeLattice(box.min, box.size().cwiseQuotient(dims.cast<double>()),
+                     dims.cast<double>() + Vec3::Ones());
+}
+
+Lattice cubicLatticeForDims(const Aabb& box, int dims) {
+  if (dims < 1) throw usageError("the grid needs at least one cell per axis, not {}", dims);
+  if (box.empty() || !(box.size().maxCoeff() > 0))
+    throw error("there is no grid over an empty mesh; give a closed body");
+  const double spacing = box.size().maxCoeff() / dims;
+  return makeLattice(box.min, Vec3::Constant(spacing),
+                     cellsOver(box.size() + Vec3::Constant(0.5 * spacing), spacing));
+}
+
+Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
+                          const Progress& progress) {
+  const int nx = lattice.dims.x(), ny = lattice.dims.y(), nz = lattice.dims.z();
+  Discretization result;
+  result.lattice = lattice;
+  result.value.assign(lattice.cellCount(), 0);
+  result.inside.assign(lattice.cellCount(), 0);
+  if (lattice.cellCount() == 0) return result;
+
+  report(progress, 0);
+  const SnappedMesh snapped = snapToRaster(mesh);
+  const Vec2 origin = lattice.origin.head<2>(), spacing = lattice.spacing.head<2>();
+  const Crossings centres = castColumns(snapped, ColumnGrid{origin, spacing, nx, ny});
+  report(progress, 0.1);
+  // The samples stand at (k + 1/2) / 4 of the cell.
+  const double shift = 0.5 / kSamples - 0.5;
+  const Crossings fine = castColumns(
+      snapped,
+      ColumnGrid{origin + shift * spacing, spacing / kSamples, kSamples * nx, kSamples * ny});
+  report(progress, 0.5);
+
+  const Samples centreZ(lattice.origin.z(), lattice.spacing.z(), nz);
+  const Samples fineZ(lattice.origin.z() + shift * lattice.spacing.z(),
+                      lattice.spacing.z() / kSamples, kSamples * nz);
+  const auto fillRow = [&](int j, std::vector<std::uint8_t>& filled,
+                           std::vector<std::uint8_t>& inside) {
+    // One row of cells, z fastest: samples inside (0..64) and the centre's flag.
+    filled.assign(std::size_t(nx) * nz, 0);
+    inside.assign(std::size_t(nx) * nz, 0);
+    for (int i = 0; i < nx; ++i) {
+      std::uint8_t* const column = filled.data() + std::size_t(i) * nz;
+      for (int sub = 0; sub < kSamples * kSamples; ++sub) {
+        const std::size_t row = std::size_t(kSamples) * j + sub / kSamples;
+        forEachInside(
+            fine[(row * nx + i) * kSamples + sub % kSamples], [&](double entered, double left) {
+              const int begin = fineZ.firstAbove(entered);
+              const int end = fineZ.firstAbove(left);
+              for (int k = begin / kSamples; k * kSamples < end; ++k)
+                column[k] += std::min(end, (k + 1) * kSamples) - std::max(begin, k * kSamples);
+            });
+      }
+      forEachInside(centres[std::size_t(j) * nx + i], [&](double entered, double left) {
+        const int begin = centreZ.firstAbove(entered), end = centreZ.firstAbove(left);
+        for (int k = begin; k < end; ++k) {
+          inside[std::size_t(i) * nz + k] = 1;
+          column[k] = std::max<std::uint8_t>(column[k], 1);
+        }
+      });
+    }
+    constexpr float kPerSample = 100.0f / (kSamples * kSamples * kSamples);
+    for (int k = 0; k < nz; ++k) {
+      const std::int64_t first = lattice.index({0, j, k});
+      for (int i = 0; i < nx; ++i) {
+        result.value[first + i] = kPerSample * filled[std::size_t(i) * nz + k];
+        result.inside[first + i] = inside[std::size_t(i) * nz + k];
+      }
+    }
+  };
+
+  constexpr int kReports = 16;
+  for (int part = 0; part < kReports; ++part) {
+    const int firstRow = int(std::int64_t(ny) * part / kReports);
+    const int lastRow = int(std::int64_t(ny) * (part + 1) / kReports);
+    parallelFor(lastRow - firstRow, 2, [&](std::size_t begin, std::size_t end) {
+      std::vector<std::uint8_t> filled, inside;
+      for (std::size_t row = begin; row < end; ++row) fillRow(firstRow + int(row), filled, inside);
+    });
+    report(progress, 0.5 + 0.5 * (part + 1) / kReports);
+  }
+  return result;
+}
+
+}  // namespace resect
