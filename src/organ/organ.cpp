@@ -1,0 +1,98 @@
+#include "organ/organ.h"
+
+#include <cmath>
+
+#include "base/error.h"
+
+namespace resect {
+namespace {
+
+// visit(index of neighbour) for the up to 26 cells round `cell` that are in the lattice, in lattice
+// order.
+template <typename Visit>
+void visitNeighbours(const Lattice& lattice, std::int64_t cell, Visit visit) {
+  const Vec3i c = lattice.cell(cell);
+  for (int dz = -1; dz <= 1; ++dz)
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const Vec3i n = c + Vec3i(dx, dy, dz);
+        if ((dx || dy || dz) && lattice.contains(n))
+          visit(lattice.index(n), dx * dx + dy * dy + dz * dz);
+      }
+}
+
+// visit(skin cell) for every skin cell that belongs to the particle.
+template <typename Visit>
+void visitSkin(const Discretization& rest, std::int64_t particle, Visit visit) {
+  visitNeighbours(rest.lattice, particle, [&](std::int64_t n, int) {
+    if (!rest.inside[n] && rest.value[n] > 0 && ownerCell(rest, n) == particle) visit(n);
+  });
+}
+
+}  // namespace
+
+Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
+  if (settings.refine < 1 || settings.refine > 4)
+    throw usageError("refine is {}; give 1, 2, 3 or 4 surface nodes per cell", settings.refine);
+  if (!(settings.iso >= kMinIso && settings.iso <= kMaxIso))
+    throw usageError("iso level is {}; give a value from {} to {}", settings.iso, kMinIso, kMaxIso);
+  const std::int64_t particles = cells.particleCount();
+  if (particles == 0)
+    throw error(
+        "the organ has no particle at a spacing of {:.3g} mm: no cell centre lies inside; use a "
+        "smaller spacing",
+        1e3 * cells.lattice.spacing.maxCoeff());
+  ColourField field(cells, settings.refine);
+  SurfaceTracker surface(field, settings.iso);
+  std::vector<std::uint8_t> alive = cells.inside;
+  for (std::size_t i = 0; i < alive.size(); ++i)
+    if (!alive[i] && cells.value[i] > 0 && ownerCell(cells, std::int64_t(i)) == std::int64_t(i))
+      alive[i] = 1;
+  return {
+      std::move(cells), std::move(field), std::move(surface), std::move(alive), particles, 0, 0};
+}
+
+std::int64_t ownerCell(const Discretization& rest, std::int64_t cell) {
+  if (rest.inside[cell]) return cell;
+  std::int64_t owner = cell;
+  int nearest = 4;
+  float fullest = -1;
+  visitNeighbours(rest.lattice, cell, [&](std::int64_t n, int distance) {
+    if (!rest.inside[n]) return;
+    if (distance > nearest || (distance == nearest && rest.value[n] <= fullest)) return;
+    owner = n;
+    nearest = distance;
+    fullest = rest.value[n];
+  });
+  return owner;
+}
+
+double particleVolume(const Discretization& rest, std::int64_t cell) {
+  double sum = rest.value[cell];
+  visitSkin(rest, cell, [&](std::int64_t skin) { sum += rest.value[skin]; });
+  return sum / 100 * rest.lattice.cellVolume();
+}
+
+EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits) {
+  EditSummary summary;
+  for (const TissueEdit& edit : edits) {
+    if (!organ.alive[edit.cell]) continue;
+    organ.alive[edit.cell] = 0;
+    organ.field.setCellValue(edit.cell, 0);
+    visitSkin(organ.rest, edit.cell, [&](std::int64_t skin) { organ.field.setCellValue(skin, 0); });
+    summary.removedVolume += particleVolume(organ.rest, edit.cell);
+    summary.removed += organ.rest.inside[edit.cell];
+  }
+  organ.particles -= summary.removed;
+  organ.removed += summary.removed;
+  organ.removedVolume += summary.removedVolume;
+  return summary;
+}
+
+std::span<const std::int64_t> updateField(Organ& organ) { return organ.field.update(); }
+
+void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {
+  organ.surface.update(organ.field, touchedBricks);
+}
+
+}  // namespace resect

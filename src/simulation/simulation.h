@@ -1,0 +1,85 @@
+// What happens in one frame of an operation? Tools move, touch, act; tissue answers; the surface
+// follows.
+//
+// A simulation knows no file, window, thread or clock: it is driven by inputs alone, so it runs
+// headless, several times in one process, and gives the same bits for the same inputs at any number
+// of threads. docs/step.md walks through a step.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/stage_clock.h"
+#include "organ/organ.h"
+#include "tools/contacts.h"
+#include "tools/tool.h"
+
+namespace resect {
+
+// What the outside says about a tool for this frame.
+struct ToolInput {
+  Pose pose;           // at the end of the frame, world, m
+  bool inHand = true;  // false: it lies in the tool box, or is being put there, and touches nothing
+};
+
+struct FrameInput {
+  double duration = 1.0 / 60;    // s
+  std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
+  std::optional<float> iso;      // another iso level from this frame on
+};
+
+// What happened in a frame.
+struct StepReport {
+  std::int64_t frame = 0;              // number of the frame, from 0
+  double time = 0;                     // at the end of the frame, s
+  std::int64_t removed = 0;            // particles
+  double removedVolume = 0;            // m^3
+  std::int64_t touchedBricks = 0;      // bricks evaluated and meshed again
+  std::vector<ToolContacts> contacts;  // one per tool; empty for a tool not in hand
+  std::vector<std::string> faults;     // sentences, each naming the setting to change
+};
+
+struct ToolState {
+  std::unique_ptr<Tool> tool;
+  Pose pose;
+  Pose previousPose;  // at the start of the frame
+  bool inHand = false;
+  bool wasInHand = false;
+};
+
+class Simulation {
+ public:
+  Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools);
+
+  // One frame. `clock`, when given, gets a lap per stage, under the stage's name.
+  StepReport step(const FrameInput& input, StageClock* clock = nullptr);
+
+  const Organ& organ() const { return organ_; }
+  const std::vector<ToolState>& tools() const { return tools_; }
+  double time() const { return time_; }
+  std::int64_t frame() const { return frame_; }
+
+  // Digest of all that decides what comes next: cells, iso level, poses, time; and of the surface.
+  std::uint64_t stateHash() const;
+
+ private:
+  void moveTools(const FrameInput& input, StepReport& report);
+  void findContacts(StepReport& report) const;
+  void actTools(const StepReport& report);
+  void applyEdits(StepReport& report);
+  void updateField(StepReport& report);
+  void updateSurface(const FrameInput& input);
+  void measure(const FrameInput& input, StepReport& report);
+
+  Organ organ_;
+  std::vector<ToolState> tools_;
+  std::vector<TissueEdit> edits_;                // queued in this frame
+  std::span<const std::int64_t> touchedBricks_;  // of this frame
+  double time_ = 0;
+  std::int64_t frame_ = 0;
+};
+
+}  // namespace resect

@@ -1,0 +1,92 @@
+#include "tools/contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/inside.h"
+
+namespace resect {
+namespace {
+
+// The stretch of the line p + t d, t in [t0, t1], inside the box; false when there is none.
+bool clip(const Aabb& box, const Vec3& p, const Vec3& d, double& t0, double& t1) {
+  for (int a = 0; a < 3; ++a) {
+    if (std::abs(d[a]) < 1e-30) {
+      if (p[a] < box.min[a] || p[a] > box.max[a]) return false;
+      continue;
+    }
+    double enter = (box.min[a] - p[a]) / d[a], leave = (box.max[a] - p[a]) / d[a];
+    if (enter > leave) std::swap(enter, leave);
+    t0 = std::max(t0, enter);
+    t1 = std::min(t1, leave);
+  }
+  return t0 <= t1;
+}
+
+// The box of the moving tool, in its own frame at `to`: it holds every place that the tool passes
+// through.
+Aabb sweptBox(const Aabb& tool, const Pose& from, const Pose& to) {
+  // A corner strays from the chord of its arc by less than the sagitta of the rotation about the
+  // tool's origin.
+  const double half = 0.5 * from.rotation.angularDistance(to.rotation);
+  const double reach = std::max(tool.min.norm(), tool.max.norm()) + tool.size().norm();
+  const Pose back = to.inverse();
+  Aabb box = tool;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p(corner & 1 ? tool.max.x() : tool.min.x(), corner & 2 ? tool.max.y() : tool.min.y(),
+                 corner & 4 ? tool.max.z() : tool.min.z());
+    box.grow(back * (from * p));
+  }
+  return box.padded(reach * (1 - std::cos(std::min(half, 3.2))) + 1e-9);
+}
+
+Aabb movedBounds(const Aabb& box, const Pose& pose) {
+  Aabb result;
+  for (int corner = 0; corner < 8; ++corner)
+    result.grow(pose * Vec3(corner & 1 ? box.max.x() : box.min.x(),
+                            corner & 2 ? box.max.y() : box.min.y(),
+                            corner & 4 ? box.max.z() : box.min.z()));
+  return result;
+}
+
+}  // namespace
+
+ToolContacts findContacts(const Organ& organ, const Tool& tool, std::int32_t toolIndex,
+                          const Pose& from, const Pose& to) {
+  ToolContacts contacts;
+  contacts.tool = toolIndex;
+  const Lattice& lattice = organ.rest.lattice;
+  const Aabb box = sweptBox(tool.bounds(), from, to);
+  const Aabb region = intersection(movedBounds(box, to), lattice.box());
+  contacts.volumeOfInterest = region;
+  if (region.empty()) return contacts;
+
+  // Rows of cells along x, clipped against the box in the tool's frame.
+  Vec3i low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = std::max(0, int(std::floor(lattice.toCellSpace(region.min)[a])));
+    high[a] = std::min(lattice.dims[a] - 1, int(std::ceil(lattice.toCellSpace(region.max)[a])));
+  }
+  const Pose toTool = to.inverse();
+  const Vec3 along = toTool.rotation * Vec3(lattice.spacing.x(), 0, 0);
+  std::vector<Vec3> centres;
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y) {
+      double t0 = low.x(), t1 = high.x();
+      if (!clip(box, toTool * lattice.centre({0, y, z}), along, t0, t1)) continue;
+      const std::int64_t row = lattice.index({0, y, z});
+      for (int x = int(std::ceil(t0 - 1e-9)); x <= int(std::floor(t1 + 1e-9)); ++x)
+        if (organ.alive[row + x]) {
+          contacts.cells.push_back(row + x);
+          centres.push_back(lattice.centre({x, y, z}));
+        }
+    }
+  const std::vector<std::uint8_t> touched = sweptInside(tool.model().mesh, from, to, centres);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < touched.size(); ++i)
+    if (touched[i]) contacts.cells[kept++] = contacts.cells[i];
+  contacts.cells.resize(kept);
+  return contacts;
+}
+
+}  // namespace resect

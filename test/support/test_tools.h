@@ -1,0 +1,26 @@
+// Which instruments do tests hold, with no file needed?
+#pragma once
+
+#include <memory>
+
+#include "geometry/primitives.h"
+#include "tools/registry.h"
+
+namespace resect::test {
+
+// A box-shaped tool: tip at the origin, handle along +Z.
+inline std::unique_ptr<Tool> boxTool(const Aabb& box, const char* kind = "scalpel") {
+  ToolModel model;
+  model.name = model.kind = kind;
+  model.mesh = boxMesh(box);
+  return makeTool(std::move(model));
+}
+
+inline std::unique_ptr<Tool> ballTool(double radius) {
+  ToolModel model;
+  model.name = model.kind = "baton";
+  model.mesh = sphereMesh({0, 0, 0}, radius, 16);
+  return makeTool(std::move(model));
+}
+
+}  // namespace resect::test
