@@ -1,0 +1,20 @@
+// How long is "5mm"? Lengths that people write, in metres.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace resect {
+
+// A number and a unit (um, mm, cm, m, in), e.g. "5mm", "0.5 cm", "0.005m"; no unit means metres. A
+// usage Error that names `what` (as "--spacing") when the text is no length or not finite.
+double parseLength(std::string_view text, std::string_view what);
+
+// Metres per unit: "mm" 0.001, "cm" 0.01, "m" 1, "um" 1e-6, "in" or "inch" 0.0254, or a plain
+// number > 0.
+double parseUnit(std::string_view text, std::string_view what);
+
+// "5 mm", for people: three digits, in mm below 10 cm, else in m.
+std::string lengthText(double metres);
+
+}  // namespace resect

@@ -1,0 +1,124 @@
+#include "io/scenario_file.h"
+
+#include "base/error.h"
+#include "io/data_folder.h"
+#include "io/length.h"
+#include "io/toml_table.h"
+#include "operation/room.h"
+
+namespace resect {
+namespace {
+
+constexpr double kMinSpacing = 1e-5, kMaxSpacing = 0.1;  // m
+
+Vec3i readDims(const TomlTable& t) {
+  const Vec3 dims = t.vec3("dims");
+  for (int a = 0; a < 3; ++a)
+    if (dims[a] < 1 || dims[a] > 2000 || dims[a] != std::floor(dims[a]))
+      t.complain("dims", "is not three whole numbers from 1 to 2000");
+  return dims.cast<int>();
+}
+
+OrganSource readOrgan(const TomlTable& t) {
+  OrganSource organ;
+  const std::string source = t.text("source", "liver");
+  organ.file = source == "liver" ? "" : source;
+  organ.part = t.text("part", "");
+  organ.unit = parseUnit(t.text("unit", "m"), "organ.unit");
+  if (t.has("spacing")) organ.spacing = t.length("spacing", kMinSpacing, kMaxSpacing);
+  if (t.has("dims")) organ.dims = readDims(t);
+  if (organ.spacing && organ.dims) t.complain("dims", "and spacing are both given; keep one");
+  if (!organ.spacing && !organ.dims) organ.spacing = 0.005;
+  organ.pose = {t.vec3("position", Vec3::Zero()), t.rotation("rotation")};
+  organ.onTable = t.flag("on_table", true);
+  organ.settings.refine = t.integer("refine", 1, 4, organ.settings.refine);
+  organ.settings.iso = float(t.number("iso", kMinIso, kMaxIso, organ.settings.iso));
+  t.refuseUnknownKeys();
+  return organ;
+}
+
+ScenarioTool readScenarioTool(const TomlTable& t, int number) {
+  ScenarioTool tool;
+  tool.model = t.text("model");
+  tool.rest = toolBoxPlace(number);
+  if (const auto rest = t.table("rest")) {
+    tool.rest = {rest->vec3("position"), rest->rotation("rotation")};
+    rest->refuseUnknownKeys();
+  }
+  for (const TomlTable& key : t.tables("keys")) {
+    const double time = key.number("time", 0, 1e5);
+    if (!tool.keys.empty() && time <= tool.keys.back().time)
+      key.complain("time", "is not later than that of the key before");
+    tool.keys.push_back({time, {key.vec3("position"), key.rotation("rotation")}});
+    key.refuseUnknownKeys();
+  }
+  t.refuseUnknownKeys();
+  return tool;
+}
+
+Scenario toScenario(const TomlTable& t) {
+  Scenario scenario;
+  scenario.title = t.text("title");
+  scenario.description = t.text("description", "");
+  scenario.frameRate = t.number("frame_rate", 1, 1000, 60);
+  scenario.duration = t.number("duration", 1e-3, 3600);
+  scenario.view = t.text("view", "surgeon");
+  if (const auto organ = t.table("organ"))
+    scenario.organ = readOrgan(*organ);
+  else
+    scenario.organ.spacing = 0.005;
+  if (const auto room = t.table("room")) {
+    scenario.table = room->flag("table", true);
+    scenario.toolBox = room->flag("tool_box", true);
+    room->refuseUnknownKeys();
+  }
+  for (const TomlTable& tool : t.tables("tool"))
+    scenario.tools.push_back(readScenarioTool(tool, int(scenario.tools.size())));
+  t.refuseUnknownKeys();
+  return scenario;
+}
+
+// A file named in another one: beside it, or as named.
+std::string resolved(const std::string& name, const std::filesystem::path& from) {
+  std::error_code ec;
+  const auto beside = from.parent_path() / name;
+  return std::filesystem::is_regular_file(beside, ec) ? beside.string() : name;
+}
+
+}  // namespace
+
+Scenario readScenario(const std::filesystem::path& path) {
+  Scenario scenario = toScenario(TomlTable::readFile(path));
+  scenario.name = path.stem().string();
+  if (!scenario.organ.file.empty()) scenario.organ.file = resolved(scenario.organ.file, path);
+  for (ScenarioTool& tool : scenario.tools) tool.model = resolved(tool.model, path);
+  return scenario;
+}
+
+Scenario parseScenario(const std::string& text, const std::string& name) {
+  Scenario scenario = toScenario(TomlTable::parse(text, name));
+  scenario.name = name;
+  return scenario;
+}
+
+ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh) {
+  const TomlTable t = TomlTable::readFile(path);
+  ToolModel model;
+  model.name = t.text("name");
+  model.kind = t.text("kind");
+  model.description = t.text("description", "");
+  model.tip = t.vec3("tip", Vec3::Zero());
+  model.axis = t.vec3("axis", Vec3::UnitZ());
+  if (model.axis.norm() < 1e-9) t.complain("axis", "has no length");
+  model.axis.normalize();
+  model.edge = t.points("edge");
+  model.hook = t.points("hook");
+  model.point = t.vec3("point", Vec3::Zero());
+  model.contactRadius = t.number("contact_radius", 0, 1, 0);
+  model.file = path.parent_path() / t.text("model");
+  t.refuseUnknownKeys();
+  model.mesh = readMesh(model.file);
+  return model;
+}
+
+}  // namespace resect

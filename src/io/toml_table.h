@@ -1,0 +1,70 @@
+// What does a table of a settings file say, and where is it wrong?
+//
+// Wraps one toml++ table: every value that is asked for is checked for kind and range, and every
+// complaint is an Error with file, line and key. Keys that nobody asked for are refused in the end,
+// so that a misspelt key is never silently ignored.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "geometry/pose.h"
+
+namespace toml {
+inline namespace v3 {
+class table;
+class node;
+}  // namespace v3
+}  // namespace toml
+
+namespace resect {
+
+class TomlTable {
+ public:
+  static TomlTable readFile(const std::filesystem::path& path);
+  // `name` stands for a file in complaints.
+  static TomlTable parse(const std::string& text, const std::string& name);
+
+  bool has(const std::string& key) const;
+  // Missing keys give the default; without one they are an Error.
+  double number(const std::string& key, double low, double high,
+                std::optional<double> missing = {}) const;
+  int integer(const std::string& key, int low, int high, std::optional<int> missing = {}) const;
+  std::string text(const std::string& key, std::optional<std::string> missing = {}) const;
+  bool flag(const std::string& key, bool missing) const;
+  Vec3 vec3(const std::string& key, std::optional<Vec3> missing = {}) const;
+  std::vector<Vec3> points(const std::string& key) const;  // [[x, y, z], ...]; empty when missing
+  double length(const std::string& key, double low,
+                double high) const;  // "5mm", or a number of metres
+  // { axis = [x, y, z], degrees = 30 }, or { handle = [...], edge = [...] }: where a tool's handle
+  // (+Z of its frame) and edge (-Y) point. Identity when missing.
+  Eigen::Quaterniond rotation(const std::string& key) const;
+
+  std::optional<TomlTable> table(const std::string& key) const;
+  std::vector<TomlTable> tables(
+      const std::string& key) const;  // [[key]] or key = [{...}, ...]; empty when missing
+
+  // Throws when the table itself holds a key that was not asked for.
+  void refuseUnknownKeys() const;
+  // An Error about the key, with file and line.
+  [[noreturn]] void complain(const std::string& key, const std::string& sentence) const;
+  const std::string& file() const { return file_; }
+
+ private:
+  TomlTable(std::shared_ptr<const toml::table> root, const toml::table* table, std::string file,
+            std::string path);
+  const toml::node* find(const std::string& key) const;
+  std::string where(const toml::node* node) const;
+  Vec3 toVec3(const toml::node& node, const std::string& key) const;
+
+  std::shared_ptr<const toml::table> root_;  // keeps the document alive
+  const toml::table* table_;
+  std::string file_, path_;
+  std::shared_ptr<std::set<std::string>> asked_;
+};
+
+}  // namespace resect

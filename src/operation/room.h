@@ -1,0 +1,24 @@
+// Where do things stand in the operating room? One place for the scenario's defaults and for the
+// pictures.
+//
+// World: m, Y up, table top at y = 0, the patient's left at +X, the surgeon at +Z. The organ lies
+// round the origin.
+#pragma once
+
+#include <numbers>
+
+#include "geometry/pose.h"
+
+namespace resect {
+
+// Centre of the tool box's bottom.
+inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::Identity()}; }
+
+// Where tool number i lies in the tool box, side by side, handle towards the surgeon: on its side,
+// so that it lies flat.
+inline Pose toolBoxPlace(int i) {
+  const Eigen::Quaterniond onItsSide(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
+  return {toolBoxPose() * Vec3(-0.06 + 0.05 * (i % 4), 0.012, -0.085), onItsSide};
+}
+
+}  // namespace resect

@@ -1,0 +1,48 @@
+// What came of an operation? Runs a scenario frame by frame and sums it up.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/stage_clock.h"
+#include "operation/scenario.h"
+#include "simulation/simulation.h"
+
+namespace resect {
+
+struct SurfaceSummary {
+  std::int64_t triangles = 0;
+  bool closed = false, oriented = false;
+  double volume = 0;  // m^3
+};
+SurfaceSummary summarise(const TriangleMesh& surface);
+
+struct RunSummary {
+  std::int64_t particles = 0;  // before the operation
+  double organVolume = 0;      // m^3 before the operation: tissue in all cells
+  std::int64_t removed = 0;    // particles
+  double removedVolume = 0;    // m^3
+  double remainingVolume = 0;  // m^3 of tissue left in all cells
+  std::int64_t frames = 0;
+  double simulatedSeconds = 0;
+  double computedSeconds = 0;  // spent in the steps, pictures not counted
+  SurfaceSummary surfaceBefore, surface;
+  std::vector<SurfaceSummary> pieces;  // bodies of the surface at the end, the largest first
+  std::vector<StageTimes> stages;
+  std::vector<std::string> faults;  // each once
+  std::uint64_t stateHash = 0;
+
+  double realTimeFactor() const {
+    return computedSeconds > 0 ? simulatedSeconds / computedSeconds : 0;
+  }
+};
+
+// Called after each frame; returns false to stop the operation there.
+using FrameObserver = std::function<bool(const Simulation&, const StepReport&)>;
+
+// Runs all frames of the scenario on a simulation made for it (operation does not read files).
+RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
+                       const FrameObserver& observer = {});
+
+}  // namespace resect

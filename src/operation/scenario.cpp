@@ -1,0 +1,35 @@
+#include "operation/scenario.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace resect {
+
+ToolInput toolInputAt(const ScenarioTool& tool, double time) {
+  const auto& keys = tool.keys;
+  // Times are sums of frame durations: a key counts as reached a rounding error early.
+  const double now = time + 1e-9;
+  if (keys.empty() || now < keys.front().time || time - 1e-9 > keys.back().time)
+    return {tool.rest, false};
+  const auto next =
+      std::find_if(keys.begin(), keys.end(), [&](const ToolKey& key) { return key.time > now; });
+  if (next == keys.end()) return {keys.back().pose, true};
+  if (next == keys.begin()) return {keys.front().pose, true};
+  const ToolKey& before = *(next - 1);
+  const double share = std::clamp((time - before.time) / (next->time - before.time), 0.0, 1.0);
+  return {interpolate(before.pose, next->pose, share), true};
+}
+
+FrameInput frameInput(const Scenario& scenario, std::int64_t frame) {
+  FrameInput input;
+  input.duration = 1 / scenario.frameRate;
+  for (const ScenarioTool& tool : scenario.tools)
+    input.tools.push_back(toolInputAt(tool, double(frame + 1) / scenario.frameRate));
+  return input;
+}
+
+std::int64_t frameCount(const Scenario& scenario) {
+  return std::max<std::int64_t>(1, std::llround(scenario.duration * scenario.frameRate));
+}
+
+}  // namespace resect

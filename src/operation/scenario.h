@@ -1,0 +1,59 @@
+// What is set up and what happens in an operation that is run from a file? Plain data;
+// io/scenario_file.h reads it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/pose.h"
+#include "simulation/simulation.h"
+
+namespace resect {
+
+// Where the organ comes from and how finely it is taken.
+struct OrganSource {
+  std::string file;               // model file, discretisation file, or "" for the built-in liver
+  std::string part;               // named part of the file, or "" for all
+  double unit = 1;                // metres per unit of the file
+  std::optional<double> spacing;  // cell side, m; or
+  std::optional<Vec3i> dims;      // the thesis's grid over the bounding box
+  Pose pose;  // turns the organ before it is laid on the table; the position is added after
+  bool onTable = true;  // moved so that it stands centred on the table top, y = 0
+  OrganSettings settings;
+};
+
+// A tool is here at this time; between keys it moves linearly and turns along the shorter great
+// circle.
+struct ToolKey {
+  double time;  // s from the start
+  Pose pose;    // of the tool's frame: tip at the position
+};
+
+struct ScenarioTool {
+  std::string model;  // the tool's description file (.toml)
+  Pose rest;          // where it lies while not in hand
+  std::vector<ToolKey>
+      keys;  // ascending times; in hand from the first key's time to the last one's
+};
+
+struct Scenario {
+  std::string name;         // as in the file's name
+  std::string title;        // one line for people
+  std::string description;  // what it shows
+  OrganSource organ;
+  std::vector<ScenarioTool> tools;
+  double frameRate = 60;              // frames per simulated second, 1 to 1000
+  double duration = 1;                // s
+  bool table = true, toolBox = true;  // what stands in the room
+  std::string view = "surgeon";       // camera
+};
+
+// Where a scenario's tool is, and whether it is in hand, at a time.
+ToolInput toolInputAt(const ScenarioTool& tool, double time);
+
+// Input of frame number `frame` (from 0), which ends at (frame + 1) / frameRate.
+FrameInput frameInput(const Scenario& scenario, std::int64_t frame);
+std::int64_t frameCount(const Scenario& scenario);
+
+}  // namespace resect

@@ -1,0 +1,113 @@
+#include "io/scenario_file.h"
+
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+#include "base/error.h"
+#include "base/random.h"
+
+using namespace resect;
+
+namespace {
+
+const char* kGood = R"(title = "A cut"
+duration = 2.5
+frame_rate = 30
+[organ]
+source = "liver"
+spacing = "4mm"
+iso = 45
+[[tool]]
+model = "scalpel"
+keys = [
+  { time = 0.5, position = [0, 0.1, 0], rotation = { handle = [0, 1, 0], edge = [0, 0, 1] } },
+  { time = 1.5, position = [0, 0.0, 0], rotation = { axis = [1, 0, 0], degrees = 90 } },
+]
+)";
+
+std::string complaint(const std::string& text) {
+  try {
+    parseScenario(text, "x.toml");
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+}  // namespace
+
+TEST_CASE("a scenario file says what it says") {
+  const Scenario s = parseScenario(kGood, "cut");
+  CHECK(s.title == "A cut");
+  CHECK(s.duration == 2.5);
+  CHECK(s.frameRate == 30);
+  CHECK(*s.organ.spacing == 0.004);
+  CHECK(s.organ.settings.iso == 45);
+  REQUIRE(s.tools.size() == 1);
+  REQUIRE(s.tools[0].keys.size() == 2);
+  // Handle (+Z of the tool) up, edge (-Y of the tool) towards +Z.
+  const Eigen::Quaterniond q = s.tools[0].keys[0].pose.rotation;
+  CHECK((q * Vec3(0, 0, 1) - Vec3(0, 1, 0)).norm() < 1e-12);
+  CHECK((q * Vec3(0, -1, 0) - Vec3(0, 0, 1)).norm() < 1e-12);
+  const Eigen::Quaterniond r = s.tools[0].keys[1].pose.rotation;
+  CHECK((r * Vec3(0, 1, 0) - Vec3(0, 0, 1)).norm() < 1e-12);
+}
+
+TEST_CASE("a wrong scenario file is refused with file, line and key") {
+  CHECK(complaint(replaced(kGood, "duration = 2.5", "duration = -1")) ==
+        "x.toml:2: duration is no number from 0.001 to 3600");
+  CHECK(complaint(replaced(kGood, "iso = 45", "iso = 200"))
+            .find("x.toml:7: organ.iso is no number") == 0);
+  CHECK(complaint(replaced(kGood, "iso = 45", "isso = 45"))
+            .find("x.toml:7: organ.isso is not known here") == 0);
+  CHECK(complaint(replaced(kGood, "\"4mm\"", "\"4 parsec\"")).find("x.toml:6: organ.spacing is") ==
+        0);
+  CHECK(complaint(replaced(kGood, "time = 1.5", "time = 0.5")).find("is not later") !=
+        std::string::npos);
+  CHECK(complaint(replaced(kGood, "[0, 0.1, 0]", "[0, 0.1]")).find("three finite numbers") !=
+        std::string::npos);
+  CHECK(complaint(replaced(kGood, "[0, 0.1, 0]", "[0, nan, 0]")).find("three finite numbers") !=
+        std::string::npos);
+  CHECK(complaint(replaced(kGood, "edge = [0, 0, 1]", "edge = [0, 2, 0]"))
+            .find("different directions") != std::string::npos);
+  CHECK(complaint(replaced(kGood, "title = \"A cut\"", "")).find("title is missing") !=
+        std::string::npos);
+  CHECK(complaint("title = ").find("x.toml:1:") == 0);
+  CHECK(complaint(std::string(100000, '[')).find("nested") != std::string::npos);
+}
+
+TEST_CASE("a scenario file with any bytes changed is read or refused in one line, never worse") {
+  Random random(5);
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string text = kGood;
+    for (int n = 1 + random.below(4); n > 0; --n) {
+      const auto at = std::size_t(random.below(int(text.size())));
+      switch (random.below(3)) {
+        case 0:
+          text[at] = char(random.below(256));
+          break;
+        case 1:
+          text.erase(at, std::size_t(random.below(30)));
+          break;
+        default:
+          text.insert(at, 1, "[]{}=\"',.\n-e9"[random.below(13)]);
+      }
+    }
+    try {
+      parseScenario(text, "x.toml");
+    } catch (const Error& e) {
+      ++refused;
+      REQUIRE(std::string(e.what()).size() > 10);
+      REQUIRE(std::string(e.what()).find('\n') == std::string::npos);
+    }
+  }
+  CHECK(refused > 500);
+}

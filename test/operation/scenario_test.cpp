@@ -1,0 +1,72 @@
+#include "operation/scenario.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "operation/run.h"
+#include "support/block_organ.h"
+#include "support/test_tools.h"
+
+using namespace resect;
+
+namespace {
+
+ToolKey key(double time, const Vec3& p) { return {time, {p, Eigen::Quaterniond::Identity()}}; }
+
+}  // namespace
+
+TEST_CASE("a tool moves linearly between its keys and lies in the box before and after") {
+  ScenarioTool tool;
+  tool.rest.position = Vec3(9, 9, 9);
+  tool.keys = {key(1, {0, 0, 0}), key(2, {1, 0, 0}), key(4, {1, 2, 0})};
+  CHECK_FALSE(toolInputAt(tool, 0.5).inHand);
+  CHECK(toolInputAt(tool, 0.5).pose.position == tool.rest.position);
+  CHECK(toolInputAt(tool, 1).inHand);
+  CHECK((toolInputAt(tool, 1.25).pose.position - Vec3(0.25, 0, 0)).norm() < 1e-12);
+  CHECK((toolInputAt(tool, 3).pose.position - Vec3(1, 1, 0)).norm() < 1e-12);
+  CHECK((toolInputAt(tool, 4).pose.position - Vec3(1, 2, 0)).norm() < 1e-12);
+  CHECK_FALSE(toolInputAt(tool, 4.1).inHand);
+  CHECK_FALSE(toolInputAt(ScenarioTool{}, 1).inHand);
+}
+
+TEST_CASE("a scenario runs all its frames and its summary adds up") {
+  Scenario scenario;
+  scenario.frameRate = 30;
+  scenario.duration = 1;
+  ScenarioTool tool;
+  tool.rest.position = Vec3(2, 2, 2);
+  const Discretization cells = test::ball(20);
+  const Vec3 middle = cells.lattice.box().centre();
+  tool.keys = {key(0.1, middle - Vec3(0.1, 0, 0)), key(0.9, middle + Vec3(0.1, 0, 0))};
+  scenario.tools = {tool};
+  std::vector<std::unique_ptr<Tool>> tools;
+  tools.push_back(test::ballTool(0.01));
+  Simulation simulation(makeOrgan(cells, {}), std::move(tools));
+  int observed = 0;
+  const RunSummary summary =
+      runScenario(simulation, scenario, [&](const Simulation&, const StepReport&) {
+        ++observed;
+        return true;
+      });
+  CHECK(summary.frames == 30);
+  CHECK(observed == 30);
+  CHECK(summary.simulatedSeconds == doctest::Approx(1));
+  CHECK(summary.removed > 50);
+  CHECK(summary.removed + simulation.organ().particles == summary.particles);
+  CHECK(std::abs((summary.removedVolume + summary.remainingVolume) / summary.organVolume - 1) <
+        1e-12);
+  CHECK(summary.surface.closed);
+  CHECK(summary.surface.oriented);
+  CHECK(summary.pieces.size() == 1);
+  CHECK(summary.stages.size() == 7);
+  CHECK(summary.stateHash == simulation.stateHash());
+}
+
+TEST_CASE("the observer can stop an operation") {
+  Scenario scenario;
+  Simulation simulation(makeOrgan(test::ball(8), {}), {});
+  CHECK(runScenario(simulation, scenario, [](const Simulation&, const StepReport& r) {
+          return r.frame < 4;
+        }).frames == 5);
+}
