@@ -1,4 +1,5 @@
-"""Reads the part of Open Inventor's ascii format that the models use, independently of the program that writes it."""
+"""Reads the part of Open Inventor's ascii format that the models use, independently of the program
+that writes it."""
 
 import re
 
@@ -12,8 +13,10 @@ def tokens(text):
 
 
 def read_strips(text):
-    """All strips of the file in order, each a list of (position, normal), positions in metres with Scale and Translation
-    applied. Raises ValueError where counts do not fit, or for a node or field that the models do not use."""
+    """All strips of the file in order, each a list of (position, normal), positions in metres with
+    Scale and Translation applied. Raises ValueError where counts do not fit, or for a node or field
+    that the models do not use.
+    """
     reader = _Reader(tokens(text))
     reader.nodes(_State())
     if reader.at < len(reader.tokens):
@@ -22,7 +25,8 @@ def read_strips(text):
 
 
 class _State:
-    """What a Separator restores: coordinates, normals and the transform p -> factor * p + offset."""
+    """What a Separator restores: coordinates, normals and the transform p -> factor * p +
+    offset."""
 
     def __init__(self, parent=None):
         self.points = parent.points if parent else []
@@ -75,7 +79,9 @@ class _Reader:
         elif kind == "Normal":
             state.normals = _vectors(fields["vector"])
         elif kind == "Scale":
-            state.factor = tuple(a * b for a, b in zip(state.factor, _vectors(fields["scaleFactor"])[0]))
+            state.factor = tuple(
+                a * b for a, b in zip(state.factor, _vectors(fields["scaleFactor"])[0])
+            )
         elif kind == "Translation":
             move = _vectors(fields["translation"])[0]
             state.offset = tuple(o + f * m for o, f, m in zip(state.offset, state.factor, move))
@@ -92,7 +98,10 @@ class _Reader:
 
     def strip_set(self, counts, state):
         if sum(counts) != len(state.points) or len(state.points) != len(state.normals):
-            raise ValueError(f"{sum(counts)} strip vertices, {len(state.points)} points, {len(state.normals)} normals")
+            raise ValueError(
+                f"{sum(counts)} strip vertices, {len(state.points)} points, "
+                f"{len(state.normals)} normals"
+            )
         first = 0
         for count in counts:
             if count < 3:
@@ -112,7 +121,8 @@ def _vectors(values):
 
 
 def triangles(strips):
-    """The strips' triangles as triples of (position, normal), counterclockwise: every second one is flipped."""
+    """The strips' triangles as triples of (position, normal), counterclockwise: every second one is
+    flipped."""
     result = []
     for strip in strips:
         for k in range(len(strip) - 2):

@@ -1,4 +1,5 @@
-"""The committed models of the instruments and the room are closed solids, life size, and as their descriptions say.
+"""The committed models of the instruments and the room are closed solids, life size, and as their
+descriptions say.
 
     python3 test/models/models_test.py [-v]
 """
@@ -64,7 +65,9 @@ class EveryModel(unittest.TestCase):
         self.check(test)
 
     def test_has_no_degenerate_triangle(self):
-        self.check(lambda name, model: self.assertGreater(min(map(solid.area, model.triangles)), 1e-9))
+        self.check(
+            lambda name, model: self.assertGreater(min(map(solid.area, model.triangles)), 1e-9)
+        )
 
     def test_has_unit_normals_on_the_outer_side_of_their_triangle(self):
         def test(name, model):
@@ -84,7 +87,9 @@ class EveryModel(unittest.TestCase):
             seen = set()
             for _ in range(24):
                 triangle = chance.choice(model.triangles)
-                point = tuple(sum(axis) / 3.0 + chance.gauss(0.0, 0.3 * MILLIMETRE) for axis in zip(*triangle))
+                point = tuple(
+                    sum(axis) / 3.0 + chance.gauss(0.0, 0.3 * MILLIMETRE) for axis in zip(*triangle)
+                )
                 winding = solid.winding_number(point, model.triangles)
                 self.assertAlmostEqual(winding, round(winding), delta=1e-6)
                 seen.add(round(winding))
@@ -110,7 +115,10 @@ class EveryInstrument(unittest.TestCase):
         def test(model, text):
             self.assertLess(solid.distance(text["tip"], model.triangles), 0.01 * MILLIMETRE)
             self.assertAlmostEqual(solid.length(text["axis"]), 1.0, delta=1e-9)
-            along = [solid.dot(solid.subtract(point, text["tip"]), text["axis"]) for point in model.points]
+            along = [
+                solid.dot(solid.subtract(point, text["tip"]), text["axis"])
+                for point in model.points
+            ]
             self.assertGreaterEqual(min(along), -0.01 * MILLIMETRE)
             self.assertGreater(max(along), 0.15)
 
@@ -130,7 +138,9 @@ class TheScalpel(unittest.TestCase):
         for start, end in zip(edge, edge[1:]):
             for share in (0.5, 1.0):
                 point = [a + share * (b - a) for a, b in zip(start, end)]
-                self.assertLess(solid.distance(point, MODELS["scalpel"].triangles), 0.02 * MILLIMETRE)
+                self.assertLess(
+                    solid.distance(point, MODELS["scalpel"].triangles), 0.02 * MILLIMETRE
+                )
 
     def test_cuts_towards_minus_y_with_nothing_of_the_blade_below_the_edge(self):
         edge = description("scalpel")["edge"]
@@ -146,18 +156,25 @@ class TheScalpel(unittest.TestCase):
         edge = {tuple(point) for point in description("scalpel")["edge"]}
         self.assertTrue(all(x == 0.0 for x, _, _ in edge))
         before_the_tongue = [x for x, _, z in MODELS["scalpel"].points if 0.006 <= z <= 0.0186]
-        self.assertAlmostEqual(max(before_the_tongue) - min(before_the_tongue), 0.4 * MILLIMETRE, delta=1e-9)
+        self.assertAlmostEqual(
+            max(before_the_tongue) - min(before_the_tongue), 0.4 * MILLIMETRE, delta=1e-9
+        )
 
 
 class TheHook(unittest.TestCase):
     def test_ends_in_its_point(self):
-        self.assertLess(solid.distance(description("hook")["point"], MODELS["hook"].triangles), 0.01 * MILLIMETRE)
+        self.assertLess(
+            solid.distance(description("hook")["point"], MODELS["hook"].triangles),
+            0.01 * MILLIMETRE,
+        )
 
     def test_has_its_centre_line_inside_and_about_a_wire_radius_from_the_surface(self):
         model = MODELS["hook"]
         for point in description("hook")["hook"]:
             self.assertAlmostEqual(solid.winding_number(point, model.triangles), 1.0, delta=1e-6)
-            self.assertTrue(1.0 * MILLIMETRE < solid.distance(point, model.triangles) < 1.6 * MILLIMETRE)
+            self.assertTrue(
+                1.0 * MILLIMETRE < solid.distance(point, model.triangles) < 1.6 * MILLIMETRE
+            )
 
     def test_bends_with_a_radius_of_10_mm_towards_minus_y(self):
         line = description("hook")["hook"]
@@ -170,10 +187,13 @@ class TheHook(unittest.TestCase):
 
 class TheBaton(unittest.TestCase):
     def test_has_the_coordinates_of_the_thesis(self):
-        """Section 4.1.1: a frustum from a square of side 0.5 to one of side 1.1, 15 long; here 0.012 m for each unit."""
+        """Section 4.1.1: a frustum from a square of side 0.5 to one of side 1.1, 15 long; here
+        0.012 m for each unit."""
         tip = [(x, y, 0.0) for x in (0.0, 0.5) for y in (0.0, 0.5)]
         end = [(x, y, 15.0) for x in (-0.3, 0.8) for y in (-0.3, 0.8)]
-        expected = sorted(tuple(round(0.012 * v, 9) for v in (x - 0.25, y - 0.25, z)) for x, y, z in tip + end)
+        expected = sorted(
+            tuple(round(0.012 * v, 9) for v in (x - 0.25, y - 0.25, z)) for x, y, z in tip + end
+        )
         actual = sorted({tuple(round(v, 9) for v in point) for point in MODELS["baton"].points})
         self.assertEqual(actual, expected)
         self.assertEqual(len(MODELS["baton"].triangles), 12)
@@ -209,7 +229,10 @@ class TheGenerator(unittest.TestCase):
     def test_writes_exactly_the_committed_files(self):
         program = os.path.join(SOURCE, "tools", "make_models", "make_models.py")
         result = subprocess.run(
-            [sys.executable, "-B", program, FOLDER, "--check"], capture_output=True, text=True, check=False
+            [sys.executable, "-B", program, FOLDER, "--check"],
+            capture_output=True,
+            text=True,
+            check=False,
         )
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 

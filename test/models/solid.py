@@ -20,13 +20,15 @@ def length(a):
 
 
 def weld(positions, grid=1e-8):
-    """Index of each position among the distinct ones; equal means equal after rounding to `grid`."""
+    """Index of each position among the distinct ones; equal means equal after rounding to
+    `grid`."""
     index = {}
     return [index.setdefault(tuple(round(x / grid) for x in p), len(index)) for p in positions]
 
 
 def unmatched_edges(faces):
-    """Directed edges that do not occur exactly once, or whose opposite does not: empty for a closed oriented surface."""
+    """Directed edges that do not occur exactly once, or whose opposite does not: empty for a closed
+    oriented surface."""
     count = {}
     for a, b, c in faces:
         for edge in ((a, b), (b, c), (c, a)):
@@ -63,17 +65,21 @@ def volume(triangles):
 
 
 def winding_number(point, triangles):
-    """1 inside, 0 outside (van Oosterom and Strackee, 1983); other values where a surface overlaps itself."""
+    """1 inside, 0 outside (van Oosterom and Strackee, 1983); other values where a surface overlaps
+    itself."""
     total = 0.0
     for triangle in triangles:
         a, b, c = (subtract(p, point) for p in triangle)
         la, lb, lc = length(a), length(b), length(c)
-        total += math.atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb)
+        total += math.atan2(
+            dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb
+        )
     return total / (2.0 * math.pi)
 
 
 def distance_to_triangle(p, triangle):
-    """Distance from p to the nearest point of the triangle: its plane's foot when inside, else its nearest side."""
+    """Distance from p to the nearest point of the triangle: its plane's foot when inside, else its
+    nearest side."""
     a, b, c = triangle
     n = cross(subtract(b, a), subtract(c, a))
     sides = ((a, b), (b, c), (c, a))
@@ -89,7 +95,8 @@ def _distance_to_segment(p, s, e):
 
 
 def distance(p, triangles):
-    """Distance from p to the nearest triangle; those whose bounding box is farther than the best so far are skipped."""
+    """Distance from p to the nearest triangle; those whose bounding box is farther than the best so
+    far are skipped."""
     best = math.inf
     for triangle in triangles:
         box = [max(min(axis) - x, x - max(axis), 0.0) for x, axis in zip(p, zip(*triangle))]

@@ -1,14 +1,15 @@
-"""The baton of the thesis that Resect follows (ETH diploma thesis, about 2004, section 4.1.1): six strips of four points.
+"""The baton of the thesis that Resect follows (ETH diploma thesis, about 2004, section 4.1.1): six
+strips of four points.
 
-The coordinates are the thesis's. Two of its six strips, the far end and the top, are listed so that their normals point
-inwards; here the two middle points of these strips are exchanged, which turns them outwards and moves nothing.
+The coordinates are the thesis's. Two of its six strips, the far end and the top, are listed so that
+their normals point inwards; here the two middle points of these strips are exchanged, which turns
+them outwards and moves nothing.
 """
 
 from description import description_text
 from inventor import HEADER, Material, comment, number, numbers
 from vector import cross, subtract, unit
 
-LENGTH = 15.0  # thesis units
 SCALE = 0.012  # metres per thesis unit: 0.18 m
 TIP_MIDDLE = (0.25, 0.25, 0.0)
 
@@ -22,11 +23,12 @@ STRIPS = {
 }
 
 DESCRIPTION = """
-Baton: the coordinates of the thesis (section 4.1.1), in its units; the Scale makes it 0.18 m long and the Translation
-puts the middle of its tip at the origin, with the handle towards +Z.
-The thesis lists the end and the top so that their normals point inwards. Here their two middle points are exchanged:
-the six faces then form one closed surface seen counterclockwise from outside. All positions are unchanged.
-Normals, which the thesis leaves to the viewer, are given: one direction for each flat side.
+Baton: the coordinates of the thesis (section 4.1.1), in its units; the Scale makes it 0.18 m long
+and the Translation puts the middle of its tip at the origin, with the handle towards +Z. The thesis
+lists the end and the top so that their normals point inwards. Here their two middle points are
+exchanged: the six faces then form one closed surface seen counterclockwise from outside. All
+positions are unchanged. Normals, which the thesis leaves to the viewer, are given: one direction
+for each flat side.
 """
 
 GREY = Material((0.4, 0.4, 0.4), (0.4, 0.4, 0.4), 0.9)
@@ -56,16 +58,24 @@ def model():
 def files():
     """{file name: text} of this instrument."""
     opening = """
-Baton. Lengths in metres, in the frame of baton.iv after its Scale and Translation: the middle of the square tip at the
-origin, the handle towards +Z.
+Baton. Lengths in metres, in the frame of baton.iv after its Scale and Translation: the middle of
+the square tip at the origin, the handle towards +Z.
 """
     entries = [
         ("name", "Baton", ""),
         ("kind", "baton", ""),
         ("model", "baton.iv", ""),
-        ("description", "Tapered square bar of the original simulator; pushes tissue with its tip", ""),
+        (
+            "description",
+            "Tapered square bar of the original simulator; pushes tissue with its tip",
+            "",
+        ),
         ("tip", (0.0, 0.0, 0.0), "Middle of the square tip (m)."),
         ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
-        ("contact_radius", TIP_MIDDLE[0] * SCALE, "Half the side of the tip: what touches lies this close to the tip (m)."),
+        (
+            "contact_radius",
+            TIP_MIDDLE[0] * SCALE,
+            "Half the side of the tip: what touches lies this close to the tip (m).",
+        ),
     ]
     return {"baton.iv": model(), "baton.toml": description_text(opening, entries)}

@@ -1,14 +1,16 @@
-"""The .toml beside each instrument: where it works and how it is held, in metres, in the frame of its .iv file."""
+"""The .toml beside each instrument: where it works and how it is held, in metres, in the frame of
+its .iv file."""
 
-from inventor import number
+from inventor import comment, number
 
 
 def description_text(opening, entries):
-    """`entries`: (key, value, comment) in order; a value is a string, a number, a point or a list of points."""
-    text = "".join(f"# {line}".rstrip() + "\n" for line in opening.strip().split("\n")) + "\n"
+    """`entries`: (key, value, comment) in order; a value is a string, a number, a point or a list
+    of points."""
+    text = comment(opening) + "\n"
     for key, value, remark in entries:
         if remark:
-            text += f"# {remark}\n"
+            text += comment(remark)
         text += f"{key} = {_value(value)}\n"
     return text
 

@@ -1,4 +1,5 @@
-"""A blunt surgical hook: round shaft, bend of 10 mm radius, flattened handle with grooves for the fingers. Millimetres."""
+"""A blunt surgical hook: round shaft, bend of 10 mm radius, flattened handle with grooves for the
+fingers. Millimetres."""
 
 import math
 
@@ -17,14 +18,52 @@ BEND_STEPS = 20
 
 # z against half height (y) and half thickness (x) behind the bend
 HALF_HEIGHT = (
-    (12.0, 1.5), (40.0, 1.75), (68.0, 2.0), (71.0, 2.0), (73.5, 3.4), (76.0, 3.4), (79.0, 2.6), (92.0, 4.6),
-    (110.0, 5.0), (135.0, 4.2), (160.0, 5.2), (170.0, 5.4), (180.0, 5.4),
+    (12.0, 1.5),
+    (40.0, 1.75),
+    (68.0, 2.0),
+    (71.0, 2.0),
+    (73.5, 3.4),
+    (76.0, 3.4),
+    (79.0, 2.6),
+    (92.0, 4.6),
+    (110.0, 5.0),
+    (135.0, 4.2),
+    (160.0, 5.2),
+    (170.0, 5.4),
+    (180.0, 5.4),
 )
 HALF_THICKNESS = (
-    (12.0, 1.5), (40.0, 1.75), (68.0, 2.0), (71.0, 2.0), (73.5, 3.4), (76.0, 3.4), (79.0, 2.6), (92.0, 3.2),
-    (110.0, 3.3), (135.0, 2.9), (165.0, 3.0), (180.0, 3.0),
+    (12.0, 1.5),
+    (40.0, 1.75),
+    (68.0, 2.0),
+    (71.0, 2.0),
+    (73.5, 3.4),
+    (76.0, 3.4),
+    (79.0, 2.6),
+    (92.0, 3.2),
+    (110.0, 3.3),
+    (135.0, 2.9),
+    (165.0, 3.0),
+    (180.0, 3.0),
 )
-SHAFT_STATIONS = (18.0, 28.0, 40.0, 54.0, 68.0, 71.0, 72.0, 72.8, 73.5, 76.0, 76.7, 77.6, 79.0, 82.0, 85.0, 88.0)
+SHAFT_STATIONS = (
+    18.0,
+    28.0,
+    40.0,
+    54.0,
+    68.0,
+    71.0,
+    72.0,
+    72.8,
+    73.5,
+    76.0,
+    76.7,
+    77.6,
+    79.0,
+    82.0,
+    85.0,
+    88.0,
+)
 GROOVES = 13
 FIRST_GROOVE = 91.0
 GROOVE_PITCH = 3.0
@@ -36,7 +75,8 @@ STEEL = Material((0.62, 0.63, 0.65), (0.65, 0.65, 0.67), 0.4)
 
 
 def wire_radius(degrees):
-    """Radius of the hook at an angle of the bend (0 at the shaft): it thins evenly towards the point."""
+    """Radius of the hook at an angle of the bend (0 at the shaft): it thins evenly towards the
+    point."""
     return WIRE + (POINT_RADIUS + 0.2 - WIRE) * degrees / BEND_DEGREES
 
 
@@ -62,15 +102,18 @@ def towards_shaft(degrees):
 
 
 def section(centre, along, half_thickness, half_height):
-    """Ring across the direction `along` in the Y-Z plane: half_thickness in x, half_height in the plane."""
+    """Ring across the direction `along` in the Y-Z plane: half_thickness in x, half_height in the
+    plane."""
     up = (0.0, along[2], -along[1])
     return [
-        (x, centre[1] + y * up[1], centre[2] + y * up[2]) for x, y in circle(SIDES, half_thickness, half_height)
+        (x, centre[1] + y * up[1], centre[2] + y * up[2])
+        for x, y in circle(SIDES, half_thickness, half_height)
     ]
 
 
 def point_rings():
-    """The rounded point: half an ellipsoid beyond the end of the bend. Returns its apex and its rings."""
+    """The rounded point: half an ellipsoid beyond the end of the bend. Returns its apex and its
+    rings."""
     centre, along = bend_point(BEND_DEGREES), towards_shaft(BEND_DEGREES)
     radius = wire_radius(BEND_DEGREES)
     reach = 1.3 * radius
@@ -81,7 +124,9 @@ def point_rings():
     rings = []
     for angle in (72.0, 54.0, 36.0, 18.0):
         a = math.radians(angle)
-        rings.append(section(ahead(reach * math.sin(a)), along, radius * math.cos(a), radius * math.cos(a)))
+        rings.append(
+            section(ahead(reach * math.sin(a)), along, radius * math.cos(a), radius * math.cos(a))
+        )
     return ahead(reach), rings
 
 
@@ -110,12 +155,14 @@ def build():
     for angle in (20.0, 40.0, 58.0, 75.0):
         a = math.radians(angle)
         z = LENGTH - END_LENGTH * (1.0 - math.sin(a))
-        rings.append(section(
-            (0.0, BEND_RADIUS, z),
-            (0.0, 0.0, 1.0),
-            through(HALF_THICKNESS, z) * math.cos(a),
-            through(HALF_HEIGHT, z) * math.cos(a),
-        ))
+        rings.append(
+            section(
+                (0.0, BEND_RADIUS, z),
+                (0.0, 0.0, 1.0),
+                through(HALF_THICKNESS, z) * math.cos(a),
+                through(HALF_HEIGHT, z) * math.cos(a),
+            )
+        )
 
     def label(row, column):
         return ("all", ("groove", row) if first_groove <= row < last_groove else "body")
@@ -134,14 +181,14 @@ def centre_line():
 def files():
     """{file name: text} of this instrument."""
     description = f"""
-Blunt surgical hook, {LENGTH:.0f} mm long, in metres. The front of the bend touches the origin, handle towards +Z.
-The hook opens towards -Y: it is bent in the Y-Z plane from the shaft (y = 0.010) down through the origin to the point.
-One closed surface.
+Blunt surgical hook, {LENGTH:.0f} mm long, in metres. The front of the bend touches the origin,
+handle towards +Z. The hook opens towards -Y: it is bent in the Y-Z plane from the shaft (y = 0.010)
+down through the origin to the point. One closed surface.
 """
     opening = """
-Hook. Lengths in metres, in the frame of hook.iv: the front of the bend at the origin, the handle towards +Z.
-It opens towards -Y: bent in the Y-Z plane, from the shaft at y = 0.010 through the origin to the point, which looks back
-to the hand.
+Hook. Lengths in metres, in the frame of hook.iv: the front of the bend at the origin, the handle
+towards +Z. It opens towards -Y: bent in the Y-Z plane, from the shaft at y = 0.010 through the
+origin to the point, which looks back to the hand.
 """
     apex, _ = point_rings()
     entries = [
@@ -152,7 +199,11 @@ to the hand.
         ("tip", (0.0, 0.0, 0.0), "Foremost point of the bend, on its outside (m)."),
         ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
         ("point", tuple(0.001 * x for x in apex), "The rounded point in which the hook ends (m)."),
-        ("hook", centre_line(), "Centre line of the bend from the point to the shaft: corners of a polyline (m)."),
+        (
+            "hook",
+            centre_line(),
+            "Centre line of the bend from the point to the shaft: corners of a polyline (m).",
+        ),
     ]
     return {
         "hook.iv": model_text(description, build(), {"all": STEEL}),

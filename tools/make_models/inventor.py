@@ -1,4 +1,7 @@
-"""Open Inventor 2.1 ascii text of the models: materials and TriangleStripSets with a normal for every vertex."""
+"""Open Inventor 2.1 ascii text of the models: materials and TriangleStripSets with a normal for
+every vertex."""
+
+import textwrap
 
 from normals import corner_normals
 from strips import make_strips
@@ -40,11 +43,16 @@ def numbers(values, decimals):
 
 
 def comment(text):
-    return "".join(f"# {line}".rstrip() + "\n" for line in text.strip().split("\n"))
+    """The text as comment lines of at most 100 characters; an empty line begins a paragraph."""
+    lines = []
+    for paragraph in text.strip().split("\n\n"):
+        lines += textwrap.wrap(paragraph, 98, break_on_hyphens=False) + [""]
+    return "".join(f"# {line}".rstrip() + "\n" for line in lines[:-1])
 
 
 def model_text(description, surface, materials, decimals=7, crease_degrees=50.0):
-    """The whole file: one Separator for each part of the surface, in the order of `materials` {part: Material}."""
+    """The whole file: one Separator for each part of the surface, in the order of `materials`
+    {part: Material}."""
     normals = corner_normals(surface, crease_degrees)
     text = HEADER + "\n" + comment(description) + "\nSeparator {\n"
     text += "  ShapeHints {\n    vertexOrdering COUNTERCLOCKWISE\n    shapeType SOLID\n  }\n"
@@ -61,15 +69,26 @@ def model_text(description, surface, materials, decimals=7, crease_degrees=50.0)
 
 
 def strip_set(strips, points, decimals, indent):
-    """Coordinate3, Normal and TriangleStripSet of `strips`, whose entries are (point index, normal)."""
+    """Coordinate3, Normal and TriangleStripSet of `strips`, whose entries are (point index,
+    normal)."""
     positions = [[numbers(points[p], decimals) for p, _ in strip] for strip in strips]
     normals = [[numbers(n, 4) for _, n in strip] for strip in strips]
     counts = [str(len(strip)) for strip in strips]
-    text = f"{indent}Coordinate3 {{\n{indent}  point [\n" + _rows(positions, indent) + f"{indent}  ]\n{indent}}}\n"
-    text += f"{indent}Normal {{\n{indent}  vector [\n" + _rows(normals, indent) + f"{indent}  ]\n{indent}}}\n"
+    text = (
+        f"{indent}Coordinate3 {{\n{indent}  point [\n"
+        + _rows(positions, indent)
+        + f"{indent}  ]\n{indent}}}\n"
+    )
+    text += (
+        f"{indent}Normal {{\n{indent}  vector [\n"
+        + _rows(normals, indent)
+        + f"{indent}  ]\n{indent}}}\n"
+    )
     text += f"{indent}NormalBinding {{\n{indent}  value PER_VERTEX\n{indent}}}\n"
     text += f"{indent}TriangleStripSet {{\n{indent}  numVertices [\n"
-    text += "".join(f"{indent}    {', '.join(counts[i:i + 24])},\n" for i in range(0, len(counts), 24))
+    text += "".join(
+        f"{indent}    {', '.join(counts[i:i + 24])},\n" for i in range(0, len(counts), 24)
+    )
     return text + f"{indent}  ]\n{indent}}}\n"
 
 

@@ -1,9 +1,10 @@
 """Skins over rows of rings: the one way in which all the round things here are made.
 
-A ring is a closed row of points, right-handed about the direction of travel from ring to ring. All rings of a skin have
-the same number of points; ring[i] of one is joined to ring[i] of the next, so the skin's normals point outwards.
-`label(row, column)` returns (part, smooth) for the band between rings row and row + 1, points column and column + 1;
-row is -1 for the fan that closes the start and -2 for the one that closes the end.
+A ring is a closed row of points, right-handed about the direction of travel from ring to ring. All
+rings of a skin have the same number of points; ring[i] of one is joined to ring[i] of the next, so
+the skin's normals point outwards. `label(row, column)` returns (part, smooth) for the band between
+rings row and row + 1, points column and column + 1; row is -1 for the fan that closes the start and
+-2 for the one that closes the end.
 """
 
 import math
@@ -41,7 +42,8 @@ def _fan(surface, ring, apex, label):
 
 
 def widen(surface, ring, wider, part="all", smooth=0):
-    """Joins a ring of n points to one of 2n points (wider[2i] belongs to ring[i]): three triangles for each point."""
+    """Joins a ring of n points to one of 2n points (wider[2i] belongs to ring[i]): three triangles
+    for each point."""
     inner = [surface.point(p) for p in ring]
     outer = [surface.point(p) for p in wider]
     for i, here in enumerate(inner):
@@ -66,8 +68,9 @@ def smoothstep(low, high, x):
 
 
 def through(knots, x):
-    """The value at x of a smooth curve through `knots` [(x, value), ...]; monotone between knots (Fritsch and Carlson, 1980),
-    so a handle drawn by a few widths never bulges between them. Constant outside."""
+    """The value at x of a smooth curve through `knots` [(x, value), ...]; monotone between knots
+    (Fritsch and Carlson, 1980), so a handle drawn by a few widths never bulges between them.
+    Constant outside."""
     if x <= knots[0][0]:
         return knots[0][1]
     if x >= knots[-1][0]:

@@ -1,7 +1,7 @@
 """Writes the instruments and the room (data/tools/*.iv and the .toml beside each instrument).
 
     python3 tools/make_models/make_models.py data/tools            write the files
-    python3 tools/make_models/make_models.py data/tools --check    compare them; exit status 1 when one differs
+    python3 tools/make_models/make_models.py data/tools --check    exit status 1 when one differs
 """
 
 import argparse
@@ -38,7 +38,9 @@ def write(path, text):
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Write the models of the instruments and the room.")
+    parser = argparse.ArgumentParser(
+        description="Write the models of the instruments and the room."
+    )
     parser.add_argument("folder", help="where the files are, e.g. data/tools")
     parser.add_argument("--check", action="store_true", help="compare only, write nothing")
     options = parser.parse_args()
@@ -52,7 +54,9 @@ def main():
             os.makedirs(options.folder, exist_ok=True)
             write(path, text)
     for name in different:
-        print(f"{name} in {options.folder} is not what make_models.py writes; run it without --check")
+        print(
+            f"{name} in {options.folder} is not what make_models.py writes; run it without --check"
+        )
     return 1 if different else 0
 
 

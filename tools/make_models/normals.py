@@ -1,4 +1,5 @@
-"""One normal per triangle corner: averaged over the neighbours that belong to the same smooth face."""
+"""One normal per triangle corner: averaged over the neighbours that belong to the same smooth
+face."""
 
 import math
 
@@ -8,8 +9,9 @@ from vector import add, dot, length, scale, subtract, unit
 def corner_normals(surface, crease_degrees=50.0, decimals=4):
     """For each triangle three unit normals, rounded to `decimals`.
 
-    Two triangles at a point share a normal when their smooth labels agree and their faces meet at less than the crease
-    angle. Neighbours weigh by area times corner angle, so wide flat faces stay flat beside narrow rounded ones.
+    Two triangles at a point share a normal when their smooth labels agree and their faces meet at
+    less than the crease angle. Neighbours weigh by area times corner angle, so wide flat faces stay
+    flat beside narrow rounded ones.
     """
     faces = [unit(surface.area_vector(t)) for t in surface.triangles]
     around = {}

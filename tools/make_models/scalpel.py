@@ -1,10 +1,10 @@
 """A scalpel: a No. 22 blade (large curved belly) on a flat No. 4 handle. Millimetres.
 
-Every ring has 20 points, ten on each side of the Y-Z plane: 0 at the bottom (on the blade the cutting edge), 10 at the
-top (the blade's back), and between them on the right side, x > 0:
+Every ring has 20 points, ten on each side of the Y-Z plane: 0 at the bottom (on the blade the
+cutting edge), 10 at the top (the blade's back), and between them on the right side, x > 0:
 
-    blade    1 grind line   2 flat   3-7 tongue of the handle, that the blade is slid on   8 flat   9 corner of the back
-    handle   1-3 lower rounded corner   4-6 flat with the lengthwise hollow   7-9 upper rounded corner
+    blade    1 grind line, 2 flat, 3-7 tongue of the handle that carries the blade, 8 flat, 9 back
+    handle   1-3 lower rounded corner, 4-6 flat with the lengthwise hollow, 7-9 upper corner
 """
 
 import math
@@ -29,7 +29,15 @@ BLADE_STATIONS = (0.5, 1.3, 2.4, 4.0, 6.0, 8.5, 11.5, 15.0, 18.6)
 TONGUE_STATIONS = ((19.2, 0.45), (20.2, 0.8), (22.0, 1.0), (25.0, 1.0), (29.0, 1.0), (33.2, 1.0))
 
 # z and half height, z and half thickness of the handle
-HALF_HEIGHT = ((42.0, 3.2), (48.0, 3.1), (70.0, 5.2), (98.0, 4.5), (140.0, 4.9), (150.0, 5.0), (165.0, 5.0))
+HALF_HEIGHT = (
+    (42.0, 3.2),
+    (48.0, 3.1),
+    (70.0, 5.2),
+    (98.0, 4.5),
+    (140.0, 4.9),
+    (150.0, 5.0),
+    (165.0, 5.0),
+)
 HALF_THICKNESS = ((42.0, 1.35), (54.0, 1.65), (70.0, 2.0), (100.0, 1.9), (165.0, 1.6))
 RIB_PITCH = 2.4
 RIBS = 13
@@ -85,8 +93,8 @@ def blade_ring(z, raised=0.0):
 
 
 def shoulder_ring(z, half_height, half_thickness, fin):
-    """The handle's front end, slanted like the blade's heel. `fin` (y of edge and back) is the blade that still reaches out
-    below and above."""
+    """The handle's front end, slanted like the blade's heel. `fin` (y of edge and back) is the
+    blade that still reaches out below and above."""
     thick = BLADE_HALF_THICKNESS
     low, high = MIDDLE - half_height, MIDDLE + half_height
     grind = min(GRIND_HEIGHT, 0.6 * (low - fin[0]))
@@ -107,8 +115,8 @@ def shoulder_ring(z, half_height, half_thickness, fin):
 
 
 def handle_ring(z, half_height, half_thickness, pressed=0.0, hollow=0.0, slant=0.0):
-    """A rectangle with rounded corners; `pressed` lowers the flats (a rib's groove), `hollow` only their middle; `slant` is
-    dz / dy, as at the blade's heel."""
+    """A rectangle with rounded corners; `pressed` lowers the flats (a rib's groove), `hollow` only
+    their middle; `slant` is dz / dy, as at the blade's heel."""
     corner = min(0.75 * half_thickness, 0.6 * half_height)
     right, inner, up = half_thickness - pressed, half_thickness - corner, half_height - corner
     bend = math.sqrt(0.5) * corner
@@ -132,10 +140,20 @@ def handle_rings():
     rings, ribs = [], []
 
     def grow(z, pressed=0.0, hollow=0.0, slant=0.0):
-        rings.append(handle_ring(z, through(HALF_HEIGHT, z), through(HALF_THICKNESS, z), pressed, hollow, slant))
+        rings.append(
+            handle_ring(
+                z, through(HALF_HEIGHT, z), through(HALF_THICKNESS, z), pressed, hollow, slant
+            )
+        )
         ribs.append(pressed > 0.0)
 
-    for z, slant in ((HEEL + 1.3, HEEL_SLANT), (46.0, 0.5 * HEEL_SLANT), (51.0, 0.0), (55.0, 0.0), (59.0, 0.0)):
+    for z, slant in (
+        (HEEL + 1.3, HEEL_SLANT),
+        (46.0, 0.5 * HEEL_SLANT),
+        (51.0, 0.0),
+        (55.0, 0.0),
+        (59.0, 0.0),
+    ):
         grow(z, slant=slant)
     for k in range(RIBS):
         z = FIRST_RIB + k * RIB_PITCH
@@ -150,14 +168,23 @@ def handle_rings():
     for angle in (0.0, 25.0, 45.0, 62.0, 77.0):
         a = math.radians(angle)
         z = end + END_RADIUS * math.sin(a)
-        rings.append(handle_ring(z, END_RADIUS * math.cos(a), through(HALF_THICKNESS, z) * (0.45 + 0.55 * math.cos(a))))
+        rings.append(
+            handle_ring(
+                z,
+                END_RADIUS * math.cos(a),
+                through(HALF_THICKNESS, z) * (0.45 + 0.55 * math.cos(a)),
+            )
+        )
         ribs.append(False)
     return rings, ribs
 
 
 def skin():
-    """The rings from tip to end, and for each whether it lies in a rib's groove; and the row at which the blade ends."""
-    blade = [blade_ring(z) for z in BLADE_STATIONS] + [blade_ring(z, raised) for z, raised in TONGUE_STATIONS]
+    """The rings from tip to end, and for each whether it lies in a rib's groove; and the row at
+    which the blade ends."""
+    blade = [blade_ring(z) for z in BLADE_STATIONS] + [
+        blade_ring(z, raised) for z, raised in TONGUE_STATIONS
+    ]
     fin = (edge(HEEL - 2.0), BACK_HEIGHT)
     blade += [
         shoulder_ring(HEEL - 2.6, 1.9, 0.8, fin),
@@ -182,7 +209,10 @@ def build():
         if row < heel:
             if of_blade:
                 return ("blade", "grind" if level == 0 else "flat")
-            return ("handle", "tongue" if row < len(BLADE_STATIONS) + len(TONGUE_STATIONS) - 1 else "body")
+            return (
+                "handle",
+                "tongue" if row < len(BLADE_STATIONS) + len(TONGUE_STATIONS) - 1 else "body",
+            )
         if row == heel:
             return ("blade", "heel") if of_blade else ("handle", "body")
         ribbed = 2 <= level <= 7 and (grooves[row] or grooves[row + 1])
@@ -204,13 +234,13 @@ def cutting_edge():
 def files():
     """{file name: text} of this instrument."""
     description = f"""
-Scalpel: a No. 22 blade on a flat No. 4 handle, {LENGTH:.0f} mm long, in metres.
-Tip of the blade at the origin, handle towards +Z, cutting edge towards -Y; the blade lies in the Y-Z plane.
-One closed surface in two strip sets (blade and handle).
+Scalpel: a No. 22 blade on a flat No. 4 handle, {LENGTH:.0f} mm long, in metres. Tip of the blade at
+the origin, handle towards +Z, cutting edge towards -Y; the blade lies in the Y-Z plane. One closed
+surface in two strip sets (blade and handle).
 """
     opening = """
-Scalpel. Lengths in metres, in the frame of scalpel.iv: the tip at the origin, the handle towards +Z,
-the cutting edge towards -Y; the blade lies in the Y-Z plane, so its flats face +X and -X.
+Scalpel. Lengths in metres, in the frame of scalpel.iv: the tip at the origin, the handle towards
++Z, the cutting edge towards -Y; the blade lies in the Y-Z plane, so its flats face +X and -X.
 """
     entries = [
         ("name", "Scalpel", ""),
@@ -219,7 +249,11 @@ the cutting edge towards -Y; the blade lies in the Y-Z plane, so its flats face 
         ("description", "No. 22 blade on a No. 4 handle; cuts with the belly of the blade", ""),
         ("tip", (0.0, 0.0, 0.0), "Point of the blade (m)."),
         ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
-        ("edge", cutting_edge(), "Cutting edge from the tip over the belly to the heel: corners of a polyline (m)."),
+        (
+            "edge",
+            cutting_edge(),
+            "Cutting edge from the tip over the belly to the heel: corners of a polyline (m).",
+        ),
     ]
     materials = {"blade": STEEL, "handle": SATIN}
     return {

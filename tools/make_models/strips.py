@@ -1,14 +1,16 @@
 """Greedy triangle strips, in the order in which a TriangleStripSet consumes its vertices.
 
-A strip v0 v1 v2 v3 ... stands for the triangles (v0, v1, v2), (v2, v1, v3), (v2, v3, v4), ...: every second one is flipped.
+A strip v0 v1 v2 v3 ... stands for the triangles (v0, v1, v2), (v2, v1, v3), (v2, v3, v4), ...:
+every second one is flipped.
 """
 
 
 def make_strips(triangles):
-    """Strips that together contain each of `triangles` (3-tuples of hashable corners) once, with its orientation.
+    """Strips that together contain each of `triangles` (3-tuples of hashable corners) once, with
+    its orientation.
 
-    From the first unused triangle the longest of its three strips is taken. Corners are equal only when position and
-    normal are, so a strip ends at a crease.
+    From the first unused triangle the longest of its three strips is taken. Corners are equal only
+    when position and normal are, so a strip ends at a crease.
     """
     by_edge = {}
     for number, (a, b, c) in enumerate(triangles):
@@ -19,7 +21,10 @@ def make_strips(triangles):
     for number, (a, b, c) in enumerate(triangles):
         if used[number]:
             continue
-        candidates = [_follow(start, number, triangles, by_edge, used) for start in ((a, b, c), (b, c, a), (c, a, b))]
+        candidates = [
+            _follow(start, number, triangles, by_edge, used)
+            for start in ((a, b, c), (b, c, a), (c, a, b))
+        ]
         strip, members = max(candidates, key=lambda found: len(found[0]))
         for member in members:
             used[member] = True

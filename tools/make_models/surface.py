@@ -1,4 +1,5 @@
-"""A triangle surface whose points are rounded and welded as they are added, so that what is written is what is closed."""
+"""A triangle surface whose points are rounded and welded as they are added, so that what is written
+is what is closed."""
 
 from vector import cross, length, subtract
 
@@ -6,12 +7,13 @@ from vector import cross, length, subtract
 class Surface:
     """Points on a decimal grid, triangles counterclockwise seen from outside.
 
-    Each triangle carries a `part` (which material it gets) and a `smooth` label: normals are averaged only over triangles
-    with the same label, so two labels that meet make a visible line.
+    Each triangle carries a `part` (which material it gets) and a `smooth` label: normals are
+    averaged only over triangles with the same label, so two labels that meet make a visible line.
     """
 
     def __init__(self, unit=1.0, decimals=7):
-        """Points are given in `unit` metres (0.001: millimetres) and stored in metres, rounded to `decimals` places."""
+        """Points are given in `unit` metres (0.001: millimetres) and stored in metres, rounded to
+        `decimals` places."""
         self.points = []
         self.triangles = []
         self.parts = []
@@ -30,14 +32,16 @@ class Surface:
 
     def triangle(self, a, b, c, part="all", smooth=0):
         if a == b or b == c or c == a:
-            raise ValueError(f"degenerate triangle at {self.points[a]}: two corners fall on one point")
+            raise ValueError(
+                f"degenerate triangle at {self.points[a]}: two corners fall on one point"
+            )
         self.triangles.append((a, b, c))
         self.parts.append(part)
         self.smooth.append(smooth)
 
     def quad(self, a, b, c, d, part="all", smooth=0):
-        """Two triangles for the quadrilateral a b c d, split along a c unless b d is clearly shorter (equal splits make long
-        strips)."""
+        """Two triangles for the quadrilateral a b c d, split along a c unless b d is clearly
+        shorter (equal splits make long strips)."""
         if self._distance(a, c) <= 1.02 * self._distance(b, d):
             self.triangle(a, b, c, part, smooth)
             self.triangle(a, c, d, part, smooth)

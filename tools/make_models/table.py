@@ -1,4 +1,5 @@
-"""The operating table: a slab under a green drape that hangs over its border in soft folds, and a darker cloth on top."""
+"""The operating table: a slab under a green drape that hangs over its border in soft folds, and a
+darker cloth on top."""
 
 import math
 
@@ -23,7 +24,8 @@ CLOTH = Material((0.06, 0.24, 0.21), (0.02, 0.04, 0.04), 0.05)
 
 
 def fold(turn, corner):
-    """How far the hanging drape stands out at `turn` of the way round (0..1), in 0..1; fuller at the corners."""
+    """How far the hanging drape stands out at `turn` of the way round (0..1), in 0..1; fuller at
+    the corners."""
     t = 2.0 * math.pi * turn
     wave = 0.5 + 0.26 * math.sin(17.0 * t + 0.9 * math.sin(3.0 * t))
     wave += 0.17 * math.sin(26.0 * t + 1.3) + 0.07 * math.sin(11.0 * t)
@@ -31,8 +33,12 @@ def fold(turn, corner):
 
 
 def gathered(directions):
-    """The same directions, three times denser at the corners of the square, where the drape turns."""
-    return [(0.35 * u * (3.0 - u * u) + 0.3 * u, 0.35 * v * (3.0 - v * v) + 0.3 * v) for u, v in directions]
+    """The same directions, three times denser at the corners of the square, where the drape
+    turns."""
+    return [
+        (0.35 * u * (3.0 - u * u) + 0.3 * u, 0.35 * v * (3.0 - v * v) + 0.3 * v)
+        for u, v in directions
+    ]
 
 
 def turns(outline):
@@ -46,7 +52,8 @@ def flat_ring(directions, half_width, half_depth, radius, y):
 
 
 def hanging_ring(directions, outset, y):
-    """The drape at height y, `outset` inside (negative) or outside the slab's border; folds open towards the hem."""
+    """The drape at height y, `outset` inside (negative) or outside the slab's border; folds open
+    towards the hem."""
     ring = []
     opened = smoothstep(0.0, 1.3 * HANG, -y - BORDER_ROUNDING)
     outline = rounded(directions, HALF_WIDTH, HALF_DEPTH, CORNER)
@@ -74,7 +81,9 @@ def build():
     loft(surface, seam, lambda row, column: ("cloth" if row < 1 else "drape", ("seam", row)))
     outer = HALF_WIDTH - BORDER_ROUNDING
     inner = HALF_DEPTH - BORDER_ROUNDING
-    middle = flat_ring(coarse, 0.5 * (CLOTH_HALF_WIDTH + outer), 0.5 * (CLOTH_HALF_DEPTH + inner), 0.02, 0.0)
+    middle = flat_ring(
+        coarse, 0.5 * (CLOTH_HALF_WIDTH + outer), 0.5 * (CLOTH_HALF_DEPTH + inner), 0.02, 0.0
+    )
     border = flat_ring(fine, outer, inner, CORNER - BORDER_ROUNDING, 0.0)
     loft(surface, [seam[-1], middle], lambda row, column: ("drape", "drape"))
     widen(surface, middle, border, "drape", "drape")
@@ -82,7 +91,11 @@ def build():
     rings = [border]
     for angle in (30.0, 60.0, 90.0):
         a = math.radians(angle)
-        rings.append(hanging_ring(fine, BORDER_ROUNDING * (math.sin(a) - 1.0), BORDER_ROUNDING * (math.cos(a) - 1.0)))
+        rings.append(
+            hanging_ring(
+                fine, BORDER_ROUNDING * (math.sin(a) - 1.0), BORDER_ROUNDING * (math.cos(a) - 1.0)
+            )
+        )
     for share in (0.08, 0.2, 0.35, 0.52, 0.7, 0.86, 1.0):
         rings.append(hanging_ring(fine, 0.0, -BORDER_ROUNDING - share * (HANG - BORDER_ROUNDING)))
     loft(surface, rings, lambda row, column: ("drape", "drape"))
@@ -95,8 +108,11 @@ def build():
 def files():
     """{file name: text} of the table."""
     description = f"""
-Operating table: slab of {2 * HALF_WIDTH:.1f} x {2 * HALF_DEPTH:.1f} m under a green drape; in metres.
-A darker cloth lies where the organ will. The top is flat at y = 0 with the origin in its middle; the drape hangs {HANG:.2f} m down. One closed surface.
+Operating table: slab of {2 * HALF_WIDTH:.1f} x {2 * HALF_DEPTH:.1f} m under a green drape; in
+metres. A darker cloth lies where the organ will. The top is flat at y = 0 with the origin in its
+middle; the drape hangs {HANG:.2f} m down. One closed surface.
 """
     materials = {"drape": DRAPE, "cloth": CLOTH}
-    return {"table.iv": model_text(description, build(), materials, decimals=5, crease_degrees=70.0)}
+    return {
+        "table.iv": model_text(description, build(), materials, decimals=5, crease_degrees=70.0)
+    }

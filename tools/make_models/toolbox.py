@@ -1,4 +1,5 @@
-"""The tool box: a stainless instrument tray with a rolled rim, lined with a cloth that has three lanes for instruments."""
+"""The tool box: a stainless instrument tray with a rolled rim, lined with a cloth that has three
+lanes for instruments."""
 
 import math
 
@@ -27,8 +28,8 @@ LINEN = Material((0.15, 0.31, 0.37), (0.04, 0.05, 0.05), 0.05)
 
 
 def profile():
-    """(inset from the rim's outer border, y) of the wall's section from the middle of the bottom outside, over the rim, to
-    the floor inside, and which stretch is one smooth face."""
+    """(inset from the rim's outer border, y) of the wall's section from the middle of the bottom
+    outside, over the rim, to the floor inside, and which stretch is one smooth face."""
     wall = FLANGE  # inset of the wall's outer side at the top
     foot = wall + DRAFT
     points = [(0.06, 0.0, "bottom"), (foot + FILLET, 0.0, "bottom")]
@@ -47,7 +48,9 @@ def profile():
     radius = FILLET - 0.5 * WALL
     for angle in (0.0, 30.0, 60.0, 90.0):
         a = math.radians(angle)
-        points.append((inside + radius * (1.0 - math.cos(a)), WALL + radius * (1.0 - math.sin(a)), "inside"))
+        points.append(
+            (inside + radius * (1.0 - math.cos(a)), WALL + radius * (1.0 - math.sin(a)), "inside")
+        )
     points.append((0.06, WALL, "inside"))
     return points
 
@@ -106,9 +109,10 @@ def files():
     """{file name: text} of the tool box."""
     floor = 1000.0 * (WALL + 0.0003 + CLOTH_THICKNESS)
     description = f"""
-Tool box: stainless instrument tray of {2 * HALF_WIDTH:.2f} x {2 * HALF_DEPTH:.2f} x {HEIGHT:.3f} m, lined with a cloth; in metres.
-The origin is the middle of its bottom. Three instruments lie in it along z at x = {LANES[0]}, 0 and {LANES[2]},
-on the cloth at y = {floor:.1f} mm; folds of the cloth keep them apart. Two closed surfaces: tray and lining.
+Tool box: stainless instrument tray of {2 * HALF_WIDTH:.2f} x {2 * HALF_DEPTH:.2f} x {HEIGHT:.3f} m,
+lined with a cloth; in metres. The origin is the middle of its bottom. Three instruments lie in it
+along z at x = {LANES[0]}, 0 and {LANES[2]}, on the cloth at y = {floor:.1f} mm; folds of the cloth
+keep them apart. Two closed surfaces: tray and lining.
 """
     materials = {"tray": STAINLESS, "lining": LINEN}
     return {"toolbox.iv": model_text(description, build(), materials, decimals=6)}
