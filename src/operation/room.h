@@ -18,7 +18,7 @@ inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::I
 // so that it lies flat.
 inline Pose toolBoxPlace(int i) {
   const Eigen::Quaterniond onItsSide(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
-  return {toolBoxPose() * Vec3(-0.06 + 0.05 * (i % 4), 0.012, -0.085), onItsSide};
+  return {toolBoxPose() * Vec3(-0.085 + 0.075 * (i % 3), 0.008, -0.085), onItsSide};
 }
 
 }  // namespace resect
