@@ -1,0 +1,125 @@
+#include "io/assimp_file.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <array>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <cmath>
+
+#include "base/error.h"
+#include "geometry/polygon.h"
+
+namespace resect {
+namespace {
+
+constexpr std::array kExtensions{"obj", "stl", "ply", "off", "glb", "gltf"};
+constexpr int kDeepestNode = 500;
+
+std::string extensionOf(const std::filesystem::path& path) {
+  std::string text = path.extension().string();
+  if (!text.empty()) text.erase(0, 1);
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string formatName(const std::string& extension) {
+  if (extension == "glb") return "glTF binary";
+  if (extension == "gltf") return "glTF";
+  std::string name = extension;
+  for (char& c : name) c = char(std::toupper(static_cast<unsigned char>(c)));
+  return name;
+}
+
+// One sentence out of what the library says.
+std::string oneLine(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+  constexpr std::size_t kLongest = 200;
+  if (text.size() > kLongest) text = text.substr(0, kLongest) + "...";
+  return text.empty() ? "no reason given" : text;
+}
+
+TriangleMesh meshOf(const aiMesh& source, const aiMatrix4x4& transform, const std::string& path) {
+  TriangleMesh mesh;
+  mesh.points.reserve(source.mNumVertices);
+  for (unsigned i = 0; i < source.mNumVertices; ++i) {
+    const aiVector3D& p = source.mVertices[i];
+    const Vec3 q(p.x, p.y, p.z);
+    const auto row = [&](const ai_real* m) {
+      return double(m[0]) * q.x() + double(m[1]) * q.y() + double(m[2]) * q.z() + double(m[3]);
+    };
+    mesh.points.emplace_back(row(transform[0]), row(transform[1]), row(transform[2]));
+  }
+  std::vector<std::int32_t> loop;
+  for (unsigned f = 0; f < source.mNumFaces; ++f) {
+    const aiFace& face = source.mFaces[f];
+    if (face.mNumIndices < 3) continue;
+    loop.clear();
+    for (unsigned i = 0; i < face.mNumIndices; ++i) {
+      if (face.mIndices[i] >= source.mNumVertices)
+        throw error("{}: face {} uses point {} of only {}; export the model again", path, f,
+                    face.mIndices[i], source.mNumVertices);
+      loop.push_back(std::int32_t(face.mIndices[i]));
+    }
+    triangulatePolygon(mesh.points, loop, mesh.triangles);
+  }
+  // A mirroring transform turns the triangles inside out; turn them back, as glTF 2.0 (3.5.3) asks.
+  if (transform.Determinant() < 0) flip(mesh);
+  return mesh;
+}
+
+void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, int depth,
+             Model& model) {
+  if (depth > kDeepestNode)
+    throw error("{}: its nodes are nested more than {} deep; flatten the model", model.path,
+                kDeepestNode);
+  const aiMatrix4x4 transform = above * node.mTransformation;
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    if (node.mMeshes[i] >= scene.mNumMeshes)
+      throw error("{}: a node uses mesh {} of only {}; export the model again", model.path,
+                  node.mMeshes[i], scene.mNumMeshes);
+    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
+    const bool nodeHasOwnName = node.mName.length > 0 && &node != scene.mRootNode;
+    addToPart(model, nodeHasOwnName ? node.mName.C_Str() : mesh.mName.C_Str(),
+              meshOf(mesh, transform, model.path));
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i)
+    collect(scene, *node.mChildren[i], transform, depth + 1, model);
+}
+
+}  // namespace
+
+bool isAssimpFile(const std::filesystem::path& path) {
+  return std::find(kExtensions.begin(), kExtensions.end(), extensionOf(path)) != kExtensions.end();
+}
+
+Model readAssimpFile(const std::filesystem::path& path, const std::string& bytes) {
+  const std::string extension = extensionOf(path);
+  Assimp::Importer importer;
+  // Everything but surfaces is left out, so that no texture or animation can do harm.
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
+                              aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
+                                  aiComponent_CAMERAS | aiComponent_NORMALS |
+                                  aiComponent_TEXCOORDS | aiComponent_COLORS);
+  // .gltf names its buffers as files beside it; all others must be one file.
+  const aiScene* scene =
+      extension == "gltf"
+          ? importer.ReadFile(path.string(), aiProcess_RemoveComponent)
+          : importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_RemoveComponent,
+                                        extension.c_str());
+  if (!scene || !scene->mRootNode)
+    throw error("{}: not a readable .{} file ({}); export it again", path.string(), extension,
+                oneLine(importer.GetErrorString()));
+  Model model;
+  model.path = path.string();
+  model.format = formatName(extension);
+  collect(*scene, *scene->mRootNode, aiMatrix4x4(), 0, model);
+  return model;
+}
+
+}  // namespace resect

@@ -1,0 +1,22 @@
+// Which surfaces does a .obj, .stl, .ply, .off, .glb or .gltf file hold?
+//
+// Read with the Open Asset Import Library, in single precision. Untrusted files: call it through
+// readModel (inventor/model_file.h), which does it in a child process.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "io/model.h"
+
+namespace resect {
+
+// Can the file be read here, by its name?
+bool isAssimpFile(const std::filesystem::path& path);
+
+// Parts are the file's nodes (.glb, .gltf) or objects and groups (.obj), in their order, transforms
+// applied; polygons become triangles, points and lines are left out. Metres, whatever the file
+// means by its numbers.
+Model readAssimpFile(const std::filesystem::path& path, const std::string& bytes);
+
+}  // namespace resect

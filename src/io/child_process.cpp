@@ -1,0 +1,201 @@
+#include "io/child_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <new>
+
+#include "base/error.h"
+
+namespace resect {
+namespace {
+
+// First byte of what the child sends; the rest is the result or the sentence. A last byte kEnd
+// tells a whole message from a torn one.
+enum Kind : char { kResult = 'r', kFailed = 'f', kUsage = 'u', kNoMemory = 'm', kOther = 'o' };
+constexpr char kEnd = '.';
+
+void limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
+  rlimit value{};
+  ::getrlimit(resource, &value);
+  value.rlim_cur = std::min(soft, value.rlim_max);
+  value.rlim_max = std::min(hard, value.rlim_max);
+  ::setrlimit(resource, &value);
+}
+
+// Address space of this process, bytes; 0 when the system does not say.
+rlim_t addressSpace() {
+  long pages = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(file, "%ld", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  return rlim_t(pages) * rlim_t(::sysconf(_SC_PAGESIZE));
+}
+
+void restrictThisProcess(const ChildLimits& limits) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  limit(RLIMIT_CORE, 0, 0);
+  limit(RLIMIT_FSIZE, 0, 0);
+  const auto cpu = rlim_t(std::ceil(limits.cpuSeconds));
+  limit(RLIMIT_CPU, cpu, cpu + 1);
+#ifndef RESECT_SANITIZED
+  const rlim_t memory = addressSpace() + rlim_t(limits.memoryBytes);
+  limit(RLIMIT_AS, memory, memory);
+  // Sanitized builds keep standard error, so that a report is seen.
+  const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
+  if (nowhere >= 0) {
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+  }
+#endif
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM, SIGINT}) {
+#ifdef RESECT_SANITIZED
+    if (signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL) continue;
+#endif
+    ::signal(signal, SIG_DFL);
+  }
+}
+
+void writeAll(int pipe, const char* data, std::size_t size) {
+  while (size > 0) {
+    const ssize_t written = ::write(pipe, data, size);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) ::_exit(3);
+    data += written;
+    size -= std::size_t(written);
+  }
+}
+
+[[noreturn]] void runChild(int pipe, const ChildLimits& limits,
+                           const std::function<std::string()>& work) {
+  restrictThisProcess(limits);
+  char kind = kResult;
+  std::string message;
+  try {
+    message = work();
+  } catch (const Error& e) {
+    kind = e.status() == Error::Status::Usage ? kUsage : kFailed;
+    message = e.what();
+  } catch (const std::bad_alloc&) {
+    kind = kNoMemory;
+  } catch (const std::exception& e) {
+    kind = kOther;
+    message = e.what();
+  } catch (...) {
+    kind = kOther;
+    message = "unknown exception";
+  }
+  writeAll(pipe, &kind, 1);
+  writeAll(pipe, message.data(), message.size());
+  writeAll(pipe, &kEnd, 1);
+  ::_exit(0);  // no destructors: they belong to the parent
+}
+
+// Reads until the child closes its end; false when the time is over.
+bool readAll(int pipe, double seconds, std::string& bytes) {
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  std::string block(1 << 16, '\0');
+  for (;;) {
+    const double left = std::chrono::duration<double>(end - Clock::now()).count();
+    if (left <= 0) return false;
+    pollfd request{pipe, POLLIN, 0};
+    const int ready = ::poll(&request, 1, int(std::min(left * 1000 + 1, 1e9)));
+    if (ready < 0 && errno != EINTR) return true;
+    if (ready <= 0) continue;
+    const ssize_t got = ::read(pipe, block.data(), block.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return true;
+    bytes.append(block.data(), std::size_t(got));
+  }
+}
+
+int waitFor(pid_t child) {
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+[[noreturn]] void throwOutcome(const std::string& subject, const ChildLimits& limits, int status) {
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU || signal == SIGKILL)
+    throw error(
+        "{}: reading it took more than {:g} s of computing, so it was given up; simplify the model",
+        subject, limits.cpuSeconds);
+  if (signal != 0)
+    throw error(
+        "{}: the reader stopped on it ({}), so it is damaged or beyond what can be read; "
+        "export it again",
+        subject, ::strsignal(signal));
+  throw error(
+      "{}: the reader stopped on it, so it is damaged or beyond what can be read; export "
+      "it again",
+      subject);
+}
+
+}  // namespace
+
+std::string runInChild(const std::string& subject, const ChildLimits& limits,
+                       const std::function<std::string()>& work) {
+  int ends[2];
+  if (::pipe2(ends, O_CLOEXEC) != 0)
+    throw error("{}: no pipe for its reader: {}; close other programs", subject,
+                std::strerror(errno));
+  // What is still in the buffers must not be written twice.
+  std::fflush(nullptr);
+  const pid_t child = ::fork();
+  if (child < 0) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    throw error("{}: no process for its reader: {}; close other programs", subject,
+                std::strerror(errno));
+  }
+  if (child == 0) {
+    ::close(ends[0]);
+    runChild(ends[1], limits, work);
+  }
+  ::close(ends[1]);
+  std::string bytes;
+  bool inTime = false;
+  try {
+    inTime = readAll(ends[0], limits.wallSeconds, bytes);
+  } catch (...) {
+    ::close(ends[0]);
+    ::kill(child, SIGKILL);
+    waitFor(child);
+    throw;
+  }
+  ::close(ends[0]);
+  if (!inTime) ::kill(child, SIGKILL);
+  const int status = waitFor(child);
+  if (!inTime)
+    throw error("{}: reading it took more than {:g} s, so it was given up; simplify the model",
+                subject, limits.wallSeconds);
+  if (bytes.size() < 2 || bytes.back() != kEnd) throwOutcome(subject, limits, status);
+  const char kind = bytes.front();
+  bytes.pop_back();
+  bytes.erase(0, 1);
+  if (kind == kResult) return bytes;
+  if (kind == kFailed) throw Error(bytes);
+  if (kind == kUsage) throw Error(bytes, Error::Status::Usage);
+  if (kind == kNoMemory)
+    throw error("{}: reading it needs more than {} MB of memory; simplify the model", subject,
+                limits.memoryBytes >> 20);
+  throw error("{}: the reader failed ({}); export the model again", subject, bytes);
+}
+
+}  // namespace resect

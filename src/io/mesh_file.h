@@ -1,0 +1,24 @@
+// How does a surface become a file that other programs read?
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "geometry/triangle_mesh.h"
+
+namespace resect {
+
+// Can a surface be written under that name: .obj .stl .ply .vtk .iv (any case)?
+bool isWritableMeshFile(const std::filesystem::path& path);
+
+// Writes by the name's extension, atomically (io/atomic_file.h), in metres:
+//   .obj  text, every coordinate with the digits that give back the same double
+//   .ply  binary little-endian, doubles: exact
+//   .vtk  legacy PolyData, binary big-endian, doubles: exact
+//   .iv   Inventor V2.1 ascii, an IndexedFaceSet; digits as .obj, though Inventor keeps single
+//         precision
+//   .stl  binary; the format itself has single precision and no shared points
+// An unknown extension is a usage Error that lists these.
+void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh);
+
+}  // namespace resect

@@ -1,0 +1,45 @@
+// What did a model file hold? Named surfaces, as the file had them, in metres.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/triangle_mesh.h"
+
+namespace resect {
+
+// One named piece of the file: transforms applied, nothing welded, no triangle dropped.
+struct ModelPart {
+  std::string name;  // as the file calls it; may be empty
+  TriangleMesh mesh;
+};
+
+struct Model {
+  std::string path;
+  std::string format;            // "Inventor V2.1 binary", "STL", ...
+  std::vector<ModelPart> parts;  // in the order of the file; names differ
+};
+
+// All parts as one mesh.
+TriangleMesh merged(const Model& model);
+
+// Appends a surface to the part of that name; makes the part when there is none.
+void addToPart(Model& model, const std::string& name, const TriangleMesh& mesh);
+
+// The part of that name, or the Error that lists the names there are.
+const ModelPart& partNamed(const Model& model, const std::string& name);
+
+// "a, b, c and 23 more"; names longer than a line are cut.
+std::string partList(const Model& model, std::size_t most = 40);
+
+// Refuses, in one sentence, what no reader may hand on: no triangles at all, an index without its
+// point, a coordinate that is not finite or beyond 1e9 m.
+void checkModel(const Model& model);
+
+// The model as bytes and back, to cross a pipe. bytesToModel trusts nothing: any damage is an
+// Error.
+std::string modelToBytes(const Model& model);
+Model bytesToModel(std::string_view bytes, const std::string& path);
+
+}  // namespace resect
