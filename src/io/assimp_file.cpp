@@ -26,7 +26,7 @@ std::string extensionOf(const std::filesystem::path& path) {
   return text;
 }
 
-std::string formatName(const std::string& extension) {
+std::string nameOfFormat(const std::string& extension) {
   if (extension == "glb") return "glTF binary";
   if (extension == "gltf") return "glTF";
   std::string name = extension;
@@ -98,8 +98,9 @@ bool isAssimpFile(const std::filesystem::path& path) {
   return std::find(kExtensions.begin(), kExtensions.end(), extensionOf(path)) != kExtensions.end();
 }
 
-Model readAssimpFile(const std::filesystem::path& path, const std::string& bytes) {
-  const std::string extension = extensionOf(path);
+Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::path& formatName,
+                     const std::string& bytes) {
+  const std::string extension = extensionOf(formatName);
   Assimp::Importer importer;
   // Everything but surfaces is left out, so that no texture or animation can do harm.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
@@ -117,7 +118,7 @@ Model readAssimpFile(const std::filesystem::path& path, const std::string& bytes
                 oneLine(importer.GetErrorString()));
   Model model;
   model.path = path.string();
-  model.format = formatName(extension);
+  model.format = nameOfFormat(extension);
   collect(*scene, *scene->mRootNode, aiMatrix4x4(), 0, model);
   return model;
 }

@@ -16,7 +16,9 @@ bool isAssimpFile(const std::filesystem::path& path);
 
 // Parts are the file's nodes (.glb, .gltf) or objects and groups (.obj), in their order, transforms
 // applied; polygons become triangles, points and lines are left out. Metres, whatever the file
-// means by its numbers.
-Model readAssimpFile(const std::filesystem::path& path, const std::string& bytes);
+// means by its numbers. `bytes` is what the file holds, no longer compressed; `formatName` ends as
+// its format does; `path` is for messages and for what a .gltf keeps beside it.
+Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::path& formatName,
+                     const std::string& bytes);
 
 }  // namespace resect

@@ -1,0 +1,92 @@
+#include "inventor/model_file.h"
+
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "base/error.h"
+#include "inventor/iv_guard.h"
+#include "inventor/iv_reader.h"
+#include "io/assimp_file.h"
+#include "io/child_process.h"
+#include "io/gzip.h"
+#include "io/vtk_file.h"
+
+namespace resect {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLargestFile = std::uintmax_t(1) << 30;
+constexpr std::size_t kLargestUnpacked = std::size_t(1) << 29;
+
+std::string allBytes(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes(fs::file_size(path), '\0');
+  in.read(bytes.data(), std::streamsize(bytes.size()));
+  if (!in || std::size_t(in.gcount()) != bytes.size())
+    throw error("{}: cannot be read: {}; check the disk", path.string(), std::strerror(errno));
+  return bytes;
+}
+
+std::string lowerExtension(const fs::path& path) {
+  std::string text = path.extension().string();
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+// The name that tells the format: without .gz, and corrected where the first bytes know better.
+fs::path formatName(const fs::path& path, const std::string& bytes) {
+  fs::path name = lowerExtension(path) == ".gz" ? path.stem() : path;
+  if (bytes.starts_with("glTF")) return name.replace_extension(".glb");
+  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r"))
+    return name.replace_extension(".ply");
+  return name;
+}
+
+Model readHere(const fs::path& path) {
+  std::string bytes = allBytes(path);
+  if (bytes.empty()) throw error("{}: is empty; choose a file that holds a surface", path.string());
+  if (isGzip(bytes)) bytes = unpackGzip(path.string(), bytes, kLargestUnpacked);
+  const fs::path name = formatName(path, bytes);
+  const std::string extension = lowerExtension(name);
+  if (isInventorFile(bytes) || extension == ".iv" || extension == ".wrl")
+    return readInventorFile(path.string(), bytes);
+  if (isVtkFile(bytes) || extension == ".vtk") return readVtkFile(path.string(), bytes);
+  if (isAssimpFile(name)) return readAssimpFile(path, name, bytes);
+  throw error(
+      "{}: is of no kind that can be read; use .iv, .wrl, .obj, .stl, .ply, .off, .glb, .gltf "
+      "or .vtk",
+      path.string());
+}
+
+}  // namespace
+
+Model readModel(const fs::path& path) {
+  std::error_code ec;
+  const fs::file_status status = fs::status(path, ec);
+  if (!fs::exists(status)) throw error("{}: there is no such file; check the name", path.string());
+  if (fs::is_directory(status)) throw error("{}: is a folder; name a file in it", path.string());
+  if (!fs::is_regular_file(status))
+    throw error("{}: is no ordinary file; copy the model into one", path.string());
+  const std::uintmax_t size = fs::file_size(path, ec);
+  if (ec) throw error("{}: cannot be read: {}; check the name", path.string(), ec.message());
+  if (size > kLargestFile)
+    throw error("{}: has {} MB, more than the {} MB that are read; simplify the model",
+                path.string(), size >> 20, kLargestFile >> 20);
+  if (std::ifstream in(path, std::ios::binary); !in)
+    throw error("{}: cannot be opened: {}; check who may read it", path.string(),
+                std::strerror(errno));
+  ChildLimits limits;
+  limits.cpuSeconds = 5 + double(size) / (1 << 20);
+  limits.wallSeconds = 4 * limits.cpuSeconds;  // other programs may need the processor too
+  const std::string bytes = runInChild(path.string(), limits, [&] {
+    const Model model = readHere(path);
+    checkModel(model);
+    return modelToBytes(model);
+  });
+  return bytesToModel(bytes, path.string());
+}
+
+}  // namespace resect
