@@ -6,6 +6,9 @@
 
 #include <cstdlib>
 
+#include "inventor/SoOrganShape.h"
+#include "inventor/SoShadowMaps.h"
+
 namespace resect {
 
 void initInventor() {
@@ -15,6 +18,8 @@ void initInventor() {
   SoDB::init();
   SoNodeKit::init();
   SoInteraction::init();
+  SoOrganShape::initClass();
+  SoShadowMaps::initClass();
 }
 
 }  // namespace resect

@@ -1,0 +1,137 @@
+// The light of the operating room, shared by all materials: two surgical lamps, the dim room round
+// them, shadow, openness to the room, and the way from radiance to a picture. Space: world, m.
+// gl_LightSource[0] is the main lamp, [1] the second one; both are spot lights.
+
+uniform sampler2DShadow lampShadow;  // see SoShadowMaps
+uniform sampler2D heightMap;
+
+const float kLampRadius = 0.20;
+
+vec3 toWorld(vec3 eyeDirection) { return (gl_TextureMatrix[5] * vec4(eyeDirection, 0.0)).xyz; }
+vec3 pointToWorld(vec3 eyePoint) { return (gl_TextureMatrix[5] * vec4(eyePoint, 1.0)).xyz; }
+
+// Share of the light of a disc of `radius` at squared distance r2 from its centre, when seen
+// through a blur of width b; energy is kept.
+float blurredDisc(float r, float radius, float b) {
+  float wide = radius + b;
+  return (1.0 - smoothstep(max(radius - b, 0.0), wide, r)) * radius * radius / (wide * wide);
+}
+
+// Radiance of one lamp head seen from `from` in direction d: seven lights in a housing.
+vec3 lampHead(int which, vec3 from, vec3 d, float blur) {
+  vec3 lamp = pointToWorld(gl_LightSource[which].position.xyz);
+  vec3 axis = -toWorld(gl_LightSource[which].spotDirection);
+  vec3 way = lamp - from;
+  float facing = dot(d, axis);
+  if (facing <= 0.05) return vec3(0.0);
+  float t = dot(way, axis) / facing;
+  vec3 q = d * t - way;
+  float r = length(q), b = blur * t + 0.004;
+  if (r > kLampRadius + b) return vec3(0.0);
+  float glow;
+  if (b < 0.06) {
+    vec3 side = normalize(cross(axis, vec3(0.0, 0.0, 1.0))), up = cross(side, axis);
+    vec2 p = vec2(dot(q, side), dot(q, up));
+    glow = blurredDisc(length(p), 0.055, b);
+    for (int k = 0; k < 3; ++k) {
+      float a = 1.0472 * float(k);
+      vec2 c = 0.132 * vec2(cos(a), sin(a));
+      glow += blurredDisc(length(p - c), 0.055, b) + blurredDisc(length(p + c), 0.055, b);
+    }
+    glow = 1.6 * glow + 0.04;
+  } else {
+    glow = blurredDisc(r, kLampRadius, b);
+  }
+  // A lamp of radiance L and this radius lights a surface at 1.4 m with about L / 16.
+  return 16.0 * glow * gl_LightSource[which].diffuse.rgb;
+}
+
+// Radiance arriving at `from` from direction d; `blur` is the tangent of the half angle over which
+// the room is averaged, 0 = a mirror.
+vec3 roomLight(vec3 from, vec3 d, float blur) {
+  float soft = 0.08 + blur;
+  vec3 floorColor = vec3(0.010, 0.012, 0.014), wall = vec3(0.050, 0.064, 0.072),
+       ceiling = vec3(0.10, 0.115, 0.125);
+  vec3 light = mix(floorColor, wall, smoothstep(-0.55 - soft, 0.05 + soft, d.y));
+  light = mix(light, ceiling, smoothstep(0.35 - soft, 0.75 + soft, d.y));
+  // A window of light along the far wall, and a screen at the side: what polished steel shows.
+  float strip = smoothstep(0.10 - soft, 0.20 + 0.5 * soft, d.y) *
+                (1.0 - smoothstep(0.32 - 0.5 * soft, 0.42 + soft, d.y));
+  light += strip * smoothstep(0.0, 0.9, -d.z) * vec3(0.16, 0.22, 0.25);
+  light += strip * smoothstep(0.5, 0.9, d.x) * vec3(0.10, 0.13, 0.16);
+  return light + lampHead(0, from, d, blur) + lampHead(1, from, d, blur);
+}
+
+// Share of the main lamp that reaches the point, 0..1. Twelve taps on a disc; the four outermost
+// decide first whether the rest is needed.
+float lampVisible(vec3 eyePoint, vec3 eyeNormal) {
+  vec4 s = gl_TextureMatrix[7] * vec4(eyePoint + 0.0015 * eyeNormal, 1.0);
+  vec3 p = s.xyz / s.w;
+  float size = 0.012;
+  float edge = shadow2D(lampShadow, p + size * vec3(0.92, 0.38, 0.0)).r +
+               shadow2D(lampShadow, p + size * vec3(-0.38, 0.92, 0.0)).r +
+               shadow2D(lampShadow, p + size * vec3(-0.92, -0.38, 0.0)).r +
+               shadow2D(lampShadow, p + size * vec3(0.38, -0.92, 0.0)).r;
+  float centre = shadow2D(lampShadow, p).r;
+  if (edge + centre < 0.01 || edge + centre > 4.99) return 0.2 * (edge + centre);
+  float inner = centre;
+  for (int k = 0; k < 8; ++k) {
+    float a = 0.7854 * float(k) + 0.2, r = k < 4 ? 0.45 : 0.75;
+    a += k < 4 ? float(k) * 0.7854 : 0.0;
+    inner += shadow2D(lampShadow, p + size * r * vec3(cos(a), sin(a), 0.0)).r;
+  }
+  return (edge + inner) / 13.0;
+}
+
+// Irradiance of lamp `which` on a surface that faces it, without shadow: a pool of light.
+vec3 lampLight(int which, vec3 point, out vec3 toLamp) {
+  vec3 way = pointToWorld(gl_LightSource[which].position.xyz) - point;
+  toLamp = normalize(way);
+  float c = dot(toLamp, -toWorld(gl_LightSource[which].spotDirection));
+  float pool = smoothstep(gl_LightSource[which].spotCosCutoff, 1.0, c);
+  return gl_LightSource[which].diffuse.rgb * pool * 2.0 / max(dot(way, way), 0.1);
+}
+
+// Share of the room that the point sees, from the height map: 0..1.
+float openness(vec3 eyePoint, vec3 point, vec3 normal) {
+  vec3 here = (gl_TextureMatrix[6] * vec4(eyePoint, 1.0)).xyz;
+  // Texture units per metre, and metres per unit of depth: the map is a cube.
+  float scale = length((gl_TextureMatrix[6] * vec4(1.0, 0.0, 0.0, 0.0)).xyz);
+  float blocked = 0.0;
+  for (int k = 0; k < 12; ++k) {
+    float a = 2.399963 * float(k), r = 0.10 * (float(k) + 0.5) * (float(k) + 0.5) / 144.0 + 0.004;
+    vec2 o = r * vec2(cos(a), sin(a));
+    float height = (here.z - texture2D(heightMap, here.xy + scale * o).r) / scale;
+    vec3 way = vec3(o.x, height, -o.y);
+    blocked += max(0.0, dot(normalize(way), normal) - 0.08) / (1.0 + 30.0 * max(height - 0.1, 0.0));
+  }
+  return clamp(1.0 - 1.5 * blocked / 12.0, 0.0, 1.0);
+}
+
+// Diffuse light of the room on a surface of this normal.
+vec3 ambientLight(vec3 normal) {
+  vec3 above = vec3(0.20, 0.225, 0.25), below = vec3(0.05, 0.075, 0.070);
+  return mix(below, above, 0.5 + 0.5 * normal.y);
+}
+
+float fresnel(float f0, float cosine) {
+  float x = 1.0 - clamp(cosine, 0.0, 1.0), x2 = x * x;
+  return f0 + (1.0 - f0) * x2 * x2 * x;
+}
+
+// Trowbridge-Reitz (GGX) distribution times a simple visibility term, for one lamp.
+float glossLobe(vec3 n, vec3 l, vec3 v, float roughness) {
+  vec3 h = normalize(l + v);
+  float a2 = roughness * roughness * roughness * roughness, nh = max(dot(n, h), 0.0);
+  float d = nh * nh * (a2 - 1.0) + 1.0, lh = max(dot(l, h), 0.1);
+  return a2 / (12.566 * d * d * lh * lh * (roughness + 0.5));
+}
+
+// Radiance to displayed colour: filmic curve (Narkowicz 2016), sRGB gamma, a dither of half a step
+// against bands in the dark.
+vec3 picture(vec3 light) {
+  vec3 x = 0.9 * light;
+  vec3 film = clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
+  float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  return pow(film, vec3(1.0 / 2.2)) + (dither - 0.5) / 255.0;
+}

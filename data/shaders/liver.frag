@@ -1,0 +1,84 @@
+// Living liver: a wet capsule, reddish brown and faintly mottled; where it is cut, granular
+// parenchyma of a brighter red with vessels. Colours are linear.
+varying vec3 eyePosition;
+varying vec3 objectPosition;
+varying vec3 objectNormal;
+varying float cutShare;
+
+// Distance-like value to a net of curved tubes in space, in units of the net's cell.
+float tubes(vec3 p) {
+  float a = noise(p).x, b = noise(p.zxy + 17.3).x;
+  return length(vec2(a, b));
+}
+
+void main() {
+  vec3 p = objectPosition;
+  vec3 n0 = normalize(objectNormal);
+
+  vec4 broad = noise(p * 55.0);
+  vec4 fine = noise(p * 420.0 + 3.7);
+  vec4 middle = noise(p * 160.0 + 9.1);
+
+  // The edge of a cut wanders a little.
+  float cut = smoothstep(0.38, 0.62, cutShare + 0.10 * middle.x * step(0.02, cutShare));
+  float rim = cut * (1.0 - cut) * 4.0;
+
+  vec3 capsule = vec3(0.190, 0.034, 0.022);
+  capsule *= 1.0 + 0.22 * broad.x + 0.16 * middle.x;
+  capsule = mix(capsule, vec3(0.24, 0.060, 0.035), 0.25 * smoothstep(0.1, 0.8, -broad.x));
+  capsule *= 1.0 + 0.10 * fine.x;
+
+  vec3 bumps = 0.055 * broad.yzw + 0.050 * middle.yzw + 0.040 * fine.yzw;
+  vec3 albedo = capsule;
+  float wetness = 1.0;
+  if (cut > 0.0) {
+    vec4 grain = noise(p * 900.0);
+    vec3 inside = vec3(0.330, 0.050, 0.034);
+    inside *= 1.0 + 0.28 * grain.x + 0.18 * fine.x + 0.15 * middle.x;
+    // Lobules: paler centres in a darker net, about 1.5 mm.
+    inside = mix(inside, vec3(0.42, 0.105, 0.062), 0.45 * smoothstep(0.1, 0.7, fine.x + 0.4 * grain.x));
+    float large = tubes(p * 42.0), small = tubes(p * 130.0 + 5.0);
+    float wall = max(1.0 - smoothstep(0.16, 0.20, large), 1.0 - smoothstep(0.13, 0.19, small));
+    float lumen = max(1.0 - smoothstep(0.10, 0.13, large), 1.0 - smoothstep(0.06, 0.11, small));
+    inside = mix(inside, vec3(0.50, 0.22, 0.17), 0.8 * wall);
+    inside = mix(inside, vec3(0.055, 0.004, 0.006), lumen);
+    albedo = mix(albedo, inside, cut);
+    bumps = mix(bumps, 0.05 * middle.yzw + 0.11 * fine.yzw + 0.10 * grain.yzw, cut);
+    wetness = mix(1.0, 0.75, cut);
+  }
+  albedo = mix(albedo, vec3(0.55, 0.34, 0.27), 0.55 * rim);
+
+  // The film of fluid is smoother than the tissue under it.
+  vec3 slope = bumps - dot(bumps, n0) * n0;
+  vec3 tissueEye = normalize(gl_NormalMatrix * (n0 - slope));
+  vec3 filmEye = normalize(gl_NormalMatrix * (n0 - 0.55 * slope));
+  vec3 flatEye = normalize(gl_NormalMatrix * n0);
+  vec3 n = toWorld(tissueEye), film = toWorld(filmEye), flat_ = toWorld(flatEye);
+  vec3 point = pointToWorld(eyePosition), v = toWorld(-normalize(eyePosition));
+
+  float lit = lampVisible(eyePosition, flatEye);
+  float open = openness(eyePosition, point, flat_);
+  vec3 l0, l1;
+  vec3 e0 = lampLight(0, point, l0), e1 = lampLight(1, point, l1);
+
+  // Red light travels farthest in tissue: it creeps round the terminator and into the shadow.
+  vec3 wrap = vec3(0.32, 0.10, 0.07);
+  vec3 soft0 = max((vec3(dot(n, l0)) + wrap) / (1.0 + wrap), 0.0);
+  vec3 soft1 = max((vec3(dot(n, l1)) + wrap) / (1.0 + wrap), 0.0);
+  vec3 through = vec3(sqrt(lit), lit, lit);
+  vec3 diffuse = e0 * soft0 * through + e1 * soft1 * (0.3 + 0.7 * open) +
+                 ambientLight(n) * vec3(sqrt(open), open, open);
+  vec3 color = albedo * diffuse;
+
+  float nv = max(dot(film, v), 0.0);
+  vec3 r = reflect(-v, film);
+  r.y = abs(r.y) < 0.02 ? 0.02 : r.y;
+  // Below the horizon the film mirrors the cloth and the organ itself, not the room.
+  float clear = smoothstep(-0.25, 0.25, r.y) * open;
+  vec3 mirror = roomLight(point, r, mix(0.045, 0.10, cut));
+  color += wetness * fresnel(0.028, nv) * mirror * clear * mix(0.25, 1.0, lit);
+  color += 0.035 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.48);
+  color += 0.035 * e1 * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.48);
+
+  gl_FragColor = vec4(picture(color), 1.0);
+}

@@ -1,0 +1,27 @@
+// Smooth random patterns in space. Hash without sine: the same on every card.
+
+float hash(vec3 p) {
+  p = fract(p * 0.1031);
+  p += dot(p, p.zyx + 31.32);
+  return fract((p.x + p.y) * p.z);
+}
+
+// Value in [-1, 1] (x) and gradient (yzw) of a lattice noise with one cell per unit; derivative
+// after Quilez 2008.
+vec4 noise(vec3 x) {
+  vec3 i = floor(x), f = x - i;
+  vec3 u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+  vec3 du = 30.0 * f * f * (f * (f - 2.0) + 1.0);
+  float a = hash(i), b = hash(i + vec3(1, 0, 0)), c = hash(i + vec3(0, 1, 0)),
+        d = hash(i + vec3(1, 1, 0)), e = hash(i + vec3(0, 0, 1)), g = hash(i + vec3(1, 0, 1)),
+        h = hash(i + vec3(0, 1, 1)), k = hash(i + vec3(1, 1, 1));
+  float k1 = b - a, k2 = c - a, k3 = e - a;
+  float k4 = a - b - c + d, k5 = a - c - e + h, k6 = a - b - e + g;
+  float k7 = -a + b + c - d + e - g - h + k;
+  float value = a + k1 * u.x + k2 * u.y + k3 * u.z + k4 * u.x * u.y + k5 * u.y * u.z +
+                k6 * u.z * u.x + k7 * u.x * u.y * u.z;
+  vec3 slope = du * vec3(k1 + k4 * u.y + k6 * u.z + k7 * u.y * u.z,
+                         k2 + k5 * u.z + k4 * u.x + k7 * u.z * u.x,
+                         k3 + k6 * u.x + k5 * u.y + k7 * u.x * u.y);
+  return vec4(2.0 * value - 1.0, 2.0 * slope);
+}

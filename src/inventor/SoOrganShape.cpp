@@ -1,0 +1,210 @@
+#include "inventor/SoOrganShape.h"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <Inventor/SoPrimitiveVertex.h>
+#include <Inventor/actions/SoGLRenderAction.h>
+#include <Inventor/bundles/SoMaterialBundle.h>
+#include <Inventor/elements/SoGLCacheContextElement.h>
+#include <Inventor/misc/SoContextHandler.h>
+#include <Inventor/misc/SoState.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/assert.h"
+
+namespace resect {
+
+namespace {
+
+enum Buffer { kPoints, kNormals, kRest, kCut, kTriangles, kBufferCount };
+
+constexpr std::size_t kElementBytes[kBufferCount] = {sizeof(Vec3f), sizeof(Vec3f), sizeof(Vec3f),
+                                                     sizeof(float), sizeof(Triangle)};
+
+// Writes `from` at `first` of `to`, which grows as needed with `filler`.
+template <typename T>
+void overwrite(std::vector<T>& to, std::size_t first, std::span<const T> from, const T& filler) {
+  if (from.empty()) return;
+  if (to.size() < first + from.size()) to.resize(first + from.size(), filler);
+  std::ranges::copy(from, to.begin() + std::ptrdiff_t(first));
+}
+
+}  // namespace
+
+struct SoOrganShape::ContextBuffers {
+  GLuint names[kBufferCount] = {};
+  std::size_t capacity[kBufferCount] = {};   // elements
+  std::vector<Range> vertices, triangles;    // not sent yet; may overlap
+};
+
+SO_NODE_SOURCE(SoOrganShape);
+
+void SoOrganShape::initClass() {
+  if (classTypeId != SoType::badType()) return;
+  SO_NODE_INIT_CLASS(SoOrganShape, SoShape, "Shape");
+}
+
+SoOrganShape::SoOrganShape() {
+  SO_NODE_CONSTRUCTOR(SoOrganShape);
+  SO_NODE_ADD_FIELD(revision, (0));
+  SoContextHandler::addContextDestructionCallback(contextDestroyed, this);
+}
+
+SoOrganShape::~SoOrganShape() {
+  SoContextHandler::removeContextDestructionCallback(contextDestroyed, this);
+  // No context need be current here: Coin calls back when each one next is.
+  for (auto& [context, buffers] : contexts_)
+    SoGLCacheContextElement::scheduleDeleteCallback(
+        context,
+        [](void* closure, std::uint32_t) {
+          const std::unique_ptr<ContextBuffers> dead(static_cast<ContextBuffers*>(closure));
+          glDeleteBuffers(kBufferCount, dead->names);
+        },
+        buffers.release());
+}
+
+// Called with the context current.
+void SoOrganShape::contextDestroyed(std::uint32_t context, void* shape) {
+  auto* self = static_cast<SoOrganShape*>(shape);
+  const auto found = self->contexts_.find(context);
+  if (found == self->contexts_.end()) return;
+  glDeleteBuffers(kBufferCount, found->second->names);
+  self->contexts_.erase(found);
+}
+
+void SoOrganShape::setGeometry(const OrganGeometry& geometry) {
+  points_.clear(), normals_.clear(), rest_.clear(), cut_.clear(), triangles_.clear();
+  for (auto& [context, buffers] : contexts_) buffers->vertices.clear(), buffers->triangles.clear();
+  updateRange(0, 0, geometry);
+}
+
+void SoOrganShape::updateRange(int firstVertex, int firstTriangle, const OrganGeometry& g) {
+  RESECT_ASSERT(firstVertex >= 0 && firstTriangle >= 0);
+  RESECT_ASSERT(g.normals.size() == g.points.size() && g.cut.size() == g.points.size());
+  RESECT_ASSERT(g.rest.empty() || g.rest.size() == g.points.size());
+  const auto v = std::size_t(firstVertex), t = std::size_t(firstTriangle);
+  // What lies between the old end and the new range is sent too: it has become holes.
+  const Range vertices{std::min(v, points_.size()), v + g.points.size()};
+  const Range triangles{std::min(t, triangles_.size()), t + g.triangles.size()};
+  overwrite(points_, v, g.points, Vec3f(Vec3f::Zero()));
+  overwrite(normals_, v, g.normals, Vec3f(Vec3f::UnitY()));
+  overwrite(rest_, v, g.rest.empty() ? g.points : g.rest, Vec3f(Vec3f::Zero()));
+  overwrite(cut_, v, g.cut, 0.0f);
+  overwrite(triangles_, t, g.triangles, Triangle{0, 0, 0});
+  for (auto& [context, buffers] : contexts_) {
+    if (!g.points.empty()) buffers->vertices.push_back(vertices);
+    if (!g.triangles.empty()) buffers->triangles.push_back(triangles);
+  }
+  boxIsFresh_ = false;
+  revision = revision.getValue() + 1;
+}
+
+void SoOrganShape::upload(ContextBuffers& buffers) {
+  const void* data[kBufferCount] = {points_.data(), normals_.data(), rest_.data(), cut_.data(),
+                                    triangles_.data()};
+  for (int b = 0; b < kBufferCount; ++b) {
+    const std::size_t size = kElementBytes[b];
+    const std::size_t count = b == kTriangles ? triangles_.size() : points_.size();
+    std::vector<Range>& changed = b == kTriangles ? buffers.triangles : buffers.vertices;
+    const GLenum target = b == kTriangles ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER;
+    if (buffers.names[b] == 0) glGenBuffers(1, &buffers.names[b]);
+    glBindBuffer(target, buffers.names[b]);
+    if (count > buffers.capacity[b]) {
+      // Room for half as much again, so that a growing surface is sent whole only now and then.
+      const bool first = buffers.capacity[b] == 0;
+      buffers.capacity[b] = first ? count : count + count / 2;
+      glBufferData(target, GLsizeiptr(buffers.capacity[b] * size), nullptr, GL_DYNAMIC_DRAW);
+      glBufferSubData(target, 0, GLsizeiptr(count * size), data[b]);
+      uploadedBytes_ += count * size;
+      continue;
+    }
+    std::ranges::sort(changed, {}, &Range::begin);
+    for (std::size_t r = 0; r < changed.size();) {
+      Range merged = changed[r++];
+      while (r < changed.size() && changed[r].begin <= merged.end)
+        merged.end = std::max(merged.end, changed[r++].end);
+      const std::size_t bytes = (merged.end - merged.begin) * size;
+      glBufferSubData(target, GLintptr(merged.begin * size), GLsizeiptr(bytes),
+                      static_cast<const char*>(data[b]) + merged.begin * size);
+      uploadedBytes_ += bytes;
+    }
+  }
+  buffers.vertices.clear();
+  buffers.triangles.clear();
+}
+
+void SoOrganShape::GLRender(SoGLRenderAction* action) {
+  if (!shouldGLRender(action) || triangles_.empty()) return;
+  SoState* state = action->getState();
+  const auto context = std::uint32_t(SoGLCacheContextElement::get(state));
+  std::unique_ptr<ContextBuffers>& buffers = contexts_[context];
+  if (!buffers) buffers = std::make_unique<ContextBuffers>();
+
+  SoMaterialBundle material(action);
+  material.sendFirst();
+
+  // The buffer bindings are part of what is pushed; each array starts at its buffer's start.
+  const auto bind = [&](Buffer b) { glBindBuffer(GL_ARRAY_BUFFER, buffers->names[b]); };
+  glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+  upload(*buffers);
+  bind(kPoints);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(3, GL_FLOAT, 0, nullptr);
+  bind(kNormals);
+  glEnableClientState(GL_NORMAL_ARRAY);
+  glNormalPointer(GL_FLOAT, 0, nullptr);
+  bind(kRest);
+  glClientActiveTexture(GL_TEXTURE1);
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  glTexCoordPointer(3, GL_FLOAT, 0, nullptr);
+  bind(kCut);
+  glClientActiveTexture(GL_TEXTURE2);
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  glTexCoordPointer(1, GL_FLOAT, 0, nullptr);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers->names[kTriangles]);
+  glDrawElements(GL_TRIANGLES, GLsizei(3 * triangles_.size()), GL_UNSIGNED_INT, nullptr);
+  glPopClientAttrib();
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+
+  SoGLCacheContextElement::shouldAutoCache(state, SoGLCacheContextElement::DONT_AUTO_CACHE);
+}
+
+void SoOrganShape::computeBBox(SoAction*, SbBox3f& box, SbVec3f& centre) {
+  if (!boxIsFresh_) {
+    // Over the triangles, not the points: a vertex that nothing uses may lie anywhere.
+    Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity()), high = -low;
+    for (const Triangle& t : triangles_) {
+      if (t[0] == t[1]) continue;
+      for (const std::int32_t v : t) {
+        low = low.cwiseMin(points_[std::size_t(v)]);
+        high = high.cwiseMax(points_[std::size_t(v)]);
+      }
+    }
+    box_.makeEmpty();
+    if (low.x() <= high.x())
+      box_.setBounds(low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
+    boxIsFresh_ = true;
+  }
+  box = box_;
+  if (!box.isEmpty()) centre = box.getCenter();
+}
+
+void SoOrganShape::generatePrimitives(SoAction* action) {
+  for (const Triangle& t : triangles_) {
+    if (t[0] == t[1]) continue;
+    SoPrimitiveVertex corners[3];
+    for (int c = 0; c < 3; ++c) {
+      const Vec3f& p = points_[std::size_t(t[c])];
+      const Vec3f& n = normals_[std::size_t(t[c])];
+      corners[c].setPoint(SbVec3f(p.x(), p.y(), p.z()));
+      corners[c].setNormal(SbVec3f(n.x(), n.y(), n.z()));
+    }
+    invokeTriangleCallbacks(action, &corners[0], &corners[1], &corners[2]);
+  }
+}
+
+}  // namespace resect

@@ -1,0 +1,85 @@
+// How does the ever-changing surface of an organ reach the graphics card at the cost of its changes
+// only?
+//
+// A shape with vertex buffers of its own. The bulk geometry is not in fields: setGeometry() and
+// updateRange() copy it in, and the next rendering uploads the changed ranges to each context that
+// draws the shape. The field `revision` counts changes and notifies the scene.
+//
+// Attributes seen by a shader: gl_Vertex, gl_Normal, gl_MultiTexCoord1.xyz = rest position (for
+// patterns that stick to the tissue), gl_MultiTexCoord2.x = cut. In .iv files: `OrganShape {}`.
+#pragma once
+
+#include <Inventor/fields/SoSFInt32.h>
+#include <Inventor/nodes/SoSubNode.h>
+#include <Inventor/nodes/SoShape.h>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/vec.h"
+#include "geometry/triangle_mesh.h"
+
+namespace resect {
+
+// One surface, or one range of it. All per-vertex spans have the length of `points`, except `rest`,
+// which may be empty: then the rest position is the position.
+struct OrganGeometry {
+  std::span<const Vec3f> points;        // m
+  std::span<const Vec3f> normals;       // unit, outwards
+  std::span<const float> cut;           // 0 = capsule, 1 = cut parenchyma
+  std::span<const Triangle> triangles;  // indices into the whole shape's points; {0,0,0} = a hole
+  std::span<const Vec3f> rest;          // m
+};
+
+class SoOrganShape : public SoShape {
+  SO_NODE_HEADER(SoOrganShape);
+
+ public:
+  static void initClass();
+  SoOrganShape();
+
+  // Number of changes so far. Written by the functions below.
+  SoSFInt32 revision;
+
+  // Replaces everything.
+  void setGeometry(const OrganGeometry& geometry);
+
+  // Overwrites vertices [firstVertex, +points.size()) and triangles [firstTriangle,
+  // +triangles.size()); either may be empty. Ranges may reach beyond the present end: the shape
+  // grows, and what lies between is holes.
+  void updateRange(int firstVertex, int firstTriangle, const OrganGeometry& geometry);
+
+  int vertexCount() const { return int(points_.size()); }
+  int triangleCount() const { return int(triangles_.size()); }  // holes included
+
+  // Bytes sent to graphics contexts since the shape was made.
+  std::uint64_t uploadedBytes() const { return uploadedBytes_; }
+
+ protected:
+  ~SoOrganShape() override;
+  void GLRender(SoGLRenderAction* action) override;
+  void computeBBox(SoAction* action, SbBox3f& box, SbVec3f& centre) override;
+  void generatePrimitives(SoAction* action) override;
+
+ private:
+  struct Range {
+    std::size_t begin = 0, end = 0;
+  };
+  struct ContextBuffers;
+
+  void upload(ContextBuffers& buffers);
+  static void contextDestroyed(std::uint32_t context, void* shape);
+
+  std::vector<Vec3f> points_, normals_, rest_;
+  std::vector<float> cut_;
+  std::vector<Triangle> triangles_;
+  std::map<std::uint32_t, std::unique_ptr<ContextBuffers>> contexts_;
+  std::uint64_t uploadedBytes_ = 0;
+  SbBox3f box_;
+  bool boxIsFresh_ = false;
+};
+
+}  // namespace resect

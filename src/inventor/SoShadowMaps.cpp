@@ -1,0 +1,244 @@
+#include "inventor/SoShadowMaps.h"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <Inventor/SbMatrix.h>
+#include <Inventor/SbViewVolume.h>
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/actions/SoGLRenderAction.h>
+#include <Inventor/elements/SoGLCacheContextElement.h>
+#include <Inventor/elements/SoViewingMatrixElement.h>
+#include <Inventor/misc/SoContextHandler.h>
+#include <Inventor/misc/SoState.h>
+#include <Inventor/nodes/SoLightModel.h>
+#include <Inventor/nodes/SoOrthographicCamera.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoPolygonOffset.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoShaderProgram.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace resect {
+
+namespace {
+
+constexpr GLenum kLampUnit = GL_TEXTURE7, kAboveUnit = GL_TEXTURE6, kWorldUnit = GL_TEXTURE5;
+
+// Clip space [-1,1]^3 -> texture space [0,1]^3, for row vectors.
+SbMatrix clipToTexture() {
+  SbMatrix half;
+  half.setTransform(SbVec3f(0.5f, 0.5f, 0.5f), SbRotation::identity(), SbVec3f(0.5f, 0.5f, 0.5f));
+  return half;
+}
+
+// World space -> clip space, for row vectors.
+SbMatrix worldToClip(const SoCamera* camera) {
+  return camera->getViewVolume(1.0f).getMatrix();
+}
+
+void setTextureMatrix(GLenum unit, const SbMatrix& matrix) {
+  glActiveTexture(unit);
+  glMatrixMode(GL_TEXTURE);
+  glLoadMatrixf(matrix[0]);
+}
+
+}  // namespace
+
+struct SoShadowMaps::Map {
+  GLuint texture = 0, framebuffer = 0;
+
+  void make(GLsizei size, bool compares) {
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT,
+                 GL_UNSIGNED_INT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    const float far[4] = {1.0f, 1.0f, 1.0f, 1.0f};  // outside nothing casts
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, far);
+    if (compares) {
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    }
+    glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+  }
+
+  void free() const {
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteTextures(1, &texture);
+  }
+};
+
+struct SoShadowMaps::ContextMaps {
+  Map lamp, above;
+  GLsizei size = 0;
+  SbUniqueId drawn = 0;  // the node id that the maps show
+  std::unique_ptr<SoGLRenderAction> action;
+
+  void free() const {
+    lamp.free();
+    above.free();
+  }
+};
+
+SO_NODE_SOURCE(SoShadowMaps);
+
+void SoShadowMaps::initClass() {
+  if (classTypeId != SoType::badType()) return;
+  SO_NODE_INIT_CLASS(SoShadowMaps, SoNode, "Node");
+  SO_ENABLE(SoGLRenderAction, SoViewingMatrixElement);
+}
+
+SoShadowMaps::SoShadowMaps() {
+  SO_NODE_CONSTRUCTOR(SoShadowMaps);
+  SO_NODE_ADD_FIELD(casters, (nullptr));
+  SO_NODE_ADD_FIELD(lampPosition, (0.3f, 1.3f, 0.3f));
+  SO_NODE_ADD_FIELD(focus, (0.0f, 0.0f, 0.0f));
+  SO_NODE_ADD_FIELD(radius, (0.5f));
+  SO_NODE_ADD_FIELD(resolution, (1024));
+
+  const auto seenFrom = [](SoCamera* camera) {
+    auto* root = new SoSeparator;
+    root->ref();
+    root->renderCaching = SoSeparator::OFF;
+    root->addChild(camera);
+    auto* flat = new SoLightModel;
+    flat->model = SoLightModel::BASE_COLOR;
+    root->addChild(flat);
+    // A little deeper than the truth, else a surface shades itself.
+    auto* offset = new SoPolygonOffset;
+    offset->factor = 1.5f;
+    offset->units = 4.0f;
+    root->addChild(offset);
+    return root;
+  };
+  fromLamp_ = seenFrom(lamp_ = new SoPerspectiveCamera);
+  fromAbove_ = seenFrom(above_ = new SoOrthographicCamera);
+  SoContextHandler::addContextDestructionCallback(contextDestroyed, this);
+}
+
+SoShadowMaps::~SoShadowMaps() {
+  SoContextHandler::removeContextDestructionCallback(contextDestroyed, this);
+  for (auto& [context, maps] : contexts_)
+    SoGLCacheContextElement::scheduleDeleteCallback(
+        context,
+        [](void* closure, std::uint32_t) {
+          const std::unique_ptr<ContextMaps> dead(static_cast<ContextMaps*>(closure));
+          dead->free();
+        },
+        maps.release());
+  fromLamp_->unref();
+  fromAbove_->unref();
+}
+
+void SoShadowMaps::contextDestroyed(std::uint32_t context, void* node) {
+  auto* self = static_cast<SoShadowMaps*>(node);
+  const auto found = self->contexts_.find(context);
+  if (found == self->contexts_.end()) return;
+  found->second->free();
+  self->contexts_.erase(found);
+}
+
+void SoShadowMaps::draw(ContextMaps& maps, std::uint32_t context) {
+  const auto size = GLsizei(std::clamp(resolution.getValue(), 64, 4096));
+  if (maps.size != size) {
+    if (maps.size > 0) maps.free();
+    maps.lamp.make(size, true);
+    maps.above.make(size, false);
+    maps.size = size;
+    maps.action =
+        std::make_unique<SoGLRenderAction>(SbViewportRegion(short(size), short(size)));
+    maps.action->setCacheContext(context);
+  }
+
+  const SbVec3f centre = focus.getValue();
+  const float r = std::max(radius.getValue(), 1e-4f);
+  const float distance = std::max((lampPosition.getValue() - centre).length(), 1.1f * r);
+  lamp_->position = lampPosition.getValue();
+  lamp_->pointAt(centre, SbVec3f(0.0f, 0.0f, -1.0f));
+  lamp_->nearDistance = distance - r;
+  lamp_->farDistance = distance + r;
+  lamp_->heightAngle = 2.0f * std::asin(r / distance);
+  above_->position = centre + SbVec3f(0.0f, r, 0.0f);
+  above_->orientation = SbRotation(SbVec3f(1.0f, 0.0f, 0.0f), -float(M_PI_2));
+  above_->nearDistance = 0.0f;
+  above_->farDistance = 2.0f * r;
+  above_->height = 2.0f * r;
+
+  for (auto [map, root] : {std::pair(&maps.lamp, fromLamp_), std::pair(&maps.above, fromAbove_)}) {
+    if (root->getNumChildren() == 3) root->addChild(casters.getValue());
+    if (root->getChild(3) != casters.getValue()) root->replaceChild(3, casters.getValue());
+    glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffer);
+    glViewport(0, 0, size, size);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_DEPTH_TEST);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    maps.action->apply(root);
+  }
+  ++redraws_;
+}
+
+void SoShadowMaps::GLRender(SoGLRenderAction* action) {
+  SoState* state = action->getState();
+  SoGLCacheContextElement::shouldAutoCache(state, SoGLCacheContextElement::DONT_AUTO_CACHE);
+  if (casters.getValue() == nullptr) return;
+  const auto context = std::uint32_t(SoGLCacheContextElement::get(state));
+  std::unique_ptr<ContextMaps>& maps = contexts_[context];
+  if (!maps) maps = std::make_unique<ContextMaps>();
+
+  if (maps->drawn != getNodeId()) {
+    // Coin keeps a shadow copy of OpenGL's state: everything the inner drawing touches is put back.
+    GLint drawBuffer = 0, readBuffer = 0, program = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBuffer);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBuffer);
+    glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+    glPushAttrib(GL_ALL_ATTRIB_BITS);
+    glPushClientAttrib(GL_CLIENT_ALL_ATTRIB_BITS);
+    glMatrixMode(GL_PROJECTION);
+    glPushMatrix();
+    glMatrixMode(GL_MODELVIEW);
+    glPushMatrix();
+    glUseProgram(0);
+    draw(*maps, context);
+    maps->drawn = getNodeId();
+    glUseProgram(GLuint(program));
+    glMatrixMode(GL_PROJECTION);
+    glPopMatrix();
+    glMatrixMode(GL_MODELVIEW);
+    glPopMatrix();
+    glPopClientAttrib();
+    glPopAttrib();
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(drawBuffer));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(readBuffer));
+  }
+
+  const SbMatrix eyeToWorld = SoViewingMatrixElement::get(state).inverse();
+  const auto toTexture = [&](const SoCamera* camera) {
+    SbMatrix m = eyeToWorld;
+    m.multRight(worldToClip(camera));
+    m.multRight(clipToTexture());
+    return m;
+  };
+  GLint mode = 0, unit = 0;
+  glGetIntegerv(GL_MATRIX_MODE, &mode);
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
+  setTextureMatrix(kWorldUnit, eyeToWorld);
+  setTextureMatrix(kAboveUnit, toTexture(above_));
+  glBindTexture(GL_TEXTURE_2D, maps->above.texture);
+  setTextureMatrix(kLampUnit, toTexture(lamp_));
+  glBindTexture(GL_TEXTURE_2D, maps->lamp.texture);
+  glActiveTexture(GLenum(unit));
+  glMatrixMode(GLenum(mode));
+}
+
+}  // namespace resect

@@ -1,0 +1,19 @@
+// How do the surfaces of the operating room look? GLSL 1.20 programs, from data/shaders.
+#pragma once
+
+class SoShaderProgram;
+
+namespace resect {
+
+enum class RoomMaterial {
+  Liver,  // wet capsule, cut parenchyma; for SoOrganShape
+  Steel,  // instruments; plastic where the model's specular colour is dark
+  Cloth,  // the drape on the table
+  Room,   // background, for the quad of an OperatingRoom
+};
+
+// A new node (reference count 0) to stand before the geometry, after the camera, two spot lights
+// and SoShadowMaps. Broken GLSL is reported by OffscreenView::render.
+SoShaderProgram* makeMaterial(RoomMaterial material);
+
+}  // namespace resect

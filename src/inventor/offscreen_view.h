@@ -1,0 +1,40 @@
+// How does a scene become a picture where there is no display?
+//
+// An EGL context without a surface and a multisampled framebuffer of its own; kept for many
+// pictures, so that buffers, textures and shaders stay on the card. No X, no environment variable.
+// The scene must contain its camera and its lights.
+#pragma once
+
+#include <memory>
+
+#include "io/png_file.h"
+
+class SoNode;
+
+namespace resect {
+
+class OffscreenView {
+ public:
+  // Size in pixels, 16 to 8192 each way; `samples` per pixel, 1 = no smoothing of edges. Throws
+  // Error in one sentence when EGL or OpenGL is missing or the size is refused.
+  OffscreenView(int width, int height, int samples = 4);
+  ~OffscreenView();
+  OffscreenView(const OffscreenView&) = delete;
+  OffscreenView& operator=(const OffscreenView&) = delete;
+
+  int width() const;
+  int height() const;
+
+  // The same scene gives the same bytes. Throws Error when a shader of the scene does not compile:
+  // Inventor would go on with flat colours.
+  RgbImage render(SoNode* scene);
+
+  // Name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
+  const char* renderer() const;
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+}  // namespace resect

@@ -1,0 +1,222 @@
+#include "inventor/operating_room.h"
+
+#include <Inventor/nodes/SoCoordinate3.h>
+#include <Inventor/nodes/SoFaceSet.h>
+#include <Inventor/nodes/SoIndexedFaceSet.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoPickStyle.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoShaderProgram.h>
+#include <Inventor/nodes/SoShapeHints.h>
+#include <Inventor/nodes/SoSpotLight.h>
+#include <Inventor/nodes/SoTransform.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/assert.h"
+#include "geometry/normals.h"
+#include "inventor/SoOrganShape.h"
+#include "inventor/SoShadowMaps.h"
+#include "inventor/init.h"
+#include "inventor/materials.h"
+
+namespace resect {
+
+namespace {
+
+SbVec3f toSb(const Vec3& v) { return SbVec3f(float(v.x()), float(v.y()), float(v.z())); }
+
+void setPose(SoTransform* transform, const Pose& pose) {
+  const Eigen::Quaterniond& q = pose.rotation;
+  transform->translation = toSb(pose.position);
+  transform->rotation = SbRotation(float(q.x()), float(q.y()), float(q.z()), float(q.w()));
+}
+
+SoSeparator* uncachedSeparator() {
+  auto* separator = new SoSeparator;
+  separator->renderCaching = SoSeparator::OFF;
+  return separator;
+}
+
+SoSeparator* withMaterial(RoomMaterial material, std::initializer_list<SoNode*> nodes) {
+  SoSeparator* separator = uncachedSeparator();
+  separator->addChild(makeMaterial(material));
+  for (SoNode* node : nodes) separator->addChild(node);
+  return separator;
+}
+
+// A quad whose corners the vertex shader moves to those of the picture; tiny, so that it does not
+// count in the scene's bounds.
+SoNode* backgroundQuad() {
+  auto* quad = new SoSeparator;
+  auto* corners = new SoCoordinate3;
+  const float e = 1e-4f;
+  const SbVec3f points[4] = {{-e, -e, 0.0f}, {e, -e, 0.0f}, {e, e, 0.0f}, {-e, e, 0.0f}};
+  corners->point.setValues(0, 4, points);
+  quad->addChild(corners);
+  auto* face = new SoFaceSet;
+  face->numVertices = 4;
+  quad->addChild(face);
+  return quad;
+}
+
+struct Direction {
+  Vec3 towards;        // from what is looked at to the camera
+  double heightAngle;  // rad
+};
+
+Direction direction(RoomView view) {
+  switch (view) {
+    case RoomView::Surgeon: return {{0.10, 0.72, 1.0}, 0.50};
+    case RoomView::Assistant: return {{-1.0, 0.50, -0.55}, 0.50};
+    case RoomView::Top: return {{0.0, 1.0, 1e-3}, 0.50};
+    case RoomView::Laparoscope: return {{0.55, 0.45, 0.75}, 1.15};
+  }
+  RESECT_ASSERT(false);
+  return {};
+}
+
+}  // namespace
+
+std::optional<RoomView> roomView(std::string_view name) {
+  if (name == "surgeon") return RoomView::Surgeon;
+  if (name == "assistant") return RoomView::Assistant;
+  if (name == "top") return RoomView::Top;
+  if (name == "laparoscope") return RoomView::Laparoscope;
+  return std::nullopt;
+}
+
+OperatingRoom::OperatingRoom() {
+  initInventor();
+  root_ = uncachedSeparator();
+  root_->ref();
+  camera_ = new SoPerspectiveCamera;
+  root_->addChild(camera_);
+  for (SoSpotLight*& lamp : lamps_) root_->addChild(lamp = new SoSpotLight);
+  lamps_[0]->color = SbColor(1.0f, 0.93f, 0.83f);
+  lamps_[0]->intensity = 1.0f;
+  lamps_[1]->color = SbColor(0.72f, 0.86f, 1.0f);
+  lamps_[1]->intensity = 0.28f;
+
+  shadows_ = new SoShadowMaps;
+  root_->addChild(shadows_);
+  casters_ = uncachedSeparator();
+  shadows_->casters = casters_;
+
+  table_ = uncachedSeparator();
+  toolbox_ = uncachedSeparator();
+  toolbox_->addChild(toolboxPose_ = new SoTransform);
+  tools_ = uncachedSeparator();
+  auto* organ = uncachedSeparator();
+  auto* unpickable = new SoPickStyle;
+  unpickable->style = SoPickStyle::UNPICKABLE;
+  organ->addChild(unpickable);
+  organ->addChild(organPose_ = new SoTransform);
+  organ->addChild(organ_ = new SoOrganShape);
+  for (SoNode* node : {toolbox_, tools_, organ}) casters_->addChild(node);
+
+  root_->addChild(withMaterial(RoomMaterial::Liver, {organ}));
+  root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_, tools_}));
+  root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
+  // Last: most of it is hidden already.
+  root_->addChild(withMaterial(RoomMaterial::Room, {backgroundQuad()}));
+}
+
+OperatingRoom::~OperatingRoom() { root_->unref(); }
+
+void OperatingRoom::setTable(SoNode* model) {
+  table_->removeAllChildren();
+  if (model) table_->addChild(model);
+}
+
+void OperatingRoom::setToolbox(SoNode* model, const Pose& pose) {
+  setPose(toolboxPose_, pose);
+  while (toolbox_->getNumChildren() > 1) toolbox_->removeChild(1);
+  if (model) toolbox_->addChild(model);
+}
+
+int OperatingRoom::addTool(SoNode* model) {
+  SoSeparator* tool = uncachedSeparator();
+  tool->addChild(new SoTransform);
+  tool->addChild(model);
+  tools_->addChild(tool);
+  return tools_->getNumChildren() - 1;
+}
+
+SoTransform* OperatingRoom::toolTransform(int tool) const {
+  RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
+  return static_cast<SoTransform*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(0));
+}
+
+void OperatingRoom::setToolPose(int tool, const Pose& pose) { setPose(toolTransform(tool), pose); }
+
+void OperatingRoom::setOrgan(const TriangleMesh& mesh) {
+  std::vector<Vec3f> points(mesh.points.size()), normals(mesh.points.size());
+  std::ranges::transform(mesh.points, points.begin(), [](const Vec3& p) { return p.cast<float>(); });
+  std::ranges::transform(pointNormals(mesh), normals.begin(),
+                         [](const Vec3& n) { return n.cast<float>(); });
+  const std::vector<float> cut(points.size(), 0.0f);
+  organ_->setGeometry({points, normals, cut, mesh.triangles, {}});
+}
+
+void OperatingRoom::setOrganPose(const Pose& pose) { setPose(organPose_, pose); }
+
+void OperatingRoom::lightUp(const Aabb& box) {
+  if (box.empty()) return;
+  const Vec3 centre = box.centre();
+  const double radius = std::max(0.5 * box.size().norm(), 1e-3);
+  const Vec3 places[2] = {{-0.50, 1.20, -0.10}, {0.85, 0.95, 0.45}};
+  // Lamps hang 1.3 m from a liver; a model of another size is lit as if it were one.
+  const double scale = std::max(1.0, radius / 0.2);
+  for (int k = 0; k < 2; ++k) {
+    lamps_[k]->location = toSb(centre + scale * places[k]);
+    lamps_[k]->direction = toSb(-places[k].normalized());
+    lamps_[k]->cutOffAngle = k == 0 ? 0.42f : 0.60f;
+  }
+  shadows_->lampPosition = lamps_[0]->location.getValue();
+  shadows_->focus = toSb(centre);
+  shadows_->radius = float(std::max(0.32, 1.5 * radius));
+}
+
+void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
+  RESECT_ASSERT(aspect > 0.0);
+  if (box.empty()) return;
+  const Direction from = direction(view);
+  const double radius = std::max(0.5 * box.size().norm(), 1e-3);
+  // The narrower of the two angles must hold the sphere round the box.
+  const double halfHeight = 0.5 * from.heightAngle;
+  const double half = std::min(halfHeight, std::atan(std::tan(halfHeight) * aspect));
+  const double distance = radius / std::sin(half);
+  const Vec3 towards = from.towards.normalized();
+  camera_->heightAngle = float(from.heightAngle);
+  camera_->position = toSb(box.centre() + distance * towards);
+  camera_->pointAt(toSb(box.centre()), SbVec3f(0.0f, 1.0f, 0.0f));
+  camera_->focalDistance = float(distance);
+  camera_->nearDistance = float(0.05 * distance);
+  camera_->farDistance = float(20.0 * distance);
+}
+
+SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees) {
+  auto* model = new SoSeparator;
+  auto* hints = new SoShapeHints;
+  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
+  hints->creaseAngle = float(creaseDegrees * std::numbers::pi / 180.0);
+  model->addChild(hints);
+  auto* coordinates = new SoCoordinate3;
+  std::vector<SbVec3f> points(mesh.points.size());
+  std::ranges::transform(mesh.points, points.begin(), toSb);
+  coordinates->point.setValues(0, int(points.size()), points.data());
+  model->addChild(coordinates);
+  auto* faces = new SoIndexedFaceSet;
+  std::vector<std::int32_t> indices;
+  indices.reserve(4 * mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), {t[0], t[1], t[2], -1});
+  faces->coordIndex.setValues(0, int(indices.size()), indices.data());
+  model->addChild(faces);
+  return model;
+}
+
+}  // namespace resect

@@ -1,0 +1,87 @@
+// What does the operating room look like, as one Open Inventor scene for pictures and for the
+// window?
+//
+//   root Separator
+//     camera, lamps, SoShadowMaps
+//     Separator { cloth  | table }
+//     Separator { steel  | toolbox, Separator { SoTransform | tool } ... }
+//     Separator { liver  | SoTransform, SoOrganShape }
+//     Separator { room   | background }
+//
+// World: m, Y up, table top at y = 0. The surgeon stands at +Z.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/pose.h"
+#include "geometry/triangle_mesh.h"
+
+class SoNode;
+class SoPerspectiveCamera;
+class SoSeparator;
+class SoSpotLight;
+class SoTransform;
+
+namespace resect {
+
+class SoOrganShape;
+class SoShadowMaps;
+
+enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
+
+// "surgeon", "assistant", "top", "laparoscope"; nothing for other names.
+std::optional<RoomView> roomView(std::string_view name);
+
+class OperatingRoom {
+ public:
+  OperatingRoom();
+  ~OperatingRoom();
+  OperatingRoom(const OperatingRoom&) = delete;
+  OperatingRoom& operator=(const OperatingRoom&) = delete;
+
+  SoSeparator* root() const { return root_; }
+  SoPerspectiveCamera* camera() const { return camera_; }
+  SoOrganShape* organ() const { return organ_; }
+
+  // Table, tool box: replaced by `model`; nullptr = none.
+  void setTable(SoNode* model);
+  void setToolbox(SoNode* model, const Pose& pose = {});
+
+  // Tools are numbered in the order they are added. `model` in the tool's frame: tip at the
+  // origin, handle along +Z, m.
+  int addTool(SoNode* model);
+  void setToolPose(int tool, const Pose& pose);
+  SoTransform* toolTransform(int tool) const;
+
+  // The whole organ, with smooth normals of its own and no cut. For changing organs use organ().
+  void setOrgan(const TriangleMesh& mesh);
+  void setOrganPose(const Pose& pose);
+
+  // Aims lamps and shadows at the box, world, m. Call it once per scene, or when the organ moves to
+  // another place; not per frame, else the light flickers.
+  void lightUp(const Aabb& box);
+
+  // Aims the camera at the box so that all of it is seen in a picture of this width / height.
+  void look(RoomView view, const Aabb& box, double aspect);
+
+ private:
+  SoSeparator* root_;
+  SoPerspectiveCamera* camera_;
+  SoSpotLight* lamps_[2];
+  SoShadowMaps* shadows_;
+  SoSeparator* casters_;
+  SoSeparator* table_;
+  SoSeparator* toolbox_;
+  SoTransform* toolboxPose_;
+  SoSeparator* tools_;
+  SoTransform* organPose_;
+  SoOrganShape* organ_;
+};
+
+// A model from triangles, with a crease where faces meet at more than `creaseDegrees`.
+SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
+
+}  // namespace resect

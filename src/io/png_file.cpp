@@ -1,0 +1,42 @@
+#include "io/png_file.h"
+
+#include <png.h>
+
+#include "base/assert.h"
+#include "base/error.h"
+#include "io/atomic_file.h"
+
+namespace resect {
+
+void writePng(const std::filesystem::path& path, const RgbImage& image) {
+  RESECT_ASSERT(image.width > 0 && image.height > 0);
+  RESECT_ASSERT(image.pixels.size() == std::size_t(3) * image.width * image.height);
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = image.width;
+  header.height = image.height;
+  header.format = PNG_FORMAT_RGB;
+  header.flags = PNG_IMAGE_FLAG_FAST;
+
+  std::vector<char> bytes(PNG_IMAGE_PNG_SIZE_MAX(header));
+  png_alloc_size_t size = bytes.size();
+  if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr))
+    throw error("{}: cannot encode the picture: {}", path.string(), header.message);
+  writeFileAtomically(path, [&](std::ostream& out) { out.write(bytes.data(), size); });
+}
+
+RgbImage readPng(const std::filesystem::path& path) {
+  png_image header{};
+  header.version = PNG_IMAGE_VERSION;
+  if (!png_image_begin_read_from_file(&header, path.c_str()))
+    throw error("{}: not a readable PNG file: {}", path.string(), header.message);
+  header.format = PNG_FORMAT_RGB;
+  RgbImage image{int(header.width), int(header.height), {}};
+  image.pixels.resize(PNG_IMAGE_SIZE(header));
+  const png_color black{0, 0, 0};
+  if (!png_image_finish_read(&header, &black, image.pixels.data(), 0, nullptr))
+    throw error("{}: the PNG file is damaged: {}", path.string(), header.message);
+  return image;
+}
+
+}  // namespace resect

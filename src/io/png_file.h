@@ -1,0 +1,25 @@
+// How is a picture kept as a PNG file?
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace resect {
+
+struct RgbImage {
+  int width = 0;   // pixels
+  int height = 0;  // pixels
+  std::vector<std::uint8_t> pixels;  // [height * width * 3], red green blue, top row first
+
+  const std::uint8_t* at(int x, int y) const { return &pixels[3 * (std::size_t(y) * width + x)]; }
+};
+
+// 8 bits per channel, sRGB. Width and height must be positive. Throws Error when the file cannot be
+// written; what stood there before is then untouched.
+void writePng(const std::filesystem::path& path, const RgbImage& image);
+
+// Reads any PNG as 8-bit RGB; transparent parts are laid over black.
+RgbImage readPng(const std::filesystem::path& path);
+
+}  // namespace resect
