@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "inventor/iv_guard.h"
 #include "inventor/iv_reader.h"
+#include "inventor/nurbs_context.h"
 #include "io/assimp_file.h"
 #include "io/child_process.h"
 #include "io/gzip.h"
@@ -82,6 +83,7 @@ Model readModel(const fs::path& path) {
   limits.cpuSeconds = 5 + double(size) / (1 << 20);
   limits.wallSeconds = 4 * limits.cpuSeconds;  // other programs may need the processor too
   const std::string bytes = runInChild(path.string(), limits, [&] {
+    pretendOffscreenContext();
     const Model model = readHere(path);
     checkModel(model);
     return modelToBytes(model);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::array kExtensions{"obj", "stl", "ply", "off", "glb", "gltf"};
 constexpr int kDeepestNode = 500;
+constexpr const char* kNoObjName = "defaultobject";  // the library's for .obj without names
 
 std::string extensionOf(const std::filesystem::path& path) {
   std::string text = path.extension().string();
@@ -85,8 +86,9 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above,
                   node.mMeshes[i], scene.mNumMeshes);
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
     const bool nodeHasOwnName = node.mName.length > 0 && &node != scene.mRootNode;
-    addToPart(model, nodeHasOwnName ? node.mName.C_Str() : mesh.mName.C_Str(),
-              meshOf(mesh, transform, model.path));
+    std::string name = nodeHasOwnName ? node.mName.C_Str() : mesh.mName.C_Str();
+    if (name == kNoObjName) name.clear();
+    addToPart(model, name, meshOf(mesh, transform, model.path));
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i)
     collect(scene, *node.mChildren[i], transform, depth + 1, model);

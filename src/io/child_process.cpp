@@ -49,6 +49,7 @@ void restrictThisProcess(const ChildLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CORE, 0, 0);
   limit(RLIMIT_FSIZE, 0, 0);
+  ::signal(SIGXFSZ, SIG_IGN);  // writing fails instead: font caches live without it
   const auto cpu = rlim_t(std::ceil(limits.cpuSeconds));
   limit(RLIMIT_CPU, cpu, cpu + 1);
 #ifndef RESECT_SANITIZED

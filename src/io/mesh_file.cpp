@@ -138,14 +138,15 @@ Writer writerFor(const std::filesystem::path& path) {
 
 }  // namespace
 
-bool isWritableMeshFile(const std::filesystem::path& path) { return writerFor(path) != nullptr; }
-
-void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh) {
-  const Writer write = writerFor(path);
-  if (!write)
+void checkWritableMeshFile(const std::filesystem::path& path) {
+  if (!writerFor(path))
     throw usageError("cannot write a surface as {}; use .obj, .stl, .ply, .vtk or .iv",
                      path.string());
-  writeFileAtomically(path, [&](std::ostream& out) { write(out, mesh); });
+}
+
+void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  checkWritableMeshFile(path);
+  writeFileAtomically(path, [&](std::ostream& out) { writerFor(path)(out, mesh); });
 }
 
 }  // namespace resect

@@ -8,8 +8,9 @@
 
 namespace resect {
 
-// Can a surface be written under that name: .obj .stl .ply .vtk .iv (any case)?
-bool isWritableMeshFile(const std::filesystem::path& path);
+// A usage Error unless a surface can be written under that name: .obj .stl .ply .vtk .iv (any
+// case).
+void checkWritableMeshFile(const std::filesystem::path& path);
 
 // Writes by the name's extension, atomically (io/atomic_file.h), in metres:
 //   .obj  text, every coordinate with the digits that give back the same double
@@ -18,7 +19,7 @@ bool isWritableMeshFile(const std::filesystem::path& path);
 //   .iv   Inventor V2.1 ascii, an IndexedFaceSet; digits as .obj, though Inventor keeps single
 //         precision
 //   .stl  binary; the format itself has single precision and no shared points
-// An unknown extension is a usage Error that lists these.
+// An unknown extension is a usage Error.
 void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 }  // namespace resect

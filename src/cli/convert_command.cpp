@@ -1,0 +1,78 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "geometry/measures.h"
+#include "inventor/model_file.h"
+#include "io/length_unit.h"
+#include "io/mesh_file.h"
+#include "io/organ_mesh.h"
+
+namespace resect {
+namespace {
+
+struct Options {
+  std::string in, out, part, unit = "m";
+  bool repair = false, json = false;
+};
+
+void convert(const Options& options) {
+  // A wrong name or unit is said before the work is done.
+  checkWritableMeshFile(options.out);
+  const double metres = metresPerUnit(options.unit);
+  const Model model = readModel(options.in);
+  TriangleMesh mesh;
+  std::vector<std::string> notes;
+  if (options.repair) {
+    OrganMesh organ = prepareOrganMesh(model, {options.part, true, metres});
+    mesh = std::move(organ.mesh);
+    notes = std::move(organ.notes);
+  } else {
+    mesh = weldSurface(chosenSurface(model, options.part, metres));
+    if (mesh.triangles.empty())
+      throw error("{}: all its triangles are degenerate; export the model again", model.path);
+  }
+  writeMeshFile(options.out, mesh);
+  if (options.json) {
+    const nlohmann::ordered_json result{{"written", options.out},
+                                {"triangles", mesh.triangles.size()},
+                                {"vertices", mesh.points.size()},
+                                {"volume_ml", volume(mesh) * 1e6},
+                                {"notes", notes}};
+    fmt::print("{}\n", result.dump(2));
+    return;
+  }
+  for (const std::string& note : notes) fmt::print("{}: {}\n", options.in, note);
+  fmt::print("{}: {} triangles, {} vertices, {:.6g} ml\n", options.out, mesh.triangles.size(),
+             mesh.points.size(), volume(mesh) * 1e6);
+}
+
+}  // namespace
+
+void addConvertCommand(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("convert", "Write a model in another format, in metres");
+  command->add_option("IN", options->in, ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk")
+      ->required();
+  command->add_option("OUT", options->out, ".obj .stl .ply .vtk .iv")->required();
+  command->add_option("--part", options->part, "Take only the part of that name");
+  command
+      ->add_option("--unit", options->unit,
+                   "What IN's numbers are: mm, cm, m, inch or metres per unit")
+      ->capture_default_str();
+  command->add_flag("--repair", options->repair,
+                    "Make a closed body: close holes, turn what is inside out, drop specks");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer(
+      "Examples:\n"
+      "  resect convert liver.iv liver.stl\n"
+      "  resect convert scan.stl liver.obj --unit mm --repair\n"
+      "  resect convert liver.glb gallbladder.iv --part gallbladder");
+  command->callback([options] { convert(*options); });
+}
+
+}  // namespace resect

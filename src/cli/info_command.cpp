@@ -1,0 +1,53 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/commands.h"
+#include "inventor/model_file.h"
+#include "io/length_unit.h"
+#include "io/model_info.h"
+#include "io/organ_mesh.h"
+
+namespace resect {
+namespace {
+
+struct Options {
+  std::string file, part, unit = "m";
+  bool json = false;
+};
+
+void info(const Options& options) {
+  Model model = readModel(options.file);
+  const double metres = metresPerUnit(options.unit);
+  if (!options.part.empty()) model.parts = {partNamed(model, options.part)};
+  for (ModelPart& part : model.parts)
+    for (Vec3& p : part.mesh.points) p *= metres;
+  const ModelInfo result = modelInfo(model);
+  fmt::print("{}", options.json ? toJson(result).dump(2) + "\n" : toText(result));
+}
+
+}  // namespace
+
+void addInfoCommand(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("info", "Tell what a model file holds and whether it is sound");
+  command->add_option("FILE", options->file, ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk")
+      ->required();
+  command->add_option("--part", options->part, "Look only at the part of that name");
+  command
+      ->add_option("--unit", options->unit,
+                   "What the file's numbers are: mm, cm, m, inch or metres per unit")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer(
+      "Examples:\n"
+      "  resect info liver.iv\n"
+      "  resect info scan.stl --unit mm\n"
+      "  resect info liver.glb --part gallbladder --json");
+  command->callback([options] { info(*options); });
+}
+
+}  // namespace resect

@@ -1,0 +1,38 @@
+// What is in a model file, in numbers that tell whether it can be an organ?
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "geometry/aabb.h"
+#include "io/model.h"
+
+namespace resect {
+
+struct ModelInfo {
+  std::string path, format;
+  std::vector<std::string> parts;
+  // As read:
+  int triangles = 0;
+  int vertices = 0;  // different positions: the same count whether a format shares points or not
+  double area = 0;   // m^2
+  double volume =
+      0;        // m^3, signed sum over the triangles about the origin, also of an open surface
+  Aabb bounds;  // m
+  // After welding (weldSurface):
+  int components = 0;
+  bool closed = false, oriented = false, insideOut = false;
+  int boundaryEdges = 0, nonManifoldEdges = 0;
+  std::string unitHint;  // unit that would make it the size of an organ; empty when metres do
+};
+
+ModelInfo modelInfo(const Model& model);
+
+// The fields under the names that `resect info --json` promises, lengths in m, volume in ml.
+nlohmann::ordered_json toJson(const ModelInfo& info);
+
+// A few lines for a person.
+std::string toText(const ModelInfo& info);
+
+}  // namespace resect

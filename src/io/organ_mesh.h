@@ -1,0 +1,39 @@
+// How does a model become the closed, outward-looking surface of an organ, and what had to be done?
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/mesh_health.h"
+#include "geometry/repair.h"
+#include "io/model.h"
+
+namespace resect {
+
+struct OrganMeshOptions {
+  std::string part;          // use only the part of that name; empty: all parts together
+  bool repair = false;       // close holes instead of refusing an open surface
+  double metresPerUnit = 1;  // > 0; what one unit of the file is, see metresPerUnit(text)
+};
+
+struct OrganMesh {
+  TriangleMesh mesh;  // welded, closed, consistently oriented, looking outwards
+  MeshHealth health;  // of that mesh
+  RepairReport repairs;
+  std::vector<std::string> notes;  // one sentence per thing done or doubtful, for a person
+};
+
+// Merges equal points; when that leaves the surface open, also points nearer than a millionth of
+// the diagonal, if that closes it (mirrored or rotated copies meet only up to rounding).
+TriangleMesh weldSurface(const TriangleMesh& mesh);
+
+// Takes the part (or all), scales, welds, drops specks, turns what looks inwards. Throws one
+// sentence when the surface is open and `repair` is off (number of boundary edges, place of the
+// first; the names of the parts when several were merged), when merged parts overlap, when the
+// triangles cannot agree on an outside, or when nothing encloses any volume.
+OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options = {});
+
+// The part of that name, or all parts as one; scaled to metres; nothing else is done.
+TriangleMesh chosenSurface(const Model& model, const std::string& part, double metresPerUnit);
+
+}  // namespace resect
