@@ -1,6 +1,15 @@
 # One layer = one folder in src/, one static library resect_<layer>, one test executable test_<layer>.
 # Which layer may include which is written once, in tools/layers.txt, and checked by a test.
 
+# Two thirds of compiling a file is reading Eigen and the standard headers: they are read once, in the lowest layer.
+function(resect_precompile target)
+  if(target STREQUAL "resect_base")
+    target_precompile_headers(resect_base PRIVATE ${CMAKE_SOURCE_DIR}/src/base/precompiled.h)
+  else()
+    target_precompile_headers(${target} REUSE_FROM resect_base)
+  endif()
+endfunction()
+
 function(resect_layer name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
   file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.h)
@@ -8,6 +17,7 @@ function(resect_layer name)
     add_library(resect_${name} STATIC ${sources} ${headers})
     target_include_directories(resect_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
     target_link_libraries(resect_${name} PUBLIC ${ARGN})
+    resect_precompile(resect_${name})
   else()
     add_library(resect_${name} INTERFACE)
     target_include_directories(resect_${name} INTERFACE ${CMAKE_SOURCE_DIR}/src)
@@ -23,6 +33,7 @@ function(resect_layer_test name)
   add_executable(test_${name} ${CMAKE_SOURCE_DIR}/test/support/doctest_main.cpp ${sources})
   target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/test)
   target_link_libraries(test_${name} PRIVATE resect_${name} resect_test_support ${ARGN})
+  resect_precompile(test_${name})
   add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
   set_tests_properties(${name} PROPERTIES TIMEOUT 900)
 endfunction()

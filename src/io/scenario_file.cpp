@@ -25,6 +25,7 @@ OrganSource readOrgan(const TomlTable& t) {
   organ.file = source == "liver" ? "" : source;
   organ.part = t.text("part", "");
   organ.unit = parseUnit(t.text("unit", "m"), "organ.unit");
+  organ.repair = t.flag("repair", false);
   if (t.has("spacing")) organ.spacing = t.length("spacing", kMinSpacing, kMaxSpacing);
   if (t.has("dims")) organ.dims = readDims(t);
   if (organ.spacing && organ.dims) t.complain("dims", "and spacing are both given; keep one");

@@ -16,6 +16,7 @@ struct OrganSource {
   std::string file;               // model file, discretisation file, or "" for the built-in liver
   std::string part;               // named part of the file, or "" for all
   double unit = 1;                // metres per unit of the file
+  bool repair = false;            // close the holes of an open mesh instead of refusing it
   std::optional<double> spacing;  // cell side, m; or
   std::optional<Vec3i> dims;      // the thesis's grid over the bounding box
   Pose pose;  // turns the organ before it is laid on the table; the position is added after

@@ -1,0 +1,19 @@
+// What can `resect` do? One function per subcommand, each in a file of its own, named
+// <subcommand>_command.cpp.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace resect {
+
+void addInfoCommand(CLI::App& app);
+void addLiverCommand(CLI::App& app);
+void addDiscretizeCommand(CLI::App& app);
+void addSurfaceCommand(CLI::App& app);
+void addRunCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
+void addConvertCommand(CLI::App& app);
+
+}  // namespace resect

@@ -1,0 +1,79 @@
+// resect discretize: mesh in, particles out, in the thesis's text format.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/json_output.h"
+#include "cli/organ_options.h"
+#include "cli/progress_bar.h"
+#include "inventor/model_file.h"
+#include "io/discretization_file.h"
+#include "io/length.h"
+#include "io/operation_setup.h"
+
+namespace resect {
+
+void addDiscretizeCommand(CLI::App& app) {
+  struct Options {
+    std::string mesh, output;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("discretize", "Turn a closed mesh into particles on a lattice");
+  command->add_option("MESH", options->mesh, "Model file, or \"liver\" for the built-in one")
+      ->required();
+  command->add_option("-o,--output", options->output, "Discretisation file to write (.dis)")
+      ->required();
+  command->add_flag("--json", options->json, "Print JSON");
+  auto organ = addOrganOptions(*command);
+  command->footer(
+      "Without --spacing and --dims: cubic cells of 5mm.\n"
+      "Examples:\n  resect discretize liver.iv --spacing 5mm -o liver.dis\n  resect discretize "
+      "liver.iv --dims 20 -o liver20.dis");
+  command->callback([options, organ] {
+    OrganSource source;
+    source.file = options->mesh == "liver" ? "" : options->mesh;
+    source.onTable = false;
+    source.spacing = 0.005;
+    organ->applyTo(source);
+    std::vector<std::string> notes;
+    const Discretization cells = loadCells(source, readModel, progressBar("particles"), &notes);
+    if (cells.particleCount() == 0)
+      throw error(
+          "no cell centre of the lattice lies inside {}; use a smaller --spacing or more --dims",
+          options->mesh);
+    writeDiscretization(options->output, cells);
+    const Lattice& lattice = cells.lattice;
+    if (options->json) {
+      nlohmann::ordered_json json;
+      json["particles"] = cells.particleCount();
+      if (lattice.cubic())
+        json["spacing_m"] = lattice.spacing.x();
+      else
+        json["spacing_m"] = {lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z()};
+      json["volume_ml"] = 1e6 * cells.volume();
+      json["dims"] = {lattice.dims.x(), lattice.dims.y(), lattice.dims.z()};
+      json["notes"] = notes;
+      json["file"] = options->output;
+      writeJson("-", json);
+      return;
+    }
+    for (const std::string& note : notes) fmt::print("note: {}\n", note);
+    fmt::print("{}: {} particles, spacing {}{}, {:.1f} ml\n", options->output,
+               cells.particleCount(), lengthText(lattice.spacing.x()),
+               lattice.cubic() ? ""
+                               : fmt::format(" x {} x {}", lengthText(lattice.spacing.y()),
+                                             lengthText(lattice.spacing.z())),
+               1e6 * cells.volume());
+    if (!lattice.cubic())
+      fmt::print(
+          "note: cells are not cubes; such an organ can be shown and carved but not deform: use "
+          "--spacing for one that can\n");
+  });
+}
+
+}  // namespace resect

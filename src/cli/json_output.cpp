@@ -1,0 +1,19 @@
+#include "cli/json_output.h"
+
+#include <cstdio>
+#include <ostream>
+
+#include "io/atomic_file.h"
+
+namespace resect {
+
+void writeJson(const std::string& target, const nlohmann::ordered_json& json) {
+  const std::string text =
+      json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  if (target == "-")
+    std::fputs(text.c_str(), stdout);
+  else
+    writeFileAtomically(target, [&](std::ostream& out) { out << text; });
+}
+
+}  // namespace resect

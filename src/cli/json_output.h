@@ -1,0 +1,12 @@
+// Where does a command's JSON go? To a file, or with "-" to standard output.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace resect {
+
+// Two-space indent, keys in the order written. Files are written atomically.
+void writeJson(const std::string& target, const nlohmann::ordered_json& json);
+
+}  // namespace resect

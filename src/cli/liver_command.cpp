@@ -1,0 +1,38 @@
+// resect liver: writes the built-in liver as a mesh.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "geometry/measures.h"
+#include "io/length.h"
+#include "io/mesh_file.h"
+#include "organ/builtin_liver.h"
+
+namespace resect {
+
+void addLiverCommand(CLI::App& app) {
+  struct Options {
+    std::string output, edge = "2.5mm";
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("liver", "Write the built-in human liver as a mesh");
+  command->add_option("-o,--output", options->output, "Mesh file: .obj .stl .ply .vtk .iv")
+      ->required();
+  command->add_option("--edge", options->edge, "Longest edge of a triangle, 0.5mm to 5mm")
+      ->capture_default_str();
+  command->footer("Example:\n  resect liver -o liver.obj");
+  command->callback([options] {
+    const double edge = parseLength(options->edge, "--edge");
+    if (!(edge >= 0.0005 && edge <= 0.005))
+      throw usageError("--edge is {}; give a length from 0.5mm to 5mm", options->edge);
+    const TriangleMesh mesh = builtinLiver(edge);
+    writeMeshFile(options->output, mesh);
+    fmt::print("{}: {} triangles, {:.1f} ml\n", options->output, mesh.triangles.size(),
+               1e6 * volume(mesh));
+  });
+}
+
+}  // namespace resect

@@ -1,0 +1,63 @@
+// The command line of Resect: parses, calls one subcommand, turns errors into one sentence and an
+// exit status.
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "base/error.h"
+#include "base/progress.h"
+#include "cli/commands.h"
+
+namespace {
+
+constexpr const char* kExamples = R"(
+Examples:
+  resect run resect-segment --frames pictures     cut the left lateral part off the built-in liver
+  resect run cut --organ my_liver.stl --json -    the same tools on an organ of your own
+  resect info my_liver.stl                        is this mesh fit to be an organ?
+  resect discretize my_liver.stl --spacing 5mm -o my_liver.dis
+  resect surface my_liver.dis -o surface.obj
+  resect render surface.obj -o surface.png
+
+Lengths take units: 5mm, 0.5cm, 0.005m. Exit status: 0 done, 1 failed, 2 wrong usage.)";
+
+int complain(const char* sentence, int status) {
+  std::fprintf(stderr, "resect: error: %s\n", sentence);
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Resect: virtual surgery on organ models, in real time, headless or in a window",
+               "resect");
+  app.footer(kExamples);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", RESECT_VERSION);
+  app.failure_message([](const CLI::App* failed, const CLI::Error& e) {
+    return std::string("resect: error: ") + e.what() + "; see " + failed->get_name() + " --help\n";
+  });
+  resect::addInfoCommand(app);
+  resect::addLiverCommand(app);
+  resect::addDiscretizeCommand(app);
+  resect::addSurfaceCommand(app);
+  resect::addRunCommand(app);
+  resect::addRenderCommand(app);
+  resect::addConvertCommand(app);
+  try {
+    app.parse(argc, argv);
+    return 0;
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : 2;
+  } catch (const resect::Error& e) {
+    return complain(e.what(), int(e.status()));
+  } catch (const resect::Cancelled&) {
+    return complain("cancelled; nothing was written", 1);
+  } catch (const std::bad_alloc&) {
+    return complain("out of memory; use a larger spacing or a smaller model", 1);
+  } catch (const std::exception& e) {
+    return complain(e.what(), 1);
+  }
+}

@@ -1,0 +1,67 @@
+#include "cli/organ_options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "base/error.h"
+#include "io/length.h"
+
+namespace resect {
+namespace {
+
+// "20" or "20,30,40".
+Vec3i parseDims(const std::string& text) {
+  Vec3i dims;
+  int count = 0;
+  const char* at = text.data();
+  const char* end = at + text.size();
+  while (count < 3) {
+    const auto [rest, ec] = std::from_chars(at, end, dims[count]);
+    if (ec != std::errc() || dims[count] < 1 || dims[count] > 2000) break;
+    ++count;
+    at = rest;
+    if (at == end || *at != ',') break;
+    ++at;
+  }
+  if (at != end || (count != 1 && count != 3))
+    throw usageError("--dims is \"{}\"; give one number or three from 1 to 2000, as 20 or 20,20,20",
+                     text);
+  return count == 1 ? Vec3i(Vec3i::Constant(dims[0])) : dims;
+}
+
+}  // namespace
+
+void OrganOptions::applyTo(OrganSource& source) const {
+  if (!part.empty()) source.part = part;
+  if (!unit.empty()) source.unit = parseUnit(unit, "--unit");
+  source.repair = source.repair || repair;
+  if (!spacing.empty()) {
+    const double s = parseLength(spacing, "--spacing");
+    if (!(s >= 1e-5 && s <= 0.1))
+      throw usageError("--spacing is {}; give a length from 0.01mm to 100mm", spacing);
+    source.spacing = s;
+    source.dims.reset();
+  }
+  if (!dims.empty()) {
+    source.dims = parseDims(dims);
+    source.spacing.reset();
+  }
+}
+
+std::shared_ptr<OrganOptions> addOrganOptions(CLI::App& command) {
+  auto options = std::make_shared<OrganOptions>();
+  command.add_option("--part", options->part, "Use only the part of that name of the model file");
+  command.add_option("--unit", options->unit,
+                     "What the model's numbers are: mm, cm, m, um, in, or metres per unit");
+  command.add_flag("--repair", options->repair,
+                   "Close the holes of an open mesh instead of refusing it");
+  auto* spacing =
+      command.add_option("--spacing", options->spacing, "Side of the cubic cells, as 5mm");
+  command
+      .add_option("--dims", options->dims,
+                  "Samples over the bounding box, as the thesis has them: 20 or 20,20,20")
+      ->excludes(spacing);
+  return options;
+}
+
+}  // namespace resect

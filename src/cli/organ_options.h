@@ -1,0 +1,26 @@
+// Which options say what organ to take? The same on every command that takes one.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "operation/scenario.h"
+
+namespace CLI {
+class App;
+}
+
+namespace resect {
+
+struct OrganOptions {
+  std::string part, unit, spacing, dims;
+  bool repair = false;
+
+  // Overwrites what the person gave; leaves the rest of `source` as it is.
+  void applyTo(OrganSource& source) const;
+};
+
+// Adds --part, --unit, --repair, --spacing and --dims to a command.
+std::shared_ptr<OrganOptions> addOrganOptions(CLI::App& command);
+
+}  // namespace resect

@@ -1,0 +1,140 @@
+// resect run: an operation from a scenario file, headless, with pictures, surfaces and a summary.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "cli/commands.h"
+#include "cli/json_output.h"
+#include "cli/organ_options.h"
+#include "cli/picture_writer.h"
+#include "cli/progress_bar.h"
+#include "cli/run_report.h"
+#include "inventor/model_file.h"
+#include "io/data_folder.h"
+#include "io/mesh_file.h"
+#include "io/operation_setup.h"
+#include "io/scenario_file.h"
+#include "operation/run.h"
+#include "organ/pieces.h"
+
+namespace resect {
+namespace {
+
+struct Options {
+  std::string scenario, organ, frames, video, surface, pieces, json, size = "1280x720", view;
+  double pictureRate = 10;
+  int threads = 0;
+  bool list = false;
+};
+
+void listScenarios() {
+  for (const std::string& name : shippedNames("scenarios", ".toml"))
+    fmt::print("{:<24} {}\n", name,
+               readScenario(dataFolder() / "scenarios" / (name + ".toml")).title);
+}
+
+std::vector<std::string> writePieces(const std::filesystem::path& folder,
+                                     const TriangleMesh& surface) {
+  std::vector<std::string> files;
+  for (const TriangleMesh& piece : bodies(surface)) {
+    files.push_back(folder / fmt::format("piece_{}.stl", files.size() + 1));
+    writeMeshFile(files.back(), piece);
+  }
+  return files;
+}
+
+void run(const Options& options, const OrganOptions& organOptions) {
+  if (options.list) return listScenarios();
+  if (options.scenario.empty())
+    throw usageError("no scenario given; name one, or see what there is with resect run --list");
+  if (!options.surface.empty() && !isWritableMeshFile(options.surface))
+    throw usageError("cannot write {}: use .obj, .stl, .ply, .vtk or .iv", options.surface);
+  const ThreadLimit threads(options.threads);
+
+  Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
+  if (!options.organ.empty()) scenario.organ.file = options.organ == "liver" ? "" : options.organ;
+  if (!options.view.empty()) scenario.view = options.view;
+  organOptions.applyTo(scenario.organ);
+
+  std::vector<std::string> notes, files;
+  Simulation simulation(
+      makeOrgan(loadCells(scenario.organ, readModel, progressBar("particles"), &notes),
+                scenario.organ.settings),
+      loadTools(scenario, readModel));
+
+  std::optional<PictureWriter> pictures;
+  if (!options.frames.empty() || !options.video.empty())
+    pictures.emplace(
+        scenario, simulation,
+        PictureSettings{options.frames, options.video, options.size, options.pictureRate});
+
+  const Progress progress = progressBar(scenario.name);
+  const double frames = double(frameCount(scenario));
+  const RunSummary summary =
+      runScenario(simulation, scenario, [&](const Simulation& now, const StepReport& step) {
+        if (pictures) pictures->follow(now, step);
+        report(progress, double(step.frame + 1) / frames);
+        return true;
+      });
+
+  if (pictures) {
+    const auto written = pictures->finish();
+    files.insert(files.end(), written.begin(), written.end());
+  }
+  if (!options.surface.empty()) {
+    writeMeshFile(options.surface, simulation.organ().surface.mesh());
+    files.push_back(options.surface);
+  }
+  if (!options.pieces.empty()) {
+    const auto written = writePieces(options.pieces, simulation.organ().surface.mesh());
+    files.insert(files.end(), written.begin(), written.end());
+  }
+  if (!options.json.empty()) writeJson(options.json, toJson(summary, scenario));
+  if (options.json == "-") return;
+  if (!options.json.empty()) files.push_back(options.json);
+  for (const std::string& note : notes) fmt::print("note: {}\n", note);
+  fmt::print("{}", toText(summary, scenario, files));
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("run", "Run an operation headless and sum it up");
+  command->add_option("SCENARIO", options->scenario,
+                      "Scenario file, or the name of one that comes with Resect");
+  command->add_flag("--list", options->list, "List the scenarios that come with Resect");
+  command->add_option("--organ", options->organ, "Another organ: model or .dis file, or \"liver\"");
+  auto organ = addOrganOptions(*command);
+  command
+      ->add_option("--threads", options->threads, "Threads to use; 0 = all. The result is the same")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_option("--frames", options->frames, "Folder for numbered pictures (PNG)");
+  command->add_option("--video", options->video,
+                      "Video to make of the pictures (.mp4; needs ffmpeg)");
+  command->add_option("--picture-rate", options->pictureRate, "Pictures per simulated second")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "Width and height of the pictures, pixels")
+      ->capture_default_str();
+  command->add_option("--view", options->view, "surgeon, assistant, top or laparoscope");
+  command->add_option("--surface", options->surface,
+                      "Mesh file for the surface at the end: .obj .stl .ply .vtk .iv");
+  command->add_option("--pieces", options->pieces,
+                      "Folder for a mesh of each separate piece at the end (.stl)");
+  command->add_option("--json", options->json, "JSON file for the summary; - for standard output");
+  command->footer(
+      "Examples:\n"
+      "  resect run --list\n"
+      "  resect run resect-segment --frames pictures --pieces pieces\n"
+      "  resect run cut --organ my_liver.stl --unit mm --spacing 4mm --json cut.json\n"
+      "  resect run perforate --video perforate.mp4 --picture-rate 30");
+  command->callback([options, organ] { run(*options, *organ); });
+}
+
+}  // namespace resect

@@ -1,0 +1,85 @@
+#include "cli/run_report.h"
+
+#include <fmt/format.h>
+
+namespace resect {
+namespace {
+
+nlohmann::ordered_json toJson(const SurfaceSummary& surface) {
+  return {{"triangles", surface.triangles},
+          {"closed", surface.closed},
+          {"oriented", surface.oriented},
+          {"volume_ml", 1e6 * surface.volume}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario) {
+  nlohmann::ordered_json json;
+  json["scenario"] = scenario.name;
+  json["particles"] = summary.particles;
+  json["organ_ml"] = 1e6 * summary.organVolume;
+  json["removed"] = summary.removed;
+  json["removed_ml"] = 1e6 * summary.removedVolume;
+  json["remaining_ml"] = 1e6 * summary.remainingVolume;
+  json["frames"] = summary.frames;
+  json["surface_before"] = toJson(summary.surfaceBefore);
+  json["surface"] = toJson(summary.surface);
+  json["pieces"] = nlohmann::ordered_json::array();
+  for (const SurfaceSummary& piece : summary.pieces) json["pieces"].push_back(toJson(piece));
+  for (const StageTimes& stage : summary.stages) {
+    const TimeSummary t = summarise(stage.seconds);
+    json["stages_ms"][stage.name] = {{"median", 1e3 * t.median},
+                                     {"p95", 1e3 * t.p95},
+                                     {"max", 1e3 * t.max},
+                                     {"total", 1e3 * t.total}};
+  }
+  json["simulated_s"] = summary.simulatedSeconds;
+  json["real_time_factor"] = summary.realTimeFactor();
+  json["faults"] = summary.faults;
+  json["state_hash"] = fmt::format("{:016x}", summary.stateHash);
+  return json;
+}
+
+std::string toText(const RunSummary& summary, const Scenario& scenario,
+                   const std::vector<std::string>& files) {
+  std::string text = fmt::format("{}\n", scenario.title);
+  const auto row = [&](const char* what, const std::string& value) {
+    text += fmt::format("  {:<10} {}\n", what, value);
+  };
+  row("organ",
+      fmt::format("{} particles, {:.1f} ml", summary.particles, 1e6 * summary.organVolume));
+  row("removed",
+      fmt::format("{} particles, {:.1f} ml ({:.2f} %)", summary.removed,
+                  1e6 * summary.removedVolume, 100 * summary.removedVolume / summary.organVolume));
+  row("surface",
+      fmt::format("{} triangles, {:.1f} ml, {}, {}", summary.surface.triangles,
+                  1e6 * summary.surface.volume, summary.surface.closed ? "closed" : "OPEN",
+                  summary.surface.oriented ? "oriented" : "NOT ORIENTED"));
+  std::string pieces;
+  for (std::size_t i = 0; i < summary.pieces.size() && i < 4; ++i)
+    pieces += fmt::format("{}{:.1f} ml", i ? " + " : "", 1e6 * summary.pieces[i].volume);
+  if (summary.pieces.size() > 4) pieces += fmt::format(" + {} smaller", summary.pieces.size() - 4);
+  row("pieces",
+      fmt::format("{}: {}", summary.pieces.size(), pieces.empty() ? "nothing is left" : pieces));
+  row("time",
+      fmt::format("{} frames = {:.2f} s simulated in {:.3f} s: {:.1f} x real time", summary.frames,
+                  summary.simulatedSeconds, summary.computedSeconds, summary.realTimeFactor()));
+  row("state", fmt::format("{:016x}", summary.stateHash));
+  text += fmt::format("\n  {:<14}{:>10}{:>10}{:>10}{:>11}{:>8}\n", "stage, ms", "median", "p95",
+                      "max", "total", "share");
+  for (const StageTimes& stage : summary.stages) {
+    const TimeSummary t = summarise(stage.seconds);
+    text += fmt::format("  {:<14}{:>10.3f}{:>10.3f}{:>10.3f}{:>11.2f}{:>7.1f}%\n", stage.name,
+                        1e3 * t.median, 1e3 * t.p95, 1e3 * t.max, 1e3 * t.total,
+                        100 * t.total / std::max(1e-12, summary.computedSeconds));
+  }
+  for (const std::string& fault : summary.faults) text += "\n  fault: " + fault;
+  if (!files.empty()) {
+    text += "\n  written:\n";
+    for (const std::string& file : files) text += "    " + file + "\n";
+  }
+  return text;
+}
+
+}  // namespace resect

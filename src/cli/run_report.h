@@ -1,0 +1,18 @@
+// How is the outcome of an operation told: to a program (JSON), to a person (a small table)?
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "operation/run.h"
+
+namespace resect {
+
+nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario);
+
+// `files`: what was written, one line each.
+std::string toText(const RunSummary& summary, const Scenario& scenario,
+                   const std::vector<std::string>& files);
+
+}  // namespace resect

@@ -1,0 +1,67 @@
+// resect surface: particles in, iso-surface of their colour field out.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/json_output.h"
+#include "io/discretization_file.h"
+#include "io/length.h"
+#include "io/mesh_file.h"
+#include "operation/run.h"
+#include "organ/organ.h"
+
+namespace resect {
+
+void addSurfaceCommand(CLI::App& app) {
+  struct Options {
+    std::string input, output, unit = "m";
+    float iso = 50;
+    int refine = 2;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("surface", "Draw the surface of a discretisation file's organ");
+  command->add_option("FILE", options->input, "Discretisation file (.dis)")->required();
+  command->add_option("-o,--output", options->output, "Mesh file: .obj .stl .ply .vtk .iv")
+      ->required();
+  command->add_option("--iso", options->iso, "Iso level of the colour field, 1 to 98")
+      ->capture_default_str();
+  command->add_option("--refine", options->refine, "Surface nodes per cell, 1 to 4")
+      ->capture_default_str();
+  command
+      ->add_option("--unit", options->unit,
+                   "What the file's numbers are: mm, cm, m, um, in, or metres per unit")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer("Example:\n  resect surface liver.dis --iso 50 --refine 2 -o surface.obj");
+  command->callback([options] {
+    if (!isWritableMeshFile(options->output))
+      throw usageError("cannot write {}: use .obj, .stl, .ply, .vtk or .iv", options->output);
+    Discretization cells = readDiscretization(options->input, parseUnit(options->unit, "--unit"));
+    const Organ organ = makeOrgan(std::move(cells), {options->refine, options->iso});
+    const TriangleMesh mesh = organ.surface.mesh();
+    if (mesh.triangles.empty())
+      throw error("{} has no surface at iso level {}; use a lower --iso", options->input,
+                  options->iso);
+    writeMeshFile(options->output, mesh);
+    const SurfaceSummary summary = summarise(mesh);
+    if (options->json) {
+      writeJson("-", {{"particles", organ.particles},
+                      {"triangles", summary.triangles},
+                      {"closed", summary.closed},
+                      {"oriented", summary.oriented},
+                      {"volume_ml", 1e6 * summary.volume},
+                      {"file", options->output}});
+      return;
+    }
+    fmt::print("{}: {} triangles from {} particles, {}, {:.1f} ml\n", options->output,
+               summary.triangles, organ.particles, summary.closed ? "closed" : "open",
+               1e6 * summary.volume);
+  });
+}
+
+}  // namespace resect

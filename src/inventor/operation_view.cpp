@@ -1,0 +1,67 @@
+#include "inventor/operation_view.h"
+
+#include <Inventor/SoDB.h>
+#include <Inventor/SoInput.h>
+#include <Inventor/nodes/SoSeparator.h>
+
+#include "base/error.h"
+#include "inventor/SoOrganShape.h"
+#include "inventor/init.h"
+#include "io/data_folder.h"
+#include "operation/room.h"
+
+namespace resect {
+
+SoSeparator* readSceneFile(const std::filesystem::path& path) {
+  initInventor();
+  SoInput input;
+  SoSeparator* root = input.openFile(path.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;
+  if (!root)
+    throw error("cannot read {} as an Inventor file; install Resect's data again", path.string());
+  return root;
+}
+
+OperationView::OperationView(const Scenario& scenario, const Simulation& simulation,
+                             double aspect) {
+  const auto view = roomView(scenario.view);
+  if (!view)
+    throw usageError("there is no view \"{}\"; use surgeon, assistant, top or laparoscope",
+                     scenario.view);
+  const auto tools = dataFolder() / "tools";
+  if (scenario.table) room_.setTable(readSceneFile(tools / "table.iv"));
+  if (scenario.toolBox) room_.setToolbox(readSceneFile(tools / "toolbox.iv"), toolBoxPose());
+  for (const ToolState& state : simulation.tools())
+    room_.addTool(readSceneFile(state.tool->model().file));
+  setOrgan(simulation.organ().surface);
+  follow(simulation);
+  for (std::size_t i = 0; i < scenario.tools.size(); ++i)
+    room_.setToolPose(int(i), scenario.tools[i].rest);
+  const Aabb box = simulation.organ().rest.lattice.box();
+  room_.lightUp(box);
+  room_.look(*view, box, aspect);
+}
+
+void OperationView::setOrgan(const SurfaceTracker& surface) {
+  room_.organ()->setGeometry(
+      {surface.points(), surface.normals(), surface.cut(), surface.triangles(), {}});
+}
+
+void OperationView::follow(const Simulation& simulation) {
+  for (std::size_t i = 0; i < simulation.tools().size(); ++i)
+    room_.setToolPose(int(i), simulation.tools()[i].pose);
+  const SurfaceTracker& surface = simulation.organ().surface;
+  const SurfaceTracker::Changes& changes = surface.changes();
+  if (changes.everything) return setOrgan(surface);
+  for (const IndexRange& r : changes.vertices)
+    room_.organ()->updateRange(r.first, 0,
+                               {surface.points().subspan(r.first, r.count),
+                                surface.normals().subspan(r.first, r.count),
+                                surface.cut().subspan(r.first, r.count),
+                                {},
+                                {}});
+  for (const IndexRange& r : changes.triangles)
+    room_.organ()->updateRange(0, r.first,
+                               {{}, {}, {}, surface.triangles().subspan(r.first, r.count), {}});
+}
+
+}  // namespace resect

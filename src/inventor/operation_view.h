@@ -1,0 +1,38 @@
+// What does an operation look like at this moment? The operating room with the scenario's organ and
+// tools in it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "inventor/operating_room.h"
+#include "operation/scenario.h"
+#include "simulation/simulation.h"
+
+class SoSeparator;
+
+namespace resect {
+
+// Reads one of the models that come with Resect as a scene graph, materials and all. Not for
+// untrusted files: those go through readModel.
+SoSeparator* readSceneFile(const std::filesystem::path& path);
+
+class OperationView {
+ public:
+  // Sets up room, tools and organ and aims lamps and camera at the organ. `aspect` = width / height
+  // of the picture. The view named by scenario.view must be one of roomView()'s; an Error lists
+  // them.
+  OperationView(const Scenario& scenario, const Simulation& simulation, double aspect);
+
+  // After every step: moves the tools and hands on the changed ranges of the surface.
+  void follow(const Simulation& simulation);
+
+  OperatingRoom& room() { return room_; }
+
+ private:
+  void setOrgan(const SurfaceTracker& surface);
+
+  OperatingRoom room_;
+};
+
+}  // namespace resect

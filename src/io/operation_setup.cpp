@@ -1,0 +1,68 @@
+#include "io/operation_setup.h"
+
+#include "base/error.h"
+#include "geometry/measures.h"
+#include "io/data_folder.h"
+#include "io/discretization_file.h"
+#include "io/organ_mesh.h"
+#include "io/scenario_file.h"
+#include "organ/builtin_liver.h"
+#include "organ/discretize.h"
+
+namespace resect {
+namespace {
+
+bool isDiscretizationFile(const std::string& file) {
+  return std::filesystem::path(file).extension() == ".dis";
+}
+
+// What lays a box on the table: centred over the origin, lowest point on the table top.
+Vec3 ontoTable(const Aabb& box) { return {-box.centre().x(), -box.min.y(), -box.centre().z()}; }
+
+}  // namespace
+
+TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
+                           std::vector<std::string>* notes) {
+  TriangleMesh mesh;
+  if (source.file.empty()) {
+    mesh = builtinLiver();
+  } else {
+    const OrganMesh organ =
+        prepareOrganMesh(readModel(source.file), {source.part, source.repair, source.unit});
+    mesh = organ.mesh;
+    if (notes) notes->insert(notes->end(), organ.notes.begin(), organ.notes.end());
+  }
+  mesh = transformed(std::move(mesh), {Vec3::Zero(), source.pose.rotation});
+  const Vec3 shift =
+      (source.onTable ? ontoTable(bounds(mesh)) : Vec3(Vec3::Zero())) + source.pose.position;
+  return transformed(std::move(mesh), {shift, Eigen::Quaterniond::Identity()});
+}
+
+Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
+                         const Progress& progress, std::vector<std::string>* notes) {
+  if (isDiscretizationFile(source.file)) {
+    Discretization cells = readDiscretization(source.file, source.unit);
+    cells.lattice.origin += source.pose.position +
+                            (source.onTable ? ontoTable(cells.lattice.box()) : Vec3(Vec3::Zero()));
+    return cells;
+  }
+  const TriangleMesh mesh = loadOrganMesh(source, readModel, notes);
+  const Aabb box = bounds(mesh);
+  return discretize(
+      mesh,
+      source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, *source.spacing),
+      progress);
+}
+
+std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
+                                             const ModelReader& readModel) {
+  const auto readMesh = [&](const std::filesystem::path& path) {
+    return prepareOrganMesh(readModel(path), {}).mesh;
+  };
+  std::vector<std::unique_ptr<Tool>> tools;
+  for (const ScenarioTool& tool : scenario.tools)
+    tools.push_back(makeTool(readTool(findDataFile(tool.model, "tools", ".toml"), readMesh)));
+  return tools;
+}
+
+}  // namespace resect

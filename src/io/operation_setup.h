@@ -1,0 +1,35 @@
+// How does a scenario become a simulation that can be stepped? Reads what it names, builds what it
+// asks for.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "io/model.h"
+#include "operation/scenario.h"
+#include "simulation/simulation.h"
+
+namespace resect {
+
+// Reads any model file; supplied by the layer that knows all formats (inventor/model_file.h).
+using ModelReader = std::function<Model(const std::filesystem::path&)>;
+
+// The organ's closed, outward surface where the scenario puts it: turned by source.pose, then laid
+// on the table (lowest point at y = 0, bounding box centred over the origin) when source.onTable,
+// then moved by the pose's position. `notes` gets what was repaired or noticed, a sentence each.
+TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
+                           std::vector<std::string>* notes = nullptr);
+
+// The organ's cells: from a discretisation file (.dis, taken where its coordinates put it unless
+// onTable), else from the mesh.
+Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
+                         const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
+
+// The scenario's tools, from their description files (named as files, or as shipped: "scalpel").
+std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
+                                             const ModelReader& readModel);
+
+}  // namespace resect

@@ -1,0 +1,36 @@
+// How does a row of pictures become a video file? Through the program ffmpeg, when it is installed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "io/png_file.h"
+
+namespace resect {
+
+class VideoWriter {
+ public:
+  // Starts ffmpeg; every picture must have this size (cut to even numbers for the codec). rate:
+  // pictures per second > 0. An Error in one sentence when ffmpeg is not installed or the name is
+  // not .mp4.
+  VideoWriter(const std::filesystem::path& path, int width, int height, double rate);
+  // Without finish() nothing is left behind.
+  ~VideoWriter();
+  VideoWriter(const VideoWriter&) = delete;
+  VideoWriter& operator=(const VideoWriter&) = delete;
+
+  void add(const RgbImage& picture);
+  // Closes the video and gives it its name.
+  void finish();
+
+ private:
+  std::filesystem::path path_, temporary_;
+  int width_, height_;
+  int pipe_ = -1;
+  int process_ = -1;
+};
+
+// Is the program ffmpeg on the PATH?
+bool haveFfmpeg();
+
+}  // namespace resect
