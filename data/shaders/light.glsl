@@ -3,7 +3,7 @@
 // gl_LightSource[0] is the main lamp, [1] the second one; both are spot lights.
 
 uniform sampler2DShadow lampShadow;  // see SoShadowMaps
-uniform sampler2D heightMap;
+uniform sampler2D shadowGrid;
 
 const float kLampRadius = 0.20;
 
@@ -46,20 +46,25 @@ vec3 lampHead(int which, vec3 from, vec3 d, float blur) {
   return 16.0 * glow * gl_LightSource[which].diffuse.rgb;
 }
 
-// Radiance arriving at `from` from direction d; `blur` is the tangent of the half angle over which
-// the room is averaged, 0 = a mirror.
-vec3 roomLight(vec3 from, vec3 d, float blur) {
+// Radiance of the dim room in direction d; `blur` is the tangent of the half angle over which it is
+// averaged, 0 = a mirror.
+vec3 roomLight(vec3 d, float blur) {
   float soft = 0.08 + blur;
-  vec3 floorColor = vec3(0.010, 0.012, 0.014), wall = vec3(0.050, 0.064, 0.072),
+  vec3 floorColor = vec3(0.010, 0.012, 0.014), wall = vec3(0.045, 0.058, 0.066),
        ceiling = vec3(0.10, 0.115, 0.125);
   vec3 light = mix(floorColor, wall, smoothstep(-0.55 - soft, 0.05 + soft, d.y));
   light = mix(light, ceiling, smoothstep(0.35 - soft, 0.75 + soft, d.y));
   // A window of light along the far wall, and a screen at the side: what polished steel shows.
   float strip = smoothstep(0.10 - soft, 0.20 + 0.5 * soft, d.y) *
                 (1.0 - smoothstep(0.32 - 0.5 * soft, 0.42 + soft, d.y));
-  light += strip * smoothstep(0.0, 0.9, -d.z) * vec3(0.16, 0.22, 0.25);
-  light += strip * smoothstep(0.5, 0.9, d.x) * vec3(0.10, 0.13, 0.16);
-  return light + lampHead(0, from, d, blur) + lampHead(1, from, d, blur);
+  light += strip * smoothstep(0.0, 0.9, -d.z) * vec3(0.20, 0.26, 0.29);
+  light += strip * smoothstep(0.5, 0.9, d.x) * vec3(0.14, 0.17, 0.19);
+  return light;
+}
+
+// What a surface at `from` mirrors in direction d: room and lamps.
+vec3 mirrored(vec3 from, vec3 d, float blur) {
+  return roomLight(d, blur) + lampHead(0, from, d, blur) + lampHead(1, from, d, blur);
 }
 
 // Share of the main lamp that reaches the point, 0..1. Twelve taps on a disc; the four outermost
@@ -92,20 +97,20 @@ vec3 lampLight(int which, vec3 point, out vec3 toLamp) {
   return gl_LightSource[which].diffuse.rgb * pool * 2.0 / max(dot(way, way), 0.1);
 }
 
-// Share of the room that the point sees, from the height map: 0..1.
-float openness(vec3 eyePoint, vec3 point, vec3 normal) {
-  vec3 here = (gl_TextureMatrix[6] * vec4(eyePoint, 1.0)).xyz;
-  // Texture units per metre, and metres per unit of depth: the map is a cube.
-  float scale = length((gl_TextureMatrix[6] * vec4(1.0, 0.0, 0.0, 0.0)).xyz);
-  float blocked = 0.0;
-  for (int k = 0; k < 12; ++k) {
-    float a = 2.399963 * float(k), r = 0.10 * (float(k) + 0.5) * (float(k) + 0.5) / 144.0 + 0.004;
-    vec2 o = r * vec2(cos(a), sin(a));
-    float height = (here.z - texture2D(heightMap, here.xy + scale * o).r) / scale;
-    vec3 way = vec3(o.x, height, -o.y);
-    blocked += max(0.0, dot(normalize(way), normal) - 0.08) / (1.0 + 30.0 * max(height - 0.1, 0.0));
-  }
-  return clamp(1.0 - 1.5 * blocked / 12.0, 0.0, 1.0);
+// What SoShadowMaps knows about the place under a point of the scene.
+struct Surroundings {
+  float tableOpen;   // share of the room seen from the table
+  float tableLit;    // share of the lamp seen from the table
+  float open;        // share of the room seen from the point itself
+};
+
+Surroundings surroundings(vec3 eyePoint, vec3 point) {
+  vec3 place = (gl_TextureMatrix[6] * vec4(eyePoint, 1.0)).xyz;
+  // The map is a cube of side 2 * radius: its scale tells the radius.
+  float radius = 0.5 / length((gl_TextureMatrix[6] * vec4(1.0, 0.0, 0.0, 0.0)).xyz);
+  vec4 grid = texture2D(shadowGrid, place.xy);
+  float top = max(grid.a * radius, 0.002);
+  return Surroundings(grid.r, grid.g, mix(grid.r, grid.b, clamp(point.y / top, 0.0, 1.0)));
 }
 
 // Diffuse light of the room on a surface of this normal.
@@ -126,6 +131,9 @@ float glossLobe(vec3 n, vec3 l, vec3 v, float roughness) {
   float d = nh * nh * (a2 - 1.0) + 1.0, lh = max(dot(l, h), 0.1);
   return a2 / (12.566 * d * d * lh * lh * (roughness + 0.5));
 }
+
+// A colour as designers write it, to the share of light it sends back.
+vec3 fromScreen(vec3 color) { return pow(color, vec3(2.2)); }
 
 // Radiance to displayed colour: filmic curve (Narkowicz 2016), sRGB gamma, a dither of half a step
 // against bands in the dark.

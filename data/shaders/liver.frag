@@ -23,10 +23,9 @@ void main() {
   float cut = smoothstep(0.38, 0.62, cutShare + 0.10 * middle.x * step(0.02, cutShare));
   float rim = cut * (1.0 - cut) * 4.0;
 
-  vec3 capsule = vec3(0.190, 0.034, 0.022);
-  capsule *= 1.0 + 0.22 * broad.x + 0.16 * middle.x;
-  capsule = mix(capsule, vec3(0.24, 0.060, 0.035), 0.25 * smoothstep(0.1, 0.8, -broad.x));
-  capsule *= 1.0 + 0.10 * fine.x;
+  vec3 capsule = vec3(0.128, 0.0215, 0.0150);
+  capsule *= 1.0 + 0.14 * broad.x + 0.12 * middle.x + 0.12 * fine.x;
+  capsule = mix(capsule, vec3(0.165, 0.046, 0.028), 0.30 * smoothstep(0.0, 0.7, -broad.x));
 
   vec3 bumps = 0.055 * broad.yzw + 0.050 * middle.yzw + 0.040 * fine.yzw;
   vec3 albedo = capsule;
@@ -57,7 +56,8 @@ void main() {
   vec3 point = pointToWorld(eyePosition), v = toWorld(-normalize(eyePosition));
 
   float lit = lampVisible(eyePosition, flatEye);
-  float open = openness(eyePosition, point, flat_);
+  Surroundings around = surroundings(eyePosition, point);
+  float open = around.open;
   vec3 l0, l1;
   vec3 e0 = lampLight(0, point, l0), e1 = lampLight(1, point, l1);
 
@@ -66,17 +66,17 @@ void main() {
   vec3 soft0 = max((vec3(dot(n, l0)) + wrap) / (1.0 + wrap), 0.0);
   vec3 soft1 = max((vec3(dot(n, l1)) + wrap) / (1.0 + wrap), 0.0);
   vec3 through = vec3(sqrt(lit), lit, lit);
-  vec3 diffuse = e0 * soft0 * through + e1 * soft1 * (0.3 + 0.7 * open) +
+  vec3 diffuse = e0 * soft0 * through + e1 * soft1 * (0.15 + 0.85 * open) +
                  ambientLight(n) * vec3(sqrt(open), open, open);
   vec3 color = albedo * diffuse;
 
   float nv = max(dot(film, v), 0.0);
   vec3 r = reflect(-v, film);
-  r.y = abs(r.y) < 0.02 ? 0.02 : r.y;
-  // Below the horizon the film mirrors the cloth and the organ itself, not the room.
-  float clear = smoothstep(-0.25, 0.25, r.y) * open;
-  vec3 mirror = roomLight(point, r, mix(0.045, 0.10, cut));
-  color += wetness * fresnel(0.028, nv) * mirror * clear * mix(0.25, 1.0, lit);
+  // Below the horizon the film mirrors the cloth, not the room.
+  vec3 cloth = vec3(0.006, 0.050, 0.042) * (0.2 + 0.8 * around.tableLit) * around.tableOpen;
+  vec3 mirror = mix(cloth, mirrored(point, r, mix(0.035, 0.08, cut)) * open * mix(0.2, 1.0, lit),
+                    smoothstep(-0.2, 0.2, r.y));
+  color += wetness * fresnel(0.028, nv) * mirror;
   color += 0.035 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.48);
   color += 0.035 * e1 * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.48);
 

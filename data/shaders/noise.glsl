@@ -25,3 +25,15 @@ vec4 noise(vec3 x) {
                          k3 + k6 * u.x + k5 * u.y + k7 * u.x * u.y);
   return vec4(2.0 * value - 1.0, 2.0 * slope);
 }
+
+// The same in the plane: value (x) and gradient (yz).
+vec3 noise2(vec2 x) {
+  vec2 i = floor(x), f = x - i;
+  vec2 u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+  vec2 du = 30.0 * f * f * (f * (f - 2.0) + 1.0);
+  float a = hash(vec3(i, 0.0)), b = hash(vec3(i + vec2(1, 0), 0.0)),
+        c = hash(vec3(i + vec2(0, 1), 0.0)), d = hash(vec3(i + vec2(1, 1), 0.0));
+  float k1 = b - a, k2 = c - a, k3 = a - b - c + d;
+  return vec3(2.0 * (a + k1 * u.x + k2 * u.y + k3 * u.x * u.y) - 1.0,
+              2.0 * du * vec2(k1 + k3 * u.y, k2 + k3 * u.x));
+}

@@ -1,5 +1,4 @@
-// Brushed instrument steel; the material of the model tints it. A model whose specular colour is
-// dark is painted plastic instead.
+// Brushed instrument steel; a model whose specular colour is dark is plastic or cloth instead.
 varying vec3 eyePosition;
 varying vec3 objectPosition;
 varying vec3 objectNormal;
@@ -8,34 +7,35 @@ varying vec3 baseColor;
 void main() {
   vec3 n0 = normalize(objectNormal);
   // Brush marks run across the long (Z) axis of the tools.
-  vec4 brush = noise(objectPosition * vec3(300.0, 300.0, 4000.0));
-  vec3 slope = 0.020 * vec3(brush.y, brush.z, brush.w);
+  vec4 brush = noise(objectPosition * vec3(250.0, 250.0, 3000.0));
+  float metal = smoothstep(0.12, 0.35, dot(gl_FrontMaterial.specular.rgb, vec3(0.333)));
+  vec3 slope = 0.035 * metal * vec3(brush.y, brush.z, 0.6 * brush.w);
   slope -= dot(slope, n0) * n0;
   vec3 flatEye = normalize(gl_NormalMatrix * n0);
   vec3 n = toWorld(normalize(gl_NormalMatrix * (n0 - slope)));
-  vec3 flat_ = toWorld(flatEye);
   vec3 point = pointToWorld(eyePosition), v = toWorld(-normalize(eyePosition));
-  if (dot(n, v) < 0.0) n = reflect(n, v);
+  if (dot(n, v) < 0.0) n = normalize(n - 2.0 * dot(n, v) * v);
 
-  float metal = smoothstep(0.15, 0.4, dot(gl_FrontMaterial.specular.rgb, vec3(0.333)));
-  vec3 tint = pow(baseColor, vec3(2.2));
-  vec3 f0 = mix(vec3(0.045), 0.35 + 0.5 * tint, metal);
+  vec3 tint = fromScreen(baseColor);
+  vec3 f0 = mix(vec3(0.04), 0.25 + 0.75 * tint, metal);
+  float shine = clamp(gl_FrontMaterial.shininess / 128.0, 0.05, 1.0);
+  float rough = mix(0.55, mix(0.42, 0.22, shine), metal);
 
-  float lit = lampVisible(eyePosition, flatEye), open = openness(eyePosition, point, flat_);
+  Surroundings around = surroundings(eyePosition, point);
+  float lit = lampVisible(eyePosition, flatEye), open = around.open;
   vec3 l0, l1;
   vec3 e0 = lampLight(0, point, l0), e1 = lampLight(1, point, l1);
-  vec3 diffuse = e0 * lit * max(dot(n, l0), 0.0) + e1 * max(dot(n, l1), 0.0) +
+  vec3 diffuse = e0 * lit * max(dot(n, l0), 0.0) + e1 * open * max(dot(n, l1), 0.0) +
                  ambientLight(n) * open;
-  float nv = max(dot(n, v), 0.0), x = 1.0 - nv;
-  vec3 f = f0 + (1.0 - f0) * x * x * x * x * x;
+  float x = 1.0 - max(dot(n, v), 0.0);
+  vec3 f = f0 + (1.0 - f0) * x * x * x * x * x * metal;
   vec3 r = reflect(-v, n);
-  vec3 mirror = roomLight(point, r, mix(0.20, 0.07, metal));
-  // What looks down mirrors the lit cloth.
-  vec3 cloth = vec3(0.03, 0.13, 0.12) * (0.4 + 0.6 * open);
-  mirror = mix(cloth, mirror, smoothstep(-0.2, 0.15, r.y));
-  vec3 color = tint * mix(1.0, 0.06, metal) * diffuse + f * mirror * mix(0.35 + 0.65 * open, 1.0, 0.3) *
-               mix(0.4, 1.0, lit);
-  color += f * (e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.36) +
-                e1 * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.36));
+  // What looks down mirrors the cloth, lit as it is below.
+  vec3 cloth = vec3(0.006, 0.055, 0.045) * (0.25 + 0.9 * around.tableLit) * (0.3 + 0.7 * around.tableOpen);
+  vec3 mirror = mix(cloth, mirrored(point, r, rough * rough) * (0.25 + 0.75 * open),
+                    smoothstep(-0.15, 0.15, r.y));
+  vec3 color = tint * mix(1.0, 0.10, metal) * diffuse + f * mirror * mix(0.5, 1.0, lit);
+  color += f * (e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, rough + 0.15) +
+                e1 * open * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, rough + 0.15));
   gl_FragColor = vec4(picture(color), 1.0);
 }

@@ -9,6 +9,7 @@
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/elements/SoGLCacheContextElement.h>
 #include <Inventor/elements/SoViewingMatrixElement.h>
+#include <Inventor/errors/SoDebugError.h>
 #include <Inventor/misc/SoContextHandler.h>
 #include <Inventor/misc/SoState.h>
 #include <Inventor/nodes/SoLightModel.h>
@@ -16,16 +17,18 @@
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoPolygonOffset.h>
 #include <Inventor/nodes/SoSeparator.h>
-#include <Inventor/nodes/SoShaderProgram.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+
+#include "inventor/materials.h"
 
 namespace resect {
 
 namespace {
 
-constexpr GLenum kLampUnit = GL_TEXTURE7, kAboveUnit = GL_TEXTURE6, kWorldUnit = GL_TEXTURE5;
+constexpr GLenum kLampUnit = GL_TEXTURE7, kAboveUnit = GL_TEXTURE6, kGridUnit = GL_TEXTURE5;
 
 // Clip space [-1,1]^3 -> texture space [0,1]^3, for row vectors.
 SbMatrix clipToTexture() {
@@ -39,6 +42,33 @@ SbMatrix worldToClip(const SoCamera* camera) {
   return camera->getViewVolume(1.0f).getMatrix();
 }
 
+// 0 when the sources do not compile; Coin's error handler is then told why.
+GLuint makeProgram(const char* vertexFile, const char* fragmentFile) {
+  const GLuint program = glCreateProgram();
+  char log[2000] = "";
+  for (const auto& [file, stage] : {std::pair(vertexFile, GL_VERTEX_SHADER),
+                                    std::pair(fragmentFile, GL_FRAGMENT_SHADER)}) {
+    const std::string source = shaderSource({file});
+    const char* text = source.c_str();
+    const GLuint shader = glCreateShader(GLenum(stage));
+    glShaderSource(shader, 1, &text, nullptr);
+    glCompileShader(shader);
+    GLint compiled = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+    if (!compiled) glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+    glAttachShader(program, shader);
+    glDeleteShader(shader);
+  }
+  glLinkProgram(program);
+  GLint linked = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &linked);
+  if (linked) return program;
+  if (log[0] == '\0') glGetProgramInfoLog(program, sizeof log, nullptr, log);
+  SoDebugError::post("SoShadowMaps", "GLSL shader %s: %s", fragmentFile, log);
+  glDeleteProgram(program);
+  return 0;
+}
+
 void setTextureMatrix(GLenum unit, const SbMatrix& matrix) {
   glActiveTexture(unit);
   glMatrixMode(GL_TEXTURE);
@@ -47,30 +77,40 @@ void setTextureMatrix(GLenum unit, const SbMatrix& matrix) {
 
 }  // namespace
 
+// A texture to draw into.
 struct SoShadowMaps::Map {
   GLuint texture = 0, framebuffer = 0;
+  GLsizei size = 0;
 
-  void make(GLsizei size, bool compares) {
+  void make(GLsizei texels, bool isDepth) {
+    size = texels;
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT,
-                 GL_UNSIGNED_INT, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, isDepth ? GL_DEPTH_COMPONENT24 : GL_RGBA8, size, size, 0,
+                 isDepth ? GL_DEPTH_COMPONENT : GL_RGBA, isDepth ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE,
+                 nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    const float far[4] = {1.0f, 1.0f, 1.0f, 1.0f};  // outside nothing casts
-    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, far);
-    if (compares) {
-      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    // Outside nothing casts: depth is far; all is seen, of a surface at no height.
+    const float outside[4] = {1.0f, 1.0f, 1.0f, isDepth ? 1.0f : 0.0f};
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, outside);
+    if (isDepth) {
       glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+      glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE);
     }
-    glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE);
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
-    glDrawBuffer(GL_NONE);
-    glReadBuffer(GL_NONE);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, isDepth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
+                           GL_TEXTURE_2D, texture, 0);
+    glDrawBuffer(isDepth ? GL_NONE : GL_COLOR_ATTACHMENT0);
+    glReadBuffer(isDepth ? GL_NONE : GL_COLOR_ATTACHMENT0);
+  }
+
+  void use() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, size, size);
   }
 
   void free() const {
@@ -80,14 +120,23 @@ struct SoShadowMaps::Map {
 };
 
 struct SoShadowMaps::ContextMaps {
-  Map lamp, above;
-  GLsizei size = 0;
+  Map lamp, above, grid;
+  GLuint program = 0;
   SbUniqueId drawn = 0;  // the node id that the maps show
   std::unique_ptr<SoGLRenderAction> action;
 
+  void make(GLsizei size) {
+    if (lamp.size > 0) freeMaps();
+    lamp.make(size, true);
+    above.make(size, true);
+    grid.make(size / 4, false);
+  }
+  void freeMaps() const {
+    for (const Map* map : {&lamp, &above, &grid}) map->free();
+  }
   void free() const {
-    lamp.free();
-    above.free();
+    freeMaps();
+    if (program) glDeleteProgram(program);
   }
 };
 
@@ -151,11 +200,8 @@ void SoShadowMaps::contextDestroyed(std::uint32_t context, void* node) {
 
 void SoShadowMaps::draw(ContextMaps& maps, std::uint32_t context) {
   const auto size = GLsizei(std::clamp(resolution.getValue(), 64, 4096));
-  if (maps.size != size) {
-    if (maps.size > 0) maps.free();
-    maps.lamp.make(size, true);
-    maps.above.make(size, false);
-    maps.size = size;
+  if (maps.lamp.size != size) {
+    maps.make(size);
     maps.action =
         std::make_unique<SoGLRenderAction>(SbViewportRegion(short(size), short(size)));
     maps.action->setCacheContext(context);
@@ -178,14 +224,48 @@ void SoShadowMaps::draw(ContextMaps& maps, std::uint32_t context) {
   for (auto [map, root] : {std::pair(&maps.lamp, fromLamp_), std::pair(&maps.above, fromAbove_)}) {
     if (root->getNumChildren() == 3) root->addChild(casters.getValue());
     if (root->getChild(3) != casters.getValue()) root->replaceChild(3, casters.getValue());
-    glBindFramebuffer(GL_FRAMEBUFFER, map->framebuffer);
-    glViewport(0, 0, size, size);
+    map->use();
     glDepthMask(GL_TRUE);
     glEnable(GL_DEPTH_TEST);
     glClear(GL_DEPTH_BUFFER_BIT);
     maps.action->apply(root);
   }
+  drawGrid(maps);
   ++redraws_;
+}
+
+// One quad over the grid; what each texel is, is worked out in data/shaders/grid.frag.
+void SoShadowMaps::drawGrid(ContextMaps& maps) const {
+  if (maps.program == 0) maps.program = makeProgram("grid.vert", "grid.frag");
+  if (maps.program == 0) return;
+  const auto uniform = [&](const char* name) { return glGetUniformLocation(maps.program, name); };
+  const auto bindDepths = [&](const Map& map, GLenum unit) {
+    glActiveTexture(unit);
+    glBindTexture(GL_TEXTURE_2D, map.texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  };
+  maps.grid.use();
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glUseProgram(maps.program);
+  bindDepths(maps.above, kAboveUnit);
+  bindDepths(maps.lamp, kLampUnit);
+  glUniform1i(uniform("heightMap"), kAboveUnit - GL_TEXTURE0);
+  glUniform1i(uniform("lampDepth"), kLampUnit - GL_TEXTURE0);
+  const SbVec3f centre = focus.getValue();
+  glUniform3fv(uniform("focus"), 1, centre.getValue());
+  glUniform1f(uniform("radius"), radius.getValue());
+  glUniform2f(uniform("lampRange"), lamp_->nearDistance.getValue(), lamp_->farDistance.getValue());
+  glUniform1f(uniform("lampTan"), std::tan(0.5f * lamp_->heightAngle.getValue()));
+  SbMatrix worldToLamp = worldToClip(lamp_);
+  worldToLamp.multRight(clipToTexture());
+  glUniformMatrix4fv(uniform("worldToLamp"), 1, GL_FALSE, worldToLamp[0]);
+  glRectf(-1.0f, -1.0f, 1.0f, 1.0f);
+  glUseProgram(0);
+  glActiveTexture(kLampUnit);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  glActiveTexture(GL_TEXTURE0);
 }
 
 void SoShadowMaps::GLRender(SoGLRenderAction* action) {
@@ -232,7 +312,8 @@ void SoShadowMaps::GLRender(SoGLRenderAction* action) {
   GLint mode = 0, unit = 0;
   glGetIntegerv(GL_MATRIX_MODE, &mode);
   glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-  setTextureMatrix(kWorldUnit, eyeToWorld);
+  setTextureMatrix(kGridUnit, eyeToWorld);
+  glBindTexture(GL_TEXTURE_2D, maps->grid.texture);
   setTextureMatrix(kAboveUnit, toTexture(above_));
   glBindTexture(GL_TEXTURE_2D, maps->above.texture);
   setTextureMatrix(kLampUnit, toTexture(lamp_));

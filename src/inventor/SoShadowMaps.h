@@ -1,16 +1,19 @@
 // Which parts of the scene does the surgical lamp reach, and how much of the room does each point
 // see?
 //
-// Draws the casters twice, seen from the lamp and from straight above, into two depth textures, and
-// hands them to the shaders of all nodes that follow:
-//   texture unit 7, gl_TextureMatrix[7]: eye space -> depth seen from the lamp (hard comparison)
-//   texture unit 6, gl_TextureMatrix[6]: eye space -> height map seen from above
+// Draws the casters twice, seen from the lamp and from straight above, into two depth textures;
+// works out from both, on a square grid, what the lamp and the room do to the table plane y = 0 and
+// to the topmost surface; and hands all to the shaders of the nodes that follow:
+//   texture unit 7, gl_TextureMatrix[7]: eye space -> depth seen from the lamp (compared)
+//   texture unit 6, gl_TextureMatrix[6]: eye space -> the grid's xy; z: depth from above
+//   texture unit 5, the same matrix: share of the room seen from the table (red), share of the lamp
+//     seen from the table (green), share of the room seen from the topmost surface (blue), height of
+//     that surface over the table as a share of `radius` (alpha)
 //   gl_TextureMatrix[5]: eye space -> world space (rotation and translation)
-// Stands after the camera. Redraws only when a caster or a field has changed. Needs
-// OpenGL 3.0 or framebuffer objects; two depth textures of resolution^2 per context.
+// Stands after the camera. Redraws only when a caster or a field has changed.
 //
-// Sources: shadow maps, Williams 1978; percentage-closer filtering, Reeves et al. 1987; the height
-// map serves the ambient light as in Evans 2006 and Oat and Sander 2007.
+// Sources: shadow maps, Williams 1978; percentage-closer soft shadows, Fernando 2005; the room's
+// light over a height field after Oat and Sander 2007.
 #pragma once
 
 #include <Inventor/fields/SoSFFloat.h>
@@ -42,7 +45,7 @@ class SoShadowMaps : public SoNode {
   SoSFVec3f lampPosition;  // world, m
   SoSFVec3f focus;         // world, m: centre of the region with shadows
   SoSFFloat radius;        // m, > 0: the region is the sphere of this radius round `focus`
-  SoSFInt32 resolution;    // texels along each side of both maps, 64 to 4096
+  SoSFInt32 resolution;    // texels along each side of the depth maps, 64 to 4096; the grid has a quarter
 
   // How often the maps were drawn.
   int redraws() const { return redraws_; }
@@ -56,6 +59,7 @@ class SoShadowMaps : public SoNode {
   struct ContextMaps;
 
   void draw(ContextMaps& maps, std::uint32_t context);
+  void drawGrid(ContextMaps& maps) const;
   static void contextDestroyed(std::uint32_t context, void* node);
 
   std::map<std::uint32_t, std::unique_ptr<ContextMaps>> contexts_;

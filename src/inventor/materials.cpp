@@ -5,14 +5,15 @@
 #include <Inventor/nodes/SoShaderProgram.h>
 #include <Inventor/nodes/SoVertexShader.h>
 
-#include <string>
-#include <string_view>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "base/assert.h"
+#include "base/error.h"
+#include "io/data_folder.h"
 
 namespace resect {
-
-std::string_view shaderText(std::string_view name);  // embedded by CMake
 
 namespace {
 
@@ -32,16 +33,24 @@ Stages stages(RoomMaterial material) {
 }
 
 void setSource(SoShaderObject* shader, std::initializer_list<std::string_view> parts) {
-  std::string source = "#version 120\n";
-  for (const std::string_view part : parts) {
-    RESECT_ASSERT(!shaderText(part).empty());
-    source += shaderText(part);
-  }
   shader->sourceType = SoShaderObject::GLSL_PROGRAM;
-  shader->sourceProgram = source.c_str();
+  shader->sourceProgram = shaderSource(parts).c_str();
 }
 
 }  // namespace
+
+std::string shaderSource(std::initializer_list<std::string_view> parts) {
+  std::string source = "#version 120\n";
+  for (const std::string_view part : parts) {
+    const std::filesystem::path path = dataFolder() / "shaders" / part;
+    std::ifstream in(path);
+    source.append(std::istreambuf_iterator<char>(in), {});
+    if (!in)
+      throw error("{} cannot be read; set RESECT_DATA to the data folder of Resect", path.string());
+    source += "\n";
+  }
+  return source;
+}
 
 SoShaderProgram* makeMaterial(RoomMaterial material) {
   auto* vertex = new SoVertexShader;
@@ -56,7 +65,7 @@ SoShaderProgram* makeMaterial(RoomMaterial material) {
     fragment->parameter.set1Value(fragment->parameter.getNum(), parameter);
   };
   sampler("lampShadow", 7);
-  sampler("heightMap", 6);
+  sampler("shadowGrid", 5);
 
   auto* program = new SoShaderProgram;
   program->shaderObject.set1Value(0, vertex);

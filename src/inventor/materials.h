@@ -1,6 +1,10 @@
 // How do the surfaces of the operating room look? GLSL 1.20 programs, from data/shaders.
 #pragma once
 
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
 class SoShaderProgram;
 
 namespace resect {
@@ -15,5 +19,9 @@ enum class RoomMaterial {
 // A new node (reference count 0) to stand before the geometry, after the camera, two spot lights
 // and SoShadowMaps. Broken GLSL is reported by OffscreenView::render.
 SoShaderProgram* makeMaterial(RoomMaterial material);
+
+// The version line and these files of data/shaders, one after the other. Throws Error when one
+// cannot be read.
+std::string shaderSource(std::initializer_list<std::string_view> parts);
 
 }  // namespace resect

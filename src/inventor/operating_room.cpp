@@ -1,5 +1,7 @@
 #include "inventor/operating_room.h"
 
+#include <Inventor/SoDB.h>
+#include <Inventor/SoInput.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoIndexedFaceSet.h>
@@ -14,14 +16,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "base/assert.h"
+#include "base/error.h"
 #include "geometry/normals.h"
 #include "inventor/SoOrganShape.h"
 #include "inventor/SoShadowMaps.h"
 #include "inventor/init.h"
 #include "inventor/materials.h"
+#include "io/data_folder.h"
 
 namespace resect {
 
@@ -197,6 +202,17 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   camera_->focalDistance = float(distance);
   camera_->nearDistance = float(0.05 * distance);
   camera_->farDistance = float(20.0 * distance);
+}
+
+SoNode* readRoomModel(const std::string& name) {
+  initInventor();
+  const std::filesystem::path path = findDataFile(name, "tools", ".iv");
+  SoInput input;
+  SoSeparator* model =
+      input.openFile(path.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;
+  if (!model)
+    throw error("{} is not a readable Inventor file; take it from Resect's sources", path.string());
+  return model;
 }
 
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees) {

@@ -81,6 +81,9 @@ class OperatingRoom {
   SoOrganShape* organ_;
 };
 
+// A model that comes with Resect: "table", "toolbox", "scalpel", ... (data/tools).
+SoNode* readRoomModel(const std::string& name);
+
 // A model from triangles, with a crease where faces meet at more than `creaseDegrees`.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
 
