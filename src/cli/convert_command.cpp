@@ -8,7 +8,7 @@
 #include "cli/commands.h"
 #include "geometry/measures.h"
 #include "inventor/model_file.h"
-#include "io/length_unit.h"
+#include "io/length.h"
 #include "io/mesh_file.h"
 #include "io/organ_mesh.h"
 
@@ -23,7 +23,7 @@ struct Options {
 void convert(const Options& options) {
   // A wrong name or unit is said before the work is done.
   checkWritableMeshFile(options.out);
-  const double metres = metresPerUnit(options.unit);
+  const double metres = parseUnit(options.unit, "--unit");
   const Model model = readModel(options.in);
   TriangleMesh mesh;
   std::vector<std::string> notes;
@@ -39,10 +39,10 @@ void convert(const Options& options) {
   writeMeshFile(options.out, mesh);
   if (options.json) {
     const nlohmann::ordered_json result{{"written", options.out},
-                                {"triangles", mesh.triangles.size()},
-                                {"vertices", mesh.points.size()},
-                                {"volume_ml", volume(mesh) * 1e6},
-                                {"notes", notes}};
+                                        {"triangles", mesh.triangles.size()},
+                                        {"vertices", mesh.points.size()},
+                                        {"volume_ml", volume(mesh) * 1e6},
+                                        {"notes", notes}};
     fmt::print("{}\n", result.dump(2));
     return;
   }
@@ -62,7 +62,7 @@ void addConvertCommand(CLI::App& app) {
   command->add_option("--part", options->part, "Take only the part of that name");
   command
       ->add_option("--unit", options->unit,
-                   "What IN's numbers are: mm, cm, m, inch or metres per unit")
+                   "What IN's numbers are: mm, cm, m, inch or the metres in one unit")
       ->capture_default_str();
   command->add_flag("--repair", options->repair,
                     "Make a closed body: close holes, turn what is inside out, drop specks");

@@ -6,7 +6,7 @@
 
 #include "cli/commands.h"
 #include "inventor/model_file.h"
-#include "io/length_unit.h"
+#include "io/length.h"
 #include "io/model_info.h"
 #include "io/organ_mesh.h"
 
@@ -20,7 +20,7 @@ struct Options {
 
 void info(const Options& options) {
   Model model = readModel(options.file);
-  const double metres = metresPerUnit(options.unit);
+  const double metres = parseUnit(options.unit, "--unit");
   if (!options.part.empty()) model.parts = {partNamed(model, options.part)};
   for (ModelPart& part : model.parts)
     for (Vec3& p : part.mesh.points) p *= metres;
@@ -39,7 +39,7 @@ void addInfoCommand(CLI::App& app) {
   command->add_option("--part", options->part, "Look only at the part of that name");
   command
       ->add_option("--unit", options->unit,
-                   "What the file's numbers are: mm, cm, m, inch or metres per unit")
+                   "What the file's numbers are: mm, cm, m, inch or the metres in one unit")
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(

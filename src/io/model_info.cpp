@@ -6,7 +6,7 @@
 #include "geometry/measures.h"
 #include "geometry/mesh_health.h"
 #include "geometry/weld.h"
-#include "io/length_unit.h"
+#include "io/organ_size.h"
 #include "io/organ_mesh.h"
 
 namespace resect {

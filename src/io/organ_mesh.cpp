@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "geometry/topology.h"
 #include "geometry/weld.h"
-#include "io/length_unit.h"
+#include "io/organ_size.h"
 
 namespace resect {
 namespace {

@@ -13,7 +13,7 @@ namespace resect {
 struct OrganMeshOptions {
   std::string part;          // use only the part of that name; empty: all parts together
   bool repair = false;       // close holes instead of refusing an open surface
-  double metresPerUnit = 1;  // > 0; what one unit of the file is, see metresPerUnit(text)
+  double metresPerUnit = 1;  // > 0; what one unit of the file is, see parseUnit (io/length.h)
 };
 
 struct OrganMesh {

@@ -1,0 +1,127 @@
+#include "io/child_process.h"
+
+#include <doctest/doctest.h>
+#include <signal.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <thread>
+#include <vector>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "support/temporary_folder.h"
+
+using namespace resect;
+
+namespace {
+
+std::string sentenceOf(const std::function<std::string()>& work, ChildLimits limits = {}) {
+  try {
+    runInChild("model.iv", limits, work);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("what the child returns comes back byte by byte") {
+  std::string bytes;
+  for (int i = 0; i < 300'000; ++i) bytes += char(i * 7);
+  CHECK(runInChild("x", {}, [&] { return bytes; }) == bytes);
+  CHECK(runInChild("x", {}, [] { return std::string(); }).empty());
+}
+
+TEST_CASE("an Error of the child is the parent's Error, with its status") {
+  CHECK(sentenceOf([]() -> std::string { throw error("model.iv:3: bad; mend it"); }) ==
+        "model.iv:3: bad; mend it");
+  try {
+    runInChild("x", {}, []() -> std::string { throw usageError("wrong"); });
+    FAIL("no error");
+  } catch (const Error& e) {
+    CHECK(e.status() == Error::Status::Usage);
+  }
+}
+
+TEST_CASE("other exceptions become a sentence about the file") {
+  const std::string text = sentenceOf([]() -> std::string { throw std::runtime_error("odd"); });
+  CHECK(text.find("model.iv: ") == 0);
+  CHECK(text.find("odd") != std::string::npos);
+  CHECK(sentenceOf([]() -> std::string { throw 5; }).find("model.iv: ") == 0);
+}
+
+TEST_CASE("a child that is killed gives one sentence") {
+  const std::string text = sentenceOf([]() -> std::string {
+    ::raise(SIGSEGV);
+    return "";
+  });
+  CHECK(text.find("model.iv: the reader stopped on it") == 0);
+  CHECK(text.find('\n') == std::string::npos);
+}
+
+TEST_CASE("a child that leaves without a word gives one sentence") {
+  const std::string text = sentenceOf([]() -> std::string { ::_exit(0); });
+  CHECK(text.find("model.iv: the reader stopped on it") == 0);
+}
+
+TEST_CASE("a child that computes for ever is stopped by its share of computing") {
+  ChildLimits limits;
+  limits.cpuSeconds = 1;
+  limits.wallSeconds = 60;
+  const std::string text = sentenceOf(
+      []() -> std::string {
+        for (std::atomic<int> i = 0;; ++i) {
+        }
+      },
+      limits);
+  CHECK(text.find("more than 1 s of computing") != std::string::npos);
+}
+
+TEST_CASE("a child that sleeps is stopped by the clock") {
+  ChildLimits limits;
+  limits.wallSeconds = 0.2;
+  const std::string text = sentenceOf(
+      []() -> std::string {
+        std::this_thread::sleep_for(std::chrono::hours(1));
+        return "";
+      },
+      limits);
+  CHECK(text.find("more than 0.2 s") != std::string::npos);
+}
+
+#ifndef RESECT_SANITIZED
+TEST_CASE("a child that wants more memory than it may is told so") {
+  ChildLimits limits;
+  limits.memoryBytes = std::size_t(64) << 20;
+  const std::string text = sentenceOf(
+      [] {
+        std::vector<std::string> blocks;
+        for (;;) blocks.emplace_back(std::size_t(8) << 20, 'x');
+        return std::string();
+      },
+      limits);
+  CHECK(text.find("more than 64 MB of memory") != std::string::npos);
+}
+#endif
+
+TEST_CASE("a child cannot write files") {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "written";
+  CHECK(runInChild("x", {}, [&] {
+          std::ofstream out(path);
+          out << "some text" << std::flush;
+          return std::string(out ? "written" : "refused");
+        }) == "refused");
+  CHECK(test::bytesOf(path).empty());
+}
+
+TEST_CASE("children start while worker threads live, one after the other") {
+  std::atomic<int> sum = 0;
+  parallelFor(1000, 1, [&](std::size_t begin, std::size_t end) { sum += int(end - begin); });
+  CHECK(sum == 1000);
+  for (int i = 0; i < 20; ++i)
+    CHECK(runInChild("x", {}, [&] { return std::to_string(i); }) == std::to_string(i));
+}
