@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and runs every test:
+#   release   all tests on the build that people use
+#   asan      the whole suite again under the address and undefined-behaviour sanitizers
+#   tsan      the parallel parts under the thread sanitizer
+# ./test.sh --quick runs the release build alone; ./test.sh NAME... the builds named.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+cd "$root"
+
+case ${1:-} in
+  "") builds=(release asan tsan) ;;
+  --quick) builds=(release) ;;
+  -*)
+    echo "resect: error: ./test.sh knows --quick and the names release, asan, tsan and dev, not $1" >&2
+    exit 2
+    ;;
+  *) builds=("$@") ;;
+esac
+
+tools/install_packages.sh
+
+summary=""
+for build in "${builds[@]}"; do
+  started=$SECONDS
+  selection=()
+  targets=()
+  if [[ $build == tsan ]]; then
+    selection=(-L parallel)
+    targets=(parallel_tests)
+  fi
+  tools/build.sh "$build" "${targets[@]}"
+  built=$((SECONDS - started))
+  log="build/$build/test.log"
+  echo "== $build: built in $built s, testing"
+  passed=yes
+  ctest --preset "$build" --parallel 2 --no-tests=error "${selection[@]}" </dev/null 2>&1 | tee "$log" || passed=no
+  summary+=$(printf '%-8s %5d s  %s' "$build" $((SECONDS - started)) "$(grep -a 'tests passed' "$log" || echo 'no test ran')")$'\n'
+  if [[ $passed == no ]]; then
+    printf '\n%s' "$summary"
+    echo "resect: error: tests failed in the $build build; their output is above and in $root/$log" >&2
+    exit 1
+  fi
+done
+printf '\n%s' "$summary"

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Does every C++ file look as .clang-format says? Prints file:line of each that does not.
+# With --fix: makes it so. Exits with 77 (a test that is skipped) where clang-format is not installed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+if ! command -v clang-format >/dev/null; then
+  echo "skipped: clang-format is not installed"
+  exit 77
+fi
+folders=()
+for folder in src test examples bench tools; do if [[ -d $folder ]]; then folders+=("$folder"); fi; done
+mapfile -t files < <(find "${folders[@]}" -name '*.h' -o -name '*.cpp' | sort)
+
+if [[ ${1:-} == --fix ]]; then
+  clang-format -i "${files[@]}"
+else
+  clang-format --dry-run -Werror "${files[@]}"
+  echo "${#files[@]} files look as .clang-format says"
+fi
