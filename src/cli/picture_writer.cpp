@@ -38,7 +38,7 @@ struct PictureWriter::State {
   }
 
   void draw() {
-    const RgbImage image = picture.render(operation.room().root());
+    const RgbImage image = operation.draw(picture);
     ++drawn;
     if (video) video->add(image);
     if (!settings.folder.empty())

@@ -51,8 +51,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
   if (options.list) return listScenarios();
   if (options.scenario.empty())
     throw usageError("no scenario given; name one, or see what there is with resect run --list");
-  if (!options.surface.empty() && !isWritableMeshFile(options.surface))
-    throw usageError("cannot write {}: use .obj, .stl, .ply, .vtk or .iv", options.surface);
+  if (!options.surface.empty()) checkWritableMeshFile(options.surface);
   const ThreadLimit threads(options.threads);
 
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));

@@ -46,6 +46,8 @@ void OperationView::setOrgan(const SurfaceTracker& surface) {
       {surface.points(), surface.normals(), surface.cut(), surface.triangles(), {}});
 }
 
+RgbImage OperationView::draw(OffscreenView& picture) const { return picture.render(room_.root()); }
+
 void OperationView::follow(const Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.tools().size(); ++i)
     room_.setToolPose(int(i), simulation.tools()[i].pose);

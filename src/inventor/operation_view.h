@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "inventor/offscreen_view.h"
 #include "inventor/operating_room.h"
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
@@ -26,6 +27,8 @@ class OperationView {
 
   // After every step: moves the tools and hands on the changed ranges of the surface.
   void follow(const Simulation& simulation);
+
+  RgbImage draw(OffscreenView& picture) const;
 
   OperatingRoom& room() { return room_; }
 

@@ -8,6 +8,7 @@
 #include "io/scenario_file.h"
 #include "organ/builtin_liver.h"
 #include "organ/discretize.h"
+#include "tools/registry.h"
 
 namespace resect {
 namespace {
