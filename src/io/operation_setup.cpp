@@ -1,7 +1,7 @@
 #include "io/operation_setup.h"
 
 #include "base/error.h"
-#include "geometry/measures.h"
+#include "geometry/resting_pose.h"
 #include "io/data_folder.h"
 #include "io/discretization_file.h"
 #include "io/organ_mesh.h"
@@ -34,6 +34,8 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
     if (notes) notes->insert(notes->end(), organ.notes.begin(), organ.notes.end());
   }
   mesh = transformed(std::move(mesh), {Vec3::Zero(), source.pose.rotation});
+  if (source.onTable && source.settle)
+    mesh = transformed(mesh, {Vec3::Zero(), restingRotation(mesh)});
   const Vec3 shift =
       (source.onTable ? ontoTable(bounds(mesh)) : Vec3(Vec3::Zero())) + source.pose.position;
   return transformed(std::move(mesh), {shift, Eigen::Quaterniond::Identity()});

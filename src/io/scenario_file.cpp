@@ -32,6 +32,7 @@ OrganSource readOrgan(const TomlTable& t) {
   if (!organ.spacing && !organ.dims) organ.spacing = 0.005;
   organ.pose = {t.vec3("position", Vec3::Zero()), t.rotation("rotation")};
   organ.onTable = t.flag("on_table", true);
+  organ.settle = t.flag("settle", true);
   organ.settings.refine = t.integer("refine", 1, 4, organ.settings.refine);
   organ.settings.iso = float(t.number("iso", kMinIso, kMaxIso, organ.settings.iso));
   t.refuseUnknownKeys();

@@ -1,0 +1,71 @@
+#include "geometry/resting_pose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "geometry/measures.h"
+
+namespace resect {
+namespace {
+
+// Directions spread evenly over the sphere (golden spiral).
+std::vector<Vec3> directions(int count) {
+  std::vector<Vec3> result;
+  for (int i = 0; i < count; ++i) {
+    const double y = 1 - 2 * (i + 0.5) / count, angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
+    const double r = std::sqrt(1 - y * y);
+    result.emplace_back(r * std::cos(angle), y, r * std::sin(angle));
+  }
+  return result;
+}
+
+// Points that stick out farthest in many directions: nearly all corners of the hull that a table
+// can touch.
+std::vector<Vec3> outermostPoints(const TriangleMesh& mesh, const Vec3& centre) {
+  std::vector<Vec3> result;
+  for (const Vec3& d : directions(1500)) {
+    double farthest = -std::numeric_limits<double>::infinity();
+    Vec3 best = Vec3::Zero();
+    for (const Vec3& p : mesh.points)
+      if (const double reach = d.dot(p); reach > farthest) {
+        farthest = reach;
+        best = p;
+      }
+    result.push_back(best - centre);
+  }
+  return result;
+}
+
+}  // namespace
+
+Eigen::Quaterniond restingRotation(const TriangleMesh& mesh) {
+  if (!(std::abs(volume(mesh)) > 0)) return Eigen::Quaterniond::Identity();
+  const std::vector<Vec3> points = outermostPoints(mesh, centroid(mesh));
+  // Height of the centre over the table when `down` points to the table.
+  const auto height = [&](const Vec3& down) {
+    double farthest = 0;
+    for (const Vec3& p : points) farthest = std::max(farthest, down.dot(p));
+    return farthest;
+  };
+  Vec3 down(0, -1, 0);
+  double lowest = height(down);
+  for (double step = 0.3; step > 1e-3;) {
+    const Vec3 u = down.unitOrthogonal(), v = down.cross(u);
+    Vec3 best = down;
+    for (int i = 0; i < 16; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 16;
+      const Vec3 d = (down + step * (std::cos(angle) * u + std::sin(angle) * v)).normalized();
+      if (const double h = height(d); h < lowest) {
+        lowest = h;
+        best = d;
+      }
+    }
+    if (best == down) step *= 0.5;
+    down = best;
+  }
+  return Eigen::Quaterniond::FromTwoVectors(down, Vec3(0, -1, 0));
+}
+
+}  // namespace resect
