@@ -8,11 +8,12 @@
 
 #include "base/assert.h"
 #include "base/parallel.h"
+#include "surface/relax.h"
 
 namespace resect {
 namespace {
 
-using Value = std::function<double(const Vec3&)>;
+using Value = ScalarFunction;
 using Tetrahedron = std::array<std::int64_t, 4>;
 using LatticeEdge = std::pair<std::int64_t, std::int64_t>;  // node inside, node outside
 
@@ -199,38 +200,6 @@ Vec3 crossing(const Lattice& lattice, const LatticeEdge& edge) {
   return p;
 }
 
-// Exact for linear functions: four values at the corners of a regular tetrahedron.
-Vec3 gradient(const Lattice& lattice, const Vec3& p, double step) {
-  Vec3 g = Vec3::Zero();
-  for (const Vec3& d : {Vec3(1, 1, 1), Vec3(1, -1, -1), Vec3(-1, 1, -1), Vec3(-1, -1, 1)})
-    g += d * lattice.valueAt(p + step * d);
-  return g / (4 * step);
-}
-
-// One round: every point goes halfway to the mean of its neighbours, within its tangent plane, then
-// back to zero by a Newton step. A point that would go far (a crease, a flat spot) stays.
-void evenOut(const Lattice& lattice, TriangleMesh& mesh, double edge) {
-  std::vector<Vec3> sum(mesh.points.size(), Vec3::Zero());
-  std::vector<int> count(mesh.points.size(), 0);
-  for (const Triangle& t : mesh.triangles)
-    for (int e = 0; e < 3; ++e) {
-      sum[t[e]] += mesh.points[t[(e + 1) % 3]] + mesh.points[t[(e + 2) % 3]];
-      count[t[e]] += 2;
-    }
-  parallelFor(mesh.points.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3 p = mesh.points[i];
-      const Vec3 g = gradient(lattice, p, 0.02 * edge);
-      const double slope = g.squaredNorm();
-      if (!(slope > 1e-6)) continue;
-      const Vec3 pull = 0.5 * (sum[i] / count[i] - p);
-      Vec3 moved = p + pull - g * (g.dot(pull) / slope);
-      moved -= g * (lattice.valueAt(moved) / slope);
-      if ((moved - p).norm() < 0.5 * edge) mesh.points[i] = moved;
-    }
-  });
-}
-
 }  // namespace
 
 TriangleMesh polygonise(const Value& value, const Aabb& box, const PolygoniseSettings& settings) {
@@ -255,7 +224,12 @@ TriangleMesh polygonise(const Value& value, const Aabb& box, const PolygoniseSet
     for (std::size_t i = begin; i < end; ++i)
       mesh.points[i] = crossing(lattice, crossings.edges[i]);
   });
-  for (int round = 0; round < settings.smoothing; ++round) evenOut(lattice, mesh, settings.edge);
+  const Value cut = [&](const Vec3& p) { return lattice.valueAt(p); };
+  for (int round = 0; round < settings.smoothing; ++round) {
+    evenOut(cut, mesh, settings.edge);
+    splitCuttingEdges(cut, mesh);
+  }
+  if (settings.smoothing > 0) evenOut(cut, mesh, settings.edge);
   return mesh;
 }
 

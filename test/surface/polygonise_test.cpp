@@ -107,3 +107,27 @@ TEST_CASE("a function of one sign, or an empty box, has no surface") {
   CHECK(polygonise([](const Vec3&) { return 1.0; }, kBox).triangles.empty());
   CHECK(polygonise(ball, Aabb{}).triangles.empty());
 }
+
+TEST_CASE("a margin thinner than the edges is not frayed") {
+  // Two balls' common part: a lens with a sharp rim of radius 24 mm in the plane x = 0.
+  const auto lens = [](const Vec3& p) {
+    return std::max((p - Vec3(0.018, 0, 0)).norm(), (p + Vec3(0.018, 0, 0)).norm()) - 0.03;
+  };
+  const auto reach = [&](int smoothing) {  // least of the mesh's extent over directions of the rim
+    const TriangleMesh mesh =
+        polygonise(lens, kBox, {.edge = 0.003, .smoothing = smoothing});
+    checkSkin(mesh);
+    double least = 1;
+    for (int i = 0; i < 90; ++i) {
+      const double angle = i * std::numbers::pi / 45;
+      const Vec3 direction(0, std::cos(angle), std::sin(angle));
+      double most = 0;
+      for (const Vec3& p : mesh.points)
+        if ((p.normalized() - direction).norm() < 0.06) most = std::max(most, p.norm());
+      least = std::min(least, most);
+    }
+    return least;
+  };
+  CHECK(reach(3) > 0.0237);
+  CHECK(reach(3) > reach(0));
+}

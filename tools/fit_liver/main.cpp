@@ -30,14 +30,14 @@ constexpr int kBodies = 8;     // first pieces added
 constexpr int kHollows = 6;    // first pieces carved
 constexpr int kParts = 36;
 constexpr int kTries = 40;
-constexpr int kStarts = 6;     // pieces in the end
+constexpr int kStarts = 5;     // pieces in the end
 constexpr double kMargin = 0.03;
 constexpr double kSharpest = 400;  // 1/m: bends beyond it are noise of the triangles
 constexpr double kGentle = 0.012;  // m: a bend of this radius doubles the number of samples
 constexpr double kPairGap = 0.004;
-constexpr double kRounding = 0.022;    // fillet below which the inferior margin gets razor-thin
+constexpr double kRounding = 0.010;    // fillet below which the inferior margin gets razor-thin
 constexpr double kRim = 0.003;          // the same for a flat piece that is added
-constexpr double kSmallPiece = 0.022;  // radius below which pieces show as bumps
+constexpr double kSmallPiece = 0.021;  // radius below which pieces show as bumps
 
 // What a surgeon looks for on the visceral face, carved last so that nothing fills it again. The
 // groove and the fissure are starts, fitted like everything else. The fossa is given: the measured
@@ -207,7 +207,7 @@ std::vector<Part> firstParts(const ReferenceSurface& reference, std::span<const 
     Part part;
     part.ellipsoid = ellipsoidOf(group, 1.1);
     part.ellipsoid.blend = Blend::Carve;
-    part.ellipsoid.fillet = 0.03;
+    part.ellipsoid.fillet = 0.018;
     part.smallestRadius = 0.02;
     part.smallestFillet = kRounding;
     parts.push_back(part);
@@ -249,7 +249,7 @@ Part pieceForWorst(std::span<const Part> parts, std::span<const SamplePair> prob
   part.ellipsoid = ellipsoidOf(points, 1.1);
   part.ellipsoid.radii = part.ellipsoid.radii.cwiseMax(kSmallPiece);
   part.ellipsoid.blend = carve ? Blend::Carve : Blend::Add;
-  part.ellipsoid.fillet = 0.024;
+  part.ellipsoid.fillet = 0.015;
   part.smallestRadius = kSmallPiece;
   if (!carve) part.sharpestRim = kRim;
   part.smallestFillet = kRounding;
