@@ -20,32 +20,45 @@ Range rangeOf(std::int32_t a, std::int32_t b, std::int32_t c) {
   return {std::min({a, b, c}), std::max({a, b, c})};
 }
 
+// A triangle and the rows and columns it may cover.
+struct Reach {
+  std::uint32_t triangle;
+  Range rows, columns;
+};
+
 // Triangles by the band of rows they reach; a band's triangles keep their order.
 struct Bands {
   int rowsPerBand = 1;
-  std::vector<std::uint32_t> offsets, triangles;
+  std::vector<std::uint32_t> offsets;
+  std::vector<Reach> reaches;
   std::size_t count() const { return offsets.size() - 1; }
+  std::span<const Reach> operator[](std::size_t band) const {
+    return {reaches.data() + offsets[band], reaches.data() + offsets[band + 1]};
+  }
 
-  // rows(t): half-open range of rows of triangle t, empty if it covers no column.
-  template <typename Rows>
-  Bands(int rows, int wantedBands, std::size_t triangleCount, Rows&& rowsOf) {
+  // reachOf(t): the rows and columns of triangle t; either empty if it covers no column.
+  template <typename ReachOf>
+  Bands(int rows, int wantedBands, std::size_t triangleCount, ReachOf&& reachOf) {
     rowsPerBand = std::max(1, (rows + wantedBands - 1) / wantedBands);
     offsets.assign((rows + rowsPerBand - 1) / rowsPerBand + 1, 0);
-    std::vector<std::uint32_t> kept;
-    std::vector<Range> bands;
+    std::vector<Reach> kept;
     for (std::size_t t = 0; t < triangleCount; ++t) {
-      const Range range = rowsOf(t);
-      if (range.empty()) continue;
-      const Range band{range.first / rowsPerBand, (range.last - 1) / rowsPerBand + 1};
-      kept.push_back(std::uint32_t(t));
-      bands.push_back(band);
-      for (int b = band.first; b < band.last; ++b) ++offsets[b + 1];
+      const Reach reach = reachOf(std::uint32_t(t));
+      if (reach.rows.empty() || reach.columns.empty()) continue;
+      kept.push_back(reach);
+      forEachBand(reach, [&](int band) { ++offsets[band + 1]; });
     }
     for (std::size_t b = 1; b < offsets.size(); ++b) offsets[b] += offsets[b - 1];
-    triangles.resize(offsets.back());
+    reaches.resize(offsets.back());
     std::vector<std::uint32_t> cursor(offsets.begin(), offsets.end() - 1);
-    for (std::size_t i = 0; i < kept.size(); ++i)
-      for (int b = bands[i].first; b < bands[i].last; ++b) triangles[cursor[b]++] = kept[i];
+    for (const Reach& reach : kept)
+      forEachBand(reach, [&](int band) { reaches[cursor[band]++] = reach; });
+  }
+
+  template <typename Visit>
+  void forEachBand(const Reach& reach, Visit&& visit) const {
+    const int last = (reach.rows.last - 1) / rowsPerBand;
+    for (int band = reach.rows.first / rowsPerBand; band <= last; ++band) visit(band);
   }
 };
 
@@ -150,11 +163,10 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
     for (std::size_t i = begin; i < end; ++i)
       cells[i] = {linesX.lowerBound(mesh.points[i].x), linesY.lowerBound(mesh.points[i].y)};
   });
-  const Bands bands(grid.countY, 32, mesh.triangles.size(), [&](std::size_t t) {
+  const Bands bands(grid.countY, 32, mesh.triangles.size(), [&](std::uint32_t t) {
     const Cell &a = cells[mesh.triangles[t][0]], &b = cells[mesh.triangles[t][1]],
                &c = cells[mesh.triangles[t][2]];
-    if (rangeOf(a.column, b.column, c.column).empty()) return Range{0, 0};
-    return rangeOf(a.row, b.row, c.row);
+    return Reach{t, rangeOf(a.row, b.row, c.row), rangeOf(a.column, b.column, c.column)};
   });
 
   const double slack = 2 + std::ceil(linesX.linesPerStep);
@@ -165,13 +177,13 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
       hits.clear();
       const int bandFirst = int(band) * bands.rowsPerBand;
       const int bandLast = std::min(grid.countY, bandFirst + bands.rowsPerBand);
-      for (std::uint32_t n = bands.offsets[band]; n < bands.offsets[band + 1]; ++n) {
-        const auto& [ia, ib, ic] = mesh.triangles[bands.triangles[n]];
+      for (const Reach& reach : bands[band]) {
+        const auto& [ia, ib, ic] = mesh.triangles[reach.triangle];
         const Footprint footprint(mesh.points[ia], mesh.points[ib], mesh.points[ic]);
-        if (footprint.area <= 0) continue;
-        Range rows = rangeOf(cells[ia].row, cells[ib].row, cells[ic].row);
-        rows = {std::max(rows.first, bandFirst), std::min(rows.last, bandLast)};
-        const Range all = rangeOf(cells[ia].column, cells[ib].column, cells[ic].column);
+        if (footprint.area == 0) continue;
+        const Range rows{std::max(reach.rows.first, bandFirst),
+                         std::min(reach.rows.last, bandLast)};
+        const Range all = reach.columns;
         for (int row = rows.first; row < rows.last; ++row) {
           const std::int64_t y = linesY.at[row];
           Range columns = all;
@@ -180,8 +192,8 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
             double low = all.first, high = all.last;
             for (const Footprint::Edge& e : footprint.edge) {
               if (e.dy == 0) continue;
-              const double at =
-                  linesX.estimate(double(e.x) + double(e.dx) * double(y - e.y) / double(e.dy));
+              const double rise = double(e.start) + double(e.dx) * double(y - footprint.y0);
+              const double at = linesX.estimate(double(footprint.x0) + rise / double(e.dy));
               if (e.dy < 0) low = std::max(low, at - slack);
               if (e.dy > 0) high = std::min(high, at + slack);
             }
@@ -276,42 +288,34 @@ Buckets bucketColumns(const SnappedMesh& mesh, std::size_t count, Place&& place)
 template <typename Visit>
 void visitCrossings(const SnappedMesh& mesh, const Buckets& buckets, Visit&& visit) {
   if (buckets.entries.empty()) return;
-  struct Cell {
-    std::int32_t column, row;
-  };
   const std::int64_t endX = buckets.originX + buckets.width * buckets.countX;
   const std::int64_t endY = buckets.originY + buckets.height * buckets.countY;
-  // Half-open as on a grid: a triangle wholly beside the buckets gets an empty range.
-  const auto rowsOf = [&](std::size_t t) {
+  const int wanted =
+      int(std::clamp<std::size_t>((mesh.triangles.size() + buckets.entries.size()) / 4096, 1, 32));
+  const Bands bands(buckets.countY, wanted, mesh.triangles.size(), [&](std::uint32_t t) {
     const auto &a = mesh.points[mesh.triangles[t][0]], &b = mesh.points[mesh.triangles[t][1]],
                &c = mesh.points[mesh.triangles[t][2]];
     const Range x = rangeOf(a.x, b.x, c.x), y = rangeOf(a.y, b.y, c.y);
     if (x.empty() || y.empty() || x.first >= endX || y.first >= endY || x.last < buckets.originX ||
         y.last < buckets.originY)
-      return Range{0, 0};
-    return Range{buckets.cellY(y.first), buckets.cellY(y.last) + 1};
-  };
-  const int wanted =
-      int(std::clamp<std::size_t>((mesh.triangles.size() + buckets.entries.size()) / 4096, 1, 32));
-  const Bands bands(buckets.countY, wanted, mesh.triangles.size(), rowsOf);
+      return Reach{t, {0, 0}, {0, 0}};
+    return Reach{t,
+                 {buckets.cellY(y.first), buckets.cellY(y.last) + 1},
+                 {buckets.cellX(x.first), buckets.cellX(x.last) + 1}};
+  });
   parallelFor(bands.count(), 1, [&](std::size_t firstBand, std::size_t lastBand) {
     for (std::size_t band = firstBand; band < lastBand; ++band) {
       const int bandFirst = int(band) * bands.rowsPerBand;
       const int bandLast = std::min(buckets.countY, bandFirst + bands.rowsPerBand);
-      for (std::uint32_t n = bands.offsets[band]; n < bands.offsets[band + 1]; ++n) {
-        const auto& triangle = mesh.triangles[bands.triangles[n]];
-        const auto &a = mesh.points[triangle[0]], &b = mesh.points[triangle[1]],
-                   &c = mesh.points[triangle[2]];
-        const Footprint footprint(a, b, c);
-        if (footprint.area <= 0) continue;
-        const Range x = rangeOf(a.x, b.x, c.x), y = rangeOf(a.y, b.y, c.y);
-        const int rowFirst = std::max(bandFirst, buckets.cellY(y.first));
-        const int rowLast = std::min(bandLast, buckets.cellY(y.last) + 1);
-        const int columnFirst = buckets.cellX(x.first), columnLast = buckets.cellX(x.last);
-        for (int row = rowFirst; row < rowLast; ++row) {
+      for (const Reach& reach : bands[band]) {
+        const auto& [a, b, c] = mesh.triangles[reach.triangle];
+        const Footprint footprint(mesh.points[a], mesh.points[b], mesh.points[c]);
+        if (footprint.area == 0) continue;
+        const int rowLast = std::min(bandLast, reach.rows.last);
+        for (int row = std::max(bandFirst, reach.rows.first); row < rowLast; ++row) {
           const std::size_t base = std::size_t(row) * buckets.countX;
-          const std::uint32_t last = buckets.offsets[base + columnLast + 1];
-          for (std::uint32_t e = buckets.offsets[base + columnFirst]; e < last; ++e) {
+          const std::uint32_t last = buckets.offsets[base + reach.columns.last];
+          for (std::uint32_t e = buckets.offsets[base + reach.columns.first]; e < last; ++e) {
             const Buckets::Entry& entry = buckets.entries[e];
             footprint.test(entry.x, entry.y,
                            [&](double depth) { visit(entry.column, depth, footprint.sign); });

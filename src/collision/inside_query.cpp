@@ -65,7 +65,7 @@ bool InsideQuery::isInside(const Vec3& p) const {
   for (std::uint32_t n = offsets_[cell]; n < offsets_[cell + 1]; ++n) {
     const auto& [a, b, c] = mesh_->triangles[triangles_[n]];
     const Footprint footprint(snapped_.points[a], snapped_.points[b], snapped_.points[c]);
-    if (footprint.area > 0)
+    if (footprint.area != 0)
       footprint.test(x, y, [&](double depth) { winding += depth < p.z() ? footprint.sign : 0; });
   }
   return winding > 0;

@@ -18,8 +18,8 @@ LayeredDepthImage LayeredDepthImage::ofMesh(std::shared_ptr<const TriangleMesh> 
   image.columnsY_ = columnsY;
   const Vec2 pitch(box.size().x() / columnsX, box.size().y() / columnsY);
   auto body = std::make_shared<const InsideQuery>(std::move(mesh), box);
-  const Crossings columns = castColumns(
-      body->snapped(), ColumnGrid{image.pixelCentre(0, 0), pitch, columnsX, columnsY});
+  const Crossings columns =
+      castColumns(body->snapped(), ColumnGrid{image.pixelCentre(0, 0), pitch, columnsX, columnsY});
   image.offsets_.reserve(columns.columnCount() + 1);
   for (std::size_t c = 0; c < columns.columnCount(); ++c) {
     int balance = 0;
