@@ -39,8 +39,8 @@ void appendTriangles(const SoQuadMesh& shape, std::span<const Vec3> points,
     for (std::int64_t c = 0; c + 1 < columns; ++c) {
       const auto a = std::int32_t(first + r * columns + c);
       const auto below = std::int32_t(a + columns);
-      triangles.push_back({a, below, a + 1});
-      triangles.push_back({a + 1, below, below + 1});
+      triangles.push_back({a, below, below + 1});
+      triangles.push_back({a, below + 1, a + 1});
     }
 }
 

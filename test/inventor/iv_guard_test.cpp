@@ -1,0 +1,79 @@
+#include "inventor/iv_guard.h"
+
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+
+using namespace resect;
+
+namespace {
+
+const std::string kHead = "#Inventor V2.1 ascii\n";
+
+std::string sentence(const std::string& body) {
+  try {
+    guardInventorFile("a.iv", kHead + body);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += text;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("headers are told apart and named") {
+  CHECK(isInventorFile("#Inventor V1.0 binary   \n"));
+  CHECK(isInventorFile("#VRML V2.0 utf8\n"));
+  CHECK_FALSE(isInventorFile("# Inventor"));
+  CHECK_FALSE(isInventorFile(""));
+  CHECK(inventorFormat("#Inventor V2.1 binary  \nxxx") == "Inventor V2.1 binary");
+  CHECK(inventorFormat("#VRML V2.0 utf8 made by hand\n") == "VRML V2.0 utf8");
+  CHECK(inventorFormat("nothing") == "Inventor");
+}
+
+TEST_CASE("ordinary scenes pass") {
+  CHECK(sentence("").empty());
+  CHECK(sentence("Separator { DEF a Cube { width 2 } USE a } # { [ not counted\n").empty());
+  CHECK(sentence("Info { string \"a { brace, a \\\" quote and a # too\" }").empty());
+  CHECK(sentence(repeated("Separator {", 400) + repeated("}", 400)).empty());
+  CHECK(sentence("PROTO Ball [ ] { Sphere { } } Ball { }").empty());
+  // The same name may be defined again inside.
+  CHECK(sentence("DEF a Separator { DEF a Cube { } } USE a").empty());
+}
+
+TEST_CASE("what kills Coin is refused with its line") {
+  const auto refuses = [](const std::string& body, const std::string& expected) {
+    const std::string text = sentence(body);
+    CHECK_MESSAGE(text.find(expected) != std::string::npos, text);
+    CHECK(text.find('\n') == std::string::npos);
+  };
+  refuses(repeated("Separator {\n", 501), "a.iv:502: nested more than 500 deep");
+  refuses("\n" + std::string(201, 'x'), "a.iv:3: a word of 201 characters");
+  refuses("Separator {\n Cube { }", "a.iv:3: the file ends inside a '{' opened on line 2");
+  refuses("Info { string \"open", "a.iv:2: the string that begins here never ends");
+  refuses("Separator { ] }", "a.iv:2: a ']' without its '['");
+  refuses("}", "a.iv:2: a '}' without its '{'");
+  refuses("DEF a Separator {\n USE a }", "a.iv:3: 'a' is used inside itself");
+  refuses("DEF a Separator { Group { USE a } }", "'a' is used inside itself");
+  refuses("PROTO P [ ] { Group { children P { } } }", "PROTO 'P' holds itself");
+  refuses("File { name \"a.iv\" }", "File node");
+  refuses("Inline { url \"b.wrl\" }", "Inline node");
+  refuses("EXTERNPROTO P [ ] \"c.wrl\"", "EXTERNPROTO node");
+}
+
+TEST_CASE("a binary file that names other files is refused") {
+  const std::string head = "#Inventor V2.1 binary  \n";
+  guardInventorFile("a.iv", head + std::string("\0\0\0\x04"
+                                               "Cube",
+                                               8));
+  CHECK_THROWS_AS(guardInventorFile("a.iv", head + std::string("\0\0\0\x04"
+                                                               "File",
+                                                               8)),
+                  Error);
+}
