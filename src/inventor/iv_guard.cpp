@@ -119,8 +119,8 @@ class TextGuard {
           throw error("{}:{}: '{}' is used inside itself; export the model again", path_, line_,
                       word);
     } else if (opensFiles(word)) {
-      throw error("{}:{}: a {} node, which would open another file; put all in one file", path_,
-                  line_, word);
+      throw error("{}:{}: the node {} would open another file; put all in one file", path_, line_,
+                  word);
     } else {
       for (const Bracket& b : open_)
         if (b.proto && b.defined == word)
@@ -147,7 +147,7 @@ void guardBinary(const std::string& path, std::string_view bytes) {
   for (const std::string_view name : kOpensFiles) {
     const std::string stored = std::string(3, '\0') + char(name.size()) + std::string(name);
     if (bytes.find(stored) != std::string_view::npos)
-      throw error("{}: a {} node, which would open another file; put all in one file", path, name);
+      throw error("{}: the node {} would open another file; put all in one file", path, name);
   }
 }
 

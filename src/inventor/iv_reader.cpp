@@ -59,6 +59,7 @@ std::string withLine(const std::string& message) {
   if (what.starts_with(prefix)) what.erase(0, prefix.size());
   for (char& c : what)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  while (!what.empty() && (what.back() == '.' || what.back() == ' ')) what.pop_back();
   if (what.size() > 160) what = what.substr(0, 160) + "...";
   std::string line;
   const std::string mark = "ccurred at line";

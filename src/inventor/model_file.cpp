@@ -64,7 +64,7 @@ Model readHere(const fs::path& path) {
 
 }  // namespace
 
-Model readModel(const fs::path& path) {
+Model readModel(const fs::path& path, double seconds) {
   std::error_code ec;
   const fs::file_status status = fs::status(path, ec);
   if (!fs::exists(status)) throw error("{}: there is no such file; check the name", path.string());
@@ -80,7 +80,7 @@ Model readModel(const fs::path& path) {
     throw error("{}: cannot be opened: {}; check who may read it", path.string(),
                 std::strerror(errno));
   ChildLimits limits;
-  limits.cpuSeconds = 5 + double(size) / (1 << 20);
+  limits.cpuSeconds = seconds + double(size) / (1 << 20);
   limits.wallSeconds = 4 * limits.cpuSeconds;  // other programs may need the processor too
   const std::string bytes = runInChild(path.string(), limits, [&] {
     pretendOffscreenContext();

@@ -15,9 +15,10 @@ std::vector<PointRun> pointRuns(const SoMFInt32& numVertices, std::int32_t start
     if (count == -1) count = std::int64_t(available) - next;
     if (next < 0 || count < 0 || next + count > std::int64_t(available))
       throw error(
-          "{} has {} points at the number {} of numVertices, but there are only {} from {} "
-          "on; export the model again",
-          where, count, i, std::int64_t(available) - next, next);
+          "{} asks with number {} of numVertices for {} points from point {} on, but there are "
+          "only "
+          "{} in all; export the model again",
+          where, i, count, next, available);
     runs.push_back({std::int32_t(next), std::int32_t(count)});
     next += count;
   }

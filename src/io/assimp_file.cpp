@@ -8,7 +8,8 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <cmath>
+#include <cstdint>
+#include <new>
 
 #include "base/error.h"
 #include "geometry/polygon.h"
@@ -35,8 +36,12 @@ std::string nameOfFormat(const std::string& extension) {
   return name;
 }
 
-// One sentence out of what the library says.
+// What the library says, fit for one sentence: without the name it gives to bytes in memory.
 std::string oneLine(std::string text) {
+  const std::string unknown = "No suitable reader found";
+  if (text.starts_with(unknown)) return "it does not begin as such a file does";
+  for (const std::string name : {" for $$$___magic___$$$", "$$$___magic___$$$"})
+    if (const std::size_t at = text.find(name); at != std::string::npos) text.erase(at);
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
@@ -94,6 +99,26 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above,
     collect(scene, *node.mChildren[i], transform, depth + 1, model);
 }
 
+// The library reads on when a glTF binary file is cut off, so its frame is checked here (glTF 2.0,
+// 4.4): a header of 12 bytes with the whole length, then chunks with theirs.
+void checkGltfFrame(const std::string& path, const std::string& bytes) {
+  const auto number = [&](std::size_t at) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 4; i > 0; --i)
+      value = value << 8 | static_cast<unsigned char>(bytes[at + i - 1]);
+    return value;
+  };
+  const auto cutOff = [&] {
+    return error("{}: is shorter than it says itself; copy or export it again", path);
+  };
+  if (bytes.size() < 12) throw cutOff();
+  if (number(4) != 2) throw error("{}: is glTF version {}; export it as glTF 2.0", path, number(4));
+  const std::uint64_t length = number(8);
+  if (length > bytes.size()) throw cutOff();
+  for (std::uint64_t at = 12; at < length; at += 8 + number(at))
+    if (at + 8 > length || number(at) > length - at - 8) throw cutOff();
+}
+
 }  // namespace
 
 bool isAssimpFile(const std::filesystem::path& path) {
@@ -103,6 +128,7 @@ bool isAssimpFile(const std::filesystem::path& path) {
 Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::path& formatName,
                      const std::string& bytes) {
   const std::string extension = extensionOf(formatName);
+  if (extension == "glb") checkGltfFrame(path.string(), bytes);
   Assimp::Importer importer;
   // Everything but surfaces is left out, so that no texture or animation can do harm.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
@@ -115,6 +141,7 @@ Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::p
           ? importer.ReadFile(path.string(), aiProcess_RemoveComponent)
           : importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_RemoveComponent,
                                         extension.c_str());
+  if (importer.GetErrorString() == std::string("std::bad_alloc")) throw std::bad_alloc();
   if (!scene || !scene->mRootNode)
     throw error("{}: not a readable .{} file ({}); export it again", path.string(), extension,
                 oneLine(importer.GetErrorString()));

@@ -135,7 +135,8 @@ int waitFor(pid_t child) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU || signal == SIGKILL)
     throw error(
-        "{}: reading it took more than {:g} s of computing, so it was given up; simplify the model",
+        "{}: reading it took more than {:.0f} s of computing, so it was given up; simplify the "
+        "model",
         subject, limits.cpuSeconds);
   if (signal != 0)
     throw error(
@@ -184,7 +185,7 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   if (!inTime) ::kill(child, SIGKILL);
   const int status = waitFor(child);
   if (!inTime)
-    throw error("{}: reading it took more than {:g} s, so it was given up; simplify the model",
+    throw error("{}: reading it took more than {:.1f} s, so it was given up; simplify the model",
                 subject, limits.wallSeconds);
   if (bytes.size() < 2 || bytes.back() != kEnd) throwOutcome(subject, limits, status);
   const char kind = bytes.front();

@@ -42,7 +42,7 @@ class VtkReader {
   TriangleMesh read() {
     readHeader();
     for (std::string section = word(); !section.empty(); section = word()) {
-      section_ = section;
+      section_ = shortened(section);
       if (section == "POINTS") {
         readPoints();
       } else if (section == "POLYGONS" || section == "TRIANGLE_STRIPS" || section == "LINES" ||
@@ -55,7 +55,7 @@ class VtkReader {
       } else if (section == "POINT_DATA" || section == "CELL_DATA") {
         break;  // attributes come last
       } else {
-        throw fail("has an unknown section '{}'", shortened(section));
+        throw fail("is unknown");
       }
     }
     section_ = "POINTS";

@@ -167,9 +167,9 @@ TEST_CASE("a shape that asks for points that are not there is refused") {
   };
   refuses(kCorners + "IndexedFaceSet { coordIndex [ 0,1,8,-1 ] }", "point 8 of only 8");
   refuses(kCorners + "IndexedTriangleStripSet { coordIndex [ 0,1,2,99 ] }", "point 99 of only 8");
-  refuses(kCorners + "TriangleStripSet { numVertices [ 4, 5 ] }", "5 points");
-  refuses(kCorners + "TriangleStripSet { numVertices -3 }", "-3 points");
-  refuses(kCorners + "TriangleStripSet { startIndex -2 numVertices 3 }", "from -2");
+  refuses(kCorners + "TriangleStripSet { numVertices [ 4, 5 ] }", "for 5 points from point 4 on");
+  refuses(kCorners + "TriangleStripSet { numVertices -3 }", "for -3 points");
+  refuses(kCorners + "TriangleStripSet { startIndex -2 numVertices 3 }", "from point -2 on");
   refuses(kCorners + "FaceSet { numVertices [ 2147483647 ] }", "2147483647 points");
   refuses(kCorners + "QuadMesh { verticesPerRow 100000 verticesPerColumn 100000 }",
           "100000 x 100000");
