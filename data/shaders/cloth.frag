@@ -22,7 +22,7 @@ void main() {
   vec2 wave = sin(3.14159 * thread);
   float weave = seen * wave.x * wave.y;
 
-  vec2 slope = 0.030 * folds.yz + 0.022 * creases.yz;
+  vec2 slope = 0.075 * folds.yz + 0.045 * creases.yz;
   vec3 n = normalize(n0 - slope.x * s - slope.y * t);
   n = toWorld(normalize(gl_NormalMatrix * n));
   vec3 v = toWorld(-normalize(eyePosition));

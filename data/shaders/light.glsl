@@ -59,6 +59,14 @@ vec3 roomLight(vec3 d, float blur) {
                 (1.0 - smoothstep(0.32 - 0.5 * soft, 0.42 + soft, d.y));
   light += strip * smoothstep(0.0, 0.9, -d.z) * vec3(0.20, 0.26, 0.29);
   light += strip * smoothstep(0.5, 0.9, d.x) * vec3(0.14, 0.17, 0.19);
+  // Two rows of panels in the ceiling.
+  if (d.y > 0.25) {
+    vec2 q = vec2(abs(d.x), d.z) / d.y;
+    float e = 0.03 + 1.2 * blur;
+    float panels = smoothstep(0.55 - e, 0.55 + e, q.x) * (1.0 - smoothstep(0.85 - e, 0.85 + e, q.x)) *
+                   (1.0 - smoothstep(1.3 - e, 1.3 + e, abs(q.y + 0.2)));
+    light += panels * smoothstep(0.25, 0.45, d.y) * vec3(1.7, 1.85, 2.0);
+  }
   return light;
 }
 

@@ -16,36 +16,37 @@ void main() {
   vec3 n0 = normalize(objectNormal);
 
   vec4 broad = noise(p * 55.0);
-  vec4 fine = noise(p * 420.0 + 3.7);
+  vec4 fine = noise(p * 420.0 + 3.7) * finer(p * 420.0);
   vec4 middle = noise(p * 160.0 + 9.1);
 
   // The edge of a cut wanders a little.
   float cut = smoothstep(0.38, 0.62, cutShare + 0.10 * middle.x * step(0.02, cutShare));
   float rim = cut * (1.0 - cut) * 4.0;
 
-  vec3 capsule = vec3(0.128, 0.0215, 0.0150);
-  capsule *= 1.0 + 0.14 * broad.x + 0.12 * middle.x + 0.12 * fine.x;
-  capsule = mix(capsule, vec3(0.165, 0.046, 0.028), 0.30 * smoothstep(0.0, 0.7, -broad.x));
+  vec3 capsule = vec3(0.100, 0.0160, 0.0115);
+  capsule *= 1.0 + 0.16 * broad.x + 0.10 * middle.x + 0.12 * fine.x;
+  capsule = mix(capsule, vec3(0.125, 0.034, 0.020), 0.35 * smoothstep(0.0, 0.7, -broad.x));
 
-  vec3 bumps = 0.055 * broad.yzw + 0.050 * middle.yzw + 0.040 * fine.yzw;
+  vec3 bumps = 0.050 * broad.yzw + 0.034 * middle.yzw + 0.045 * fine.yzw;
   vec3 albedo = capsule;
   float wetness = 1.0;
   if (cut > 0.0) {
-    vec4 grain = noise(p * 900.0);
-    vec3 inside = vec3(0.330, 0.050, 0.034);
-    inside *= 1.0 + 0.28 * grain.x + 0.18 * fine.x + 0.15 * middle.x;
+    vec4 grain = noise(p * 1000.0) * finer(p * 1000.0);
+    vec3 inside = vec3(0.245, 0.034, 0.024);
+    inside *= 1.0 + 0.22 * grain.x + 0.15 * fine.x + 0.12 * broad.x;
     // Lobules: paler centres in a darker net, about 1.5 mm.
-    inside = mix(inside, vec3(0.42, 0.105, 0.062), 0.45 * smoothstep(0.1, 0.7, fine.x + 0.4 * grain.x));
-    float large = tubes(p * 42.0), small = tubes(p * 130.0 + 5.0);
-    float wall = max(1.0 - smoothstep(0.16, 0.20, large), 1.0 - smoothstep(0.13, 0.19, small));
-    float lumen = max(1.0 - smoothstep(0.10, 0.13, large), 1.0 - smoothstep(0.06, 0.11, small));
-    inside = mix(inside, vec3(0.50, 0.22, 0.17), 0.8 * wall);
-    inside = mix(inside, vec3(0.055, 0.004, 0.006), lumen);
+    inside = mix(inside, vec3(0.34, 0.085, 0.050), 0.40 * smoothstep(0.0, 0.7, fine.x + 0.5 * grain.x));
+    float large = tubes(p * 48.0), small = tubes(p * 110.0 + 5.0);
+    // Walls pale, lumens full of dark blood.
+    float wall = max(1.0 - smoothstep(0.17, 0.23, large), 0.7 - 0.7 * smoothstep(0.14, 0.22, small));
+    float lumen = max(1.0 - smoothstep(0.11, 0.15, large), 0.8 - 0.8 * smoothstep(0.07, 0.13, small));
+    inside = mix(inside, vec3(0.42, 0.17, 0.125), 0.7 * wall);
+    inside = mix(inside, vec3(0.060, 0.0035, 0.0045), lumen);
     albedo = mix(albedo, inside, cut);
-    bumps = mix(bumps, 0.05 * middle.yzw + 0.11 * fine.yzw + 0.10 * grain.yzw, cut);
-    wetness = mix(1.0, 0.75, cut);
+    bumps = mix(bumps, 0.05 * middle.yzw + 0.09 * fine.yzw + 0.08 * grain.yzw, cut);
+    wetness = mix(1.0, 0.85, cut);
   }
-  albedo = mix(albedo, vec3(0.55, 0.34, 0.27), 0.55 * rim);
+  albedo = mix(albedo, vec3(0.36, 0.19, 0.15), 0.45 * rim);
 
   // The film of fluid is smoother than the tissue under it.
   vec3 slope = bumps - dot(bumps, n0) * n0;
@@ -74,11 +75,11 @@ void main() {
   vec3 r = reflect(-v, film);
   // Below the horizon the film mirrors the cloth, not the room.
   vec3 cloth = vec3(0.006, 0.050, 0.042) * (0.2 + 0.8 * around.tableLit) * around.tableOpen;
-  vec3 mirror = mix(cloth, mirrored(point, r, mix(0.035, 0.08, cut)) * open * mix(0.2, 1.0, lit),
+  vec3 mirror = mix(cloth, mirrored(point, r, mix(0.030, 0.07, cut)) * open * mix(0.2, 1.0, lit),
                     smoothstep(-0.2, 0.2, r.y));
   color += wetness * fresnel(0.028, nv) * mirror;
-  color += 0.035 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.48);
-  color += 0.035 * e1 * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.48);
+  color += 0.020 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.48);
+  color += 0.020 * e1 * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.48);
 
   gl_FragColor = vec4(picture(color), 1.0);
 }

@@ -7,9 +7,10 @@ varying vec3 baseColor;
 void main() {
   vec3 n0 = normalize(objectNormal);
   // Brush marks run across the long (Z) axis of the tools.
-  vec4 brush = noise(objectPosition * vec3(250.0, 250.0, 3000.0));
+  vec3 marks = objectPosition * vec3(250.0, 250.0, 3000.0);
+  vec4 brush = noise(marks) * finer(marks);
   float metal = smoothstep(0.12, 0.35, dot(gl_FrontMaterial.specular.rgb, vec3(0.333)));
-  vec3 slope = 0.035 * metal * vec3(brush.y, brush.z, 0.6 * brush.w);
+  vec3 slope = 0.016 * metal * vec3(brush.y, brush.z, 0.6 * brush.w);
   slope -= dot(slope, n0) * n0;
   vec3 flatEye = normalize(gl_NormalMatrix * n0);
   vec3 n = toWorld(normalize(gl_NormalMatrix * (n0 - slope)));
@@ -34,7 +35,7 @@ void main() {
   vec3 cloth = vec3(0.006, 0.055, 0.045) * (0.25 + 0.9 * around.tableLit) * (0.3 + 0.7 * around.tableOpen);
   vec3 mirror = mix(cloth, mirrored(point, r, rough * rough) * (0.25 + 0.75 * open),
                     smoothstep(-0.15, 0.15, r.y));
-  vec3 color = tint * mix(1.0, 0.10, metal) * diffuse + f * mirror * mix(0.5, 1.0, lit);
+  vec3 color = tint * mix(1.0, 0.22, metal) * diffuse + f * mirror * mix(0.5, 1.0, lit);
   color += f * (e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, rough + 0.15) +
                 e1 * open * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, rough + 0.15));
   gl_FragColor = vec4(picture(color), 1.0);

@@ -71,14 +71,15 @@ SoNode* backgroundQuad() {
 struct Direction {
   Vec3 towards;        // from what is looked at to the camera
   double heightAngle;  // rad
+  Vec3 aside;          // what is looked at, off the middle of the box, in its radii
 };
 
 Direction direction(RoomView view) {
   switch (view) {
-    case RoomView::Surgeon: return {{0.10, 0.72, 1.0}, 0.50};
-    case RoomView::Assistant: return {{-1.0, 0.50, -0.55}, 0.50};
-    case RoomView::Top: return {{0.0, 1.0, 1e-3}, 0.50};
-    case RoomView::Laparoscope: return {{0.55, 0.45, 0.75}, 1.15};
+    case RoomView::Surgeon: return {{0.06, 0.62, 1.0}, 0.48, {0.30, -0.05, 0.0}};
+    case RoomView::Assistant: return {{-1.0, 0.55, -0.55}, 0.48, {0.0, 0.0, 0.0}};
+    case RoomView::Top: return {{0.0, 1.0, 1e-3}, 0.48, {0.0, 0.0, 0.0}};
+    case RoomView::Laparoscope: return {{0.55, 0.45, 0.75}, 1.15, {0.0, 0.0, 0.0}};
   }
   RESECT_ASSERT(false);
   return {};
@@ -196,9 +197,10 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   const double half = std::min(halfHeight, std::atan(std::tan(halfHeight) * aspect));
   const double distance = radius / std::sin(half);
   const Vec3 towards = from.towards.normalized();
+  const Vec3 target = box.centre() + radius * from.aside;
   camera_->heightAngle = float(from.heightAngle);
-  camera_->position = toSb(box.centre() + distance * towards);
-  camera_->pointAt(toSb(box.centre()), SbVec3f(0.0f, 1.0f, 0.0f));
+  camera_->position = toSb(target + distance * towards);
+  camera_->pointAt(toSb(target), SbVec3f(0.0f, 1.0f, 0.0f));
   camera_->focalDistance = float(distance);
   camera_->nearDistance = float(0.05 * distance);
   camera_->farDistance = float(20.0 * distance);
