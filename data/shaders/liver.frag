@@ -4,6 +4,7 @@ varying vec3 eyePosition;
 varying vec3 objectPosition;
 varying vec3 objectNormal;
 varying float cutShare;
+varying vec3 baseColor;  // of the capsule, as on a screen
 
 // Distance-like value to a net of curved tubes in space, in units of the net's cell.
 float tubes(vec3 p) {
@@ -13,7 +14,7 @@ float tubes(vec3 p) {
 
 void main() {
   vec3 p = objectPosition;
-  vec3 n0 = normalize(objectNormal);
+  vec3 n0 = normalize(gl_FrontFacing ? objectNormal : -objectNormal);  // open surfaces have a back
 
   vec4 broad = noise(p * 55.0);
   vec4 fine = noise(p * 420.0 + 3.7) * finer(p * 420.0);
@@ -23,9 +24,9 @@ void main() {
   float cut = smoothstep(0.38, 0.62, cutShare + 0.10 * middle.x * step(0.02, cutShare));
   float rim = cut * (1.0 - cut) * 4.0;
 
-  vec3 capsule = vec3(0.100, 0.0160, 0.0115);
+  vec3 capsule = fromScreen(baseColor);
   capsule *= 1.0 + 0.16 * broad.x + 0.10 * middle.x + 0.12 * fine.x;
-  capsule = mix(capsule, vec3(0.125, 0.034, 0.020), 0.35 * smoothstep(0.0, 0.7, -broad.x));
+  capsule = mix(capsule, vec3(1.25, 2.1, 1.7) * capsule, 0.35 * smoothstep(0.0, 0.7, -broad.x));
 
   vec3 bumps = 0.050 * broad.yzw + 0.034 * middle.yzw + 0.045 * fine.yzw;
   vec3 albedo = capsule;

@@ -36,8 +36,8 @@ void overwrite(std::vector<T>& to, std::size_t first, std::span<const T> from, c
 
 struct SoOrganShape::ContextBuffers {
   GLuint names[kBufferCount] = {};
-  std::size_t capacity[kBufferCount] = {};   // elements
-  std::vector<Range> vertices, triangles;    // not sent yet; may overlap
+  std::size_t capacity[kBufferCount] = {};  // elements
+  std::vector<Range> vertices, triangles;   // not sent yet; may overlap
 };
 
 SO_NODE_SOURCE(SoOrganShape);

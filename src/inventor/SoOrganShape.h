@@ -10,8 +10,8 @@
 #pragma once
 
 #include <Inventor/fields/SoSFInt32.h>
-#include <Inventor/nodes/SoSubNode.h>
 #include <Inventor/nodes/SoShape.h>
+#include <Inventor/nodes/SoSubNode.h>
 
 #include <cstdint>
 #include <map>

@@ -38,16 +38,14 @@ SbMatrix clipToTexture() {
 }
 
 // World space -> clip space, for row vectors.
-SbMatrix worldToClip(const SoCamera* camera) {
-  return camera->getViewVolume(1.0f).getMatrix();
-}
+SbMatrix worldToClip(const SoCamera* camera) { return camera->getViewVolume(1.0f).getMatrix(); }
 
 // 0 when the sources do not compile; Coin's error handler is then told why.
 GLuint makeProgram(const char* vertexFile, const char* fragmentFile) {
   const GLuint program = glCreateProgram();
   char log[2000] = "";
-  for (const auto& [file, stage] : {std::pair(vertexFile, GL_VERTEX_SHADER),
-                                    std::pair(fragmentFile, GL_FRAGMENT_SHADER)}) {
+  for (const auto& [file, stage] :
+       {std::pair(vertexFile, GL_VERTEX_SHADER), std::pair(fragmentFile, GL_FRAGMENT_SHADER)}) {
     const std::string source = shaderSource({file});
     const char* text = source.c_str();
     const GLuint shader = glCreateShader(GLenum(stage));
@@ -87,8 +85,8 @@ struct SoShadowMaps::Map {
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
     glTexImage2D(GL_TEXTURE_2D, 0, isDepth ? GL_DEPTH_COMPONENT24 : GL_RGBA8, size, size, 0,
-                 isDepth ? GL_DEPTH_COMPONENT : GL_RGBA, isDepth ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE,
-                 nullptr);
+                 isDepth ? GL_DEPTH_COMPONENT : GL_RGBA,
+                 isDepth ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE, nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
@@ -202,8 +200,7 @@ void SoShadowMaps::draw(ContextMaps& maps, std::uint32_t context) {
   const auto size = GLsizei(std::clamp(resolution.getValue(), 64, 4096));
   if (maps.lamp.size != size) {
     maps.make(size);
-    maps.action =
-        std::make_unique<SoGLRenderAction>(SbViewportRegion(short(size), short(size)));
+    maps.action = std::make_unique<SoGLRenderAction>(SbViewportRegion(short(size), short(size)));
     maps.action->setCacheContext(context);
   }
 

@@ -7,8 +7,8 @@
 //   texture unit 7, gl_TextureMatrix[7]: eye space -> depth seen from the lamp (compared)
 //   texture unit 6, gl_TextureMatrix[6]: eye space -> the grid's xy; z: depth from above
 //   texture unit 5, the same matrix: share of the room seen from the table (red), share of the lamp
-//     seen from the table (green), share of the room seen from the topmost surface (blue), height of
-//     that surface over the table as a share of `radius` (alpha)
+//     seen from the table (green), share of the room seen from the topmost surface (blue), height
+//     of that surface over the table as a share of `radius` (alpha)
 //   gl_TextureMatrix[5]: eye space -> world space (rotation and translation)
 // Stands after the camera. Redraws only when a caster or a field has changed.
 //
@@ -18,10 +18,10 @@
 
 #include <Inventor/fields/SoSFFloat.h>
 #include <Inventor/fields/SoSFInt32.h>
-#include <Inventor/nodes/SoSubNode.h>
 #include <Inventor/fields/SoSFNode.h>
 #include <Inventor/fields/SoSFVec3f.h>
 #include <Inventor/nodes/SoNode.h>
+#include <Inventor/nodes/SoSubNode.h>
 
 #include <cstdint>
 #include <map>
@@ -45,7 +45,8 @@ class SoShadowMaps : public SoNode {
   SoSFVec3f lampPosition;  // world, m
   SoSFVec3f focus;         // world, m: centre of the region with shadows
   SoSFFloat radius;        // m, > 0: the region is the sphere of this radius round `focus`
-  SoSFInt32 resolution;    // texels along each side of the depth maps, 64 to 4096; the grid has a quarter
+  SoSFInt32
+      resolution;  // texels along each side of the depth maps, 64 to 4096; the grid has a quarter
 
   // How often the maps were drawn.
   int redraws() const { return redraws_; }

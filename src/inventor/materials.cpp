@@ -23,10 +23,14 @@ struct Stages {
 
 Stages stages(RoomMaterial material) {
   switch (material) {
-    case RoomMaterial::Liver: return {"organ.vert", "liver.frag"};
-    case RoomMaterial::Steel: return {"surface.vert", "steel.frag"};
-    case RoomMaterial::Cloth: return {"surface.vert", "cloth.frag"};
-    case RoomMaterial::Room: return {"room.vert", "room.frag"};
+    case RoomMaterial::Liver:
+      return {"organ.vert", "liver.frag"};
+    case RoomMaterial::Steel:
+      return {"surface.vert", "steel.frag"};
+    case RoomMaterial::Cloth:
+      return {"surface.vert", "cloth.frag"};
+    case RoomMaterial::Room:
+      return {"room.vert", "room.frag"};
   }
   RESECT_ASSERT(false);
   return {};

@@ -89,7 +89,8 @@ struct OffscreenView::Context {
     EGLint count = 0;
     if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, wanted, &config, 1, &count))
       throw error("the EGL display has no OpenGL: {}", kAdvice);
-    egl = eglCreateContext(display, count > 0 ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
+    egl =
+        eglCreateContext(display, count > 0 ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
     if (egl == EGL_NO_CONTEXT) throw error("cannot make an OpenGL context: {}", kAdvice);
     makeCurrent();
     renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));

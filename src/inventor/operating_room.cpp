@@ -1,7 +1,6 @@
 #include "inventor/operating_room.h"
 
-#include <Inventor/SoDB.h>
-#include <Inventor/SoInput.h>
+#include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoIndexedFaceSet.h>
@@ -16,17 +15,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
+#include <tuple>
+#include <utility>
 
 #include "base/assert.h"
-#include "base/error.h"
 #include "geometry/normals.h"
 #include "inventor/SoOrganShape.h"
 #include "inventor/SoShadowMaps.h"
 #include "inventor/init.h"
 #include "inventor/materials.h"
-#include "io/data_folder.h"
 
 namespace resect {
 
@@ -68,6 +66,28 @@ SoNode* backgroundQuad() {
   return quad;
 }
 
+std::pair<SoBaseColor*, SoOrganShape*> appendTissue(SoSeparator* tissue, const Vec3f& colour) {
+  SoSeparator* separator = uncachedSeparator();
+  auto* base = new SoBaseColor;
+  base->rgb.setValue(colour.data());
+  auto* shape = new SoOrganShape;
+  separator->addChild(base);
+  separator->addChild(shape);
+  tissue->addChild(separator);
+  return {base, shape};
+}
+
+// An uncut surface with smooth normals.
+void setMesh(SoOrganShape* shape, const TriangleMesh& mesh) {
+  std::vector<Vec3f> points(mesh.points.size()), normals(mesh.points.size());
+  std::ranges::transform(mesh.points, points.begin(),
+                         [](const Vec3& p) { return Vec3f(p.cast<float>()); });
+  std::ranges::transform(pointNormals(mesh), normals.begin(),
+                         [](const Vec3& n) { return Vec3f(n.cast<float>()); });
+  const std::vector<float> cut(points.size(), 0.0f);
+  shape->setGeometry({points, normals, cut, mesh.triangles, {}});
+}
+
 struct Direction {
   Vec3 towards;        // from what is looked at to the camera
   double heightAngle;  // rad
@@ -76,10 +96,14 @@ struct Direction {
 
 Direction direction(RoomView view) {
   switch (view) {
-    case RoomView::Surgeon: return {{0.06, 0.62, 1.0}, 0.48, {0.30, -0.05, 0.0}};
-    case RoomView::Assistant: return {{-1.0, 0.55, -0.55}, 0.48, {0.0, 0.0, 0.0}};
-    case RoomView::Top: return {{0.0, 1.0, 1e-3}, 0.48, {0.0, 0.0, 0.0}};
-    case RoomView::Laparoscope: return {{0.55, 0.45, 0.75}, 1.15, {0.0, 0.0, 0.0}};
+    case RoomView::Surgeon:
+      return {{0.06, 0.62, 1.0}, 0.48, {0.30, -0.05, 0.0}};
+    case RoomView::Assistant:
+      return {{-1.0, 0.55, -0.55}, 0.48, {0.0, 0.0, 0.0}};
+    case RoomView::Top:
+      return {{0.0, 1.0, 1e-3}, 0.48, {0.0, 0.0, 0.0}};
+    case RoomView::Laparoscope:
+      return {{0.55, 0.45, 0.75}, 1.15, {0.0, 0.0, 0.0}};
   }
   RESECT_ASSERT(false);
   return {};
@@ -116,15 +140,15 @@ OperatingRoom::OperatingRoom() {
   toolbox_ = uncachedSeparator();
   toolbox_->addChild(toolboxPose_ = new SoTransform);
   tools_ = uncachedSeparator();
-  auto* organ = uncachedSeparator();
+  tissue_ = uncachedSeparator();
   auto* unpickable = new SoPickStyle;
   unpickable->style = SoPickStyle::UNPICKABLE;
-  organ->addChild(unpickable);
-  organ->addChild(organPose_ = new SoTransform);
-  organ->addChild(organ_ = new SoOrganShape);
-  for (SoNode* node : {toolbox_, tools_, organ}) casters_->addChild(node);
+  tissue_->addChild(unpickable);
+  tissue_->addChild(organPose_ = new SoTransform);
+  std::tie(organColour_, organ_) = appendTissue(tissue_, kLiverColour);
+  for (SoNode* node : {toolbox_, tools_, tissue_}) casters_->addChild(node);
 
-  root_->addChild(withMaterial(RoomMaterial::Liver, {organ}));
+  root_->addChild(withMaterial(RoomMaterial::Liver, {tissue_}));
   root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_, tools_}));
   root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
   // Last: most of it is hidden already.
@@ -132,6 +156,8 @@ OperatingRoom::OperatingRoom() {
 }
 
 OperatingRoom::~OperatingRoom() { root_->unref(); }
+
+SoNode* OperatingRoom::root() const { return root_; }
 
 void OperatingRoom::setTable(SoNode* model) {
   table_->removeAllChildren();
@@ -159,13 +185,13 @@ SoTransform* OperatingRoom::toolTransform(int tool) const {
 
 void OperatingRoom::setToolPose(int tool, const Pose& pose) { setPose(toolTransform(tool), pose); }
 
-void OperatingRoom::setOrgan(const TriangleMesh& mesh) {
-  std::vector<Vec3f> points(mesh.points.size()), normals(mesh.points.size());
-  std::ranges::transform(mesh.points, points.begin(), [](const Vec3& p) { return p.cast<float>(); });
-  std::ranges::transform(pointNormals(mesh), normals.begin(),
-                         [](const Vec3& n) { return n.cast<float>(); });
-  const std::vector<float> cut(points.size(), 0.0f);
-  organ_->setGeometry({points, normals, cut, mesh.triangles, {}});
+void OperatingRoom::setOrgan(const TriangleMesh& mesh, const Vec3f& colour) {
+  organColour_->rgb.setValue(colour.data());
+  setMesh(organ_, mesh);
+}
+
+void OperatingRoom::addTissue(const TriangleMesh& mesh, const Vec3f& colour) {
+  setMesh(appendTissue(tissue_, colour).second, mesh);
 }
 
 void OperatingRoom::setOrganPose(const Pose& pose) { setPose(organPose_, pose); }
@@ -204,17 +230,6 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   camera_->focalDistance = float(distance);
   camera_->nearDistance = float(0.05 * distance);
   camera_->farDistance = float(20.0 * distance);
-}
-
-SoNode* readRoomModel(const std::string& name) {
-  initInventor();
-  const std::filesystem::path path = findDataFile(name, "tools", ".iv");
-  SoInput input;
-  SoSeparator* model =
-      input.openFile(path.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;
-  if (!model)
-    throw error("{} is not a readable Inventor file; take it from Resect's sources", path.string());
-  return model;
 }
 
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees) {

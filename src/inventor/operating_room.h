@@ -5,7 +5,7 @@
 //     camera, lamps, SoShadowMaps
 //     Separator { cloth  | table }
 //     Separator { steel  | toolbox, Separator { SoTransform | tool } ... }
-//     Separator { liver  | SoTransform, SoOrganShape }
+//     Separator { liver  | SoTransform, Separator { colour, SoOrganShape } ... }
 //     Separator { room   | background }
 //
 // World: m, Y up, table top at y = 0. The surgeon stands at +Z.
@@ -19,6 +19,7 @@
 #include "geometry/pose.h"
 #include "geometry/triangle_mesh.h"
 
+class SoBaseColor;
 class SoNode;
 class SoPerspectiveCamera;
 class SoSeparator;
@@ -32,8 +33,13 @@ class SoShadowMaps;
 
 enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
 
-// "surgeon", "assistant", "top", "laparoscope"; nothing for other names.
+constexpr const char* kRoomViewNames = "surgeon, assistant, top or laparoscope";
+
+// The view of one of these names; nothing for other names.
 std::optional<RoomView> roomView(std::string_view name);
+
+// Screen colour (sRGB) of the capsule.
+inline const Vec3f kLiverColour{0.352f, 0.152f, 0.131f};
 
 class OperatingRoom {
  public:
@@ -42,7 +48,7 @@ class OperatingRoom {
   OperatingRoom(const OperatingRoom&) = delete;
   OperatingRoom& operator=(const OperatingRoom&) = delete;
 
-  SoSeparator* root() const { return root_; }
+  SoNode* root() const;
   SoPerspectiveCamera* camera() const { return camera_; }
   SoOrganShape* organ() const { return organ_; }
 
@@ -57,8 +63,11 @@ class OperatingRoom {
   SoTransform* toolTransform(int tool) const;
 
   // The whole organ, with smooth normals of its own and no cut. For changing organs use organ().
-  void setOrgan(const TriangleMesh& mesh);
+  void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
   void setOrganPose(const Pose& pose);
+
+  // More tissue beside the organ, in the same frame: vessels, gallbladder.
+  void addTissue(const TriangleMesh& mesh, const Vec3f& colour);
 
   // Aims lamps and shadows at the box, world, m. Call it once per scene, or when the organ moves to
   // another place; not per frame, else the light flickers.
@@ -77,12 +86,11 @@ class OperatingRoom {
   SoSeparator* toolbox_;
   SoTransform* toolboxPose_;
   SoSeparator* tools_;
+  SoSeparator* tissue_;
   SoTransform* organPose_;
+  SoBaseColor* organColour_;
   SoOrganShape* organ_;
 };
-
-// A model that comes with Resect: "table", "toolbox", "scalpel", ... (data/tools).
-SoNode* readRoomModel(const std::string& name);
 
 // A model from triangles, with a crease where faces meet at more than `creaseDegrees`.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);

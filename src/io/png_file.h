@@ -8,8 +8,8 @@
 namespace resect {
 
 struct RgbImage {
-  int width = 0;   // pixels
-  int height = 0;  // pixels
+  int width = 0;                     // pixels
+  int height = 0;                    // pixels
   std::vector<std::uint8_t> pixels;  // [height * width * 3], red green blue, top row first
 
   const std::uint8_t* at(int x, int y) const { return &pixels[3 * (std::size_t(y) * width + x)]; }

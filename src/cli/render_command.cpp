@@ -1,0 +1,138 @@
+// resect render: models as a picture.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <memory>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/picture_writer.h"
+#include "geometry/resting.h"
+#include "inventor/model_file.h"
+#include "inventor/offscreen_view.h"
+#include "inventor/operating_room.h"
+#include "inventor/operation_view.h"
+#include "io/data_folder.h"
+#include "io/length.h"
+#include "io/organ_mesh.h"
+#include "io/png_file.h"
+#include "operation/room.h"
+
+namespace resect {
+namespace {
+
+struct Options {
+  std::vector<std::string> models;
+  std::string out, size = "1280x720", view = "surgeon", part, unit = "m", pose = "lie";
+  bool noRoom = false;
+};
+
+// Screen colour of a tissue, told by its file's name as anatomists name things.
+Vec3f tissueColour(const std::string& file) {
+  std::string name = std::filesystem::path(file).stem().string();
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  const auto has = [&](const char* word) { return name.find(word) != std::string::npos; };
+  if (has("gall") || has("bile") || has("duct")) return {0.34f, 0.40f, 0.17f};
+  if (has("arter") || has("aorta")) return {0.62f, 0.13f, 0.10f};
+  if (has("portal")) return {0.36f, 0.24f, 0.44f};
+  if (has("vein") || has("cava") || has("venous")) return {0.24f, 0.25f, 0.45f};
+  if (has("tumour") || has("tumor") || has("lesion")) return {0.78f, 0.66f, 0.50f};
+  return kLiverColour;
+}
+
+Eigen::Quaterniond rotationFor(const std::string& pose, const TriangleMesh& mesh) {
+  return pose == "lie" ? restingRotation(mesh) : Eigen::Quaterniond::Identity();
+}
+
+void render(const Options& options) {
+  int width = 0, height = 0;
+  parseSize(options.size, width, height);
+  const auto view = roomView(options.view);
+  if (!view) throw usageError("--view is \"{}\"; choose {}", options.view, kRoomViewNames);
+  const double metres = parseUnit(options.unit, "--unit");
+  OffscreenView picture(width, height);  // before the reading, so that a missing EGL is said first
+
+  std::vector<TriangleMesh> meshes;
+  TriangleMesh all;
+  for (const std::string& file : options.models) {
+    meshes.push_back(weldSurface(chosenSurface(readModel(file), options.part, metres)));
+    if (meshes.back().triangles.empty())
+      throw error("{}: all its triangles are degenerate; export the model again", file);
+    append(all, meshes.back());
+  }
+  // Lamps and patterns are made for organs: other sizes are shown as if they were one.
+  const double extent = bounds(all).size().maxCoeff();
+  const double scale = extent < 0.01 || extent > 1.0 ? 0.2 / extent : 1.0;
+  if (scale != 1.0)
+    fmt::print(
+        stderr,
+        "the models are {:.4g} m across and are shown as 0.2 m; give their unit, as --unit mm\n",
+        extent);
+  for (Vec3& p : all.points) p *= scale;
+  Pose pose;
+  if (options.pose != "keep") pose = standOnTable(all, rotationFor(options.pose, all));
+
+  OperatingRoom room;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    for (Vec3& p : meshes[i].points) p = pose * (scale * p);
+    if (i == 0)
+      room.setOrgan(meshes[i], tissueColour(options.models[i]));
+    else
+      room.addTissue(meshes[i], tissueColour(options.models[i]));
+  }
+  if (!options.noRoom) {
+    const auto tools = dataFolder() / "tools";
+    room.setTable(readSceneFile(tools / "table.iv"));
+    room.setToolbox(readSceneFile(tools / "toolbox.iv"), toolBoxPose());
+    int place = 0;
+    for (const char* tool : {"scalpel.iv", "hook.iv", "baton.iv"})
+      room.setToolPose(room.addTool(readSceneFile(tools / tool)), toolBoxPlace(place++));
+  }
+  const Aabb box = bounds(transformed(std::move(all), pose));
+  room.lightUp(box);
+  room.look(*view, box, double(width) / height);
+  writePng(options.out, picture.render(room.root()));
+  fmt::print("{}: {} x {} pixels, drawn by {}\n", options.out, width, height, picture.renderer());
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("render", "A picture of models in the operating room");
+  command
+      ->add_option(
+          "MESH", options->models,
+          "Models of one coordinate system; veins, arteries and gallbladders are coloured by "
+          "their files' names")
+      ->required();
+  command->add_option("-o,--output", options->out, "Picture to write (.png)")->required();
+  command->add_option("--size", options->size, "Width and height of the picture, pixels")
+      ->capture_default_str();
+  command->add_option("--view", options->view, fmt::format("Camera: {}", kRoomViewNames))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--pose", options->pose,
+          "lie: as the body would come to rest on the table; stand: as in the file, on the "
+          "table; keep: where the file has it")
+      ->check(CLI::IsMember({"lie", "stand", "keep"}))
+      ->capture_default_str();
+  command->add_flag("--no-room,!--room", options->noRoom, "Without table, tool box and tools");
+  command->add_option("--part", options->part, "Take only the part of that name");
+  command
+      ->add_option("--unit", options->unit,
+                   "What the models' numbers are: mm, cm, m, inch or the metres in one unit")
+      ->capture_default_str();
+  command->footer(
+      "Examples:\n"
+      "  resect render liver.iv -o liver.png\n"
+      "  resect render liver.obj gallbladder.obj portal_vein.obj -o anatomy.png --no-room\n"
+      "  resect render scan.stl --unit mm --view top --size 1920x1080 -o scan.png");
+  command->callback([options] { render(*options); });
+}
+
+}  // namespace resect
