@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
   resect::addDiscretizeCommand(app);
   resect::addSurfaceCommand(app);
   resect::addRunCommand(app);
+  resect::addRenderCommand(app);
   resect::addConvertCommand(app);
   try {
     app.parse(argc, argv);

@@ -12,7 +12,7 @@
 
 namespace resect {
 
-SoSeparator* readSceneFile(const std::filesystem::path& path) {
+SoNode* readSceneFile(const std::filesystem::path& path) {
   initInventor();
   SoInput input;
   SoSeparator* root = input.openFile(path.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;

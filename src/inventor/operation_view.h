@@ -10,13 +10,13 @@
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
 
-class SoSeparator;
+class SoNode;
 
 namespace resect {
 
 // Reads one of the models that come with Resect as a scene graph, materials and all. Not for
 // untrusted files: those go through readModel.
-SoSeparator* readSceneFile(const std::filesystem::path& path);
+SoNode* readSceneFile(const std::filesystem::path& path);
 
 class OperationView {
  public:
