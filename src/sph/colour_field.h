@@ -63,6 +63,10 @@ class ColourField {
     return std::span<const float, kBrickSize>(values_.data() + std::size_t(slot) * kBrickSize,
                                               kBrickSize);
   }
+  // The 64 nodes of any brick of the grid, stored or not.
+  const float* nodes(const Vec3i& brick) const {
+    return nodesOf(brick, slotOf_[brickIndex(brick)], values_);
+  }
   float node(const Vec3i& node) const;         // 0 outside the grid
   Vec3 nodePosition(const Vec3& node) const {  // rest space, m; fractional nodes allowed
     return lattice_.origin + lattice_.spacing.cwiseProduct(node / refine_ - Vec3::Constant(2));
@@ -76,46 +80,75 @@ class ColourField {
   // one. Valid until the next call.
   std::span<const std::int64_t> update();
 
-  // A node's value from the cells as they were when the field was built: what was tissue before any
-  // edit. Inside the grid.
-  float originalNode(const Vec3i& node) const;
   // Was a cell in reach of the brick's nodes changed since the field was built?
-  bool edited(std::int64_t brick) const { return edited_[brick] != 0; }
+  bool edited(std::int64_t brick) const { return originalOf_[brick] != kUnedited; }
+  // nodes() and node() when the field was built: what was tissue before any edit.
+  const float* originalNodes(const Vec3i& brick) const {
+    const std::int64_t b = brickIndex(brick);
+    return edited(b) ? nodesOf(brick, originalOf_[b], originals_) : nodes(brick);
+  }
+  float originalNode(const Vec3i& node) const;  // inside the grid
 
   std::size_t bytes() const;  // memory held
 
  private:
-  struct Tap {
-    std::int32_t offset;  // into the window of cells round a brick
-    float weight;
-  };
-  static constexpr int kPad =
-      6;  // cells of zero round the lattice, so that windows need no bounds test
-  static constexpr int kWindow = 7;  // cells along each axis that a brick can reach
+  static constexpr std::int32_t kUnedited = -3;
+  // Cells of zero round the lattice: the windows of the outermost bricks need no bounds test.
+  static constexpr int kPad = 7;
+  static constexpr int kReach = 4;                     // cells that a node reaches along an axis
+  static constexpr int kWindow = kBrickNodes + kReach - 1;  // cells that a brick reaches
   enum class Reach { Empty, Full, Mixed };
+  using Row = Eigen::Array4f;  // the four nodes of a brick along x
+
+  // The share of a cell in the nodes of a plane of a brick. Neighbouring nodes differ in their place
+  // within their cells, so each has its own weight; 0 where it does not reach the cell.
+  struct Tap {
+    int offset;  // into CellRows, from the row of the node's own cell less one
+    Row weight[kBrickNodes];
+  };
+  // The cells round a brick as seen by its nodes: row (z, y) of cells, shifted by 0 to 3 cells, one
+  // cell for each of the four nodes along x.
+  using CellRows = Row[kWindow][kWindow][kReach];
 
   std::int64_t padded(const Vec3i& cell) const {
     return (std::int64_t(cell.z() + kPad) * paddedDims_.y() + cell.y() + kPad) * paddedDims_.x() +
            cell.x() + kPad;
   }
+  // Place of a brick's first node within its cell, 0 to refine - 1, per axis: always 0 but for
+  // refine 3, whose bricks come in phases_ = 3 kinds per axis.
+  Vec3i phase(const Vec3i& brick) const {
+    const auto along = [&](int b) { return phases_ == 1 ? 0 : kBrickNodes * b % refine_; };
+    return {along(brick.x()), along(brick.y()), along(brick.z())};
+  }
+  std::size_t phaseIndex(const Vec3i& phase) const {
+    return std::size_t((phase.z() * phases_ + phase.y()) * phases_ + phase.x());
+  }
+  const float* nodesOf(const Vec3i& brick, std::int32_t slot,
+                       const std::vector<float>& stored) const {
+    return slot >= 0       ? stored.data() + std::size_t(slot) * kBrickSize
+           : slot == kFull ? full_.data() + phaseIndex(phase(brick)) * kBrickSize
+                           : empty_.data();
+  }
+  void makeTaps();
   Vec3i windowCell(const Vec3i& brick) const;
   Reach reach(const Vec3i& brick) const;
-  void evaluate(const Vec3i& brick, float* out) const;
+  void evaluate(const Vec3i& brick, unsigned planes, float* out) const;
   std::int32_t takeSlot();
 
   Lattice lattice_;
-  int refine_;
+  int refine_, phases_;
   Vec3i brickDims_, paddedDims_;
-  std::vector<std::vector<Tap>> taps_;  // per position of a node in its cell, x fastest
-  std::vector<float> fullValues_;       // value of a node in solid tissue, per position
+  std::vector<std::vector<Tap>> taps_;  // per place z of the plane, then phase y, phase x
+  std::vector<float> empty_, full_;     // the nodes of an empty brick, and of a full one per phase
   std::vector<float> cells_;            // padded colour values now
-  std::vector<float> originalCells_;    // and when the field was built
   std::vector<std::int32_t> slotOf_;    // per brick
-  std::vector<std::uint8_t> edited_;    // per brick
   std::vector<float> values_;           // kBrickSize per slot
   std::vector<std::int32_t> freeSlots_;
-  std::vector<std::int64_t> pending_;  // bricks in reach of cells set since the last update
-  std::vector<std::int64_t> touched_;  // what the last update gave out
+  std::vector<std::int32_t> originalOf_;  // per brick: what slotOf_ was, into originals_
+  std::vector<float> originals_;          // values_ of the bricks edited since, before
+  std::vector<std::uint8_t> pendingOf_;   // per brick: kPending and the planes of nodes to evaluate
+  std::vector<std::int64_t> pending_;     // bricks in reach of cells set since the last update
+  std::vector<std::int64_t> touched_;     // what the last update gave out
 };
 
 }  // namespace resect

@@ -5,10 +5,34 @@
 namespace resect {
 namespace {
 
+// Nodes -1 to 5 of a brick along each axis, x fastest: all that its vertices and their normals
+// depend on.
+constexpr int kHalo = 7;
+using Halo = std::array<float, kHalo * kHalo * kHalo>;
 constexpr int kStep[3] = {1, kHalo, kHalo* kHalo};
 
 // Place in the halo of the brick's node (x, y, z), each -1 to 5.
 constexpr int at(int x, int y, int z) { return ((z + 1) * kHalo + y + 1) * kHalo + x + 1; }
+
+// The values of all nodes of the halo; 0 outside the grid.
+void gatherHalo(const ColourField& field, const Vec3i& brick, Halo& halo) {
+  static constexpr float kOutside[kBrickSize] = {};
+  for (int z = -1; z <= 5; ++z)
+    for (int y = -1; y <= 5; ++y) {
+      // Row (y, z) of the halo: the last node of the brick to the left, all four of the middle, the
+      // first two of the brick to the right.
+      const float* row[3];
+      for (int side = 0; side < 3; ++side) {
+        const Vec3i b = brick + Vec3i(side - 1, y >> 2, z >> 2);
+        const bool exists = (b.array() >= 0).all() && (b.array() < field.brickDims().array()).all();
+        row[side] = (exists ? field.nodes(b) : kOutside) + ((z & 3) * 4 + (y & 3)) * 4;
+      }
+      float* out = &halo[at(-1, y, z)];
+      out[0] = row[0][3];
+      std::copy_n(row[1], 4, out + 1);
+      std::copy_n(row[2], 2, out + 5);
+    }
+}
 
 // Vertices keep this share of an edge away from its ends, so that no two of them fall together.
 constexpr float kEndMargin = 1e-3f;
@@ -24,47 +48,32 @@ Vec3f gradient(const Halo& halo, int node) {
 
 }  // namespace
 
-void gatherHalo(const ColourField& field, const Vec3i& brick, Halo& halo) {
-  // Bricks one to each side: their nodes -1 (last plane), 0..3, and 4, 5 (first two planes).
-  for (int bz = -1; bz <= 1; ++bz)
-    for (int by = -1; by <= 1; ++by)
-      for (int bx = -1; bx <= 1; ++bx) {
-        const Vec3i b = brick + Vec3i(bx, by, bz);
-        const auto first = [](int side) { return side < 0 ? -1 : side > 0 ? 4 : 0; };
-        const auto last = [](int side) { return side < 0 ? -1 : side > 0 ? 5 : 3; };
-        const bool exists = (b.array() >= 0).all() && (b.array() < field.brickDims().array()).all();
-        const std::int32_t slot = exists ? field.slot(field.brickIndex(b)) : ColourField::kEmpty;
-        for (int z = first(bz); z <= last(bz); ++z)
-          for (int y = first(by); y <= last(by); ++y)
-            for (int x = first(bx); x <= last(bx); ++x) {
-              float& value = halo[at(x, y, z)];
-              if (slot >= 0)
-                value = field.values(slot)[((z & 3) * 4 + (y & 3)) * 4 + (x & 3)];
-              else if (slot == ColourField::kEmpty)
-                value = 0;
-              else
-                value = field.node(kBrickNodes * brick + Vec3i(x, y, z));
-            }
-      }
+std::uint64_t insideMask(std::span<const float, kBrickSize> nodes, float iso) {
+  std::uint64_t mask = 0;
+  for (int node = 0; node < kBrickSize; ++node) mask |= std::uint64_t(nodes[node] >= iso) << node;
+  return mask;
 }
 
-BrickSigns brickSigns(const Halo& halo, float iso) {
-  BrickSigns signs;
-  int node = 0;
-  for (int z = 0; z < 4; ++z)
-    for (int y = 0; y < 4; ++y)
-      for (int x = 0; x < 4; ++x, ++node) {
-        const int i = at(x, y, z);
-        const bool in = halo[i] >= iso;
-        signs.inside |= std::uint64_t(in) << node;
-        for (int a = 0; a < 3; ++a)
-          signs.crossing[a] |= std::uint64_t(in != (halo[i + kStep[a]] >= iso)) << node;
-      }
-  return signs;
+std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& inside) {
+  // The masks one node further along an axis: bits move down, those of the neighbour come in.
+  const auto alongX = [](std::uint64_t own, std::uint64_t next) {
+    return (own >> 1 & 0x7777777777777777) | (next & 0x1111111111111111) << 3;
+  };
+  const auto alongY = [](std::uint64_t own, std::uint64_t next) {
+    return (own >> 4 & 0x0fff0fff0fff0fff) | (next & 0x000f000f000f000f) << 12;
+  };
+  const auto alongZ = [](std::uint64_t own, std::uint64_t next) { return own >> 16 | next << 48; };
+  std::array<std::uint64_t, 8> mask = inside;
+  for (const int d : {0, 2, 4, 6}) mask[d + 1] = alongX(inside[d], inside[d + 1]);
+  for (const int d : {0, 1, 4, 5}) mask[d + 2] = alongY(mask[d], mask[d + 2]);
+  for (const int d : {0, 1, 2, 3}) mask[d + 4] = alongZ(mask[d], mask[d + 4]);
+  return mask;
 }
 
-void brickVertices(const ColourField& field, const Vec3i& brick, const Halo& halo,
-                   const BrickSigns& signs, float iso, SurfaceVertex* out) {
+void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSigns& signs, float iso,
+                   SurfaceVertex* out) {
+  Halo halo;
+  gatherHalo(field, brick, halo);
   const Vec3i first = kBrickNodes * brick;
   const bool edited = field.edited(field.brickIndex(brick));
   for (int axis = 0; axis < 3; ++axis)

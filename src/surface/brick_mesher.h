@@ -9,20 +9,22 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 #include "base/vec.h"
 #include "sph/colour_field.h"
 
 namespace resect {
 
-// Nodes -1 to 5 of a brick along each axis, x fastest: all that its vertices and their normals
-// depend on.
-constexpr int kHalo = 7;
-using Halo = std::array<float, kHalo * kHalo * kHalo>;
-void gatherHalo(const ColourField& field, const Vec3i& brick, Halo& halo);
+// Which of a brick's 64 nodes are inside (value >= iso)? Bit = node, x fastest.
+std::uint64_t insideMask(std::span<const float, kBrickSize> nodes, float iso);
 
-// Which of the brick's 64 nodes are inside (value >= iso), and which of its 192 edges cross the
-// surface.
+// Which corners of its 64 cells are inside, given the inside masks of the brick and of its seven
+// neighbours above (number: 1 for a step along x, 2 along y, 4 along z)? Mask c holds corner c, bit
+// = cell; corner 0 is the brick's own mask.
+std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& inside);
+
+// Which of the brick's 64 nodes are inside, and which of its 192 edges cross the surface.
 struct BrickSigns {
   std::uint64_t inside = 0;
   std::array<std::uint64_t, 3> crossing{};  // per axis, bit = lower node
@@ -38,8 +40,6 @@ struct BrickSigns {
   }
   bool operator==(const BrickSigns&) const = default;
 };
-BrickSigns brickSigns(const Halo& halo, float iso);
-
 // A vertex of the surface: where, which way is out, how far below the original skin.
 struct SurfaceVertex {
   Vec3f position;  // rest space, m
@@ -48,7 +48,7 @@ struct SurfaceVertex {
 };
 
 // Writes signs.vertexCount() vertices.
-void brickVertices(const ColourField& field, const Vec3i& brick, const Halo& halo,
-                   const BrickSigns& signs, float iso, SurfaceVertex* out);
+void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSigns& signs, float iso,
+                   SurfaceVertex* out);
 
 }  // namespace resect

@@ -1,12 +1,34 @@
 #include "surface/surface_tracker.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/assert.h"
 #include "base/parallel.h"
 #include "surface/marching_cubes_table.h"
 
 namespace resect {
+namespace {
+
+constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
+
+// visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending;
+// `inside`: as for cornerMasks().
+template <typename Visit>
+void visitCells(const std::array<std::uint64_t, 8>& inside, Visit visit) {
+  const auto corners = cornerMasks(inside);
+  std::uint64_t any = 0, all = ~std::uint64_t(0);
+  for (const std::uint64_t mask : corners) any |= mask, all &= mask;
+  const auto& table = marchingCubesTable();
+  for (std::uint64_t rest = any & ~all; rest != 0; rest &= rest - 1) {
+    const int cell = std::countr_zero(rest);
+    int kind = 0;
+    for (int c = 0; c < 8; ++c) kind |= int(corners[c] >> cell & 1) << c;
+    visit(cell, table[kind]);
+  }
+}
+
+}  // namespace
 
 SurfaceTracker::SurfaceTracker(const ColourField& field, float iso) : iso_(iso) {
   setIso(field, iso);
@@ -40,6 +62,17 @@ void SurfaceTracker::update(const ColourField& field, std::span<const std::int64
   remesh(field, touched);
 }
 
+void SurfaceTracker::takeRecord(std::int64_t brick) {
+  if (freeRecords_.empty()) {
+    recordOf_[brick] = std::int32_t(bricks_.size());
+    bricks_.emplace_back();
+  } else {
+    recordOf_[brick] = freeRecords_.back();
+    freeRecords_.pop_back();
+    bricks_[recordOf_[brick]] = {};
+  }
+}
+
 void SurfaceTracker::dropRecord(std::int64_t brick) {
   std::int32_t& record = recordOf_[brick];
   if (record == kNone) return;
@@ -62,75 +95,77 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   changes_.everything = false;
   changes_.bricks = std::int64_t(bricks.size());
 
-  // 1. Which nodes are inside, which edges cross?
-  newSigns_.assign(bricks.size(), {});
-  parallelFor(bricks.size(), 32, [&](std::size_t begin, std::size_t end) {
-    Halo halo;
-    for (std::size_t i = begin; i < end; ++i) {
-      if (field.slot(bricks[i]) < 0) continue;
-      gatherHalo(field, field.brick(bricks[i]), halo);
-      newSigns_[i] = brickSigns(halo, iso_);
-    }
+  // 1. Which nodes are inside?
+  newInside_.assign(bricks.size(), 0);
+  parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (const std::int32_t slot = field.slot(bricks[i]); slot >= 0)
+        newInside_[i] = insideMask(field.values(slot), iso_);
   });
-
-  // 2. Give each brick room for its vertices; note whose triangles must be drawn again: its own and
-  // those of the bricks
-  //    below it that share its vertices.
-  retriangulate_.clear();
+  renumbered_.assign(bricks.size(), 0);
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const std::int64_t b = bricks[i];
     const bool stored = field.slot(b) >= 0;
-    const BrickSigns& signs = newSigns_[i];
-    bool renumbered = stored != (recordOf_[b] != kNone);
+    renumbered_[i] = stored != (recordOf_[b] != kNone);
     if (!stored) {
       dropRecord(b);
-    } else {
-      if (recordOf_[b] == kNone) {
-        if (freeRecords_.empty()) {
-          recordOf_[b] = std::int32_t(bricks_.size());
-          bricks_.emplace_back();
-        } else {
-          recordOf_[b] = freeRecords_.back();
-          freeRecords_.pop_back();
-          bricks_[recordOf_[b]] = {};
-        }
-      }
+      continue;
+    }
+    if (recordOf_[b] == kNone) takeRecord(b);
+    BrickSigns& signs = bricks_[recordOf_[b]].signs;
+    renumbered_[i] |= signs.inside != newInside_[i];
+    signs.inside = newInside_[i];
+  }
+
+  // 2. Which edges cross the surface? Then each brick gets room for its vertices; its own triangles
+  // and those of the bricks below it, which share its vertices, are drawn again.
+  parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (recordOf_[bricks[i]] == kNone) continue;
+      const auto corners = cornerMasks(above(field, bricks[i]).inside);
+      const std::array crossing = {corners[0] ^ corners[1], corners[0] ^ corners[2],
+                                   corners[0] ^ corners[4]};
+      BrickSigns& signs = bricks_[recordOf_[bricks[i]]].signs;
+      renumbered_[i] |= signs.crossing != crossing;
+      signs.crossing = crossing;
+    }
+  });
+  retriangulate_.clear();
+  for (std::size_t i = 0; i < bricks.size(); ++i) {
+    const std::int64_t b = bricks[i];
+    if (recordOf_[b] != kNone) {
       BrickMesh& mesh = bricks_[recordOf_[b]];
-      renumbered = renumbered || !(mesh.signs == signs);
-      const std::int32_t count = signs.vertexCount();
+      const std::int32_t count = mesh.signs.vertexCount();
       if (RangeAllocator::roundedUp(count) != RangeAllocator::roundedUp(mesh.vertices)) {
         if (mesh.vertices > 0) vertexSpace_.release(mesh.firstVertex, mesh.vertices);
         mesh.firstVertex = count > 0 ? vertexSpace_.take(count) : 0;
       }
       mesh.vertices = count;
-      mesh.signs = signs;
       if (count > 0) changes_.vertices.push_back({mesh.firstVertex, count});
     }
-    if (!renumbered) continue;
+    if (!renumbered_[i]) continue;
     const Vec3i at = field.brick(b);
     for (int d = 0; d < 8; ++d) {
       const Vec3i n = at - Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);
-      if ((n.array() >= 0).all()) retriangulate_.push_back(field.brickIndex(n));
+      if ((n.array() < 0).any()) continue;
+      const std::int64_t below = field.brickIndex(n);
+      if (recordOf_[below] == kNone || bricks_[recordOf_[below]].drawAgain) continue;
+      bricks_[recordOf_[below]].drawAgain = true;
+      retriangulate_.push_back(below);
     }
   }
-  std::sort(retriangulate_.begin(), retriangulate_.end());
-  retriangulate_.erase(std::unique(retriangulate_.begin(), retriangulate_.end()),
-                       retriangulate_.end());
 
   // 3. Write the vertices.
   points_.resize(vertexSpace_.end(), Vec3f::Zero());
   normals_.resize(vertexSpace_.end(), Vec3f::UnitY());
   cut_.resize(vertexSpace_.end(), 0.f);
-  parallelFor(bricks.size(), 32, [&](std::size_t begin, std::size_t end) {
-    Halo halo;
+  parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::array<SurfaceVertex, 3 * kBrickSize> vertices;
     for (std::size_t i = begin; i < end; ++i) {
       const std::int64_t b = bricks[i];
       if (recordOf_[b] == kNone || bricks_[recordOf_[b]].vertices == 0) continue;
       const BrickMesh& mesh = bricks_[recordOf_[b]];
-      const Vec3i at = field.brick(b);
-      gatherHalo(field, at, halo);
-      brickVertices(field, at, halo, mesh.signs, iso_, vertices.data());
+      brickVertices(field, field.brick(b), mesh.signs, iso_, vertices.data());
       for (int v = 0; v < mesh.vertices; ++v) {
         points_[mesh.firstVertex + v] = vertices[v].position;
         normals_[mesh.firstVertex + v] = vertices[v].normal;
@@ -141,17 +176,14 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
 
   // 4. Draw the triangles.
   newTriangles_.assign(retriangulate_.size(), 0);
-  parallelFor(retriangulate_.size(), 32, [&](std::size_t begin, std::size_t end) {
+  parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      visitTriangles(field, retriangulate_[i], [&](const Triangle&) { ++newTriangles_[i]; });
+      visitCells(above(field, retriangulate_[i]).inside,
+                 [&](int, const CellTriangles& drawn) { newTriangles_[i] += drawn.count; });
   });
   for (std::size_t i = 0; i < retriangulate_.size(); ++i) {
-    const std::int32_t record = recordOf_[retriangulate_[i]];
-    if (record == kNone) {
-      RESECT_ASSERT(newTriangles_[i] == 0);
-      continue;
-    }
-    BrickMesh& mesh = bricks_[record];
+    BrickMesh& mesh = bricks_[recordOf_[retriangulate_[i]]];
+    mesh.drawAgain = false;
     const std::int32_t count = newTriangles_[i];
     if (mesh.triangles > 0) changes_.triangles.push_back({mesh.firstTriangle, mesh.triangles});
     if (RangeAllocator::roundedUp(count) != RangeAllocator::roundedUp(mesh.triangles)) {
@@ -169,65 +201,46 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     if (count > 0) changes_.triangles.push_back({mesh.firstTriangle, count});
   }
   triangles_.resize(triangleSpace_.end(), Triangle{0, 0, 0});
-  parallelFor(retriangulate_.size(), 32, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (newTriangles_[i] == 0) continue;
-      Triangle* out = triangles_.data() + bricks_[recordOf_[retriangulate_[i]]].firstTriangle;
-      visitTriangles(field, retriangulate_[i], [&](const Triangle& t) { *out++ = t; });
-    }
+  parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (newTriangles_[i] > 0) drawTriangles(field, retriangulate_[i]);
   });
 }
 
-// emit(triangle) for every triangle of the brick's 64 cells, in the order of the cells.
-template <typename Emit>
-void SurfaceTracker::visitTriangles(const ColourField& field, std::int64_t brick, Emit emit) const {
-  if (recordOf_[brick] == kNone) return;
-  // This brick and its seven neighbours above: their meshes (null where none) and inside masks.
-  const BrickMesh* meshes[8];
-  std::uint64_t inside[8];
+// The brick itself and its seven neighbours above, numbered as in cornerMasks(): their meshes, null
+// where there is none.
+SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64_t brick) const {
+  Above result{};
   const Vec3i at = field.brick(brick);
   for (int d = 0; d < 8; ++d) {
     const Vec3i b = at + Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);
-    const bool exists = (b.array() < field.brickDims().array()).all();
-    const std::int64_t index = exists ? field.brickIndex(b) : -1;
-    meshes[d] = exists && recordOf_[index] != kNone ? &bricks_[recordOf_[index]] : nullptr;
-    inside[d] = meshes[d]                                           ? meshes[d]->signs.inside
-                : exists && field.slot(index) == ColourField::kFull ? ~std::uint64_t(0)
-                                                                    : 0;
+    if ((b.array() >= field.brickDims().array()).any()) continue;
+    const std::int64_t index = field.brickIndex(b);
+    if (recordOf_[index] != kNone) {
+      result.mesh[d] = &bricks_[recordOf_[index]];
+      result.inside[d] = result.mesh[d]->signs.inside;
+    } else if (field.slot(index) == ColourField::kFull) {
+      result.inside[d] = ~std::uint64_t(0);
+    }
   }
-  // Does one of the 64 cells hold part of the surface at all?
-  std::uint64_t any = 0, all = ~std::uint64_t(0);
-  for (int d = 0; d < 8; ++d) any |= inside[d], all &= inside[d];
-  if (any == 0 || all == ~std::uint64_t(0)) return;
+  return result;
+}
 
-  // Node (x, y, z), each 0 to 4, lies in neighbour d at bit n.
-  const auto neighbour = [](int x, int y, int z) { return x >> 2 | (y >> 2) << 1 | (z >> 2) << 2; };
-  const auto bit = [](int x, int y, int z) { return (x & 3) | (y & 3) << 2 | (z & 3) << 4; };
-  std::uint8_t sign[5][5][5];
-  for (int z = 0; z < 5; ++z)
-    for (int y = 0; y < 5; ++y)
-      for (int x = 0; x < 5; ++x) sign[z][y][x] = inside[neighbour(x, y, z)] >> bit(x, y, z) & 1;
-
-  const auto& table = marchingCubesTable();
-  for (int z = 0; z < 4; ++z)
-    for (int y = 0; y < 4; ++y)
-      for (int x = 0; x < 4; ++x) {
-        int corners = 0;
-        for (int c = 0; c < 8; ++c)
-          corners |= sign[z + (c >> 2)][y + (c >> 1 & 1)][x + (c & 1)] << c;
-        const CellTriangles& cell = table[corners];
-        for (int t = 0; t < cell.count; ++t) {
-          Triangle triangle;
-          for (int v = 0; v < 3; ++v) {
-            const CellEdge edge = kCellEdges[cell.edges[t][v]];
-            const int nx = x + (edge.from & 1), ny = y + (edge.from >> 1 & 1),
-                      nz = z + (edge.from >> 2);
-            const BrickMesh* owner = meshes[neighbour(nx, ny, nz)];
-            triangle[v] = owner->firstVertex + owner->signs.vertex(edge.axis, bit(nx, ny, nz));
-          }
-          emit(triangle);
-        }
+void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick) {
+  const Above around = above(field, brick);
+  Triangle* out = triangles_.data() + bricks_[recordOf_[brick]].firstTriangle;
+  visitCells(around.inside, [&](int cell, const CellTriangles& drawn) {
+    for (int t = 0; t < drawn.count; ++t, ++out)
+      for (int v = 0; v < 3; ++v) {
+        const CellEdge edge = kCellEdges[drawn.edges[t][v]];
+        // The edge's lower node, 0 to 4 along each axis: 4 lies in the neighbour above.
+        const int x = (cell & 3) + (edge.from & 1), y = (cell >> 2 & 3) + (edge.from >> 1 & 1),
+                  z = (cell >> 4) + (edge.from >> 2);
+        const BrickMesh* owner = around.mesh[x >> 2 | (y >> 2) << 1 | (z >> 2) << 2];
+        const int node = (x & 3) | (y & 3) << 2 | (z & 3) << 4;
+        (*out)[v] = owner->firstVertex + owner->signs.vertex(edge.axis, node);
       }
+  });
 }
 
 SurfaceTracker::Compact SurfaceTracker::compact() const {

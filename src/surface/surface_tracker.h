@@ -10,6 +10,7 @@
 // upload.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -71,14 +72,20 @@ class SurfaceTracker {
     BrickSigns signs;
     std::int32_t firstVertex = 0, vertices = 0;
     std::int32_t firstTriangle = 0, triangles = 0;
+    bool drawAgain = false;  // in retriangulate_
+  };
+  struct Above {
+    std::array<const BrickMesh*, 8> mesh;
+    std::array<std::uint64_t, 8> inside;
   };
   static constexpr std::int32_t kNone = -1;
 
   void clear(const ColourField& field);
   void remesh(const ColourField& field, std::span<const std::int64_t> bricks);
+  void takeRecord(std::int64_t brick);
   void dropRecord(std::int64_t brick);
-  template <typename Emit>
-  void visitTriangles(const ColourField& field, std::int64_t brick, Emit emit) const;
+  Above above(const ColourField& field, std::int64_t brick) const;
+  void drawTriangles(const ColourField& field, std::int64_t brick);
 
   float iso_;
   std::vector<std::int32_t> recordOf_;  // per brick: into bricks_, or kNone
@@ -91,7 +98,8 @@ class SurfaceTracker {
   std::int64_t triangleCount_ = 0;
   Changes changes_;
   // Working lists, kept so that a steady update allocates nothing.
-  std::vector<BrickSigns> newSigns_;
+  std::vector<std::uint64_t> newInside_;
+  std::vector<std::uint8_t> renumbered_;
   std::vector<std::int64_t> retriangulate_;
   std::vector<std::int32_t> newTriangles_;
 };
