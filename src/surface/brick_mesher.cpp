@@ -17,20 +17,24 @@ constexpr int at(int x, int y, int z) { return ((z + 1) * kHalo + y + 1) * kHalo
 // The values of all nodes of the halo; 0 outside the grid.
 void gatherHalo(const ColourField& field, const Vec3i& brick, Halo& halo) {
   static constexpr float kOutside[kBrickSize] = {};
+  const float* around[3][3][3];  // the nodes of the brick and of its 26 neighbours
+  for (int z = 0; z < 3; ++z)
+    for (int y = 0; y < 3; ++y)
+      for (int x = 0; x < 3; ++x) {
+        const Vec3i b = brick + Vec3i(x - 1, y - 1, z - 1);
+        const bool exists = (b.array() >= 0).all() && (b.array() < field.brickDims().array()).all();
+        around[z][y][x] = exists ? field.nodes(b) : kOutside;
+      }
   for (int z = -1; z <= 5; ++z)
     for (int y = -1; y <= 5; ++y) {
       // Row (y, z) of the halo: the last node of the brick to the left, all four of the middle, the
       // first two of the brick to the right.
-      const float* row[3];
-      for (int side = 0; side < 3; ++side) {
-        const Vec3i b = brick + Vec3i(side - 1, y >> 2, z >> 2);
-        const bool exists = (b.array() >= 0).all() && (b.array() < field.brickDims().array()).all();
-        row[side] = (exists ? field.nodes(b) : kOutside) + ((z & 3) * 4 + (y & 3)) * 4;
-      }
+      const auto& bricks = around[(z >> 2) + 1][(y >> 2) + 1];
+      const int row = ((z & 3) * 4 + (y & 3)) * 4;
       float* out = &halo[at(-1, y, z)];
-      out[0] = row[0][3];
-      std::copy_n(row[1], 4, out + 1);
-      std::copy_n(row[2], 2, out + 5);
+      out[0] = bricks[0][row + 3];
+      std::copy_n(bricks[1] + row, 4, out + 1);
+      std::copy_n(bricks[2] + row, 2, out + 5);
     }
 }
 
