@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/picture_writer.h"
-#include "geometry/resting.h"
+#include "geometry/resting_pose.h"
 #include "inventor/model_file.h"
 #include "inventor/offscreen_view.h"
 #include "inventor/operating_room.h"

@@ -68,4 +68,11 @@ Eigen::Quaterniond restingRotation(const TriangleMesh& mesh) {
   return Eigen::Quaterniond::FromTwoVectors(down, Vec3(0, -1, 0));
 }
 
+Pose standOnTable(const TriangleMesh& mesh, const Eigen::Quaterniond& rotation) {
+  Aabb box;
+  for (const Vec3& p : mesh.points) box.grow(rotation * p);
+  if (box.empty()) return {Vec3::Zero(), rotation};
+  return {Vec3(-box.centre().x(), -box.min.y(), -box.centre().z()), rotation};
+}
+
 }  // namespace resect

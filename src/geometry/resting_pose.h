@@ -11,4 +11,8 @@ namespace resect {
 // the centre over the supporting plane, to about 0.1 degrees.
 Eigen::Quaterniond restingRotation(const TriangleMesh& mesh);
 
+// The pose that turns the mesh so and stands it on the table: its box's lowest side at y = 0,
+// centred over the origin.
+Pose standOnTable(const TriangleMesh& mesh, const Eigen::Quaterniond& rotation);
+
 }  // namespace resect
