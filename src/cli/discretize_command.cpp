@@ -41,7 +41,7 @@ void addDiscretizeCommand(CLI::App& app) {
     source.spacing = 0.005;
     organ->applyTo(source);
     std::vector<std::string> notes;
-    const Discretization cells = loadCells(source, readModel, progressBar("particles"), &notes);
+    const Discretization cells = loadCells(source, modelReader(), progressBar("particles"), &notes);
     if (cells.particleCount() == 0)
       throw error(
           "no cell centre of the lattice lies inside {}; use a smaller --spacing or more --dims",

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "base/error.h"
+#include "inventor/model_file.h"
 #include "io/length.h"
 
 namespace resect {
@@ -46,6 +47,10 @@ void OrganOptions::applyTo(OrganSource& source) const {
     source.dims = parseDims(dims);
     source.spacing.reset();
   }
+}
+
+ModelReader modelReader() {
+  return [](const std::filesystem::path& path) { return readModel(path); };
 }
 
 std::shared_ptr<OrganOptions> addOrganOptions(CLI::App& command) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "io/operation_setup.h"
 #include "operation/scenario.h"
 
 namespace CLI {
@@ -19,6 +20,9 @@ struct OrganOptions {
   // Overwrites what the person gave; leaves the rest of `source` as it is.
   void applyTo(OrganSource& source) const;
 };
+
+// Reads models of all formats that Resect knows.
+ModelReader modelReader();
 
 // Adds --part, --unit, --repair, --spacing and --dims to a command.
 std::shared_ptr<OrganOptions> addOrganOptions(CLI::App& command);

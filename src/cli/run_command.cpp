@@ -61,9 +61,9 @@ void run(const Options& options, const OrganOptions& organOptions) {
 
   std::vector<std::string> notes, files;
   Simulation simulation(
-      makeOrgan(loadCells(scenario.organ, readModel, progressBar("particles"), &notes),
+      makeOrgan(loadCells(scenario.organ, modelReader(), progressBar("particles"), &notes),
                 scenario.organ.settings),
-      loadTools(scenario, readModel));
+      loadTools(scenario, modelReader()));
 
   std::optional<PictureWriter> pictures;
   if (!options.frames.empty() || !options.video.empty())

@@ -1,0 +1,157 @@
+#!/usr/bin/env python3
+"""Writes the scenarios that come with Resect: python3 make_scenarios.py FOLDER [--check].
+
+The organ is the built-in liver at rest on the table: x -0.11 to 0.11, y 0 to 0.125, z -0.10 to 0.10 m. An instrument's
+position is its tip. A tool that must leave no cell behind in its way swings sideways by a little more than half a cell
+while it advances by less than its own width.
+"""
+import math
+import sys
+from pathlib import Path
+
+SIZES = {  # name: (spacing in mm, what people are told)
+    "120": (24.2, "120 particles, as in the thesis"),
+    "950": (11.96, "950 particles, as in the thesis"),
+    "": (5.0, "cells of 5 mm"),
+}
+
+
+class Path3:
+    """Keys of one tool: time, tip, and where handle and edge point."""
+
+    def __init__(self, handle, edge, speed):
+        self.handle, self.edge, self.speed = handle, edge, speed
+        self.keys = []
+        self.time = 0.0
+
+    def wait(self, seconds):
+        self.time += seconds
+
+    def to(self, *tip, speed=None):
+        if self.keys:
+            self.time += max(0.02, math.dist(tip, self.keys[-1][1]) / (speed or self.speed))
+        self.keys.append((round(self.time, 3), tip))
+        return self
+
+    def text(self):
+        vector = lambda v: "[" + ", ".join(f"{x:.4f}".rstrip("0").rstrip(".") for x in v) + "]"
+        turn = f"{{ handle = {vector(self.handle)}, edge = {vector(self.edge)} }}"
+        rows = [f"  {{ time = {t:g}, position = {vector(p)}, rotation = {turn} }}," for t, p in self.keys]
+        return "keys = [\n" + "\n".join(rows) + "\n]\n"
+
+
+def saw(path, start, end, half_width, advance):
+    """From start to end while swinging by +-half_width along x; each swing advances by `advance`."""
+    steps = max(1, math.ceil(math.dist(start, end) / advance))
+    for i in range(steps + 1):
+        share = i / steps
+        x, y, z = (a + share * (b - a) for a, b in zip(start, end))
+        path.to(x + (half_width if i % 2 else -half_width), y, z)
+
+
+def cut(spacing):
+    """A groove drawn with the scalpel over the dome, from the far side to the surgeon."""
+    path = Path3(handle=(0, 0.9, 0.45), edge=(0, -0.45, 0.9), speed=0.12)
+    half, advance = 0.52 * spacing, min(0.008, 0.75 * spacing)
+    path.wait(0.2)
+    path.to(-0.03, 0.22, -0.06).to(-0.03, 0.125, -0.06)
+    saw(path, (-0.03, 0.098, -0.075), (-0.03, 0.098, 0.02), half, advance)
+    saw(path, (-0.03, 0.095, 0.02), (-0.03, 0.06, 0.07), half, advance)
+    path.to(-0.03, 0.16, 0.12).to(0.05, 0.24, 0.14, speed=0.3)
+    return [("scalpel", path), ("hook", None), ("baton", None)]
+
+
+def perforate(spacing):
+    """The baton is driven through the liver at three places, turning in a small circle."""
+    path = Path3(handle=(0, 1, 0.12), edge=(0, 0.12, -1), speed=0.2)
+    path.wait(0.2)
+    for x, z, top in ((-0.055, 0.005, 0.12), (-0.005, 0.03, 0.12), (0.055, 0.05, 0.08)):
+        path.to(x, top + 0.06, z)
+        turns = 12
+        radius = 0.3 * spacing
+        for i in range(turns + 1):
+            angle = 2 * math.pi * i / 4
+            path.to(x + radius * math.cos(angle), top - i / turns * (top + 0.004), z + radius * math.sin(angle))
+        path.to(x, top + 0.06, z, speed=0.4)
+    path.to(0.1, 0.24, 0.12, speed=0.4)
+    return [("scalpel", None), ("hook", None), ("baton", path)]
+
+
+def deform(spacing):
+    """The hook is dragged over the dome again and again, each time a little deeper: the liver is hollowed out."""
+    path = Path3(handle=(0.35, 0.9, 0.25), edge=(0, -0.25, 0.9), speed=0.25)
+    path.wait(0.2)
+    path.to(0.02, 0.2, -0.07)
+    for depth in (0.112, 0.104, 0.096, 0.088):
+        for i in range(7):
+            x = -0.055 + 0.012 * i
+            saw(path, (x, depth, -0.045 if i % 2 == 0 else 0.02), (x, depth, 0.02 if i % 2 == 0 else -0.045),
+                0.35 * spacing, min(0.008, 0.75 * spacing))
+    path.to(0.02, 0.2, 0.05).to(0.1, 0.24, 0.12, speed=0.4)
+    return [("scalpel", None), ("hook", path), ("baton", None)]
+
+
+def resect_segment(spacing):
+    """The left lateral part is cut off along a plane, stroke by stroke, each one deeper."""
+    x = 0.052
+    half = 0.5 * spacing + 0.0002
+    path = Path3(handle=(0, 0.96, 0.28), edge=(0, -0.28, 0.96), speed=0.22)
+    path.wait(0.3)
+    path.to(x, 0.22, -0.03).to(x, 0.12, -0.045, speed=0.3)
+    for stroke, depth in enumerate((0.064, 0.032, -0.002)):
+        ends = (-0.055, 0.098) if stroke % 2 == 0 else (0.098, -0.055)
+        saw(path, (x, depth, ends[0]), (x, depth, ends[1]), half, 0.005)
+    path.to(x, 0.13, -0.06, speed=0.4).to(0.02, 0.25, -0.02, speed=0.4)
+    return [("scalpel", path), ("hook", None), ("baton", None)]
+
+
+def scenario(title, description, spacing_mm, tools, view, tail=0.4):
+    end = max(path.keys[-1][0] for _, path in tools if path)
+    lines = [
+        "# Written by tools/make_scenarios; change it there. Metres and seconds; docs/scenarios.md explains the keys.",
+        f'title = "{title}"',
+        f'description = "{description}"',
+        "frame_rate = 60",
+        f"duration = {math.ceil(10 * (end + tail)) / 10:g}",
+        f'view = "{view}"',
+        "",
+        "[organ]",
+        'source = "liver"',
+        f'spacing = "{spacing_mm:g}mm"',
+        "",
+    ]
+    for name, path in tools:
+        lines += ["[[tool]]", f'model = "{name}"', path.text() if path else ""]
+    return "\n".join(lines).rstrip("\n") + "\n"
+
+
+def all_scenarios():
+    kinds = {
+        "cut": (cut, "Scalpel drawn through the liver", "A groove over the dome, from the far side to the surgeon"),
+        "perforate": (perforate, "Liver perforated with the baton", "Three holes from the dome to the table"),
+        "deform": (deform, "Liver hollowed out with the hook", "The dome is raked away, pass by pass"),
+    }
+    for kind, (make, title, description) in kinds.items():
+        for size, (spacing_mm, told) in SIZES.items():
+            name = kind + ("-" + size if size else "")
+            yield name, scenario(f"{title}, {told}", description, spacing_mm, make(spacing_mm / 1000), "surgeon")
+    yield "resect-segment", scenario(
+        "Left lateral part of the liver taken off", "A scalpel path that parts the liver completely, in three strokes",
+        4.0, resect_segment(0.004), "surgeon", tail=0.8)
+
+
+def main():
+    folder, check = Path(sys.argv[1]), "--check" in sys.argv
+    stale = []
+    for name, text in all_scenarios():
+        file = folder / f"{name}.toml"
+        if not check:
+            file.write_text(text)
+        elif not file.exists() or file.read_text() != text:
+            stale.append(str(file))
+    if stale:
+        sys.exit("not what tools/make_scenarios writes: " + ", ".join(stale))
+
+
+if __name__ == "__main__":
+    main()
