@@ -1,0 +1,86 @@
+// How fast are exact columns? 500 000 triangles at 256 x 256 columns; points asked directly; an
+// organ of 20 000 triangles against a tool through the three stages; a lattice of 10^6 particles.
+#include <benchmark/benchmark.h>
+
+#include "base/random.h"
+#include "collision/collider.h"
+#include "collision/columns.h"
+#include "collision/inside.h"
+#include "geometry/primitives.h"
+#include "organ/discretize.h"
+
+namespace resect {
+namespace {
+
+// Tilted, so that nothing lies along the columns.
+TriangleMesh ball(int rings) {
+  return transformed(sphereMesh({0, 0, 0}, 0.1, rings),
+                     {{0, 0, 0}, Eigen::Quaterniond(0.8, 0.3, 0.2, 0.1).normalized()});
+}
+
+std::vector<Vec3> randomPoints(int count) {
+  Random random(1);
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i)
+    points.emplace_back(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1),
+                        random.uniform(-0.1, 0.1));
+  return points;
+}
+
+void castHalfAMillionTriangles(benchmark::State& state) {
+  const TriangleMesh mesh = ball(354);
+  const double pitch = 0.2 / 256;
+  const Vec2 first(-0.1 + pitch / 2, -0.1 + pitch / 2);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        castColumns(snapToRaster(mesh), ColumnGrid{first, {pitch, pitch}, 256, 256}));
+  state.counters["triangles"] = double(mesh.triangles.size());
+}
+BENCHMARK(castHalfAMillionTriangles)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void askHundredThousandPoints(benchmark::State& state) {
+  const TriangleMesh mesh = ball(70);
+  const std::vector<Vec3> points = randomPoints(100'000);
+  for (auto _ : state) benchmark::DoNotOptimize(insideFlags(mesh, points));
+}
+BENCHMARK(askHundredThousandPoints)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void sweepThroughThirteenThousandPoints(benchmark::State& state) {
+  const TriangleMesh tool = sphereMesh({0, 0, 0}, 0.01, 12);
+  const std::vector<Vec3> points = randomPoints(13'000);
+  const Pose from{{0.05, 0, 0}, Eigen::Quaterniond::Identity()};
+  const double turn = state.range(0) ? 0.1 : 0;
+  const Pose to{{0.05, 0.01, 0.005}, Eigen::Quaterniond(Eigen::AngleAxisd(turn, Vec3::UnitX()))};
+  for (auto _ : state) benchmark::DoNotOptimize(sweptInside(tool, from, to, points));
+  state.SetLabel(state.range(0) ? "turning" : "straight");
+}
+BENCHMARK(sweepThroughThirteenThousandPoints)
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+void collideToolWithOrgan(benchmark::State& state) {
+  const TriangleMesh organ = ball(71), tool = sphereMesh({0.1, 0, 0}, 0.02, 12);
+  for (auto _ : state) {
+    Collider collider;
+    collider.setObject(Collider::First, organ);
+    collider.setObject(Collider::Second, tool);
+    collider.generateVolumeOfInterest();
+    collider.generateLayeredDepthImages(64);
+    collider.generateIntersectionVolume();
+    benchmark::DoNotOptimize(collider.ldi(Collider::Intersection).volume());
+  }
+}
+BENCHMARK(collideToolWithOrgan)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void discretizeMillionParticles(benchmark::State& state) {
+  const TriangleMesh mesh = ball(71);
+  const Lattice lattice = latticeForSpacing(bounds(mesh), 0.00161);
+  for (auto _ : state) benchmark::DoNotOptimize(discretize(mesh, lattice));
+  state.counters["particles"] = double(discretize(mesh, lattice).particleCount());
+}
+BENCHMARK(discretizeMillionParticles)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace resect
