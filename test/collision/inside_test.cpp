@@ -98,7 +98,7 @@ TEST_CASE("a jumping blade skips nothing: pure translation equals the dense samp
     const TriangleMesh tool = blade();
     Aabb box = bounds(transformed(tool, from));
     box.grow(bounds(transformed(tool, to)));
-    const auto points = randomPoints(4000, box, 11);
+    const auto points = randomPoints(1500, box, 11);
     const Flags ours = sweptInside(tool, from, to, points);
     const Flags reference = denselySampled(tool, from, to, 2000, points);
     int beyond = 0;
@@ -110,7 +110,7 @@ TEST_CASE("a jumping blade skips nothing: pure translation equals the dense samp
       ++beyond;
       CHECK(distanceToPath(tool, from, to, 2000, points[i]) <= 0.5 * way.norm() / 2000 + 1e-9);
     }
-    CHECK(count(ours) > 20);
+    CHECK(count(ours) > 10);
     CHECK(beyond < count(ours));
   }
 }
@@ -134,7 +134,7 @@ TEST_CASE("a turning tool touches what the dense sampling touches, within a shel
     Aabb box;
     for (int i = 0; i <= 20; ++i)
       box.grow(bounds(transformed(tool, interpolate(from, to, i / 20.0))));
-    const auto points = randomPoints(2500, box, 5);
+    const auto points = randomPoints(1200, box, 5);
     const Flags ours = sweptInside(tool, from, to, points);
     const Flags reference = denselySampled(tool, from, to, 2000, points);
     // The path is taken as chords: up to 1e-4 of the tool's diagonal beside it; and the samples
@@ -146,7 +146,7 @@ TEST_CASE("a turning tool touches what the dense sampling touches, within a shel
       ++differing;
       CHECK(distanceToPath(tool, from, to, 2000, points[i]) <= shell);
     }
-    CHECK(count(ours) > 50);
+    CHECK(count(ours) > 25);
     CHECK(differing < count(ours));
     // Whatever is inside at either end is contained, exactly.
     for (const Pose& pose : {from, to}) {
@@ -157,6 +157,28 @@ TEST_CASE("a turning tool touches what the dense sampling touches, within a shel
       for (std::size_t i = 0; i < points.size(); ++i) CHECK(ours[i] >= inside[i]);
     }
   }
+}
+
+TEST_CASE(
+    "a plate a thousandth of a millimetre thick misses no point of the sector it turns through") {
+  // Along x from 2 to 10 cm, turned round y by 100 degrees: x towards -z.
+  const TriangleMesh plate = boxMesh({{0.02, -0.03, -5e-7}, {0.1, 0.03, 5e-7}});
+  const double turn = 100 * M_PI / 180;
+  const auto points = randomPoints(20000, {{-0.1, -0.04, -0.12}, {0.12, 0.04, 0.02}}, 8);
+  const Flags ours = sweptInside(plate, {}, {Vec3::Zero(), turnBy(100, {0, 1, 0})}, points);
+  const double margin = 1e-4 * bounds(plate).size().norm() + 1e-6;
+  int within = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec3& p = points[i];
+    const double r = std::hypot(p.x(), p.z()), angle = std::atan2(-p.z(), p.x());
+    // How far inside the sector the point lies; negative outside.
+    const double depth =
+        std::min({r - 0.02, 0.1 - r, 0.03 - std::abs(p.y()), r * angle, r * (turn - angle)});
+    if (std::abs(depth) < margin) continue;
+    CHECK(bool(ours[i]) == (depth > 0));
+    within += depth > 0;
+  }
+  CHECK(within > 4000);
 }
 
 TEST_CASE("a tool that stands still touches what is inside it") {
@@ -173,7 +195,7 @@ TEST_CASE("a tool that stands still touches what is inside it") {
 TEST_CASE("swept flags are the same at 1, 2 and 3 threads") {
   const TriangleMesh tool = torusMesh({0, 0, 0}, 0.03, 0.01);
   const Pose from{}, to{{0.05, 0.01, 0}, turnBy(45, {1, 1, 1})};
-  const auto points = randomPoints(20000, {{-0.05, -0.05, -0.05}, {0.1, 0.06, 0.05}}, 9);
+  const auto points = randomPoints(8000, {{-0.05, -0.05, -0.05}, {0.1, 0.06, 0.05}}, 9);
   const ThreadLimit one(1);
   const Flags turned = sweptInside(tool, from, to, points);
   const Flags moved = sweptInside(tool, from, {to.position, from.rotation}, points);
