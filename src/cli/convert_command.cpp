@@ -2,10 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/json_output.h"
 #include "geometry/measures.h"
 #include "inventor/model_file.h"
 #include "io/length.h"
@@ -38,12 +38,11 @@ void convert(const Options& options) {
   }
   writeMeshFile(options.out, mesh);
   if (options.json) {
-    const nlohmann::ordered_json result{{"written", options.out},
-                                        {"triangles", mesh.triangles.size()},
-                                        {"vertices", mesh.points.size()},
-                                        {"volume_ml", volume(mesh) * 1e6},
-                                        {"notes", notes}};
-    fmt::print("{}\n", result.dump(2));
+    writeJson("-", {{"written", options.out},
+                    {"triangles", mesh.triangles.size()},
+                    {"vertices", mesh.points.size()},
+                    {"volume_ml", volume(mesh) * 1e6},
+                    {"notes", notes}});
     return;
   }
   for (const std::string& note : notes) fmt::print("{}: {}\n", options.in, note);

@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/json_output.h"
 #include "inventor/model_file.h"
 #include "io/length.h"
 #include "io/model_info.h"
@@ -25,7 +25,10 @@ void info(const Options& options) {
   for (ModelPart& part : model.parts)
     for (Vec3& p : part.mesh.points) p *= metres;
   const ModelInfo result = modelInfo(model);
-  fmt::print("{}", options.json ? toJson(result).dump(2) + "\n" : toText(result));
+  if (options.json)
+    writeJson("-", toJson(result));
+  else
+    fmt::print("{}", toText(result));
 }
 
 }  // namespace

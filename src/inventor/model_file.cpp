@@ -64,7 +64,9 @@ Model readHere(const fs::path& path) {
 
 }  // namespace
 
-Model readModel(const fs::path& path, double seconds) {
+Model readModel(const fs::path& path) { return readModelWithin(path, 5); }
+
+Model readModelWithin(const fs::path& path, double seconds) {
   std::error_code ec;
   const fs::file_status status = fs::status(path, ec);
   if (!fs::exists(status)) throw error("{}: there is no such file; check the name", path.string());

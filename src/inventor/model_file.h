@@ -13,9 +13,12 @@ namespace resect {
 // also gzip-compressed. The format is told by the first bytes where they tell it, else by the name.
 // In metres: Units nodes of Inventor are followed, other formats' numbers are taken as metres.
 //
-// The work is done in a child process (io/child_process.h) with 2 GB of memory and `seconds` > 0 of
-// computing, plus 1 s for each MB of the file; a file that kills or stalls its reader becomes one
-// Error sentence. Files over 1 GB are refused.
-Model readModel(const std::filesystem::path& path, double seconds = 5);
+// The work is done in a child process (io/child_process.h) with 2 GB of memory and 5 s of computing
+// plus 1 s for each MB of the file; a file that kills or stalls its reader becomes one Error
+// sentence. Files over 1 GB are refused.
+Model readModel(const std::filesystem::path& path);
+
+// The same with `seconds` > 0 instead of the 5 s.
+Model readModelWithin(const std::filesystem::path& path, double seconds);
 
 }  // namespace resect

@@ -37,7 +37,7 @@ Outcome readAll(const std::vector<test::BadFile>& files) {
     bool read = false;
     try {
       // The files are small; one second finds those that would never end.
-      const Model model = readModel(path, 0.9);
+      const Model model = readModelWithin(path, 0.9);
       read = true;
       CHECK_MESSAGE(file.mayBeFine, "was read without complaint: " << file.name);
       ++outcome.fine;
@@ -65,12 +65,17 @@ Outcome readAll(const std::vector<test::BadFile>& files) {
 }  // namespace
 
 TEST_CASE("malformed Inventor and VRML files end in a sentence") {
-  readAll(test::malformedInventorFiles());
+  // Binary files are not looked into before Coin does; one nested 100 000 deep overflows its stack.
+  CHECK(readAll(test::malformedInventorFiles()).killed <= 1);
 }
 
-TEST_CASE("malformed mesh files end in a sentence") { readAll(test::malformedMeshFiles()); }
+TEST_CASE("malformed mesh files end in a sentence") {
+  CHECK(readAll(test::malformedMeshFiles()).killed == 0);
+}
 
-TEST_CASE("malformed compressed files end in a sentence") { readAll(test::malformedGzipFiles()); }
+TEST_CASE("malformed compressed files end in a sentence") {
+  CHECK(readAll(test::malformedGzipFiles()).killed == 0);
+}
 
 TEST_CASE("the cube that is damaged for these tests is a cube") {
   CHECK(volume(merged(readInventorFile("cube.iv", test::binaryInventorCube()))) ==
