@@ -8,7 +8,7 @@ void main() {
   vec3 n0 = normalize(objectNormal);
   vec3 a = abs(n0), p = objectPosition;
   vec3 point = pointToWorld(eyePosition);
-  Surroundings around = surroundings(eyePosition, point);
+  Surroundings around = softSurroundings(eyePosition, point);
 
   // The plane of the surface, and its two directions.
   vec2 q = a.y > 0.6 ? p.xz : (a.x > a.z ? p.zy : p.xy);
@@ -18,7 +18,7 @@ void main() {
 
   // Threads every 0.9 mm; where a pixel is wider they become a tone.
   vec2 thread = q * 1100.0, wide = fwidth(thread);
-  float seen = 1.0 - smoothstep(0.3, 1.0, max(wide.x, wide.y));
+  float seen = 1.0 - smoothstep(0.2, 0.7, max(wide.x, wide.y));
   vec2 wave = sin(3.14159 * thread);
   float weave = seen * wave.x * wave.y;
 

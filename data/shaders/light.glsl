@@ -112,13 +112,27 @@ struct Surroundings {
   float open;        // share of the room seen from the point itself
 };
 
-Surroundings surroundings(vec3 eyePoint, vec3 point) {
-  vec3 place = (gl_TextureMatrix[6] * vec4(eyePoint, 1.0)).xyz;
-  // The map is a cube of side 2 * radius: its scale tells the radius.
-  float radius = 0.5 / length((gl_TextureMatrix[6] * vec4(1.0, 0.0, 0.0, 0.0)).xyz);
-  vec4 grid = texture2D(shadowGrid, place.xy);
+Surroundings fromGrid(vec4 grid, float radius, vec3 point) {
   float top = max(grid.a * radius, 0.002);
   return Surroundings(grid.r, grid.g, mix(grid.r, grid.b, clamp(point.y / top, 0.0, 1.0)));
+}
+
+// The grid is a cube of side 2 * radius: its scale tells the radius.
+float gridRadius() { return 0.5 / length((gl_TextureMatrix[6] * vec4(1.0, 0.0, 0.0, 0.0)).xyz); }
+
+Surroundings surroundings(vec3 eyePoint, vec3 point) {
+  vec2 place = (gl_TextureMatrix[6] * vec4(eyePoint, 1.0)).xy;
+  return fromGrid(texture2D(shadowGrid, place), gridRadius(), point);
+}
+
+// The same over 1 cm, for the table: the grid's values are sampled by chance.
+Surroundings softSurroundings(vec3 eyePoint, vec3 point) {
+  vec2 place = (gl_TextureMatrix[6] * vec4(eyePoint, 1.0)).xy;
+  float radius = gridRadius();
+  vec2 a = vec2(0.0030, 0.0012) / radius, b = vec2(-a.y, a.x);
+  vec4 grid = 0.25 * (texture2D(shadowGrid, place + a) + texture2D(shadowGrid, place - a) +
+                      texture2D(shadowGrid, place + b) + texture2D(shadowGrid, place - b));
+  return fromGrid(grid, radius, point);
 }
 
 // Diffuse light of the room on a surface of this normal.

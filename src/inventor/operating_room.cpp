@@ -97,7 +97,7 @@ struct Direction {
 Direction direction(RoomView view) {
   switch (view) {
     case RoomView::Surgeon:
-      return {{0.06, 0.62, 1.0}, 0.48, {0.30, -0.05, 0.0}};
+      return {{0.06, 0.62, 1.0}, 0.50, {0.42, -0.05, 0.0}};
     case RoomView::Assistant:
       return {{-1.0, 0.55, -0.55}, 0.48, {0.0, 0.0, 0.0}};
     case RoomView::Top:
@@ -210,7 +210,7 @@ void OperatingRoom::lightUp(const Aabb& box) {
   }
   shadows_->lampPosition = lamps_[0]->location.getValue();
   shadows_->focus = toSb(centre);
-  shadows_->radius = float(std::max(0.32, 1.5 * radius));
+  shadows_->radius = float(std::max(0.46, 1.5 * radius));
 }
 
 void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
