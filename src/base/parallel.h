@@ -6,7 +6,7 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <memory>
 
 namespace resect {
 
@@ -22,7 +22,22 @@ class ThreadLimit {
   void* control_;
 };
 
-using RangeBody = std::function<void(std::size_t begin, std::size_t end)>;
+// What parallelFor runs: refers to a callable (begin, end) that lives at least as long as the call.
+// Unlike a std::function it never allocates.
+class RangeBody {
+ public:
+  template <typename Callable>
+  RangeBody(const Callable& callable)
+      : callable_(std::addressof(callable)),
+        call_([](const void* body, std::size_t begin, std::size_t end) {
+          (*static_cast<const Callable*>(body))(begin, end);
+        }) {}
+  void operator()(std::size_t begin, std::size_t end) const { call_(callable_, begin, end); }
+
+ private:
+  const void* callable_;
+  void (*call_)(const void*, std::size_t, std::size_t);
+};
 
 // grain >= 1: indices per block. An empty range does nothing. Exceptions of the body are passed on.
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body);

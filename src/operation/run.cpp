@@ -22,9 +22,10 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   summary.surfaceBefore = summarise(organ.surface.mesh());
 
   StageClock clock;
+  StepReport report;
   const std::int64_t frames = frameCount(scenario);
   for (std::int64_t frame = 0; frame < frames; ++frame) {
-    const StepReport report = simulation.step(frameInput(scenario, frame), &clock);
+    simulation.step(frameInput(scenario, frame), report, &clock);
     ++summary.frames;
     summary.simulatedSeconds = report.time;
     for (const std::string& fault : report.faults)

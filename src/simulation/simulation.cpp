@@ -14,6 +14,11 @@ Simulation::Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools)
 
 StepReport Simulation::step(const FrameInput& input, StageClock* clock) {
   StepReport report;
+  step(input, report, clock);
+  return report;
+}
+
+void Simulation::step(const FrameInput& input, StepReport& report, StageClock* clock) {
   const auto done = [&](const char* stage) {
     if (clock) clock->lap(stage);
   };
@@ -33,13 +38,13 @@ StepReport Simulation::step(const FrameInput& input, StageClock* clock) {
   done("updateSurface");
   measure(input, report);
   done("measure");
-  return report;
 }
 
 // Tools go to their new poses. One that was just taken in hand starts there: it swept nothing on
 // its way.
 void Simulation::moveTools(const FrameInput& input, StepReport& report) {
   RESECT_ASSERT(input.tools.size() == tools_.size());
+  report.faults.clear();
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     ToolState& state = tools_[i];
     const ToolInput& wanted = input.tools[i];
@@ -60,10 +65,11 @@ void Simulation::findContacts(StepReport& report) const {
   report.contacts.resize(tools_.size());
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     const ToolState& state = tools_[i];
-    report.contacts[i].tool = std::int32_t(i);
     if (state.inHand)
       report.contacts[i] = resect::findContacts(organ_, *state.tool, std::int32_t(i),
                                                 state.previousPose, state.pose);
+    else
+      report.contacts[i] = {std::int32_t(i), {}, 0, {}};
   }
 }
 

@@ -56,6 +56,9 @@ class Simulation {
 
   // One frame. `clock`, when given, gets a lap per stage, under the stage's name.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
+  // The same into a report that is kept from frame to frame: then a frame in which no tool comes
+  // near tissue allocates no memory.
+  void step(const FrameInput& input, StepReport& report, StageClock* clock = nullptr);
 
   const Organ& organ() const { return organ_; }
   const std::vector<ToolState>& tools() const { return tools_; }

@@ -81,6 +81,7 @@ ToolContacts findContacts(const Organ& organ, const Tool& tool, std::int32_t too
           centres.push_back(lattice.centre({x, y, z}));
         }
     }
+  if (centres.empty()) return contacts;
   const std::vector<std::uint8_t> touched = sweptInside(tool.model().mesh, from, to, centres);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < touched.size(); ++i)
