@@ -9,8 +9,9 @@ import math
 import sys
 from pathlib import Path
 
+FRAME_RATE = 60
 SIZES = {  # name: (spacing in mm, what people are told)
-    "120": (24.2, "120 particles, as in the thesis"),
+    "120": (24.6, "120 particles, as in the thesis"),
     "950": (11.96, "950 particles, as in the thesis"),
     "": (5.0, "cells of 5 mm"),
 }
@@ -25,18 +26,20 @@ class Path3:
         self.time = 0.0
 
     def wait(self, seconds):
-        self.time += seconds
+        self.time += round(seconds * FRAME_RATE) / FRAME_RATE
 
     def to(self, *tip, speed=None):
         if self.keys:
-            self.time += max(0.02, math.dist(tip, self.keys[-1][1]) / (speed or self.speed))
-        self.keys.append((round(self.time, 3), tip))
+            # Keys fall on frames, so that the corners of the way are passed and not cut off between two frames.
+            seconds = math.dist(tip, self.keys[-1][1]) / (speed or self.speed)
+            self.time += max(1, math.ceil(seconds * FRAME_RATE - 1e-6)) / FRAME_RATE
+        self.keys.append((round(self.time, 5), tip))
         return self
 
     def text(self):
         vector = lambda v: "[" + ", ".join(f"{x:.4f}".rstrip("0").rstrip(".") for x in v) + "]"
         turn = f"{{ handle = {vector(self.handle)}, edge = {vector(self.edge)} }}"
-        rows = [f"  {{ time = {t:g}, position = {vector(p)}, rotation = {turn} }}," for t, p in self.keys]
+        rows = [f"  {{ time = {t:.7g}, position = {vector(p)}, rotation = {turn} }}," for t, p in self.keys]
         return "keys = [\n" + "\n".join(rows) + "\n]\n"
 
 
@@ -93,14 +96,14 @@ def deform(spacing):
 
 def resect_segment(spacing):
     """The left lateral part is cut off along a plane, stroke by stroke, each one deeper."""
-    x = 0.052
-    half = 0.5 * spacing + 0.0002
+    x = 0.058
+    half = 0.52 * spacing  # with the 0.4 mm of the blade just a cell
     path = Path3(handle=(0, 0.96, 0.28), edge=(0, -0.28, 0.96), speed=0.22)
     path.wait(0.3)
     path.to(x, 0.22, -0.03).to(x, 0.12, -0.045, speed=0.3)
-    for stroke, depth in enumerate((0.064, 0.032, -0.002)):
+    for stroke, depth in enumerate((0.064, 0.032, -0.003)):
         ends = (-0.055, 0.098) if stroke % 2 == 0 else (0.098, -0.055)
-        saw(path, (x, depth, ends[0]), (x, depth, ends[1]), half, 0.005)
+        saw(path, (x, depth, ends[0]), (x, depth, ends[1]), half, 0.004)
     path.to(x, 0.13, -0.06, speed=0.4).to(0.02, 0.25, -0.02, speed=0.4)
     return [("scalpel", path), ("hook", None), ("baton", None)]
 
@@ -111,7 +114,7 @@ def scenario(title, description, spacing_mm, tools, view, tail=0.4):
         "# Written by tools/make_scenarios; change it there. Metres and seconds; docs/scenarios.md explains the keys.",
         f'title = "{title}"',
         f'description = "{description}"',
-        "frame_rate = 60",
+        f"frame_rate = {FRAME_RATE}",
         f"duration = {math.ceil(10 * (end + tail)) / 10:g}",
         f'view = "{view}"',
         "",
