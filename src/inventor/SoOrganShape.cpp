@@ -44,7 +44,8 @@ SO_NODE_SOURCE(SoOrganShape);
 
 void SoOrganShape::initClass() {
   if (classTypeId != SoType::badType()) return;
-  SO_NODE_INIT_CLASS(SoOrganShape, SoShape, "Shape");
+  // Not SO_NODE_INIT_CLASS: it would keep the So in the name that files use.
+  PRIVATE_COMMON_INIT_CODE(SoOrganShape, "OrganShape", &SoOrganShape::createInstance, SoShape);
 }
 
 SoOrganShape::SoOrganShape() {

@@ -142,7 +142,8 @@ SO_NODE_SOURCE(SoShadowMaps);
 
 void SoShadowMaps::initClass() {
   if (classTypeId != SoType::badType()) return;
-  SO_NODE_INIT_CLASS(SoShadowMaps, SoNode, "Node");
+  // Not SO_NODE_INIT_CLASS: it would keep the So in the name that files use.
+  PRIVATE_COMMON_INIT_CODE(SoShadowMaps, "ShadowMaps", &SoShadowMaps::createInstance, SoNode);
   SO_ENABLE(SoGLRenderAction, SoViewingMatrixElement);
 }
 

@@ -91,13 +91,13 @@ void setMesh(SoOrganShape* shape, const TriangleMesh& mesh) {
 struct Direction {
   Vec3 towards;        // from what is looked at to the camera
   double heightAngle;  // rad
-  Vec3 aside;          // what is looked at, off the middle of the box, in its radii
+  Vec3 aside;  // what is looked at, off the middle of the box, in its radii, per (aspect - 1)
 };
 
 Direction direction(RoomView view) {
   switch (view) {
     case RoomView::Surgeon:
-      return {{0.06, 0.62, 1.0}, 0.50, {0.42, -0.05, 0.0}};
+      return {{0.06, 0.62, 1.0}, 0.50, {0.53, -0.06, 0.0}};
     case RoomView::Assistant:
       return {{-1.0, 0.55, -0.55}, 0.48, {0.0, 0.0, 0.0}};
     case RoomView::Top:
@@ -223,7 +223,8 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   const double half = std::min(halfHeight, std::atan(std::tan(halfHeight) * aspect));
   const double distance = radius / std::sin(half);
   const Vec3 towards = from.towards.normalized();
-  const Vec3 target = box.centre() + radius * from.aside;
+  // Only wide pictures have room for the tool box beside the organ.
+  const Vec3 target = box.centre() + std::clamp(aspect - 1.0, 0.0, 0.8) * radius * from.aside;
   camera_->heightAngle = float(from.heightAngle);
   camera_->position = toSb(target + distance * towards);
   camera_->pointAt(toSb(target), SbVec3f(0.0f, 1.0f, 0.0f));
