@@ -27,19 +27,21 @@ std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& ins
 // Which of the brick's 64 nodes are inside, and which of its 192 edges cross the surface.
 struct BrickSigns {
   std::uint64_t inside = 0;
-  std::array<std::uint64_t, 3> crossing{};  // per axis, bit = lower node
+  std::array<std::uint64_t, 3> crossing{};    // per axis, bit = lower node
+  std::array<std::int32_t, 4> firstVertex{};  // per axis: number of its first vertex; then the count
 
-  int vertexCount() const {
-    return std::popcount(crossing[0]) + std::popcount(crossing[1]) + std::popcount(crossing[2]);
+  void setCrossing(const std::array<std::uint64_t, 3>& edges) {
+    crossing = edges;
+    for (int a = 0; a < 3; ++a) firstVertex[a + 1] = firstVertex[a] + std::popcount(edges[a]);
   }
+  int vertexCount() const { return firstVertex[3]; }
   // Number within the brick of the vertex on the edge from `node` (0..63) along `axis`.
   int vertex(int axis, int node) const {
-    int before = std::popcount(crossing[axis] & ((std::uint64_t(1) << node) - 1));
-    for (int a = 0; a < axis; ++a) before += std::popcount(crossing[a]);
-    return before;
+    return firstVertex[axis] +
+           std::popcount(crossing[axis] & ((std::uint64_t(1) << node) - 1));
   }
-  bool operator==(const BrickSigns&) const = default;
 };
+
 // A vertex of the surface: where, which way is out, how far below the original skin.
 struct SurfaceVertex {
   Vec3f position;  // rest space, m

@@ -127,7 +127,7 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
                                    corners[0] ^ corners[4]};
       BrickSigns& signs = bricks_[recordOf_[bricks[i]]].signs;
       renumbered_[i] |= signs.crossing != crossing;
-      signs.crossing = crossing;
+      signs.setCrossing(crossing);
     }
   });
   retriangulate_.clear();

@@ -1,0 +1,28 @@
+// A mesh of 80 000 triangles to a lattice with fractional values.
+
+#include <benchmark/benchmark.h>
+
+#include "support/bench_organs.h"
+
+using namespace resect;
+
+namespace {
+
+void discretizeLiver(benchmark::State& state) {
+  const double spacing = bench::spacingFor(double(state.range(0)));
+  const Lattice lattice = latticeForSpacing(bounds(bench::liver()), spacing);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(discretize(bench::liver(), lattice).value.data());
+  state.counters["per particle"] =
+      benchmark::Counter(double(state.range(0)) , benchmark::Counter::kIsIterationInvariantRate |
+                                                           benchmark::Counter::kInvert);
+}
+BENCHMARK(discretizeLiver)
+    ->ArgName("particles")
+    ->Arg(10'000)
+    ->Arg(100'000)
+    ->Arg(1'000'000)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -1,0 +1,32 @@
+// The colour field from nothing, at refine 2: all bricks that can hold the surface.
+
+#include <benchmark/benchmark.h>
+
+#include "sph/colour_field.h"
+#include "support/bench_organs.h"
+
+using namespace resect;
+
+namespace {
+
+void buildField(benchmark::State& state) {
+  const Discretization cells = bench::liverCells(double(state.range(0)));
+  double nodes = 0;
+  for (auto _ : state) {
+    const ColourField field(cells, 2);
+    nodes = double(field.slotCount()) * kBrickSize;
+    benchmark::DoNotOptimize(field.values(0).data());
+  }
+  state.counters["stored nodes"] = nodes;
+  state.counters["per node"] = benchmark::Counter(
+      nodes , benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(buildField)
+    ->ArgName("particles")
+    ->Arg(10'000)
+    ->Arg(100'000)
+    ->Arg(1'000'000)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace

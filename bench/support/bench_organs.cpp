@@ -1,0 +1,44 @@
+#include "support/bench_organs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/measures.h"
+#include "organ/builtin_liver.h"
+
+namespace resect::bench {
+
+const TriangleMesh& liver() {
+  static const TriangleMesh mesh = builtinLiver();
+  return mesh;
+}
+
+double spacingFor(double particles) { return std::cbrt(volume(liver()) / particles); }
+
+Discretization liverCells(double particles) {
+  return discretize(liver(), latticeForSpacing(bounds(liver()), spacingFor(particles)));
+}
+
+std::vector<std::int64_t> bite(const Discretization& cells, int count) {
+  Vec3 foremost = liver().points[0];
+  for (const Vec3& p : liver().points)
+    if (p.z() > foremost.z()) foremost = p;
+  struct Candidate {
+    double distance;
+    std::int64_t cell;
+    auto operator<=>(const Candidate&) const = default;
+  };
+  std::vector<Candidate> candidates;
+  const Lattice& lattice = cells.lattice;
+  for (std::int64_t i = 0; i < lattice.cellCount(); ++i)
+    if (cells.inside[i])
+      candidates.push_back({(lattice.centre(lattice.cell(i)) - foremost).norm(), i});
+  const std::size_t taken = std::min(candidates.size(), std::size_t(count));
+  std::partial_sort(candidates.begin(), candidates.begin() + taken, candidates.end());
+  std::vector<std::int64_t> found;
+  for (std::size_t i = 0; i < taken; ++i) found.push_back(candidates[i].cell);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace resect::bench

@@ -1,0 +1,20 @@
+// Which organs are measured? The built-in liver, at any number of particles.
+#pragma once
+
+#include "organ/discretize.h"
+
+namespace resect::bench {
+
+// Some 80 000 triangles; made once.
+const TriangleMesh& liver();
+
+// Spacing at which the liver has about that many particles, m.
+double spacingFor(double particles);
+
+Discretization liverCells(double particles);
+
+// The `count` particles nearest to the liver's foremost point, ascending: a bite out of its skin,
+// of the same shape in cells at every spacing.
+std::vector<std::int64_t> bite(const Discretization& cells, int count);
+
+}  // namespace resect::bench

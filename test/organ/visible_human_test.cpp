@@ -1,0 +1,66 @@
+// How well does the surface drawn from particles show a real liver? The Visible Human's, when it is
+// here.
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "geometry/measures.h"
+#include "geometry/primitives.h"
+#include "organ/discretize.h"
+#include "support/mesh_reference.h"
+#include "support/nearest_triangle.h"
+#include "support/visible_human.h"
+#include "surface/surface_tracker.h"
+
+using namespace resect;
+
+namespace {
+
+struct Likeness {
+  double volumeError;  // share
+  test::Deviation deviation;
+};
+
+Likeness likeness(const Discretization& cells, const TriangleMesh& original) {
+  const ColourField field(cells, 2);
+  const auto surface = SurfaceTracker(field, 50).compact();
+  return {volume(surface.mesh) / volume(original) - 1,
+          test::deviation(surface.mesh, surface.normals, original)};
+}
+
+}  // namespace
+
+TEST_CASE("the nearest triangle found on a grid is the one that looking at all of them finds") {
+  const TriangleMesh torus = torusMesh({0, 0, 0}, 0.05, 0.02, 20, 10);
+  const test::NearestTriangle nearest(torus, 0.01);
+  Random random(8);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 p(random.uniform(-0.15, 0.15), random.uniform(-0.15, 0.15),
+                 random.uniform(-0.15, 0.15));
+    REQUIRE(nearest(p).distance == test::distanceToMesh(torus, p));
+  }
+}
+
+TEST_CASE("the Visible Human liver at 5 mm keeps its volume, its place and its normals") {
+  const auto liver = test::visibleHumanLiver();
+  if (!liver) return;
+  Discretization cells = discretize(*liver, latticeForSpacing(bounds(*liver), 0.005));
+  REQUIRE(cells.particleCount() == 13114);
+  const Likeness fractional = likeness(cells, *liver);
+  CHECK(std::abs(fractional.volumeError) < 0.01);
+  CHECK(fractional.deviation.distance < 0.45e-3);
+  CHECK(fractional.deviation.normalAngle < 5.5);
+
+  // Values of 0 or 100, as in the thesis, show stairs.
+  for (std::size_t i = 0; i < cells.value.size(); ++i) cells.value[i] = cells.inside[i] ? 100 : 0;
+  const Likeness stairs = likeness(cells, *liver);
+  CHECK(stairs.deviation.distance > 1.4 * fractional.deviation.distance);
+  CHECK(stairs.deviation.normalAngle > 2 * fractional.deviation.normalAngle);
+  for (const Likeness& l : {fractional, stairs})
+    MESSAGE((&l == &fractional ? "fractional" : "0 or 100")
+            << " values: volume " << 100 * l.volumeError << " %, distance "
+            << 1e3 * l.deviation.distance << " mm, normals " << l.deviation.normalAngle
+            << " degrees");
+}
