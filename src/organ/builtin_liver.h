@@ -1,11 +1,11 @@
 // What does the built-in human liver look like?
 //
-// A liver of our own making, so that nothing has to be downloaded: right and left lobe under a domed
-// diaphragmatic face, a hollow visceral face with the gallbladder fossa, the umbilical fissure and
-// the groove of the vena cava, and a sharp inferior margin. Blended from ellipsoids that
-// tools/fit_liver fitted to the liver of the Visible Human Male; docs/methods/builtin_liver.md says
-// how, and how close it comes. In metres, Y up, +Z anterior, +X the patient's left, its centre of
-// volume near the origin; about 1.6 l.
+// A liver of our own making, so that nothing has to be downloaded: right and left lobe under a
+// domed diaphragmatic face, a hollow visceral face with the gallbladder fossa, the umbilical
+// fissure and the groove of the vena cava, and a sharp inferior margin. Blended from ellipsoids
+// that tools/fit_liver fitted to the liver of the Visible Human Male; docs/methods/builtin_liver.md
+// says how, and how close it comes. In metres, Y up, +Z anterior, +X the patient's left, its centre
+// of volume near the origin; about 1.6 l.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -17,7 +17,7 @@ namespace resect {
 double builtinLiverDistance(const Vec3& p);
 
 // Its surface: closed, oriented outwards, one piece of genus 0. `edge`, 0.0005 to 0.005 m, is the
-// longest edge, about; at 2.5 mm it has some 80 000 triangles and takes a fraction of a second.
+// longest edge of most triangles; at 2.5 mm there are some 60 000, in a fraction of a second.
 TriangleMesh builtinLiver(double edge = 0.0025);
 
 }  // namespace resect

@@ -17,8 +17,8 @@ using Value = ScalarFunction;
 using Tetrahedron = std::array<std::int64_t, 4>;
 using LatticeEdge = std::pair<std::int64_t, std::int64_t>;  // node inside, node outside
 
-constexpr double kCellOfEdge = 1.55;  // side of a cube whose triangles have edges up to about 1
-constexpr int kLeaf = 4;              // cells a side of the smallest box that is skipped as a whole
+constexpr double kCellOfEdge = 1.8;  // side of a cube whose triangles have a mean edge of 0.77
+constexpr int kLeaf = 4;             // cells a side of the smallest box that is skipped as a whole
 constexpr std::size_t kGrain = 512;
 
 // Nodes with an even number are corners of the cubes, those with an odd number centres.
@@ -106,7 +106,8 @@ void forTetrahedra(const Lattice& lattice, const CubeRange& range, const Visit& 
     for (int j = range.low.y(); j < range.high.y(); ++j)
       for (int k = range.low.z(); k < range.high.z(); ++k)
         for (int axis = 0; axis < 3; ++axis) {
-          const Vec3i cube(i, j, k), u = Vec3i::Unit((axis + 1) % 3), v = Vec3i::Unit((axis + 2) % 3);
+          const Vec3i cube(i, j, k), u = Vec3i::Unit((axis + 1) % 3),
+                                     v = Vec3i::Unit((axis + 2) % 3);
           const Vec3i next = cube + Vec3i::Unit(axis);
           const Vec3i ring[4] = {next, next + u, next + u + v, next + v};
           for (int side = 0; side < 4; ++side)
@@ -155,10 +156,14 @@ class Crossings {
   // Even permutation of t that begins with t[i]: the volume keeps its sign.
   static Tetrahedron startingWith(const Tetrahedron& t, int i) {
     switch (i) {
-      case 0: return t;
-      case 1: return {t[1], t[0], t[3], t[2]};
-      case 2: return {t[2], t[3], t[0], t[1]};
-      default: return {t[3], t[2], t[1], t[0]};
+      case 0:
+        return t;
+      case 1:
+        return {t[1], t[0], t[3], t[2]};
+      case 2:
+        return {t[2], t[3], t[0], t[1]};
+      default:
+        return {t[3], t[2], t[1], t[0]};
     }
   }
   int point(std::int64_t inside, std::int64_t outside) {
@@ -184,9 +189,11 @@ Vec3 crossing(const Lattice& lattice, const LatticeEdge& edge) {
   Vec3 a = lattice.point(edge.first), b = lattice.point(edge.second), p = b;
   double va = lattice.value(edge.first), vb = lattice.value(edge.second);
   int side = 0;
-  for (int step = 0; step < 3 && vb > 0; ++step) {
+  const double close = 1e-4 * lattice.cell();
+  for (int step = 0; step < 20 && vb > 0; ++step) {
     p = a + (b - a) * (va / (va - vb));
     const double v = lattice.valueAt(p);
+    if (std::abs(v) < close) break;
     if (v < 0) {
       a = p, va = v;
       if (side == -1) vb *= 0.5;

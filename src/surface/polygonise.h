@@ -17,19 +17,20 @@
 namespace resect {
 
 struct PolygoniseSettings {
-  // m, > 0: longest edge of the triangles, about; the mean is two thirds of it. Places thinner than
+  // m, > 0: longest edge of most triangles; the mean is three quarters of it. Places thinner than
   // it may get lost.
   double edge = 0.0025;
-  // Most that the function changes a metre: boxes that are too far from zero are skipped as a whole.
-  // Infinite: nothing is skipped. Too small: pieces of the surface are lost.
+  // Most that the function changes a metre: boxes that are too far from zero are skipped as a
+  // whole. Infinite: nothing is skipped. Too small: pieces of the surface are lost.
   double lipschitz = std::numeric_limits<double>::infinity();
-  // Rounds of evening out and splitting; 0 leaves the triangles, slivers too, as the lattice cuts them.
-  int smoothing = 3;
+  // Rounds of evening out and splitting; 0 leaves the triangles, slivers too, as the lattice cuts
+  // them.
+  int smoothing = 2;
 };
 
 // The surface between value < 0 (inside) and value >= 0 (outside), counter-clockwise seen from
-// outside. `value` is called from several threads at once. A body that reaches the border of the box
-// is closed there. An empty mesh where the function has one sign only, or the box is empty.
+// outside. `value` is called from several threads at once. A body that reaches the border of the
+// box is closed there. An empty mesh where the function has one sign only, or the box is empty.
 TriangleMesh polygonise(const ScalarFunction& value, const Aabb& box,
                         const PolygoniseSettings& settings = {});
 

@@ -21,9 +21,7 @@ Vec3 gradient(const ScalarFunction& value, const Vec3& p, double step) {
 
 using Edge = std::pair<std::int32_t, std::int32_t>;  // smaller index first
 
-Edge edgeOf(const Triangle& t, int side) {
-  return std::minmax({t[side], t[(side + 1) % 3]});
-}
+Edge edgeOf(const Triangle& t, int side) { return std::minmax({t[side], t[(side + 1) % 3]}); }
 
 // Where the surface meets the line from p along the unit direction outwards, at most `reach` away;
 // p itself when it does not.
@@ -110,7 +108,8 @@ int splitCuttingEdges(const ScalarFunction& value, TriangleMesh& mesh, double to
   // Area-weighted normals of the mesh: on a thin margin they are steadier than the gradient.
   std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
   for (const Triangle& t : mesh.triangles) {
-    const Vec3 n = (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
+    const Vec3 n =
+        (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
     for (std::int32_t corner : t) normals[corner] += n;
   }
   std::vector<Vec3> placed(edges.size());

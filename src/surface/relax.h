@@ -16,9 +16,9 @@ using ScalarFunction = std::function<double(const Vec3&)>;  // negative inside, 
 // zero by a Newton step; one that would go farther than half of `edge` (m), or miss zero, stays.
 void evenOut(const ScalarFunction& value, TriangleMesh& mesh, double edge);
 
-// Splits each edge that cuts a corner of the body, as a coarse lattice does at a sharp margin: where
-// the surface, sought from the edge's middle along the mean normal, is farther away than `tolerance`
-// of the edge's length, a new point is put there. Returns the number of edges split.
+// Splits each edge that cuts a corner of the body, as a coarse lattice does at a sharp margin:
+// where the surface, sought from the edge's middle along the mean normal, is farther away than
+// `tolerance` of the edge's length, a new point is put there. Returns the number of edges split.
 int splitCuttingEdges(const ScalarFunction& value, TriangleMesh& mesh, double tolerance = 0.12);
 
 }  // namespace resect

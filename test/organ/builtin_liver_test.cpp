@@ -98,9 +98,9 @@ TEST_CASE("the margin is sharp below and at the left end, the dome is round") {
   };
   const TriangleMesh mesh = builtinLiver(0.004);
   const auto extreme = [&](const Vec3& direction) {
-    return *std::max_element(mesh.points.begin(), mesh.points.end(), [&](const Vec3& a, const Vec3& b) {
-      return a.dot(direction) < b.dot(direction);
-    });
+    return *std::max_element(
+        mesh.points.begin(), mesh.points.end(),
+        [&](const Vec3& a, const Vec3& b) { return a.dot(direction) < b.dot(direction); });
   };
   CHECK(share(extreme({0, -1, 0})) < 1.0 / 3);
   CHECK(share(extreme({1, 0, 0})) < 0.25);

@@ -53,14 +53,14 @@ TEST_CASE("a ring keeps its hole") {
 }
 
 TEST_CASE("any function gives a closed, oriented, manifold surface") {
-  // Noise around zero: every case of a tetrahedron, many pieces, handles, and the border of the box.
+  // Noise around zero: every case of a tetrahedron, many pieces, handles, and the border of the
+  // box.
   const auto noise = [](const Vec3& p) {
     return std::sin(900 * p.x() + 3 * std::cos(700 * p.y())) + std::cos(1100 * p.z() + 500 * p.x());
   };
   for (int smoothing : {0, 3}) {
-    const TriangleMesh mesh =
-        polygonise(noise, {Vec3::Constant(-0.01), Vec3::Constant(0.01)},
-                   {.edge = 0.001, .smoothing = smoothing});
+    const TriangleMesh mesh = polygonise(noise, {Vec3::Constant(-0.01), Vec3::Constant(0.01)},
+                                         {.edge = 0.001, .smoothing = smoothing});
     CHECK(mesh.triangles.size() > 1000);
     checkSkin(mesh);
   }
@@ -114,8 +114,7 @@ TEST_CASE("a margin thinner than the edges is not frayed") {
     return std::max((p - Vec3(0.018, 0, 0)).norm(), (p + Vec3(0.018, 0, 0)).norm()) - 0.03;
   };
   const auto reach = [&](int smoothing) {  // least of the mesh's extent over directions of the rim
-    const TriangleMesh mesh =
-        polygonise(lens, kBox, {.edge = 0.003, .smoothing = smoothing});
+    const TriangleMesh mesh = polygonise(lens, kBox, {.edge = 0.003, .smoothing = smoothing});
     checkSkin(mesh);
     double least = 1;
     for (int i = 0; i < 90; ++i) {

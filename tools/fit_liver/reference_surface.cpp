@@ -123,8 +123,8 @@ void ReferenceSurface::nearest(int index, const Vec3& p, double& best) const {
   if (node.left < 0) {
     for (int i = node.begin; i < node.end; ++i) {
       const Triangle& t = mesh_.triangles[order_[i]];
-      best = std::min(best, distanceToTriangle(p, mesh_.points[t[0]], mesh_.points[t[1]],
-                                               mesh_.points[t[2]]));
+      best = std::min(
+          best, distanceToTriangle(p, mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]));
     }
     return;
   }

@@ -26,7 +26,7 @@ class ReferenceSurface {
  private:
   struct Node {
     resect::Aabb box;
-    int begin, end;    // range of order_
+    int begin, end;  // range of order_
     int left = -1, right = -1;
   };
   int build(int begin, int end);

@@ -114,9 +114,11 @@ void movePart(Part& part, const Numbers& step) {
   const resect::Vec3 w(step[3], step[4], step[5]);
   const double angle = w.norm();
   if (angle > 0)
-    e.turn = (Eigen::Quaterniond(e.turn) * Eigen::AngleAxisd(angle, w / angle)).normalized().coeffs();
+    e.turn =
+        (Eigen::Quaterniond(e.turn) * Eigen::AngleAxisd(angle, w / angle)).normalized().coeffs();
   for (int m = 0; m < 3; ++m)
-    e.radii[m] = std::clamp(e.radii[m] * std::exp(step[6 + m]), part.smallestRadius, part.largestRadius);
+    e.radii[m] =
+        std::clamp(e.radii[m] * std::exp(step[6 + m]), part.smallestRadius, part.largestRadius);
   // The sharpest rim of an ellipsoid is its least radius squared over its largest.
   e.radii = e.radii.cwiseMax(std::sqrt(part.sharpestRim * e.radii.maxCoeff()));
   e.fillet = std::clamp(e.fillet * std::exp(step[9]), part.smallestFillet, part.largestFillet);
@@ -124,8 +126,8 @@ void movePart(Part& part, const Numbers& step) {
 
 }  // namespace
 
-double fit(std::vector<Part>& parts, std::span<const SamplePair> samples, const FitSettings& settings,
-           std::uint64_t seed) {
+double fit(std::vector<Part>& parts, std::span<const SamplePair> samples,
+           const FitSettings& settings, std::uint64_t seed) {
   constexpr double kMomentum = 0.9, kScale = 0.99, kTiny = 1e-9;
   resect::Random random(seed);
   std::vector<Constants> fixed(parts.size());
@@ -136,8 +138,9 @@ double fit(std::vector<Part>& parts, std::span<const SamplePair> samples, const 
   int tailSteps = 0;
   for (int step = 0; step < settings.steps; ++step) {
     const double progress = double(step) / settings.steps;
-    const float sharpness = float(settings.sharpnessFirst / kUnit *
-                                  std::pow(settings.sharpnessLast / settings.sharpnessFirst, progress));
+    const float sharpness =
+        float(settings.sharpnessFirst / kUnit *
+              std::pow(settings.sharpnessLast / settings.sharpnessFirst, progress));
     const double rate = settings.rate * 0.5 * (1 + std::cos(3.14159265358979 * progress)) + 2e-5;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       fixed[i] = constants(parts[i]);
