@@ -72,7 +72,7 @@ std::vector<double> shepardSums(const Discretization& cells, const std::vector<V
   return result;
 }
 
-void compare(const char* name, const Discretization& cells) {
+void compare(const std::string& name, const Discretization& cells) {
   const ColourField field(cells, 2);
   std::vector<Vec3> nodes;
   std::vector<double> ours;

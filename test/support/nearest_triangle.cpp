@@ -16,6 +16,10 @@ Vec3 areaVector(const TriangleMesh& mesh, const Triangle& t) {
   return 0.5 * (mesh.points[t[1]] - p).cross(mesh.points[t[2]] - p);
 }
 
+double degreesBetween(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
+}
+
 }  // namespace
 
 NearestTriangle::NearestTriangle(const TriangleMesh& mesh, double cell)
@@ -66,24 +70,30 @@ NearestTriangle::Result NearestTriangle::operator()(const Vec3& point) const {
 
 Deviation deviation(const TriangleMesh& surface, const std::vector<Vec3f>& normals,
                     const TriangleMesh& original) {
-  std::vector<double> areaRound(surface.points.size(), 0);
-  for (const Triangle& t : surface.triangles)
-    for (const std::int32_t p : t) areaRound[p] += areaVector(surface, t).norm() / 3;
   double originalArea = 0;
   for (const Triangle& t : original.triangles) originalArea += areaVector(original, t).norm();
   const NearestTriangle nearest(original,
                                 std::sqrt(2 * originalArea / double(original.triangles.size())));
+  const auto normalAt = [&](const NearestTriangle::Result& r) {
+    return areaVector(original, original.triangles[r.triangle]);
+  };
+  std::vector<double> shading;
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+    shading.push_back(
+        degreesBetween(normalAt(nearest(surface.points[i])), normals[i].cast<double>()));
   Deviation sum;
   double total = 0;
-  for (std::size_t i = 0; i < surface.points.size(); ++i) {
-    const auto [distance, triangle] = nearest(surface.points[i]);
-    const Vec3 n = areaVector(original, original.triangles[triangle]).normalized();
-    const double cosine = std::clamp(n.dot(normals[i].cast<double>().normalized()), -1.0, 1.0);
-    sum.distance += areaRound[i] * distance;
-    sum.normalAngle += areaRound[i] * std::acos(cosine) * 180 / std::numbers::pi;
-    total += areaRound[i];
+  for (const Triangle& t : surface.triangles) {
+    const Vec3 normal = areaVector(surface, t);
+    const double size = normal.norm();
+    const NearestTriangle::Result r =
+        nearest((surface.points[t[0]] + surface.points[t[1]] + surface.points[t[2]]) / 3);
+    sum.distance += size * r.distance;
+    sum.faceAngle += size * degreesBetween(normal, normalAt(r));
+    sum.shadingAngle += size * (shading[t[0]] + shading[t[1]] + shading[t[2]]) / 3;
+    total += size;
   }
-  return {sum.distance / total, sum.normalAngle / total};
+  return {sum.distance / total, sum.faceAngle / total, sum.shadingAngle / total};
 }
 
 }  // namespace resect::test

@@ -31,14 +31,14 @@ class NearestTriangle {
   std::vector<std::vector<std::int32_t>> triangles_;  // per cell: those whose box meets it
 };
 
-// How far is a surface from the one that it stands for?
+// How far is a surface from the one that it stands for? Means over the surface, by area.
 struct Deviation {
-  double distance = 0;     // mean, m
-  double normalAngle = 0;  // mean, degrees
+  double distance = 0;      // of its triangles' centroids to the original's nearest triangle, m
+  double faceAngle = 0;     // between its triangles' normals and that triangle's, degrees
+  double shadingAngle = 0;  // between its vertex normals and the nearest triangle's, degrees
 };
 
-// Means over the surface's vertices, each weighted by the area round it: distance to the nearest
-// triangle of the original; angle between the vertex's normal and that triangle's.
+// `normals`: unit, one per point of the surface.
 Deviation deviation(const TriangleMesh& surface, const std::vector<Vec3f>& normals,
                     const TriangleMesh& original);
 
