@@ -1,5 +1,6 @@
-// How fast are exact columns? 500 000 triangles at 256 x 256 columns; points asked directly; an
-// organ of 20 000 triangles against a tool through the three stages; a lattice of 10^6 particles.
+// Exact columns: 500 000 triangles at 256 x 256 columns; points asked directly; a tool swept
+// through points; an organ of 20 000 triangles against a tool through the three stages of the
+// collider.
 #include <benchmark/benchmark.h>
 
 #include "base/random.h"
@@ -7,7 +8,6 @@
 #include "collision/columns.h"
 #include "collision/inside.h"
 #include "geometry/primitives.h"
-#include "organ/discretize.h"
 
 namespace resect {
 namespace {
@@ -73,14 +73,6 @@ void collideToolWithOrgan(benchmark::State& state) {
   }
 }
 BENCHMARK(collideToolWithOrgan)->Unit(benchmark::kMillisecond)->UseRealTime();
-
-void discretizeMillionParticles(benchmark::State& state) {
-  const TriangleMesh mesh = ball(71);
-  const Lattice lattice = latticeForSpacing(bounds(mesh), 0.00161);
-  for (auto _ : state) benchmark::DoNotOptimize(discretize(mesh, lattice));
-  state.counters["particles"] = double(discretize(mesh, lattice).particleCount());
-}
-BENCHMARK(discretizeMillionParticles)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace resect
