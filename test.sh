@@ -1,18 +1,18 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs every test:
-#   release   all tests on the build that people use
-#   asan      the whole suite again under the address and undefined-behaviour sanitizers
+# Installs what is missing, builds, and runs every test on the build that people use.
+# ./test.sh --all runs the suite again under the sanitizers:
+#   asan      the whole suite under the address and undefined-behaviour sanitizers
 #   tsan      the parallel parts under the thread sanitizer
-# ./test.sh --quick runs the release build alone; ./test.sh NAME... the builds named.
+# ./test.sh NAME... runs the builds named: release, asan, tsan, dev.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cd "$root"
 
 case ${1:-} in
-  "") builds=(release asan tsan) ;;
-  --quick) builds=(release) ;;
+  "") builds=(release) ;;
+  --all) builds=(release asan tsan) ;;
   -*)
-    echo "resect: error: ./test.sh knows --quick and the names release, asan, tsan and dev, not $1" >&2
+    echo "resect: error: ./test.sh knows --all and the names release, asan, tsan and dev, not $1" >&2
     exit 2
     ;;
   *) builds=("$@") ;;

@@ -19,7 +19,7 @@ void buildField(benchmark::State& state) {
   }
   state.counters["stored nodes"] = nodes;
   state.counters["per node"] = benchmark::Counter(
-      nodes , benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      nodes, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(buildField)
     ->ArgName("particles")

@@ -11,7 +11,7 @@ namespace {
 
 // Counter that shows the time per item.
 benchmark::Counter timePer(double items) {
-  return {items , benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
+  return {items, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
 }
 
 void buildSurface(benchmark::State& state) {
@@ -33,8 +33,7 @@ void updateAfterBite(benchmark::State& state) {
   bool removed = false;
   for (auto _ : state) {
     removed = !removed;
-    for (const std::int64_t cell : bite)
-      field.setCellValue(cell, removed ? 0 : cells.value[cell]);
+    for (const std::int64_t cell : bite) field.setCellValue(cell, removed ? 0 : cells.value[cell]);
     surface.update(field, field.update());
   }
   const double bricks = double(surface.changes().bricks);

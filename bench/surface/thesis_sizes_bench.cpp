@@ -19,8 +19,8 @@ namespace {
 
 struct Size {
   const char* name;
-  int dims;       // cells along the organ's longest side
-  int gridNodes;  // of the thesis's marching cubes, along each axis
+  int dims;                     // cells along the organ's longest side
+  int gridNodes;                // of the thesis's marching cubes, along each axis
   double thesisSecondsPerNode;  // on its Pentium III, 500 MHz
 };
 constexpr Size kSmall{"thesis_120_particles", 10, 20, 27.9e-6};
@@ -36,8 +36,7 @@ std::vector<std::int64_t> particlesOnTool(const Discretization& cells) {
   const Vec3 middle = 0.5 * (lattice.dims - Vec3i::Ones()).cast<double>();
   std::vector<std::int64_t> found;
   for (std::int64_t i = 0; i < lattice.cellCount(); ++i)
-    if (cells.inside[i] &&
-        (lattice.cell(i).cast<double>() - middle).head<2>().norm() < 0.71)
+    if (cells.inside[i] && (lattice.cell(i).cast<double>() - middle).head<2>().norm() < 0.71)
       found.push_back(i);
   return found;
 }
@@ -65,12 +64,11 @@ void plain(benchmark::State& state, Size size, bool passOverFar) {
     benchmark::DoNotOptimize(surface.normals.data());
   }
   const double nodes = double(thesis.grid().count());
-  state.counters["per node"] =
-      benchmark::Counter(nodes, benchmark::Counter::kIsIterationInvariantRate |
-                                    benchmark::Counter::kInvert);
-  state.SetLabel(fmt::format(
-      "{} particles, {} nodes, {} triangles; the thesis: {:.2f} s", particles.size(),
-      thesis.grid().count(), triangles, nodes * size.thesisSecondsPerNode));
+  state.counters["per node"] = benchmark::Counter(
+      nodes, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.SetLabel(fmt::format("{} particles, {} nodes, {} triangles; the thesis: {:.2f} s",
+                             particles.size(), thesis.grid().count(), triangles,
+                             nodes * size.thesisSecondsPerNode));
 }
 
 void resectUpdate(benchmark::State& state, Size size) {
@@ -87,18 +85,16 @@ void resectUpdate(benchmark::State& state, Size size) {
   bool removed = false;
   for (auto _ : state) {
     removed = !removed;
-    for (const Edit& edit : edits)
-      organ.field.setCellValue(edit.cell, removed ? 0 : edit.value);
+    for (const Edit& edit : edits) organ.field.setCellValue(edit.cell, removed ? 0 : edit.value);
     updateSurface(organ, updateField(organ));
   }
   const double bricks = double(organ.surface.changes().bricks);
-  state.counters["per brick"] =
-      benchmark::Counter(bricks, benchmark::Counter::kIsIterationInvariantRate |
-                                     benchmark::Counter::kInvert);
+  state.counters["per brick"] = benchmark::Counter(
+      bricks, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   state.SetLabel(fmt::format(
       "{} particles, {} nodes, {} triangles; {} particles removed or restored, {} bricks anew",
-      organ.particles, std::int64_t(organ.field.nodeDims().prod()),
-      organ.surface.triangleCount(), onTool.size(), bricks));
+      organ.particles, std::int64_t(organ.field.nodeDims().prod()), organ.surface.triangleCount(),
+      onTool.size(), bricks));
 }
 
 // The same surface from scratch: what keeping nothing would cost us.
@@ -122,8 +118,8 @@ const int registered = [] {
     settings(benchmark::RegisterBenchmark((name + "/resect").c_str(), resectUpdate, size));
     settings(benchmark::RegisterBenchmark((name + "/plain_passing_over_far").c_str(), plain, size,
                                           true));
-    settings(benchmark::RegisterBenchmark((name + "/resect_from_scratch").c_str(), resectRebuild,
-                                          size));
+    settings(
+        benchmark::RegisterBenchmark((name + "/resect_from_scratch").c_str(), resectRebuild, size));
   }
   return 0;
 }();

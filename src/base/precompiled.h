@@ -1,4 +1,5 @@
-// Which headers does almost every file read? Compiled once for the whole build (cmake/layers.cmake); never included by name.
+// Which headers does almost every file read? Compiled once for the whole build
+// (cmake/layers.cmake); never included by name.
 #pragma once
 
 #include <fmt/format.h>

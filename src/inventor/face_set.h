@@ -19,7 +19,8 @@ void appendTriangles(const SoFaceSet& shape, std::span<const Vec3> points, const
                      std::vector<Triangle>& triangles);
 
 // verticesPerColumn rows of verticesPerRow points, beginning at startIndex; each quadrilateral is
-// cut from its first corner to the opposite one, as Coin does. Fewer than two rows or columns give nothing.
+// cut from its first corner to the opposite one, as Coin does. Fewer than two rows or columns give
+// nothing.
 void appendTriangles(const SoQuadMesh& shape, std::span<const Vec3> points,
                      const std::string& where, std::vector<Triangle>& triangles);
 

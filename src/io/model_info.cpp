@@ -6,8 +6,8 @@
 #include "geometry/measures.h"
 #include "geometry/mesh_health.h"
 #include "geometry/weld.h"
-#include "io/organ_size.h"
 #include "io/organ_mesh.h"
+#include "io/organ_size.h"
 
 namespace resect {
 

@@ -21,7 +21,7 @@ struct OrganSource {
   std::optional<Vec3i> dims;      // the thesis's grid over the bounding box
   Pose pose;  // turns the organ before it is laid on the table; the position is added after
   bool onTable = true;  // moved so that it stands centred on the table top, y = 0
-  bool settle = true;              // on the table, rolled to the nearest pose in which it lies still
+  bool settle = true;   // on the table, rolled to the nearest pose in which it lies still
   OrganSettings settings;
 };
 

@@ -12,7 +12,7 @@ namespace resect {
 namespace {
 
 constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that waits for update()
-constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
+constexpr std::size_t kGrain = 128;                    // bricks that one thread takes: some 50 us
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 

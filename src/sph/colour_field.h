@@ -95,13 +95,13 @@ class ColourField {
   static constexpr std::int32_t kUnedited = -3;
   // Cells of zero round the lattice: the windows of the outermost bricks need no bounds test.
   static constexpr int kPad = 7;
-  static constexpr int kReach = 4;                     // cells that a node reaches along an axis
+  static constexpr int kReach = 4;  // cells that a node reaches along an axis
   static constexpr int kWindow = kBrickNodes + kReach - 1;  // cells that a brick reaches
   enum class Reach { Empty, Full, Mixed };
   using Row = Eigen::Array4f;  // the four nodes of a brick along x
 
-  // The share of a cell in the nodes of a plane of a brick. Neighbouring nodes differ in their place
-  // within their cells, so each has its own weight; 0 where it does not reach the cell.
+  // The share of a cell in the nodes of a plane of a brick. Neighbouring nodes differ in their
+  // place within their cells, so each has its own weight; 0 where it does not reach the cell.
   struct Tap {
     int offset;  // into CellRows, from the row of the node's own cell less one
     Row weight[kBrickNodes];

@@ -27,8 +27,9 @@ std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& ins
 // Which of the brick's 64 nodes are inside, and which of its 192 edges cross the surface.
 struct BrickSigns {
   std::uint64_t inside = 0;
-  std::array<std::uint64_t, 3> crossing{};    // per axis, bit = lower node
-  std::array<std::int32_t, 4> firstVertex{};  // per axis: number of its first vertex; then the count
+  std::array<std::uint64_t, 3> crossing{};  // per axis, bit = lower node
+  std::array<std::int32_t, 4>
+      firstVertex{};  // per axis: number of its first vertex; then the count
 
   void setCrossing(const std::array<std::uint64_t, 3>& edges) {
     crossing = edges;
@@ -37,8 +38,7 @@ struct BrickSigns {
   int vertexCount() const { return firstVertex[3]; }
   // Number within the brick of the vertex on the edge from `node` (0..63) along `axis`.
   int vertex(int axis, int node) const {
-    return firstVertex[axis] +
-           std::popcount(crossing[axis] & ((std::uint64_t(1) << node) - 1));
+    return firstVertex[axis] + std::popcount(crossing[axis] & ((std::uint64_t(1) << node) - 1));
   }
 };
 

@@ -27,9 +27,7 @@ struct ThesisGrid {
   Aabb box;
   Vec3i nodes;  // along each axis, >= 2
 
-  Vec3 spacing() const {
-    return box.size().cwiseQuotient((nodes - Vec3i::Ones()).cast<double>());
-  }
+  Vec3 spacing() const { return box.size().cwiseQuotient((nodes - Vec3i::Ones()).cast<double>()); }
   std::size_t count() const { return std::size_t(nodes.x()) * nodes.y() * nodes.z(); }
 };
 
