@@ -218,10 +218,8 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   if (box.empty()) return;
   const Direction from = direction(view);
   const double radius = std::max(0.5 * box.size().norm(), 1e-3);
-  // The narrower of the two angles must hold the sphere round the box.
-  const double halfHeight = 0.5 * from.heightAngle;
-  const double half = std::min(halfHeight, std::atan(std::tan(halfHeight) * aspect));
-  const double distance = radius / std::sin(half);
+  // The sphere round the box just fits; Inventor takes the angle across the narrower side.
+  const double distance = radius / std::sin(0.5 * from.heightAngle);
   const Vec3 towards = from.towards.normalized();
   // Only wide pictures have room for the tool box beside the organ.
   const Vec3 target = box.centre() + std::clamp(aspect - 1.0, 0.0, 0.8) * radius * from.aside;
