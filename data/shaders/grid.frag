@@ -25,14 +25,14 @@ vec2 spiral(int k, float count, float turn) {
 // Share of the room's light that a point at height y with this normal gets past its neighbours.
 float openness(float y, vec3 normal, float turn) {
   float blocked = 0.0;
-  for (int k = 0; k < 20; ++k) {
+  for (int k = 0; k < 14; ++k) {
     // Denser towards the centre: contact counts most.
-    vec2 s = spiral(k, 20.0, turn);
+    vec2 s = spiral(k, 14.0, turn);
     vec2 o = 0.11 * s * length(s) + 0.003 * s;
     vec3 way = vec3(o.x, height(at + o / radius) - y, -o.y);
     blocked += max(0.0, dot(normalize(way), normal) - 0.05);
   }
-  return clamp(1.0 - 1.35 * blocked / 20.0, 0.0, 1.0);
+  return clamp(1.0 - 1.35 * blocked / 14.0, 0.0, 1.0);
 }
 
 // Distance from the lamp along its axis of a depth of its map, m.
@@ -46,8 +46,8 @@ float lampSeen(vec3 point, float turn) {
   vec3 p = s.xyz / s.w;
   float here = distanceOf(p.z), texture = 1.0 / (2.0 * here * lampTan);
   float sum = 0.0, count = 0.0;
-  for (int k = 0; k < 24; ++k) {
-    float there = distanceOf(texture2D(lampDepth, p.xy + 0.030 * texture * spiral(k, 24.0, turn)).r);
+  for (int k = 0; k < 16; ++k) {
+    float there = distanceOf(texture2D(lampDepth, p.xy + 0.030 * texture * spiral(k, 16.0, turn)).r);
     if (there < here - 0.002) {
       sum += there;
       count += 1.0;
@@ -57,11 +57,11 @@ float lampSeen(vec3 point, float turn) {
   float caster = sum / count;
   float soft = clamp(kLampRadius * (here - caster) / caster, 0.002, 0.035) * texture;
   float seen = 0.0;
-  for (int k = 0; k < 32; ++k) {
-    float there = texture2D(lampDepth, p.xy + soft * spiral(k, 32.0, turn)).r;
+  for (int k = 0; k < 20; ++k) {
+    float there = texture2D(lampDepth, p.xy + soft * spiral(k, 20.0, turn)).r;
     seen += step(p.z - 0.002, there);
   }
-  return seen / 32.0;
+  return seen / 20.0;
 }
 
 void main() {

@@ -59,6 +59,9 @@ vec3 roomLight(vec3 d, float blur) {
                 (1.0 - smoothstep(0.32 - 0.5 * soft, 0.42 + soft, d.y));
   light += strip * smoothstep(0.0, 0.9, -d.z) * vec3(0.20, 0.26, 0.29);
   light += strip * smoothstep(0.5, 0.9, d.x) * vec3(0.14, 0.17, 0.19);
+  // The lit end of the room behind the surgeon.
+  light += smoothstep(-0.30 - soft, 0.15 + soft, d.y) * (1.0 - smoothstep(0.45 - soft, 0.85 + soft, d.y)) *
+           smoothstep(0.1, 0.9, d.z) * vec3(0.15, 0.155, 0.155);
   // Two rows of panels in the ceiling.
   if (d.y > 0.25) {
     vec2 q = vec2(abs(d.x), d.z) / d.y;
@@ -129,7 +132,7 @@ Surroundings surroundings(vec3 eyePoint, vec3 point) {
 Surroundings softSurroundings(vec3 eyePoint, vec3 point) {
   vec2 place = (gl_TextureMatrix[6] * vec4(eyePoint, 1.0)).xy;
   float radius = gridRadius();
-  vec2 a = vec2(0.0030, 0.0012) / radius, b = vec2(-a.y, a.x);
+  vec2 a = vec2(0.0036, 0.0015) / radius, b = vec2(-a.y, a.x);
   vec4 grid = 0.25 * (texture2D(shadowGrid, place + a) + texture2D(shadowGrid, place - a) +
                       texture2D(shadowGrid, place + b) + texture2D(shadowGrid, place - b));
   return fromGrid(grid, radius, point);

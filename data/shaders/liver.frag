@@ -28,7 +28,7 @@ void main() {
   capsule *= 1.0 + 0.16 * broad.x + 0.10 * middle.x + 0.12 * fine.x;
   capsule = mix(capsule, vec3(1.25, 2.1, 1.7) * capsule, 0.35 * smoothstep(0.0, 0.7, -broad.x));
 
-  vec3 bumps = 0.050 * broad.yzw + 0.052 * middle.yzw + 0.030 * fine.yzw;
+  vec3 bumps = 0.050 * broad.yzw + 0.042 * middle.yzw + 0.030 * fine.yzw;
   vec3 albedo = capsule;
   float wetness = 1.0;
   if (cut > 0.0) {
@@ -76,7 +76,7 @@ void main() {
   vec3 r = reflect(-v, film);
   // Below the horizon the film mirrors the cloth, not the room.
   vec3 cloth = vec3(0.006, 0.050, 0.042) * (0.2 + 0.8 * around.tableLit) * around.tableOpen;
-  vec3 mirror = mix(cloth, mirrored(point, r, mix(0.045, 0.08, cut)) * open * mix(0.2, 1.0, lit),
+  vec3 mirror = mix(cloth, mirrored(point, r, mix(0.055, 0.08, cut)) * open * mix(0.2, 1.0, lit),
                     smoothstep(-0.2, 0.2, r.y));
   color += wetness * fresnel(0.028, nv) * mirror;
   color += 0.020 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.48);

@@ -34,8 +34,8 @@ void main() {
   // What looks down mirrors the cloth, lit as it is below.
   vec3 cloth = vec3(0.006, 0.055, 0.045) * (0.25 + 0.9 * around.tableLit) * (0.3 + 0.7 * around.tableOpen);
   vec3 mirror = mix(cloth, mirrored(point, r, rough * rough) * (0.25 + 0.75 * open),
-                    smoothstep(-0.15, 0.15, r.y));
-  vec3 color = tint * mix(1.0, 0.22, metal) * diffuse + f * mirror * mix(0.5, 1.0, lit);
+                    smoothstep(-0.35, 0.05, r.y));
+  vec3 color = tint * mix(1.0, 0.30, metal) * diffuse + f * mirror * mix(0.5, 1.0, lit);
   color += f * (e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, rough + 0.15) +
                 e1 * open * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, rough + 0.15));
   gl_FragColor = vec4(picture(color), 1.0);

@@ -127,7 +127,7 @@ struct SoShadowMaps::ContextMaps {
     if (lamp.size > 0) freeMaps();
     lamp.make(size, true);
     above.make(size, true);
-    grid.make(size / 4, false);
+    grid.make(std::max(size * 3 / 16, 16), false);
   }
   void freeMaps() const {
     for (const Map* map : {&lamp, &above, &grid}) map->free();

@@ -46,7 +46,7 @@ class SoShadowMaps : public SoNode {
   SoSFVec3f focus;         // world, m: centre of the region with shadows
   SoSFFloat radius;        // m, > 0: the region is the sphere of this radius round `focus`
   SoSFInt32
-      resolution;  // texels along each side of the depth maps, 64 to 4096; the grid has a quarter
+      resolution;  // texels along each side of the depth maps, 64 to 4096; the grid has 3/16 of it
 
   // How often the maps were drawn.
   int redraws() const { return redraws_; }

@@ -16,11 +16,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
-#include <utility>
 
 #include "base/assert.h"
 #include "geometry/normals.h"
+#include "geometry/topology.h"
 #include "inventor/SoOrganShape.h"
 #include "inventor/SoShadowMaps.h"
 #include "inventor/init.h"
@@ -66,26 +65,40 @@ SoNode* backgroundQuad() {
   return quad;
 }
 
-std::pair<SoBaseColor*, SoOrganShape*> appendTissue(SoSeparator* tissue, const Vec3f& colour) {
+// Colour, hints and shape of one tissue. The back of a closed surface need not be drawn.
+struct Tissue {
+  SoBaseColor* colour;
+  SoShapeHints* hints;
+  SoOrganShape* shape;
+};
+
+Tissue appendTissue(SoSeparator* tissue, const Vec3f& colour) {
   SoSeparator* separator = uncachedSeparator();
+  auto* hints = new SoShapeHints;
+  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
+  hints->shapeType = SoShapeHints::SOLID;
   auto* base = new SoBaseColor;
   base->rgb.setValue(colour.data());
   auto* shape = new SoOrganShape;
   separator->addChild(base);
+  separator->addChild(hints);
   separator->addChild(shape);
   tissue->addChild(separator);
-  return {base, shape};
+  return {base, hints, shape};
 }
 
 // An uncut surface with smooth normals.
-void setMesh(SoOrganShape* shape, const TriangleMesh& mesh) {
+void setMesh(const Tissue& tissue, const TriangleMesh& mesh) {
+  const Topology form = topology(mesh);
+  tissue.hints->shapeType =
+      form.closed() && form.oriented() ? SoShapeHints::SOLID : SoShapeHints::UNKNOWN_SHAPE_TYPE;
   std::vector<Vec3f> points(mesh.points.size()), normals(mesh.points.size());
   std::ranges::transform(mesh.points, points.begin(),
                          [](const Vec3& p) { return Vec3f(p.cast<float>()); });
   std::ranges::transform(pointNormals(mesh), normals.begin(),
                          [](const Vec3& n) { return Vec3f(n.cast<float>()); });
   const std::vector<float> cut(points.size(), 0.0f);
-  shape->setGeometry({points, normals, cut, mesh.triangles, {}});
+  tissue.shape->setGeometry({points, normals, cut, mesh.triangles, {}});
 }
 
 struct Direction {
@@ -97,7 +110,7 @@ struct Direction {
 Direction direction(RoomView view) {
   switch (view) {
     case RoomView::Surgeon:
-      return {{0.06, 0.62, 1.0}, 0.50, {0.53, -0.06, 0.0}};
+      return {{0.06, 0.62, 1.0}, 0.50, {0.66, -0.06, 0.0}};
     case RoomView::Assistant:
       return {{-1.0, 0.55, -0.55}, 0.48, {0.0, 0.0, 0.0}};
     case RoomView::Top:
@@ -145,7 +158,10 @@ OperatingRoom::OperatingRoom() {
   unpickable->style = SoPickStyle::UNPICKABLE;
   tissue_->addChild(unpickable);
   tissue_->addChild(organPose_ = new SoTransform);
-  std::tie(organColour_, organ_) = appendTissue(tissue_, kLiverColour);
+  const Tissue organ = appendTissue(tissue_, kLiverColour);
+  organColour_ = organ.colour;
+  organHints_ = organ.hints;
+  organ_ = organ.shape;
   for (SoNode* node : {toolbox_, tools_, tissue_}) casters_->addChild(node);
 
   root_->addChild(withMaterial(RoomMaterial::Liver, {tissue_}));
@@ -187,11 +203,11 @@ void OperatingRoom::setToolPose(int tool, const Pose& pose) { setPose(toolTransf
 
 void OperatingRoom::setOrgan(const TriangleMesh& mesh, const Vec3f& colour) {
   organColour_->rgb.setValue(colour.data());
-  setMesh(organ_, mesh);
+  setMesh({organColour_, organHints_, organ_}, mesh);
 }
 
 void OperatingRoom::addTissue(const TriangleMesh& mesh, const Vec3f& colour) {
-  setMesh(appendTissue(tissue_, colour).second, mesh);
+  setMesh(appendTissue(tissue_, colour), mesh);
 }
 
 void OperatingRoom::setOrganPose(const Pose& pose) { setPose(organPose_, pose); }
@@ -218,8 +234,8 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   if (box.empty()) return;
   const Direction from = direction(view);
   const double radius = std::max(0.5 * box.size().norm(), 1e-3);
-  // The sphere round the box just fits; Inventor takes the angle across the narrower side.
-  const double distance = radius / std::sin(0.5 * from.heightAngle);
+  // The sphere round the box fits with a margin; Inventor takes the angle across the narrower side.
+  const double distance = 1.08 * radius / std::sin(0.5 * from.heightAngle);
   const Vec3 towards = from.towards.normalized();
   // Only wide pictures have room for the tool box beside the organ.
   const Vec3 target = box.centre() + std::clamp(aspect - 1.0, 0.0, 0.8) * radius * from.aside;

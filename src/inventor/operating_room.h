@@ -23,6 +23,7 @@ class SoBaseColor;
 class SoNode;
 class SoPerspectiveCamera;
 class SoSeparator;
+class SoShapeHints;
 class SoSpotLight;
 class SoTransform;
 
@@ -62,7 +63,8 @@ class OperatingRoom {
   void setToolPose(int tool, const Pose& pose);
   SoTransform* toolTransform(int tool) const;
 
-  // The whole organ, with smooth normals of its own and no cut. For changing organs use organ().
+  // The whole organ, with smooth normals of its own and no cut. For changing organs use organ(),
+  // which must then be closed.
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
   void setOrganPose(const Pose& pose);
 
@@ -89,6 +91,7 @@ class OperatingRoom {
   SoSeparator* tissue_;
   SoTransform* organPose_;
   SoBaseColor* organColour_;
+  SoShapeHints* organHints_;
   SoOrganShape* organ_;
 };
 
