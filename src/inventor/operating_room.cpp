@@ -76,7 +76,7 @@ Tissue appendTissue(SoSeparator* tissue, const Vec3f& colour) {
   SoSeparator* separator = uncachedSeparator();
   auto* hints = new SoShapeHints;
   hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
-  hints->shapeType = SoShapeHints::SOLID;
+  hints->shapeType = SoShapeHints::UNKNOWN_SHAPE_TYPE;
   auto* base = new SoBaseColor;
   base->rgb.setValue(colour.data());
   auto* shape = new SoOrganShape;
