@@ -20,7 +20,7 @@ title = "A baton pushed through the built-in liver"
 duration = 0.5
 [organ]
 source = "liver"
-spacing = "10mm"
+spacing = "8mm"
 [[tool]]
 model = "baton"
 keys = [
@@ -45,7 +45,7 @@ RunSummary runWith(int threads) {
 int main() {
   const RunSummary first = runWith(1), second = runWith(2);
   for (const StageTimes& stage : first.stages)
-    fmt::print("{:<14} median {:.3f} ms\n", stage.name, 1e3 * summarise(stage.seconds).median);
+    fmt::print("{:<14} {:.2f} ms\n", stage.name, 1e3 * summarise(stage.seconds).total);
   fmt::print("{} of {} particles removed in {} frames, surface {}\n", first.removed,
              first.particles, first.frames, first.surface.closed ? "closed" : "open");
   fmt::print("state with one thread {:016x}, with two {:016x}\n", first.stateHash,

@@ -121,7 +121,8 @@ class ColourField {
     return {along(brick.x()), along(brick.y()), along(brick.z())};
   }
   std::size_t phaseIndex(const Vec3i& phase) const {
-    return std::size_t((phase.z() * phases_ + phase.y()) * phases_ + phase.x());
+    const int index = (phase.z() * phases_ + phase.y()) * phases_ + phase.x();
+    return std::size_t(index);
   }
   const float* nodesOf(const Vec3i& brick, std::int32_t slot,
                        const std::vector<float>& stored) const {
