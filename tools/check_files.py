@@ -2,7 +2,8 @@
 """Is every source file about one thing, and does its name say which?
 
 Files of src/ have at most 400 lines and no name that says nothing; headers begin with a comment and
-are included once; nothing in the repository names a place on somebody's machine. tools/file_rules.txt
+are included once; links between documents lead somewhere; nothing in the repository names a place on
+somebody's machine. tools/file_rules.txt
 lists the exceptions, each with its reason. Prints file:line for each breach and exits with 1.
 """
 
@@ -16,6 +17,7 @@ MOST_LINES = 400
 EMPTY_NAMES = {"util", "utils", "common", "core", "manager", "helper", "helpers", "misc"}
 # Absolute paths into a home, a temporary or a working folder.
 MACHINE_PATH = re.compile(r"(?<![\w./}$-])/(home|root|tmp|work|Users)/\w")
+LINK = re.compile(r"\]\((?!https?:|mailto:|#)([^)#\s]+)")
 TEXT = {".h", ".cpp", ".py", ".sh", ".md", ".txt", ".toml", ".cmake", ".json", ".glsl", ".vert", ".frag", ""}
 
 
@@ -57,6 +59,9 @@ def breaches(file, name, lines, exceptions):
         if file.suffix == ".h" and "#pragma once" not in lines:
             yield 1, "#pragma once is missing"
     for number, line in enumerate(lines, 1):
+        for target in LINK.findall(line) if file.suffix == ".md" else []:
+            if not (file.parent / target).exists():
+                yield number, f"the link to {target} leads nowhere"
         if MACHINE_PATH.search(line) and name not in exceptions:
             yield number, "names a place on one machine: " + line.strip()[:80]
 

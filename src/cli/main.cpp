@@ -28,9 +28,7 @@ int complain(const char* sentence, int status) {
   return status;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int parseAndRun(int argc, char** argv) {
   CLI::App app("Resect: virtual surgery on organ models, in real time, headless or in a window",
                "resect");
   app.footer(kExamples);
@@ -51,6 +49,14 @@ int main(int argc, char** argv) {
     return 0;
   } catch (const CLI::ParseError& e) {
     return app.exit(e) == 0 ? 0 : 2;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parseAndRun(argc, argv);
   } catch (const resect::Error& e) {
     return complain(e.what(), int(e.status()));
   } catch (const resect::Cancelled&) {

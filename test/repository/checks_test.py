@@ -83,6 +83,12 @@ class Files(Tree):
         self.refused("check_files.py", {"src/base/a.h": "#pragma once\n"}, "src/base/a.h:1:")
         self.refused("check_files.py", {"src/base/a.h": "// What?\n"}, "#pragma once is missing")
 
+    def test_a_link_that_leads_nowhere_is_refused(self):
+        files = {"docs/a.md": "see\n[there](b.md) and [that](https://example.org/x)\n"}
+        self.refused("check_files.py", files, "docs/a.md:2: the link to b.md leads nowhere")
+        status, output = self.check("check_files.py", {**files, "docs/b.md": "# B\n"})
+        self.assertEqual(status, 0, output)
+
     def test_a_path_of_one_machine_is_refused(self):
         place = "/".join(["", "home", "somebody", "x"])
         self.refused("check_files.py", {"docs/a.md": "\nsee " + place + "\n"}, "docs/a.md:2:")
