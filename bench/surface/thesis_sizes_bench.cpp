@@ -3,8 +3,7 @@
 // Plain: every node of its grid sums over all particles, marching cubes over all cells
 // (test/support/thesis_method.h). Ours: the cells that a tool removes are set, the bricks in their
 // reach are evaluated and meshed; then the same cells come back, and so on in turn, so that every
-// update does the same work. The tool is a rod straight through the built-in liver, which has about
-// as many particles as the thesis's on its grids of 10 and 20 cells.
+// update does the same work. The tool is a rod straight through the built-in liver.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -19,16 +18,12 @@ namespace {
 
 struct Size {
   const char* name;
-  int dims;                     // cells along the organ's longest side
+  int particles;                // about
   int gridNodes;                // of the thesis's marching cubes, along each axis
   double thesisSecondsPerNode;  // on its Pentium III, 500 MHz
 };
-constexpr Size kSmall{"thesis_120_particles", 10, 20, 27.9e-6};
-constexpr Size kLarge{"thesis_950_particles", 20, 30, 0.12e-3};
-
-Discretization organCells(int dims) {
-  return discretize(bench::liver(), cubicLatticeForDims(bounds(bench::liver()), dims));
-}
+constexpr Size kSmall{"thesis_120_particles", 120, 20, 27.9e-6};
+constexpr Size kLarge{"thesis_950_particles", 950, 30, 0.12e-3};
 
 // Particles whose centre lies within 0.7 spacings of the line along z through the organ's middle.
 std::vector<std::int64_t> particlesOnTool(const Discretization& cells) {
@@ -42,7 +37,7 @@ std::vector<std::int64_t> particlesOnTool(const Discretization& cells) {
 }
 
 void plain(benchmark::State& state, Size size, bool passOverFar) {
-  const Discretization cells = organCells(size.dims);
+  const Discretization cells = bench::liverCells(size.particles);
   const Lattice& lattice = cells.lattice;
   std::vector<test::ThesisParticle> particles;
   std::vector<std::int32_t> numberOf(std::size_t(lattice.cellCount()), -1);
@@ -72,7 +67,7 @@ void plain(benchmark::State& state, Size size, bool passOverFar) {
 }
 
 void resectUpdate(benchmark::State& state, Size size) {
-  Organ organ = makeOrgan(organCells(size.dims), {});
+  Organ organ = makeOrgan(bench::liverCells(size.particles), {});
   struct Edit {
     std::int64_t cell;
     float value;
@@ -99,7 +94,7 @@ void resectUpdate(benchmark::State& state, Size size) {
 
 // The same surface from scratch: what keeping nothing would cost us.
 void resectRebuild(benchmark::State& state, Size size) {
-  const Discretization cells = organCells(size.dims);
+  const Discretization cells = bench::liverCells(size.particles);
   for (auto _ : state) {
     const ColourField field(cells, 2);
     const SurfaceTracker surface(field, 50);

@@ -17,33 +17,30 @@ float blurredDisc(float r, float radius, float b) {
   return (1.0 - smoothstep(max(radius - b, 0.0), wide, r)) * radius * radius / (wide * wide);
 }
 
-// Radiance of one lamp head seen from `from` in direction d: seven lights in a housing.
-vec3 lampHead(int which, vec3 from, vec3 d, float blur) {
-  vec3 lamp = pointToWorld(gl_LightSource[which].position.xyz);
+// Where the mirrored ray meets the lamp's plane: distance from the lamp's middle in the plane (xy)
+// and along the ray (z); the ray that misses the front comes back far outside.
+vec3 onLamp(int which, vec3 from, vec3 d) {
   vec3 axis = -toWorld(gl_LightSource[which].spotDirection);
-  vec3 way = lamp - from;
-  float facing = dot(d, axis);
-  if (facing <= 0.05) return vec3(0.0);
-  float t = dot(way, axis) / facing;
+  vec3 way = pointToWorld(gl_LightSource[which].position.xyz) - from;
+  float facing = dot(d, axis), t = dot(way, axis) / max(facing, 0.05);
   vec3 q = d * t - way;
-  float r = length(q), b = blur * t + 0.004;
-  if (r > kLampRadius + b) return vec3(0.0);
-  float glow;
-  if (b < 0.06) {
-    vec3 side = normalize(cross(axis, vec3(0.0, 0.0, 1.0))), up = cross(side, axis);
-    vec2 p = vec2(dot(q, side), dot(q, up));
-    glow = blurredDisc(length(p), 0.055, b);
-    for (int k = 0; k < 3; ++k) {
-      float a = 1.0472 * float(k);
-      vec2 c = 0.132 * vec2(cos(a), sin(a));
-      glow += blurredDisc(length(p - c), 0.055, b) + blurredDisc(length(p + c), 0.055, b);
-    }
-    glow = 1.6 * glow + 0.04;
-  } else {
-    glow = blurredDisc(r, kLampRadius, b);
-  }
+  vec3 side = normalize(cross(axis, vec3(0.0, 0.0, 1.0)));
+  return vec3(dot(q, side), dot(q, cross(side, axis)), t) + (facing > 0.05 ? 0.0 : 10.0);
+}
+
+// Radiance of the two lamp heads seen from `from` in direction d: the main one has seven lights.
+vec3 lampHeads(vec3 from, vec3 d, float blur) {
+  vec3 q = onLamp(0, from, d);
+  float b = blur * q.z + 0.004;
+  // Six lights in a ring are one after folding the plane along its mirror lines.
+  vec2 p = abs(q.xy), fold = vec2(-0.5, 0.866025);
+  p -= 2.0 * max(dot(p, fold), 0.0) * fold;
+  float glow = 1.5 * (blurredDisc(length(q.xy), 0.055, b) + blurredDisc(length(p - vec2(0.132, 0.0)), 0.055, b)) +
+               0.04 * blurredDisc(length(q.xy), kLampRadius, b);
+  vec3 second = onLamp(1, from, d);
+  float soft = blurredDisc(length(second.xy), kLampRadius, blur * second.z + 0.01);
   // A lamp of radiance L and this radius lights a surface at 1.4 m with about L / 16.
-  return 16.0 * glow * gl_LightSource[which].diffuse.rgb;
+  return 16.0 * (glow * gl_LightSource[0].diffuse.rgb + soft * gl_LightSource[1].diffuse.rgb);
 }
 
 // Radiance of the dim room in direction d; `blur` is the tangent of the half angle over which it is
@@ -75,28 +72,20 @@ vec3 roomLight(vec3 d, float blur) {
 
 // What a surface at `from` mirrors in direction d: room and lamps.
 vec3 mirrored(vec3 from, vec3 d, float blur) {
-  return roomLight(d, blur) + lampHead(0, from, d, blur) + lampHead(1, from, d, blur);
+  return roomLight(d, blur) + lampHeads(from, d, blur);
 }
 
-// Share of the main lamp that reaches the point, 0..1. Twelve taps on a disc; the four outermost
-// decide first whether the rest is needed.
+// Share of the main lamp that reaches the point, 0..1: eight taps on a disc, each smoothed over four
+// texels.
 float lampVisible(vec3 eyePoint, vec3 eyeNormal) {
   vec4 s = gl_TextureMatrix[7] * vec4(eyePoint + 0.0015 * eyeNormal, 1.0);
   vec3 p = s.xyz / s.w;
-  float size = 0.012;
-  float edge = shadow2D(lampShadow, p + size * vec3(0.92, 0.38, 0.0)).r +
-               shadow2D(lampShadow, p + size * vec3(-0.38, 0.92, 0.0)).r +
-               shadow2D(lampShadow, p + size * vec3(-0.92, -0.38, 0.0)).r +
-               shadow2D(lampShadow, p + size * vec3(0.38, -0.92, 0.0)).r;
-  float centre = shadow2D(lampShadow, p).r;
-  if (edge + centre < 0.01 || edge + centre > 4.99) return 0.2 * (edge + centre);
-  float inner = centre;
+  float size = 0.010, lit = 0.0;
   for (int k = 0; k < 8; ++k) {
-    float a = 0.7854 * float(k) + 0.2, r = k < 4 ? 0.45 : 0.75;
-    a += k < 4 ? float(k) * 0.7854 : 0.0;
-    inner += shadow2D(lampShadow, p + size * r * vec3(cos(a), sin(a), 0.0)).r;
+    float a = 2.399963 * float(k), r = size * sqrt((float(k) + 0.5) / 8.0);
+    lit += shadow2D(lampShadow, p + vec3(r * cos(a), r * sin(a), 0.0)).r;
   }
-  return (edge + inner) / 13.0;
+  return lit / 8.0;
 }
 
 // Irradiance of lamp `which` on a surface that faces it, without shadow: a pool of light.

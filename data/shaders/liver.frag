@@ -6,12 +6,6 @@ varying vec3 objectNormal;
 varying float cutShare;
 varying vec3 baseColor;  // of the capsule, as on a screen
 
-// Distance-like value to a net of curved tubes in space, in units of the net's cell.
-float tubes(vec3 p) {
-  float a = noise(p).x, b = noise(p.zxy + 17.3).x;
-  return length(vec2(a, b));
-}
-
 void main() {
   vec3 p = objectPosition;
   vec3 n0 = normalize(gl_FrontFacing ? objectNormal : -objectNormal);  // open surfaces have a back
@@ -37,7 +31,9 @@ void main() {
     inside *= 1.0 + 0.22 * grain.x + 0.15 * fine.x + 0.12 * broad.x;
     // Lobules: paler centres in a darker net, about 1.5 mm.
     inside = mix(inside, vec3(0.34, 0.085, 0.050), 0.40 * smoothstep(0.0, 0.7, fine.x + 0.5 * grain.x));
-    float large = tubes(p * 48.0), small = tubes(p * 110.0 + 5.0);
+    // Vessels are curves in space, where two noises vanish together.
+    float large = length(vec2(broad.x, noise(p.zxy * 50.0 + 17.3).x));
+    float small = length(vec2(middle.x, noise(p.zxy * 140.0 + 5.1).x));
     // Walls pale, lumens full of dark blood.
     float wall = max(1.0 - smoothstep(0.17, 0.23, large), 0.7 - 0.7 * smoothstep(0.14, 0.22, small));
     float lumen = max(1.0 - smoothstep(0.11, 0.15, large), 0.8 - 0.8 * smoothstep(0.07, 0.13, small));

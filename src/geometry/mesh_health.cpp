@@ -1,10 +1,12 @@
 #include "geometry/mesh_health.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "geometry/crossings.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
 
@@ -21,30 +23,7 @@ double ownVolume(const TriangleMesh& mesh) {
   return sum / 6;
 }
 
-bool liesIn(const TriangleMesh& inner, const TriangleMesh& outer) {
-  // Several points vote, since one may lie on the other's surface.
-  constexpr std::size_t kVotes = 5;
-  const std::size_t count = std::min(kVotes, inner.points.size());
-  std::size_t inside = 0;
-  for (std::size_t i = 0; i < count; ++i)
-    if (std::abs(windingNumber(outer, inner.points[i * inner.points.size() / count])) > 0.5)
-      ++inside;
-  return 2 * inside > count;
-}
-
 }  // namespace
-
-double windingNumber(const TriangleMesh& mesh, const Vec3& point) {
-  double sum = 0;
-  for (const auto& [i, j, k] : mesh.triangles) {
-    const Vec3 a = mesh.points[i] - point, b = mesh.points[j] - point, c = mesh.points[k] - point;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    const double over = a.dot(b.cross(c));
-    const double under = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    sum += std::atan2(over, under);
-  }
-  return sum / (2 * std::numbers::pi);
-}
 
 bool isSpeck(const TriangleMesh& component) {
   // A ball of area A holds A^1.5 / (6 sqrt(pi)).
@@ -54,22 +33,44 @@ bool isSpeck(const TriangleMesh& component) {
 }
 
 std::vector<int> outermostOf(const std::vector<TriangleMesh>& components) {
+  // Several points vote, since one may lie on the other's surface.
+  constexpr std::size_t kVotes = 5;
   const int count = int(components.size());
-  std::vector<int> outermost(count);
-  std::iota(outermost.begin(), outermost.end(), 0);
+  std::vector<int> outermost(count, -1), bySize(count);
+  std::iota(bySize.begin(), bySize.end(), 0);
   std::vector<Aabb> boxes;
   std::vector<double> volumes;
   for (const TriangleMesh& c : components) {
     boxes.push_back(bounds(c));
     volumes.push_back(std::abs(ownVolume(c)));
   }
-  for (int i = 0; i < count; ++i)
-    for (int j = 0; j < count; ++j) {
-      // The largest body around i is its outermost one.
-      if (i == j || volumes[j] <= volumes[outermost[i]]) continue;
-      if (!boxes[j].contains(boxes[i].min) || !boxes[j].contains(boxes[i].max)) continue;
-      if (liesIn(components[i], components[j])) outermost[i] = j;
+  std::stable_sort(bySize.begin(), bySize.end(),
+                   [&](int a, int b) { return volumes[a] > volumes[b]; });
+  // What surrounds a body is larger, so the largest that is not yet in another is outermost.
+  std::vector<int> candidates;
+  std::vector<Vec3> voters;
+  for (std::size_t k = 0; k < bySize.size(); ++k) {
+    const int outer = bySize[k];
+    if (outermost[outer] >= 0) continue;
+    outermost[outer] = outer;
+    candidates.clear();
+    voters.clear();
+    for (std::size_t l = k + 1; l < bySize.size(); ++l) {
+      const int inner = bySize[l];
+      if (outermost[inner] >= 0 || !boxes[outer].contains(boxes[inner].min) ||
+          !boxes[outer].contains(boxes[inner].max))
+        continue;
+      candidates.push_back(inner);
+      const std::vector<Vec3>& points = components[inner].points;
+      for (std::size_t v = 0; v < kVotes; ++v) voters.push_back(points[v * points.size() / kVotes]);
     }
+    const std::vector<int> rounds = crossingNumbers(components[outer], voters);
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      const auto first = rounds.begin() + std::ptrdiff_t(c * kVotes);
+      const auto outside = std::size_t(std::count(first, first + kVotes, 0));
+      if (2 * outside < kVotes) outermost[candidates[c]] = outer;
+    }
+  }
   return outermost;
 }
 

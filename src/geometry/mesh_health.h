@@ -23,20 +23,16 @@ struct MeshHealth {
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first open edge, m
 };
 
-// Looks at a welded mesh; nothing is changed. O(n log n), plus a point test per pair of nested
-// components. An empty mesh has no component and is not closed.
+// Looks at a welded mesh; nothing is changed. O(n log n) for bodies side by side or in one another.
+// An empty mesh has no component and is not closed.
 MeshHealth examine(const TriangleMesh& mesh);
 
 // Is a closed component too thin to hold anything: less than a millionth of what a ball of the same
 // area holds? Two sheets on each other, a needle, a folded triangle.
 bool isSpeck(const TriangleMesh& component);
 
-// How often a closed surface winds round the point (1 inside, 0 outside, -1 inside a surface that
-// is inside out; between them for an open one): sum of the triangles' solid angles over 4 pi,
-// O(triangles) (Van Oosterom and Strackee 1983).
-double windingNumber(const TriangleMesh& mesh, const Vec3& point);
-
 // For each closed component the outermost component that it lies in, itself when it is outermost.
+// Decided by five points of it (crossings.h).
 std::vector<int> outermostOf(const std::vector<TriangleMesh>& components);
 
 }  // namespace resect

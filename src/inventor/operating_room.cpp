@@ -104,19 +104,20 @@ void setMesh(const Tissue& tissue, const TriangleMesh& mesh) {
 struct Direction {
   Vec3 towards;        // from what is looked at to the camera
   double heightAngle;  // rad
+  double margin;       // the sphere round the box is this much smaller than the picture
   Vec3 aside;  // what is looked at, off the middle of the box, in its radii, per (aspect - 1)
 };
 
 Direction direction(RoomView view) {
   switch (view) {
     case RoomView::Surgeon:
-      return {{0.06, 0.62, 1.0}, 0.50, {0.66, -0.06, 0.0}};
+      return {{0.06, 0.62, 1.0}, 0.50, 1.08, {0.66, -0.06, 0.0}};
     case RoomView::Assistant:
-      return {{-1.0, 0.55, -0.55}, 0.48, {0.0, 0.0, 0.0}};
+      return {{-1.0, 0.55, -0.55}, 0.48, 1.0, {0.0, 0.0, 0.0}};
     case RoomView::Top:
-      return {{0.0, 1.0, 1e-3}, 0.48, {0.0, 0.0, 0.0}};
+      return {{0.0, 1.0, 1e-3}, 0.48, 1.0, {0.0, 0.0, 0.0}};
     case RoomView::Laparoscope:
-      return {{0.55, 0.45, 0.75}, 1.15, {0.0, 0.0, 0.0}};
+      return {{0.35, 0.48, 0.85}, 1.15, 0.80, {0.0, 0.0, 0.0}};
   }
   RESECT_ASSERT(false);
   return {};
@@ -234,11 +235,13 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   if (box.empty()) return;
   const Direction from = direction(view);
   const double radius = std::max(0.5 * box.size().norm(), 1e-3);
-  // The sphere round the box fits with a margin; Inventor takes the angle across the narrower side.
-  const double distance = 1.08 * radius / std::sin(0.5 * from.heightAngle);
+  // The sphere round the box fits; Inventor takes the angle across the narrower side.
+  const double distance = from.margin * radius / std::sin(0.5 * from.heightAngle);
   const Vec3 towards = from.towards.normalized();
   // Only wide pictures have room for the tool box beside the organ.
-  const Vec3 target = box.centre() + std::clamp(aspect - 1.0, 0.0, 0.8) * radius * from.aside;
+  const bool beside = toolbox_->getNumChildren() > 1;
+  const double aside = beside ? std::clamp(aspect - 1.0, 0.0, 0.8) : 0.0;
+  const Vec3 target = box.centre() + aside * radius * from.aside;
   camera_->heightAngle = float(from.heightAngle);
   camera_->position = toSb(target + distance * towards);
   camera_->pointAt(toSb(target), SbVec3f(0.0f, 1.0f, 0.0f));

@@ -12,7 +12,8 @@ namespace resect {
 namespace {
 
 constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that waits for update()
-constexpr std::size_t kGrain = 128;                    // bricks that one thread takes: some 50 us
+constexpr int kMostBricks = 6;       // that a cell reaches along an axis: 17 nodes at refine 4
+constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
@@ -38,12 +39,7 @@ ColourField::ColourField(const Discretization& cells, int refine)
   slotOf_.assign(std::size_t(brickCount()), kEmpty);
   originalOf_.assign(slotOf_.size(), kUnedited);
   pendingOf_.assign(slotOf_.size(), 0);
-  parallelFor(slotOf_.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t b = begin; b < end; ++b) {
-      const Reach r = reach(brick(std::int64_t(b)));
-      slotOf_[b] = r == Reach::Empty ? kEmpty : r == Reach::Full ? kFull : 0;
-    }
-  });
+  classifyBricks();
   std::vector<std::int64_t> stored;
   for (std::size_t b = 0; b < slotOf_.size(); ++b)
     if (slotOf_[b] == 0) {
@@ -97,24 +93,66 @@ Vec3i ColourField::windowCell(const Vec3i& b) const {
           kBrickNodes * b.z() / refine_ - 3};
 }
 
-// Looks at the cells that the brick's nodes and the plane of nodes after them reach.
+// The highest cell that the nodes of brick b and the plane of nodes after them reach along an axis:
+// two on from the last node's cell, but the kernel has just vanished on a cell exactly two away.
+int ColourField::highestCell(int b) const {
+  const int last = kBrickNodes * (b + 1);
+  return last / refine_ - 2 + (last % refine_ == 0 ? 1 : 2);
+}
+
 ColourField::Reach ColourField::reach(const Vec3i& b) const {
   const Vec3i low = windowCell(b);
-  Vec3i
-      high;  // the last node's cell, two on, but the kernel has vanished on a cell two away exactly
-  for (int a = 0; a < 3; ++a) {
-    const int last = kBrickNodes * b[a] + kBrickNodes;
-    high[a] = last / refine_ - 2 + (last % refine_ == 0 ? 1 : 2);
-  }
+  const int width = highestCell(b.x()) - low.x() + 1;
   const float first = cells_[padded(low)];
   if (first != 0.f && first != 100.f) return Reach::Mixed;
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y) {
+  for (int z = low.z(); z <= highestCell(b.z()); ++z)
+    for (int y = low.y(); y <= highestCell(b.y()); ++y) {
       const float* row = cells_.data() + padded({low.x(), y, z});
-      for (int x = 0; x <= high.x() - low.x(); ++x)
+      for (int x = 0; x < width; ++x)
         if (row[x] != first) return Reach::Mixed;
     }
   return first == 0.f ? Reach::Empty : Reach::Full;
+}
+
+// reach() of every brick, into slotOf_: what a row of cells holds in the range of a brick along x
+// is found once for all bricks that the row passes.
+void ColourField::classifyBricks() {
+  constexpr unsigned kEmptyBit = 1, kFullBit = 2;
+  const int across = brickDims_.x();
+  std::vector<std::uint8_t> held(std::size_t(paddedDims_.y()) * paddedDims_.z() * across);
+  parallelFor(held.size() / across, 256, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint8_t> flags(paddedDims_.x());
+    for (std::size_t row = begin; row < end; ++row) {
+      const float* cell = cells_.data() + row * paddedDims_.x();
+      for (int x = 0; x < paddedDims_.x(); ++x)
+        flags[x] =
+            std::uint8_t((cell[x] == 0.f ? kEmptyBit : 0) | (cell[x] == 100.f ? kFullBit : 0));
+      for (int b = 0; b < across; ++b) {
+        unsigned all = kEmptyBit | kFullBit;
+        for (int x = windowCell({b, 0, 0}).x(); x <= highestCell(b); ++x) all &= flags[x + kPad];
+        held[row * across + b] = std::uint8_t(all);
+      }
+    }
+  });
+  const auto heldByRow = [&](int y, int z) {
+    return held.data() + (std::size_t(z + kPad) * paddedDims_.y() + y + kPad) * across;
+  };
+  parallelFor(
+      std::size_t(brickDims_.y()) * brickDims_.z(), 16, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint8_t> all(across);
+        for (std::size_t i = begin; i < end; ++i) {
+          const Vec3i b(0, int(i) % brickDims_.y(), int(i) / brickDims_.y()), low = windowCell(b);
+          std::fill(all.begin(), all.end(), kEmptyBit | kFullBit);
+          for (int z = low.z(); z <= highestCell(b.z()); ++z)
+            for (int y = low.y(); y <= highestCell(b.y()); ++y) {
+              const std::uint8_t* row = heldByRow(y, z);
+              for (int x = 0; x < across; ++x) all[x] &= row[x];
+            }
+          std::int32_t* slot = slotOf_.data() + brickIndex(b);
+          for (int x = 0; x < across; ++x)
+            slot[x] = all[x] == kEmptyBit ? kEmpty : all[x] == kFullBit ? kFull : 0;
+        }
+      });
 }
 
 // Evaluates the planes of nodes named by the bits of `planes`, four nodes along x at a time. Every
@@ -161,25 +199,27 @@ void ColourField::setCellValue(std::int64_t cell, float value) {
   // reads one node further both ways.
   const int reach = 2 * refine_;
   const Vec3i middle = refine_ * (c + Vec3i::Constant(2));
-  const auto changed = [&](int axis, int b) {  // which nodes of brick b along the axis, as bits
-    unsigned bits = 0;
-    for (int i = 0; i < kBrickNodes; ++i)
-      bits |= unsigned(std::abs(kBrickNodes * b + i - middle[axis]) < reach) << i;
-    return bits;
-  };
   Vec3i low, high;
+  unsigned changed[3][kMostBricks];  // which nodes of each brick along an axis, as bits
   for (int a = 0; a < 3; ++a) {
     low[a] = std::max(0, floorDiv(middle[a] - reach - 1, kBrickNodes));
     high[a] = std::min(brickDims_[a] - 1, floorDiv(middle[a] + reach, kBrickNodes));
+    for (int b = low[a]; b <= high[a]; ++b) {
+      unsigned& bits = changed[a][b - low[a]] = 0;
+      for (int i = 0; i < kBrickNodes; ++i)
+        bits |= unsigned(std::abs(kBrickNodes * b + i - middle[a]) < reach) << i;
+    }
   }
   for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
+    for (int y = low.y(); y <= high.y(); ++y) {
+      const unsigned planes = changed[1][y - low.y()] != 0 ? changed[2][z - low.z()] : 0;
+      const std::int64_t row = brickIndex({0, y, z});
       for (int x = low.x(); x <= high.x(); ++x) {
-        const std::int64_t b = brickIndex({x, y, z});
-        if (pendingOf_[b] == 0) pending_.push_back(b);
-        const bool inColumn = changed(0, x) != 0 && changed(1, y) != 0;
-        pendingOf_[b] |= std::uint8_t(kPending | (inColumn ? changed(2, z) : 0));
+        std::uint8_t& pending = pendingOf_[row + x];
+        if (pending == 0) pending_.push_back(row + x);
+        pending |= std::uint8_t(kPending | (changed[0][x - low.x()] != 0 ? planes : 0));
       }
+    }
 }
 
 std::int32_t ColourField::takeSlot() {

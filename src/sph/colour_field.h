@@ -97,6 +97,7 @@ class ColourField {
   static constexpr int kPad = 7;
   static constexpr int kReach = 4;  // cells that a node reaches along an axis
   static constexpr int kWindow = kBrickNodes + kReach - 1;  // cells that a brick reaches
+  // What do the cells hold that the nodes of a brick and the plane of nodes after them reach?
   enum class Reach { Empty, Full, Mixed };
   using Row = Eigen::Array4f;  // the four nodes of a brick along x
 
@@ -131,7 +132,9 @@ class ColourField {
                            : empty_.data();
   }
   void makeTaps();
+  void classifyBricks();
   Vec3i windowCell(const Vec3i& brick) const;
+  int highestCell(int brick) const;
   Reach reach(const Vec3i& brick) const;
   void evaluate(const Vec3i& brick, unsigned planes, float* out) const;
   std::int32_t takeSlot();
