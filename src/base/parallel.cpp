@@ -1,18 +1,32 @@
 #include "base/parallel.h"
 
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <thread>
 
+#ifndef __SANITIZE_THREAD__
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#else
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <vector>
+#endif
+
 namespace resect {
+namespace {
+
+std::size_t threadsMeant(int threads) {
+  return threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
+}
+
+}  // namespace
+
+#ifndef __SANITIZE_THREAD__
 
 ThreadLimit::ThreadLimit(int threads)
-    : control_(new tbb::global_control(
-          tbb::global_control::max_allowed_parallelism,
-          threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency()))) {
-}
+    : control_(new tbb::global_control(tbb::global_control::max_allowed_parallelism,
+                                       threadsMeant(threads))) {}
 
 ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
 
@@ -26,5 +40,47 @@ void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
     body(block * grain, std::min(count, (block + 1) * grain));
   });
 }
+
+#else
+
+// The thread sanitizer cannot see into a oneTBB library that was built without it and reports races
+// where there are none. Threads of the standard library let it judge our bodies alone.
+namespace {
+std::atomic<std::size_t> threadLimit{0};  // 0: none
+}  // namespace
+
+ThreadLimit::ThreadLimit(int threads)
+    : control_(new std::size_t(threadLimit.exchange(threadsMeant(threads)))) {}
+
+ThreadLimit::~ThreadLimit() {
+  auto* before = static_cast<std::size_t*>(control_);
+  threadLimit = *before;
+  delete before;
+}
+
+void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
+  const std::size_t blocks = (count + grain - 1) / grain;
+  // At least two, so that the sanitizer has something to judge on a machine of one core.
+  const std::size_t most =
+      threadLimit ? threadLimit.load() : std::max<std::size_t>(2, threadsMeant(0));
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto work = [&] {
+    for (std::size_t block = next++; block < blocks; block = next++) try {
+        body(block * grain, std::min(count, (block + 1) * grain));
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        error = std::current_exception();
+      }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < std::min(most, blocks); ++i) others.emplace_back(work);
+  work();
+  for (std::thread& other : others) other.join();
+  if (error) std::rethrow_exception(error);
+}
+
+#endif
 
 }  // namespace resect

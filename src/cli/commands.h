@@ -15,5 +15,6 @@ void addSurfaceCommand(CLI::App& app);
 void addRunCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addConvertCommand(CLI::App& app);
+void addWindowCommand(CLI::App& app);
 
 }  // namespace resect

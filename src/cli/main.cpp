@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* kExamples = R"(
 Examples:
+  resect window                                   operate with the mouse
   resect run resect-segment --frames pictures     cut the left lateral part off the built-in liver
   resect run cut --organ my_liver.stl --json -    the same tools on an organ of your own
   resect info my_liver.stl                        is this mesh fit to be an organ?
@@ -44,6 +45,7 @@ int parseAndRun(int argc, char** argv) {
   resect::addRunCommand(app);
   resect::addRenderCommand(app);
   resect::addConvertCommand(app);
+  resect::addWindowCommand(app);
   try {
     app.parse(argc, argv);
     return 0;

@@ -22,6 +22,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
   json["removed"] = summary.removed;
   json["removed_ml"] = 1e6 * summary.removedVolume;
   json["remaining_ml"] = 1e6 * summary.remainingVolume;
+  json["deepest_overlap_ml"] = 1e6 * summary.deepestOverlap;
   json["frames"] = summary.frames;
   json["surface_before"] = toJson(summary.surfaceBefore);
   json["surface"] = toJson(summary.surface);
@@ -52,6 +53,8 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
   row("removed",
       fmt::format("{} particles, {:.1f} ml ({:.2f} %)", summary.removed,
                   1e6 * summary.removedVolume, 100 * summary.removedVolume / summary.organVolume));
+  row("overlap", fmt::format("{:.2f} ml of tool and organ in one place at most",
+                             1e6 * summary.deepestOverlap));
   row("surface",
       fmt::format("{} triangles, {:.1f} ml, {}, {}", summary.surface.triangles,
                   1e6 * summary.surface.volume, summary.surface.closed ? "closed" : "OPEN",

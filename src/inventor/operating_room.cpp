@@ -1,9 +1,15 @@
 #include "inventor/operating_room.h"
 
+#include <Inventor/SoFullPath.h>
+#include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoCoordinate3.h>
+#include <Inventor/nodes/SoCube.h>
+#include <Inventor/nodes/SoDrawStyle.h>
+#include <Inventor/nodes/SoEventCallback.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoIndexedFaceSet.h>
+#include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoSeparator.h>
@@ -11,6 +17,7 @@
 #include <Inventor/nodes/SoShapeHints.h>
 #include <Inventor/nodes/SoSpotLight.h>
 #include <Inventor/nodes/SoTransform.h>
+#include <Inventor/nodes/SoTranslation.h>
 
 #include <algorithm>
 #include <array>
@@ -30,12 +37,6 @@ namespace resect {
 namespace {
 
 SbVec3f toSb(const Vec3& v) { return SbVec3f(float(v.x()), float(v.y()), float(v.z())); }
-
-void setPose(SoTransform* transform, const Pose& pose) {
-  const Eigen::Quaterniond& q = pose.rotation;
-  transform->translation = toSb(pose.position);
-  transform->rotation = SbRotation(float(q.x()), float(q.y()), float(q.z()), float(q.w()));
-}
 
 SoSeparator* uncachedSeparator() {
   auto* separator = new SoSeparator;
@@ -63,6 +64,30 @@ SoNode* backgroundQuad() {
   face->numVertices = 4;
   quad->addChild(face);
   return quad;
+}
+
+// An unseen box round a model, at least a finger wide: what a pointer hits, and what a manipulator
+// is sized by.
+SoNode* pickProxy(SoNode* model) {
+  constexpr float kLeast = 0.02f;  // m
+  SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
+  measure.apply(model);
+  const SbBox3f box = measure.getBoundingBox();
+  auto* proxy = new SoSeparator;
+  if (box.isEmpty()) return proxy;
+  auto* unseen = new SoDrawStyle;
+  unseen->style = SoDrawStyle::INVISIBLE;
+  proxy->addChild(unseen);
+  auto* middle = new SoTranslation;
+  middle->translation = box.getCenter();
+  proxy->addChild(middle);
+  auto* cube = new SoCube;
+  const SbVec3f size = box.getMax() - box.getMin();
+  cube->width = std::max(size[0], kLeast);
+  cube->height = std::max(size[1], kLeast);
+  cube->depth = std::max(size[2], kLeast);
+  proxy->addChild(cube);
+  return proxy;
 }
 
 // Colour, hints and shape of one tissue. The back of a closed surface need not be drawn.
@@ -125,6 +150,18 @@ Direction direction(RoomView view) {
 
 }  // namespace
 
+void setPose(SoTransform* transform, const Pose& pose) {
+  const Eigen::Quaterniond& q = pose.rotation;
+  transform->translation = toSb(pose.position);
+  transform->rotation = SbRotation(float(q.x()), float(q.y()), float(q.z()), float(q.w()));
+}
+
+Pose getPose(const SoTransform& transform) {
+  const SbVec3f& p = transform.translation.getValue();
+  const float* q = transform.rotation.getValue().getValue();
+  return {Vec3(p[0], p[1], p[2]), Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized()};
+}
+
 std::optional<RoomView> roomView(std::string_view name) {
   if (name == "surgeon") return RoomView::Surgeon;
   if (name == "assistant") return RoomView::Assistant;
@@ -166,13 +203,28 @@ OperatingRoom::OperatingRoom() {
   for (SoNode* node : {toolbox_, tools_, tissue_}) casters_->addChild(node);
 
   root_->addChild(withMaterial(RoomMaterial::Liver, {tissue_}));
-  root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_, tools_}));
+  steel_ = makeMaterial(RoomMaterial::Steel);
+  steel_->ref();
+  root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_}));
+  root_->addChild(tools_);
   root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
   // Last: most of it is hidden already.
-  root_->addChild(withMaterial(RoomMaterial::Room, {backgroundQuad()}));
+  auto* room = withMaterial(RoomMaterial::Room, {backgroundQuad()});
+  auto* notPicked = new SoPickStyle;
+  notPicked->style = SoPickStyle::UNPICKABLE;
+  room->insertChild(notPicked, 0);
+  root_->addChild(room);
+  aids_ = uncachedSeparator();
+  auto* flatColours = new SoLightModel;
+  flatColours->model = SoLightModel::BASE_COLOR;
+  aids_->addChild(flatColours);
+  root_->addChild(aids_);
 }
 
-OperatingRoom::~OperatingRoom() { root_->unref(); }
+OperatingRoom::~OperatingRoom() {
+  steel_->unref();
+  root_->unref();
+}
 
 SoNode* OperatingRoom::root() const { return root_; }
 
@@ -188,9 +240,14 @@ void OperatingRoom::setToolbox(SoNode* model, const Pose& pose) {
 }
 
 int OperatingRoom::addTool(SoNode* model) {
+  // The steel is the model's alone: a manipulator in the transform's place keeps its own colours.
   SoSeparator* tool = uncachedSeparator();
   tool->addChild(new SoTransform);
-  tool->addChild(model);
+  SoSeparator* body = uncachedSeparator();
+  body->addChild(steel_);
+  body->addChild(model);
+  tool->addChild(body);
+  tool->addChild(pickProxy(model));
   tools_->addChild(tool);
   return tools_->getNumChildren() - 1;
 }
@@ -199,6 +256,37 @@ SoTransform* OperatingRoom::toolTransform(int tool) const {
   RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
   return static_cast<SoTransform*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(0));
 }
+
+int OperatingRoom::toolOfPath(const SoFullPath& path) const {
+  for (int i = 0; i + 1 < path.getLength(); ++i)
+    if (path.getNode(i) == tools_) return tools_->findChild(path.getNode(i + 1));
+  return -1;
+}
+
+SoNode* OperatingRoom::tableModel() const {
+  return table_->getNumChildren() > 0 ? table_->getChild(0) : nullptr;
+}
+
+SoNode* OperatingRoom::toolboxModel() const {
+  return toolbox_->getNumChildren() > 1 ? toolbox_->getChild(1) : nullptr;
+}
+
+Pose OperatingRoom::toolboxPose() const { return getPose(*toolboxPose_); }
+
+int OperatingRoom::toolCount() const { return tools_->getNumChildren(); }
+
+SoNode* OperatingRoom::toolModel(int tool) const {
+  RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
+  const auto* body =
+      static_cast<SoSeparator*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(1));
+  return body->getChild(1);
+}
+
+void OperatingRoom::addListener(SoEventCallback* listener) {
+  root_->insertChild(listener, root_->findChild(camera_) + 1);
+}
+
+void OperatingRoom::removeListener(SoEventCallback* listener) { root_->removeChild(listener); }
 
 void OperatingRoom::setToolPose(int tool, const Pose& pose) { setPose(toolTransform(tool), pose); }
 
@@ -235,15 +323,39 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   if (box.empty()) return;
   const Direction from = direction(view);
   const double radius = std::max(0.5 * box.size().norm(), 1e-3);
-  // The sphere round the box fits; Inventor takes the angle across the narrower side.
-  const double distance = from.margin * radius / std::sin(0.5 * from.heightAngle);
-  const Vec3 towards = from.towards.normalized();
   // Only wide pictures have room for the tool box beside the organ.
   const bool beside = toolbox_->getNumChildren() > 1;
   const double aside = beside ? std::clamp(aspect - 1.0, 0.0, 0.8) : 0.0;
-  const Vec3 target = box.centre() + aside * radius * from.aside;
+  // The sphere round the box fits; Inventor takes the angle across the narrower side.
+  place(view, box.centre() + aside * radius * from.aside,
+        from.margin * radius / std::sin(0.5 * from.heightAngle));
+}
+
+void OperatingRoom::frame(RoomView view, const Aabb& box, double aspect) {
+  RESECT_ASSERT(aspect > 0.0);
+  if (box.empty()) return;
+  const Direction from = direction(view);
+  const Vec3 back = from.towards.normalized(), right = Vec3::UnitY().cross(back).normalized(),
+             up = back.cross(right);
+  const double narrow = 0.93 * std::tan(0.5 * from.heightAngle);
+  const double tanX = narrow * std::max(1.0, aspect), tanY = narrow * std::max(1.0, 1 / aspect);
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p =
+        Vec3(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
+             corner & 4 ? box.max.z() : box.min.z()) -
+        box.centre();
+    const double nearer = p.dot(back);
+    distance = std::max(
+        {distance, nearer + std::abs(p.dot(right)) / tanX, nearer + std::abs(p.dot(up)) / tanY});
+  }
+  place(view, box.centre(), distance);
+}
+
+void OperatingRoom::place(RoomView view, const Vec3& target, double distance) {
+  const Direction from = direction(view);
   camera_->heightAngle = float(from.heightAngle);
-  camera_->position = toSb(target + distance * towards);
+  camera_->position = toSb(target + distance * from.towards.normalized());
   camera_->pointAt(toSb(target), SbVec3f(0.0f, 1.0f, 0.0f));
   camera_->focalDistance = float(distance);
   camera_->nearDistance = float(0.05 * distance);

@@ -4,9 +4,11 @@
 //   root Separator
 //     camera, lamps, SoShadowMaps
 //     Separator { cloth  | table }
-//     Separator { steel  | toolbox, Separator { SoTransform | tool } ... }
+//     Separator { steel  | toolbox }
+//     Separator { Separator { SoTransform | Separator { steel | tool } } ... }
 //     Separator { liver  | SoTransform, Separator { colour, SoOrganShape } ... }
 //     Separator { room   | background }
+//     Separator { aids }
 //
 // World: m, Y up, table top at y = 0. The surgeon stands at +Z.
 #pragma once
@@ -20,9 +22,12 @@
 #include "geometry/triangle_mesh.h"
 
 class SoBaseColor;
+class SoEventCallback;
+class SoFullPath;
 class SoNode;
 class SoPerspectiveCamera;
 class SoSeparator;
+class SoShaderProgram;
 class SoShapeHints;
 class SoSpotLight;
 class SoTransform;
@@ -61,7 +66,10 @@ class OperatingRoom {
   // origin, handle along +Z, m.
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
+  // The transform, or what stands in its place: a manipulator is an SoTransform too.
   SoTransform* toolTransform(int tool) const;
+  // The tool that a path from root() goes through; -1 for none.
+  int toolOfPath(const SoFullPath& path) const;
 
   // The whole organ, with smooth normals of its own and no cut. For changing organs use organ(),
   // which must then be closed.
@@ -71,14 +79,34 @@ class OperatingRoom {
   // More tissue beside the organ, in the same frame: vessels, gallbladder.
   void addTissue(const TriangleMesh& mesh, const Vec3f& colour);
 
+  // Listens before everything that can take an event.
+  void addListener(SoEventCallback* listener);
+  void removeListener(SoEventCallback* listener);
+
+  // Models and places, for those who write the room into a file. Models may be null.
+  SoNode* tableModel() const;
+  SoNode* toolboxModel() const;
+  Pose toolboxPose() const;
+  int toolCount() const;
+  SoNode* toolModel(int tool) const;
+  const SoSpotLight* lamp(int which) const { return lamps_[which]; }  // 0 or 1
+
+  // What helps the operator and is not there in a real room: draggers, markers. No shadows, no
+  // shaders.
+  SoSeparator* aids() const { return aids_; }
+
   // Aims lamps and shadows at the box, world, m. Call it once per scene, or when the organ moves to
   // another place; not per frame, else the light flickers.
   void lightUp(const Aabb& box);
 
   // Aims the camera at the box so that all of it is seen in a picture of this width / height.
   void look(RoomView view, const Aabb& box, double aspect);
+  // The same, as near as all corners of the box allow, with the box in the middle.
+  void frame(RoomView view, const Aabb& box, double aspect);
 
  private:
+  void place(RoomView view, const Vec3& target, double distance);
+
   SoSeparator* root_;
   SoPerspectiveCamera* camera_;
   SoSpotLight* lamps_[2];
@@ -93,7 +121,13 @@ class OperatingRoom {
   SoBaseColor* organColour_;
   SoShapeHints* organHints_;
   SoOrganShape* organ_;
+  SoShaderProgram* steel_;
+  SoSeparator* aids_;
 };
+
+// Position and rotation of an Inventor transform; its scale is left as it is, or out.
+void setPose(SoTransform* transform, const Pose& pose);
+Pose getPose(const SoTransform& transform);
 
 // A model from triangles, with a crease where faces meet at more than `creaseDegrees`.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);

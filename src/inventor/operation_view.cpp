@@ -66,4 +66,12 @@ void OperationView::follow(const Simulation& simulation) {
                                {{}, {}, {}, surface.triangles().subspan(r.first, r.count), {}});
 }
 
+void OperationView::follow(const SurfaceUpdate& update) {
+  if (update.everything) room_.organ()->setGeometry({});
+  for (const SurfaceUpdate::Vertices& v : update.vertices)
+    room_.organ()->updateRange(v.first, 0, {v.points, v.normals, v.cut, {}, {}});
+  for (const SurfaceUpdate::Triangles& t : update.triangles)
+    room_.organ()->updateRange(0, t.first, {{}, {}, {}, t.triangles, {}});
+}
+
 }  // namespace resect

@@ -7,6 +7,7 @@
 
 #include "inventor/offscreen_view.h"
 #include "inventor/operating_room.h"
+#include "operation/live_operation.h"
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
 
@@ -27,6 +28,8 @@ class OperationView {
 
   // After every step: moves the tools and hands on the changed ranges of the surface.
   void follow(const Simulation& simulation);
+  // The same for an operation that goes on in another thread; the tools stay where they are.
+  void follow(const SurfaceUpdate& update);
 
   RgbImage draw(OffscreenView& picture) const;
 

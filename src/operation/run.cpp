@@ -27,6 +27,8 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   for (std::int64_t frame = 0; frame < frames; ++frame) {
     simulation.step(frameInput(scenario, frame), report, &clock);
     ++summary.frames;
+    for (const ToolContacts& contacts : report.contacts)
+      summary.deepestOverlap = std::max(summary.deepestOverlap, contacts.overlapVolume);
     summary.simulatedSeconds = report.time;
     for (const std::string& fault : report.faults)
       if (std::find(summary.faults.begin(), summary.faults.end(), fault) == summary.faults.end())

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "collision/collider.h"
 #include "collision/inside.h"
 
 namespace resect {
@@ -49,6 +50,22 @@ Aabb movedBounds(const Aabb& box, const Pose& pose) {
   return result;
 }
 
+double overlapVolume(const Organ& organ, const TriangleMesh& tool, const Pose& pose,
+                     const Aabb& region) {
+  constexpr int kPixels = 32;
+  TriangleMesh inWorld = tool;
+  for (Vec3& p : inWorld.points) p = pose * p;
+  const Aabb box = intersection(bounds(inWorld), region);
+  if (box.empty()) return 0;
+  Collider collider;
+  collider.setObject(Collider::First, organ.surface.meshAround(organ.field, box));
+  collider.setObject(Collider::Second, std::move(inWorld));
+  if (!collider.generateVolumeOfInterest()) return 0;
+  collider.generateLayeredDepthImages(kPixels);
+  collider.generateIntersectionVolume();
+  return collider.ldi(Collider::Intersection).volume();
+}
+
 }  // namespace
 
 ToolContacts findContacts(const Organ& organ, const Tool& tool, std::int32_t toolIndex,
@@ -87,6 +104,7 @@ ToolContacts findContacts(const Organ& organ, const Tool& tool, std::int32_t too
   for (std::size_t i = 0; i < touched.size(); ++i)
     if (touched[i]) contacts.cells[kept++] = contacts.cells[i];
   contacts.cells.resize(kept);
+  if (kept > 0) contacts.overlapVolume = overlapVolume(organ, tool.model().mesh, to, region);
   return contacts;
 }
 

@@ -112,3 +112,31 @@ TEST_CASE("a tool queues the removal of what it touches and changes nothing itse
   CHECK(edits[1].cell == 9);
   CHECK(edits[1].tool == 2);
 }
+
+TEST_CASE("the overlap is the tool's volume while it is inside, a half of it when half is") {
+  const Organ organ = makeOrgan(test::ball(22), {});
+  const Aabb box = organ.rest.lattice.box();
+  const Aabb body{{-0.004, -0.006, -0.005}, {0.004, 0.006, 0.005}};
+  const auto tool = test::boxTool(body);
+  const double whole = body.size().prod();
+  const Pose inside = at(box.centre(), 37, {1, 2, 3});
+  const auto overlapAt = [&](const Pose& pose) {
+    return findContacts(organ, *tool, 0, pose, pose).overlapVolume;
+  };
+  CHECK(overlapAt(inside) == doctest::Approx(whole).epsilon(0.02));
+  CHECK(overlapAt(at(box.centre() + Vec3(0.5, 0, 0))) == 0);
+  // On the ball's rim the share inside is what the surface cuts off, here measured by points.
+  const TriangleMesh surface = organ.surface.mesh();
+  const Vec3 rim(bounds(surface).max.x() - 0.001, box.centre().y(), box.centre().z());
+  Random random(3);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 20000; ++i)
+    points.push_back(rim + Vec3(random.uniform(body.min.x(), body.max.x()),
+                                random.uniform(body.min.y(), body.max.y()),
+                                random.uniform(body.min.z(), body.max.z())));
+  const auto flags = insideFlags(surface, points);
+  const double share = double(std::count(flags.begin(), flags.end(), 1)) / double(points.size());
+  REQUIRE(share > 0.1);
+  REQUIRE(share < 0.9);
+  CHECK(overlapAt(at(rim)) == doctest::Approx(share * whole).epsilon(0.03));
+}

@@ -1,0 +1,70 @@
+#include "app/controls_overlay.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <utility>
+
+namespace resect {
+namespace {
+
+constexpr std::pair<const char*, const char*> kControls[] = {
+    {"Drag an instrument", "move it across the view"},
+    {"Wheel", "move it in depth; Shift: roll it"},
+    {"Shift + drag", "turn it about its tip"},
+    {"1  2  3", "take scalpel, hook or baton ... in their order"},
+    {"Arrow keys, page keys", "move in steps; with Shift: turn"},
+    {"Click an instrument", "handle box, the precise way; middle click: trackball"},
+    {"Click elsewhere / Escape", "let go / back into the tool box"},
+    {"Right drag, wheel", "look round, zoom; middle drag: shift"},
+    {"Ctrl + 1 2 3 4", "surgeon, assistant, top, laparoscope"},
+    {"Space", "brings everything back"},
+};
+
+}  // namespace
+
+ControlsOverlay::ControlsOverlay(QWidget* parent) : QWidget(parent) {
+  setAccessibleName("Controls");
+  hide();
+}
+
+void ControlsOverlay::mousePressEvent(QMouseEvent* event) {
+  hide();
+  event->accept();
+}
+
+void ControlsOverlay::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), QColor(8, 16, 20, 120));
+  const QFontMetrics metrics(font());
+  const int row = metrics.height() + 8, rows = int(std::size(kControls));
+  int keys = 0, words = 0;
+  for (const auto& [key, what] : kControls) {
+    keys = std::max(keys, metrics.horizontalAdvance(key));
+    words = std::max(words, metrics.horizontalAdvance(what));
+  }
+  const QRect box(0, 0, keys + words + 84, row * (rows + 2) + 36);
+  painter.translate((width() - box.width()) / 2, (height() - box.height()) / 2);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(14, 26, 32, 225));
+  painter.drawRoundedRect(box, 12, 12);
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  painter.setPen(QColor(235, 245, 248));
+  painter.drawText(28, 18 + metrics.ascent(), "Take an instrument and bring it to the liver");
+  int y = 18 + row + 8;
+  for (const auto& [key, what] : kControls) {
+    painter.setFont(bold);
+    painter.setPen(QColor(150, 210, 220));
+    painter.drawText(28, y + metrics.ascent(), key);
+    painter.setFont(font());
+    painter.setPen(QColor(225, 232, 235));
+    painter.drawText(28 + keys + 28, y + metrics.ascent(), what);
+    y += row;
+  }
+  painter.setPen(QColor(140, 155, 160));
+  painter.drawText(28, y + 6 + metrics.ascent(), "Click to begin. F1 shows this again.");
+}
+
+}  // namespace resect

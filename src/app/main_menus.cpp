@@ -1,0 +1,123 @@
+// The menus of the main window and their shortcuts.
+#include <QAction>
+#include <QActionGroup>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStatusBar>
+
+#include "app/controls_overlay.h"
+#include "app/main_window.h"
+#include "app/viewer.h"
+#include "base/error.h"
+#include "io/data_folder.h"
+#include "io/scenario_file.h"
+
+namespace resect {
+
+void MainWindow::makeMenus() {
+  const auto add = [this](QMenu* menu, const char* text, const QKeySequence& key, auto&& act) {
+    QAction* action = menu->addAction(text);
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, this, act);
+    return action;
+  };
+
+  QMenu* file = menuBar()->addMenu("&File");
+  add(file, "&Open organ, scene or scenario ...", QKeySequence::Open, [this] {
+    const QString name =
+        QFileDialog::getOpenFileName(this, "Open", {},
+                                     "All that can be opened (*.iv *.wrl *.obj *.stl *.ply *.off "
+                                     "*.glb *.gltf *.vtk *.dis *.toml "
+                                     "*.gz);;All files (*)");
+    if (!name.isEmpty()) openFile(name);
+  });
+  add(file, "Built-in &liver", {}, [this] {
+    Scenario scenario = options_.scenario;
+    scenario.organ.file.clear();
+    load(scenario);
+  });
+  QMenu* scenarios = file->addMenu("S&cenario");
+  for (const std::string& name : shippedNames("scenarios", ".toml"))
+    add(scenarios, name.c_str(), {}, [this, name] {
+      openFile(QString::fromStdString((dataFolder() / "scenarios" / (name + ".toml")).string()));
+    });
+  recent_ = file->addMenu("&Recent files");
+  fillRecent();
+  file->addSeparator();
+  add(file, "Save s&urface ...", QKeySequence("Ctrl+E"), [this] { saveSurface(); });
+  add(file, "&Save scene ...", QKeySequence::Save, [this] { saveScene(); });
+  add(file, "Save &picture ...", QKeySequence("Ctrl+P"), [this] { savePicture(); });
+  add(file, "Record &video: start or stop", QKeySequence("Ctrl+R"), [this] { toggleVideo(); });
+  file->addSeparator();
+  add(file, "&Quit", QKeySequence("Ctrl+Q"), [this] { close(); });
+
+  QMenu* view = menuBar()->addMenu("&View");
+  const std::pair<const char*, RoomView> views[] = {{"&Surgeon", RoomView::Surgeon},
+                                                    {"&Assistant", RoomView::Assistant},
+                                                    {"&Top", RoomView::Top},
+                                                    {"&Laparoscope", RoomView::Laparoscope}};
+  int number = 1;
+  for (const auto& [name, which] : views)
+    add(view, name, QKeySequence(QString("Ctrl+%1").arg(number++)), [this, which = which] {
+      if (session_) session_->look(which, viewer_->aspect());
+    });
+  view->addSeparator();
+  add(view, "&Home, all in view", QKeySequence("H"), [this] {
+    if (session_) session_->look(RoomView::Surgeon, viewer_->aspect());
+  });
+  add(view, "Look at a &point: click it", QKeySequence("L"), [this] {
+    lookingAt_ = true;
+    viewer_->setCursor(Qt::CrossCursor);
+    statusBar()->showMessage("Click what you want to look at");
+  });
+  add(view, "&Bring everything back", QKeySequence(Qt::Key_Space), [this] {
+    if (session_) session_->bringEverythingBack(viewer_->aspect());
+  });
+  view->addSeparator();
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
+  QAction* dark = view->addAction("&Dark");
+  dark->setCheckable(true);
+  dark->setChecked(options_.dark);
+  connect(dark, &QAction::toggled, this, [this](bool on) { setTheme(on); });
+  add(view, "&Full screen", QKeySequence("F11"),
+      [this] { isFullScreen() ? showNormal() : showFullScreen(); });
+
+  QMenu* instruments = menuBar()->addMenu("&Instruments");
+  const auto precise = [this](ToolHandling::Hold how) {
+    if (session_ && session_->tools().held() >= 0)
+      session_->tools().hold(session_->tools().held(), how);
+  };
+  add(instruments, "&Direct", QKeySequence("D"), [=] { precise(ToolHandling::Hold::Direct); });
+  add(instruments, "Handle &box: move", QKeySequence("B"),
+      [=] { precise(ToolHandling::Hold::HandleBox); });
+  add(instruments, "&Trackball: turn", QKeySequence("T"),
+      [=] { precise(ToolHandling::Hold::Trackball); });
+  add(instruments, "&Let go", QKeySequence("G"), [this] {
+    if (session_) session_->tools().hold(-1, ToolHandling::Hold::None);
+  });
+
+  QMenu* help = menuBar()->addMenu("&Help");
+  add(help, "&Controls", QKeySequence("F1"), [this] {
+    overlay_->setGeometry(viewer_->rect());
+    overlay_->show();
+    overlay_->raise();
+  });
+  add(help, "&About", {}, [this] {
+    QMessageBox::about(this, "About Resect",
+                       "<b>Resect</b><p>Virtual surgery on organ models, in real time.<p>"
+                       "Not for diagnosis or treatment. Apache License 2.0.");
+  });
+}
+
+void MainWindow::fillRecent() {
+  recent_->clear();
+  const QStringList files = QSettings().value("recent").toStringList();
+  for (const QString& file : files)
+    connect(recent_->addAction(file), &QAction::triggered, this, [this, file] { openFile(file); });
+  recent_->setEnabled(!files.isEmpty());
+}
+
+}  // namespace resect

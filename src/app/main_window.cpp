@@ -1,0 +1,447 @@
+#include "app/main_window.h"
+
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/events/SoMouseButtonEvent.h>
+#include <fmt/format.h>
+
+#include <QApplication>
+#include <QDateTime>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QStatusBar>
+#include <QStyle>
+#include <QStyleFactory>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/controls_overlay.h"
+#include "app/panels.h"
+#include "app/viewer.h"
+#include "base/error.h"
+#include "inventor/scene_file.h"
+#include "io/data_folder.h"
+#include "io/mesh_file.h"
+#include "io/png_file.h"
+#include "io/scenario_file.h"
+
+namespace resect {
+namespace {
+
+constexpr double kVideoRate = 25;       // pictures per second
+constexpr qint64 kPanelInterval = 150;  // ms between two looks of the panels at the state
+
+const char* nameOf(ToolHandling::Hold how) {
+  switch (how) {
+    case ToolHandling::Hold::None:
+      return "none";
+    case ToolHandling::Hold::Direct:
+      return "direct";
+    case ToolHandling::Hold::HandleBox:
+      return "handle-box";
+    case ToolHandling::Hold::Trackball:
+      return "trackball";
+  }
+  return "";
+}
+
+QString sentenceOf(ToolHandling::Hold how, const QString& tool) {
+  switch (how) {
+    case ToolHandling::Hold::None:
+      return "Drag an instrument, or press its number.";
+    case ToolHandling::Hold::Direct:
+      return tool + " in hand: drag, wheel, Shift turns.";
+    case ToolHandling::Hold::HandleBox:
+      return tool + " in a handle box: middle click to turn.";
+    case ToolHandling::Hold::Trackball:
+      return tool + " in a trackball: middle click to move.";
+  }
+  return {};
+}
+
+template <typename... Args>
+void say(fmt::format_string<Args...> format, Args&&... args) {
+  fmt::print(format, std::forward<Args>(args)...);
+  std::fputc('\n', stdout);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
+  setWindowTitle("Resect");
+  setAcceptDrops(true);
+  viewer_ = new Viewer(this);
+  viewer_->setFpsLimit(options.fpsLimit);
+  viewer_->ticked = [this] { tick(); };
+  viewer_->before = [this](const SoEvent& event, const SbViewportRegion& viewport) {
+    return viewerEvent(event, viewport);
+  };
+  setCentralWidget(viewer_);
+
+  complaint_ = new QPushButton(this);
+  complaint_->setStyleSheet(
+      "QPushButton { background: #7a2a22; color: white; border: 0; border-radius: 6px; "
+      "padding: 8px 14px; text-align: left; }");
+  complaint_->setToolTip("Click to close");
+  complaint_->hide();
+  connect(complaint_, &QPushButton::clicked, complaint_, &QWidget::hide);
+  overlay_ = new ControlsOverlay(viewer_);
+  progress_ = new QProgressBar(this);
+  progress_->setMaximumWidth(220);
+  cancel_ = new QPushButton("Cancel", this);
+  statusBar()->addPermanentWidget(progress_);
+  statusBar()->addPermanentWidget(cancel_);
+  progress_->hide();
+  cancel_->hide();
+  connect(cancel_, &QPushButton::clicked, this, [this] {
+    loader_.cancel();
+    progress_->hide();
+    cancel_->hide();
+    statusBar()->showMessage("Cancelled; nothing has changed", 4000);
+  });
+  makeDocks();
+  makeMenus();
+  setTheme(options.dark);
+  resize(options.width, options.height);
+  QSettings settings;
+  if (options.overlay && !settings.value("controls_seen").toBool()) {
+    overlay_->show();
+    settings.setValue("controls_seen", true);
+  }
+  load(options.scenario);
+}
+
+MainWindow::~MainWindow() {
+  viewer_->show(nullptr);
+  viewer_->ticked = {};
+}
+
+void MainWindow::makeDocks() {
+  const auto dock = [&](const char* title, QWidget* content) {
+    auto* widget = new QDockWidget(title, this);
+    widget->setObjectName(title);
+    widget->setWidget(content);
+    addDockWidget(Qt::RightDockWidgetArea, widget);
+  };
+  instruments_ = new InstrumentsPanel;
+  organ_ = new OrganPanel;
+  removed_ = new RemovedPanel;
+  timing_ = new TimingPanel;
+  dock("Instruments", instruments_);
+  dock("Organ", organ_);
+  dock("Removed", removed_);
+  dock("Timing", timing_);
+  instruments_->chosen = [this](int tool) {
+    if (!session_) return;
+    if (tool < 0)
+      session_->tools().putBack(session_->tools().held());
+    else
+      session_->tools().hold(tool, ToolHandling::Hold::Direct);
+    viewer_->setFocus();
+  };
+  organ_->isoChanged = [this](float iso) {
+    if (!session_) return;
+    session_->iso().setValue(iso);
+    session_->operation().setIso(iso);
+  };
+  organ_->rebuild = [this](double spacing, int refine) {
+    if (!session_) return;
+    Scenario scenario = session_->scenario();
+    if (!scenario.organ.dims || spacing != scenario.organ.spacing) {
+      scenario.organ.spacing = spacing;
+      scenario.organ.dims.reset();
+    }
+    scenario.organ.settings.refine = refine;
+    load(scenario);
+  };
+}
+
+void MainWindow::load(const Scenario& scenario) {
+  if (session_) complaint_->hide();
+  progress_->setRange(0, 0);
+  progress_->show();
+  cancel_->show();
+  statusBar()->showMessage("Preparing the organ ...");
+  loader_.load(
+      scenario,
+      [this](double share) {
+        progress_->setRange(0, share < 0 ? 0 : 1000);
+        progress_->setValue(int(1000 * share));
+      },
+      [this](OrganLoader::Result result) { begin(std::move(result)); });
+}
+
+void MainWindow::begin(OrganLoader::Result result) {
+  progress_->hide();
+  cancel_->hide();
+  statusBar()->clearMessage();
+  if (!result.simulation) {
+    complain(result.problem);
+    if (!session_ && !result.scenario.organ.file.empty()) {
+      // The window is never empty: the liver that comes with Resect, under the sentence.
+      Scenario scenario = options_.scenario;
+      scenario.organ = {};
+      load(scenario);
+    }
+    return;
+  }
+  try {
+    std::optional<ScenePlaces> places;
+    if (result.scenario.organ.part == kOrganNode)
+      places = readScenePlaces(result.scenario.organ.file);
+    auto session = std::make_unique<OperatingSession>(result.scenario, std::move(result.simulation),
+                                                      viewer_->aspect());
+    if (places) {
+      const int tools = std::min(int(places->tools.size()), session->tools().toolCount());
+      for (int i = 0; i < tools; ++i) session->tools().setPose(i, places->tools[std::size_t(i)]);
+      setCamera(session->room(), *places);
+    }
+    viewer_->show(nullptr);
+    session_ = std::move(session);
+  } catch (const std::exception& e) {
+    return complain(e.what());
+  }
+  viewer_->show(session_.get());
+  heldSaid_ = -2;
+  removedSaid_ = 0;
+  removed_->clear();
+  instruments_->setTools(session_->toolModels());
+  const OrganSource& source = session_->scenario().organ;
+  QString notes;
+  for (const std::string& note : result.notes) notes += QString::fromStdString(note) + "\n";
+  organ_->setOrgan(source.file.empty() ? "Built-in liver"
+                                       : QFileInfo(QString::fromStdString(source.file)).fileName(),
+                   session_->cells().lattice.spacing.x(), source.settings.refine, notes.trimmed());
+  organ_->setIso(session_->iso().value());
+  viewer_->setFocus();
+  if (options_.reports)
+    say("organ {}",
+        source.file.empty() ? "liver" : std::filesystem::path(source.file).filename().string());
+}
+
+void MainWindow::tick() {
+  if (!session_) return;
+  const qint64 now = QDateTime::currentMSecsSinceEpoch();
+  const ToolHandling& tools = session_->tools();
+  if (tools.held() != heldSaid_ || tools.how() != howSaid_) {
+    heldSaid_ = tools.held();
+    howSaid_ = tools.how();
+    const QString name =
+        heldSaid_ < 0 ? QString()
+                      : QString::fromStdString(session_->toolModels()[std::size_t(heldSaid_)].name);
+    instruments_->setHeld(heldSaid_, sentenceOf(howSaid_, name));
+    if (options_.reports)
+      say("held {} {}", heldSaid_ < 0 ? "nothing" : name.toStdString(), nameOf(howSaid_));
+  }
+  const LiveState& state = session_->state();
+  if (options_.reports && state.removed != removedSaid_) {
+    removedSaid_ = state.removed;
+    say("removed {}", removedSaid_);
+  }
+  for (const std::string& fault : state.faults) complain(fault);
+  if (video_ && now - pictureTaken_ >= qint64(1000 / kVideoRate)) {
+    pictureTaken_ = now;
+    try {
+      video_->add(viewer_->grabPicture());
+    } catch (const std::exception& e) {
+      video_.reset();
+      complain(e.what());
+    }
+  }
+  if (now - panelsShown_ < kPanelInterval) return;
+  panelsShown_ = now;
+  organ_->follow(state);
+  organ_->setIso(session_->iso().value());
+  removed_->follow(state);
+  timing_->follow(state, viewer_->framesPerSecond(), viewer_->scaleInMotion());
+  if (options_.reports && !readySaid_ && state.frame > 0 && viewer_->framesPerSecond() > 0) {
+    readySaid_ = true;
+    reportPlaces();
+    say("ready");
+  }
+}
+
+// Where a script finds things: pixels of the screen.
+void MainWindow::reportPlaces() {
+  const SbViewportRegion viewport = viewer_->viewport();
+  const double ratio = viewer_->devicePixelRatioF();
+  const auto place = [&](const std::string& what, const Vec3& point) {
+    const SbVec2s pixel = session_->pixelOf(point, viewport);
+    const QPoint local(int(pixel[0] / ratio), viewer_->height() - 1 - int(pixel[1] / ratio));
+    const QPoint global = viewer_->mapToGlobal(local);
+    say("place {} {} {}", what, int(global.x() * ratio), int(global.y() * ratio));
+  };
+  for (int i = 0; i < session_->tools().toolCount(); ++i)
+    place(session_->toolModels()[std::size_t(i)].name, session_->middleOfTool(i));
+  place("iso", session_->iso().handle());
+  place("organ", session_->cells().lattice.box().centre());
+}
+
+bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {
+  if (overlay_->isVisible()) overlay_->hide();
+  if (!lookingAt_ || !session_ || !event.isOfType(SoMouseButtonEvent::getClassTypeId()))
+    return false;
+  const auto& mouse = static_cast<const SoMouseButtonEvent&>(event);
+  if (mouse.getState() != SoButtonEvent::DOWN) return false;
+  lookingAt_ = false;
+  viewer_->unsetCursor();
+  statusBar()->clearMessage();
+  Vec3 point;
+  if (session_->pointUnder(event.getPosition(), viewport, point)) session_->camera().lookAt(point);
+  return true;
+}
+
+void MainWindow::complain(const std::string& sentence) {
+  if (options_.reports) say("error {}", sentence);
+  complaint_->setText(QString::fromStdString(sentence));
+  complaint_->show();
+  placeOverlays();
+}
+
+void MainWindow::placeOverlays() {
+  overlay_->setGeometry(viewer_->rect());
+  complaint_->setMaximumWidth(viewer_->width() - 40);
+  complaint_->adjustSize();
+  complaint_->move(viewer_->mapTo(this, QPoint(20, 14)));
+  complaint_->raise();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  placeOverlays();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (!urls.isEmpty()) openFile(urls.front().toLocalFile());
+}
+
+// Organ, scenario or saved scene: told by what is in it.
+void MainWindow::openFile(const QString& file) {
+  try {
+    const std::filesystem::path path = file.toStdString();
+    if (path.extension() == ".toml") {
+      load(readScenario(path));
+      remember(file);
+    } else if (path.extension() == ".dis") {
+      Scenario scenario = options_.scenario;
+      scenario.organ = {};
+      scenario.organ.file = path.string();
+      load(scenario);
+      remember(file);
+    } else {
+      askOrgan(file);
+    }
+  } catch (const std::exception& e) {
+    complain(e.what());
+  }
+}
+
+void MainWindow::askOrgan(const QString& file) {
+  auto* dialog = new OpenOrganDialog(file.toStdString(), options_.scenario.organ, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
+    Scenario scenario = session_ ? session_->scenario() : options_.scenario;
+    scenario.organ = dialog->source();
+    // What was saved from here lies as it lay.
+    if (scenario.organ.part == kOrganNode) scenario.organ.onTable = false;
+    load(scenario);
+    remember(file);
+  });
+  dialog->examined = [this](const std::string& report) {
+    if (options_.reports) say("report {}", report);
+  };
+  dialog->open();
+}
+
+void MainWindow::remember(const QString& file) {
+  QSettings settings;
+  QStringList recent = settings.value("recent").toStringList();
+  recent.removeAll(file);
+  recent.prepend(file);
+  settings.setValue("recent", QStringList(recent.mid(0, 8)));
+  fillRecent();
+}
+
+void MainWindow::save(const char* title, const char* filter, const QString& name,
+                      const std::function<void(const std::string&)>& write) {
+  if (!session_) return;
+  const QString file = QFileDialog::getSaveFileName(this, title, name, filter);
+  if (file.isEmpty()) return;
+  try {
+    write(file.toStdString());
+    statusBar()->showMessage("Written: " + file, 5000);
+    if (options_.reports) say("written {}", file.toStdString());
+  } catch (const std::exception& e) {
+    complain(e.what());
+  }
+}
+
+void MainWindow::saveSurface() {
+  save("Save surface", "Meshes (*.stl *.obj *.ply *.vtk *.iv)", "organ.stl",
+       [this](const std::string& file) {
+         writeMeshFile(file, session_->operation().surface().mesh);
+       });
+}
+
+void MainWindow::saveScene() {
+  save("Save scene", "Open Inventor (*.iv)", "scene.iv", [this](const std::string& file) {
+    writeSceneFile(file, session_->room(), session_->operation().surface());
+  });
+}
+
+void MainWindow::savePicture() {
+  save("Save picture", "PNG (*.png)", "picture.png",
+       [this](const std::string& file) { writePng(file, viewer_->grabPicture()); });
+}
+
+void MainWindow::toggleVideo() {
+  if (video_) {
+    try {
+      video_->finish();
+      statusBar()->showMessage("The video is written", 5000);
+    } catch (const std::exception& e) {
+      complain(e.what());
+    }
+    video_.reset();
+    return;
+  }
+  save("Record video", "MPEG-4 (*.mp4)", "operation.mp4", [this](const std::string& file) {
+    const RgbImage picture = viewer_->grabPicture();
+    video_ = std::make_unique<VideoWriter>(file, picture.width, picture.height, kVideoRate);
+  });
+}
+
+void MainWindow::setTheme(bool dark) {
+  QPalette palette = QStyleFactory::create("Fusion")->standardPalette();
+  if (dark) {
+    palette.setColor(QPalette::Window, QColor(30, 36, 40));
+    palette.setColor(QPalette::WindowText, QColor(222, 228, 230));
+    palette.setColor(QPalette::Base, QColor(22, 27, 30));
+    palette.setColor(QPalette::AlternateBase, QColor(34, 41, 45));
+    palette.setColor(QPalette::Text, QColor(222, 228, 230));
+    palette.setColor(QPalette::PlaceholderText, QColor(140, 150, 154));
+    palette.setColor(QPalette::Button, QColor(44, 52, 57));
+    palette.setColor(QPalette::ButtonText, QColor(222, 228, 230));
+    palette.setColor(QPalette::ToolTipBase, QColor(44, 52, 57));
+    palette.setColor(QPalette::ToolTipText, QColor(222, 228, 230));
+    palette.setColor(QPalette::Highlight, QColor(38, 128, 140));
+    palette.setColor(QPalette::HighlightedText, Qt::white);
+    palette.setColor(QPalette::Mid, QColor(80, 90, 95));
+    palette.setColor(QPalette::Link, QColor(110, 200, 215));
+  }
+  QApplication::setPalette(palette);
+}
+
+}  // namespace resect

@@ -1,0 +1,85 @@
+// The main window: picture, panels, menus, and the session behind them.
+#pragma once
+
+#include <QMainWindow>
+#include <memory>
+
+#include "app/open_organ_dialog.h"
+#include "app/organ_loader.h"
+#include "app/window.h"
+#include "inventor/operating_session.h"
+#include "io/video.h"
+
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QPushButton;
+
+namespace resect {
+
+class ControlsOverlay;
+class InstrumentsPanel;
+class OrganPanel;
+class RemovedPanel;
+class TimingPanel;
+class Viewer;
+
+class MainWindow : public QMainWindow {
+ public:
+  explicit MainWindow(const WindowOptions& options);
+  ~MainWindow() override;
+
+  void load(const Scenario& scenario);
+  // One sentence over the picture, until it is clicked away or another comes.
+  void complain(const std::string& sentence);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void makeMenus();
+  void makeDocks();
+  void begin(OrganLoader::Result result);
+  void tick();
+  void follow();
+  void openFile(const QString& file);
+  void askOrgan(const QString& file);
+  void remember(const QString& file);
+  void fillRecent();
+  void saveSurface();
+  void saveScene();
+  void savePicture();
+  void toggleVideo();
+  void setTheme(bool dark);
+  bool viewerEvent(const SoEvent& event, const SbViewportRegion& viewport);
+  void reportPlaces();
+  void placeOverlays();
+  // Asks for a file to write; what goes wrong in `write` is said.
+  void save(const char* title, const char* filter, const QString& name,
+            const std::function<void(const std::string&)>& write);
+
+  WindowOptions options_;
+  std::unique_ptr<OperatingSession> session_;
+  OrganLoader loader_;
+  Viewer* viewer_;
+  ControlsOverlay* overlay_;
+  QPushButton* complaint_;
+  QProgressBar* progress_;
+  QPushButton* cancel_;
+  QMenu* recent_;
+  InstrumentsPanel* instruments_;
+  OrganPanel* organ_;
+  RemovedPanel* removed_;
+  TimingPanel* timing_;
+  std::unique_ptr<VideoWriter> video_;
+  qint64 panelsShown_ = 0, pictureTaken_ = 0;  // ms
+  std::int64_t removedSaid_ = 0;
+  int heldSaid_ = -2;
+  ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
+  bool lookingAt_ = false;  // the next click chooses the point of interest
+  bool readySaid_ = false;
+};
+
+}  // namespace resect

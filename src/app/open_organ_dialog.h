@@ -1,0 +1,43 @@
+// Is this file fit to be an organ, in which unit, and which part of it? Asked before it is opened.
+#pragma once
+
+#include <QDialog>
+#include <functional>
+
+#include "app/organ_loader.h"
+#include "operation/scenario.h"
+
+class QComboBox;
+class QCheckBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace resect {
+
+class OpenOrganDialog : public QDialog {
+ public:
+  OpenOrganDialog(const std::string& file, const OrganSource& before, QWidget* parent = nullptr);
+
+  // What was chosen; meaningful after accept().
+  OrganSource source() const;
+
+  // Called when the file has been looked into, with what is shown of it.
+  std::function<void(const std::string&)> examined;
+
+ private:
+  void show(const std::string& json, const std::string& problem);
+  void unitChanged();
+
+  std::string file_;
+  OrganSource before_;
+  FileExaminer examiner_;
+  QLabel *report_, *size_;
+  QComboBox *unit_, *part_;
+  QCheckBox* repair_;
+  QDoubleSpinBox* spacing_;
+  QPushButton* open_;
+  double longest_ = 0;  // of the bounds, file units
+};
+
+}  // namespace resect

@@ -1,0 +1,74 @@
+// How does an organ come into the window while the window goes on?
+//
+// Files that people give are read by a process of their own (this program's `info` and `convert`),
+// which can be stopped at any moment; the cells are made in a thread. Nothing of the running
+// operation is touched until all is done.
+#pragma once
+
+#include <QProcess>
+#include <QTimer>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "operation/scenario.h"
+#include "simulation/simulation.h"
+
+namespace resect {
+
+// The scenario with one of each instrument that comes with Resect, its own first, all without
+// motions: what a person operates with.
+Scenario withAllInstruments(Scenario scenario);
+
+class OrganLoader {
+ public:
+  OrganLoader();
+  ~OrganLoader();  // gives up what is under way
+
+  struct Result {
+    Scenario scenario;
+    std::unique_ptr<Simulation> simulation;  // null: `problem` says why
+    std::vector<std::string> notes;
+    std::string problem;
+  };
+
+  // One at a time; a new call gives up the one before. `progress` gets shares 0..1, or -1 while
+  // nothing is known; `done` comes last, unless cancel() was called. Both on the window's thread.
+  void load(const Scenario& scenario, std::function<void(double)> progress,
+            std::function<void(Result)> done);
+  void cancel();
+  bool busy() const { return timer_.isActive(); }
+
+ private:
+  void poll();
+  void buildCells(const std::string& convertedFile);
+
+  Scenario scenario_;
+  std::function<void(double)> progress_;
+  std::function<void(Result)> done_;
+  std::unique_ptr<QProcess> reader_;
+  std::string converted_;
+  std::thread thread_;
+  std::atomic<double> share_{0};
+  std::atomic<bool> cancelled_{false}, built_{false};
+  std::optional<Organ> organ_;  // made by the thread
+  Result result_;
+  QTimer timer_;
+};
+
+// What is in a file: runs `resect info` on it, in a process of its own. `done` gets its JSON, or an
+// empty text and the sentence that it ended with.
+class FileExaminer {
+ public:
+  void examine(const std::string& file,
+               std::function<void(const std::string& json, const std::string& problem)> done);
+  void cancel();
+
+ private:
+  std::unique_ptr<QProcess> process_;
+};
+
+}  // namespace resect

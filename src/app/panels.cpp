@@ -1,0 +1,223 @@
+#include "app/panels.h"
+
+#include <fmt/format.h>
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "sph/colour_field.h"
+
+namespace resect {
+
+InstrumentsPanel::InstrumentsPanel(QWidget* parent) : QWidget(parent) {
+  layout_ = new QVBoxLayout(this);
+  how_ = new QLabel(this);
+  how_->setWordWrap(true);
+  how_->setMinimumHeight(2 * fontMetrics().height() + 6);
+  layout_->addWidget(how_);
+  layout_->addStretch();
+}
+
+void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
+  for (QToolButton* button : buttons_) delete button;
+  buttons_.clear();
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    auto* button = new QToolButton(this);
+    button->setText(QString("%1   %2").arg(i + 1).arg(QString::fromStdString(tools[i].name)));
+    button->setToolTip(QString::fromStdString(tools[i].description) +
+                       QString("\nKey %1 takes it in hand; Escape puts it back.").arg(i + 1));
+    button->setAccessibleName(QString::fromStdString(tools[i].name));
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    QObject::connect(button, &QToolButton::clicked, this, [this, i](bool on) {
+      if (chosen) chosen(on ? int(i) : -1);
+    });
+    layout_->insertWidget(int(i), button);
+    buttons_.push_back(button);
+  }
+}
+
+void InstrumentsPanel::setHeld(int tool, const QString& how) {
+  for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setChecked(int(i) == tool);
+  how_->setText(how);
+}
+
+OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
+  auto* form = new QFormLayout(this);
+  name_ = new QLabel(this);
+  name_->setWordWrap(true);
+  form->addRow(name_);
+  counts_ = new QLabel(this);
+  form->addRow(counts_);
+
+  iso_ = new QSlider(Qt::Horizontal, this);
+  iso_->setRange(int(kMinIso), int(kMaxIso));
+  iso_->setToolTip(
+      "Colour value at which the surface is drawn: lower swells it, higher shrinks it");
+  isoText_ = new QLabel(this);
+  form->addRow(isoText_, iso_);
+  QObject::connect(iso_, &QSlider::valueChanged, this, [this](int value) {
+    isoText_->setText(QString("Iso %1").arg(value));
+    if (isoChanged) isoChanged(float(value));
+  });
+
+  spacing_ = new QDoubleSpinBox(this);
+  spacing_->setRange(1, 30);
+  spacing_->setDecimals(1);
+  spacing_->setSuffix(" mm");
+  spacing_->setToolTip("Side of the cells: smaller shows and cuts finer, and costs more");
+  form->addRow("Spacing", spacing_);
+  refine_ = new QSpinBox(this);
+  refine_->setRange(1, 4);
+  refine_->setToolTip("Nodes of the surface's grid per cell: 2 shows the skin well");
+  form->addRow("Refinement", refine_);
+  auto* again = new QPushButton("Begin again", this);
+  again->setToolTip("The organ whole again, with this spacing and refinement");
+  form->addRow(again);
+  QObject::connect(again, &QPushButton::clicked, this, [this] {
+    if (rebuild) rebuild(spacing_->value() * 1e-3, refine_->value());
+  });
+  notes_ = new QLabel(this);
+  notes_->setWordWrap(true);
+  form->addRow(notes_);
+}
+
+void OrganPanel::setOrgan(const QString& name, double spacing, int refine, const QString& notes) {
+  name_->setText("<b>" + name.toHtmlEscaped() + "</b>");
+  const QSignalBlocker quiet(spacing_);
+  spacing_->setValue(spacing * 1e3);
+  refine_->setValue(refine);
+  notes_->setText(notes);
+  notes_->setVisible(!notes.isEmpty());
+}
+
+void OrganPanel::follow(const LiveState& state) {
+  counts_->setText(QString("%L1 particles\n%L2 triangles\n%3 ml")
+                       .arg(state.particles)
+                       .arg(state.triangles)
+                       .arg(state.volume * 1e6, 0, 'f', 1));
+}
+
+void OrganPanel::setIso(float iso) {
+  const QSignalBlocker quiet(iso_);
+  iso_->setValue(int(std::lround(iso)));
+  isoText_->setText(QString("Iso %1").arg(int(std::lround(iso))));
+}
+
+RemovedPanel::RemovedPanel(QWidget* parent) : QWidget(parent) {
+  setMinimumHeight(110);
+  setToolTip("Tissue taken out since the organ was whole, and how it came about");
+}
+
+void RemovedPanel::clear() {
+  history_.clear();
+  removed_ = 0;
+  particles_ = 0;
+  update();
+}
+
+void RemovedPanel::follow(const LiveState& state) {
+  removed_ = state.removedVolume;
+  whole_ = state.removedVolume + state.volume;
+  particles_ = state.removed;
+  if (history_.empty() || history_.back().second != removed_ * 1e6 ||
+      state.time - history_.back().first > 1)
+    history_.emplace_back(state.time, removed_ * 1e6);
+  if (history_.size() > 2000) {
+    // Every other point: the shape stays.
+    std::vector<std::pair<double, double>> fewer;
+    for (std::size_t i = 0; i < history_.size(); i += 2) fewer.push_back(history_[i]);
+    history_ = std::move(fewer);
+  }
+  update();
+}
+
+void RemovedPanel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont large = font();
+  large.setPointSizeF(1.9 * font().pointSizeF());
+  large.setBold(true);
+  painter.setFont(large);
+  painter.setPen(palette().color(QPalette::WindowText));
+  const int line = QFontMetrics(large).height();
+  painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignLeft,
+                   QString("%1 ml").arg(removed_ * 1e6, 0, 'f', 1));
+  painter.setFont(font());
+  const QString detail = QString("%L1 particles, %2 %")
+                             .arg(particles_)
+                             .arg(whole_ > 0 ? 100 * removed_ / whole_ : 0, 0, 'f', 2);
+  painter.drawText(QRect(8, 2 + line, width() - 16, QFontMetrics(font()).height()), Qt::AlignLeft,
+                   detail);
+  const QRectF plot(8, line + QFontMetrics(font()).height() + 8, width() - 16,
+                    height() - line - QFontMetrics(font()).height() - 14);
+  painter.setPen(palette().color(QPalette::Mid));
+  painter.drawLine(plot.bottomLeft(), plot.bottomRight());
+  if (history_.size() < 2 || plot.height() < 8) return;
+  const double first = history_.front().first, last = std::max(history_.back().first, first + 1),
+               most = std::max(1.0, history_.back().second);
+  QPainterPath path;
+  for (std::size_t i = 0; i < history_.size(); ++i) {
+    const QPointF p(plot.left() + plot.width() * (history_[i].first - first) / (last - first),
+                    plot.bottom() - plot.height() * history_[i].second / most);
+    i == 0 ? path.moveTo(p) : path.lineTo(p);
+  }
+  painter.setPen(QPen(QColor(200, 70, 60), 2));
+  painter.drawPath(path);
+}
+
+TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent) {
+  setMinimumHeight(190);
+  setToolTip("Median time of each stage of a step over the last second");
+}
+
+void TimingPanel::follow(const LiveState& state, double pictures, double scale) {
+  state_ = state;
+  pictures_ = pictures;
+  scale_ = scale;
+  update();
+}
+
+void TimingPanel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const QFontMetrics metrics(font());
+  const int row = metrics.height() + 3;
+  int y = 2;
+  const auto text = [&](const QString& left, const QString& right) {
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(QRect(8, y, width() - 16, row), Qt::AlignLeft | Qt::AlignVCenter, left);
+    painter.drawText(QRect(8, y, width() - 16, row), Qt::AlignRight | Qt::AlignVCenter, right);
+    y += row;
+  };
+  text("Pictures", QString("%1 /s").arg(pictures_, 0, 'f', 0));
+  text("Real time", QString("%1 x").arg(state_.realTimeFactor, 0, 'f', 2));
+  text("Step", QString("%1 ms").arg(state_.stepMedian * 1e3, 0, 'f', 2));
+  double most = 1e-4;
+  const StageTime* slowest = nullptr;
+  for (const StageTime& stage : state_.stages)
+    if (stage.median >= most) most = stage.median, slowest = &stage;
+  for (const StageTime& stage : state_.stages) {
+    const int bar = int((width() - 16) * std::min(1.0, stage.median / most));
+    painter.fillRect(QRect(8, y + row - 4, std::max(1, bar), 3), QColor(70, 140, 160));
+    text(QString::fromStdString(stage.name), QString("%1").arg(stage.median * 1e3, 0, 'f', 3));
+  }
+  QString advice;
+  if (state_.realTimeFactor < 0.9 && slowest)
+    advice = QString("Slower than real time: %1 takes most. A larger spacing helps.")
+                 .arg(QString::fromStdString(slowest->name));
+  else if (pictures_ > 0 && scale_ < 0.45)
+    advice = "Drawing is slow here: a smaller window or a graphics card helps.";
+  painter.setPen(QColor(220, 150, 60));
+  painter.drawText(QRect(8, y, width() - 16, 3 * row), Qt::AlignLeft | Qt::TextWordWrap, advice);
+}
+
+}  // namespace resect

@@ -1,0 +1,80 @@
+// What stands beside the picture: instruments, organ, what has been removed, where the time goes.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "operation/live_operation.h"
+#include "tools/tool.h"
+
+class QDoubleSpinBox;
+class QLabel;
+class QSlider;
+class QSpinBox;
+class QToolButton;
+class QVBoxLayout;
+
+namespace resect {
+
+// One button per instrument; pressed while it is in hand.
+class InstrumentsPanel : public QWidget {
+ public:
+  explicit InstrumentsPanel(QWidget* parent = nullptr);
+  void setTools(const std::vector<ToolModel>& tools);
+  void setHeld(int tool, const QString& how);
+  std::function<void(int tool)> chosen;  // -1: put back
+ private:
+  QVBoxLayout* layout_;
+  QLabel* how_;
+  std::vector<QToolButton*> buttons_;
+};
+
+// Particles, spacing, volume, iso level.
+class OrganPanel : public QWidget {
+ public:
+  explicit OrganPanel(QWidget* parent = nullptr);
+  void setOrgan(const QString& name, double spacing, int refine, const QString& notes);
+  void follow(const LiveState& state);
+  void setIso(float iso);
+  std::function<void(float)> isoChanged;
+  std::function<void(double spacing, int refine)> rebuild;  // m
+
+ private:
+  QLabel *name_, *counts_, *isoText_, *notes_;
+  QSlider* iso_;
+  QDoubleSpinBox* spacing_;
+  QSpinBox* refine_;
+};
+
+// Millilitres taken out, large, with their history.
+class RemovedPanel : public QWidget {
+ public:
+  explicit RemovedPanel(QWidget* parent = nullptr);
+  void follow(const LiveState& state);
+  void clear();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  double removed_ = 0, whole_ = 0;  // m^3
+  std::int64_t particles_ = 0;
+  std::vector<std::pair<double, double>> history_;  // s, ml
+};
+
+// A live bar per stage of the step, the frame rates, and what to change where they are too low.
+class TimingPanel : public QWidget {
+ public:
+  explicit TimingPanel(QWidget* parent = nullptr);
+  void follow(const LiveState& state, double picturesPerSecond, double pictureScale);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  LiveState state_;
+  double pictures_ = 0, scale_ = 1;
+};
+
+}  // namespace resect

@@ -1,0 +1,81 @@
+// The picture in the window: draws the operation, and turns mouse and keyboard into Inventor
+// events.
+//
+// On a fast graphics card every picture is drawn in full. Where the processor draws, pictures get
+// fewer pixels while something moves, as many as keep the frame rate, and all of them, with
+// smooth edges, once it stands still.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+#include <QTimer>
+#include <functional>
+#include <memory>
+
+#include "io/png_file.h"
+
+class QOpenGLFramebufferObject;
+class SoEvent;
+class SoGLRenderAction;
+class SbViewportRegion;
+
+namespace resect {
+
+class OperatingSession;
+
+class Viewer : public QOpenGLWidget {
+ public:
+  explicit Viewer(QWidget* parent = nullptr);
+  ~Viewer() override;
+
+  // Shows this session; nullptr: nothing. The session must outlive its showing.
+  void show(OperatingSession* session);
+  void setFpsLimit(double framesPerSecond);
+
+  double aspect() const { return double(width()) / std::max(1, height()); }
+  SbViewportRegion viewport() const;               // device pixels
+  double framesPerSecond() const;                  // of the pictures drawn lately
+  double scaleInMotion() const { return scale_; }  // share of the pixels' rows drawn in motion
+  const std::string& renderer() const { return renderer_; }
+  // The picture as shown, in full quality.
+  RgbImage grabPicture();
+
+  std::function<void()> ticked;  // after each look at the operation
+  // Asked first: true when it used the event.
+  std::function<bool(const SoEvent&, const SbViewportRegion&)> before;
+  std::function<void(const std::string&)> failed;  // a sentence
+
+ protected:
+  void initializeGL() override;
+  void paintGL() override;
+  void mousePressEvent(QMouseEvent* event) override { mouseButton(event, true); }
+  void mouseReleaseEvent(QMouseEvent* event) override { mouseButton(event, false); }
+  void mouseDoubleClickEvent(QMouseEvent* event) override { mouseButton(event, true); }
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override { key(event, true); }
+  void keyReleaseEvent(QKeyEvent* event) override { key(event, false); }
+
+ private:
+  void tick();
+  void draw(int width, int height, int samples);
+  void mouseButton(QMouseEvent* event, bool down);
+  void key(QKeyEvent* event, bool down);
+  bool send(SoEvent& event, const QPointF& at, Qt::KeyboardModifiers modifiers);
+  void forgetContext();
+
+  OperatingSession* session_ = nullptr;
+  QTimer timer_;
+  QElapsedTimer clock_, still_;
+  std::unique_ptr<SoGLRenderAction> action_;
+  std::unique_ptr<QOpenGLFramebufferObject> buffer_;
+  std::string renderer_;
+  bool software_ = false;  // the processor draws
+  bool full_ = false;      // the next picture is drawn in full
+  bool fullShown_ = false;
+  double scale_ = 1;
+  std::vector<double> drawn_;  // times of the last pictures, s
+  double wheel_ = 0;           // degrees not yet turned into steps
+};
+
+}  // namespace resect

@@ -1,0 +1,23 @@
+// The window: a person operates.
+#pragma once
+
+#include <string>
+
+#include "operation/scenario.h"
+
+namespace resect {
+
+struct WindowOptions {
+  Scenario scenario;  // organ and room to begin with
+  int width = 1280, height = 720;
+  double fpsLimit = 60;
+  bool overlay = true;   // show the controls at the start
+  bool reports = false;  // say on standard output what happens, for scripts
+  bool dark = true;
+};
+
+// Opens the window and returns its exit status when it is closed. Throws Error when there is no
+// display or no OpenGL.
+int showWindow(const WindowOptions& options);
+
+}  // namespace resect

@@ -1,0 +1,72 @@
+// resect window: a person operates.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/window.h"
+#include "base/error.h"
+#include "base/parallel.h"
+#include "cli/commands.h"
+#include "cli/organ_options.h"
+#include "cli/picture_writer.h"
+#include "io/data_folder.h"
+#include "io/scenario_file.h"
+
+namespace resect {
+namespace {
+
+struct Options {
+  std::string scenario, organ, size = "1280x800";
+  double fpsLimit = 60;
+  int threads = 0;
+  bool noHelp = false, light = false, reports = false;
+};
+
+void window(const Options& options, const OrganOptions& organOptions) {
+  WindowOptions window;
+  parseSize(options.size, window.width, window.height);
+  const ThreadLimit threads(options.threads);
+  if (!options.scenario.empty())
+    window.scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
+  else
+    window.scenario.organ.spacing = 0.005;
+  if (!options.organ.empty())
+    window.scenario.organ.file = options.organ == "liver" ? "" : options.organ;
+  organOptions.applyTo(window.scenario.organ);
+  window.fpsLimit = options.fpsLimit;
+  window.overlay = !options.noHelp;
+  window.dark = !options.light;
+  window.reports = options.reports;
+  if (const int status = showWindow(window); status != 0)
+    throw error("the window ended with status {}", status);
+}
+
+}  // namespace
+
+void addWindowCommand(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("window", "Operate with mouse and keyboard");
+  command->add_option("SCENARIO", options->scenario,
+                      "Organ and room of this scenario; without it the built-in liver at 5 mm");
+  command->add_option("--organ", options->organ, "Another organ: model or .dis file, or \"liver\"");
+  auto organ = addOrganOptions(*command);
+  command->add_option("--threads", options->threads, "Threads to use; 0 = all")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_option("--fps-limit", options->fpsLimit, "Most pictures per second")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "Width and height of the window")
+      ->capture_default_str();
+  command->add_flag("--no-help", options->noHelp, "Do not show the controls at the first start");
+  command->add_flag("--light", options->light, "Light colours");
+  command->add_flag("--reports", options->reports,
+                    "Say on standard output what happens and where things are, for scripts");
+  command->footer(
+      "Examples:\n"
+      "  resect window\n"
+      "  resect window --organ my_liver.stl --unit mm --spacing 6mm\n"
+      "  resect window cut-950");
+  command->callback([options, organ] { window(*options, *organ); });
+}
+
+}  // namespace resect

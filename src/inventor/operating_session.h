@@ -1,0 +1,77 @@
+// What is live while a person operates? The room, the instruments in hand, the camera, the iso
+// scale and the operation behind them: all of a window but the window.
+//
+// Driven by Inventor events and by update(), so any toolkit, and any test, can drive it.
+#pragma once
+
+#include <Inventor/actions/SoHandleEventAction.h>
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "inventor/camera_moves.h"
+#include "inventor/iso_dragger.h"
+#include "inventor/operation_view.h"
+#include "inventor/tip_marker.h"
+#include "inventor/tool_handling.h"
+#include "operation/live_operation.h"
+
+class SbViewportRegion;
+class SoEvent;
+
+namespace resect {
+
+class OperatingSession {
+ public:
+  // aspect: width / height of the picture. The scenario's motions are not played: its tools lie in
+  // the tool box for a person to take.
+  OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect);
+
+  // An event of mouse or keyboard, positions in pixels of the viewport, from its lower left. True
+  // when somebody took it.
+  bool handle(const SoEvent& event, const SbViewportRegion& viewport);
+
+  // Takes what the operation has changed since the last call and lets Inventor's sensors run. True
+  // when the picture has to be drawn again.
+  bool update();
+
+  void look(RoomView view, double aspect);
+  // All of the organ and the tool box in sight, all tools in the tool box.
+  void bringEverythingBack(double aspect);
+  // The point of the room under a pixel; nothing there: false.
+  bool pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport, Vec3& point) const;
+  // Middle of a tool, for a pointer to click on: pixels of the viewport.
+  SbVec2s pixelOf(const Vec3& point, const SbViewportRegion& viewport) const;
+  Vec3 middleOfTool(int tool) const;
+
+  SoNode* root() const { return view_.room().root(); }
+  OperatingRoom& room() const { return view_.room(); }
+  ToolHandling& tools() { return tools_; }
+  CameraMoves& camera() { return camera_; }
+  IsoDragger& iso() { return iso_; }
+  LiveOperation& operation() { return operation_; }
+  const LiveState& state() const { return state_; }
+  const Scenario& scenario() const { return scenario_; }
+  const std::vector<ToolModel>& toolModels() const { return toolModels_; }
+  const Discretization& cells() const { return cells_; }  // as the operation began
+
+ private:
+  void toolsChanged();
+
+  Scenario scenario_;
+  std::vector<ToolModel> toolModels_;
+  Discretization cells_;
+  Aabb organBox_;
+  mutable OperationView view_;
+  ToolHandling tools_;
+  CameraMoves camera_;
+  IsoDragger iso_;
+  TipMarker marker_;
+  SoHandleEventAction events_;
+  bool dirty_ = true;
+  LiveState state_;
+  LiveOperation operation_;  // last: ends its thread before what it shows goes
+};
+
+}  // namespace resect

@@ -1,0 +1,39 @@
+// How deep is the instrument? A plumb line from its tip to what lies below, a ring where that is,
+// and a glow at the tip that says that tissue is near or touched.
+#pragma once
+
+#include "base/vec.h"
+
+class SoBaseColor;
+class SoCoordinate3;
+class SoMaterial;
+class SoSeparator;
+class SoSphere;
+class SoSwitch;
+class SoTranslation;
+
+namespace resect {
+
+class TipMarker {
+ public:
+  explicit TipMarker(SoSeparator* parent);
+  ~TipMarker();
+  TipMarker(const TipMarker&) = delete;
+  TipMarker& operator=(const TipMarker&) = delete;
+
+  void hide();
+  // tip: world, m; below: height of what lies under it, m; distance to tissue, m, 0 = inside.
+  void show(const Vec3& tip, double below, double distance, bool touching);
+
+ private:
+  SoSeparator* parent_;
+  SoSwitch* root_;
+  SoCoordinate3* line_;
+  SoTranslation* ringPlace_;
+  SoTranslation* glowPlace_;
+  SoSwitch* glowSwitch_;
+  SoMaterial* glow_;
+  SoSphere* ball_;
+};
+
+}  // namespace resect

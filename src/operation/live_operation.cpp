@@ -1,0 +1,211 @@
+#include "operation/live_operation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/stage_clock.h"
+
+namespace resect {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void keepLast(std::vector<double>& values, double value, std::size_t most) {
+  if (values.size() >= most) values.erase(values.begin(), values.end() - std::ptrdiff_t(most) + 1);
+  values.push_back(value);
+}
+
+double median(std::vector<double> values) {
+  return values.empty() ? 0 : summarise(std::move(values)).median;
+}
+
+TipPlace placeOf(const Organ& organ, const Vec3& tip) {
+  const Lattice& lattice = organ.rest.lattice;
+  TipPlace place{0, kTipReach};
+  const Vec3 c = lattice.toCellSpace(tip);
+  const Vec3 reach = kTipReach * lattice.spacing.cwiseInverse();
+  Vec3i low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = std::max(0, int(std::ceil(c[a] - reach[a] - 0.5)));
+    high[a] = std::min(lattice.dims[a] - 1, int(std::floor(c[a] + reach[a] + 0.5)));
+  }
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        if (!organ.alive[lattice.index({x, y, z})]) continue;
+        const Vec3 beyond = ((c - Vec3(x, y, z)).cwiseAbs() - Vec3::Constant(0.5)).cwiseMax(0.0);
+        place.distance = std::min(place.distance, beyond.cwiseProduct(lattice.spacing).norm());
+      }
+  const int x = int(std::lround(c.x())), z = int(std::lround(c.z()));
+  if (x >= 0 && z >= 0 && x < lattice.dims.x() && z < lattice.dims.z())
+    for (int y = std::min(lattice.dims.y() - 1, int(std::floor(c.y()))); y >= 0; --y)
+      if (organ.alive[lattice.index({x, y, z})]) {
+        place.below = lattice.centre({x, y, z}).y() + 0.5 * lattice.spacing.y();
+        break;
+      }
+  return place;
+}
+
+}  // namespace
+
+LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
+                             double frameRate)
+    : simulation_(std::move(simulation)),
+      frameRate_(frameRate),
+      wholeVolume_(simulation_->organ().rest.volume()) {
+  input_.duration = 1 / frameRate_;
+  for (const Pose& rest : rests) input_.tools.push_back({rest, false});
+  update_.everything = true;
+  thread_ = std::thread([this] { work(); });
+}
+
+LiveOperation::~LiveOperation() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void LiveOperation::setTool(int tool, const ToolInput& input) {
+  const std::lock_guard lock(mutex_);
+  input_.tools.at(std::size_t(tool)) = input;
+}
+
+void LiveOperation::setIso(float iso) {
+  const std::lock_guard lock(mutex_);
+  input_.iso = iso;
+}
+
+void LiveOperation::setPaused(bool paused) {
+  {
+    const std::lock_guard lock(mutex_);
+    paused_ = paused;
+  }
+  wake_.notify_all();
+}
+
+bool LiveOperation::take(SurfaceUpdate& update, LiveState& state) {
+  const std::lock_guard lock(mutex_);
+  if (!fresh_) return false;
+  fresh_ = false;
+  update = std::move(update_);
+  update_ = {};
+  updateVertices_ = 0;
+  state = state_;
+  return true;
+}
+
+SurfaceTracker::Compact LiveOperation::surface() const {
+  const std::lock_guard lock(stepping_);
+  return simulation_->organ().surface.compact();
+}
+
+void LiveOperation::waitFor(std::int64_t frame) {
+  std::unique_lock lock(mutex_);
+  newFrame_.wait(lock, [&] { return state_.frame >= frame; });
+}
+
+void LiveOperation::work() {
+  const auto period =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / frameRate_));
+  StepReport report;
+  auto due = Clock::now();
+  for (;;) {
+    FrameInput input;
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait_until(lock, due, [&] { return ending_; });
+      wake_.wait(lock, [&] { return ending_ || !paused_; });
+      if (ending_) return;
+      input = input_;
+      input_.iso.reset();
+    }
+    StageClock clock;
+    {
+      const std::lock_guard lock(stepping_);
+      simulation_->step(input, report, &clock);
+    }
+    const auto second = std::size_t(std::ceil(frameRate_));
+    laps_.resize(clock.stages().size());
+    double step = 0;
+    {
+      const std::lock_guard lock(mutex_);
+      state_.stages.resize(laps_.size());
+      for (std::size_t s = 0; s < laps_.size(); ++s) {
+        step += clock.stages()[s].seconds.back();
+        keepLast(laps_[s], clock.stages()[s].seconds.back(), second);
+        state_.stages[s] = {clock.stages()[s].name, median(laps_[s])};
+      }
+      keepLast(steps_, step, second);
+      keepLast(arrivals_, std::chrono::duration<double>(Clock::now().time_since_epoch()).count(),
+               second);
+      state_.stepMedian = median(steps_);
+      state_.stepWorst = *std::max_element(steps_.begin(), steps_.end());
+      const double elapsed = arrivals_.back() - arrivals_.front();
+      state_.realTimeFactor = elapsed > 0 ? double(arrivals_.size() - 1) / frameRate_ / elapsed : 1;
+      publish(report);
+      fresh_ = true;
+    }
+    newFrame_.notify_all();
+    due = std::max(due + period, Clock::now());
+  }
+}
+
+// Copies what the frame has changed; the simulation is this thread's alone, so it may be read.
+void LiveOperation::publish(const StepReport& report) {
+  const Organ& organ = simulation_->organ();
+  const SurfaceTracker& surface = organ.surface;
+  const auto addVertices = [&](int first, int count) {
+    const auto part = [&](auto span) {
+      const auto some = span.subspan(std::size_t(first), std::size_t(count));
+      return std::vector(some.begin(), some.end());
+    };
+    update_.vertices.push_back(
+        {first, part(surface.points()), part(surface.normals()), part(surface.cut())});
+    updateVertices_ += std::size_t(count);
+  };
+  const auto addTriangles = [&](int first, int count) {
+    const auto some = surface.triangles().subspan(std::size_t(first), std::size_t(count));
+    update_.triangles.push_back({first, {some.begin(), some.end()}});
+  };
+  const SurfaceTracker::Changes& changes = surface.changes();
+  // A viewer that does not keep up is given the whole once instead of the same ranges many times.
+  const bool whole =
+      update_.everything || changes.everything || updateVertices_ > 2 * surface.points().size();
+  if (whole) {
+    update_ = {};
+    updateVertices_ = 0;
+    update_.everything = true;
+    addVertices(0, int(surface.points().size()));
+    addTriangles(0, int(surface.triangles().size()));
+  } else {
+    for (const IndexRange& r : changes.vertices) addVertices(int(r.first), int(r.count));
+    for (const IndexRange& r : changes.triangles) addTriangles(int(r.first), int(r.count));
+  }
+
+  state_.frame = report.frame + 1;
+  state_.time = report.time;
+  state_.particles = organ.particles;
+  state_.removed = organ.removed;
+  state_.removedVolume = organ.removedVolume;
+  state_.volume = wholeVolume_ - organ.removedVolume;
+  state_.triangles = surface.triangleCount();
+  state_.iso = surface.iso();
+  state_.faults = report.faults;
+  const auto& tools = simulation_->tools();
+  state_.tips.resize(tools.size());
+  state_.touching.assign(tools.size(), 0);
+  lastTouch_.resize(tools.size(), -1);
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    // Tissue that is taken at once would be touched for one frame only, too short to see.
+    if (!report.contacts[i].cells.empty()) lastTouch_[i] = report.time;
+    state_.touching[i] = std::uint8_t(lastTouch_[i] >= 0 && report.time - lastTouch_[i] < 0.1);
+    if (tools[i].inHand)
+      state_.tips[i] = placeOf(organ, tools[i].pose * tools[i].tool->model().tip);
+  }
+}
+
+}  // namespace resect

@@ -1,0 +1,110 @@
+// How does an operation go on while a person looks at it?
+//
+// A thread of its own steps the simulation at the frame rate of real time; the window never waits
+// for it. Inputs are handed in at any moment and used from the next frame on; what has changed is
+// taken out in pieces the size of the change. Frames that the machine cannot do in time are not
+// made up for: the operation then runs slower than the clock, and realTimeFactor says so.
+#pragma once
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "simulation/simulation.h"
+
+namespace resect {
+
+// Parts of the surface that differ from what was taken before; apply them in their order.
+struct SurfaceUpdate {
+  struct Vertices {
+    int first = 0;
+    std::vector<Vec3f> points, normals;
+    std::vector<float> cut;
+  };
+  struct Triangles {
+    int first = 0;
+    std::vector<Triangle> triangles;
+  };
+  bool everything = false;  // forget all vertices and triangles that there were
+  std::vector<Vertices> vertices;
+  std::vector<Triangles> triangles;
+
+  bool empty() const { return !everything && vertices.empty() && triangles.empty(); }
+};
+
+// Where is the tip of a tool in hand, as seen by the tissue?
+struct TipPlace {
+  double below = 0;     // height (y, m) of the tissue or table top straight below the tip
+  double distance = 0;  // m to the nearest particle's cell; 0 inside; at most kTipReach
+};
+constexpr double kTipReach = 0.03;
+
+struct StageTime {
+  std::string name;
+  double median = 0;  // s, over the last second
+};
+
+// What panels show: the newest state.
+struct LiveState {
+  std::int64_t frame = 0;
+  double time = 0;  // simulated, s
+  std::int64_t particles = 0, removed = 0, triangles = 0;
+  double removedVolume = 0, volume = 0;  // m^3
+  float iso = 50;
+  std::vector<TipPlace> tips;          // one per tool; meaningful for those in hand
+  std::vector<std::uint8_t> touching;  // 1 for each tool that has touched tissue lately (0.1 s)
+  std::vector<StageTime> stages;
+  double stepMedian = 0, stepWorst = 0;  // s, over the last second
+  double realTimeFactor = 1;             // simulated over elapsed time, over the last second
+  std::vector<std::string> faults;       // of the last frame
+};
+
+class LiveOperation {
+ public:
+  // Starts at once, with all tools out of hand where they lie (`rests`, one per tool). frameRate:
+  // simulated frames per second, 1 to 1000.
+  LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
+                double frameRate = 60);
+  ~LiveOperation();  // ends the thread after the frame in work
+  LiveOperation(const LiveOperation&) = delete;
+  LiveOperation& operator=(const LiveOperation&) = delete;
+
+  // From the next frame on. May be called from any thread.
+  void setTool(int tool, const ToolInput& input);
+  void setIso(float iso);
+  void setPaused(bool paused);
+
+  // Moves out what has changed since the last call and copies the state. False: no frame since.
+  bool take(SurfaceUpdate& update, LiveState& state);
+
+  // The surface as it is now, for saving; waits for the frame in work.
+  SurfaceTracker::Compact surface() const;
+  // Waits until at least this frame has been done (for tests).
+  void waitFor(std::int64_t frame);
+
+ private:
+  void work();
+  void publish(const StepReport& report);
+
+  std::unique_ptr<Simulation> simulation_;
+  const double frameRate_;
+  const double wholeVolume_;     // m^3, before the operation
+  mutable std::mutex stepping_;  // held while the simulation is used
+  mutable std::mutex mutex_;     // guards all below
+  std::condition_variable newFrame_, wake_;
+  FrameInput input_;
+  bool paused_ = false, ending_ = false, fresh_ = false;
+  SurfaceUpdate update_;
+  std::size_t updateVertices_ = 0;
+  LiveState state_;
+  std::vector<std::vector<double>> laps_;  // per stage, ring of the last second
+  std::vector<double> steps_, arrivals_;
+  std::vector<double> lastTouch_;  // simulated time, s, per tool
+  std::thread thread_;
+};
+
+}  // namespace resect

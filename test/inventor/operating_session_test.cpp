@@ -1,0 +1,248 @@
+#include "inventor/operating_session.h"
+
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/events/SoKeyboardEvent.h>
+#include <Inventor/events/SoLocation2Event.h>
+#include <Inventor/events/SoMouseButtonEvent.h>
+#include <Inventor/manips/SoTransformManip.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <doctest/doctest.h>
+
+#include "inventor/SoOrganShape.h"
+#include "inventor/model_file.h"
+#include "inventor/scene_file.h"
+#include "io/operation_setup.h"
+#include "operation/room.h"
+#include "support/temporary_folder.h"
+#include "tools/registry.h"
+
+using namespace resect;
+
+namespace {
+
+// A coarse liver, all instruments, and a mouse on a picture of 800 x 500 pixels.
+struct Bench {
+  Scenario scenario;
+  std::unique_ptr<OperatingSession> session;
+  SbViewportRegion viewport{800, 500};
+
+  Bench() {
+    scenario.organ.spacing = 0.012;
+    int place = 0;
+    for (const ToolKind& kind : toolKinds())
+      scenario.tools.push_back({std::string(kind.name), toolBoxPlace(place++), {}});
+    const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
+    session = std::make_unique<OperatingSession>(
+        scenario,
+        std::make_unique<Simulation>(makeOrgan(loadCells(scenario.organ, reader), {}),
+                                     loadTools(scenario, reader)),
+        1.6);
+    settle();
+  }
+
+  ToolHandling& tools() { return session->tools(); }
+
+  // Lets the operation do two more frames.
+  void settle() {
+    session->update();
+    session->operation().waitFor(session->state().frame + 2);
+    session->update();
+  }
+  bool send(SoEvent& event, const SbVec2s& at, bool shift = false) {
+    event.setPosition(at);
+    event.setTime(SbTime::getTimeOfDay());
+    event.setShiftDown(shift);
+    const bool taken = session->handle(event, viewport);
+    session->update();
+    return taken;
+  }
+  void button(const SbVec2s& at, bool down, SoMouseButtonEvent::Button which, bool shift = false) {
+    SoMouseButtonEvent event;
+    event.setButton(which);
+    event.setState(down ? SoButtonEvent::DOWN : SoButtonEvent::UP);
+    send(event, at, shift);
+  }
+  void move(const SbVec2s& at, bool shift = false) {
+    SoLocation2Event event;
+    send(event, at, shift);
+  }
+  void click(const SbVec2s& at, SoMouseButtonEvent::Button which = SoMouseButtonEvent::BUTTON1) {
+    move(at);
+    button(at, true, which);
+    button(at, false, which);
+  }
+  void drag(const SbVec2s& from, const SbVec2s& to,
+            SoMouseButtonEvent::Button which = SoMouseButtonEvent::BUTTON1, bool shift = false) {
+    move(from);
+    button(from, true, which, shift);
+    for (int i = 1; i <= 10; ++i)
+      move(SbVec2s(short(from[0] + (to[0] - from[0]) * i / 10),
+                   short(from[1] + (to[1] - from[1]) * i / 10)),
+           shift);
+    button(to, false, which, shift);
+  }
+  bool key(SoKeyboardEvent::Key key, bool shift = false) {
+    SoKeyboardEvent event;
+    event.setKey(key);
+    event.setState(SoButtonEvent::DOWN);
+    return send(event, {400, 250}, shift);
+  }
+  SbVec2s pixelOf(int tool) const {
+    return session->pixelOf(session->middleOfTool(tool), viewport);
+  }
+  SbVec2s nowhere() const { return {790, 490}; }  // the room's wall
+  bool manipulated(int tool) {
+    return session->room().toolTransform(tool)->isOfType(SoTransformManip::getClassTypeId());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a click on each tool attaches a handle box, a middle click toggles, elsewhere lets go") {
+  Bench bench;
+  for (int tool = 0; tool < bench.tools().toolCount(); ++tool) {
+    CAPTURE(tool);
+    const Pose before = bench.tools().pose(tool);
+    bench.click(bench.pixelOf(tool));
+    REQUIRE(bench.tools().held() == tool);
+    CHECK(bench.tools().how() == ToolHandling::Hold::HandleBox);
+    CHECK(bench.manipulated(tool));
+    bench.click(bench.pixelOf(tool), SoMouseButtonEvent::BUTTON2);
+    CHECK(bench.tools().how() == ToolHandling::Hold::Trackball);
+    bench.click(bench.pixelOf(tool), SoMouseButtonEvent::BUTTON2);
+    CHECK(bench.tools().how() == ToolHandling::Hold::HandleBox);
+    bench.click(bench.nowhere());
+    CHECK(bench.tools().held() == -1);
+    CHECK_FALSE(bench.manipulated(tool));
+    CHECK((bench.tools().pose(tool).position - before.position).norm() < 1e-6);
+    CHECK(bench.tools().pose(tool).rotation.angularDistance(before.rotation) < 1e-3);
+  }
+}
+
+TEST_CASE("dragging a tool moves it under the pointer; with Shift it turns about its tip") {
+  Bench bench;
+  const SbVec2s from = bench.pixelOf(0), to(short(from[0] - 120), short(from[1] + 90));
+  bench.drag(from, to);
+  REQUIRE(bench.tools().held() == 0);
+  CHECK(bench.tools().how() == ToolHandling::Hold::Direct);
+  // The tip is a little deeper or nearer than the middle, hence some pixels.
+  CHECK(std::abs(bench.pixelOf(0)[0] - to[0]) < 12);
+  CHECK(std::abs(bench.pixelOf(0)[1] - to[1]) < 12);
+
+  const Pose before = bench.tools().pose(0);
+  bench.drag({400, 300}, {460, 300}, SoMouseButtonEvent::BUTTON1, true);
+  CHECK((bench.tools().pose(0).position - before.position).norm() < 1e-6);
+  CHECK(bench.tools().pose(0).rotation.angularDistance(before.rotation) > 0.1);
+}
+
+TEST_CASE("wheel and keys move the tool in hand, in depth and in the view; Escape puts it back") {
+  Bench bench;
+  const Pose rest = bench.tools().pose(1);
+  REQUIRE(bench.key(SoKeyboardEvent::NUMBER_2));
+  REQUIRE(bench.tools().held() == 1);
+  const Vec3 camera = [&] {
+    const SbVec3f p = bench.session->room().camera()->position.getValue();
+    return Vec3(p[0], p[1], p[2]);
+  }();
+  const double before = (bench.tools().pose(1).position - camera).norm();
+  bench.button({400, 250}, true, SoMouseButtonEvent::BUTTON4);
+  const double after = (bench.tools().pose(1).position - camera).norm();
+  CHECK(after > before + 0.003);
+  const Vec3 position = bench.tools().pose(1).position;
+  for (const auto key :
+       {SoKeyboardEvent::LEFT_ARROW, SoKeyboardEvent::UP_ARROW, SoKeyboardEvent::PAGE_UP,
+        SoKeyboardEvent::RIGHT_ARROW, SoKeyboardEvent::DOWN_ARROW, SoKeyboardEvent::PAGE_DOWN})
+    CHECK(bench.key(key));
+  CHECK((bench.tools().pose(1).position - position).norm() < 1e-6);  // there and back
+  bench.key(SoKeyboardEvent::LEFT_ARROW, true);
+  CHECK(bench.tools().pose(1).rotation.angularDistance(rest.rotation) > 0.04);
+  CHECK(bench.key(SoKeyboardEvent::ESCAPE));
+  CHECK(bench.tools().held() == -1);
+  CHECK((bench.tools().pose(1).position - rest.position).norm() < 1e-6);
+  CHECK_FALSE(bench.key(SoKeyboardEvent::ESCAPE));
+  CHECK_FALSE(bench.key(SoKeyboardEvent::NUMBER_9));
+}
+
+TEST_CASE("a tool that is held cuts, one that lies in the tissue does not") {
+  Bench bench;
+  const Vec3 inside = bench.session->cells().lattice.box().centre();
+  bench.tools().setPose(2, {inside + Vec3(0, 0.02, 0), Eigen::Quaterniond::Identity()});
+  bench.settle();
+  CHECK(bench.session->state().removed == 0);
+  const int before = bench.session->room().organ()->triangleCount();
+  bench.tools().hold(2, ToolHandling::Hold::Direct);
+  bench.tools().setPose(2, {inside, Eigen::Quaterniond::Identity()});
+  bench.settle();
+  CHECK(bench.session->state().removed > 0);
+  CHECK(bench.session->state().touching[2] == 1);
+  CHECK(bench.session->state().tips[2].distance == doctest::Approx(0).epsilon(0.03));
+  CHECK(bench.session->room().organ()->triangleCount() >= before);
+}
+
+TEST_CASE("the picture gets the changed ranges of the surface and nothing else") {
+  Bench bench;
+  auto* organ = bench.session->room().organ();
+  const int revision = organ->revision.getValue();
+  for (int i = 0; i < 5; ++i) bench.settle();
+  CHECK(organ->revision.getValue() == revision);  // nothing happens, nothing is sent
+}
+
+TEST_CASE("dragging the iso scale changes the level and with it the surface") {
+  Bench bench;
+  const auto before = bench.session->state().triangles;
+  const SbVec2s at = bench.session->pixelOf(bench.session->iso().handle(), bench.viewport);
+  bench.drag(at, {at[0], short(at[1] + 40)});
+  CHECK(bench.session->iso().value() > 55);
+  CHECK(bench.tools().held() == -1);
+  bench.settle();
+  CHECK(bench.session->state().iso == bench.session->iso().value());
+  CHECK(bench.session->state().triangles != before);
+}
+
+TEST_CASE("the camera orbits, zooms and pans, and comes home") {
+  Bench bench;
+  auto* camera = bench.session->room().camera();
+  const SbVec3f home = camera->position.getValue();
+  bench.drag({300, 300}, {360, 330}, SoMouseButtonEvent::BUTTON3);
+  CHECK((camera->position.getValue() - home).length() > 0.02f);
+  const float far = camera->focalDistance.getValue();
+  bench.button({400, 250}, true, SoMouseButtonEvent::BUTTON4);
+  CHECK(camera->focalDistance.getValue() < far);
+  const Vec3 target = bench.session->camera().pointOfInterest();
+  bench.drag({300, 300}, {340, 300}, SoMouseButtonEvent::BUTTON2);
+  CHECK((bench.session->camera().pointOfInterest() - target).norm() > 0.005);
+  bench.tools().setPose(0, {Vec3(0, 5, 0), Eigen::Quaterniond::Identity()});
+  bench.session->bringEverythingBack(1.6);
+  CHECK((camera->position.getValue() - home).length() < 1e-5f);
+  CHECK((bench.tools().pose(0).position - toolBoxPlace(0).position).norm() < 1e-6);
+}
+
+TEST_CASE("a point of the organ is found under a pixel") {
+  Bench bench;
+  const Vec3 middle = bench.session->cells().lattice.box().centre();
+  Vec3 point;
+  REQUIRE(bench.session->pointUnder(bench.session->pixelOf(middle, bench.viewport), bench.viewport,
+                                    point));
+  CHECK(bench.session->cells().lattice.box().padded(0.01).contains(point));
+}
+
+TEST_CASE("a scene that is saved comes back with organ, tools and camera") {
+  Bench bench;
+  const test::TemporaryFolder folder;
+  const auto file = folder.path() / "scene.iv";
+  bench.tools().setPose(1, {Vec3(0.1, 0.2, 0.05), toolBoxPlace(1).rotation});
+  bench.session->look(RoomView::Top, 1.6);
+  const auto surface = bench.session->operation().surface();
+  writeSceneFile(file, bench.session->room(), surface);
+
+  const Model model = readModel(file);
+  const TriangleMesh& organ = partNamed(model, kOrganNode).mesh;
+  CHECK(organ.triangles.size() == surface.mesh.triangles.size());
+  const auto places = readScenePlaces(file);
+  REQUIRE(places);
+  REQUIRE(places->tools.size() == 3);
+  CHECK((places->tools[1].position - Vec3(0.1, 0.2, 0.05)).norm() < 1e-6);
+  const SbVec3f camera = bench.session->room().camera()->position.getValue();
+  CHECK((places->camera.position - Vec3(camera[0], camera[1], camera[2])).norm() < 1e-5);
+  CHECK_FALSE(readScenePlaces(bench.session->toolModels()[0].file).has_value());
+}
