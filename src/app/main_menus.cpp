@@ -61,21 +61,17 @@ void MainWindow::makeMenus() {
                                                     {"&Laparoscope", RoomView::Laparoscope}};
   int number = 1;
   for (const auto& [name, which] : views)
-    add(view, name, QKeySequence(QString("Ctrl+%1").arg(number++)), [this, which = which] {
-      if (session_) session_->look(which, viewer_->aspect());
-    });
+    add(view, name, QKeySequence(QString("Ctrl+%1").arg(number++)),
+        [this, which = which] { look(which); });
   view->addSeparator();
-  add(view, "&Home, all in view", QKeySequence("H"), [this] {
-    if (session_) session_->look(RoomView::Surgeon, viewer_->aspect());
-  });
+  add(view, "&Home, all in view", QKeySequence("H"), [this] { look(RoomView::Surgeon); });
   add(view, "Look at a &point: click it", QKeySequence("L"), [this] {
     lookingAt_ = true;
     viewer_->setCursor(Qt::CrossCursor);
     statusBar()->showMessage("Click what you want to look at");
   });
-  add(view, "&Bring everything back", QKeySequence(Qt::Key_Space), [this] {
-    if (session_) session_->bringEverythingBack(viewer_->aspect());
-  });
+  add(view, "&Bring everything back", QKeySequence(Qt::Key_Space),
+      [this] { bringEverythingBack(); });
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
   QAction* dark = view->addAction("&Dark");

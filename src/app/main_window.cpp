@@ -143,7 +143,7 @@ void MainWindow::makeDocks() {
     if (tool < 0)
       session_->tools().putBack(session_->tools().held());
     else
-      session_->tools().hold(tool, ToolHandling::Hold::Direct);
+      session_->tools().take(tool);
     viewer_->setFocus();
   };
   organ_->isoChanged = [this](float iso) {
@@ -282,6 +282,7 @@ void MainWindow::reportPlaces() {
     place(session_->toolModels()[std::size_t(i)].name, session_->middleOfTool(i));
   place("iso", session_->iso().handle());
   place("organ", session_->cells().lattice.box().centre());
+  say("places");
 }
 
 bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {
@@ -296,6 +297,18 @@ bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewp
   Vec3 point;
   if (session_->pointUnder(event.getPosition(), viewport, point)) session_->camera().lookAt(point);
   return true;
+}
+
+void MainWindow::look(RoomView view) {
+  if (!session_) return;
+  session_->look(view, viewer_->aspect());
+  if (options_.reports) reportPlaces();
+}
+
+void MainWindow::bringEverythingBack() {
+  if (!session_) return;
+  session_->bringEverythingBack(viewer_->aspect());
+  if (options_.reports) reportPlaces();
 }
 
 void MainWindow::complain(const std::string& sentence) {

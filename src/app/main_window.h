@@ -54,6 +54,8 @@ class MainWindow : public QMainWindow {
   void toggleVideo();
   void setTheme(bool dark);
   bool viewerEvent(const SoEvent& event, const SbViewportRegion& viewport);
+  void look(RoomView view);
+  void bringEverythingBack();
   void reportPlaces();
   void placeOverlays();
   // Asks for a file to write; what goes wrong in `write` is said.

@@ -69,6 +69,7 @@ void Viewer::forgetContext() {
   SoContextHandler::destructingContext(action_->getCacheContext());
   action_.reset();
   buffer_.reset();
+  shown_.reset();
   doneCurrent();
 }
 
@@ -76,6 +77,7 @@ void Viewer::setFpsLimit(double fps) { timer_.setInterval(std::max(1, int(1000 /
 
 void Viewer::show(OperatingSession* session) {
   session_ = session;
+  damage_.everything = true;
   full_ = true;
   timer_.start();
   update();
@@ -97,7 +99,10 @@ double Viewer::framesPerSecond() const {
 
 void Viewer::tick() {
   if (!session_) return;
-  if (session_->update()) {
+  const Damage damage = session_->update();
+  damage_.everything = damage_.everything || damage.everything;
+  damage_.boxes.insert(damage_.boxes.end(), damage.boxes.begin(), damage.boxes.end());
+  if (!damage_.empty()) {
     still_.restart();
     full_ = !software_;
     fullShown_ = false;
@@ -122,31 +127,29 @@ void Viewer::initializeGL() {
                    [this] { forgetContext(); });
 }
 
-// Into a buffer of its own of this size, then stretched over the window.
-void Viewer::draw(int width, int height, int samples) {
-  if (!buffer_ || buffer_->width() != width || buffer_->height() != height ||
-      buffer_->format().samples() != samples) {
-    QOpenGLFramebufferObjectFormat format;
-    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-    format.setSamples(samples);
-    buffer_ = std::make_unique<QOpenGLFramebufferObject>(width, height, format);
-  }
-  buffer_->bind();
+// All of the scene, or the pixels of `part`.
+void Viewer::draw(QOpenGLFramebufferObject& buffer, const PixelRect* part) {
+  buffer.bind();
   QOpenGLFunctions* gl = context()->functions();
-  gl->glViewport(0, 0, width, height);
+  gl->glViewport(0, 0, buffer.width(), buffer.height());
+  if (part) {
+    gl->glEnable(GL_SCISSOR_TEST);
+    gl->glScissor(part->left, part->bottom, part->right - part->left, part->top - part->bottom);
+  }
   gl->glClearColor(0, 0, 0, 1);
   gl->glDepthMask(GL_TRUE);
   gl->glEnable(GL_DEPTH_TEST);
   gl->glDepthFunc(GL_LEQUAL);
   gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   action_->invalidateState();
-  action_->setViewportRegion(SbViewportRegion(short(width), short(height)));
+  action_->setViewportRegion(SbViewportRegion(short(buffer.width()), short(buffer.height())));
   action_->apply(session_->root());
-  buffer_->bind();
+  gl->glDisable(GL_SCISSOR_TEST);
 }
 
 void Viewer::paintGL() {
   QOpenGLFunctions* gl = context()->functions();
+  QOpenGLExtraFunctions* extra = context()->extraFunctions();
   const SbVec2s size = viewport().getWindowSize();
   if (!session_) {
     gl->glClearColor(0.05f, 0.06f, 0.07f, 1);
@@ -155,31 +158,58 @@ void Viewer::paintGL() {
   }
   QElapsedTimer time;
   time.start();
-  const double scale = full_ ? 1.0 : scale_;
-  const int width = std::max(16, int(size[0] * scale)), height = std::max(16, int(size[1] * scale));
-  draw(width, height, full_ ? 4 : 0);
-  // Several samples become one before the picture is stretched.
-  QOpenGLFramebufferObject* from = buffer_.get();
-  QOpenGLExtraFunctions* extra = context()->extraFunctions();
-  extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, from->handle());
-  extra->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-  extra->glBlitFramebuffer(0, 0, width, height, 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT,
-                           full_ ? GL_NEAREST : GL_LINEAR);
+  if (!shown_ || shown_->width() != size[0] || shown_->height() != size[1]) {
+    shown_ = std::make_unique<QOpenGLFramebufferObject>(
+        size[0], size[1], QOpenGLFramebufferObject::CombinedDepthStencil);
+    damage_.everything = true;
+  }
+  const auto copy = [&](QOpenGLFramebufferObject& from, GLuint to, GLenum filter) {
+    extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
+    extra->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    extra->glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, size[0], size[1],
+                             GL_COLOR_BUFFER_BIT, filter);
+  };
+  const auto buffer = [&](int width, int height, int samples) -> QOpenGLFramebufferObject& {
+    if (!buffer_ || buffer_->width() != width || buffer_->height() != height ||
+        buffer_->format().samples() != samples) {
+      QOpenGLFramebufferObjectFormat format;
+      format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+      format.setSamples(samples);
+      buffer_ = std::make_unique<QOpenGLFramebufferObject>(width, height, format);
+    }
+    return *buffer_;
+  };
+  const std::vector<PixelRect> parts = pixelsOf(damage_, *session_->room().camera(), viewport());
+  const std::int64_t affordable = std::int64_t(scale_ * scale_ * size[0] * size[1]);
+  session_->room().setShadowResolution(software_ ? 512 : 1024);
+  if (full_) {
+    QOpenGLFramebufferObject& smooth = buffer(size[0], size[1], 4);
+    draw(smooth, nullptr);
+    copy(smooth, shown_->handle(), GL_NEAREST);
+  } else if (area(parts) <= affordable) {
+    for (const PixelRect& part : parts) draw(*shown_, &part);
+  } else {
+    QOpenGLFramebufferObject& coarse =
+        buffer(std::max(16, int(size[0] * scale_)), std::max(16, int(size[1] * scale_)), 0);
+    draw(coarse, nullptr);
+    copy(coarse, shown_->handle(), GL_LINEAR);
+  }
+  copy(*shown_, defaultFramebufferObject(), GL_NEAREST);
   extra->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  if (software_) {
+  if (software_ && !full_ && !parts.empty()) {
     gl->glFinish();
     const double ms = double(time.nsecsElapsed()) * 1e-6;
-    if (!full_) {
-      const auto* at = std::find(std::begin(kScales), std::end(kScales), scale_);
-      if (at == std::end(kScales)) at = std::begin(kScales) + 2;
-      if (ms > 30 && at + 1 != std::end(kScales))
-        ++at;
-      else if (ms < 15 && at != std::begin(kScales))
-        --at;
-      scale_ = *at;
-    }
+    const auto* at = std::find(std::begin(kScales), std::end(kScales), scale_);
+    if (at == std::end(kScales)) at = std::begin(kScales) + 2;
+    if (ms > 30 && at + 1 != std::end(kScales))
+      ++at;
+    else if (ms < 15 && area(parts) > affordable / 2 && at != std::begin(kScales))
+      --at;
+    scale_ = *at;
   }
+  damage_ = {};
   fullShown_ = full_;
+  full_ = !software_;
   drawn_.push_back(double(clock_.nsecsElapsed()) * 1e-9);
   if (drawn_.size() > 240) drawn_.erase(drawn_.begin(), drawn_.begin() + 120);
 }

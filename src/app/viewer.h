@@ -1,9 +1,10 @@
 // The picture in the window: draws the operation, and turns mouse and keyboard into Inventor
 // events.
 //
-// On a fast graphics card every picture is drawn in full. Where the processor draws, pictures get
-// fewer pixels while something moves, as many as keep the frame rate, and all of them, with
-// smooth edges, once it stands still.
+// On a graphics card every picture is drawn in full. Where the processor draws, only what has
+// changed is drawn again; when that is most of the picture, as after a move of the camera, with as
+// few pixels as keep the frame rate. Once all stands still a full picture with smooth edges
+// follows.
 #pragma once
 
 #include <QElapsedTimer>
@@ -12,6 +13,7 @@
 #include <functional>
 #include <memory>
 
+#include "inventor/damage.h"
 #include "io/png_file.h"
 
 class QOpenGLFramebufferObject;
@@ -58,7 +60,7 @@ class Viewer : public QOpenGLWidget {
 
  private:
   void tick();
-  void draw(int width, int height, int samples);
+  void draw(QOpenGLFramebufferObject& buffer, const PixelRect* part);
   void mouseButton(QMouseEvent* event, bool down);
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QPointF& at, Qt::KeyboardModifiers modifiers);
@@ -68,7 +70,9 @@ class Viewer : public QOpenGLWidget {
   QTimer timer_;
   QElapsedTimer clock_, still_;
   std::unique_ptr<SoGLRenderAction> action_;
-  std::unique_ptr<QOpenGLFramebufferObject> buffer_;
+  // The picture as shown, and what it is made from: with several samples or fewer pixels.
+  std::unique_ptr<QOpenGLFramebufferObject> shown_, buffer_;
+  Damage damage_;
   std::string renderer_;
   bool software_ = false;  // the processor draws
   bool full_ = false;      // the next picture is drawn in full

@@ -287,6 +287,7 @@ void SoShadowMaps::GLRender(SoGLRenderAction* action) {
     glMatrixMode(GL_MODELVIEW);
     glPushMatrix();
     glUseProgram(0);
+    glDisable(GL_SCISSOR_TEST);  // a picture may be drawn in part, its shadows never
     draw(*maps, context);
     maps->drawn = getNodeId();
     glUseProgram(GLuint(program));

@@ -34,6 +34,14 @@ void place(SoPerspectiveCamera& camera, const Vec3& position, const Vec3& target
 
 }  // namespace
 
+SbViewVolume viewVolumeOf(const SoPerspectiveCamera& camera, const SbViewportRegion& viewport) {
+  const float aspect = viewport.getViewportAspectRatio();
+  SbViewVolume volume = camera.getViewVolume(aspect);
+  // Coin's ADJUST_CAMERA: the angle is that across the narrower side.
+  if (aspect < 1) volume.scale(1 / aspect);
+  return volume;
+}
+
 Vec3 CameraMoves::pointOfInterest() const {
   return toVec(camera_->position.getValue()) +
          double(camera_->focalDistance.getValue()) * axisOf(*camera_, SbVec3f(0, 0, -1));

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Inventor/SbVec2s.h>
+#include <Inventor/SbViewVolume.h>
 
 #include "base/vec.h"
 
@@ -14,6 +15,10 @@ class SoEvent;
 class SoPerspectiveCamera;
 
 namespace resect {
+
+// What the camera sees in a picture of this size: as it is drawn, also in pictures higher than
+// wide.
+SbViewVolume viewVolumeOf(const SoPerspectiveCamera& camera, const SbViewportRegion& viewport);
 
 class CameraMoves {
  public:

@@ -282,6 +282,20 @@ SoNode* OperatingRoom::toolModel(int tool) const {
   return body->getChild(1);
 }
 
+Aabb OperatingRoom::toolBounds(int tool) const {
+  RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
+  SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
+  measure.apply(tools_->getChild(tool));
+  const SbBox3f box = measure.getBoundingBox();
+  if (box.isEmpty()) return {};
+  const SbVec3f &low = box.getMin(), &high = box.getMax();
+  return {Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])};
+}
+
+void OperatingRoom::setShadowResolution(int texels) {
+  if (shadows_->resolution.getValue() != texels) shadows_->resolution = texels;
+}
+
 void OperatingRoom::addListener(SoEventCallback* listener) {
   root_->insertChild(listener, root_->findChild(camera_) + 1);
 }

@@ -68,6 +68,8 @@ class OperatingRoom {
   void setToolPose(int tool, const Pose& pose);
   // The transform, or what stands in its place: a manipulator is an SoTransform too.
   SoTransform* toolTransform(int tool) const;
+  // What a tool and its manipulator fill, world, m.
+  Aabb toolBounds(int tool) const;
   // The tool that a path from root() goes through; -1 for none.
   int toolOfPath(const SoFullPath& path) const;
 
@@ -94,6 +96,9 @@ class OperatingRoom {
   // What helps the operator and is not there in a real room: draggers, markers. No shadows, no
   // shaders.
   SoSeparator* aids() const { return aids_; }
+
+  // Texels along each side of the shadow maps: fewer are drawn sooner.
+  void setShadowResolution(int texels);
 
   // Aims lamps and shadows at the box, world, m. Call it once per scene, or when the organ moves to
   // another place; not per frame, else the light flickers.

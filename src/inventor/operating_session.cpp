@@ -6,6 +6,7 @@
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoRayPickAction.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoSpotLight.h>
 #include <Inventor/sensors/SoSensorManager.h>
 
 #include <utility>
@@ -48,49 +49,88 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       events_(SbViewportRegion(640, 480)),
       operation_(std::move(simulation), restsOf(scenario), scenario.frameRate) {
   tools_.changed = [this] { toolsChanged(); };
+  tools_.readyPlace = Vec3(organBox_.centre().x(), organBox_.max.y() + 0.02,
+                           organBox_.centre().z() + 0.15 * organBox_.size().z());
+  tools_.constrain = [this](int tool, const Pose& pose) {
+    double lowest = 0;
+    for (const Vec3& p : toolModels_[std::size_t(tool)].mesh.points)
+      lowest = std::min(lowest, (pose * p).y());
+    return Pose{pose.position - Vec3(0, lowest, 0), pose.rotation};
+  };
   iso_.setValue(scenario.organ.settings.iso);
   iso_.changed = [this](float iso) {
     operation_.setIso(iso);
-    dirty_ = true;
+    damage_.everything = true;
   };
   toolsChanged();
   look(RoomView::Surgeon, aspect);
 }
 
+Vec3 OperatingSession::lampPosition() const {
+  const SbVec3f p = room().lamp(0)->location.getValue();
+  return {p[0], p[1], p[2]};
+}
+
 void OperatingSession::toolsChanged() {
-  for (int i = 0; i < tools_.toolCount(); ++i)
+  toolBoxes_.resize(std::size_t(tools_.toolCount()));
+  for (int i = 0; i < tools_.toolCount(); ++i) {
     operation_.setTool(i, {tools_.pose(i), i == tools_.held()});
-  if (tools_.held() < 0) marker_.hide();
-  dirty_ = true;
+    const Aabb box = room().toolBounds(i);
+    Aabb& before = toolBoxes_[std::size_t(i)];
+    if (box.min == before.min && box.max == before.max) continue;
+    addWithShadow(damage_, before, lampPosition(), organBox_.max.y());
+    addWithShadow(damage_, box, lampPosition(), organBox_.max.y());
+    before = box;
+  }
+  if (tools_.held() < 0) {
+    marker_.hide();
+    damage_.boxes.push_back(markerBox_);
+  }
 }
 
 bool OperatingSession::handle(const SoEvent& event, const SbViewportRegion& viewport) {
   events_.setViewportRegion(viewport);
   events_.setEvent(&event);
   events_.apply(root());
-  const bool taken = events_.isHandled() || camera_.handle(event, viewport);
-  if (taken) dirty_ = true;
-  return taken;
+  // A dragger lights up under the pointer.
+  if (events_.getGrabber()) damage_.everything = true;
+  if (events_.isHandled()) return true;
+  if (!camera_.handle(event, viewport)) return false;
+  damage_.everything = true;
+  return true;
 }
 
-bool OperatingSession::update() {
+Damage OperatingSession::update() {
   SoSensorManager* sensors = SoDB::getSensorManager();
   sensors->processTimerQueue();
   sensors->processDelayQueue(TRUE);
 
   SurfaceUpdate update;
-  bool redraw = std::exchange(dirty_, false);
   if (operation_.take(update, state_)) {
     view_.follow(update);
-    redraw = redraw || !update.empty();
+    if (update.everything) damage_.everything = true;
+    for (const SurfaceUpdate::Vertices& range : update.vertices) {
+      Aabb box;
+      for (const Vec3f& p : range.points) box.grow(p.cast<double>());
+      if (!damage_.everything) addWithShadow(damage_, box, lampPosition(), organBox_.max.y());
+    }
     const int held = tools_.held();
     if (held >= 0 && std::size_t(held) < state_.tips.size()) {
       const TipPlace& place = state_.tips[std::size_t(held)];
-      marker_.show(tools_.pose(held) * toolModels_[std::size_t(held)].tip, place.below,
-                   place.distance, state_.touching[std::size_t(held)] != 0);
+      const Vec3 tip = tools_.pose(held) * toolModels_[std::size_t(held)].tip;
+      Aabb box;
+      box.grow(tip);
+      box.grow(Vec3(tip.x(), std::min(place.below, tip.y()), tip.z()));
+      box = box.padded(0.008);
+      if (marker_.show(tip, place.below, place.distance, state_.touching[std::size_t(held)] != 0)) {
+        damage_.boxes.push_back(markerBox_);
+        damage_.boxes.push_back(box);
+      }
+      markerBox_ = box;
     }
   }
-  return redraw;
+  std::erase_if(damage_.boxes, [](const Aabb& box) { return box.empty(); });
+  return std::exchange(damage_, {});
 }
 
 void OperatingSession::look(RoomView view, double aspect) {
@@ -101,9 +141,10 @@ void OperatingSession::look(RoomView view, double aspect) {
     Aabb all = organBox_;
     for (std::size_t i = 0; i < toolModels_.size(); ++i)
       for (const Vec3& p : toolModels_[i].mesh.points) all.grow(scenario_.tools[i].rest * p);
+    all.grow(Vec3(isoFoot(organBox_) - Vec3(0.01, 0, 0)));
     room().frame(view, all, aspect);
   }
-  dirty_ = true;
+  damage_.everything = true;
 }
 
 void OperatingSession::bringEverythingBack(double aspect) {
@@ -114,7 +155,7 @@ void OperatingSession::bringEverythingBack(double aspect) {
 bool OperatingSession::pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport,
                                   Vec3& point) const {
   // The organ is left out of picking for speed's sake; here one ray may take its time.
-  SbViewVolume volume = room().camera()->getViewVolume(viewport.getViewportAspectRatio());
+  const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
   const SbVec2s size = viewport.getViewportSizePixels();
   SbVec3f from, towards;
   volume.projectPointToLine(SbVec2f(float(pixel[0]) / size[0], float(pixel[1]) / size[1]), from,
@@ -137,7 +178,7 @@ bool OperatingSession::pointUnder(const SbVec2s& pixel, const SbViewportRegion& 
 }
 
 SbVec2s OperatingSession::pixelOf(const Vec3& point, const SbViewportRegion& viewport) const {
-  const SbViewVolume volume = room().camera()->getViewVolume(viewport.getViewportAspectRatio());
+  const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
   SbVec3f screen;
   volume.projectToScreen(SbVec3f(float(point.x()), float(point.y()), float(point.z())), screen);
   const SbVec2s size = viewport.getViewportSizePixels();

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "inventor/camera_moves.h"
+#include "inventor/damage.h"
 #include "inventor/iso_dragger.h"
 #include "inventor/operation_view.h"
 #include "inventor/tip_marker.h"
@@ -32,9 +33,9 @@ class OperatingSession {
   // when somebody took it.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
 
-  // Takes what the operation has changed since the last call and lets Inventor's sensors run. True
-  // when the picture has to be drawn again.
-  bool update();
+  // Takes what the operation has changed since the last call and lets Inventor's sensors run.
+  // Returns what has to be drawn again.
+  Damage update();
 
   void look(RoomView view, double aspect);
   // All of the organ and the tool box in sight, all tools in the tool box.
@@ -58,6 +59,7 @@ class OperatingSession {
 
  private:
   void toolsChanged();
+  Vec3 lampPosition() const;
 
   Scenario scenario_;
   std::vector<ToolModel> toolModels_;
@@ -69,7 +71,9 @@ class OperatingSession {
   IsoDragger iso_;
   TipMarker marker_;
   SoHandleEventAction events_;
-  bool dirty_ = true;
+  Damage damage_{true, {}};
+  std::vector<Aabb> toolBoxes_;  // as drawn last
+  Aabb markerBox_;
   LiveState state_;
   LiveOperation operation_;  // last: ends its thread before what it shows goes
 };

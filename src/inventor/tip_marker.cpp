@@ -80,9 +80,19 @@ TipMarker::TipMarker(SoSeparator* parent) : parent_(parent), root_(new SoSwitch)
 
 TipMarker::~TipMarker() { parent_->removeChild(root_); }
 
-void TipMarker::hide() { root_->whichChild = SO_SWITCH_NONE; }
+void TipMarker::hide() {
+  root_->whichChild = SO_SWITCH_NONE;
+  shown_ = false;
+}
 
-void TipMarker::show(const Vec3& tip, double below, double distance, bool touching) {
+bool TipMarker::show(const Vec3& tip, double below, double distance, bool touching) {
+  if (shown_ && tip == tip_ && below == below_ && distance == distance_ && touching == touching_)
+    return false;
+  shown_ = true;
+  tip_ = tip;
+  below_ = below;
+  distance_ = distance;
+  touching_ = touching;
   root_->whichChild = SO_SWITCH_ALL;
   const Vec3 foot(tip.x(), std::min(below, tip.y()) + 0.0015, tip.z());
   line_->point.set1Value(0, toSb(tip));
@@ -90,13 +100,14 @@ void TipMarker::show(const Vec3& tip, double below, double distance, bool touchi
   ringPlace_->translation = toSb(foot);
   const bool glows = touching || distance < kNear;
   glowSwitch_->whichChild = glows ? SO_SWITCH_ALL : SO_SWITCH_NONE;
-  if (!glows) return;
+  if (!glows) return true;
   glowPlace_->translation = toSb(tip);
   // Amber and growing on the way; bright once there is contact.
   const double nearness = touching ? 1 : 1 - distance / kNear;
   ball_->radius = float(0.0015 + 0.0020 * nearness);
   glow_->diffuseColor = touching ? SbColor(1.0f, 0.95f, 0.75f) : SbColor(1.0f, 0.66f, 0.16f);
   glow_->transparency = float(0.75 - 0.45 * nearness);
+  return true;
 }
 
 }  // namespace resect

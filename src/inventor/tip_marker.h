@@ -23,7 +23,8 @@ class TipMarker {
 
   void hide();
   // tip: world, m; below: height of what lies under it, m; distance to tissue, m, 0 = inside.
-  void show(const Vec3& tip, double below, double distance, bool touching);
+  // False: it looks as before.
+  bool show(const Vec3& tip, double below, double distance, bool touching);
 
  private:
   SoSeparator* parent_;
@@ -34,6 +35,9 @@ class TipMarker {
   SoSwitch* glowSwitch_;
   SoMaterial* glow_;
   SoSphere* ball_;
+  bool shown_ = false, touching_ = false;
+  Vec3 tip_ = Vec3::Zero();
+  double below_ = 0, distance_ = 0;
 };
 
 }  // namespace resect

@@ -21,6 +21,7 @@
 #include <cstdlib>
 
 #include "base/assert.h"
+#include "operation/room.h"
 
 namespace resect {
 namespace {
@@ -61,7 +62,7 @@ ToolHandling::~ToolHandling() {
 Pose ToolHandling::pose(int tool) const { return getPose(*room_.toolTransform(tool)); }
 
 void ToolHandling::setPose(int tool, const Pose& pose) {
-  room_.setToolPose(tool, pose);
+  room_.setToolPose(tool, constrain ? constrain(tool, pose) : pose);
   notify();
 }
 
@@ -74,7 +75,23 @@ void ToolHandling::hold(int tool, Hold how) {
   held_ = tool;
   how_ = how;
   if (how == Hold::HandleBox || how == Hold::Trackball) attach(tool, how);
+  if (how == Hold::Direct && atRest(tool)) {
+    // Its tip comes to where its middle lay, which is where the pointer is.
+    setPose(tool, {room_.toolBounds(tool).centre(), workingRotation()});
+  }
   notify();
+}
+
+void ToolHandling::take(int tool) {
+  const bool rested = atRest(tool);
+  hold(tool, Hold::Direct);
+  if (rested) setPose(tool, {readyPlace, workingRotation()});
+}
+
+bool ToolHandling::atRest(int tool) const {
+  const Pose &now = pose(tool), &rest = rests_.at(std::size_t(tool));
+  return (now.position - rest.position).norm() < 1e-4 &&
+         now.rotation.angularDistance(rest.rotation) < 1e-2;
 }
 
 void ToolHandling::putBack(int tool) {
@@ -263,7 +280,7 @@ void ToolHandling::key(SoEventCallback& node) {
   if (key >= SoKeyboardEvent::NUMBER_1 && key <= SoKeyboardEvent::NUMBER_9) {
     const int tool = key - SoKeyboardEvent::NUMBER_1;
     if (tool >= toolCount() || event->wasCtrlDown()) return;
-    hold(tool, Hold::Direct);
+    take(tool);
     node.setHandled();
     return;
   }

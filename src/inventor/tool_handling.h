@@ -43,8 +43,11 @@ class ToolHandling {
   // World pose of a tool, without the scale that a handle box may write.
   Pose pose(int tool) const;
 
-  // Takes a tool in hand in this way, letting go of another; tool -1 or Hold::None lets go.
+  // Takes a tool in hand in this way, letting go of another; tool -1 or Hold::None lets go. A tool
+  // that is taken directly from its rest turns as one works with it.
   void hold(int tool, Hold how);
+  // The same, directly; from its rest it comes to readyPlace.
+  void take(int tool);
   // To its place in the tool box, out of hand.
   void putBack(int tool);
   void setPose(int tool, const Pose& pose);
@@ -53,6 +56,11 @@ class ToolHandling {
   void move(const Vec3& inView);
   // About its tip: radians about the view's right, up and away axes.
   void turn(const Vec3& inView);
+
+  // Where tools wait over the organ once they are taken by their key.
+  Vec3 readyPlace = Vec3(0, 0.25, 0);
+  // Corrects where a tool is moved to, so that it does not go through the table.
+  std::function<Pose(int tool, const Pose&)> constrain;
 
   // Called after a tool was taken, let go, or moved.
   std::function<void()> changed;
@@ -68,6 +76,7 @@ class ToolHandling {
   static void draggerMoved(void* self, SoDragger* dragger);
   Vec3 onScreen(const Vec3& inView) const;  // view axes -> world
   double metresPerPixel(const SoHandleEventAction& action) const;
+  bool atRest(int tool) const;
   void notify() const {
     if (changed) changed();
   }

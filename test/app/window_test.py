@@ -56,6 +56,18 @@ class Screen:
         self.do("mouseup", button)
         time.sleep(0.2)
 
+    def focus(self, title):
+        """Without a window manager nobody gives the focus to a dialog, or back when it closes."""
+        for _ in range(50):
+            windows = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], env=self.environment,
+                                     capture_output=True, text=True, timeout=30).stdout.split()
+            if windows:
+                self.do("windowfocus", windows[-1])
+                time.sleep(0.3)
+                return
+            time.sleep(0.2)
+        raise AssertionError(f"there is no window {title}")
+
     def key(self, *keys):
         for key in keys:
             self.do("key", key)
@@ -108,7 +120,7 @@ class Window:
     def __init__(self, screen, *args, scale="1"):
         environment = {**screen.environment, "QT_SCALE_FACTOR": scale}
         self.process = subprocess.Popen([PROGRAM, "window", "--reports", "--no-help", *args], env=environment,
-                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+                                        stdout=subprocess.PIPE, stderr=None if os.environ.get("SHOW") else subprocess.DEVNULL, text=True)
         self.lines, self.places, self.said = queue.Queue(), {}, []
         threading.Thread(target=self.listen, daemon=True).start()
 
@@ -116,7 +128,7 @@ class Window:
         for line in self.process.stdout:
             self.lines.put(line.strip())
 
-    def wait(self, beginning, seconds=90):
+    def wait(self, beginning, seconds=60):
         """The next line that begins so."""
         end = time.time() + seconds
         while True:
@@ -177,7 +189,7 @@ class AtTheWindow(unittest.TestCase):
         # Directly: over the liver, then down into it.
         screen.drag(scalpel, (organ[0], organ[1] - 40), steps=30)
         window.wait("held Scalpel direct")
-        screen.drag((organ[0], organ[1] + 250), (organ[0] - 10, organ[1] + 330), steps=20)
+        screen.drag((organ[0], organ[1] + 250), (organ[0] - 10, organ[1] + 290), steps=20)
         window.drain()
         removed = [int(line.split()[1]) for line in window.said if line.startswith("removed ")]
         if not removed:  # the wheel brings it nearer and farther
@@ -202,6 +214,7 @@ class AtTheWindow(unittest.TestCase):
 
         # The iso level, on its scale in the scene.
         screen.key("space")
+        window.wait("places")
         time.sleep(0.8)
         before = screen.picture("5_whole_view")
         x, y = window.places["iso"]
@@ -212,23 +225,27 @@ class AtTheWindow(unittest.TestCase):
 
         # The scene into a file and back; then another organ.
         scene = FOLDER / "scene.iv"
+        screen.focus("^Resect$")
         screen.key("ctrl+s")
-        time.sleep(1.0)
-        screen.type(str(scene))
-        screen.key("Return")
+        screen.focus("Save scene")
+        screen.type(str(scene) + "\n")
         window.wait(f"written {scene}")
         self.assertIn(b"DEF Organ", scene.read_bytes())
+        screen.focus("^Resect$")
         screen.key("ctrl+o")
-        time.sleep(1.0)
+        screen.focus("^Open$")
         screen.type(str(scene))
-        screen.key("Return")
+        screen.picture("7_file_dialog")
+        screen.type("\n")
         window.wait("report ")
         screen.picture("7_open_scene")
-        screen.key("Return")
+        screen.focus("Open organ")
+        screen.type("\n")
         window.wait("organ scene.iv")
         time.sleep(1.0)
         screen.picture("8_scene_again")
 
+        screen.focus("^Resect$")
         screen.key("ctrl+q")
         window.process.wait(timeout=30)
         self.assertEqual(window.process.returncode, 0)
@@ -240,6 +257,7 @@ class AtTheWindow(unittest.TestCase):
             try:
                 window.wait("ready")
                 time.sleep(0.5)
+                self.screen.picture(f"scale_{scale}_start")
                 self.screen.click(*window.places["Hook"])
                 window.wait("held Hook handle-box")
                 self.screen.picture(f"scale_{scale}")

@@ -125,14 +125,48 @@ TEST_CASE("dragging a tool moves it under the pointer; with Shift it turns about
   bench.drag(from, to);
   REQUIRE(bench.tools().held() == 0);
   CHECK(bench.tools().how() == ToolHandling::Hold::Direct);
-  // The tip is a little deeper or nearer than the middle, hence some pixels.
-  CHECK(std::abs(bench.pixelOf(0)[0] - to[0]) < 12);
-  CHECK(std::abs(bench.pixelOf(0)[1] - to[1]) < 12);
+  const SbVec2s tip = bench.session->pixelOf(bench.tools().pose(0).position, bench.viewport);
+  CHECK(std::abs(tip[0] - to[0]) < 12);
+  CHECK(std::abs(tip[1] - to[1]) < 12);
 
   const Pose before = bench.tools().pose(0);
   bench.drag({400, 300}, {460, 300}, SoMouseButtonEvent::BUTTON1, true);
   CHECK((bench.tools().pose(0).position - before.position).norm() < 1e-6);
   CHECK(bench.tools().pose(0).rotation.angularDistance(before.rotation) > 0.1);
+}
+
+TEST_CASE("no tool goes through the table") {
+  Bench bench;
+  bench.tools().take(0);
+  bench.tools().setPose(0, {Vec3(0.3, -0.2, 0.3), bench.tools().pose(0).rotation});
+  double lowest = 1;
+  for (const Vec3& p : bench.session->toolModels()[0].mesh.points)
+    lowest = std::min(lowest, (bench.tools().pose(0) * p).y());
+  CHECK(lowest == doctest::Approx(0).epsilon(1e-6));
+}
+
+TEST_CASE(
+    "a moved tool damages its own pixels and its shadow's, a moved camera the whole picture") {
+  Bench bench;
+  bench.tools().take(0);
+  bench.session->update();
+  bench.settle();
+  bench.session->update();
+  bench.tools().move({0.002, 0, 0});
+  const Damage damage = bench.session->update();
+  const auto& camera = *bench.session->room().camera();
+  const std::vector<PixelRect> parts = pixelsOf(damage, camera, bench.viewport);
+  CHECK_FALSE(damage.everything);
+  CHECK(area(parts) > 500);
+  CHECK(area(parts) < 800 * 500 / 2);
+  const SbVec2s tool = bench.pixelOf(0);
+  CHECK(std::any_of(parts.begin(), parts.end(), [&](const PixelRect& part) {
+    return part.left < tool[0] && part.right > tool[0] && part.bottom < tool[1] &&
+           part.top > tool[1];
+  }));
+  bench.session->camera().orbit(0.1, 0);
+  bench.session->look(RoomView::Surgeon, 1.6);
+  CHECK(area(pixelsOf(bench.session->update(), camera, bench.viewport)) == 800 * 500);
 }
 
 TEST_CASE("wheel and keys move the tool in hand, in depth and in the view; Escape puts it back") {

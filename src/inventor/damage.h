@@ -1,0 +1,43 @@
+// Which part of the picture has to be drawn again?
+//
+// Where the processor draws, a pixel costs some 200 ns: a tool that moves over a still organ must
+// cost its own pixels and those of its shadow, not the room's.
+#pragma once
+
+#include <Inventor/SbVec2s.h>
+
+#include <vector>
+
+#include "geometry/aabb.h"
+
+class SbViewportRegion;
+class SoPerspectiveCamera;
+
+namespace resect {
+
+// What has changed since the last picture, as boxes in the world, m.
+struct Damage {
+  bool everything = false;
+  std::vector<Aabb> boxes;
+  bool empty() const { return !everything && boxes.empty(); }
+};
+
+// Adds the box, and where its shadow falls when lit from `lamp`: on what stands on the table, up to
+// `ceiling`, and on the table top, y = 0.
+void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, double ceiling);
+
+// Pixels [left, right) x [bottom, top).
+struct PixelRect {
+  int left = 0, bottom = 0, right = 0, top = 0;
+  bool empty() const { return left >= right || bottom >= top; }
+  std::int64_t area() const {
+    return empty() ? 0 : std::int64_t(right - left) * std::int64_t(top - bottom);
+  }
+};
+// The pixels that show any of the boxes, within the viewport, in a few rectangles. A box that
+// reaches behind the camera takes the whole picture.
+std::vector<PixelRect> pixelsOf(const Damage& damage, const SoPerspectiveCamera& camera,
+                                const SbViewportRegion& viewport);
+std::int64_t area(const std::vector<PixelRect>& parts);  // those that overlap count twice
+
+}  // namespace resect
