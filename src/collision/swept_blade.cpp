@@ -1,0 +1,70 @@
+#include "collision/swept_blade.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace resect {
+namespace {
+
+constexpr double kOnPlane = 1e-12;  // m; rounding of world positions within some metres
+constexpr int kMostSteps = 256;     // of one motion
+
+void addTriangle(SweptBlade& blade, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 u = b - a, v = c - a;
+  const Vec3 cross = u.cross(v);
+  const double area2 = cross.squaredNorm(), size = std::max(u.squaredNorm(), v.squaredNorm());
+  // Flat to rounding: nothing passes through a line.
+  if (!(area2 > 1e-24 * size * size)) return;
+  blade.triangles.push_back(
+      {a, cross / std::sqrt(area2), v.cross(cross) / area2, cross.cross(u) / area2, b, c});
+  for (const Vec3& p : {a, b, c}) blade.bounds.grow(p);
+}
+
+// Steps such that the furthest point of the edge strays from its chord by at most `flatness`.
+int stepsOf(std::span<const Vec3> edge, const Pose& from, const Pose& to, double flatness) {
+  double reach = 0;
+  for (const Vec3& p : edge) reach = std::max(reach, p.norm());
+  const double angle = from.rotation.angularDistance(to.rotation);
+  // Sagitta of a step: reach (1 - cos(step / 2)) <= reach step^2 / 8.
+  const double step = std::sqrt(8 * flatness / std::max(reach, 1e-9));
+  return std::clamp(int(std::ceil(angle / step)), 1, kMostSteps);
+}
+
+}  // namespace
+
+SweptBlade sweepBlade(std::span<const Vec3> edge, const Pose& from, const Pose& to,
+                      double flatness) {
+  SweptBlade blade;
+  if (edge.size() < 2) return blade;
+  const int steps = stepsOf(edge, from, to, flatness);
+  std::vector<Vec3> before(edge.size()), after(edge.size());
+  for (std::size_t i = 0; i < edge.size(); ++i) before[i] = from * edge[i];
+  for (int step = 1; step <= steps; ++step) {
+    const Pose pose = step == steps ? to : interpolate(from, to, double(step) / steps);
+    for (std::size_t i = 0; i < edge.size(); ++i) after[i] = pose * edge[i];
+    for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
+      addTriangle(blade, before[i], before[i + 1], after[i + 1]);
+      addTriangle(blade, before[i], after[i + 1], after[i]);
+    }
+    before.swap(after);
+  }
+  return blade;
+}
+
+std::optional<BladeCrossing> crossing(const SweptBlade& blade, const Vec3& p, const Vec3& q) {
+  std::optional<BladeCrossing> first;
+  for (std::size_t i = 0; i < blade.triangles.size(); ++i) {
+    const BladeTriangle& t = blade.triangles[i];
+    const double heightP = t.normal.dot(p - t.corner), heightQ = t.normal.dot(q - t.corner);
+    if ((heightP >= -kOnPlane) == (heightQ >= -kOnPlane)) continue;
+    const double share = std::clamp(heightP / (heightP - heightQ), 0.0, 1.0);
+    if (first && first->share <= share) continue;
+    const Vec3 x = p + share * (q - p) - t.corner;
+    const double u = t.alongU.dot(x), v = t.alongV.dot(x);
+    if (u < -kBladeReach || v < -kBladeReach || u + v > 1 + kBladeReach) continue;
+    first = BladeCrossing{share, std::int32_t(i)};
+  }
+  return first;
+}
+
+}  // namespace resect
