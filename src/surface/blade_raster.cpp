@@ -1,0 +1,198 @@
+#include "surface/blade_raster.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "surface/cut_grid.h"
+
+namespace resect {
+namespace {
+
+constexpr double kOnPlane = 1e-12;       // m, as in collision/swept_blade.cpp
+constexpr double kShortestTrace = 1e-6;  // node spacings
+constexpr int kSide = 5;
+constexpr int kStep[3] = {1, kSide, kSide* kSide};
+using Vec2 = Eigen::Vector2d;
+
+int at(const Vec3i& n) { return (n.z() * kSide + n.y()) * kSide + n.x(); }
+
+// The nodes of a brick, their places, and how high they lie above one of the blade's triangles.
+struct PlacedBrick {
+  Vec3i first;
+  std::array<Vec3, kPlacedNodes> place;
+  std::array<double, kPlacedNodes> height;
+  Aabb bounds;
+
+  bool above(int i) const { return height[std::size_t(i)] >= -kOnPlane; }
+  bool known(int i) const { return !std::isnan(height[std::size_t(i)]); }
+};
+
+// Share of the way from i to j at which the triangle's plane is met.
+double planeShare(const PlacedBrick& b, int i, int j) {
+  const double from = b.height[std::size_t(i)], to = b.height[std::size_t(j)];
+  return std::clamp(from / (from - to), 0.0, 1.0);
+}
+
+// Signed heights over the triangle's sides, each >= 0 inside, as shares of the triangle.
+Vec3 inTriangle(const BladeTriangle& t, const Vec3& p) {
+  const double u = t.alongU.dot(p - t.corner), v = t.alongV.dot(p - t.corner);
+  return {u, v, 1 - u - v};
+}
+
+// How the height grows along the grid's axes: the blade's normal in rest space.
+Vec3 restNormal(const PlacedBrick& b, const Vec3i& n, int axis) {
+  const int i = at(n), j = i + kStep[axis];
+  Vec3 normal;
+  normal[axis] = b.height[std::size_t(j)] - b.height[std::size_t(i)];
+  for (const int other : {nextAxis(axis), lastAxis(axis)}) {
+    const int step = n[other] + 1 < kSide ? kStep[other] : -kStep[other];
+    const double slope = 0.5 * (b.height[std::size_t(i + step)] - b.height[std::size_t(i)] +
+                                b.height[std::size_t(j + step)] - b.height[std::size_t(j)]);
+    normal[other] = std::isnan(slope) ? 0 : step > 0 ? slope : -slope;
+  }
+  return normal;
+}
+
+void severEdge(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle& t, const Vec3i& n,
+               int axis) {
+  const int i = at(n), j = i + kStep[axis];
+  if (!b.known(i) || !b.known(j) || b.above(i) == b.above(j)) return;
+  const double share = planeShare(b, i, j);
+  const Vec3 p =
+      b.place[std::size_t(i)] + share * (b.place[std::size_t(j)] - b.place[std::size_t(i)]);
+  if (inTriangle(t, p).minCoeff() < -kBladeReach) return;
+  severed.sever(b.first + n, axis, share, restNormal(b, n, axis));
+}
+
+// Half of a face is a triangle in the world too, so the line in which the blade meets it is
+// straight, in the world and at rest.
+void traceHalf(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle& t, const Vec3i& n,
+               int axis, const std::array<Vec2, 3>& corners) {
+  std::array<int, 3> index;
+  for (std::size_t c = 0; c < 3; ++c)
+    index[c] = at(n) + int(corners[c].x()) * kStep[nextAxis(axis)] +
+               int(corners[c].y()) * kStep[lastAxis(axis)];
+  Vec2 inFace[2];
+  Vec3 inBlade[2];
+  int ends = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const int i = index[c], j = index[(c + 1) % 3];
+    if (!b.known(i)) return;
+    if (b.above(i) == b.above(j) || !b.known(j) || ends == 2) continue;
+    const double share = planeShare(b, i, j);
+    inFace[ends] = corners[c] + share * (corners[(c + 1) % 3] - corners[c]);
+    inBlade[ends++] = inTriangle(
+        t, b.place[std::size_t(i)] + share * (b.place[std::size_t(j)] - b.place[std::size_t(i)]));
+  }
+  if (ends < 2) return;
+  double from = 0, to = 1;  // the part of the line within the blade
+  for (int side = 0; side < 3; ++side) {
+    const double a = inBlade[0][side] + kBladeReach, c = inBlade[1][side] + kBladeReach;
+    if (a < 0 && c < 0) return;
+    if (a < 0) from = std::max(from, a / (a - c));
+    if (c < 0) to = std::min(to, a / (a - c));
+  }
+  const Vec2 line = inFace[1] - inFace[0];
+  if (!(to > from) || line.norm() * (to - from) < kShortestTrace) return;
+  severed.trace(b.first + n, axis,
+                {(inFace[0] + from * line).cast<float>(), (inFace[0] + to * line).cast<float>()});
+}
+
+void severBrick(SeveredEdges& severed, PlacedBrick& b, const BladeTriangle& t) {
+  int above = 0, below = 0;
+  for (int i = 0; i < kPlacedNodes; ++i) {
+    b.height[std::size_t(i)] = t.normal.dot(b.place[std::size_t(i)] - t.corner);
+    if (b.known(i)) ++(b.above(i) ? above : below);
+  }
+  if (above == 0 || below == 0) return;
+  for (int z = 0; z < kBrickNodes; ++z)
+    for (int y = 0; y < kBrickNodes; ++y)
+      for (int x = 0; x < kBrickNodes; ++x) {
+        const Vec3i n(x, y, z);
+        int high = 0;  // of the cell's corners: most cells lie on one side
+        for (int c = 0; c < 8; ++c)
+          high += b.above(at(n) + (c & 1) + (c >> 1 & 1) * kSide + (c >> 2) * kSide * kSide);
+        if (high == 0 || high == 8) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+          severEdge(severed, b, t, n, axis);
+          traceHalf(severed, b, t, n, axis, {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)});
+          traceHalf(severed, b, t, n, axis, {Vec2(0, 0), Vec2(1, 1), Vec2(0, 1)});
+        }
+      }
+}
+
+bool overlap(const Aabb& a, const Aabb& b) {
+  return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
+}
+
+Aabb boundsOf(const BladeTriangle& t) {
+  Aabb box;
+  for (const Vec3& p : {t.corner, t.otherU, t.otherV}) box.grow(p);
+  const Vec3 reach = 2 * kBladeReach * box.size() + Vec3::Constant(kOnPlane);
+  return {box.min - reach, box.max + reach};
+}
+
+}  // namespace
+
+std::int64_t severAlong(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade,
+                        std::span<const std::int64_t> bricks, const PlaceNodes& place) {
+  const std::int64_t before = severed.count();
+  std::vector<Aabb> reach;
+  for (const BladeTriangle& t : blade.triangles) reach.push_back(boundsOf(t));
+  PlacedBrick b;
+  for (const std::int64_t index : bricks) {
+    const Vec3i brick = field.brick(index);
+    b.first = kBrickNodes * brick;
+    place(brick, b.place);
+    b.bounds = {};
+    for (const Vec3& p : b.place)
+      if (!std::isnan(p.x())) b.bounds.grow(p);
+    for (std::size_t t = 0; t < blade.triangles.size(); ++t)
+      if (overlap(b.bounds, reach[t])) severBrick(severed, b, blade.triangles[t]);
+  }
+  return severed.count() - before;
+}
+
+std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade) {
+  if (blade.empty()) return 0;
+  const Vec3 brickSize = field.lattice().spacing * (double(kBrickNodes) / field.refine());
+  const Vec3 origin = field.nodePosition(Vec3::Zero());
+  const Vec3i low = (blade.bounds.min - origin)
+                        .cwiseQuotient(brickSize)
+                        .array()
+                        .floor()
+                        .cwiseMax(0)
+                        .matrix()
+                        .cast<int>();
+  const Vec3i high = (blade.bounds.max - origin)
+                         .cwiseQuotient(brickSize)
+                         .array()
+                         .floor()
+                         .cwiseMin((field.brickDims() - Vec3i::Ones()).cast<double>().array())
+                         .matrix()
+                         .cast<int>();
+  // A brick's edges and faces matter where its nodes, or those of a brick below, are not all empty.
+  const auto matters = [&](const Vec3i& b) {
+    for (int d = 0; d < 8; ++d) {
+      const Vec3i n = b - Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);
+      if ((n.array() >= 0).all() && field.slot(field.brickIndex(n)) != ColourField::kEmpty)
+        return true;
+    }
+    return false;
+  };
+  std::vector<std::int64_t> bricks;
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x)
+        if (matters({x, y, z})) bricks.push_back(field.brickIndex({x, y, z}));
+  return severAlong(
+      severed, field, blade, bricks, [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
+        const Vec3 first = (kBrickNodes * brick).cast<double>();
+        for (int i = 0; i < kPlacedNodes; ++i)
+          places[std::size_t(i)] =
+              field.nodePosition(first + Vec3(i % kSide, i / kSide % kSide, i / kSide / kSide));
+      });
+}
+
+}  // namespace resect

@@ -1,0 +1,132 @@
+#include "surface/severed_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+
+namespace resect {
+namespace {
+
+// What a cell shows depends on nodes from two below its lowest corner to two above its highest.
+constexpr int kNodesBelow = 3, kNodesAbove = 2;  // cells seen from an edge's lower node
+constexpr float kSamePoint = 1e-4f;              // ends of lines that are one point
+constexpr float kStraight = 1e-3f;               // a line bent by less is one line
+
+float distanceToLine(const Eigen::Vector2f& p, const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
+  const Eigen::Vector2f d = b - a, r = p - a;
+  const float length = d.norm();
+  return length > 0 ? std::abs(d.x() * r.y() - d.y() * r.x()) / length : r.norm();
+}
+
+// Does `next` go on straight from the end of `line`? Then line is made to end where next does.
+bool extend(FaceTrace& line, const FaceTrace& next) {
+  const bool on = (next.from - line.to).norm() < kSamePoint &&
+                  (line.to - line.from).dot(next.to - next.from) > 0 &&
+                  distanceToLine(line.to, line.from, next.to) < kStraight;
+  if (on) line.to = next.to;
+  return on;
+}
+
+FaceTrace reversed(const FaceTrace& line) { return {line.to, line.from}; }
+
+}  // namespace
+
+SeveredEdges::Record::Record() {
+  for (auto& along : share) along.fill(kWhole);
+  for (auto& along : normal) along.fill(Vec3f::Zero());
+  firstTrace.fill(-1);
+}
+
+SeveredEdges::Record& SeveredEdges::takeRecord(const Vec3i& node) {
+  RESECT_ASSERT(contains(node));
+  const std::size_t bricks = std::size_t(brickDims_.x()) * brickDims_.y() * brickDims_.z();
+  if (recordOf_.empty()) {
+    recordOf_.assign(bricks, -1);
+    near_.assign(bricks, 0);
+    pendingOf_.assign(bricks, 0);
+  }
+  std::int32_t& r = recordOf_[std::size_t(brickIndex(node / 4))];
+  if (r < 0) {
+    r = std::int32_t(records_.size());
+    records_.emplace_back();
+  }
+  return records_[std::size_t(r)];
+}
+
+// The bricks of the cells that can see the edges and faces at `node`.
+void SeveredEdges::touch(const Vec3i& node) {
+  const Vec3i low = (node - Vec3i::Constant(kNodesBelow)).cwiseMax(0) / 4;
+  const Vec3i high =
+      ((node + Vec3i::Constant(kNodesAbove)) / 4).cwiseMin(brickDims_ - Vec3i::Ones());
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const std::int64_t b = brickIndex({x, y, z});
+        near_[std::size_t(b)] = 1;
+        if (pendingOf_[std::size_t(b)]) continue;
+        pendingOf_[std::size_t(b)] = 1;
+        pending_.push_back(b);
+      }
+}
+
+bool SeveredEdges::sever(const Vec3i& node, int axis, double t, const Vec3& normal) {
+  Record& r = takeRecord(node);
+  const int s = slot(node, 0);
+  std::uint64_t& mask = r.severed[std::size_t(axis)];
+  if (mask >> s & 1) return false;
+  mask |= std::uint64_t(1) << s;
+  r.share[std::size_t(axis)][std::size_t(s)] = std::clamp(float(t), kCutMargin, 1 - kCutMargin);
+  const Vec3 up = normal[axis] < 0 ? Vec3(-normal) : normal;
+  const double length = up.norm();
+  r.normal[std::size_t(axis)][std::size_t(s)] =
+      length > 0 ? Vec3f((up / length).cast<float>()) : Vec3f(Vec3f::Unit(axis));
+  ++count_;
+  touch(node);
+  return true;
+}
+
+void SeveredEdges::trace(const Vec3i& node, int axis, const FaceTrace& line) {
+  Record& r = takeRecord(node);
+  std::int32_t* last = &r.firstTrace[std::size_t(slot(node, axis))];
+  touch(node);
+  while (*last >= 0) {
+    Trace& t = r.traces[std::size_t(*last)];
+    if (extend(t.line, line) || extend(t.line, reversed(line))) return;
+    FaceTrace back = reversed(t.line);
+    if (extend(back, line) || extend(back, reversed(line))) {
+      t.line = reversed(back);
+      return;
+    }
+    last = &t.next;
+  }
+  *last = std::int32_t(r.traces.size());
+  r.traces.push_back({line, -1});
+}
+
+float SeveredEdges::at(const Vec3i& node, int axis) const {
+  const Record* r = record(node);
+  return r ? r->share[std::size_t(axis)][std::size_t(slot(node, 0))] : kWhole;
+}
+
+Vec3f SeveredEdges::normal(const Vec3i& node, int axis) const {
+  const Record* r = record(node);
+  return r ? r->normal[std::size_t(axis)][std::size_t(slot(node, 0))] : Vec3f(Vec3f::Unit(axis));
+}
+
+std::span<const std::int64_t> SeveredEdges::update() {
+  touched_.swap(pending_);
+  pending_.clear();
+  std::sort(touched_.begin(), touched_.end());
+  for (const std::int64_t b : touched_) pendingOf_[std::size_t(b)] = 0;
+  return touched_;
+}
+
+std::size_t SeveredEdges::bytes() const {
+  std::size_t sum = records_.capacity() * sizeof(Record) + recordOf_.capacity() * 4 +
+                    near_.capacity() + pendingOf_.capacity();
+  for (const Record& r : records_) sum += r.traces.capacity() * sizeof(Trace);
+  return sum;
+}
+
+}  // namespace resect

@@ -1,0 +1,120 @@
+// Where has a blade gone through the tissue? The grid edges that it severed, and the lines that it
+// left on the grid's faces.
+//
+// The grid is that of the colour field's nodes; all lengths are in node spacings. An edge keeps the
+// place and the direction of the first blade that severed it, for good: tissue does not heal.
+// Storage is sparse, a record for each brick of 4 x 4 x 4 nodes that a blade went through; a whole
+// organ costs nothing. Severing costs O(1).
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace resect {
+
+constexpr float kWhole = -1;  // in place of the cut's share of an edge that is not severed
+// Cuts keep this share of an edge away from its ends, so that both sides have a piece of it.
+constexpr float kCutMargin = 0.03f;
+
+// A straight line that a blade left on a face: its two ends, in the face's own coordinates (along
+// the next axis after the face's normal, then the one after that), each in [0, 1].
+struct FaceTrace {
+  Eigen::Vector2f from, to;
+};
+
+class SeveredEdges {
+ public:
+  // brickDims: of the colour field.
+  explicit SeveredEdges(const Vec3i& brickDims) : brickDims_(brickDims) {}
+
+  bool empty() const { return records_.empty(); }
+  std::int64_t count() const { return count_; }  // severed edges
+
+  // Severs the edge from `node` along `axis` at the share t of its length; t is kept in
+  // [kCutMargin, 1 - kCutMargin]. normal: of the blade in rest space, any length and side. False,
+  // and nothing changes, when the edge was severed before.
+  bool sever(const Vec3i& node, int axis, double t, const Vec3& normal);
+  // Notes the line on the face at `node` whose normal is along `axis`. A line that goes on where an
+  // earlier one ended, in the same direction, makes that one longer.
+  void trace(const Vec3i& node, int axis, const FaceTrace& line);
+
+  // Nodes may lie outside the grid: nothing is severed there.
+  float at(const Vec3i& node, int axis) const;      // kWhole where not severed
+  Vec3f normal(const Vec3i& node, int axis) const;  // unit, upwards along the axis
+  // visit(const FaceTrace&) for the lines on a face, in the order in which they were made.
+  template <typename Visit>
+  void visitTraces(const Vec3i& node, int axis, Visit visit) const {
+    const Record* r = record(node);
+    if (!r) return;
+    for (int i = r->firstTrace[slot(node, axis)]; i >= 0; i = r->traces[std::size_t(i)].next)
+      visit(r->traces[std::size_t(i)].line);
+  }
+
+  // The severed edges of a brick along an axis, bit = lower node; and their shares, 64 per axis,
+  // null where the brick has none.
+  std::uint64_t mask(std::int64_t brick, int axis) const {
+    const Record* r = recordOfBrick(brick);
+    return r ? r->severed[std::size_t(axis)] : 0;
+  }
+  const float* shares(std::int64_t brick, int axis) const {
+    const Record* r = recordOfBrick(brick);
+    return r ? r->share[std::size_t(axis)].data() : nullptr;
+  }
+  // Can what is drawn in the brick's cells depend on a severed edge?
+  bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
+
+  // The bricks in whose cells something drawn depends on what was severed or traced since the last
+  // call, ascending, each once. Valid until the next call.
+  std::span<const std::int64_t> update();
+
+  std::size_t bytes() const;
+
+ private:
+  struct Trace {
+    FaceTrace line;
+    std::int32_t next;
+  };
+  struct Record {
+    Record();
+    std::array<std::uint64_t, 3> severed{};
+    std::array<std::array<float, 64>, 3> share;
+    std::array<std::array<Vec3f, 64>, 3> normal;
+    std::array<std::int32_t, 192> firstTrace;
+    std::vector<Trace> traces;
+  };
+
+  static int slot(const Vec3i& node, int axis) {
+    return 64 * axis + ((node.z() & 3) * 4 + (node.y() & 3)) * 4 + (node.x() & 3);
+  }
+  bool contains(const Vec3i& node) const {
+    return (node.array() >= 0).all() && (node.array() < 4 * brickDims_.array()).all();
+  }
+  std::int64_t brickIndex(const Vec3i& b) const {
+    return (std::int64_t(b.z()) * brickDims_.y() + b.y()) * brickDims_.x() + b.x();
+  }
+  const Record* recordOfBrick(std::int64_t brick) const {
+    return empty() || recordOf_[std::size_t(brick)] < 0
+               ? nullptr
+               : &records_[std::size_t(recordOf_[std::size_t(brick)])];
+  }
+  const Record* record(const Vec3i& node) const {
+    return contains(node) ? recordOfBrick(brickIndex(node / 4)) : nullptr;
+  }
+  Record& takeRecord(const Vec3i& node);
+  void touch(const Vec3i& node);
+
+  Vec3i brickDims_;
+  std::vector<std::int32_t> recordOf_;  // per brick; empty while nothing is severed
+  std::vector<Record> records_;
+  std::vector<std::uint8_t> near_;       // per brick
+  std::vector<std::uint8_t> pendingOf_;  // per brick: in pending_
+  std::vector<std::int64_t> pending_, touched_;
+  std::int64_t count_ = 0;
+};
+
+}  // namespace resect
