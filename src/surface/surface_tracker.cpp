@@ -12,15 +12,15 @@ namespace {
 
 constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
 
-// visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending;
-// `inside`: as for cornerMasks().
+// visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending,
+// but those in `except`; `inside`: as for cornerMasks().
 template <typename Visit>
-void visitCells(const std::array<std::uint64_t, 8>& inside, Visit visit) {
+void visitCells(const std::array<std::uint64_t, 8>& inside, std::uint64_t except, Visit visit) {
   const auto corners = cornerMasks(inside);
   std::uint64_t any = 0, all = ~std::uint64_t(0);
   for (const std::uint64_t mask : corners) any |= mask, all &= mask;
   const auto& table = marchingCubesTable();
-  for (std::uint64_t rest = any & ~all; rest != 0; rest &= rest - 1) {
+  for (std::uint64_t rest = any & ~all & ~except; rest != 0; rest &= rest - 1) {
     const int cell = std::countr_zero(rest);
     int kind = 0;
     for (int c = 0; c < 8; ++c) kind |= int(corners[c] >> cell & 1) << c;
@@ -30,18 +30,19 @@ void visitCells(const std::array<std::uint64_t, 8>& inside, Visit visit) {
 
 }  // namespace
 
-SurfaceTracker::SurfaceTracker(const ColourField& field, float iso) : iso_(iso) {
-  setIso(field, iso);
+SurfaceTracker::SurfaceTracker(const ColourField& field, float iso, const Wound* wound)
+    : iso_(iso) {
+  setIso(field, iso, wound);
 }
 
-void SurfaceTracker::setIso(const ColourField& field, float iso) {
+void SurfaceTracker::setIso(const ColourField& field, float iso, const Wound* wound) {
   RESECT_ASSERT(iso >= kMinIso && iso <= kMaxIso);
   iso_ = iso;
   clear(field);
   std::vector<std::int64_t> stored;
   for (std::int64_t b = 0; b < field.brickCount(); ++b)
-    if (field.slot(b) >= 0) stored.push_back(b);
-  remesh(field, stored);
+    if (field.slot(b) >= 0 || (wound && wound->severed.near(b))) stored.push_back(b);
+  remesh(field, stored, wound);
   changes_.everything = true;
 }
 
@@ -49,6 +50,8 @@ void SurfaceTracker::clear(const ColourField& field) {
   recordOf_.assign(std::size_t(field.brickCount()), kNone);
   bricks_.clear();
   freeRecords_.clear();
+  wounds_.clear();
+  freeWounds_.clear();
   vertexSpace_ = {};
   triangleSpace_ = {};
   points_.clear();
@@ -59,7 +62,40 @@ void SurfaceTracker::clear(const ColourField& field) {
 }
 
 void SurfaceTracker::update(const ColourField& field, std::span<const std::int64_t> touched) {
-  remesh(field, touched);
+  remesh(field, touched, nullptr);
+}
+
+void SurfaceTracker::update(const ColourField& field, std::span<const std::int64_t> touched,
+                            const Wound& wound, std::span<const std::int64_t> severed) {
+  // The wound's rule looks two nodes round a cell: near a wound a brick changes with its
+  // neighbours.
+  withWound_.assign(touched.begin(), touched.end());
+  withWound_.insert(withWound_.end(), severed.begin(), severed.end());
+  if (!wound.severed.empty())
+    for (const std::int64_t b : touched) {
+      const Vec3i at = field.brick(b);
+      const Vec3i low = (at - Vec3i::Ones()).cwiseMax(0);
+      const Vec3i high = (at + Vec3i::Ones()).cwiseMin(field.brickDims() - Vec3i::Ones());
+      for (int z = low.z(); z <= high.z(); ++z)
+        for (int y = low.y(); y <= high.y(); ++y)
+          for (int x = low.x(); x <= high.x(); ++x)
+            if (const std::int64_t n = field.brickIndex({x, y, z}); wound.severed.near(n))
+              withWound_.push_back(n);
+    }
+  std::sort(withWound_.begin(), withWound_.end());
+  withWound_.erase(std::unique(withWound_.begin(), withWound_.end()), withWound_.end());
+  remesh(field, withWound_, &wound);
+}
+
+void SurfaceTracker::takeWound(BrickMesh& mesh) {
+  if (mesh.wound != kNone) return;
+  if (freeWounds_.empty()) {
+    mesh.wound = std::int32_t(wounds_.size());
+    wounds_.emplace_back();
+  } else {
+    mesh.wound = freeWounds_.back();
+    freeWounds_.pop_back();
+  }
 }
 
 void SurfaceTracker::takeRecord(std::int64_t brick) {
@@ -84,12 +120,15 @@ void SurfaceTracker::dropRecord(std::int64_t brick) {
     triangleSpace_.release(mesh.firstTriangle, mesh.triangles);
     triangleCount_ -= mesh.triangles;
   }
+  if (mesh.wound != kNone) freeWounds_.push_back(mesh.wound);
   freeRecords_.push_back(record);
   record = kNone;
 }
 
 // `bricks`: ascending, each once.
-void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64_t> bricks) {
+void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64_t> bricks,
+                            const Wound* wound) {
+  const auto nearWound = [&](std::int64_t b) { return wound && wound->severed.near(b); };
   changes_.vertices.clear();
   changes_.triangles.clear();
   changes_.everything = false;
@@ -101,11 +140,13 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     for (std::size_t i = begin; i < end; ++i)
       if (const std::int32_t slot = field.slot(bricks[i]); slot >= 0)
         newInside_[i] = insideMask(field.values(slot), iso_);
+      else if (slot == ColourField::kFull)
+        newInside_[i] = ~std::uint64_t(0);
   });
   renumbered_.assign(bricks.size(), 0);
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const std::int64_t b = bricks[i];
-    const bool stored = field.slot(b) >= 0;
+    const bool stored = field.slot(b) >= 0 || (field.slot(b) == ColourField::kFull && nearWound(b));
     renumbered_[i] = stored != (recordOf_[b] != kNone);
     if (!stored) {
       dropRecord(b);
@@ -115,6 +156,10 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     BrickSigns& signs = bricks_[recordOf_[b]].signs;
     renumbered_[i] |= signs.inside != newInside_[i];
     signs.inside = newInside_[i];
+    if (nearWound(b)) {
+      takeWound(bricks_[recordOf_[b]]);
+      renumbered_[i] = true;
+    }
   }
 
   // 2. Which edges cross the surface? Then each brick gets room for its vertices; its own triangles
@@ -128,6 +173,8 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
       BrickSigns& signs = bricks_[recordOf_[bricks[i]]].signs;
       renumbered_[i] |= signs.crossing != crossing;
       signs.setCrossing(crossing);
+      if (const std::int32_t w = bricks_[recordOf_[bricks[i]]].wound; w != kNone)
+        makeBrickWound(field, *wound, field.brick(bricks[i]), signs, iso_, wounds_[std::size_t(w)]);
     }
   });
   retriangulate_.clear();
@@ -135,7 +182,10 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     const std::int64_t b = bricks[i];
     if (recordOf_[b] != kNone) {
       BrickMesh& mesh = bricks_[recordOf_[b]];
-      const std::int32_t count = mesh.signs.vertexCount();
+      const std::int32_t count =
+          mesh.signs.vertexCount() +
+          (mesh.wound == kNone ? 0
+                               : std::int32_t(wounds_[std::size_t(mesh.wound)].vertices.size()));
       if (RangeAllocator::roundedUp(count) != RangeAllocator::roundedUp(mesh.vertices)) {
         if (mesh.vertices > 0) vertexSpace_.release(mesh.firstVertex, mesh.vertices);
         mesh.firstVertex = count > 0 ? vertexSpace_.take(count) : 0;
@@ -166,20 +216,28 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
       if (recordOf_[b] == kNone || bricks_[recordOf_[b]].vertices == 0) continue;
       const BrickMesh& mesh = bricks_[recordOf_[b]];
       brickVertices(field, field.brick(b), mesh.signs, iso_, vertices.data());
-      for (int v = 0; v < mesh.vertices; ++v) {
-        points_[mesh.firstVertex + v] = vertices[v].position;
-        normals_[mesh.firstVertex + v] = vertices[v].normal;
-        cut_[mesh.firstVertex + v] = vertices[v].cut;
-      }
+      std::int32_t at = mesh.firstVertex;
+      const auto write = [&](const SurfaceVertex& v) {
+        points_[at] = v.position;
+        normals_[at] = v.normal;
+        cut_[at++] = v.cut;
+      };
+      for (int v = 0; v < mesh.signs.vertexCount(); ++v) write(vertices[v]);
+      if (mesh.wound != kNone)
+        for (const BrickWound::Vertex& v : wounds_[std::size_t(mesh.wound)].vertices) write(v.at);
     }
   });
 
   // 4. Draw the triangles.
   newTriangles_.assign(retriangulate_.size(), 0);
   parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      visitCells(above(field, retriangulate_[i]).inside,
+    for (std::size_t i = begin; i < end; ++i) {
+      const BrickMesh& mesh = bricks_[recordOf_[retriangulate_[i]]];
+      visitCells(above(field, retriangulate_[i]).inside, woundCells(mesh),
                  [&](int, const CellTriangles& drawn) { newTriangles_[i] += drawn.count; });
+      if (mesh.wound != kNone)
+        newTriangles_[i] += std::int32_t(wounds_[std::size_t(mesh.wound)].triangles.size());
+    }
   });
   for (std::size_t i = 0; i < retriangulate_.size(); ++i) {
     BrickMesh& mesh = bricks_[recordOf_[retriangulate_[i]]];
@@ -228,8 +286,9 @@ SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64
 
 void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick) {
   const Above around = above(field, brick);
-  Triangle* out = triangles_.data() + bricks_[recordOf_[brick]].firstTriangle;
-  visitCells(around.inside, [&](int cell, const CellTriangles& drawn) {
+  const BrickMesh& mesh = bricks_[recordOf_[brick]];
+  Triangle* out = triangles_.data() + mesh.firstTriangle;
+  visitCells(around.inside, woundCells(mesh), [&](int cell, const CellTriangles& drawn) {
     for (int t = 0; t < drawn.count; ++t, ++out)
       for (int v = 0; v < 3; ++v) {
         const CellEdge edge = kCellEdges[drawn.edges[t][v]];
@@ -241,67 +300,40 @@ void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick)
         (*out)[v] = owner->firstVertex + owner->signs.vertex(edge.axis, node);
       }
   });
+  if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], out);
 }
 
-SurfaceTracker::Compact SurfaceTracker::compact() const {
-  Compact result;
-  std::vector<std::int32_t> newIndex(points_.size(), -1);
-  for (const std::int32_t record : recordOf_) {
-    if (record == kNone) continue;
-    const BrickMesh& mesh = bricks_[record];
-    for (int v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertices; ++v) {
-      newIndex[v] = std::int32_t(result.mesh.points.size());
-      result.mesh.points.push_back(points_[v].cast<double>());
-      result.normals.push_back(normals_[v]);
-      result.cut.push_back(cut_[v]);
+// A wound's triangles name their corners by cell; here they get numbers.
+void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound, Triangle* out) const {
+  const auto vertex = [&](const BrickWound::Triangle& t, int corner) {
+    const Vec3i cell(t.cell & 3, t.cell >> 2 & 3, t.cell >> 4);
+    // The brick, among those above, that owns what lies at a node, 0 to 4 along each axis.
+    const auto owner = [&](const Vec3i& n) -> const BrickMesh& {
+      return *around.mesh[n.x() >> 2 | (n.y() >> 2) << 1 | (n.z() >> 2) << 2];
+    };
+    const auto number = [](const Vec3i& n) {
+      return (n.x() & 3) | (n.y() & 3) << 2 | (n.z() & 3) << 4;
+    };
+    const auto ofWound = [&](const BrickMesh& mesh) {
+      return mesh.firstVertex + mesh.signs.vertexCount();
+    };
+    if (corner >= kFirstCellVertex) return ofWound(*around.mesh[0]) + corner - kFirstCellVertex;
+    if (corner >= kFirstFaceVertex) {
+      const int face = (corner - kFirstFaceVertex) / 8, axis = face / 2;
+      const Vec3i n = cell + face % 2 * Vec3i::Unit(axis);
+      const BrickMesh& mesh = owner(n);
+      return ofWound(mesh) + wounds_[std::size_t(mesh.wound)].faceVertex(
+                                 axis, number(n), (corner - kFirstFaceVertex) % 8, t.lip);
     }
-  }
-  result.mesh.triangles.reserve(std::size_t(triangleCount_));
-  for (const std::int32_t record : recordOf_) {
-    if (record == kNone) continue;
-    const BrickMesh& mesh = bricks_[record];
-    for (int i = mesh.firstTriangle; i < mesh.firstTriangle + mesh.triangles; ++i) {
-      const Triangle& t = triangles_[i];
-      result.mesh.triangles.push_back({newIndex[t[0]], newIndex[t[1]], newIndex[t[2]]});
-    }
-  }
-  return result;
-}
-
-TriangleMesh SurfaceTracker::meshAround(const ColourField& field, const Aabb& box) const {
-  TriangleMesh mesh;
-  if (box.empty()) return mesh;
-  // Bricks whose cells can reach into the box in x and y; all of them in z.
-  Vec3i low = Vec3i::Zero(), high = field.brickDims() - Vec3i::Ones();
-  const auto brickAt = [&](const Vec3& p) {
-    return Vec3((field.lattice().toCellSpace(p) + Vec3::Constant(2)) * field.refine() /
-                kBrickNodes);
+    const CellEdge edge = kCellEdges[std::size_t(corner / 3)];
+    const Vec3i n = cell + Vec3i(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
+    const BrickMesh& mesh = owner(n);
+    if (corner % 3 == kIsoNode) return mesh.firstVertex + mesh.signs.vertex(edge.axis, number(n));
+    return ofWound(mesh) +
+           wounds_[std::size_t(mesh.wound)].edgeVertex(edge.axis, number(n), corner % 3);
   };
-  const Vec3 first = brickAt(box.min), last = brickAt(box.max);
-  for (int a = 0; a < 2; ++a) {
-    low[a] = std::max(low[a], int(std::floor(std::max(-1.0, first[a]))) - 1);
-    high[a] = int(std::min(double(high[a]), std::floor(last[a])));
-  }
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x) {
-        const std::int32_t record = recordOf_[field.brickIndex({x, y, z})];
-        if (record == kNone) continue;
-        const BrickMesh& brick = bricks_[record];
-        for (int i = brick.firstTriangle; i < brick.firstTriangle + brick.triangles; ++i) {
-          const auto first = std::int32_t(mesh.points.size());
-          for (const std::int32_t v : triangles_[i])
-            mesh.points.push_back(points_[v].cast<double>());
-          mesh.triangles.push_back({first, first + 1, first + 2});
-        }
-      }
-  return mesh;
-}
-
-std::size_t SurfaceTracker::bytes() const {
-  return recordOf_.capacity() * 4 + bricks_.capacity() * sizeof(BrickMesh) +
-         points_.capacity() * 2 * sizeof(Vec3f) + cut_.capacity() * 4 +
-         triangles_.capacity() * sizeof(Triangle);
+  for (const BrickWound::Triangle& t : wound.triangles)
+    *out++ = {vertex(t, t.corners[0]), vertex(t, t.corners[1]), vertex(t, t.corners[2])};
 }
 
 }  // namespace resect

@@ -5,6 +5,9 @@
 // scratch bit for bit (compare mesh()), is closed, and looks outwards. Cost of an update: the
 // touched bricks, whatever the size of the organ.
 //
+// Incisions are drawn in the same bricks (surface/wound_brick.h): nothing is removed, two lips lie
+// on each other until the tissue moves. An organ that was never cut pays nothing for them.
+//
 // points(), normals(), cut() and triangles() are arrays with holes, made for viewers: a brick keeps
 // its ranges while they suffice, unused triangles are (0, 0, 0), and changes() lists what to
 // upload.
@@ -19,6 +22,7 @@
 #include "sph/colour_field.h"
 #include "surface/brick_mesher.h"
 #include "surface/range_allocator.h"
+#include "surface/wound_brick.h"
 
 namespace resect {
 
@@ -28,13 +32,17 @@ struct IndexRange {
 
 class SurfaceTracker {
  public:
-  // Meshes all of the field. iso in [kMinIso, kMaxIso].
-  SurfaceTracker(const ColourField& field, float iso);
+  // Meshes all of the field. iso in [kMinIso, kMaxIso]. wound: null for an organ that is whole.
+  SurfaceTracker(const ColourField& field, float iso, const Wound* wound = nullptr);
 
   // After field.update() returned `touched`: meshes those bricks again.
   void update(const ColourField& field, std::span<const std::int64_t> touched);
+  // The same for an organ with incisions, after severed.update() returned `severed`. A wound that
+  // was given once must be given ever after.
+  void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
+              std::span<const std::int64_t> severed);
   // Another iso level: meshes all again.
-  void setIso(const ColourField& field, float iso);
+  void setIso(const ColourField& field, float iso, const Wound* wound = nullptr);
   float iso() const { return iso_; }
 
   std::span<const Vec3f> points() const { return points_; }    // rest space, m
@@ -42,6 +50,18 @@ class SurfaceTracker {
   std::span<const float> cut() const { return cut_; }  // 0 original skin ... 1 cut parenchyma
   std::span<const Triangle> triangles() const { return triangles_; }
   std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
+
+  // visit(first vertex, bindings) for each brick near a wound: what its vertices follow, one after
+  // the other. Vertices of other bricks follow all particles round them.
+  template <typename Visit>
+  void visitBindings(Visit visit) const {
+    for (const std::int32_t record : recordOf_)
+      if (record != kNone && bricks_[std::size_t(record)].wound != kNone) {
+        const BrickMesh& mesh = bricks_[std::size_t(record)];
+        visit(mesh.firstVertex,
+              std::span<const VertexBinding>(wounds_[std::size_t(mesh.wound)].bindings));
+      }
+  }
 
   // What the last update or setIso wrote: ranges of vertices and of triangles.
   struct Changes {
@@ -68,29 +88,37 @@ class SurfaceTracker {
   std::size_t bytes() const;
 
  private:
+  static constexpr std::int32_t kNone = -1;
   struct BrickMesh {
     BrickSigns signs;
     std::int32_t firstVertex = 0, vertices = 0;
     std::int32_t firstTriangle = 0, triangles = 0;
-    bool drawAgain = false;  // in retriangulate_
+    bool drawAgain = false;      // in retriangulate_
+    std::int32_t wound = kNone;  // into wounds_
   };
   struct Above {
     std::array<const BrickMesh*, 8> mesh;
     std::array<std::uint64_t, 8> inside;
   };
-  static constexpr std::int32_t kNone = -1;
 
   void clear(const ColourField& field);
-  void remesh(const ColourField& field, std::span<const std::int64_t> bricks);
+  void remesh(const ColourField& field, std::span<const std::int64_t> bricks, const Wound* wound);
   void takeRecord(std::int64_t brick);
+  void takeWound(BrickMesh& mesh);
   void dropRecord(std::int64_t brick);
   Above above(const ColourField& field, std::int64_t brick) const;
   void drawTriangles(const ColourField& field, std::int64_t brick);
+  void drawWound(const Above& around, const BrickWound& wound, Triangle* out) const;
+  std::uint64_t woundCells(const BrickMesh& mesh) const {
+    return mesh.wound == kNone ? 0 : wounds_[std::size_t(mesh.wound)].cells;
+  }
 
   float iso_;
   std::vector<std::int32_t> recordOf_;  // per brick: into bricks_, or kNone
   std::vector<BrickMesh> bricks_;
   std::vector<std::int32_t> freeRecords_;
+  std::vector<BrickWound> wounds_;
+  std::vector<std::int32_t> freeWounds_;
   RangeAllocator vertexSpace_, triangleSpace_;
   std::vector<Vec3f> points_, normals_;
   std::vector<float> cut_;
@@ -100,7 +128,7 @@ class SurfaceTracker {
   // Working lists, kept so that a steady update allocates nothing.
   std::vector<std::uint64_t> newInside_;
   std::vector<std::uint8_t> renumbered_;
-  std::vector<std::int64_t> retriangulate_;
+  std::vector<std::int64_t> retriangulate_, withWound_;
   std::vector<std::int32_t> newTriangles_;
 };
 

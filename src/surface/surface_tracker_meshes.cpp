@@ -1,0 +1,80 @@
+// The surface as meshes of their own; following the organ is in surface_tracker.cpp.
+#include <algorithm>
+
+#include "surface/surface_tracker.h"
+
+namespace resect {
+
+SurfaceTracker::Compact SurfaceTracker::compact() const {
+  Compact result;
+  std::vector<std::int32_t> newIndex(points_.size(), -1);
+  for (const std::int32_t record : recordOf_) {
+    if (record == kNone) continue;
+    const BrickMesh& mesh = bricks_[record];
+    const std::int32_t firstOfWound = mesh.firstVertex + mesh.signs.vertexCount();
+    for (int v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertices; ++v) {
+      if (v >= firstOfWound &&
+          wounds_[std::size_t(mesh.wound)].vertices[std::size_t(v - firstOfWound)].twin) {
+        newIndex[v] = newIndex[v - 1];  // one point of the body's skin
+        continue;
+      }
+      newIndex[v] = std::int32_t(result.mesh.points.size());
+      result.mesh.points.push_back(points_[v].cast<double>());
+      result.normals.push_back(normals_[v]);
+      result.cut.push_back(cut_[v]);
+    }
+  }
+  result.mesh.triangles.reserve(std::size_t(triangleCount_));
+  for (const std::int32_t record : recordOf_) {
+    if (record == kNone) continue;
+    const BrickMesh& mesh = bricks_[record];
+    for (int i = mesh.firstTriangle; i < mesh.firstTriangle + mesh.triangles; ++i) {
+      const Triangle& t = triangles_[i];
+      result.mesh.triangles.push_back({newIndex[t[0]], newIndex[t[1]], newIndex[t[2]]});
+    }
+  }
+  return result;
+}
+
+TriangleMesh SurfaceTracker::meshAround(const ColourField& field, const Aabb& box) const {
+  TriangleMesh mesh;
+  if (box.empty()) return mesh;
+  // Bricks whose cells can reach into the box in x and y; all of them in z.
+  Vec3i low = Vec3i::Zero(), high = field.brickDims() - Vec3i::Ones();
+  const auto brickAt = [&](const Vec3& p) {
+    return Vec3((field.lattice().toCellSpace(p) + Vec3::Constant(2)) * field.refine() /
+                kBrickNodes);
+  };
+  const Vec3 first = brickAt(box.min), last = brickAt(box.max);
+  for (int a = 0; a < 2; ++a) {
+    low[a] = std::max(low[a], int(std::floor(std::max(-1.0, first[a]))) - 1);
+    high[a] = int(std::min(double(high[a]), std::floor(last[a])));
+  }
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const std::int32_t record = recordOf_[field.brickIndex({x, y, z})];
+        if (record == kNone) continue;
+        const BrickMesh& brick = bricks_[record];
+        for (int i = brick.firstTriangle; i < brick.firstTriangle + brick.triangles; ++i) {
+          const auto first = std::int32_t(mesh.points.size());
+          for (const std::int32_t v : triangles_[i])
+            mesh.points.push_back(points_[v].cast<double>());
+          mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+      }
+  return mesh;
+}
+
+std::size_t SurfaceTracker::bytes() const {
+  std::size_t woundBytes = wounds_.capacity() * sizeof(BrickWound);
+  for (const BrickWound& w : wounds_)
+    woundBytes += w.vertices.capacity() * sizeof(BrickWound::Vertex) +
+                  w.triangles.capacity() * sizeof(BrickWound::Triangle) +
+                  w.bindings.capacity() * sizeof(VertexBinding);
+  return recordOf_.capacity() * 4 + bricks_.capacity() * sizeof(BrickMesh) +
+         points_.capacity() * 2 * sizeof(Vec3f) + cut_.capacity() * 4 +
+         triangles_.capacity() * sizeof(Triangle) + woundBytes;
+}
+
+}  // namespace resect

@@ -1,0 +1,169 @@
+#include "surface/vertex_binding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace resect {
+namespace {
+
+constexpr double kLeastWeight = 0.02;  // per axis: a particle on the right side always counts
+
+int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+void normalise(VertexBinding& binding) {
+  float sum = 0;
+  for (int i = 0; i < binding.count; ++i) sum += binding.weight[std::size_t(i)];
+  for (int i = 0; i < binding.count; ++i) binding.weight[std::size_t(i)] /= sum;
+}
+
+}  // namespace
+
+VertexBinder::VertexBinder(const CutGrid& grid, const Lattice& lattice, int refine,
+                           std::span<const std::uint8_t> particles)
+    : grid_(grid), lattice_(lattice), refine_(refine), particles_(particles) {}
+
+// Lattice cell k lies at the organ's node refine (k + 2).
+std::int64_t VertexBinder::particleAt(const Vec3i& node) const {
+  const Vec3i n = grid_.first + node;
+  if ((n.array() < 0).any()) return -1;
+  for (int a = 0; a < 3; ++a)
+    if (n[a] % refine_ != 0) return -1;
+  const Vec3i cell = n / refine_ - Vec3i::Constant(2);
+  if (!lattice_.contains(cell)) return -1;
+  const std::int64_t i = lattice_.index(cell);
+  return particles_[std::size_t(i)] ? i : -1;
+}
+
+void VertexBinder::add(VertexBinding& binding, const Vec3& p, const Vec3i& node,
+                       std::int64_t cell) const {
+  double weight = 1;
+  for (int a = 0; a < 3; ++a)
+    weight *= std::max(kLeastWeight, 1 - std::abs(p[a] - node[a]) / refine_);
+  if (binding.count < VertexBinding::kMost) {
+    binding.cell[std::size_t(binding.count)] = std::int32_t(cell);
+    binding.weight[std::size_t(binding.count++)] = float(weight);
+    return;
+  }
+  const auto least = std::min_element(binding.weight.begin(), binding.weight.end());
+  if (*least >= weight) return;
+  *least = float(weight);
+  binding.cell[std::size_t(least - binding.weight.begin())] = std::int32_t(cell);
+}
+
+const VertexBinder::Cube& VertexBinder::cube(const Vec3i& low) {
+  for (const Cube& known : cubes_)
+    if (known.low == low) return known;
+  Cube& made = cubes_.emplace_back();
+  made.low = low;
+  const int side = refine_ + 1;
+  const auto at = [&](const Vec3i& d) { return (d.z() * side + d.y()) * side + d.x(); };
+  made.part.fill(kOutside);
+  std::uint8_t parts = 0;
+  std::array<Vec3i, 125> stack;
+  for (int i = 0; i < side * side * side; ++i) {
+    const Vec3i first(i % side, i / side % side, i / side / side);
+    const auto inside = [&](const Vec3i& d) {
+      return grid_.contains(low + d) && grid_.inside(grid_.index(low + d));
+    };
+    if (made.part[std::size_t(i)] != kOutside || !inside(first)) continue;
+    int count = 0;
+    stack[std::size_t(count++)] = first;
+    made.part[std::size_t(i)] = parts;
+    while (count > 0) {
+      const Vec3i d = stack[std::size_t(--count)];
+      const int node = grid_.index(low + d);
+      const auto visit = [&](const Vec3i& to) {
+        if (made.part[std::size_t(at(to))] != kOutside || !inside(to)) return;
+        made.part[std::size_t(at(to))] = parts;
+        stack[std::size_t(count++)] = to;
+      };
+      for (int a = 0; a < 3; ++a) {
+        if (d[a] + 1 < side && grid_.whole(node, a)) visit(d + Vec3i::Unit(a));
+        if (d[a] > 0 && grid_.whole(node - grid_.stride(a), a)) visit(d - Vec3i::Unit(a));
+      }
+    }
+    ++parts;
+  }
+  for (int c = 0; c < 8; ++c)
+    made.particle[std::size_t(c)] = particleAt(low + refine_ * Vec3i(c & 1, c >> 1 & 1, c >> 2));
+  return made;
+}
+
+VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors) {
+  Vec3i low;
+  for (int a = 0; a < 3; ++a) {
+    const int node = grid_.first[a] + int(std::floor(p[a]));
+    low[a] = floorDiv(node, refine_) * refine_ - grid_.first[a];
+  }
+  const Cube& within = cube(low);
+  const int side = refine_ + 1;
+  std::array<bool, 256> wanted{};
+  visitNearby(anchors, [&](const Vec3i& offset) {
+    const Vec3i d = place + offset - low;
+    if ((d.array() >= 0).all() && (d.array() < side).all())
+      wanted[within.part[std::size_t((d.z() * side + d.y()) * side + d.x())]] = true;
+  });
+  wanted[kOutside] = false;
+  VertexBinding binding;
+  for (int c = 0; c < 8; ++c) {
+    if (within.particle[std::size_t(c)] < 0) continue;
+    const Vec3i d = refine_ * Vec3i(c & 1, c >> 1 & 1, c >> 2);
+    if (wanted[within.part[std::size_t((d.z() * side + d.y()) * side + d.x())]])
+      add(binding, p, low + d, within.particle[std::size_t(c)]);
+  }
+  if (binding.count == 0) binding = bindWidely(p, place, anchors);
+  if (binding.count == 0) binding = bindToNearest(p);
+  if (binding.count > 0) normalise(binding);
+  return binding;
+}
+
+// All particles of the window that are connected with the anchors within it; the eight that weigh
+// most.
+VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
+                                       NearbyNodes anchors) const {
+  VertexBinding binding;
+  std::vector<std::uint8_t> seen(std::size_t(grid_.dims.prod()), 0);
+  std::vector<int> queue;
+  const auto visit = [&](const Vec3i& n) {
+    if (!grid_.contains(n) || !grid_.inside(grid_.index(n))) return;
+    std::uint8_t& mark = seen[std::size_t(grid_.index(n))];
+    if (!mark) queue.push_back(grid_.index(n));
+    mark = 1;
+  };
+  visitNearby(anchors, [&](const Vec3i& offset) { visit(place + offset); });
+  for (std::size_t at = 0; at < queue.size(); ++at) {
+    const int i = queue[at];
+    const Vec3i n = grid_.node(i);
+    const std::int64_t cell = particleAt(n);
+    if (cell >= 0) add(binding, p, n, cell);
+    for (int a = 0; a < 3; ++a) {
+      if (n[a] + 1 < grid_.dims[a] && grid_.whole(i, a)) visit(n + Vec3i::Unit(a));
+      if (n[a] > 0 && grid_.whole(i - grid_.stride(a), a)) visit(n - Vec3i::Unit(a));
+    }
+  }
+  return binding;
+}
+
+// A crumb without a particle of its own goes with the nearest, whatever the blade left between.
+VertexBinding VertexBinder::bindToNearest(const Vec3& p) const {
+  VertexBinding binding;
+  const Vec3 at = (p + grid_.first.cast<double>()) / refine_ - Vec3::Constant(2);  // cells
+  const Vec3i middle = at.array().round().matrix().cast<int>();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int z = -2; z <= 2; ++z)
+    for (int y = -2; y <= 2; ++y)
+      for (int x = -2; x <= 2; ++x) {
+        const Vec3i cell = middle + Vec3i(x, y, z);
+        if (!lattice_.contains(cell) || !particles_[std::size_t(lattice_.index(cell))]) continue;
+        const double distance = (cell.cast<double>() - at).squaredNorm();
+        if (distance >= nearest) continue;
+        nearest = distance;
+        binding.count = 1;
+        binding.cell[0] = std::int32_t(lattice_.index(cell));
+        binding.weight[0] = 1;
+      }
+  return binding;
+}
+
+}  // namespace resect

@@ -1,0 +1,60 @@
+// Which particles does a vertex near a wound follow, and how much each?
+//
+// Far from wounds a vertex follows the particles at the corners of the lattice cube that it lies
+// in. Beside a cut it must follow those on its own side only: of the cube's particles, the ones
+// that are connected within the cube, over whole grid edges through tissue, with the nodes that the
+// vertex goes with (its anchors). Where a piece is too thin to hold a particle in the cube, the
+// search widens. A vertex at the end of a cut has anchors on both sides and follows both.
+#pragma once
+
+#include <span>
+
+#include "sph/lattice.h"
+#include "surface/cut_grid.h"
+
+namespace resect {
+
+// Present position = sum of weight (x + F (X - X_cell)) over the cells; weights add up to 1.
+struct VertexBinding {
+  static constexpr int kMost = 8;
+  std::int32_t count = 0;
+  std::array<std::int32_t, kMost> cell{};  // lattice index of a particle
+  std::array<float, kMost> weight{};
+};
+
+// Binds the vertices of one brick after the other.
+class VertexBinder {
+ public:
+  // grid: the window of a brick, whose node (0, 0, 0) is the window's node (2, 2, 2). particles:
+  // per lattice cell, 1 where there is a particle.
+  VertexBinder(const CutGrid& grid, const Lattice& lattice, int refine,
+               std::span<const std::uint8_t> particles);
+
+  // p: in the window, within the brick; anchors: round `place`, a node of the window. Cells by the
+  // same weight come in lattice order. No particle within two cells: count is 0.
+  VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
+
+ private:
+  struct Cube;
+  const Cube& cube(const Vec3i& low);
+  VertexBinding bindWidely(const Vec3& p, const Vec3i& place, NearbyNodes anchors) const;
+  VertexBinding bindToNearest(const Vec3& p) const;
+  // The lattice cell at a node of the window, or -1 where there is no particle.
+  std::int64_t particleAt(const Vec3i& node) const;
+  void add(VertexBinding& binding, const Vec3& p, const Vec3i& node, std::int64_t cell) const;
+
+  struct Cube {
+    Vec3i low;
+    std::array<std::uint8_t, 125> part;    // per node: number of its connected part, or kOutside
+    std::array<std::int64_t, 8> particle;  // per corner
+  };
+  static constexpr std::uint8_t kOutside = 255;
+
+  const CutGrid& grid_;
+  const Lattice& lattice_;
+  int refine_;
+  std::span<const std::uint8_t> particles_;
+  std::vector<Cube> cubes_;
+};
+
+}  // namespace resect

@@ -1,0 +1,289 @@
+#include "surface/wound_brick.h"
+
+#include <algorithm>
+
+namespace resect {
+namespace {
+
+constexpr int kHalo = 2, kSide = 9;  // nodes -2 to 6 of the brick
+constexpr float kCutRange = 15;      // as in surface/brick_mesher.cpp
+constexpr std::array<std::uint64_t, 3> kNone{};
+
+int windowIndex(int x, int y, int z) {
+  return ((z + kHalo) * kSide + y + kHalo) * kSide + x + kHalo;
+}
+
+// The brick's nodes and severed edges and those round them, side by side.
+struct Window {
+  std::array<float, kSide * kSide * kSide> value;
+  std::array<std::array<float, kSide * kSide * kSide>, 3> severed;
+  CutGrid grid;
+
+  Window(const ColourField& field, const SeveredEdges& wound, const Vec3i& brick, float iso) {
+    value.fill(0);
+    for (auto& along : severed) along.fill(kWhole);
+    for (int d = 0; d < 27; ++d) {
+      const Vec3i step(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1), b = brick + step;
+      if ((b.array() < 0).any() || (b.array() >= field.brickDims().array()).any()) continue;
+      copy(field.nodes(b), step, value);
+      const std::int64_t index = field.brickIndex(b);
+      for (int a = 0; a < 3; ++a)
+        if (wound.mask(index, a) != 0) copy(wound.shares(index, a), step, severed[std::size_t(a)]);
+    }
+    grid = {kBrickNodes * brick - Vec3i::Constant(kHalo),
+            Vec3i::Constant(kSide),
+            iso,
+            value.data(),
+            {severed[0].data(), severed[1].data(), severed[2].data()},
+            &wound};
+  }
+
+  // The part of a neighbouring brick's 64 nodes that lies in the window.
+  static void copy(const float* from, const Vec3i& step,
+                   std::array<float, kSide * kSide * kSide>& to) {
+    const auto low = [&](int a) { return step[a] < 0 ? kBrickNodes - kHalo : 0; };
+    const auto high = [&](int a) {
+      return step[a] > 0 ? kSide - kHalo - kBrickNodes : kBrickNodes;
+    };
+    for (int z = low(2); z < high(2); ++z)
+      for (int y = low(1); y < high(1); ++y)
+        std::copy(
+            from + (z * 4 + y) * 4 + low(0), from + (z * 4 + y) * 4 + high(0),
+            to.begin() + windowIndex(low(0) + 4 * step.x(), y + 4 * step.y(), z + 4 * step.z()));
+  }
+};
+
+class BrickCutter {
+ public:
+  BrickCutter(const ColourField& field, const Wound& wound, const Vec3i& brick, float iso,
+              BrickWound& out)
+      : field_(field),
+        wound_(wound),
+        window_(field, wound.severed, brick, iso),
+        out_(out),
+        edited_(field.edited(field.brickIndex(brick))),
+        binder_(window_.grid, field.lattice(), field.refine(), wound.particles) {
+    faceAt_.fill(-1);
+  }
+
+  void run(const BrickSigns& signs) {
+    out_.cells = 0;
+    out_.edges = out_.faces = out_.skinFaces = kNone;
+    out_.firstOfFace.clear();
+    out_.vertices.clear();
+    out_.triangles.clear();
+    out_.bindings.clear();
+    out_.unbalanced = 0;
+    findCells();
+    bindIsoVertices(signs);
+    if (out_.cells == 0) return;
+    faceLines_.reserve(4 * std::size_t(std::popcount(out_.cells)));
+    addEdgeVertices();
+    addFaceVertices();
+    for (std::uint64_t rest = out_.cells; rest != 0; rest &= rest - 1)
+      addCell(std::countr_zero(rest));
+  }
+
+ private:
+  static Vec3i local(int node) { return {node & 3, node >> 2 & 3, node >> 4}; }
+  static int index(const Vec3i& n) { return windowIndex(n.x(), n.y(), n.z()); }
+  static Vec3i inWindow(const Vec3i& n) { return n + Vec3i::Constant(kHalo); }
+  const CutGrid& grid() const { return window_.grid; }
+
+  void findCells() {
+    for (int cell = 0; cell < kBrickSize; ++cell) {
+      const Vec3i n = local(cell);
+      if (!isCutCell(grid(), index(n))) continue;
+      out_.cells |= std::uint64_t(1) << cell;
+      for (int a = 0; a < 3; ++a)
+        if (cutsTissue(grid(), index(n), a)) out_.edges[std::size_t(a)] |= std::uint64_t(1) << cell;
+    }
+  }
+
+  // Each face's lines are found once for the brick. Nodes 0 to 4.
+  const FaceLines& face(const Vec3i& n, int axis) {
+    std::int16_t& at = faceAt_[std::size_t(((n.z() * 5 + n.y()) * 5 + n.x()) * 3 + axis)];
+    if (at < 0) {
+      at = std::int16_t(faceLines_.size());
+      faceLines_.push_back(faceLines(grid(), index(n), axis));
+    }
+    return faceLines_[std::size_t(at)];
+  }
+
+  void addEdgeVertices() {
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::uint64_t rest = out_.edges[std::size_t(axis)]; rest != 0; rest &= rest - 1) {
+        const Vec3i n = local(std::countr_zero(rest));
+        const CutEdge e = cutEdge(grid(), index(n), axis);
+        Vec3 p = inWindow(n).cast<double>();
+        p[axis] += e.cut;
+        const Vec3f up = normalOf(n, axis);
+        for (const int side : {kLower, kUpper}) {
+          NearbyNodes anchors =
+              nearbyNode(side == kLower ? Vec3i::Zero() : Vec3i(Vec3i::Unit(axis)));
+          if (e.kind == EdgeKind::Split && (side == kUpper) == e.lowerInside)
+            anchors = nearbyNode(Vec3i(grid().node(e.owner) - inWindow(n)));
+          add(p, side == kLower ? up : Vec3f(-up), 1, n, anchors);
+        }
+      }
+  }
+
+  void addFaceVertices() {
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::uint64_t rest = out_.cells; rest != 0; rest &= rest - 1) {
+        const int cell = std::countr_zero(rest);
+        const Vec3i n = local(cell);
+        const FaceLines lines = face(n, axis);
+        if (lines.kind == FacePoint::None) continue;
+        const std::uint64_t bit = std::uint64_t(1) << cell;
+        out_.faces[std::size_t(axis)] |= bit;
+        out_.firstOfFace.push_back(std::int16_t(out_.vertices.size()));
+        const bool skin = lines.kind == FacePoint::Skin;
+        if (skin) out_.skinFaces[std::size_t(axis)] |= bit;
+        for (int l = 0; l < lines.count; ++l) {
+          const FaceLine& line = lines.line[std::size_t(l)];
+          if (!line.bent) continue;
+          Vec3f normal = outwards(n, axis, line.end);
+          if (const Vec3f other = outwards(n, axis, line.start); normal.dot(other) > -0.5f)
+            normal += other;
+          addBoth(lines.point, normal, skin, n, line.anchors);
+        }
+      }
+  }
+
+  void addCell(int cell) {
+    const Vec3i n = local(cell);
+    std::array<const FaceLines*, 6> faces;
+    for (int f = 0; f < 6; ++f) face(n + f % 2 * Vec3i::Unit(f / 2), f / 2);
+    for (int f = 0; f < 6; ++f)
+      faces[std::size_t(f)] = &face(n + f % 2 * Vec3i::Unit(f / 2), f / 2);
+    capCell(grid(), index(n), faces, surface_);
+    out_.unbalanced += surface_.unbalanced;
+    std::array<std::int16_t, 64> first;
+    for (std::size_t k = 0; k < surface_.points.size(); ++k) {
+      const CellPoint& p = surface_.points[k];
+      first[k] = std::int16_t(out_.vertices.size());
+      addBoth(p.position, lipNormal(n, int(k)), p.skin, n, p.anchors);
+    }
+    for (const CellTriangle& t : surface_.triangles) {
+      BrickWound::Triangle drawn{std::uint8_t(cell), !t.skin, {}};
+      for (std::size_t c = 0; c < 3; ++c) {
+        drawn.corners[c] = t.corners[c];
+        if (t.corners[c] < kFirstCellVertex) continue;
+        const std::size_t k = t.corners[c] - kFirstCellVertex;
+        const bool twin = surface_.points[k].skin && !t.skin;
+        drawn.corners[c] = std::int16_t(kFirstCellVertex + first[k] + twin);
+      }
+      out_.triangles.push_back(drawn);
+    }
+  }
+
+  // The blade's normal at a cut edge, upwards, in rest space.
+  Vec3f normalOf(const Vec3i& n, int axis) const {
+    const Vec3f slope = wound_.severed.normal(grid().first + inWindow(n), axis);
+    return slope.cwiseQuotient(field_.lattice().spacing.cast<float>()).normalized();
+  }
+
+  // Out of the tissue at a node of a face's ring, if it lies at a cut.
+  Vec3f outwards(const Vec3i& n, int axis, int node) const {
+    if (node % 3 == kIsoNode) return Vec3f::Zero();
+    const RingEdge e = ringEdge(axis, node / 3);
+    const Vec3f up = normalOf(n + e.offset, e.axis);
+    return node % 3 == kLower ? up : Vec3f(-up);
+  }
+  Vec3f outwards(const Vec3i& cell, int node) const {
+    if (node % 3 == kIsoNode) return Vec3f::Zero();
+    const CellEdge& e = kCellEdges[std::size_t(node / 3)];
+    const Vec3f up = normalOf(cell + Vec3i(e.from & 1, e.from >> 1 & 1, e.from >> 2), e.axis);
+    return node % 3 == kLower ? up : Vec3f(-up);
+  }
+
+  // Of a cell's own point: the mean over the lips' nodes that it is joined with.
+  Vec3f lipNormal(const Vec3i& cell, int point) const {
+    Vec3f sum = Vec3f::Zero(), any = Vec3f::Zero();
+    for (const CellTriangle& t : surface_.triangles) {
+      if (t.skin ||
+          std::ranges::find(t.corners, CellVertex(kFirstCellVertex + point)) == t.corners.end())
+        continue;
+      for (const CellVertex v : t.corners)
+        if (v < kFirstFaceVertex) {
+          any = outwards(cell, v);
+          sum += any;
+        }
+    }
+    return sum.norm() > 0.1f ? sum : any;
+  }
+
+  // A vertex on the skin with a twin on the lip, or one on the lip alone.
+  void addBoth(const Vec3& p, const Vec3f& lipNormal, bool onSkin, const Vec3i& n,
+               NearbyNodes anchors) {
+    const float length = lipNormal.norm();
+    const Vec3f normal = length > 0 ? Vec3f(lipNormal / length) : Vec3f(0, 1, 0);
+    if (onSkin) addOnSkin(p, n, anchors);
+    add(p, normal, 1, n, anchors);
+    out_.vertices.back().twin = onSkin;
+  }
+
+  void add(const Vec3& p, const Vec3f& normal, float cut, const Vec3i& n, NearbyNodes anchors) {
+    const Vec3 where = p + grid().first.cast<double>();
+    out_.vertices.push_back({{field_.nodePosition(where).cast<float>(), normal, cut}, false});
+    out_.bindings.push_back(binder_.bind(p, inWindow(n), anchors));
+  }
+
+  // Looks like the skin round it: the field's slope, and how deep in what was tissue.
+  void addOnSkin(const Vec3& p, const Vec3i& n, NearbyNodes anchors) {
+    Vec3f slope = Vec3f::Zero();
+    float before = 0;
+    const Vec3i low = inWindow(n);
+    const Vec3 place = p - low.cast<double>();
+    for (int c = 0; c < 8; ++c) {
+      const Vec3i corner(c & 1, c >> 1 & 1, c >> 2), at = low + corner;
+      double weight = 1;
+      for (int a = 0; a < 3; ++a) weight *= corner[a] ? place[a] : 1 - place[a];
+      const int i = grid().index(at);
+      const auto& v = window_.value;
+      slope += float(weight) *
+               Vec3f(v[std::size_t(i + 1)] - v[std::size_t(i - 1)],
+                     v[std::size_t(i + kSide)] - v[std::size_t(i - kSide)],
+                     v[std::size_t(i + kSide * kSide)] - v[std::size_t(i - kSide * kSide)]);
+      const Vec3i node = grid().first + at;
+      if (edited_ && (node.array() < field_.nodeDims().array()).all())
+        before += float(weight) * field_.originalNode(node);
+    }
+    slope = slope.cwiseQuotient(field_.lattice().spacing.cast<float>());
+    const float length = slope.norm();
+    const float cut = edited_ ? std::clamp((before - grid().iso) / kCutRange, 0.f, 1.f) : 0.f;
+    add(p, length > 0 ? Vec3f(slope / -length) : Vec3f(0, 1, 0), cut, n, anchors);
+  }
+
+  void bindIsoVertices(const BrickSigns& signs) {
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::uint64_t rest = signs.crossing[std::size_t(axis)]; rest != 0; rest &= rest - 1) {
+        const Vec3i n = local(std::countr_zero(rest));
+        const CutEdge e = cutEdge(grid(), index(n), axis);
+        Vec3 p = inWindow(n).cast<double>();
+        p[axis] += e.iso;
+        const NearbyNodes anchors = nearbyNode(Vec3i(grid().node(e.owner) - inWindow(n)));
+        out_.bindings.push_back(binder_.bind(p, inWindow(n), anchors));
+      }
+  }
+
+  const ColourField& field_;
+  const Wound& wound_;
+  Window window_;
+  BrickWound& out_;
+  bool edited_;
+  VertexBinder binder_;
+  std::array<std::int16_t, 375> faceAt_;
+  std::vector<FaceLines> faceLines_;
+  CellSurface surface_;
+};
+
+}  // namespace
+
+void makeBrickWound(const ColourField& field, const Wound& wound, const Vec3i& brick,
+                    const BrickSigns& signs, float iso, BrickWound& out) {
+  BrickCutter(field, wound, brick, iso, out).run(signs);
+}
+
+}  // namespace resect
