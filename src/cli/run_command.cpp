@@ -37,10 +37,9 @@ void listScenarios() {
                readScenario(dataFolder() / "scenarios" / (name + ".toml")).title);
 }
 
-std::vector<std::string> writePieces(const std::filesystem::path& folder,
-                                     const TriangleMesh& surface) {
+std::vector<std::string> writePieces(const std::filesystem::path& folder, const Organ& organ) {
   std::vector<std::string> files;
-  for (const TriangleMesh& piece : bodies(surface)) {
+  for (const TriangleMesh& piece : bodies(organ)) {
     files.push_back(folder / fmt::format("piece_{}.stl", files.size() + 1));
     writeMeshFile(files.back(), piece);
   }

@@ -44,7 +44,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
     summary.computedSeconds += summarise(stage.seconds).total;
   const TriangleMesh surface = organ.surface.mesh();
   summary.surface = summarise(surface);
-  for (const TriangleMesh& piece : bodies(surface)) summary.pieces.push_back(summarise(piece));
+  for (const TriangleMesh& piece : bodies(organ)) summary.pieces.push_back(summarise(piece));
   summary.stateHash = simulation.stateHash();
   return summary;
 }

@@ -48,8 +48,15 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
   for (std::size_t i = 0; i < alive.size(); ++i)
     if (!alive[i] && cells.value[i] > 0 && ownerCell(cells, std::int64_t(i)) == std::int64_t(i))
       alive[i] = 1;
-  return {
-      std::move(cells), std::move(field), std::move(surface), std::move(alive), particles, 0, 0};
+  SeveredEdges severed(field.brickDims());
+  return {std::move(cells),
+          std::move(field),
+          std::move(surface),
+          std::move(severed),
+          std::move(alive),
+          particles,
+          0,
+          0};
 }
 
 std::int64_t ownerCell(const Discretization& rest, std::int64_t cell) {
@@ -91,8 +98,26 @@ EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits) {
 
 std::span<const std::int64_t> updateField(Organ& organ) { return organ.field.update(); }
 
+std::int64_t incise(Organ& organ, const SweptBlade& blade) {
+  return severAtRest(organ.severed, organ.field, blade);
+}
+
+std::int64_t incise(Organ& organ, const SweptBlade& blade, std::span<const std::int64_t> bricks,
+                    const PlaceNodes& place) {
+  return severAlong(organ.severed, organ.field, blade, bricks, place);
+}
+
 void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {
-  organ.surface.update(organ.field, touchedBricks);
+  if (organ.severed.empty())
+    organ.surface.update(organ.field, touchedBricks);
+  else
+    organ.surface.update(organ.field, touchedBricks, {organ.severed, organ.alive},
+                         organ.severed.update());
+}
+
+void setIso(Organ& organ, float iso) {
+  const Wound wound{organ.severed, organ.alive};
+  organ.surface.setIso(organ.field, iso, organ.severed.empty() ? nullptr : &wound);
 }
 
 }  // namespace resect

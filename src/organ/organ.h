@@ -8,6 +8,7 @@
 
 #include "sph/colour_field.h"
 #include "sph/discretization.h"
+#include "surface/blade_raster.h"
 #include "surface/surface_tracker.h"
 
 namespace resect {
@@ -43,6 +44,7 @@ struct Organ {
   Discretization rest;  // as built; never changes
   ColourField field;    // of the tissue that is left
   SurfaceTracker surface;
+  SeveredEdges severed;             // what blades went through
   std::vector<std::uint8_t> alive;  // per cell: 1 where a particle is and has not been removed
   std::int64_t particles = 0;       // alive now
   std::int64_t removed = 0;         // since built
@@ -65,8 +67,17 @@ double particleVolume(const Discretization& rest, std::int64_t cell);
 // updateField().
 EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits);
 
+// Cuts along the blade without taking anything away; the surface follows with updateSurface(). The
+// first one is for tissue at rest; in the second, `place` tells where the nodes of the bricks are
+// now. Returns the number of grid edges severed.
+std::int64_t incise(Organ& organ, const SweptBlade& blade);
+std::int64_t incise(Organ& organ, const SweptBlade& blade, std::span<const std::int64_t> bricks,
+                    const PlaceNodes& place);
+
 // Evaluates the touched bricks, then meshes them.
 std::span<const std::int64_t> updateField(Organ& organ);
 void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks);
+// Another iso level: meshes all again.
+void setIso(Organ& organ, float iso);
 
 }  // namespace resect

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/triangle_mesh.h"
+#include "organ/organ.h"
 
 namespace resect {
 
@@ -11,5 +11,14 @@ namespace resect {
 // positive volume is a body's skin; one of negative volume a cavity and stays with the smallest
 // body round it. Each body is a closed mesh.
 std::vector<TriangleMesh> bodies(const TriangleMesh& surface);
+
+// The same for an organ with incisions, whose lips lie on each other: two parts of the surface
+// belong to one body when their tissue is connected over whole edges of the grid. The bodies'
+// volumes add up to the organ's. Crumbs smaller than a particle are bodies too. O(grid nodes).
+std::vector<TriangleMesh> bodies(const Organ& organ);
+
+// Per node of the field's grid, x fastest: the piece of tissue that it lies in, -1 outside. Pieces
+// are numbered in the order of their first node.
+std::vector<std::int32_t> tissuePieces(const Organ& organ, int* count = nullptr);
 
 }  // namespace resect

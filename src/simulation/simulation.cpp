@@ -97,7 +97,7 @@ void Simulation::updateField(StepReport& report) {
 void Simulation::updateSurface(const FrameInput& input) {
   if (input.iso && *input.iso >= kMinIso && *input.iso <= kMaxIso &&
       *input.iso != organ_.surface.iso())
-    organ_.surface.setIso(organ_.field, *input.iso);
+    setIso(organ_, *input.iso);
   else
     resect::updateSurface(organ_, touchedBricks_);
 }

@@ -80,6 +80,8 @@ class SurfaceTracker {
   };
   Compact compact() const;
   TriangleMesh mesh() const { return compact().mesh; }
+  // For each point of compact(): a node of the field inside the tissue that it is the skin of.
+  std::vector<Vec3i> anchorNodes(const ColourField& field) const;
 
   // The triangles of bricks whose nodes can lie in `box` (rest space), as a mesh of their own; the
   // columns along z are complete, so that an inside test along z may use it for points in the box.

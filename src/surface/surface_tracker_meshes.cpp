@@ -1,5 +1,6 @@
 // The surface as meshes of their own; following the organ is in surface_tracker.cpp.
 #include <algorithm>
+#include <bit>
 
 #include "surface/surface_tracker.h"
 
@@ -34,6 +35,32 @@ SurfaceTracker::Compact SurfaceTracker::compact() const {
     }
   }
   return result;
+}
+
+std::vector<Vec3i> SurfaceTracker::anchorNodes(const ColourField& field) const {
+  std::vector<Vec3i> nodes;
+  for (std::int64_t b = 0; b < std::int64_t(recordOf_.size()); ++b) {
+    if (recordOf_[b] == kNone) continue;
+    const BrickMesh& mesh = bricks_[recordOf_[b]];
+    const Vec3i first = kBrickNodes * field.brick(b);
+    if (mesh.wound != kNone) {
+      const BrickWound& wound = wounds_[std::size_t(mesh.wound)];
+      const std::size_t before = wound.anchors.size() - wound.vertices.size();
+      for (std::size_t v = 0; v < wound.anchors.size(); ++v)
+        if (v < before || !wound.vertices[v - before].twin)
+          nodes.push_back(first +
+                          Vec3i(wound.anchors[v][0], wound.anchors[v][1], wound.anchors[v][2]));
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      for (std::uint64_t rest = mesh.signs.crossing[axis]; rest != 0; rest &= rest - 1) {
+        const int node = std::countr_zero(rest);
+        const bool inside = mesh.signs.inside >> node & 1;
+        nodes.push_back(first + Vec3i(node & 3, node >> 2 & 3, node >> 4) +
+                        (inside ? Vec3i(Vec3i::Zero()) : Vec3i(Vec3i::Unit(axis))));
+      }
+  }
+  return nodes;
 }
 
 TriangleMesh SurfaceTracker::meshAround(const ColourField& field, const Aabb& box) const {

@@ -73,6 +73,7 @@ class BrickCutter {
     out_.vertices.clear();
     out_.triangles.clear();
     out_.bindings.clear();
+    out_.anchors.clear();
     out_.unbalanced = 0;
     findCells();
     bindIsoVertices(signs);
@@ -227,7 +228,15 @@ class BrickCutter {
   void add(const Vec3& p, const Vec3f& normal, float cut, const Vec3i& n, NearbyNodes anchors) {
     const Vec3 where = p + grid().first.cast<double>();
     out_.vertices.push_back({{field_.nodePosition(where).cast<float>(), normal, cut}, false});
+    bind(p, n, anchors);
+  }
+
+  void bind(const Vec3& p, const Vec3i& n, NearbyNodes anchors) {
     out_.bindings.push_back(binder_.bind(p, inWindow(n), anchors));
+    Vec3i anchor = n;
+    visitNearby(anchors & -anchors, [&](const Vec3i& offset) { anchor += offset; });
+    out_.anchors.push_back(
+        {std::int8_t(anchor.x()), std::int8_t(anchor.y()), std::int8_t(anchor.z())});
   }
 
   // Looks like the skin round it: the field's slope, and how deep in what was tissue.
@@ -264,7 +273,7 @@ class BrickCutter {
         Vec3 p = inWindow(n).cast<double>();
         p[axis] += e.iso;
         const NearbyNodes anchors = nearbyNode(Vec3i(grid().node(e.owner) - inWindow(n)));
-        out_.bindings.push_back(binder_.bind(p, inWindow(n), anchors));
+        bind(p, n, anchors);
       }
   }
 

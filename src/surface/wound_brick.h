@@ -43,8 +43,11 @@ struct BrickWound {
   std::vector<std::int16_t> firstOfFace;     // vertex, in the order of `faces`
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
-  std::vector<VertexBinding> bindings;  // of the brick's iso vertices, then of `vertices`
-  int unbalanced = 0;                   // cells whose volume could not be kept
+  // Of the brick's iso vertices, then of `vertices`: what each follows, and a node of the grid, as
+  // an offset from the brick's first, that lies in the same piece of tissue.
+  std::vector<VertexBinding> bindings;
+  std::vector<std::array<std::int8_t, 3>> anchors;
+  int unbalanced = 0;  // cells whose volume could not be kept
 
   // Numbers among `vertices`.
   int edgeVertex(int axis, int node, int side) const {

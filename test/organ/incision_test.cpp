@@ -1,0 +1,91 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "geometry/measures.h"
+#include "geometry/topology.h"
+#include "organ/organ.h"
+#include "organ/pieces.h"
+#include "support/blades.h"
+#include "support/wound_reference.h"
+
+using namespace resect;
+
+namespace {
+
+void follow(Organ& organ) { updateSurface(organ, updateField(organ)); }
+
+Vec3 middle(const Organ& organ) { return organ.rest.lattice.box().centre(); }
+
+}  // namespace
+
+TEST_CASE("an incision takes nothing away") {
+  Organ organ = makeOrgan(test::blob(20), {});
+  const double before = volume(organ.surface.mesh()), tissue = organ.volume();
+  const std::int64_t particles = organ.particles;
+  CHECK(incise(organ, test::flatBlade(middle(organ) + Vec3(0, 0.04, 0), Vec3(0.02, 0, 0.003),
+                                      Vec3(0, 0.03, 0))) > 100);
+  follow(organ);
+  const TriangleMesh mesh = organ.surface.mesh();
+  CHECK(test::wrongWith(mesh) == "");
+  CHECK(std::abs(volume(mesh) / before - 1) < 1e-7);
+  CHECK(organ.volume() == tissue);
+  CHECK(organ.particles == particles);
+  CHECK(bodies(organ).size() == 1);
+}
+
+TEST_CASE("cut right through, an organ is separate closed bodies whose volumes add up") {
+  Organ organ = makeOrgan(test::blob(24), {});
+  const double whole = volume(organ.surface.mesh());
+  incise(organ, test::flatBlade(middle(organ) + Vec3(0.0011, 0.0013, 0.0007),
+                                Vec3(0.2, 0.013, 0.007), Vec3(-0.011, 0.04, 0.2)));
+  incise(organ, test::flatBlade(middle(organ) + Vec3(0.0317, 0.0013, 0.0007),
+                                Vec3(0.013, 0.2, 0.007), Vec3(-0.011, 0.04, 0.2)));
+  follow(organ);
+  const auto pieces = bodies(organ);
+  double sum = 0;
+  int large = 0;
+  for (const TriangleMesh& piece : pieces) {
+    CHECK(test::wrongWith(piece) == "");
+    CHECK(volume(piece) > 0);
+    large += volume(piece) > 0.01 * whole;
+    sum += volume(piece);
+  }
+  MESSAGE(pieces.size(), " bodies, ", large, " of them more than a hundredth; volumes add up to ",
+          sum / whole, " of the whole");
+  CHECK(large == 4);
+  CHECK(std::abs(sum / whole - 1) < 1e-7);  // points are floats
+  for (std::size_t i = 1; i < pieces.size(); ++i) CHECK(volume(pieces[i - 1]) >= volume(pieces[i]));
+}
+
+TEST_CASE("a blind cut within is no body of its own") {
+  Organ organ = makeOrgan(test::blob(20), {});
+  incise(organ, test::flatBlade(middle(organ), Vec3(0.015, 0, 0.001), Vec3(0, 0.001, 0.015)));
+  follow(organ);
+  CHECK(topology(organ.surface.mesh()).components == 2);
+  CHECK(bodies(organ).size() == 1);
+}
+
+TEST_CASE("a cut organ can be carved, and carved away, and its iso level changed") {
+  Organ organ = makeOrgan(test::blob(18), {});
+  incise(organ, test::flatBlade(middle(organ), Vec3(0.2, 0.01, 0.02), Vec3(0.01, 0.01, 0.2)));
+  follow(organ);
+  setIso(organ, 30);
+  CHECK(test::wrongWith(organ.surface.mesh()) == "");
+  setIso(organ, 50);
+  std::vector<TissueEdit> edits;
+  for (std::int64_t i = 0; i < organ.rest.lattice.cellCount(); ++i)
+    if (organ.alive[std::size_t(i)] && organ.rest.lattice.cell(i).x() < 9)
+      edits.push_back({TissueEdit::Kind::Remove, -1, i});
+  applyEdits(organ, edits);
+  follow(organ);
+  CHECK(test::wrongWith(organ.surface.mesh()) == "");
+  CHECK(bodies(organ).size() >= 2);
+  edits.clear();
+  for (std::int64_t i = 0; i < organ.rest.lattice.cellCount(); ++i)
+    if (organ.alive[std::size_t(i)]) edits.push_back({TissueEdit::Kind::Remove, -1, i});
+  applyEdits(organ, edits);
+  follow(organ);
+  CHECK(organ.surface.mesh().triangles.empty());
+  CHECK(bodies(organ).empty());
+}
