@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/assert.h"
+
 namespace resect {
 namespace {
 
@@ -18,6 +20,14 @@ void addTriangle(SweptBlade& blade, const Vec3& a, const Vec3& b, const Vec3& c)
   blade.triangles.push_back(
       {a, cross / std::sqrt(area2), v.cross(cross) / area2, cross.cross(u) / area2, b, c});
   for (const Vec3& p : {a, b, c}) blade.bounds.grow(p);
+}
+
+void addStrip(SweptBlade& blade, std::span<const Vec3> before, std::span<const Vec3> after) {
+  RESECT_ASSERT(before.size() == after.size());
+  for (std::size_t i = 0; i + 1 < before.size(); ++i) {
+    addTriangle(blade, before[i], before[i + 1], after[i + 1]);
+    addTriangle(blade, before[i], after[i + 1], after[i]);
+  }
 }
 
 // Steps such that the furthest point of the edge strays from its chord by at most `flatness`.
@@ -42,12 +52,15 @@ SweptBlade sweepBlade(std::span<const Vec3> edge, const Pose& from, const Pose& 
   for (int step = 1; step <= steps; ++step) {
     const Pose pose = step == steps ? to : interpolate(from, to, double(step) / steps);
     for (std::size_t i = 0; i < edge.size(); ++i) after[i] = pose * edge[i];
-    for (std::size_t i = 0; i + 1 < edge.size(); ++i) {
-      addTriangle(blade, before[i], before[i + 1], after[i + 1]);
-      addTriangle(blade, before[i], after[i + 1], after[i]);
-    }
+    addStrip(blade, before, after);
     before.swap(after);
   }
+  return blade;
+}
+
+SweptBlade ruledBlade(std::span<const Vec3> before, std::span<const Vec3> after) {
+  SweptBlade blade;
+  addStrip(blade, before, after);
   return blade;
 }
 

@@ -42,6 +42,9 @@ struct SweptBlade {
 SweptBlade sweepBlade(std::span<const Vec3> edge, const Pose& from, const Pose& to,
                       double flatness = 1e-4);
 
+// The strip between an edge before and after, point by point; both have the same number of points.
+SweptBlade ruledBlade(std::span<const Vec3> before, std::span<const Vec3> after);
+
 struct BladeCrossing {
   double share = 0;           // of the way from p to q, in [0, 1]
   std::int32_t triangle = 0;  // in SweptBlade::triangles

@@ -90,12 +90,28 @@ const VertexBinder::Cube& VertexBinder::cube(const Vec3i& low) {
   return made;
 }
 
-VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors) {
+Vec3i VertexBinder::cubeOf(const Vec3& p) const {
   Vec3i low;
   for (int a = 0; a < 3; ++a) {
     const int node = grid_.first[a] + int(std::floor(p[a]));
     low[a] = floorDiv(node, refine_) * refine_ - grid_.first[a];
   }
+  return low;
+}
+
+VertexBinding VertexBinder::bindAll(const Vec3& p) {
+  const Vec3i low = cubeOf(p);
+  VertexBinding binding;
+  for (int c = 0; c < 8; ++c) {
+    const Vec3i node = low + refine_ * Vec3i(c & 1, c >> 1 & 1, c >> 2);
+    if (const std::int64_t cell = particleAt(node); cell >= 0) add(binding, p, node, cell);
+  }
+  if (binding.count > 0) normalise(binding);
+  return binding;
+}
+
+VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors) {
+  const Vec3i low = cubeOf(p);
   const Cube& within = cube(low);
   const int side = refine_ + 1;
   std::array<bool, 256> wanted{};

@@ -33,9 +33,12 @@ class VertexBinder {
   // p: in the window, within the brick; anchors: round `place`, a node of the window. Cells by the
   // same weight come in lattice order. No particle within two cells: count is 0.
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
+  // All particles of the lattice cube that p lies in.
+  VertexBinding bindAll(const Vec3& p);
 
  private:
   struct Cube;
+  Vec3i cubeOf(const Vec3& p) const;
   const Cube& cube(const Vec3i& low);
   VertexBinding bindWidely(const Vec3& p, const Vec3i& place, NearbyNodes anchors) const;
   VertexBinding bindToNearest(const Vec3& p) const;

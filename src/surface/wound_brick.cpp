@@ -2,56 +2,14 @@
 
 #include <algorithm>
 
+#include "surface/brick_window.h"
+
 namespace resect {
 namespace {
 
-constexpr int kHalo = 2, kSide = 9;  // nodes -2 to 6 of the brick
-constexpr float kCutRange = 15;      // as in surface/brick_mesher.cpp
+constexpr int kHalo = BrickWindow::kHalo, kSide = BrickWindow::kSide;
+constexpr float kCutRange = 15;  // as in surface/brick_mesher.cpp
 constexpr std::array<std::uint64_t, 3> kNone{};
-
-int windowIndex(int x, int y, int z) {
-  return ((z + kHalo) * kSide + y + kHalo) * kSide + x + kHalo;
-}
-
-// The brick's nodes and severed edges and those round them, side by side.
-struct Window {
-  std::array<float, kSide * kSide * kSide> value;
-  std::array<std::array<float, kSide * kSide * kSide>, 3> severed;
-  CutGrid grid;
-
-  Window(const ColourField& field, const SeveredEdges& wound, const Vec3i& brick, float iso) {
-    value.fill(0);
-    for (auto& along : severed) along.fill(kWhole);
-    for (int d = 0; d < 27; ++d) {
-      const Vec3i step(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1), b = brick + step;
-      if ((b.array() < 0).any() || (b.array() >= field.brickDims().array()).any()) continue;
-      copy(field.nodes(b), step, value);
-      const std::int64_t index = field.brickIndex(b);
-      for (int a = 0; a < 3; ++a)
-        if (wound.mask(index, a) != 0) copy(wound.shares(index, a), step, severed[std::size_t(a)]);
-    }
-    grid = {kBrickNodes * brick - Vec3i::Constant(kHalo),
-            Vec3i::Constant(kSide),
-            iso,
-            value.data(),
-            {severed[0].data(), severed[1].data(), severed[2].data()},
-            &wound};
-  }
-
-  // The part of a neighbouring brick's 64 nodes that lies in the window.
-  static void copy(const float* from, const Vec3i& step,
-                   std::array<float, kSide * kSide * kSide>& to) {
-    const auto low = [&](int a) { return step[a] < 0 ? kBrickNodes - kHalo : 0; };
-    const auto high = [&](int a) {
-      return step[a] > 0 ? kSide - kHalo - kBrickNodes : kBrickNodes;
-    };
-    for (int z = low(2); z < high(2); ++z)
-      for (int y = low(1); y < high(1); ++y)
-        std::copy(
-            from + (z * 4 + y) * 4 + low(0), from + (z * 4 + y) * 4 + high(0),
-            to.begin() + windowIndex(low(0) + 4 * step.x(), y + 4 * step.y(), z + 4 * step.z()));
-  }
-};
 
 class BrickCutter {
  public:
@@ -87,7 +45,7 @@ class BrickCutter {
 
  private:
   static Vec3i local(int node) { return {node & 3, node >> 2 & 3, node >> 4}; }
-  static int index(const Vec3i& n) { return windowIndex(n.x(), n.y(), n.z()); }
+  static int index(const Vec3i& n) { return BrickWindow::index(n); }
   static Vec3i inWindow(const Vec3i& n) { return n + Vec3i::Constant(kHalo); }
   const CutGrid& grid() const { return window_.grid; }
 
@@ -279,7 +237,7 @@ class BrickCutter {
 
   const ColourField& field_;
   const Wound& wound_;
-  Window window_;
+  BrickWindow window_;
   BrickWound& out_;
   bool edited_;
   VertexBinder binder_;

@@ -1,0 +1,44 @@
+#include "surface/brick_window.h"
+
+#include <algorithm>
+
+namespace resect {
+namespace {
+
+constexpr int kHalo = BrickWindow::kHalo, kSide = BrickWindow::kSide;
+
+// The part of a neighbouring brick's 64 nodes that lies in the window.
+void copy(const float* from, const Vec3i& step, std::array<float, BrickWindow::kNodes>& to) {
+  const auto low = [&](int a) { return step[a] < 0 ? kBrickNodes - kHalo : 0; };
+  const auto high = [&](int a) { return step[a] > 0 ? kSide - kHalo - kBrickNodes : kBrickNodes; };
+  for (int z = low(2); z < high(2); ++z)
+    for (int y = low(1); y < high(1); ++y) {
+      const float* row = from + (z * 4 + y) * 4;
+      const Vec3i first = Vec3i(low(0), y, z) + kBrickNodes * step;
+      std::copy(row + low(0), row + high(0), to.begin() + BrickWindow::index(first));
+    }
+}
+
+}  // namespace
+
+BrickWindow::BrickWindow(const ColourField& field, const SeveredEdges& wound, const Vec3i& brick,
+                         float iso) {
+  value.fill(0);
+  for (auto& along : severed) along.fill(kWhole);
+  for (int d = 0; d < 27; ++d) {
+    const Vec3i step(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1), b = brick + step;
+    if ((b.array() < 0).any() || (b.array() >= field.brickDims().array()).any()) continue;
+    copy(field.nodes(b), step, value);
+    const std::int64_t index = field.brickIndex(b);
+    for (int a = 0; a < 3; ++a)
+      if (wound.mask(index, a) != 0) copy(wound.shares(index, a), step, severed[std::size_t(a)]);
+  }
+  grid = {kBrickNodes * brick - Vec3i::Constant(kHalo),
+          Vec3i::Constant(kSide),
+          iso,
+          value.data(),
+          {severed[0].data(), severed[1].data(), severed[2].data()},
+          &wound};
+}
+
+}  // namespace resect
