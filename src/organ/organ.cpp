@@ -48,7 +48,7 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
   for (std::size_t i = 0; i < alive.size(); ++i)
     if (!alive[i] && cells.value[i] > 0 && ownerCell(cells, std::int64_t(i)) == std::int64_t(i))
       alive[i] = 1;
-  SeveredEdges severed(field.brickDims());
+  SeveredEdges severed(field.brickDims(), field.refine());
   return {std::move(cells),
           std::move(field),
           std::move(surface),

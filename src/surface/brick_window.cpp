@@ -1,7 +1,5 @@
 #include "surface/brick_window.h"
 
-#include <algorithm>
-
 namespace resect {
 namespace {
 
@@ -14,8 +12,8 @@ void copy(const float* from, const Vec3i& step, std::array<float, BrickWindow::k
   for (int z = low(2); z < high(2); ++z)
     for (int y = low(1); y < high(1); ++y) {
       const float* row = from + (z * 4 + y) * 4;
-      const Vec3i first = Vec3i(low(0), y, z) + kBrickNodes * step;
-      std::copy(row + low(0), row + high(0), to.begin() + BrickWindow::index(first));
+      float* out = to.data() + BrickWindow::index(Vec3i(0, y, z) + kBrickNodes * step);
+      for (int x = low(0); x < high(0); ++x) out[x] = row[x];
     }
 }
 

@@ -54,20 +54,27 @@ SeveredEdges::Record& SeveredEdges::takeRecord(const Vec3i& node) {
   return records_[std::size_t(r)];
 }
 
-// The bricks of the cells that can see the edges and faces at `node`.
-void SeveredEdges::touch(const Vec3i& node) {
-  const Vec3i low = (node - Vec3i::Constant(kNodesBelow)).cwiseMax(0) / 4;
-  const Vec3i high =
-      ((node + Vec3i::Constant(kNodesAbove)) / 4).cwiseMin(brickDims_ - Vec3i::Ones());
+// visit(brick) for the bricks of the nodes low to high.
+template <typename Visit>
+void SeveredEdges::visitBricks(const Vec3i& lowNode, const Vec3i& highNode, Visit visit) const {
+  const Vec3i low = lowNode.cwiseMax(0) / 4,
+              high = (highNode / 4).cwiseMin(brickDims_ - Vec3i::Ones());
   for (int z = low.z(); z <= high.z(); ++z)
     for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x) {
-        const std::int64_t b = brickIndex({x, y, z});
-        near_[std::size_t(b)] = 1;
-        if (pendingOf_[std::size_t(b)]) continue;
-        pendingOf_[std::size_t(b)] = 1;
-        pending_.push_back(b);
-      }
+      for (int x = low.x(); x <= high.x(); ++x) visit(std::size_t(brickIndex({x, y, z})));
+}
+
+// Notes the bricks in sight of the edges and faces at `node`.
+void SeveredEdges::touch(const Vec3i& node) {
+  // With three nodes to a cell the lattice's cubes lie across the bricks' borders.
+  const int below = refine_ == 3 ? kNodesBelow : 1, above = refine_ == 3 ? kNodesAbove : 0;
+  visitBricks(node - Vec3i::Constant(below), node + Vec3i::Constant(above),
+              [&](std::size_t b) { near_[b] = 1; });
+  visitBricks(node - Vec3i::Constant(kNodesBelow), node + Vec3i::Constant(kNodesAbove),
+              [&](std::size_t b) {
+                if (!pendingOf_[b]) pending_.push_back(std::int64_t(b));
+                pendingOf_[b] = 1;
+              });
 }
 
 bool SeveredEdges::sever(const Vec3i& node, int axis, double t, const Vec3& normal) {
@@ -115,10 +122,13 @@ Vec3f SeveredEdges::normal(const Vec3i& node, int axis) const {
 }
 
 std::span<const std::int64_t> SeveredEdges::update() {
-  touched_.swap(pending_);
+  touched_.clear();
+  for (const std::int64_t b : pending_) {
+    pendingOf_[std::size_t(b)] = 0;
+    if (near_[std::size_t(b)]) touched_.push_back(b);
+  }
   pending_.clear();
   std::sort(touched_.begin(), touched_.end());
-  for (const std::int64_t b : touched_) pendingOf_[std::size_t(b)] = 0;
   return touched_;
 }
 

@@ -29,8 +29,8 @@ struct FaceTrace {
 
 class SeveredEdges {
  public:
-  // brickDims: of the colour field.
-  explicit SeveredEdges(const Vec3i& brickDims) : brickDims_(brickDims) {}
+  // brickDims, refine: of the colour field.
+  SeveredEdges(const Vec3i& brickDims, int refine) : brickDims_(brickDims), refine_(refine) {}
 
   bool empty() const { return records_.empty(); }
   std::int64_t count() const { return count_; }  // severed edges
@@ -65,11 +65,12 @@ class SeveredEdges {
     const Record* r = recordOfBrick(brick);
     return r ? r->share[std::size_t(axis)].data() : nullptr;
   }
-  // Can what is drawn in the brick's cells depend on a severed edge?
+  // Is an edge severed in the brick's cells, or in the lattice cubes that they lie in? Elsewhere
+  // the surface is that of a whole organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
-  // The bricks in whose cells something drawn depends on what was severed or traced since the last
-  // call, ascending, each once. Valid until the next call.
+  // The bricks near() a cut in which something drawn depends on what was severed or traced since
+  // the last call, ascending, each once. Valid until the next call.
   std::span<const std::int64_t> update();
 
   std::size_t bytes() const;
@@ -106,9 +107,12 @@ class SeveredEdges {
     return contains(node) ? recordOfBrick(brickIndex(node / 4)) : nullptr;
   }
   Record& takeRecord(const Vec3i& node);
+  template <typename Visit>
+  void visitBricks(const Vec3i& low, const Vec3i& high, Visit visit) const;
   void touch(const Vec3i& node);
 
   Vec3i brickDims_;
+  int refine_;
   std::vector<std::int32_t> recordOf_;  // per brick; empty while nothing is severed
   std::vector<Record> records_;
   std::vector<std::uint8_t> near_;       // per brick

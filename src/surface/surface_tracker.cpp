@@ -10,7 +10,8 @@
 namespace resect {
 namespace {
 
-constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
+constexpr std::size_t kGrain = 128;     // bricks that one thread takes: some 50 us
+constexpr std::size_t kWoundGrain = 4;  // the same of bricks that are cut
 
 // visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending,
 // but those in `except`; `inside`: as for cornerMasks().
@@ -173,8 +174,16 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
       BrickSigns& signs = bricks_[recordOf_[bricks[i]]].signs;
       renumbered_[i] |= signs.crossing != crossing;
       signs.setCrossing(crossing);
-      if (const std::int32_t w = bricks_[recordOf_[bricks[i]]].wound; w != kNone)
-        makeBrickWound(field, *wound, field.brick(bricks[i]), signs, iso_, wounds_[std::size_t(w)]);
+    }
+  });
+  woundBricks_.clear();
+  for (const std::int64_t b : bricks)
+    if (recordOf_[b] != kNone && bricks_[recordOf_[b]].wound != kNone) woundBricks_.push_back(b);
+  parallelFor(woundBricks_.size(), kWoundGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const BrickMesh& mesh = bricks_[recordOf_[woundBricks_[i]]];
+      makeBrickWound(field, *wound, field.brick(woundBricks_[i]), mesh.signs, iso_,
+                     wounds_[std::size_t(mesh.wound)]);
     }
   });
   retriangulate_.clear();

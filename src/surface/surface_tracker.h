@@ -130,7 +130,7 @@ class SurfaceTracker {
   // Working lists, kept so that a steady update allocates nothing.
   std::vector<std::uint64_t> newInside_;
   std::vector<std::uint8_t> renumbered_;
-  std::vector<std::int64_t> retriangulate_, withWound_;
+  std::vector<std::int64_t> retriangulate_, withWound_, woundBricks_;
   std::vector<std::int32_t> newTriangles_;
 };
 

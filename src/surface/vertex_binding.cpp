@@ -1,8 +1,11 @@
 #include "surface/vertex_binding.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <limits>
+
+#include "base/assert.h"
 
 namespace resect {
 namespace {
@@ -21,7 +24,9 @@ void normalise(VertexBinding& binding) {
 
 VertexBinder::VertexBinder(const CutGrid& grid, const Lattice& lattice, int refine,
                            std::span<const std::uint8_t> particles)
-    : grid_(grid), lattice_(lattice), refine_(refine), particles_(particles) {}
+    : grid_(grid), lattice_(lattice), refine_(refine), particles_(particles) {
+  cubes_.reserve(27);
+}
 
 // Lattice cell k lies at the organ's node refine (k + 2).
 std::int64_t VertexBinder::particleAt(const Vec3i& node) const {
@@ -114,13 +119,13 @@ VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes 
   const Vec3i low = cubeOf(p);
   const Cube& within = cube(low);
   const int side = refine_ + 1;
-  std::array<bool, 256> wanted{};
+  std::bitset<kOutside + 1> wanted;  // parts of the cube
   visitNearby(anchors, [&](const Vec3i& offset) {
     const Vec3i d = place + offset - low;
     if ((d.array() >= 0).all() && (d.array() < side).all())
-      wanted[within.part[std::size_t((d.z() * side + d.y()) * side + d.x())]] = true;
+      wanted.set(within.part[std::size_t((d.z() * side + d.y()) * side + d.x())]);
   });
-  wanted[kOutside] = false;
+  wanted.reset(kOutside);
   VertexBinding binding;
   for (int c = 0; c < 8; ++c) {
     if (within.particle[std::size_t(c)] < 0) continue;
@@ -139,16 +144,20 @@ VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes 
 VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
                                        NearbyNodes anchors) const {
   VertexBinding binding;
-  std::vector<std::uint8_t> seen(std::size_t(grid_.dims.prod()), 0);
-  std::vector<int> queue;
+  constexpr std::size_t kMostNodes = 729;  // of a brick's window
+  RESECT_ASSERT(std::size_t(grid_.dims.prod()) <= kMostNodes);
+  std::bitset<kMostNodes> seen;
+  std::array<std::int16_t, kMostNodes> queue;
+  std::size_t count = 0;
   const auto visit = [&](const Vec3i& n) {
-    if (!grid_.contains(n) || !grid_.inside(grid_.index(n))) return;
-    std::uint8_t& mark = seen[std::size_t(grid_.index(n))];
-    if (!mark) queue.push_back(grid_.index(n));
-    mark = 1;
+    if (!grid_.contains(n)) return;
+    const int i = grid_.index(n);
+    if (!grid_.inside(i) || seen[std::size_t(i)]) return;
+    seen.set(std::size_t(i));
+    queue[count++] = std::int16_t(i);
   };
   visitNearby(anchors, [&](const Vec3i& offset) { visit(place + offset); });
-  for (std::size_t at = 0; at < queue.size(); ++at) {
+  for (std::size_t at = 0; at < count; ++at) {
     const int i = queue[at];
     const Vec3i n = grid_.node(i);
     const std::int64_t cell = particleAt(n);

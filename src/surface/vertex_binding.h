@@ -51,7 +51,7 @@ class VertexBinder {
     std::array<std::uint8_t, 125> part;    // per node: number of its connected part, or kOutside
     std::array<std::int64_t, 8> particle;  // per corner
   };
-  static constexpr std::uint8_t kOutside = 255;
+  static constexpr std::uint8_t kOutside = 127;  // more than a cube's nodes
 
   const CutGrid& grid_;
   const Lattice& lattice_;

@@ -17,6 +17,7 @@ class BrickCutter {
               BrickWound& out)
       : field_(field),
         wound_(wound),
+        brick_(brick),
         window_(field, wound.severed, brick, iso),
         out_(out),
         edited_(field.edited(field.brickIndex(brick))),
@@ -50,13 +51,31 @@ class BrickCutter {
   const CutGrid& grid() const { return window_.grid; }
 
   void findCells() {
-    for (int cell = 0; cell < kBrickSize; ++cell) {
+    for (std::uint64_t rest = severedCells(); rest != 0; rest &= rest - 1) {
+      const int cell = std::countr_zero(rest);
       const Vec3i n = local(cell);
       if (!isCutCell(grid(), index(n))) continue;
       out_.cells |= std::uint64_t(1) << cell;
       for (int a = 0; a < 3; ++a)
         if (cutsTissue(grid(), index(n), a)) out_.edges[std::size_t(a)] |= std::uint64_t(1) << cell;
     }
+  }
+
+  // The cells with a severed edge, inside or not.
+  std::uint64_t severedCells() const {
+    std::uint64_t cells = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::array<std::uint64_t, 8> masks{};
+      for (int d = 0; d < 8; ++d) {
+        const Vec3i b = brick_ + Vec3i(d & 1, d >> 1 & 1, d >> 2);
+        if ((b.array() < field_.brickDims().array()).all())
+          masks[std::size_t(d)] = wound_.severed.mask(field_.brickIndex(b), axis);
+      }
+      masks = cornerMasks(masks);
+      for (int corner = 0; corner < 8; ++corner)
+        if (!(corner >> axis & 1)) cells |= masks[std::size_t(corner)];
+    }
+    return cells;
   }
 
   // Each face's lines are found once for the brick. Nodes 0 to 4.
@@ -237,6 +256,7 @@ class BrickCutter {
 
   const ColourField& field_;
   const Wound& wound_;
+  Vec3i brick_;
   BrickWindow window_;
   BrickWound& out_;
   bool edited_;

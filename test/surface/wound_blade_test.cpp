@@ -28,7 +28,7 @@ struct Case {
   explicit Case(Discretization d, int refine = 1)
       : cells(std::move(d)),
         field(cells, refine),
-        severed(field.brickDims()),
+        severed(field.brickDims(), field.refine()),
         organ(field.nodeDims()) {
     organ.fill([&](const Vec3i& n) { return field.node(n); });
     base = test::tableMesh(organ.view());

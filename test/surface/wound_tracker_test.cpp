@@ -29,7 +29,7 @@ struct Patient {
   Patient(const Discretization& d, int refine)
       : cells(d),
         field(d, refine),
-        severed(field.brickDims()),
+        severed(field.brickDims(), field.refine()),
         particles(d.inside),
         surface(field, 50) {}
   Wound wound() const { return {severed, particles}; }
