@@ -9,9 +9,10 @@ namespace resect {
 namespace {
 
 // What a cell shows depends on nodes from two below its lowest corner to two above its highest.
-constexpr int kNodesBelow = 3, kNodesAbove = 2;  // cells seen from an edge's lower node
-constexpr float kSamePoint = 1e-4f;              // ends of lines that are one point
-constexpr float kStraight = 1e-3f;               // a line bent by less is one line
+constexpr int kNodesBelow = 3, kNodesAbove = 2;    // cells seen from an edge's lower node
+constexpr std::uint8_t kInSight = 1, kWithin = 2;  // bits of a brick that waits for update()
+constexpr float kSamePoint = 1e-4f;                // ends of lines that are one point
+constexpr float kStraight = 1e-3f;                 // a line bent by less is one line
 
 float distanceToLine(const Eigen::Vector2f& p, const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
   const Eigen::Vector2f d = b - a, r = p - a;
@@ -68,13 +69,15 @@ void SeveredEdges::visitBricks(const Vec3i& lowNode, const Vec3i& highNode, Visi
 void SeveredEdges::touch(const Vec3i& node) {
   // With three nodes to a cell the lattice's cubes lie across the bricks' borders.
   const int below = refine_ == 3 ? kNodesBelow : 1, above = refine_ == 3 ? kNodesAbove : 0;
-  visitBricks(node - Vec3i::Constant(below), node + Vec3i::Constant(above),
-              [&](std::size_t b) { near_[b] = 1; });
   visitBricks(node - Vec3i::Constant(kNodesBelow), node + Vec3i::Constant(kNodesAbove),
               [&](std::size_t b) {
                 if (!pendingOf_[b]) pending_.push_back(std::int64_t(b));
-                pendingOf_[b] = 1;
+                pendingOf_[b] |= kInSight;
               });
+  visitBricks(node - Vec3i::Constant(below), node + Vec3i::Constant(above), [&](std::size_t b) {
+    near_[b] = 1;
+    pendingOf_[b] |= kWithin;
+  });
 }
 
 bool SeveredEdges::sever(const Vec3i& node, int axis, double t, const Vec3& normal) {
@@ -121,14 +124,15 @@ Vec3f SeveredEdges::normal(const Vec3i& node, int axis) const {
   return r ? r->normal[std::size_t(axis)][std::size_t(slot(node, 0))] : Vec3f(Vec3f::Unit(axis));
 }
 
-std::span<const std::int64_t> SeveredEdges::update() {
+std::span<const TouchedBrick> SeveredEdges::update() {
   touched_.clear();
+  std::sort(pending_.begin(), pending_.end());
   for (const std::int64_t b : pending_) {
-    pendingOf_[std::size_t(b)] = 0;
-    if (near_[std::size_t(b)]) touched_.push_back(b);
+    std::uint8_t& pending = pendingOf_[std::size_t(b)];
+    if (near_[std::size_t(b)]) touched_.push_back({b, (pending & kWithin) != 0});
+    pending = 0;
   }
   pending_.clear();
-  std::sort(touched_.begin(), touched_.end());
   return touched_;
 }
 

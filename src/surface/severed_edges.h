@@ -27,6 +27,11 @@ struct FaceTrace {
   Eigen::Vector2f from, to;
 };
 
+struct TouchedBrick {
+  std::int64_t brick;
+  bool within;  // something changed in its own cells; else only in sight of them
+};
+
 class SeveredEdges {
  public:
   // brickDims, refine: of the colour field.
@@ -71,7 +76,7 @@ class SeveredEdges {
 
   // The bricks near() a cut in which something drawn depends on what was severed or traced since
   // the last call, ascending, each once. Valid until the next call.
-  std::span<const std::int64_t> update();
+  std::span<const TouchedBrick> update();
 
   std::size_t bytes() const;
 
@@ -116,8 +121,9 @@ class SeveredEdges {
   std::vector<std::int32_t> recordOf_;  // per brick; empty while nothing is severed
   std::vector<Record> records_;
   std::vector<std::uint8_t> near_;       // per brick
-  std::vector<std::uint8_t> pendingOf_;  // per brick: in pending_
-  std::vector<std::int64_t> pending_, touched_;
+  std::vector<std::uint8_t> pendingOf_;  // per brick: 0, kInSight or kWithin
+  std::vector<std::int64_t> pending_;
+  std::vector<TouchedBrick> touched_;
   std::int64_t count_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace resect {
 namespace {
 
 constexpr std::size_t kGrain = 128;     // bricks that one thread takes: some 50 us
-constexpr std::size_t kWoundGrain = 4;  // the same of bricks that are cut
+constexpr std::size_t kWoundGrain = 8;  // the same of bricks that are cut
 
 // visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending,
 // but those in `except`; `inside`: as for cornerMasks().
@@ -67,11 +67,12 @@ void SurfaceTracker::update(const ColourField& field, std::span<const std::int64
 }
 
 void SurfaceTracker::update(const ColourField& field, std::span<const std::int64_t> touched,
-                            const Wound& wound, std::span<const std::int64_t> severed) {
-  // The wound's rule looks two nodes round a cell: near a wound a brick changes with its
-  // neighbours.
+                            const Wound& wound, std::span<const TouchedBrick> severed) {
   withWound_.assign(touched.begin(), touched.end());
-  withWound_.insert(withWound_.end(), severed.begin(), severed.end());
+  for (const TouchedBrick& b : severed)
+    if (b.within || looksFar(b.brick)) withWound_.push_back(b.brick);
+  // At the skin the wound's rule looks two nodes round a cell: there a brick changes with those
+  // beside it.
   if (!wound.severed.empty())
     for (const std::int64_t b : touched) {
       const Vec3i at = field.brick(b);
@@ -80,7 +81,8 @@ void SurfaceTracker::update(const ColourField& field, std::span<const std::int64
       for (int z = low.z(); z <= high.z(); ++z)
         for (int y = low.y(); y <= high.y(); ++y)
           for (int x = low.x(); x <= high.x(); ++x)
-            if (const std::int64_t n = field.brickIndex({x, y, z}); wound.severed.near(n))
+            if (const std::int64_t n = field.brickIndex({x, y, z});
+                wound.severed.near(n) && looksFar(n))
               withWound_.push_back(n);
     }
   std::sort(withWound_.begin(), withWound_.end());
@@ -96,6 +98,7 @@ void SurfaceTracker::takeWound(BrickMesh& mesh) {
   } else {
     mesh.wound = freeWounds_.back();
     freeWounds_.pop_back();
+    wounds_[std::size_t(mesh.wound)] = {};
   }
 }
 
@@ -159,7 +162,6 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     signs.inside = newInside_[i];
     if (nearWound(b)) {
       takeWound(bricks_[recordOf_[b]]);
-      renumbered_[i] = true;
     }
   }
 
@@ -177,8 +179,9 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     }
   });
   woundBricks_.clear();
-  for (const std::int64_t b : bricks)
-    if (recordOf_[b] != kNone && bricks_[recordOf_[b]].wound != kNone) woundBricks_.push_back(b);
+  if (wound)
+    for (const std::int64_t b : bricks)
+      if (recordOf_[b] != kNone && bricks_[recordOf_[b]].wound != kNone) woundBricks_.push_back(b);
   parallelFor(woundBricks_.size(), kWoundGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const BrickMesh& mesh = bricks_[recordOf_[woundBricks_[i]]];
@@ -189,6 +192,7 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   retriangulate_.clear();
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const std::int64_t b = bricks[i];
+    bool drawOwn = false;
     if (recordOf_[b] != kNone) {
       BrickMesh& mesh = bricks_[recordOf_[b]];
       const std::int32_t count =
@@ -198,13 +202,18 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
       if (RangeAllocator::roundedUp(count) != RangeAllocator::roundedUp(mesh.vertices)) {
         if (mesh.vertices > 0) vertexSpace_.release(mesh.firstVertex, mesh.vertices);
         mesh.firstVertex = count > 0 ? vertexSpace_.take(count) : 0;
+        renumbered_[i] = true;
       }
       mesh.vertices = count;
       if (count > 0) changes_.vertices.push_back({mesh.firstVertex, count});
+      if (mesh.wound != kNone) {
+        drawOwn = true;
+        renumbered_[i] |= wounds_[std::size_t(mesh.wound)].renumbered;
+      }
     }
-    if (!renumbered_[i]) continue;
+    if (!renumbered_[i] && !drawOwn) continue;
     const Vec3i at = field.brick(b);
-    for (int d = 0; d < 8; ++d) {
+    for (int d = 0; d < (renumbered_[i] ? 8 : 1); ++d) {
       const Vec3i n = at - Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);
       if ((n.array() < 0).any()) continue;
       const std::int64_t below = field.brickIndex(n);
@@ -224,7 +233,8 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
       const std::int64_t b = bricks[i];
       if (recordOf_[b] == kNone || bricks_[recordOf_[b]].vertices == 0) continue;
       const BrickMesh& mesh = bricks_[recordOf_[b]];
-      brickVertices(field, field.brick(b), mesh.signs, iso_, vertices.data());
+      if (mesh.signs.vertexCount() > 0)
+        brickVertices(field, field.brick(b), mesh.signs, iso_, vertices.data());
       std::int32_t at = mesh.firstVertex;
       const auto write = [&](const SurfaceVertex& v) {
         points_[at] = v.position;

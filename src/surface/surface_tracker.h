@@ -40,7 +40,7 @@ class SurfaceTracker {
   // The same for an organ with incisions, after severed.update() returned `severed`. A wound that
   // was given once must be given ever after.
   void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
-              std::span<const std::int64_t> severed);
+              std::span<const TouchedBrick> severed);
   // Another iso level: meshes all again.
   void setIso(const ColourField& field, float iso, const Wound* wound = nullptr);
   float iso() const { return iso_; }
@@ -107,6 +107,11 @@ class SurfaceTracker {
   void remesh(const ColourField& field, std::span<const std::int64_t> bricks, const Wound* wound);
   void takeRecord(std::int64_t brick);
   void takeWound(BrickMesh& mesh);
+  bool looksFar(std::int64_t brick) const {
+    const std::int32_t wound =
+        recordOf_[std::size_t(brick)] == kNone ? kNone : bricks_[recordOf_[brick]].wound;
+    return wound == kNone || wounds_[std::size_t(wound)].looksFar;
+  }
   void dropRecord(std::int64_t brick);
   Above above(const ColourField& field, std::int64_t brick) const;
   void drawTriangles(const ColourField& field, std::int64_t brick);

@@ -133,14 +133,17 @@ VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes 
     if (wanted[within.part[std::size_t((d.z() * side + d.y()) * side + d.x())]])
       add(binding, p, low + d, within.particle[std::size_t(c)]);
   }
-  if (binding.count == 0) binding = bindWidely(p, place, anchors);
+  if (binding.count == 0) {
+    lookedFar_ = true;
+    binding = bindWidely(p, place, anchors);
+  }
   if (binding.count == 0) binding = bindToNearest(p);
   if (binding.count > 0) normalise(binding);
   return binding;
 }
 
-// All particles of the window that are connected with the anchors within it; the eight that weigh
-// most.
+// The particles nearest to the anchors, by steps over whole edges within the window, and those up
+// to a cell farther; the eight that weigh most.
 VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
                                        NearbyNodes anchors) const {
   VertexBinding binding;
@@ -148,7 +151,8 @@ VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
   RESECT_ASSERT(std::size_t(grid_.dims.prod()) <= kMostNodes);
   std::bitset<kMostNodes> seen;
   std::array<std::int16_t, kMostNodes> queue;
-  std::size_t count = 0;
+  std::size_t count = 0, layerEnd = 0;
+  int layersLeft = std::numeric_limits<int>::max();
   const auto visit = [&](const Vec3i& n) {
     if (!grid_.contains(n)) return;
     const int i = grid_.index(n);
@@ -157,7 +161,13 @@ VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
     queue[count++] = std::int16_t(i);
   };
   visitNearby(anchors, [&](const Vec3i& offset) { visit(place + offset); });
+  layerEnd = count;
   for (std::size_t at = 0; at < count; ++at) {
+    if (at == layerEnd) {
+      layerEnd = count;
+      if (binding.count > 0) layersLeft = std::min(layersLeft, refine_ + 1) - 1;
+      if (layersLeft == 0) break;
+    }
     const int i = queue[at];
     const Vec3i n = grid_.node(i);
     const std::int64_t cell = particleAt(n);

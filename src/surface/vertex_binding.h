@@ -33,6 +33,8 @@ class VertexBinder {
   // p: in the window, within the brick; anchors: round `place`, a node of the window. Cells by the
   // same weight come in lattice order. No particle within two cells: count is 0.
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
+  // Did any search go beyond the cube so far?
+  bool lookedFar() const { return lookedFar_; }
   // All particles of the lattice cube that p lies in.
   VertexBinding bindAll(const Vec3& p);
 
@@ -58,6 +60,7 @@ class VertexBinder {
   int refine_;
   std::span<const std::uint8_t> particles_;
   std::vector<Cube> cubes_;
+  bool lookedFar_ = false;
 };
 
 }  // namespace resect

@@ -26,6 +26,17 @@ class BrickCutter {
   }
 
   void run(const BrickSigns& signs) {
+    const auto edges = out_.edges, faces = out_.faces, skinFaces = out_.skinFaces;
+    const auto cells = out_.cells;
+    firstOfFace_.swap(out_.firstOfFace);
+    make(signs);
+    out_.looksFar = mixed_ || binder_.lookedFar();
+    out_.renumbered = edges != out_.edges || faces != out_.faces || skinFaces != out_.skinFaces ||
+                      (cells == 0) != (out_.cells == 0) || firstOfFace_ != out_.firstOfFace;
+  }
+
+ private:
+  void make(const BrickSigns& signs) {
     out_.cells = 0;
     out_.edges = out_.faces = out_.skinFaces = kNone;
     out_.firstOfFace.clear();
@@ -44,7 +55,6 @@ class BrickCutter {
       addCell(std::countr_zero(rest));
   }
 
- private:
   static Vec3i local(int node) { return {node & 3, node >> 2 & 3, node >> 4}; }
   static int index(const Vec3i& n) { return BrickWindow::index(n); }
   static Vec3i inWindow(const Vec3i& n) { return n + Vec3i::Constant(kHalo); }
@@ -54,6 +64,7 @@ class BrickCutter {
     for (std::uint64_t rest = severedCells(); rest != 0; rest &= rest - 1) {
       const int cell = std::countr_zero(rest);
       const Vec3i n = local(cell);
+      mixed_ = mixed_ || !allInside(index(n));
       if (!isCutCell(grid(), index(n))) continue;
       out_.cells |= std::uint64_t(1) << cell;
       for (int a = 0; a < 3; ++a)
@@ -76,6 +87,13 @@ class BrickCutter {
         if (!(corner >> axis & 1)) cells |= masks[std::size_t(corner)];
     }
     return cells;
+  }
+
+  bool allInside(int i) const {
+    for (int c = 0; c < 8; ++c)
+      if (!grid().inside(i + (c & 1) + (c >> 1 & 1) * kSide + (c >> 2) * kSide * kSide))
+        return false;
+    return true;
   }
 
   // Each face's lines are found once for the brick. Nodes 0 to 4.
@@ -264,6 +282,8 @@ class BrickCutter {
   std::array<std::int16_t, 375> faceAt_;
   std::vector<FaceLines> faceLines_;
   CellSurface surface_;
+  std::vector<std::int16_t> firstOfFace_;  // as it was before
+  bool mixed_ = false;                     // a cell with a severed edge is not all inside
 };
 
 }  // namespace

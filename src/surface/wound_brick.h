@@ -48,6 +48,10 @@ struct BrickWound {
   std::vector<VertexBinding> bindings;
   std::vector<std::array<std::int8_t, 3>> anchors;
   int unbalanced = 0;  // cells whose volume could not be kept
+  // Does this depend on more than the brick's own cells and lattice cubes?
+  bool looksFar = false;
+  // Have numbers changed that neighbouring bricks use, since it was made before?
+  bool renumbered = false;
 
   // Numbers among `vertices`.
   int edgeVertex(int axis, int node, int side) const {
