@@ -1,0 +1,25 @@
+// An array that starts on a cache line, as wide vector instructions like it.
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <vector>
+
+namespace resect {
+
+template <typename T>
+struct CacheLineAllocator {
+  using value_type = T;
+  static constexpr std::align_val_t kLine{64};
+  CacheLineAllocator() = default;
+  template <typename U>
+  CacheLineAllocator(const CacheLineAllocator<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), kLine)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, kLine); }
+  friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+};
+
+template <typename T>
+using AlignedArray = std::vector<T, CacheLineAllocator<T>>;
+
+}  // namespace resect

@@ -1,0 +1,54 @@
+// How do forces and motion of one substep come about? Two passes over the cells, each in the widest
+// vector instructions that the machine has.
+//
+// Total-Lagrangian SPH with corrected gradient and bond penalty (Ganzenmueller 2015 in the energy
+// form of docs/methods/tissue.md). Each cell only gathers, and every lane does the same operations
+// in the same order, so the results do not depend on the instruction set, on the number of threads
+// or on how cells are grouped.
+#pragma once
+
+#include <cstddef>
+
+#include "tissue/elastic_state.h"
+
+namespace resect {
+
+// What both passes read besides the state.
+struct SubstepConstants {
+  float weight[4] = {};        // by kind of neighbour: tissue/stencil.h
+  float inverseSpacing = 0;    // 1/m
+  float dt = 0;                // s
+  float lookAhead = 0;         // beta dt, s
+  float keep = 1;              // share of the velocity that drag leaves per substep
+  float gravity[3] = {};       // m/s^2
+  float mostSpeedSquared = 0;  // beyond it the state counts as exploded, m^2/s^2
+};
+
+// The arrays of an ElasticState by address.
+struct ElasticView {
+  float *u[3], *ahead[3], *v[3], *stress[9], *bondForce[3];
+  const float *inverseMoment[6], *skew[3], *load[3];
+  const float *inverseMass, *shearVolume, *lameVolume, *kappa;
+  const std::uint32_t* bonds;
+  const std::uint8_t* held;
+  const TissueChunk* chunks;
+  std::int32_t step[kDirections];
+};
+ElasticView viewOf(ElasticState& state);
+
+struct ElasticKernel {
+  const char* name;
+  // For chunks [begin, end): stress and bondForce from `ahead`.
+  void (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                     std::size_t end);
+  // Then v, u and `ahead` from them; false when a speed is beyond the most or not a number.
+  bool (*motionPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                     std::size_t end);
+};
+
+// The fastest for this machine, and each by itself ("baseline", "avx2", "avx512"; those the machine
+// lacks are null).
+const ElasticKernel& fastestKernel();
+const ElasticKernel* kernelNamed(const char* name);
+
+}  // namespace resect

@@ -1,0 +1,19 @@
+// The passes of tissue/elastic_kernel.inl for one instruction set.
+#include "tissue/elastic_kernel.h"
+#include "tissue/elastic_kernels.h"
+
+namespace resect::baseline {
+
+constexpr int kLanes = 4;
+#include "tissue/elastic_kernel.inl"
+
+}  // namespace resect::baseline
+
+namespace resect {
+
+const ElasticKernel& baselineKernel() {
+  static constexpr ElasticKernel kKernel = {"baseline", baseline::stressPass, baseline::motionPass};
+  return kKernel;
+}
+
+}  // namespace resect

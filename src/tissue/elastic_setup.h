@@ -1,0 +1,29 @@
+// How is the state of elastic tissue made, and kept right when bonds are severed and cells removed?
+//
+// Edits change bonds; the moment matrices of the cells concerned and the kinds of their chunks
+// follow with refreshCells(), which costs microseconds per hundred cells and depends on nothing but
+// the cells named.
+#pragma once
+
+#include <span>
+
+#include "tissue/elastic_state.h"
+#include "tissue/material.h"
+
+namespace resect {
+
+// At rest, all solid neighbours bonded. `penalty`: alpha, 0 to 1. Throws Error when the lattice is
+// not cubic.
+ElasticState makeElasticState(const TissueCells& cells, double penalty);
+
+// Cells are indices in the box. The bond need not be there.
+void severBond(ElasticState& s, std::int32_t cell, int direction);
+// The cell is no more: no bonds, no mass, no motion.
+void removeCell(ElasticState& s, std::int32_t cell);
+
+// After the bonds of these cells changed: inverse moments, skews, gradient flags, chunks.
+void refreshCells(ElasticState& s, std::span<const std::int32_t> cells);
+// After `held` or `loaded` of these cells changed: chunks alone.
+void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells);
+
+}  // namespace resect

@@ -1,0 +1,206 @@
+#include "tissue/elastic_tissue.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "tissue/elastic_setup.h"
+
+namespace resect {
+namespace {
+
+constexpr int kMostHalvings = 6;
+constexpr int kCalmFrames = 60;     // after which a halved substep is doubled again
+constexpr double kMostCells = 2.0;  // spacings per substep: faster is an explosion
+constexpr std::size_t kGrain = 64;  // chunks per block of a pass
+
+void check(const TissueCells& cells, const TissueSettings& settings) {
+  if (std::find(cells.solid.begin(), cells.solid.end(), 1) == cells.solid.end())
+    throw error("the tissue has no solid cell; give an organ with particles");
+  if (cells.materials.empty()) throw error("the tissue has no material; give at least one");
+  for (const TissueMaterial& m : cells.materials)
+    if (!(m.young > 0 && m.poisson >= 0 && m.poisson <= 0.4999 && m.density > 0))
+      throw usageError(
+          "material \"{}\" has young = {} Pa, poisson = {}, density = {} kg/m^3; young and density "
+          "are positive, poisson is from 0 to 0.4999",
+          m.name, m.young, m.poisson, m.density);
+  if (!(settings.damping >= 0 && settings.damping <= 0.5))
+    throw usageError("tissue damping is {}; give a value from 0 to 0.5", settings.damping);
+  if (!(settings.drag >= 0))
+    throw usageError("tissue drag is {} 1/s; give 0 or more", settings.drag);
+  if (!(settings.penalty > 0 && settings.penalty <= 1))
+    throw usageError("tissue penalty is {}; give a value above 0, up to 1", settings.penalty);
+  if (!(settings.stepShare > 0 && settings.stepShare <= 1))
+    throw usageError("tissue stepShare is {}; give a value above 0, up to 1", settings.stepShare);
+}
+
+}  // namespace
+
+ElasticTissue::ElasticTissue(const TissueCells& cells, const TissueSettings& settings)
+    : lattice_(cells.lattice), settings_(settings), kernel_(&fastestKernel()) {
+  check(cells, settings);
+  state_ = makeElasticState(cells, settings.penalty);
+  double fastest = 0;
+  for (const TissueMaterial& m : cells.materials) fastest = std::max(fastest, m.waveSpeed());
+  longestSubstep_ = settings.stepShare * state_.spacing / fastest;
+}
+
+SubstepConstants ElasticTissue::constants(double dt) const {
+  SubstepConstants c;
+  const std::array<double, 4> weights = bondWeights();
+  for (int kind = 1; kind <= 3; ++kind) c.weight[kind] = float(weights[kind]);
+  c.inverseSpacing = float(1 / state_.spacing);
+  c.dt = float(dt);
+  c.lookAhead = float(settings_.damping * dt);
+  c.keep = float(std::exp(-settings_.drag * dt));
+  for (int a = 0; a < 3; ++a) c.gravity[a] = float(settings_.gravity[a]);
+  const double most = kMostCells * state_.spacing / dt;
+  c.mostSpeedSquared = float(most * most);
+  return c;
+}
+
+bool ElasticTissue::substep(const SubstepConstants& c) {
+  const ElasticView view = viewOf(state_);
+  const std::size_t chunks = state_.chunks.size();
+  if (settings_.threads <= 1) {
+    kernel_->stressPass(view, c, 0, chunks);
+    return kernel_->motionPass(view, c, 0, chunks);
+  }
+  parallelFor(chunks, kGrain, [&](std::size_t begin, std::size_t end) {
+    kernel_->stressPass(view, c, begin, end);
+  });
+  std::atomic<bool> calm = true;
+  parallelFor(chunks, kGrain, [&](std::size_t begin, std::size_t end) {
+    if (!kernel_->motionPass(view, c, begin, end)) calm = false;
+  });
+  return calm;
+}
+
+ElasticTissue::Advance ElasticTissue::advance(double duration) {
+  Advance result;
+  if (!(duration > 0)) return result;
+  settleEdits();
+  if (halvings_ > 0 && ++calmFrames_ > kCalmFrames) {
+    --halvings_;
+    calmFrames_ = 0;
+  }
+  keepState();
+  for (;;) {
+    const double longest = longestSubstep_ / double(1 << halvings_);
+    const int count = std::max(1, int(std::ceil(duration / longest - 1e-9)));
+    const SubstepConstants c = constants(duration / count);
+    bool calm = true;
+    for (int i = 0; i < count && calm; ++i) {
+      calm = substep(c);
+      ++result.substeps;
+    }
+    if (calm) return result;
+    restoreState();
+    calmFrames_ = 0;
+    if (halvings_ == kMostHalvings) {
+      // Nothing helps: stand still for a frame, held cells excepted.
+      for (const TissueChunk& chunk : state_.chunks)
+        for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i)
+          for (int a = 0; a < 3; ++a)
+            if (!(state_.held[i] >> a & 1)) state_.v[a][i] = 0;
+      result.calm = false;
+      return result;
+    }
+    ++halvings_;
+    ++result.retries;
+  }
+}
+
+void ElasticTissue::keepState() {
+  keptU_ = state_.u;
+  keptV_ = state_.v;
+}
+
+// `ahead` of the next substep is that of the kept velocity at the coming substep's length; that of
+// a length twice as long does no harm.
+void ElasticTissue::restoreState() {
+  state_.u = keptU_;
+  state_.v = keptV_;
+  state_.ahead = keptU_;
+}
+
+void ElasticTissue::settleEdits() {
+  for (auto* list : {&bondsChanged_, &holdsChanged_}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  if (!bondsChanged_.empty()) refreshCells(state_, bondsChanged_);
+  if (!holdsChanged_.empty()) refreshChunks(state_, holdsChanged_);
+  bondsChanged_.clear();
+  holdsChanged_.clear();
+}
+
+void ElasticTissue::evaluateForces() {
+  settleEdits();
+  state_.ahead = state_.u;
+  kernel_->stressPass(viewOf(state_), constants(longestSubstep_), 0, state_.chunks.size());
+}
+
+void ElasticTissue::sever(std::int64_t cell, int direction) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!(state_.bonds[i] >> direction & 1)) return;
+  severBond(state_, i, direction);
+  bondsChanged_.push_back(i);
+  bondsChanged_.push_back(i + state_.box.step[direction]);
+}
+
+void ElasticTissue::remove(std::int64_t cell) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i]) return;
+  bondsChanged_.push_back(i);
+  for (int d = 0; d < kDirections; ++d)
+    if (state_.bonds[i] >> d & 1) bondsChanged_.push_back(i + state_.box.step[d]);
+  removeCell(state_, i);
+}
+
+void ElasticTissue::hold(std::int64_t cell, int axes, const Vec3& velocity) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i]) return;
+  if (state_.held[i] != axes) holdsChanged_.push_back(i);
+  state_.held[i] = std::uint8_t(axes);
+  for (int a = 0; a < 3; ++a)
+    if (axes >> a & 1) state_.v[a][i] = float(velocity[a]);
+}
+
+void ElasticTissue::setLoad(std::int64_t cell, const Vec3& force) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i]) return;
+  const std::uint8_t loaded = force != Vec3::Zero();
+  if (state_.loaded[i] != loaded) holdsChanged_.push_back(i);
+  state_.loaded[i] = loaded;
+  for (int a = 0; a < 3; ++a) state_.load[a][i] = float(force[a]);
+}
+
+void ElasticTissue::setDisplacement(std::int64_t cell, const Vec3& u) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  for (int a = 0; a < 3; ++a) state_.u[a][i] = state_.ahead[a][i] = float(u[a]);
+}
+
+void ElasticTissue::setVelocity(std::int64_t cell, const Vec3& v) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  for (int a = 0; a < 3; ++a) state_.v[a][i] = float(v[a]);
+}
+
+Vec3 ElasticTissue::displacement(std::int64_t cell) const {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  return {state_.u[0][i], state_.u[1][i], state_.u[2][i]};
+}
+
+Vec3 ElasticTissue::velocity(std::int64_t cell) const {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  return {state_.v[0][i], state_.v[1][i], state_.v[2][i]};
+}
+
+double ElasticTissue::mass(std::int64_t cell) const {
+  const float inverse = state_.inverseMass[state_.box.fromLattice(cell)];
+  return inverse > 0 ? 1 / double(inverse) : 0;
+}
+
+}  // namespace resect

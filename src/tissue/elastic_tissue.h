@@ -1,0 +1,105 @@
+// How does elastic tissue move under its weight, its own stiffness and what holds it?
+//
+// Explicit total-Lagrangian SPH on the lattice of the organ; docs/methods/tissue.md derives it.
+// A frame is cut into substeps shorter than a pressure wave needs from cell to cell. Cost: two
+// passes over the solid cells per substep. The same bits at any number of threads and on any
+// instruction set. Cells are named by their index in the lattice.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tissue/elastic_kernel.h"
+#include "tissue/elastic_state.h"
+#include "tissue/material.h"
+
+namespace resect {
+
+struct TissueSettings {
+  Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
+  // Forces are those of the place reached this share of a substep ahead: 0 keeps energy, 0.5 damps
+  // the fastest waves most and slow motion hardly; more is unstable.
+  double damping = 0.2;
+  // Share of the velocity lost per second, 1/s: 0 for none; the surroundings' friction.
+  double drag = 0;
+  // Stiffness of the bonds against motions that the cells' gradients do not see: 0.75; less lets
+  // the lattice wrinkle, more stiffens bending.
+  double penalty = 0.75;
+  // Substep as a share of the time of a pressure wave from cell to cell: 0.6; more blows up.
+  double stepShare = 0.6;
+  // Threads for the two passes, >= 1; more than there are idle cores is slower than one.
+  int threads = 1;
+};
+
+struct TissueEnergy {
+  double kinetic = 0, elastic = 0, gravity = 0;  // J; gravity is 0 at rest positions
+  double total() const { return kinetic + elastic + gravity; }
+};
+
+class ElasticTissue {
+ public:
+  // Throws Error when the lattice is not cubic, a setting is out of range or no cell is solid.
+  ElasticTissue(const TissueCells& cells, const TissueSettings& settings);
+
+  // Moves on by `duration`, s. Returns the number of substeps. A state that explodes is put back to
+  // where it was and tried again with substeps of half the length; false in `calm` tells.
+  struct Advance {
+    int substeps = 0;
+    int retries = 0;   // how often the frame was started again
+    bool calm = true;  // false: even the shortest substeps exploded; the tissue was stopped
+  };
+  Advance advance(double duration);
+
+  // Edits: take effect at once; corrections follow when the next advance or energy() begins.
+  void sever(std::int64_t cell, int direction);
+  void remove(std::int64_t cell);
+  // Moves the cell along the axes (HeldAxis bits) with a given velocity instead of by forces, m/s;
+  // 0 axes lets it go.
+  void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
+  // Force on the cell from outside until changed, N.
+  void setLoad(std::int64_t cell, const Vec3& force);
+  void setDisplacement(std::int64_t cell, const Vec3& u);
+  void setVelocity(std::int64_t cell, const Vec3& v);
+
+  Vec3 displacement(std::int64_t cell) const;
+  Vec3 velocity(std::int64_t cell) const;
+  bool solid(std::int64_t cell) const { return state_.solid[state_.box.fromLattice(cell)]; }
+  std::uint32_t bonds(std::int64_t cell) const {
+    return state_.bonds[state_.box.fromLattice(cell)];
+  }
+  double mass(std::int64_t cell) const;        // kg
+  Mat3 deformation(std::int64_t cell) const;   // F; identity where a cell has no gradient
+  Mat3 stress(std::int64_t cell) const;        // first Piola-Kirchhoff, Pa
+  Vec3 elasticForce(std::int64_t cell) const;  // at the last substep, N
+  TissueEnergy energy();
+  double longestSubstep() const { return longestSubstep_; }  // s
+
+  const Lattice& lattice() const { return lattice_; }
+  const TissueSettings& settings() const { return settings_; }
+  const ElasticState& state() const { return state_; }
+  void useKernel(const ElasticKernel& kernel) { kernel_ = &kernel; }
+
+  // The forces of the present displacements, without moving: fills stress and elasticForce.
+  void evaluateForces();
+
+ private:
+  bool substep(const SubstepConstants& constants);
+  SubstepConstants constants(double dt) const;
+  void settleEdits();
+  void keepState();
+  void restoreState();
+
+  Lattice lattice_;
+  TissueSettings settings_;
+  ElasticState state_;
+  const ElasticKernel* kernel_;
+  double longestSubstep_ = 0;
+  int halvings_ = 0;    // of the substep, at present
+  int calmFrames_ = 0;  // since the last halving
+  std::vector<std::int32_t> bondsChanged_, holdsChanged_;
+  std::array<FloatArray, 3> keptU_, keptV_;
+};
+
+}  // namespace resect

@@ -1,0 +1,45 @@
+// How stiff, how heavy and how tough is tissue?
+//
+// Neo-Hookean solid: Psi(F) = mu/2 (F:F - 3) - mu (J - 1) + (lambda + mu)/2 (J - 1)^2, which has
+// the small-strain constants E and nu and stays finite when a cell is turned inside out (after
+// Smith, de Goes, Kim 2018, without their barrier term). Defaults and their sources:
+// docs/methods/tissue.md.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sph/lattice.h"
+
+namespace resect {
+
+struct TissueMaterial {
+  std::string name = "liver";
+  double young = 5000;    // Pa, > 0
+  double poisson = 0.45;  // 0 to 0.499; near 0.5 waves run fast and substeps become many
+  double density = 1060;  // kg/m^3, > 0
+  // A bond longer than this many times its rest length tears; 1.46 = exp(0.38), the ultimate true
+  // strain of liver. > 1; infinity never tears.
+  double tearStretch = 1.46;
+
+  double shear() const { return young / (2 * (1 + poisson)); }  // mu, Pa
+  double lame() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
+  double waveSpeed() const;  // of pressure waves at rest, m/s
+};
+
+// Materials by shear modulus at nu = 0.45: liver 5 kPa Young; tumour, vessel wall, capsule.
+TissueMaterial liverTissue();
+TissueMaterial tumourTissue();
+TissueMaterial vesselWallTissue();
+TissueMaterial capsuleTissue();
+
+// A body before it moves: which cells of a cubic lattice are solid, and of what.
+struct TissueCells {
+  Lattice lattice;                        // cubic
+  std::vector<std::uint8_t> solid;        // per cell: 1 where tissue is
+  std::vector<TissueMaterial> materials;  // at least one
+  std::vector<std::uint8_t> material;     // per cell: index into materials; empty: all of the first
+};
+
+}  // namespace resect

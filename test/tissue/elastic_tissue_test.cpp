@@ -1,0 +1,195 @@
+#include "tissue/elastic_tissue.h"
+
+#include <doctest/doctest.h>
+
+#include <limits>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/state_hash.h"
+#include "support/reference_tissue.h"
+#include "support/tissue_blocks.h"
+
+using namespace resect;
+using test::material;
+using test::solidBlock;
+
+namespace {
+
+// A block with holes, two materials, and cells hanging by few bonds.
+TissueCells raggedBlock(std::uint64_t seed) {
+  TissueCells cells = solidBlock({21, 9, 8}, 0.004, material(5000, 0.45));
+  cells.materials.push_back(material(20000, 0.4, 1100));
+  cells.material.assign(cells.solid.size(), 0);
+  Random random(seed);
+  for (std::size_t c = 0; c < cells.solid.size(); ++c) {
+    cells.solid[c] = random.uniform() > 0.15;
+    cells.material[c] = cells.lattice.cell(std::int64_t(c)).x() > 13;
+  }
+  return cells;
+}
+
+// The same smooth and rough displacement for both.
+Vec3 wobble(const Vec3i& c, Random& random) {
+  const Vec3 x = 0.004 * c.cast<double>();
+  return Vec3(0.002 * std::sin(60 * x.y()), 0.003 * std::sin(40 * x.x()), 0.1 * x.x() * x.z()) +
+         0.0003 * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+}
+
+std::uint64_t hashOf(const ElasticTissue& tissue) {
+  StateHash hash;
+  for (int a = 0; a < 3; ++a) {
+    hash.addSpan(std::span<const float>(tissue.state().u[a]));
+    hash.addSpan(std::span<const float>(tissue.state().v[a]));
+  }
+  return hash.value();
+}
+
+}  // namespace
+
+TEST_CASE(
+    "forces equal those of the neighbour-list reference in double precision, in ragged cut "
+    "blocks of two materials too") {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const TissueCells cells = raggedBlock(seed);
+    TissueSettings settings = test::weightless();
+    ElasticTissue tissue(cells, settings);
+    test::ReferenceTissue<double> reference(cells, settings.penalty);
+    Random random(seed);
+    for (std::size_t i = 0; i < reference.u.size(); ++i) {
+      const std::int64_t c = reference.cellOf[i];
+      tissue.setDisplacement(c, wobble(cells.lattice.cell(c), random));
+      reference.u[i] = tissue.displacement(c);
+    }
+    const auto side = [&](const Vec3i& c) { return 3 * c.x() + 2 * c.y() - c.z() > 35; };
+    test::severBetween(tissue, side);
+    reference.sever([&](int i, int j) {
+      return side(cells.lattice.cell(reference.cellOf[i])) !=
+             side(cells.lattice.cell(reference.cellOf[j]));
+    });
+    tissue.evaluateForces();
+    const auto forces = reference.forces();
+    double largest = 0, worst = 0;
+    int degenerate = 0;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      largest = std::max(largest, forces[i].norm());
+      worst = std::max(worst, (tissue.elasticForce(reference.cellOf[i]) - forces[i]).norm());
+      degenerate += !reference.deforms[i];
+    }
+    CHECK(degenerate > 0);  // the path of cells without gradient is exercised
+    CHECK(worst < 3e-6 * largest);
+    CHECK(tissue.energy().elastic == doctest::Approx(reference.energy()).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("motion over a hundred substeps follows the reference") {
+  const TissueCells cells = raggedBlock(4);
+  TissueSettings settings;
+  ElasticTissue tissue(cells, settings);
+  test::ReferenceTissue<double> reference(cells, settings.penalty);
+  const double dt = 0.9 * tissue.longestSubstep();
+  for (int i = 0; i < 100; ++i) {
+    CHECK(tissue.advance(dt).substeps == 1);
+    reference.step(dt, settings.damping, settings.gravity);
+  }
+  double furthest = 0, worst = 0;
+  for (std::size_t i = 0; i < reference.u.size(); ++i) {
+    furthest = std::max(furthest, reference.u[i].norm());
+    worst = std::max(worst, (tissue.displacement(reference.cellOf[i]) - reference.u[i]).norm());
+  }
+  CHECK(furthest > 0.001);
+  CHECK(worst < 1e-5 * furthest);
+}
+
+TEST_CASE("every instruction set and every number of threads gives the same bits") {
+  const TissueCells cells = raggedBlock(5);
+  const auto run = [&](const char* kernel, int threads) {
+    TissueSettings settings;
+    settings.threads = threads;
+    const ThreadLimit limit(threads);
+    ElasticTissue tissue(cells, settings);
+    if (kernel) tissue.useKernel(*kernelNamed(kernel));
+    for (int i = 0; i < 12; ++i) {
+      if (i == 4) test::severBetween(tissue, [](const Vec3i& c) { return c.x() + c.y() > 14; });
+      if (i == 8) tissue.remove(cells.lattice.index({4, 4, 4}));
+      tissue.advance(1.0 / 60);
+    }
+    return hashOf(tissue);
+  };
+  const std::uint64_t first = run("baseline", 1);
+  for (const char* name : {"avx2", "avx512"})
+    if (kernelNamed(name)) {
+      CHECK(run(name, 1) == first);
+    } else {
+      MESSAGE("skipped: this machine has no " << std::string(name));
+    }
+  for (const int threads : {1, 2, 3}) CHECK(run(nullptr, threads) == first);
+}
+
+TEST_CASE("cells without a gradient, isolated cells and lone pairs fall freely and stay finite") {
+  TissueCells cells = solidBlock({12, 3, 3}, 0.005, liverTissue());
+  std::fill(cells.solid.begin(), cells.solid.end(), 0);
+  for (const Vec3i& c : {Vec3i(1, 1, 1), Vec3i(5, 1, 1), Vec3i(6, 1, 1), Vec3i(9, 0, 0),
+                         Vec3i(10, 1, 0), Vec3i(11, 1, 0)})
+    cells.solid[cells.lattice.index(c)] = 1;
+  ElasticTissue tissue(cells, {});
+  for (int i = 0; i < 6; ++i) CHECK(tissue.advance(1.0 / 60).calm);
+  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i&) {
+    CHECK(tissue.velocity(c).y() == doctest::Approx(-0.981));
+    CHECK((tissue.deformation(c) - Mat3::Identity()).norm() < 1e-6);
+  });
+}
+
+TEST_CASE("a held cell moves as it is told, a loaded one feels its force, a freed one falls") {
+  TissueCells cells = solidBlock({3, 1, 1}, 0.005, liverTissue());
+  cells.solid[1] = 0;
+  ElasticTissue tissue(cells, {});
+  tissue.hold(0, kHeldY, {0, 0.02, 0});
+  tissue.setLoad(2, {0, 2 * 9.81 * tissue.mass(2), 0});
+  tissue.advance(0.1);
+  CHECK(tissue.displacement(0).y() == doctest::Approx(0.002));
+  CHECK(tissue.velocity(2).y() == doctest::Approx(0.981).epsilon(1e-4));
+  tissue.hold(0, 0);
+  tissue.advance(0.1);
+  CHECK(tissue.velocity(0).y() == doctest::Approx(0.02 - 0.981).epsilon(1e-4));
+}
+
+TEST_CASE("a state that is not a number is put back the same frame, and a lasting one is stopped") {
+  TissueCells cells = solidBlock({8, 4, 4}, 0.005, liverTissue());
+  ElasticTissue tissue(cells, {});
+  tissue.advance(1.0 / 60);
+  const Vec3 before = tissue.displacement(5);
+  tissue.setLoad(5, Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  const auto advance = tissue.advance(1.0 / 60);
+  CHECK(!advance.calm);
+  CHECK(advance.retries == 6);
+  CHECK(tissue.displacement(5) == before);
+  tissue.setLoad(5, Vec3::Zero());
+  CHECK(tissue.advance(1.0 / 60).calm);
+  CHECK(tissue.displacement(5).allFinite());
+}
+
+TEST_CASE("a blow that is too much for the substep is met with shorter ones") {
+  TissueCells cells = solidBlock({8, 4, 4}, 0.005, liverTissue());
+  ElasticTissue tissue(cells, test::weightless());
+  tissue.setVelocity(cells.lattice.index({4, 2, 2}), {20, 0, 0});
+  const auto advance = tissue.advance(1.0 / 60);
+  CHECK(advance.retries > 0);
+  CHECK(advance.calm);
+}
+
+TEST_CASE("unusable settings are refused with a sentence") {
+  TissueCells cells = solidBlock({2, 2, 2}, 0.005, liverTissue());
+  cells.lattice.spacing.x() = 0.006;
+  CHECK_THROWS_WITH_AS(ElasticTissue(cells, {}), doctest::Contains("only cubic cells can deform"),
+                       Error);
+  cells.lattice.spacing.x() = 0.005;
+  cells.materials[0].poisson = 0.5;
+  CHECK_THROWS_WITH_AS(ElasticTissue(cells, {}), doctest::Contains("poisson"), Error);
+  cells.materials[0].poisson = 0.4;
+  TissueSettings settings;
+  settings.damping = 0.7;
+  CHECK_THROWS_WITH_AS(ElasticTissue(cells, settings), doctest::Contains("damping"), Error);
+  cells.solid.assign(8, 0);
+  CHECK_THROWS_WITH_AS(ElasticTissue(cells, {}), doctest::Contains("no solid cell"), Error);
+}
