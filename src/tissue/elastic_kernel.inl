@@ -7,11 +7,12 @@
 typedef float Lanes __attribute__((vector_size(4 * kLanes)));
 typedef std::int32_t IntLanes __attribute__((vector_size(4 * kLanes)));
 
+// Neighbours of one kind have one weight: it is applied once to their sum.
 template <int... D>
 struct Directions {};
-constexpr Directions<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
-                     22, 23, 24, 25>
-    kEveryDirection;
+constexpr Directions<4, 10, 12, 13, 15, 21> kFaces;
+constexpr Directions<1, 3, 5, 7, 9, 11, 14, 16, 18, 20, 22, 24> kEdges;
+constexpr Directions<0, 2, 6, 8, 17, 19, 23, 25> kCorners;
 
 #define RESECT_INLINE static inline __attribute__((always_inline))
 
@@ -23,11 +24,13 @@ RESECT_INLINE Lanes load(const float* p) {
 RESECT_INLINE void store(float* p, Lanes v) { __builtin_memcpy(p, &v, sizeof v); }
 RESECT_INLINE Lanes all(float x) { return x - Lanes{}; }
 
-// All ones in the lanes whose bond in direction d is there.
-template <int D>
-RESECT_INLINE IntLanes bonded(IntLanes bonds) {
-  return (bonds << (31 - D)) >> 31;
+// For each direction, all ones in the lanes that have that bond.
+RESECT_INLINE void spreadBonds(IntLanes* bonded, const std::uint32_t* bits) {
+  IntLanes bonds;
+  __builtin_memcpy(&bonds, bits, sizeof bonds);
+  for (int d = 0; d < kDirections; ++d) bonded[d] = (bonds << (31 - d)) >> 31;
 }
+RESECT_INLINE Lanes masked(Lanes value, IntLanes mask) { return (Lanes)((IntLanes)value & mask); }
 
 // a + sign * b for a sign known when compiling.
 template <int Sign>
@@ -36,67 +39,71 @@ RESECT_INLINE void accumulate(Lanes& a, Lanes b) {
   if constexpr (Sign < 0) a -= b;
 }
 
+// One component of u: its gradient sum and its bond sum.
 struct Gathered {
-  Lanes g[9] = {};  // sum of w u_ij d_ij, row by row
-  Lanes q[3] = {};  // sum of w u_ij, in the general path times the stiffness of both ends
+  Lanes x = {}, y = {}, z = {};  // sum of w (u_j - u_i) d_ij
+  Lanes q = {};  // sum of w (u_j - u_i), in the general path times the stiffness of both ends
 };
 
 template <int D, bool Full, bool Special>
-RESECT_INLINE void gatherStrain(Gathered& sum, const ElasticView& s, const float* const* from,
-                                const float* weights, std::int32_t i, const Lanes* own,
-                                IntLanes bonds, Lanes ownKappa) {
-  constexpr int o[3] = {offsetAlong(D, 0), offsetAlong(D, 1), offsetAlong(D, 2)};
-  const std::int32_t j = i + s.step[D];
-  Lanes weight = all(weights[neighbourKind(D)]);
-  if constexpr (!Full) weight = (Lanes)((IntLanes)weight & bonded<D>(bonds));
-  Lanes stiffness;
-  if constexpr (Special) stiffness = ownKappa + load(s.kappa + j);
-  for (int a = 0; a < 3; ++a) {
-    const Lanes wu = weight * (load(from[a] + j) - own[a]);
-    if constexpr (Special)
-      sum.q[a] += stiffness * wu;
-    else
-      sum.q[a] += wu;
-    accumulate<o[0]>(sum.g[3 * a + 0], wu);
-    accumulate<o[1]>(sum.g[3 * a + 1], wu);
-    accumulate<o[2]>(sum.g[3 * a + 2], wu);
-  }
+RESECT_INLINE void gatherStrain(Gathered& sum, const float* u, Lanes own, const std::int32_t* step,
+                                const IntLanes* bonded, const float* kappa, Lanes ownKappa) {
+  Lanes difference = load(u + step[D]) - own;
+  if constexpr (!Full) difference = masked(difference, bonded[D]);
+  if constexpr (Special)
+    sum.q += (ownKappa + load(kappa + step[D])) * difference;
+  else
+    sum.q += difference;
+  accumulate<offsetAlong(D, 0)>(sum.x, difference);
+  accumulate<offsetAlong(D, 1)>(sum.y, difference);
+  accumulate<offsetAlong(D, 2)>(sum.z, difference);
 }
 
 template <bool Full, bool Special, int... D>
-RESECT_INLINE void gatherStrains(Gathered& sum, const ElasticView& s, const float* const* from,
-                                 const float* weights, std::int32_t i, const Lanes* own,
-                                 IntLanes bonds, Lanes ownKappa, Directions<D...>) {
-  (gatherStrain<D, Full, Special>(sum, s, from, weights, i, own, bonds, ownKappa), ...);
+RESECT_INLINE void gatherStrains(Gathered& total, float weight, Directions<D...>, const float* u,
+                                 Lanes own, const std::int32_t* step, const IntLanes* bonded,
+                                 const float* kappa, Lanes ownKappa) {
+  Gathered sum;
+  (gatherStrain<D, Full, Special>(sum, u, own, step, bonded, kappa, ownKappa), ...);
+  const Lanes w = all(weight);
+  total.x += w * sum.x;
+  total.y += w * sum.y;
+  total.z += w * sum.z;
+  total.q += w * sum.q;
 }
 
 template <bool Full, bool Special>
 RESECT_INLINE void stressOf(const ElasticView& s, const SubstepConstants& c, std::int32_t i) {
-  const float* from[3] = {s.ahead[0], s.ahead[1], s.ahead[2]};
-  const Lanes own[3] = {load(from[0] + i), load(from[1] + i), load(from[2] + i)};
-  IntLanes bonds;
-  __builtin_memcpy(&bonds, s.bonds + i, sizeof bonds);
-  const Lanes kappa = load(s.kappa + i);
-  Gathered sum;
-  gatherStrains<Full, Special>(sum, s, from, c.weight, i, own, bonds, kappa, kEveryDirection);
-
-  const Lanes perLength = all(c.inverseSpacing);
+  IntLanes bonded[kDirections];
+  if constexpr (!Full) spreadBonds(bonded, s.bonds + i);
+  const Lanes kappa = load(s.kappa + i), perLength = all(c.inverseSpacing);
+  Lanes g[9];  // sum of w u_ij d_ij / spacing
   for (int a = 0; a < 3; ++a) {
-    Lanes q = sum.q[a] * (perLength * perLength);
+    const float* u = s.ahead[a] + i;
+    const Lanes own = load(u);
+    Gathered sum;
+    gatherStrains<Full, Special>(sum, c.weight[1], kFaces, u, own, s.step, bonded, s.kappa + i,
+                                 kappa);
+    gatherStrains<Full, Special>(sum, c.weight[2], kEdges, u, own, s.step, bonded, s.kappa + i,
+                                 kappa);
+    gatherStrains<Full, Special>(sum, c.weight[3], kCorners, u, own, s.step, bonded, s.kappa + i,
+                                 kappa);
+    Lanes q = sum.q * (perLength * perLength);
     if constexpr (!Special) q *= kappa + kappa;
     store(s.bondForce[a] + i, q);
+    g[3 * a] = sum.x * perLength;
+    g[3 * a + 1] = sum.y * perLength;
+    g[3 * a + 2] = sum.z * perLength;
   }
 
   const Lanes xx = load(s.inverseMoment[0] + i), yy = load(s.inverseMoment[1] + i),
               zz = load(s.inverseMoment[2] + i), xy = load(s.inverseMoment[3] + i),
               xz = load(s.inverseMoment[4] + i), yz = load(s.inverseMoment[5] + i);
-  Lanes h[9];  // H = G L / spacing
-  for (int a = 0; a < 3; ++a) {
-    const Lanes gx = sum.g[3 * a] * perLength, gy = sum.g[3 * a + 1] * perLength,
-                gz = sum.g[3 * a + 2] * perLength;
-    h[3 * a + 0] = gx * xx + gy * xy + gz * xz;
-    h[3 * a + 1] = gx * xy + gy * yy + gz * yz;
-    h[3 * a + 2] = gx * xz + gy * yz + gz * zz;
+  Lanes h[9];  // H = G L
+  for (int a = 0; a < 9; a += 3) {
+    h[a + 0] = g[a] * xx + g[a + 1] * xy + g[a + 2] * xz;
+    h[a + 1] = g[a] * xy + g[a + 1] * yy + g[a + 2] * yz;
+    h[a + 2] = g[a] * xz + g[a + 1] * yz + g[a + 2] * zz;
   }
   // Cofactors of H; those of F = I + H are (1 + tr H) I - H^T + cof H.
   Lanes cof[9] = {h[4] * h[8] - h[5] * h[7], h[5] * h[6] - h[3] * h[8], h[3] * h[7] - h[4] * h[6],
@@ -134,35 +141,35 @@ RESECT_INLINE void stressOf(const ElasticView& s, const SubstepConstants& c, std
   }
 }
 
+// Row a of A_j d_ij, summed.
 template <int D, bool Full>
-RESECT_INLINE void gatherForce(Lanes* f, const ElasticView& s, const float* weights, std::int32_t i,
-                               IntLanes bonds) {
-  constexpr int o[3] = {offsetAlong(D, 0), offsetAlong(D, 1), offsetAlong(D, 2)};
-  const std::int32_t j = i + s.step[D];
-  Lanes weight = all(weights[neighbourKind(D)]);
-  if constexpr (!Full) weight = (Lanes)((IntLanes)weight & bonded<D>(bonds));
-  for (int a = 0; a < 3; ++a) {
-    Lanes along = {};
-    if constexpr (o[0] != 0) accumulate<o[0]>(along, load(s.stress[3 * a] + j));
-    if constexpr (o[1] != 0) accumulate<o[1]>(along, load(s.stress[3 * a + 1] + j));
-    if constexpr (o[2] != 0) accumulate<o[2]>(along, load(s.stress[3 * a + 2] + j));
-    f[a] += weight * along;
-  }
+RESECT_INLINE void gatherForce(Lanes& sum, const float* const* row, std::int32_t i,
+                               const std::int32_t* step, const IntLanes* bonded) {
+  Lanes along = {};
+  if constexpr (offsetAlong(D, 0) != 0)
+    accumulate<offsetAlong(D, 0)>(along, load(row[0] + i + step[D]));
+  if constexpr (offsetAlong(D, 1) != 0)
+    accumulate<offsetAlong(D, 1)>(along, load(row[1] + i + step[D]));
+  if constexpr (offsetAlong(D, 2) != 0)
+    accumulate<offsetAlong(D, 2)>(along, load(row[2] + i + step[D]));
+  if constexpr (!Full) along = masked(along, bonded[D]);
+  sum += along;
 }
 
 template <bool Full, int... D>
-RESECT_INLINE void gatherForces(Lanes* f, const ElasticView& s, const float* weights,
-                                std::int32_t i, IntLanes bonds, Directions<D...>) {
-  (gatherForce<D, Full>(f, s, weights, i, bonds), ...);
+RESECT_INLINE void gatherForces(Lanes& total, float weight, Directions<D...>,
+                                const float* const* row, std::int32_t i, const std::int32_t* step,
+                                const IntLanes* bonded) {
+  Lanes sum = {};
+  (gatherForce<D, Full>(sum, row, i, step, bonded), ...);
+  total += all(weight) * sum;
 }
 
 template <bool Full, bool Special>
 RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
                         IntLanes& exploded) {
-  IntLanes bonds;
-  __builtin_memcpy(&bonds, s.bonds + i, sizeof bonds);
-  Lanes f[3] = {};
-  gatherForces<Full>(f, s, c.weight, i, bonds, kEveryDirection);
+  IntLanes bonded[kDirections];
+  if constexpr (!Full) spreadBonds(bonded, s.bonds + i);
   const Lanes inverseMass = load(s.inverseMass + i), perLength = all(c.inverseSpacing);
   const IntLanes there = inverseMass > Lanes{};
   IntLanes held = {};
@@ -171,7 +178,10 @@ RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::in
   const Lanes dt = all(c.dt), keep = all(c.keep), lookAhead = all(c.lookAhead);
   Lanes speed2 = {};
   for (int a = 0; a < 3; ++a) {
-    Lanes force = f[a];
+    Lanes force = {};
+    gatherForces<Full>(force, c.weight[1], kFaces, s.stress + 3 * a, i, s.step, bonded);
+    gatherForces<Full>(force, c.weight[2], kEdges, s.stress + 3 * a, i, s.step, bonded);
+    gatherForces<Full>(force, c.weight[3], kCorners, s.stress + 3 * a, i, s.step, bonded);
     if constexpr (!Full)
       for (int b = 0; b < 3; ++b) force += load(s.stress[3 * a + b] + i) * load(s.skew[b] + i);
     force = force * perLength + load(s.bondForce[a] + i);
@@ -190,8 +200,19 @@ RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::in
   exploded |= ~(speed2 <= all(c.mostSpeedSquared));  // true for what is not a number too
 }
 
+// Numbers below 1e-38 count as zero while it lives: the faint front of a wave that spreads through
+// tissue at rest would otherwise cost ten times the rest.
+struct NoDenormals {
+  NoDenormals() : before(__builtin_ia32_stmxcsr()) { __builtin_ia32_ldmxcsr(before | 0x8040u); }
+  ~NoDenormals() { __builtin_ia32_ldmxcsr(before); }
+  NoDenormals(const NoDenormals&) = delete;
+  NoDenormals& operator=(const NoDenormals&) = delete;
+  unsigned before;
+};
+
 static void stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                        std::size_t end) {
+  const NoDenormals guard;
   for (std::size_t n = begin; n < end; ++n) {
     const TissueChunk& chunk = s.chunks[n];
     for (int at = 0; at < kChunk; at += kLanes) {
@@ -210,6 +231,7 @@ static void stressPass(const ElasticView& s, const SubstepConstants& c, std::siz
 
 static bool motionPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                        std::size_t end) {
+  const NoDenormals guard;
   IntLanes exploded = {};
   for (std::size_t n = begin; n < end; ++n) {
     const TissueChunk& chunk = s.chunks[n];

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostHalvings = 6;
 constexpr int kCalmFrames = 60;     // after which a halved substep is doubled again
-constexpr double kMostCells = 2.0;  // spacings per substep: faster is an explosion
+constexpr double kMostCells = 20;   // spacings per substep: faster is an explosion
 constexpr std::size_t kGrain = 64;  // chunks per block of a pass
 
 void check(const TissueCells& cells, const TissueSettings& settings) {

@@ -21,7 +21,7 @@ struct TissueSettings {
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
   // Forces are those of the place reached this share of a substep ahead: 0 keeps energy, 0.5 damps
   // the fastest waves most and slow motion hardly; more is unstable.
-  double damping = 0.2;
+  double damping = 0.1;
   // Share of the velocity lost per second, 1/s: 0 for none; the surroundings' friction.
   double drag = 0;
   // Stiffness of the bonds against motions that the cells' gradients do not see: 0.75; less lets

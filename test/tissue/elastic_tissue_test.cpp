@@ -172,7 +172,7 @@ TEST_CASE("a state that is not a number is put back the same frame, and a lastin
 TEST_CASE("a blow that is too much for the substep is met with shorter ones") {
   TissueCells cells = solidBlock({8, 4, 4}, 0.005, liverTissue());
   ElasticTissue tissue(cells, test::weightless());
-  tissue.setVelocity(cells.lattice.index({4, 2, 2}), {20, 0, 0});
+  tissue.setVelocity(cells.lattice.index({4, 2, 2}), {200, 0, 0});
   const auto advance = tissue.advance(1.0 / 60);
   CHECK(advance.retries > 0);
   CHECK(advance.calm);
