@@ -30,8 +30,8 @@ void check(const TissueCells& cells, const TissueSettings& settings) {
     throw usageError("tissue damping is {}; give a value from 0 to 0.5", settings.damping);
   if (!(settings.drag >= 0))
     throw usageError("tissue drag is {} 1/s; give 0 or more", settings.drag);
-  if (!(settings.penalty > 0 && settings.penalty <= 1))
-    throw usageError("tissue penalty is {}; give a value above 0, up to 1", settings.penalty);
+  if (!(settings.penalty > 0 && settings.penalty <= 3))
+    throw usageError("tissue penalty is {}; give a value above 0, up to 3", settings.penalty);
   if (!(settings.stepShare > 0 && settings.stepShare <= 1))
     throw usageError("tissue stepShare is {}; give a value above 0, up to 1", settings.stepShare);
 }

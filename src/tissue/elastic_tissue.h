@@ -24,9 +24,10 @@ struct TissueSettings {
   double damping = 0.1;
   // Share of the velocity lost per second, 1/s: 0 for none; the surroundings' friction.
   double drag = 0;
-  // Stiffness of the bonds against motions that the cells' gradients do not see: 0.75; less lets
-  // the lattice wrinkle, more stiffens bending.
-  double penalty = 0.75;
+  // Stiffness of the bonds against motions that the cells' gradients do not see, in shear moduli.
+  // At 1.55 the second-order error of bending and torsion vanishes; less is too soft and lets the
+  // lattice wrinkle, more is too stiff. Above 0, up to 3.
+  double penalty = 1.55;
   // Substep as a share of the time of a pressure wave from cell to cell: 0.6; more blows up.
   double stepShare = 0.6;
   // Threads for the two passes, >= 1; more than there are idle cores is slower than one.
