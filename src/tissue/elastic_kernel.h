@@ -38,9 +38,11 @@ ElasticView viewOf(ElasticState& state);
 
 struct ElasticKernel {
   const char* name;
-  // For chunks [begin, end): stress and bondForce from `ahead`.
-  void (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
-                     std::size_t end);
+  // For chunks [begin, end): stress and bondForce from `ahead`. Returns how many times stiffer
+  // against volume change the stiffest cell is than at rest, in one direction; at least 1, at
+  // most 6.
+  float (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                      std::size_t end);
   // Then v, u and `ahead` from them; false when a speed is beyond the most or not a number.
   bool (*motionPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                      std::size_t end);

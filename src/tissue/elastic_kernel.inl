@@ -73,7 +73,8 @@ RESECT_INLINE void gatherStrains(Gathered& total, float weight, Directions<D...>
 }
 
 template <bool Full, bool Special>
-RESECT_INLINE void stressOf(const ElasticView& s, const SubstepConstants& c, std::int32_t i) {
+RESECT_INLINE void stressOf(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
+                            Lanes& stiffest) {
   IntLanes bonded[kDirections];
   if constexpr (!Full) spreadBonds(bonded, s.bonds + i);
   const Lanes kappa = load(s.kappa + i), perLength = all(c.inverseSpacing);
@@ -129,6 +130,11 @@ RESECT_INLINE void stressOf(const ElasticView& s, const SubstepConstants& c, std
   // without this a cut at stretch 2 explodes.
   const Lanes six = all(6.0f);
   const Lanes limit = squares > six ? six / squares : all(1.0f);
+  for (int b = 0; b < 3; ++b) {
+    const Lanes along =
+        limit * (cof[b] * cof[b] + cof[3 + b] * cof[3 + b] + cof[6 + b] * cof[6 + b]);
+    stiffest = along > stiffest ? along : stiffest;
+  }
   const Lanes mu = load(s.shearVolume + i);
   const Lanes pressure = limit * load(s.lameVolume + i) * growth;
   for (int a = 0; a < 3; ++a) {
@@ -210,9 +216,10 @@ struct NoDenormals {
   unsigned before;
 };
 
-static void stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
-                       std::size_t end) {
+static float stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                        std::size_t end) {
   const NoDenormals guard;
+  Lanes stiffest = all(1.0f);
   for (std::size_t n = begin; n < end; ++n) {
     const TissueChunk& chunk = s.chunks[n];
     for (int at = 0; at < kChunk; at += kLanes) {
@@ -220,13 +227,16 @@ static void stressPass(const ElasticView& s, const SubstepConstants& c, std::siz
       const bool full = kLanes > 8 ? chunk.full[0] && chunk.full[1] : chunk.full[at / 8];
       if (kLanes <= 8 && chunk.empty[at / 8]) continue;
       if (chunk.special)
-        stressOf<false, true>(s, c, i);
+        stressOf<false, true>(s, c, i, stiffest);
       else if (full)
-        stressOf<true, false>(s, c, i);
+        stressOf<true, false>(s, c, i, stiffest);
       else
-        stressOf<false, false>(s, c, i);
+        stressOf<false, false>(s, c, i, stiffest);
     }
   }
+  float most = 1;
+  for (int lane = 0; lane < kLanes; ++lane) most = stiffest[lane] > most ? stiffest[lane] : most;
+  return most;
 }
 
 static bool motionPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,

@@ -12,8 +12,10 @@ namespace resect {
 namespace {
 
 constexpr int kMostHalvings = 6;
-constexpr int kCalmFrames = 60;     // after which a halved substep is doubled again
-constexpr double kMostCells = 20;   // spacings per substep: faster is an explosion
+constexpr int kCalmFrames = 60;    // after which a halved substep is doubled again
+constexpr double kMostCells = 20;  // spacings per substep: faster is an explosion
+// How much stiffer than at rest a cell may be before substeps get shorter: the margin of stepShare.
+constexpr double kStiffeningAllowed = 1.3;
 constexpr std::size_t kGrain = 64;  // chunks per block of a pass
 
 void check(const TissueCells& cells, const TissueSettings& settings) {
@@ -61,21 +63,45 @@ SubstepConstants ElasticTissue::constants(double dt) const {
   return c;
 }
 
-bool ElasticTissue::substep(const SubstepConstants& c) {
+float ElasticTissue::stressPass(const SubstepConstants& c) {
   const ElasticView view = viewOf(state_);
   const std::size_t chunks = state_.chunks.size();
-  if (settings_.threads <= 1) {
-    kernel_->stressPass(view, c, 0, chunks);
-    return kernel_->motionPass(view, c, 0, chunks);
-  }
+  if (settings_.threads <= 1) return kernel_->stressPass(view, c, 0, chunks);
+  std::atomic<float> stiffest = 1;
   parallelFor(chunks, kGrain, [&](std::size_t begin, std::size_t end) {
-    kernel_->stressPass(view, c, begin, end);
+    const float here = kernel_->stressPass(view, c, begin, end);
+    float most = stiffest;
+    while (here > most && !stiffest.compare_exchange_weak(most, here)) {
+    }
   });
+  return stiffest;
+}
+
+bool ElasticTissue::motionPass(const SubstepConstants& c) {
+  const ElasticView view = viewOf(state_);
+  const std::size_t chunks = state_.chunks.size();
+  if (settings_.threads <= 1) return kernel_->motionPass(view, c, 0, chunks);
   std::atomic<bool> calm = true;
   parallelFor(chunks, kGrain, [&](std::size_t begin, std::size_t end) {
     if (!kernel_->motionPass(view, c, begin, end)) calm = false;
   });
   return calm;
+}
+
+// Substeps up to `duration`, each as long as the stiffest cell allows and none a remainder of
+// another. False when the state explodes.
+bool ElasticTissue::substeps(double duration, int& count) {
+  const SubstepConstants start = constants(longestSubstep_);
+  double left = duration;
+  for (;;) {
+    const double stiffest = std::max(1.0, stressPass(start) / kStiffeningAllowed);
+    const double longest = longestSubstep_ / (std::sqrt(stiffest) * double(1 << halvings_));
+    const double steps = std::max(1.0, std::ceil(left / longest - 1e-9));
+    ++count;
+    if (!motionPass(constants(left / steps))) return false;
+    if (steps == 1) return true;
+    left -= left / steps;
+  }
 }
 
 ElasticTissue::Advance ElasticTissue::advance(double duration) {
@@ -87,30 +113,26 @@ ElasticTissue::Advance ElasticTissue::advance(double duration) {
     calmFrames_ = 0;
   }
   keepState();
-  for (;;) {
-    const double longest = longestSubstep_ / double(1 << halvings_);
-    const int count = std::max(1, int(std::ceil(duration / longest - 1e-9)));
-    const SubstepConstants c = constants(duration / count);
-    bool calm = true;
-    for (int i = 0; i < count && calm; ++i) {
-      calm = substep(c);
-      ++result.substeps;
-    }
-    if (calm) return result;
+  while (!substeps(duration, result.substeps)) {
     restoreState();
     calmFrames_ = 0;
     if (halvings_ == kMostHalvings) {
-      // Nothing helps: stand still for a frame, held cells excepted.
-      for (const TissueChunk& chunk : state_.chunks)
-        for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i)
-          for (int a = 0; a < 3; ++a)
-            if (!(state_.held[i] >> a & 1)) state_.v[a][i] = 0;
+      stopMotion();
       result.calm = false;
-      return result;
+      break;
     }
     ++halvings_;
     ++result.retries;
   }
+  return result;
+}
+
+// Held cells excepted.
+void ElasticTissue::stopMotion() {
+  for (const TissueChunk& chunk : state_.chunks)
+    for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i)
+      for (int a = 0; a < 3; ++a)
+        if (!(state_.held[i] >> a & 1)) state_.v[a][i] = 0;
 }
 
 void ElasticTissue::keepState() {

@@ -84,9 +84,12 @@ class ElasticTissue {
 
   // The forces of the present displacements, without moving: fills stress and elasticForce.
   void evaluateForces();
+  void stopMotion();
 
  private:
-  bool substep(const SubstepConstants& constants);
+  bool substeps(double duration, int& count);
+  float stressPass(const SubstepConstants& constants);
+  bool motionPass(const SubstepConstants& constants);
   SubstepConstants constants(double dt) const;
   void settleEdits();
   void keepState();
