@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/state_hash.h"
 #include "tissue/elastic_setup.h"
 
 namespace resect {
@@ -47,6 +48,7 @@ ElasticTissue::ElasticTissue(const TissueCells& cells, const TissueSettings& set
   double fastest = 0;
   for (const TissueMaterial& m : cells.materials) fastest = std::max(fastest, m.waveSpeed());
   longestSubstep_ = settings.stepShare * state_.spacing / fastest;
+  gripper_.assign(state_.box.size, -1);
 }
 
 SubstepConstants ElasticTissue::constants(double dt) const {
@@ -90,41 +92,104 @@ bool ElasticTissue::motionPass(const SubstepConstants& c) {
 
 // Substeps up to `duration`, each as long as the stiffest cell allows and none a remainder of
 // another. False when the state explodes.
-bool ElasticTissue::substeps(double duration, int& count) {
+bool ElasticTissue::substeps(double duration, const TissueSurroundings& around,
+                             std::int32_t& count) {
   const SubstepConstants start = constants(longestSubstep_);
   double left = duration;
   for (;;) {
     const double stiffest = std::max(1.0, stressPass(start) / kStiffeningAllowed);
     const double longest = longestSubstep_ / (std::sqrt(stiffest) * double(1 << halvings_));
     const double steps = std::max(1.0, std::ceil(left / longest - 1e-9));
+    const double dt = left / steps, share = 1 - (steps == 1 ? 0 : left - dt) / duration;
+    const SubstepConstants c = constants(dt);
+    springs_.pull(state_, lattice_.origin, around.tools, share, duration, dt);
     ++count;
-    if (!motionPass(constants(left / steps))) return false;
+    if (!motionPass(c)) return false;
+    contacts_.push(state_, share, c.lookAhead);
     if (steps == 1) return true;
-    left -= left / steps;
+    left -= dt;
   }
 }
 
 ElasticTissue::Advance ElasticTissue::advance(double duration) {
-  Advance result;
-  if (!(duration > 0)) return result;
+  TissueStep step;
+  if (duration > 0) run(duration, {}, step);
+  return {step.substeps, step.retries, step.calm};
+}
+
+void ElasticTissue::run(double duration, const TissueSurroundings& around, TissueStep& step) {
   settleEdits();
   if (halvings_ > 0 && ++calmFrames_ > kCalmFrames) {
     --halvings_;
     calmFrames_ = 0;
   }
+  step.substeps = step.retries = step.torn = 0;
+  step.calm = true;
   keepState();
-  while (!substeps(duration, result.substeps)) {
+  contacts_.list(state_, lattice_.origin, duration, around, gripper_);
+  springs_.forgetImpulses(around.tools.size());
+  while (!substeps(duration, around, step.substeps)) {
     restoreState();
+    contacts_.forgetImpulses();
+    springs_.forgetImpulses(around.tools.size());
     calmFrames_ = 0;
     if (halvings_ == kMostHalvings) {
       stopMotion();
-      result.calm = false;
+      step.calm = false;
       break;
     }
     ++halvings_;
-    ++result.retries;
+    ++step.retries;
   }
-  return result;
+}
+
+void ElasticTissue::move(double duration, const TissueSurroundings& around, TissueStep& step) {
+  run(duration, around, step);
+  step.toolForce.resize(around.tools.size());
+  step.letGo.clear();
+  for (std::size_t b = 0; b < around.tools.size(); ++b) {
+    const TissueTool& tool = around.tools[b];
+    const Vec3 grip = springs_.toolImpulse()[b] / duration;
+    step.toolForce[b] = contacts_.toolImpulse()[b] / duration + grip;
+    if (tool.slipForce > 0 && grip.norm() > tool.slipForce) {
+      release(tool.tool);
+      step.letGo.push_back(tool.tool);
+    }
+  }
+  step.tableForce = contacts_.tableImpulse() / duration;
+  step.torn = tear();
+  ++frame_;
+}
+
+// Bonds stretched beyond their material's limit. A quarter of the tissue is looked at per frame,
+// and at most one bond in fifty tears, so that a tear runs and does not happen at once.
+std::int32_t ElasticTissue::tear() {
+  constexpr std::size_t kShares = 4;
+  const std::int32_t most =
+      std::max<std::int32_t>(20, std::int32_t(state_.chunks.size() * 13 / 50));
+  std::int32_t torn = 0;
+  for (std::size_t n = std::size_t(frame_) % kShares; n < state_.chunks.size(); n += kShares)
+    for (std::int32_t i = state_.chunks[n].start; i < state_.chunks[n].start + kChunk; ++i) {
+      if (!(state_.bonds[i] >> kFirstForward)) continue;
+      const float limit = float(state_.materials[state_.material[i]].tearStretch);
+      for (int d = kFirstForward; d < kDirections; ++d) {
+        if (!(state_.bonds[i] >> d & 1)) continue;
+        const std::int32_t j = i + state_.box.step[d];
+        float length2 = 0;
+        for (int a = 0; a < 3; ++a) {
+          const float x =
+              float(offsetAlong(d, a)) * float(state_.spacing) + state_.u[a][j] - state_.u[a][i];
+          length2 += x * x;
+        }
+        const float rest2 = float(state_.spacing * state_.spacing) * float(neighbourKind(d));
+        if (!(length2 > limit * limit * rest2)) continue;
+        severBond(state_, i, d);
+        bondsChanged_.push_back(i);
+        bondsChanged_.push_back(j);
+        if (++torn == most) return torn;
+      }
+    }
+  return torn;
 }
 
 // Held cells excepted.
@@ -180,6 +245,70 @@ void ElasticTissue::remove(std::int64_t cell) {
   for (int d = 0; d < kDirections; ++d)
     if (state_.bonds[i] >> d & 1) bondsChanged_.push_back(i + state_.box.step[d]);
   removeCell(state_, i);
+  loosen(springs_.drop([&](const TissueSpring& spring) { return spring.cell == i; }));
+}
+
+std::int64_t ElasticTissue::attach(const TissueAttachment& attachment) {
+  std::vector<std::int64_t> cells;
+  for (std::int64_t c = 0; c < lattice_.cellCount(); ++c)
+    if (solid(c) && attachment.holds(lattice_.centre(lattice_.cell(c)))) cells.push_back(c);
+  for (const std::int64_t c : cells) {
+    if (attachment.kind == TissueAttachment::Kind::Pin) {
+      hold(c, kHeldAll);
+      continue;
+    }
+    const std::int32_t i = state_.box.fromLattice(c);
+    // A spring stiffer than the substep can follow would explode.
+    const double most = 0.2 * mass(c) / (longestSubstep_ * longestSubstep_);
+    const double stiffness = std::min(attachment.stiffness / double(cells.size()), most);
+    springs_.add({i, -1, lattice_.centre(lattice_.cell(c)), stiffness,
+                  0.5 * std::sqrt(stiffness * mass(c))});
+    state_.loaded[i] = 1;
+    holdsChanged_.push_back(i);
+  }
+  return std::int64_t(cells.size());
+}
+
+void ElasticTissue::grip(std::int64_t cell, std::int32_t tool, const Pose& pose) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i] || gripper_[i] >= 0) return;
+  const double dt = longestSubstep_;
+  springs_.add({i, tool,
+                pose.inverse() * (lattice_.centre(lattice_.cell(cell)) + displacement(cell)),
+                0.2 * mass(cell) / (dt * dt), 0.5 * mass(cell) / dt});
+  gripper_[i] = tool;
+  state_.loaded[i] = 1;
+  holdsChanged_.push_back(i);
+}
+
+void ElasticTissue::release(std::int32_t tool) {
+  loosen(springs_.drop([&](const TissueSpring& spring) { return spring.tool == tool; }));
+}
+
+void ElasticTissue::loosen(std::span<const std::int32_t> cells) {
+  for (const std::int32_t i : cells) {
+    gripper_[i] = -1;
+    state_.loaded[i] = 0;
+    for (int a = 0; a < 3; ++a) state_.load[a][i] = 0;
+    holdsChanged_.push_back(i);
+  }
+}
+
+std::int32_t ElasticTissue::gripped(std::int32_t tool) const {
+  std::int32_t count = 0;
+  for (const TissueSpring& spring : springs_.all()) count += spring.tool == tool;
+  return count;
+}
+
+std::uint64_t ElasticTissue::stateHash() const {
+  StateHash hash;
+  for (int a = 0; a < 3; ++a) {
+    hash.addSpan(std::span<const float>(state_.u[a]));
+    hash.addSpan(std::span<const float>(state_.v[a]));
+  }
+  hash.addSpan(std::span<const std::uint32_t>(state_.bonds));
+  hash.addSpan(std::span<const std::int32_t>(gripper_));
+  return hash.value();
 }
 
 void ElasticTissue::hold(std::int64_t cell, int axes, const Vec3& velocity) {

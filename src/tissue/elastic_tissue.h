@@ -11,9 +11,13 @@
 #include <string>
 #include <vector>
 
+#include "tissue/attachment.h"
+#include "tissue/contact.h"
 #include "tissue/elastic_kernel.h"
 #include "tissue/elastic_state.h"
 #include "tissue/material.h"
+#include "tissue/springs.h"
+#include "tissue/tissue_model.h"
 
 namespace resect {
 
@@ -39,23 +43,32 @@ struct TissueEnergy {
   double total() const { return kinetic + elastic + gravity; }
 };
 
-class ElasticTissue {
+class ElasticTissue final : public TissueModel {
  public:
   // Throws Error when the lattice is not cubic, a setting is out of range or no cell is solid.
   ElasticTissue(const TissueCells& cells, const TissueSettings& settings);
 
-  // Moves on by `duration`, s. Returns the number of substeps. A state that explodes is put back to
-  // where it was and tried again with substeps of half the length; false in `calm` tells.
+  // Holds the cells of the region. Returns how many there are.
+  std::int64_t attach(const TissueAttachment& attachment);
+
+  // A state that explodes is put back to where it was and tried again with substeps of half the
+  // length.
+  void move(double duration, const TissueSurroundings& surroundings, TissueStep& step) override;
+
+  // The same, with nothing round it and without tearing.
   struct Advance {
     int substeps = 0;
-    int retries = 0;   // how often the frame was started again
-    bool calm = true;  // false: even the shortest substeps exploded; the tissue was stopped
+    int retries = 0;
+    bool calm = true;
   };
   Advance advance(double duration);
 
   // Edits: take effect at once; corrections follow when the next advance or energy() begins.
-  void sever(std::int64_t cell, int direction);
-  void remove(std::int64_t cell);
+  void sever(std::int64_t cell, int direction) override;
+  void remove(std::int64_t cell) override;
+  void grip(std::int64_t cell, std::int32_t tool, const Pose& pose) override;
+  void release(std::int32_t tool) override;
+  std::int32_t gripped(std::int32_t tool) const override;
   // Moves the cell along the axes (HeldAxis bits) with a given velocity instead of by forces, m/s;
   // 0 axes lets it go.
   void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
@@ -64,17 +77,21 @@ class ElasticTissue {
   void setDisplacement(std::int64_t cell, const Vec3& u);
   void setVelocity(std::int64_t cell, const Vec3& v);
 
-  Vec3 displacement(std::int64_t cell) const;
+  bool moves() const override { return true; }
+  Vec3 displacement(std::int64_t cell) const override;
   Vec3 velocity(std::int64_t cell) const;
-  bool solid(std::int64_t cell) const { return state_.solid[state_.box.fromLattice(cell)]; }
-  std::uint32_t bonds(std::int64_t cell) const {
+  bool solid(std::int64_t cell) const override {
+    return state_.solid[state_.box.fromLattice(cell)];
+  }
+  std::uint32_t bonds(std::int64_t cell) const override {
     return state_.bonds[state_.box.fromLattice(cell)];
   }
-  double mass(std::int64_t cell) const;        // kg
-  Mat3 deformation(std::int64_t cell) const;   // F; identity where a cell has no gradient
-  Mat3 stress(std::int64_t cell) const;        // first Piola-Kirchhoff, Pa
-  Vec3 elasticForce(std::int64_t cell) const;  // at the last substep, N
+  double mass(std::int64_t cell) const;                // kg
+  Mat3 deformation(std::int64_t cell) const override;  // F; identity where a cell has no gradient
+  Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff, Pa
+  Vec3 elasticForce(std::int64_t cell) const;          // at the last substep, N
   TissueEnergy energy();
+  std::uint64_t stateHash() const override;
   double longestSubstep() const { return longestSubstep_; }  // s
 
   const Lattice& lattice() const { return lattice_; }
@@ -87,7 +104,10 @@ class ElasticTissue {
   void stopMotion();
 
  private:
-  bool substeps(double duration, int& count);
+  void run(double duration, const TissueSurroundings& surroundings, TissueStep& step);
+  bool substeps(double duration, const TissueSurroundings& surroundings, std::int32_t& count);
+  void loosen(std::span<const std::int32_t> cells);
+  std::int32_t tear();
   float stressPass(const SubstepConstants& constants);
   bool motionPass(const SubstepConstants& constants);
   SubstepConstants constants(double dt) const;
@@ -102,6 +122,10 @@ class ElasticTissue {
   double longestSubstep_ = 0;
   int halvings_ = 0;    // of the substep, at present
   int calmFrames_ = 0;  // since the last halving
+  int frame_ = 0;       // of move()
+  TissueContacts contacts_;
+  TissueSprings springs_;
+  std::vector<std::int32_t> gripper_;  // per cell of the box: tool that holds it, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;
   std::array<FloatArray, 3> keptU_, keptV_;
 };

@@ -1,0 +1,120 @@
+#include "collision/signed_distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/inside.h"
+
+namespace resect {
+namespace {
+
+constexpr double kMostNodes = 2e6;
+
+// Squared distance of a point to a triangle, by the region of the plane that it projects into
+// (Ericson 2005, section 5.1.5).
+double squaredDistance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+  if (d1 <= 0 && d2 <= 0) return ap.squaredNorm();
+  const Vec3 bp = p - b;
+  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+  if (d3 >= 0 && d4 <= d3) return bp.squaredNorm();
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (ap - d1 / (d1 - d3) * ab).squaredNorm();
+  const Vec3 cp = p - c;
+  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d6 >= 0 && d5 <= d6) return cp.squaredNorm();
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (ap - d2 / (d2 - d6) * ac).squaredNorm();
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
+    return (bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b)).squaredNorm();
+  const Vec3 n = ab.cross(ac);
+  const double height = n.dot(ap);
+  return height * height / n.squaredNorm();
+}
+
+}  // namespace
+
+SignedDistance::SignedDistance(const TriangleMesh& mesh, double margin, double cell)
+    : box_(bounds(mesh)), cell_(cell) {
+  if (mesh.triangles.empty()) return;
+  const Aabb region = box_.padded(margin);
+  const double nodes = (region.size() / cell_ + Vec3::Constant(2)).prod();
+  if (nodes > kMostNodes) cell_ *= std::cbrt(nodes / kMostNodes);
+  origin_ = region.min;
+  for (int a = 0; a < 3; ++a) dims_[a] = int(std::ceil(region.size()[a] / cell_)) + 1;
+
+  std::vector<std::int32_t> nearest(std::size_t(dims_.cast<double>().prod()), -1);
+  std::vector<double> squared(nearest.size(), kFar * kFar);
+  const auto consider = [&](const Vec3i& at, std::int32_t triangle) {
+    const Triangle& t = mesh.triangles[triangle];
+    const double d =
+        squaredDistance(node(at), mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+    const std::size_t i = index(at);
+    if (d < squared[i]) {
+      squared[i] = d;
+      nearest[i] = triangle;
+    }
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Aabb box;
+    for (const std::int32_t p : mesh.triangles[t]) box.grow(mesh.points[p]);
+    Vec3i low, high;
+    for (int a = 0; a < 3; ++a) {
+      low[a] = std::clamp(int(std::ceil((box.min[a] - origin_[a]) / cell_ - 1.5)), 0, dims_[a] - 1);
+      high[a] =
+          std::clamp(int(std::floor((box.max[a] - origin_[a]) / cell_ + 1.5)), 0, dims_[a] - 1);
+    }
+    for (int z = low.z(); z <= high.z(); ++z)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int x = low.x(); x <= high.x(); ++x) consider({x, y, z}, std::int32_t(t));
+  }
+  // Sweeps there and back along each axis hand the nearest triangle on.
+  for (int pass = 0; pass < 2; ++pass)
+    for (int direction = -1; direction <= 1; direction += 2) {
+      const auto from = [&](int axis) { return direction < 0 ? dims_[axis] - 1 : 0; };
+      for (int z = from(2); z >= 0 && z < dims_.z(); z += direction)
+        for (int y = from(1); y >= 0 && y < dims_.y(); y += direction)
+          for (int x = from(0); x >= 0 && x < dims_.x(); x += direction)
+            for (int axis = 0; axis < 3; ++axis) {
+              const Vec3i at(x, y, z), before = at - direction * Vec3i::Unit(axis);
+              if (before[axis] < 0 || before[axis] >= dims_[axis]) continue;
+              const std::int32_t triangle = nearest[index(before)];
+              if (triangle >= 0 && triangle != nearest[index(at)]) consider(at, triangle);
+            }
+    }
+
+  std::vector<Vec3> nodesOf;
+  nodesOf.reserve(nearest.size());
+  for (int z = 0; z < dims_.z(); ++z)
+    for (int y = 0; y < dims_.y(); ++y)
+      for (int x = 0; x < dims_.x(); ++x) nodesOf.push_back(node({x, y, z}));
+  const std::vector<std::uint8_t> inside = insideFlags(mesh, nodesOf);
+  distance_.resize(nearest.size());
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+    distance_[i] = float((inside[i] ? -1 : 1) * std::sqrt(squared[i]));
+}
+
+SignedDistance::Sample SignedDistance::operator()(const Vec3& point) const {
+  const Vec3 place = (point - origin_) / cell_;
+  for (int a = 0; a < 3; ++a)
+    if (!(place[a] >= 0 && place[a] < dims_[a] - 1)) return {kFar, Vec3::Zero()};
+  const Vec3i at = place.cast<int>();
+  const Vec3 f = place - at.cast<double>();
+  const std::size_t i = index(at), dy = dims_.x(), dz = std::size_t(dims_.x()) * dims_.y();
+  const auto along = [&](std::size_t k) {
+    return distance_[k] + f.x() * (double(distance_[k + 1]) - distance_[k]);
+  };
+  const auto slope = [&](std::size_t k) { return double(distance_[k + 1]) - distance_[k]; };
+  const double d00 = along(i), d10 = along(i + dy), d01 = along(i + dz), d11 = along(i + dy + dz);
+  const double d0 = d00 + f.y() * (d10 - d00), d1 = d01 + f.y() * (d11 - d01);
+  const double gx = (1 - f.z()) * ((1 - f.y()) * slope(i) + f.y() * slope(i + dy)) +
+                    f.z() * ((1 - f.y()) * slope(i + dz) + f.y() * slope(i + dy + dz));
+  const double gy = (1 - f.z()) * (d10 - d00) + f.z() * (d11 - d01);
+  const Vec3 gradient(gx, gy, d1 - d0);
+  const double size = gradient.norm();
+  return {d0 + f.z() * (d1 - d0), size > 1e-12 ? Vec3(gradient / size) : Vec3(Vec3::Zero())};
+}
+
+}  // namespace resect

@@ -1,0 +1,45 @@
+// How deep is a point in a rigid body, and which way is out?
+//
+// The distance to a closed mesh on a regular grid in the body's frame, negative inside. At the
+// grid's nodes within one and a half cells of the surface it is exact, further off nearly (nearest
+// triangles handed from node to node, after Danielsson 1980); between nodes it is trilinear. A body
+// thinner than a cell keeps its place, but its inside is not negative everywhere.
+#pragma once
+
+#include <vector>
+
+#include "geometry/aabb.h"
+#include "geometry/triangle_mesh.h"
+
+namespace resect {
+
+class SignedDistance {
+ public:
+  // `margin` > 0, m: how far round the mesh the grid reaches. `cell` > 0, m; grown when the grid
+  // would have more than 2 million nodes. An empty mesh is infinitely far from everything.
+  SignedDistance(const TriangleMesh& mesh, double margin, double cell);
+
+  struct Sample {
+    double distance;  // m; kFar outside the grid
+    Vec3 outwards;    // unit, towards growing distance; zero outside the grid
+  };
+  Sample operator()(const Vec3& point) const;
+  static constexpr double kFar = 1e3;
+
+  const Aabb& box() const { return box_; }  // of the mesh, without margin
+  double cell() const { return cell_; }
+
+ private:
+  Vec3 node(const Vec3i& at) const { return origin_ + cell_ * at.cast<double>(); }
+  std::size_t index(const Vec3i& at) const {
+    return (std::size_t(at.z()) * dims_.y() + at.y()) * dims_.x() + at.x();
+  }
+
+  Aabb box_;
+  Vec3 origin_ = Vec3::Zero();
+  Vec3i dims_ = Vec3i::Zero();
+  double cell_;
+  std::vector<float> distance_;
+};
+
+}  // namespace resect

@@ -1,0 +1,118 @@
+#include "tissue/contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace resect {
+namespace {
+
+constexpr double kTableFriction = 0.3;
+constexpr double kMostPush = 0.25;  // spacings per substep: a tool that jumps squeezes cells out
+
+Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
+  return {field[0][i], field[1][i], field[2][i]};
+}
+
+// Puts a cell back out of a body and takes the momentum that this costs, kg m/s. `depth` > 0.
+Vec3 pushOut(ElasticState& s, std::int32_t i, double depth, const Vec3& outwards,
+             const Vec3& bodyVelocity, double friction, double lookAhead) {
+  const Vec3 relative = at(s.v, i) - bodyVelocity;
+  const double into = -relative.dot(outwards);
+  Vec3 change = Vec3::Zero();
+  if (into > 0) {
+    const Vec3 along = relative + into * outwards;
+    const double speed = along.norm();
+    change = into * outwards;
+    if (speed > 0) change -= std::min(1.0, friction * into / speed) * along;
+  }
+  const double way = std::min(depth, kMostPush * s.spacing);
+  for (int a = 0; a < 3; ++a) {
+    if (s.held[i] >> a & 1) continue;
+    s.u[a][i] += float(way * outwards[a]);
+    s.v[a][i] += float(change[a]);
+    s.ahead[a][i] = s.u[a][i] + float(lookAhead) * s.v[a][i];
+  }
+  return change / double(s.inverseMass[i]);
+}
+
+}  // namespace
+
+Vec3 TissueContacts::restPosition(const ElasticState& s, std::int32_t i) const {
+  return origin_ + s.spacing * s.box.cell(i).cast<double>();
+}
+
+void TissueContacts::list(const ElasticState& s, const Vec3& origin, double duration,
+                          const TissueSurroundings& surroundings,
+                          std::span<const std::int32_t> gripper) {
+  origin_ = origin;
+  forgetImpulses();
+  onTable_.clear();
+  bodyCount_ = surroundings.tools.size();
+  if (bodies_.size() < bodyCount_) bodies_.resize(bodyCount_);
+  toolImpulse_.assign(bodyCount_, Vec3::Zero());
+  std::vector<std::pair<Pose, Aabb>> reach(bodyCount_);
+  for (std::size_t b = 0; b < bodyCount_; ++b) {
+    Body& body = bodies_[b];
+    const TissueTool& tool = body.tool = surroundings.tools[b];
+    body.cells.clear();
+    body.velocity = (tool.to.position - tool.from.position) / duration;
+    Eigen::Quaterniond turn = tool.to.rotation * tool.from.rotation.conjugate();
+    if (turn.w() < 0) turn.coeffs() *= -1;
+    const Eigen::AngleAxisd angle(turn);
+    body.spin = angle.angle() / duration * angle.axis();
+    // Cells that are within reach of it at the end of the frame, or on its way there.
+    if (!tool.shape) continue;
+    Aabb box = tool.shape->box();
+    const Aabb still = box;
+    const Pose back = tool.to.inverse();
+    for (int corner = 0; corner < 8; ++corner)
+      box.grow(back * (tool.from * Vec3(corner & 1 ? still.max.x() : still.min.x(),
+                                        corner & 2 ? still.max.y() : still.min.y(),
+                                        corner & 4 ? still.max.z() : still.min.z())));
+    reach[b] = {back, box.padded(tool.standOff + s.spacing)};
+  }
+  if (bodyCount_ == 0 && !surroundings.table) return;
+  for (const TissueChunk& chunk : s.chunks)
+    for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i) {
+      if (!s.solid[i]) continue;
+      const Vec3 x = restPosition(s, i) + at(s.u, i);
+      const double way = at(s.v, i).norm() * duration;
+      if (surroundings.table && x.y() < 1.5 * s.spacing + way) onTable_.push_back(i);
+      for (std::size_t b = 0; b < bodyCount_; ++b) {
+        if (!bodies_[b].tool.shape) continue;
+        if (!gripper.empty() && gripper[i] == bodies_[b].tool.tool) continue;
+        if (reach[b].second.padded(way).contains(reach[b].first * x)) bodies_[b].cells.push_back(i);
+      }
+    }
+}
+
+void TissueContacts::push(ElasticState& s, double share, double lookAhead) {
+  for (std::size_t b = 0; b < bodyCount_; ++b) {
+    Body& body = bodies_[b];
+    if (body.cells.empty()) continue;
+    const Pose pose = interpolate(body.tool.from, body.tool.to, share);
+    const Eigen::Matrix3d turn = pose.rotation.toRotationMatrix();
+    for (const std::int32_t i : body.cells) {
+      const Vec3 fromTip = restPosition(s, i) + at(s.u, i) - pose.position;
+      const auto sample = (*body.tool.shape)(turn.transpose() * fromTip);
+      const double depth = body.tool.standOff - sample.distance;
+      if (depth <= 0) continue;
+      toolImpulse_[b] -=
+          pushOut(s, i, depth, turn * sample.outwards, body.velocity + body.spin.cross(fromTip),
+                  body.tool.friction, lookAhead);
+    }
+  }
+  for (const std::int32_t i : onTable_) {
+    const double y = origin_.y() + s.spacing * s.box.cell(i).y() + s.u[1][i];
+    const double depth = 0.5 * s.spacing - y;
+    if (depth > 0)
+      tableImpulse_ -= pushOut(s, i, depth, Vec3::UnitY(), Vec3::Zero(), kTableFriction, lookAhead);
+  }
+}
+
+void TissueContacts::forgetImpulses() {
+  for (Vec3& impulse : toolImpulse_) impulse.setZero();
+  tableImpulse_.setZero();
+}
+
+}  // namespace resect
