@@ -59,10 +59,12 @@ void run(const Options& options, const OrganOptions& organOptions) {
   organOptions.applyTo(scenario.organ);
 
   std::vector<std::string> notes, files;
-  Simulation simulation(
+  Organ cells =
       makeOrgan(loadCells(scenario.organ, modelReader(), progressBar("particles"), &notes),
-                scenario.organ.settings),
-      loadTools(scenario, modelReader()));
+                scenario.organ.settings);
+  std::unique_ptr<TissueModel> tissue = makeTissue(scenario.tissue, cells);
+  Simulation simulation(std::move(cells), loadTools(scenario, modelReader()), std::move(tissue),
+                        scenario.table);
 
   std::optional<PictureWriter> pictures;
   if (!options.frames.empty() || !options.video.empty())
@@ -84,11 +86,11 @@ void run(const Options& options, const OrganOptions& organOptions) {
     files.insert(files.end(), written.begin(), written.end());
   }
   if (!options.surface.empty()) {
-    writeMeshFile(options.surface, simulation.organ().surface.mesh());
+    writeMeshFile(options.surface, simulation.surfaceMesh());
     files.push_back(options.surface);
   }
   if (!options.pieces.empty()) {
-    const auto written = writePieces(options.pieces, simulation.organ().surface.mesh());
+    const auto written = writePieces(options.pieces, simulation.surfaceMesh());
     files.insert(files.end(), written.begin(), written.end());
   }
   if (!options.json.empty()) writeJson(options.json, toJson(summary, scenario));

@@ -37,6 +37,16 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
   }
   json["simulated_s"] = summary.simulatedSeconds;
   json["real_time_factor"] = summary.realTimeFactor();
+  if (summary.tissueMoves) {
+    json["tissue"] = {{"severed_bonds", summary.severed},
+                      {"torn_bonds", summary.torn},
+                      {"substeps", summary.substeps},
+                      {"retries", summary.retries}};
+    json["tool_forces_n"] = nlohmann::ordered_json::array();
+    for (const ToolForces& forces : summary.forces)
+      json["tool_forces_n"].push_back(
+          {{"tool", forces.tool}, {"peak", forces.peak}, {"per_frame", forces.perFrame}});
+  }
   json["faults"] = summary.faults;
   json["state_hash"] = fmt::format("{:016x}", summary.stateHash);
   return json;
@@ -65,6 +75,16 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
   if (summary.pieces.size() > 4) pieces += fmt::format(" + {} smaller", summary.pieces.size() - 4);
   row("pieces",
       fmt::format("{}: {}", summary.pieces.size(), pieces.empty() ? "nothing is left" : pieces));
+  if (summary.tissueMoves) {
+    std::string forces;
+    for (const ToolForces& tool : summary.forces)
+      if (tool.peak > 0)
+        forces += fmt::format("{}{} {:.2f} N", forces.empty() ? "" : ", ", tool.tool, tool.peak);
+    row("tissue", fmt::format("{} bonds cut, {} torn; {:.1f} substeps per frame{}", summary.severed,
+                              summary.torn, double(summary.substeps) / double(summary.frames),
+                              summary.retries ? fmt::format(", {} retries", summary.retries) : ""));
+    row("forces", forces.empty() ? "no tool touched" : "at most " + forces);
+  }
   row("time",
       fmt::format("{} frames = {:.2f} s simulated in {:.3f} s: {:.1f} x real time", summary.frames,
                   summary.simulatedSeconds, summary.computedSeconds, summary.realTimeFactor()));

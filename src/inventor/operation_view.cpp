@@ -32,7 +32,7 @@ OperationView::OperationView(const Scenario& scenario, const Simulation& simulat
   if (scenario.toolBox) room_.setToolbox(readSceneFile(tools / "toolbox.iv"), toolBoxPose());
   for (const ToolState& state : simulation.tools())
     room_.addTool(readSceneFile(state.tool->model().file));
-  setOrgan(simulation.organ().surface);
+  setOrgan(simulation);
   follow(simulation);
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     room_.setToolPose(int(i), scenario.tools[i].rest);
@@ -41,9 +41,10 @@ OperationView::OperationView(const Scenario& scenario, const Simulation& simulat
   room_.look(*view, box, aspect);
 }
 
-void OperationView::setOrgan(const SurfaceTracker& surface) {
-  room_.organ()->setGeometry(
-      {surface.points(), surface.normals(), surface.cut(), surface.triangles(), {}});
+void OperationView::setOrgan(const Simulation& simulation) {
+  const SurfaceTracker& surface = simulation.organ().surface;
+  room_.organ()->setGeometry({simulation.surfacePoints(), simulation.surfaceNormals(),
+                              surface.cut(), surface.triangles(), surface.points()});
 }
 
 RgbImage OperationView::draw(OffscreenView& picture) const { return picture.render(room_.root()); }
@@ -53,7 +54,7 @@ void OperationView::follow(const Simulation& simulation) {
     room_.setToolPose(int(i), simulation.tools()[i].pose);
   const SurfaceTracker& surface = simulation.organ().surface;
   const SurfaceTracker::Changes& changes = surface.changes();
-  if (changes.everything) return setOrgan(surface);
+  if (changes.everything || simulation.tissue().moves()) return setOrgan(simulation);
   for (const IndexRange& r : changes.vertices)
     room_.organ()->updateRange(r.first, 0,
                                {surface.points().subspan(r.first, r.count),

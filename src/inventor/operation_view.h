@@ -36,7 +36,7 @@ class OperationView {
   OperatingRoom& room() { return room_; }
 
  private:
-  void setOrgan(const SurfaceTracker& surface);
+  void setOrgan(const Simulation& simulation);
 
   OperatingRoom room_;
 };

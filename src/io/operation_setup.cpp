@@ -8,6 +8,7 @@
 #include "io/scenario_file.h"
 #include "organ/builtin_liver.h"
 #include "organ/discretize.h"
+#include "tissue/still_tissue.h"
 #include "tools/registry.h"
 
 namespace resect {
@@ -63,9 +64,25 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
     return prepareOrganMesh(readModel(path), {}).mesh;
   };
   std::vector<std::unique_ptr<Tool>> tools;
-  for (const ScenarioTool& tool : scenario.tools)
-    tools.push_back(makeTool(readTool(findDataFile(tool.model, "tools", ".toml"), readMesh)));
+  for (const ScenarioTool& tool : scenario.tools) {
+    ToolModel model = readTool(findDataFile(tool.model, "tools", ".toml"), readMesh);
+    if (tool.response) model.response = *tool.response;
+    tools.push_back(makeTool(std::move(model)));
+  }
   return tools;
+}
+
+std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ) {
+  if (!setup.elastic) return std::make_unique<StillTissue>();
+  auto tissue = std::make_unique<ElasticTissue>(
+      TissueCells{organ.rest.lattice, organ.alive, {setup.material}, {}}, setup.settings);
+  for (std::size_t i = 0; i < setup.attachments.size(); ++i)
+    if (tissue->attach(setup.attachments[i]) == 0)
+      throw error(
+          "attachment {} of the tissue holds no particle; move or enlarge its region (world "
+          "coordinates of the organ at rest, m)",
+          i + 1);
+  return tissue;
 }
 
 }  // namespace resect

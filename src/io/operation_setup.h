@@ -32,4 +32,8 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 
+// The tissue that the scenario asks for, at rest. Throws Error when an attachment holds nothing or
+// a setting is out of range.
+std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ);
+
 }  // namespace resect

@@ -39,9 +39,60 @@ OrganSource readOrgan(const TomlTable& t) {
   return organ;
 }
 
+std::string readResponse(const TomlTable& t) {
+  const std::string response = t.text("response", "own");
+  if (response != "own" && response != "remove")
+    t.complain("response", "is \"" + response + "\"; use \"own\" or \"remove\"");
+  return response == "own" ? "" : response;
+}
+
+TissueAttachment readAttachment(const TomlTable& t) {
+  TissueAttachment attachment;
+  const std::string kind = t.text("kind", "pin");
+  if (kind != "pin" && kind != "ligament")
+    t.complain("kind", "is \"" + kind + "\"; use \"pin\" or \"ligament\"");
+  attachment.kind = kind == "pin" ? TissueAttachment::Kind::Pin : TissueAttachment::Kind::Ligament;
+  if (t.has("centre")) {
+    attachment.shape = TissueAttachment::Shape::Ball;
+    attachment.centre = t.vec3("centre");
+    attachment.radius = t.number("radius", 1e-6, 10);
+  } else {
+    const std::vector<Vec3> corners = t.points("box");
+    if (corners.size() != 2)
+      t.complain(
+          "box",
+          "is missing or not two corners; give box = [[x, y, z], [x, y, z]], or centre and radius");
+    attachment.box = {corners[0].cwiseMin(corners[1]), corners[0].cwiseMax(corners[1])};
+  }
+  attachment.stiffness = t.number("stiffness", 0, 1e6, attachment.stiffness);
+  t.refuseUnknownKeys();
+  return attachment;
+}
+
+TissueSetup readTissue(const TomlTable& t) {
+  TissueSetup tissue;
+  const std::string model = t.text("model", "still");
+  if (model != "still" && model != "elastic")
+    t.complain("model", "is \"" + model + "\"; use \"still\" or \"elastic\"");
+  tissue.elastic = model == "elastic";
+  tissue.material.young = t.number("young", 1, 1e9, tissue.material.young);
+  tissue.material.poisson = t.number("poisson", 0, 0.4999, tissue.material.poisson);
+  tissue.material.density = t.number("density", 1, 1e5, tissue.material.density);
+  tissue.material.tearStretch = t.number("tear_stretch", 1, 1e9, tissue.material.tearStretch);
+  tissue.settings.gravity = {0, -t.number("gravity", -1000, 1000, 9.81), 0};
+  tissue.settings.damping = t.number("damping", 0, 0.5, tissue.settings.damping);
+  tissue.settings.drag = t.number("drag", 0, 1e4, 3);
+  tissue.settings.threads = t.integer("threads", 1, 64, 1);
+  for (const TomlTable& attachment : t.tables("attachment"))
+    tissue.attachments.push_back(readAttachment(attachment));
+  t.refuseUnknownKeys();
+  return tissue;
+}
+
 ScenarioTool readScenarioTool(const TomlTable& t, int number) {
   ScenarioTool tool;
   tool.model = t.text("model");
+  if (t.has("response")) tool.response = readResponse(t);
   tool.rest = toolBoxPlace(number);
   if (const auto rest = t.table("rest")) {
     tool.rest = {rest->vec3("position"), rest->rotation("rotation")};
@@ -69,6 +120,7 @@ Scenario toScenario(const TomlTable& t) {
     scenario.organ = readOrgan(*organ);
   else
     scenario.organ.spacing = 0.005;
+  if (const auto tissue = t.table("tissue")) scenario.tissue = readTissue(*tissue);
   if (const auto room = t.table("room")) {
     scenario.table = room->flag("table", true);
     scenario.toolBox = room->flag("tool_box", true);
@@ -117,6 +169,9 @@ ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh
   model.hook = t.points("hook");
   model.point = t.vec3("point", Vec3::Zero());
   model.contactRadius = t.number("contact_radius", 0, 1, 0);
+  model.response = readResponse(t);
+  model.friction = t.number("friction", 0, 10, model.friction);
+  model.slipForce = t.number("slip_force", 0, 1e4, model.slipForce);
   model.file = path.parent_path() / t.text("model");
   t.refuseUnknownKeys();
   model.mesh = readMesh(model.file);

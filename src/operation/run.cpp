@@ -19,7 +19,12 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   const Organ& organ = simulation.organ();
   summary.particles = organ.particles;
   summary.organVolume = organ.volume();
-  summary.surfaceBefore = summarise(organ.surface.mesh());
+  summary.surfaceBefore = summarise(simulation.surfaceMesh());
+
+  summary.tissueMoves = simulation.tissue().moves();
+  if (summary.tissueMoves)
+    for (const ToolState& state : simulation.tools())
+      summary.forces.push_back({state.tool->model().name, 0, {}});
 
   StageClock clock;
   StepReport report;
@@ -33,6 +38,15 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
     for (const std::string& fault : report.faults)
       if (std::find(summary.faults.begin(), summary.faults.end(), fault) == summary.faults.end())
         summary.faults.push_back(fault);
+    for (std::size_t i = 0; i < summary.forces.size(); ++i) {
+      const double force = report.toolForce[i].norm();
+      summary.forces[i].peak = std::max(summary.forces[i].peak, force);
+      summary.forces[i].perFrame.push_back(float(force));
+    }
+    summary.severed += report.severed;
+    summary.torn += report.tissue.torn;
+    summary.substeps += report.tissue.substeps;
+    summary.retries += report.tissue.retries;
     if (observer && !observer(simulation, report)) break;
   }
 
@@ -42,7 +56,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   summary.stages = clock.stages();
   for (const StageTimes& stage : summary.stages)
     summary.computedSeconds += summarise(stage.seconds).total;
-  const TriangleMesh surface = organ.surface.mesh();
+  const TriangleMesh surface = simulation.surfaceMesh();
   summary.surface = summarise(surface);
   for (const TriangleMesh& piece : bodies(organ)) summary.pieces.push_back(summarise(piece));
   summary.stateHash = simulation.stateHash();

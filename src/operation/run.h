@@ -18,6 +18,13 @@ struct SurfaceSummary {
 };
 SurfaceSummary summarise(const TriangleMesh& surface);
 
+// The force on a tool over the frames, N.
+struct ToolForces {
+  std::string tool;
+  double peak = 0;              // of the mean force of a frame
+  std::vector<float> perFrame;  // its size
+};
+
 struct RunSummary {
   std::int64_t particles = 0;  // before the operation
   double organVolume = 0;      // m^3 before the operation: tissue in all cells
@@ -32,6 +39,10 @@ struct RunSummary {
   std::vector<SurfaceSummary> pieces;  // bodies of the surface at the end, the largest first
   std::vector<StageTimes> stages;
   std::vector<std::string> faults;  // each once
+  bool tissueMoves = false;
+  std::vector<ToolForces> forces;      // one per tool, when the tissue moves
+  std::int64_t severed = 0, torn = 0;  // bonds
+  std::int64_t substeps = 0, retries = 0;
   std::uint64_t stateHash = 0;
 
   double realTimeFactor() const {

@@ -8,6 +8,7 @@
 
 #include "geometry/pose.h"
 #include "simulation/simulation.h"
+#include "tissue/elastic_tissue.h"
 
 namespace resect {
 
@@ -33,10 +34,19 @@ struct ToolKey {
 };
 
 struct ScenarioTool {
-  std::string model;  // the tool's description file (.toml)
-  Pose rest;          // where it lies while not in hand
+  std::string model;                    // the tool's description file (.toml)
+  std::optional<std::string> response;  // instead of the tool's own: "remove", or "" for its kind's
+  Pose rest;                            // where it lies while not in hand
   std::vector<ToolKey>
       keys;  // ascending times; in hand from the first key's time to the last one's
+};
+
+// How the organ's tissue moves; one material for all of it.
+struct TissueSetup {
+  bool elastic = false;  // false: it does not move, as in the original system
+  TissueMaterial material;
+  TissueSettings settings;
+  std::vector<TissueAttachment> attachments;
 };
 
 struct Scenario {
@@ -44,6 +54,7 @@ struct Scenario {
   std::string title;        // one line for people
   std::string description;  // what it shows
   OrganSource organ;
+  TissueSetup tissue;
   std::vector<ScenarioTool> tools;
   double frameRate = 60;              // frames per simulated second, 1 to 1000
   double duration = 1;                // s

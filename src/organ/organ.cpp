@@ -83,7 +83,7 @@ double particleVolume(const Discretization& rest, std::int64_t cell) {
 EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits) {
   EditSummary summary;
   for (const TissueEdit& edit : edits) {
-    if (!organ.alive[edit.cell]) continue;
+    if (edit.kind != TissueEdit::Kind::Remove || !organ.alive[edit.cell]) continue;
     organ.alive[edit.cell] = 0;
     organ.field.setCellValue(edit.cell, 0);
     visitSkin(organ.rest, edit.cell, [&](std::int64_t skin) { organ.field.setCellValue(skin, 0); });

@@ -15,10 +15,16 @@ namespace resect {
 
 // One surgical act on tissue, queued by a tool and applied by the organ in one stage of the step.
 struct TissueEdit {
-  enum class Kind : std::uint8_t { Remove };  // the particle of the cell is taken out
+  enum class Kind : std::uint8_t {
+    Remove,  // the particle of the cell is taken out
+    Sever,   // its bond in `direction` is cut; for tissue that moves
+    Grip,    // the tool takes hold of it
+    Release  // the tool lets go of all that it holds; no cell
+  };
   Kind kind = Kind::Remove;
-  std::int32_t tool = -1;  // who did it: index of the tool, -1 for nobody
-  std::int64_t cell = -1;  // lattice index of a particle
+  std::int32_t tool = -1;       // who did it: index of the tool, -1 for nobody
+  std::int64_t cell = -1;       // lattice index of a particle
+  std::int32_t direction = -1;  // of a bond: tissue/stencil.h
 };
 
 struct OrganSettings {
@@ -63,8 +69,8 @@ std::int64_t ownerCell(const Discretization& rest, std::int64_t cell);
 // Volume of a particle with its skin cells, m^3.
 double particleVolume(const Discretization& rest, std::int64_t cell);
 
-// Takes out the particles named; those already gone are passed over. The field follows with
-// updateField().
+// Takes out the particles that are to be removed; those already gone are passed over. The field
+// follows with updateField(). What is to be done to bonds and by grips concerns the tissue model.
 EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits);
 
 // Cuts along the blade without taking anything away; the surface follows with updateSurface(). The

@@ -1,15 +1,37 @@
 #include "simulation/simulation.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/assert.h"
 #include "base/state_hash.h"
+#include "tissue/stencil.h"
+#include "tissue/still_tissue.h"
+#include "tools/moving_contacts.h"
 
 namespace resect {
 
-Simulation::Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools)
-    : organ_(std::move(organ)) {
-  for (auto& tool : tools) tools_.push_back({std::move(tool), {}, {}, false, false});
+namespace {
+
+constexpr double kFeltTime = 0.05;  // s: time constant of the force that a hand feels
+
+}  // namespace
+
+Simulation::Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
+                       std::unique_ptr<TissueModel> tissue, bool table)
+    : organ_(std::move(organ)),
+      tissue_(tissue ? std::move(tissue) : std::make_unique<StillTissue>()),
+      table_(table) {
+  for (auto& tool : tools) {
+    tools_.emplace_back();
+    tools_.back().tool = std::move(tool);
+  }
+  if (!tissue_->moves()) return;
+  const double spacing = organ_.rest.lattice.spacing.x();
+  for (const ToolState& state : tools_)
+    shapes_.push_back(std::make_unique<SignedDistance>(state.tool->model().mesh, 2 * spacing,
+                                                       std::clamp(spacing / 6, 0.0005, 0.002)));
+  skin_.follow(organ_.surface, organ_.rest.lattice, *tissue_, {});
 }
 
 StepReport Simulation::step(const FrameInput& input, StageClock* clock) {
@@ -32,6 +54,8 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   done("actTools");
   applyEdits(report);
   done("applyEdits");
+  moveTissue(input, report);
+  done("moveTissue");
   updateField(report);
   done("updateField");
   updateSurface(input);
@@ -55,6 +79,7 @@ void Simulation::moveTools(const FrameInput& input, StepReport& report) {
     }
     state.wasInHand = state.inHand;
     state.inHand = wanted.inHand;
+    state.earlierPose = state.wasInHand ? state.previousPose : wanted.pose;
     state.previousPose = state.wasInHand ? state.pose : wanted.pose;
     state.pose = wanted.pose;
   }
@@ -65,11 +90,14 @@ void Simulation::findContacts(StepReport& report) const {
   report.contacts.resize(tools_.size());
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     const ToolState& state = tools_[i];
-    if (state.inHand)
+    if (state.inHand && tissue_->moves())
+      report.contacts[i] = findMovingContacts(organ_, *tissue_, *state.tool, std::int32_t(i),
+                                              {state.earlierPose, state.previousPose, state.pose});
+    else if (state.inHand)
       report.contacts[i] = resect::findContacts(organ_, *state.tool, std::int32_t(i),
                                                 state.previousPose, state.pose);
     else
-      report.contacts[i] = {std::int32_t(i), {}, 0, {}};
+      report.contacts[i] = ToolContacts{std::int32_t(i)};
   }
 }
 
@@ -77,7 +105,11 @@ void Simulation::findContacts(StepReport& report) const {
 void Simulation::actTools(const StepReport& report) {
   edits_.clear();
   for (const ToolContacts& contacts : report.contacts)
-    if (!contacts.cells.empty()) tools_[contacts.tool].tool->act(contacts, edits_);
+    if (!contacts.cells.empty() || !contacts.crossed.empty() || !contacts.caught.empty())
+      tools_[contacts.tool].tool->act(contacts, edits_);
+  for (std::size_t i = 0; i < tools_.size(); ++i)
+    if (!tools_[i].inHand && tools_[i].wasInHand)
+      edits_.push_back({TissueEdit::Kind::Release, std::int32_t(i)});
 }
 
 // The only place where tissue is changed by tools.
@@ -85,6 +117,62 @@ void Simulation::applyEdits(StepReport& report) {
   const EditSummary summary = resect::applyEdits(organ_, edits_);
   report.removed = summary.removed;
   report.removedVolume = summary.removedVolume;
+  report.severed = 0;
+  changedCells_.clear();
+  if (!tissue_->moves()) return;
+  const Lattice& lattice = organ_.rest.lattice;
+  for (const TissueEdit& edit : edits_) switch (edit.kind) {
+      case TissueEdit::Kind::Remove:
+        for (int d = 0; d < kDirections; ++d)
+          if (tissue_->bonds(edit.cell) >> d & 1)
+            changedCells_.push_back(lattice.index(lattice.cell(edit.cell) + offsetOf(d)));
+        changedCells_.push_back(edit.cell);
+        tissue_->remove(edit.cell);
+        break;
+      case TissueEdit::Kind::Sever:
+        tissue_->sever(edit.cell, edit.direction);
+        changedCells_.push_back(edit.cell);
+        changedCells_.push_back(lattice.index(lattice.cell(edit.cell) + offsetOf(edit.direction)));
+        ++report.severed;
+        break;
+      case TissueEdit::Kind::Grip:
+        tissue_->grip(edit.cell, edit.tool, tools_[edit.tool].previousPose);
+        break;
+      case TissueEdit::Kind::Release:
+        tissue_->release(edit.tool);
+        break;
+    }
+}
+
+// Tissue moves for the frame, pushed and pulled by the tools on their way.
+void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
+  report.toolForce.assign(tools_.size(), Vec3::Zero());
+  if (!tissue_->moves() || !(input.duration > 0)) return;
+  const double spacing = organ_.rest.lattice.spacing.x();
+  tissueTools_.clear();
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    const ToolState& state = tools_[i];
+    const ToolModel& model = state.tool->model();
+    if (state.inHand)
+      tissueTools_.push_back({std::int32_t(i),
+                              model.response == "remove" ? nullptr : shapes_[i].get(),
+                              state.previousPose, state.pose, standOff(model, spacing),
+                              model.friction, model.slipForce});
+  }
+  tissue_->move(input.duration, {tissueTools_, table_}, report.tissue);
+  changedCells_.insert(changedCells_.end(), report.tissue.tornCells.begin(),
+                       report.tissue.tornCells.end());
+  for (std::size_t k = 0; k < tissueTools_.size(); ++k)
+    report.toolForce[tissueTools_[k].tool] = report.tissue.toolForce[k];
+  const double share = 1 - std::exp(-input.duration / kFeltTime);
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    tools_[i].force = report.toolForce[i];
+    tools_[i].feltForce += share * (tools_[i].force - tools_[i].feltForce);
+  }
+  if (!report.tissue.calm)
+    report.faults.push_back(
+        "the tissue exploded and was stopped for a frame; make it softer, its cells larger or the "
+        "tool slower");
 }
 
 // Bricks of the colour field that the edits reach are evaluated again.
@@ -100,6 +188,20 @@ void Simulation::updateSurface(const FrameInput& input) {
     setIso(organ_, *input.iso);
   else
     resect::updateSurface(organ_, touchedBricks_);
+  if (tissue_->moves()) skin_.follow(organ_.surface, organ_.rest.lattice, *tissue_, changedCells_);
+}
+
+std::span<const Vec3f> Simulation::surfacePoints() const {
+  return tissue_->moves() ? skin_.points() : organ_.surface.points();
+}
+
+std::span<const Vec3f> Simulation::surfaceNormals() const {
+  return tissue_->moves() ? skin_.normals() : organ_.surface.normals();
+}
+
+TriangleMesh Simulation::surfaceMesh() const {
+  return tissue_->moves() ? withoutHoles(skin_.points(), organ_.surface.triangles())
+                          : organ_.surface.mesh();
 }
 
 // The books: time, frame, and faults of nature or of settings.
@@ -129,6 +231,11 @@ std::uint64_t Simulation::stateHash() const {
     hash.addBytes(state.pose.position.data(), 3 * sizeof(double));
     hash.addBytes(state.pose.rotation.coeffs().data(), 4 * sizeof(double));
     hash.add(std::uint8_t(state.inHand));
+  }
+  if (tissue_->moves()) {
+    hash.add(tissue_->stateHash());
+    hash.addSpan(skin_.points());
+    hash.addSpan(skin_.normals());
   }
   return hash.value();
 }

@@ -14,6 +14,8 @@
 
 #include "base/stage_clock.h"
 #include "organ/organ.h"
+#include "organ/skin.h"
+#include "tissue/tissue_model.h"
 #include "tools/contacts.h"
 #include "tools/tool.h"
 
@@ -39,20 +41,28 @@ struct StepReport {
   double removedVolume = 0;            // m^3
   std::int64_t touchedBricks = 0;      // bricks evaluated and meshed again
   std::vector<ToolContacts> contacts;  // one per tool; empty for a tool not in hand
-  std::vector<std::string> faults;     // sentences, each naming the setting to change
+  std::int64_t severed = 0;            // bonds cut by edges
+  TissueStep tissue;                   // of tissue that moves
+  std::vector<Vec3> toolForce;  // on each tool, mean over the frame, N; zero when it does not move
+  std::vector<std::string> faults;  // sentences, each naming the setting to change
 };
 
 struct ToolState {
   std::unique_ptr<Tool> tool;
   Pose pose;
   Pose previousPose;  // at the start of the frame
+  Pose earlierPose;   // at the start of the frame before
+  // On the tool, N: of this frame, and smoothed over some 0.05 s as a hand feels it.
+  Vec3 force = Vec3::Zero(), feltForce = Vec3::Zero();
   bool inHand = false;
   bool wasInHand = false;
 };
 
 class Simulation {
  public:
-  Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools);
+  // `tissue` null: it does not move. `table`: tissue that moves rests on a level top at y = 0.
+  Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
+             std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
 
   // One frame. `clock`, when given, gets a lap per stage, under the stage's name.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
@@ -62,6 +72,13 @@ class Simulation {
 
   const Organ& organ() const { return organ_; }
   const std::vector<ToolState>& tools() const { return tools_; }
+  const TissueModel& tissue() const { return *tissue_; }
+
+  // The surface where it is now, in world space: that of the organ's tracker, moved with the
+  // tissue. One point and normal per vertex of the tracker's arrays.
+  std::span<const Vec3f> surfacePoints() const;
+  std::span<const Vec3f> surfaceNormals() const;
+  TriangleMesh surfaceMesh() const;  // without the arrays' holes
   double time() const { return time_; }
   std::int64_t frame() const { return frame_; }
 
@@ -73,12 +90,19 @@ class Simulation {
   void findContacts(StepReport& report) const;
   void actTools(const StepReport& report);
   void applyEdits(StepReport& report);
+  void moveTissue(const FrameInput& input, StepReport& report);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
   void measure(const FrameInput& input, StepReport& report);
 
   Organ organ_;
+  std::unique_ptr<TissueModel> tissue_;
+  bool table_;
   std::vector<ToolState> tools_;
+  std::vector<std::unique_ptr<SignedDistance>> shapes_;  // of the tools, for tissue that moves
+  std::vector<TissueTool> tissueTools_;                  // of this frame
+  std::vector<std::int64_t> changedCells_;               // whose bonds changed in this frame
+  SurfaceSkin skin_;
   std::vector<TissueEdit> edits_;                // queued in this frame
   std::span<const std::int64_t> touchedBricks_;  // of this frame
   double time_ = 0;

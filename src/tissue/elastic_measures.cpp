@@ -1,6 +1,7 @@
 // What can be read off elastic tissue: deformation, stress, force and energy, in double precision.
 #include <cmath>
 
+#include "base/parallel.h"
 #include "tissue/elastic_tissue.h"
 
 namespace resect {
@@ -40,6 +41,28 @@ Mat3 cofactors(const Mat3& f) {
 
 Mat3 ElasticTissue::deformation(std::int64_t cell) const {
   return Mat3::Identity() + gradient(state_, state_.box.fromLattice(cell));
+}
+
+void ElasticTissue::place(std::span<const std::int64_t> cells,
+                          std::span<CellPlacement> places) const {
+  const ElasticState& s = state_;
+  const std::array<double, 4> weights = bondWeights();
+  std::array<float, 4> weight{};
+  for (int kind = 1; kind <= 3; ++kind) weight[kind] = float(weights[kind] / s.spacing);
+  parallelFor(cells.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end; ++n) {
+      const std::int32_t i = s.box.fromLattice(cells[n]);
+      const Vec3f u(s.u[0][i], s.u[1][i], s.u[2][i]);
+      Eigen::Matrix3f sum = Eigen::Matrix3f::Zero();
+      for (int d = 0; d < kDirections; ++d) {
+        if (!(s.bonds[i] >> d & 1)) continue;
+        const std::int32_t j = i + s.box.step[d];
+        const Vec3f wu = weight[neighbourKind(d)] * (Vec3f(s.u[0][j], s.u[1][j], s.u[2][j]) - u);
+        for (int b = 0; b < 3; ++b) sum.col(b) += float(offsetAlong(d, b)) * wu;
+      }
+      places[n] = {u, sum * inverseMoment(s, i).cast<float>()};
+    }
+  });
 }
 
 Mat3 ElasticTissue::stress(std::int64_t cell) const {

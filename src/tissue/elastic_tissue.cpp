@@ -157,13 +157,14 @@ void ElasticTissue::move(double duration, const TissueSurroundings& around, Tiss
     }
   }
   step.tableForce = contacts_.tableImpulse() / duration;
-  step.torn = tear();
+  step.tornCells.clear();
+  step.torn = tear(step.tornCells);
   ++frame_;
 }
 
 // Bonds stretched beyond their material's limit. A quarter of the tissue is looked at per frame,
 // and at most one bond in fifty tears, so that a tear runs and does not happen at once.
-std::int32_t ElasticTissue::tear() {
+std::int32_t ElasticTissue::tear(std::vector<std::int64_t>& cells) {
   constexpr std::size_t kShares = 4;
   const std::int32_t most =
       std::max<std::int32_t>(20, std::int32_t(state_.chunks.size() * 13 / 50));
@@ -186,6 +187,8 @@ std::int32_t ElasticTissue::tear() {
         severBond(state_, i, d);
         bondsChanged_.push_back(i);
         bondsChanged_.push_back(j);
+        cells.push_back(state_.box.toLattice(i));
+        cells.push_back(state_.box.toLattice(j));
         if (++torn == most) return torn;
       }
     }

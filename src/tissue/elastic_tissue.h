@@ -91,6 +91,7 @@ class ElasticTissue final : public TissueModel {
   Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff, Pa
   Vec3 elasticForce(std::int64_t cell) const;          // at the last substep, N
   TissueEnergy energy();
+  void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override;
   std::uint64_t stateHash() const override;
   double longestSubstep() const { return longestSubstep_; }  // s
 
@@ -107,7 +108,7 @@ class ElasticTissue final : public TissueModel {
   void run(double duration, const TissueSurroundings& surroundings, TissueStep& step);
   bool substeps(double duration, const TissueSurroundings& surroundings, std::int32_t& count);
   void loosen(std::span<const std::int32_t> cells);
-  std::int32_t tear();
+  std::int32_t tear(std::vector<std::int64_t>& cells);
   float stressPass(const SubstepConstants& constants);
   bool motionPass(const SubstepConstants& constants);
   SubstepConstants constants(double dt) const;

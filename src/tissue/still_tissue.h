@@ -18,6 +18,9 @@ class StillTissue final : public TissueModel {
   std::uint32_t bonds(std::int64_t) const override { return 0; }
   Vec3 displacement(std::int64_t) const override { return Vec3::Zero(); }
   Mat3 deformation(std::int64_t) const override { return Mat3::Identity(); }
+  void place(std::span<const std::int64_t>, std::span<CellPlacement> places) const override {
+    for (CellPlacement& p : places) p = {Vec3f::Zero(), Eigen::Matrix3f::Zero()};
+  }
   std::uint64_t stateHash() const override { return 0; }
 };
 

@@ -31,12 +31,20 @@ struct TissueSurroundings {
 // What happened to tissue in a frame.
 struct TissueStep {
   std::int32_t substeps = 0;
-  std::int32_t retries = 0;         // how often the frame was started again with shorter substeps
-  bool calm = true;                 // false: even the shortest exploded; the tissue was stopped
-  std::int32_t torn = 0;            // bonds
-  std::vector<Vec3> toolForce;      // on each of the tools, mean over the frame, N
-  std::vector<std::int32_t> letGo;  // tools whose grip slipped
-  Vec3 tableForce = Vec3::Zero();   // on the table, mean over the frame, N
+  std::int32_t retries = 0;  // how often the frame was started again with shorter substeps
+  bool calm = true;          // false: even the shortest exploded; the tissue was stopped
+  std::int32_t torn = 0;     // bonds
+  std::vector<std::int64_t> tornCells;  // whose bonds tore
+  std::vector<Vec3> toolForce;          // on each of the tools, mean over the frame, N
+  std::vector<std::int32_t> letGo;      // tools whose grip slipped
+  Vec3 tableForce = Vec3::Zero();       // on the table, mean over the frame, N
+};
+
+// Where a cell is, for whatever hangs on it: a point X' near its rest position X
+// is at X' + displacement + gradient (X' - X).
+struct CellPlacement {
+  Vec3f displacement;        // m
+  Eigen::Matrix3f gradient;  // F - I
 };
 
 class TissueModel {
@@ -61,6 +69,9 @@ class TissueModel {
   virtual std::uint32_t bonds(std::int64_t cell) const = 0;  // bit d: bonded in direction d
   virtual Vec3 displacement(std::int64_t cell) const = 0;    // m
   virtual Mat3 deformation(std::int64_t cell) const = 0;     // F
+  // The same for many cells at once; places.size() = cells.size().
+  virtual void place(std::span<const std::int64_t> cells,
+                     std::span<CellPlacement> places) const = 0;
   virtual std::uint64_t stateHash() const = 0;
 };
 

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "base/error.h"
-#include "tools/removing_tool.h"
+#include "tools/baton_tool.h"
+#include "tools/hook_tool.h"
+#include "tools/scalpel_tool.h"
 
 namespace resect {
 namespace {
@@ -15,9 +17,9 @@ std::unique_ptr<Tool> make(ToolModel model) {
 }
 
 constexpr std::array<ToolKind, 3> kToolKinds = {{
-    {"scalpel", make<RemovingTool>},
-    {"hook", make<RemovingTool>},
-    {"baton", make<RemovingTool>},
+    {"scalpel", make<ScalpelTool>},
+    {"hook", make<HookTool>},
+    {"baton", make<BatonTool>},
 }};
 
 }  // namespace

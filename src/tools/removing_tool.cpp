@@ -2,9 +2,9 @@
 
 namespace resect {
 
-void RemovingTool::act(const ToolContacts& contacts, std::vector<TissueEdit>& edits) const {
+void removeTouched(const ToolContacts& contacts, std::vector<TissueEdit>& edits) {
   for (const std::int64_t cell : contacts.cells)
-    edits.push_back({TissueEdit::Kind::Remove, contacts.tool, cell});
+    edits.push_back({TissueEdit::Kind::Remove, contacts.tool, cell, -1});
 }
 
 }  // namespace resect

@@ -1,14 +1,10 @@
-// The response of the thesis: every particle that the tool touches is taken out.
+// The response of the thesis, open to every tool: each particle that it touches is taken out.
 #pragma once
 
 #include "tools/tool.h"
 
 namespace resect {
 
-class RemovingTool : public Tool {
- public:
-  using Tool::Tool;
-  void act(const ToolContacts& contacts, std::vector<TissueEdit>& edits) const override;
-};
+void removeTouched(const ToolContacts& contacts, std::vector<TissueEdit>& edits);
 
 }  // namespace resect

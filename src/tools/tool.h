@@ -27,12 +27,28 @@ struct ToolModel {
   std::vector<Vec3> hook;     // centre line of a hook's bend; empty without one
   Vec3 point = Vec3::Zero();  // end of the hook
   double contactRadius = 0;   // of a round tip; 0 when the tool has none
+  // What it does to tissue that moves: "" its own, or "remove": takes out what it touches, as all
+  // tools do to tissue that does not move.
+  std::string response;
+  double friction = 0.3;   // Coulomb's, on tissue
+  double slipForce = 6.0;  // N: a hook lets go beyond it
+};
+
+// A bond by one of its ends.
+struct BondCut {
+  std::int64_t cell = -1;
+  std::int32_t direction = -1;  // tissue/stencil.h
 };
 
 // What one tool touches in one step.
 struct ToolContacts {
-  std::int32_t tool = -1;           // index of the tool in the simulation
-  std::vector<std::int64_t> cells;  // particles inside the volume that the tool swept, ascending
+  std::int32_t tool = -1;            // index of the tool in the simulation
+  std::vector<std::int64_t> cells;   // particles inside the volume that the tool swept, ascending
+  bool tissueMoves = false;          // the following are filled for tissue that moves
+  std::vector<BondCut> crossed;      // bonds that its edge has passed through, ascending
+  std::vector<std::int64_t> caught;  // particles in its bend while it pulls, ascending
+  bool pulls = false;                // it moves towards its handle
+  std::int32_t gripped = 0;          // particles that it holds
   double overlapVolume = 0;  // m^3 of organ and tool in the same place at the end of the step
   Aabb volumeOfInterest;     // where both boxes overlap; empty when they do not
 };
@@ -43,6 +59,9 @@ class Tool {
   virtual ~Tool() = default;
 
   const ToolModel& model() const { return model_; }
+  bool removes(const ToolContacts& contacts) const {
+    return !contacts.tissueMoves || model_.response == "remove";
+  }
   const Aabb& bounds() const { return bounds_; }  // of the mesh, in the tool's frame
 
   // Queues what the tool does to the tissue that it touches. Never touches the organ itself.

@@ -108,8 +108,58 @@ def resect_segment(spacing):
     return [("scalpel", path), ("hook", None), ("baton", None)]
 
 
-def scenario(title, description, spacing_mm, tools, view, tail=0.4):
-    end = max(path.keys[-1][0] for _, path in tools if path)
+# Where a living liver is held, at rest, m: a ligament at the back and the vessels from below.
+LIGAMENTS = """[[tissue.attachment]]
+kind = "ligament"
+box = [[-0.05, 0.05, -0.11], [0.05, 0.13, -0.07]]
+stiffness = 300
+"""
+PINNED_TOP = """[[tissue.attachment]]
+kind = "pin"
+box = [[-0.05, 0.185, -0.06], [0.02, 0.21, 0.02]]
+"""
+
+
+def press():
+    """The baton presses on the dome, stays, lets go, and presses again beside it."""
+    path = Path3(handle=(0, 0.95, 0.3), edge=(0, 0.3, -0.95), speed=0.08)
+    path.wait(0.9)
+    path.to(-0.03, 0.16, 0.01).to(-0.03, 0.06, 0.01, speed=0.06)
+    path.wait(0.5)
+    path.to(-0.03, 0.06, 0.01).to(-0.03, 0.16, 0.01, speed=0.15).to(0.03, 0.14, 0.02)
+    path.to(0.03, 0.05, 0.02, speed=0.06)
+    path.wait(0.3)
+    path.to(0.03, 0.05, 0.02).to(0.03, 0.2, 0.08, speed=0.2)
+    return [("scalpel", None), ("hook", None), ("baton", path)]
+
+
+def lift():
+    """The hook enters the front margin, pulls it up and out, holds it, and pulls until it slips."""
+    path = Path3(handle=(0, 0.75, 0.66), edge=(0, -0.66, 0.75), speed=0.1)
+    path.wait(0.9)
+    path.to(0.04, 0.12, 0.16).to(0.04, 0.035, 0.055)
+    path.wait(0.1)
+    path.to(0.04, 0.035, 0.055).to(0.04, 0.085, 0.1, speed=0.06)
+    path.wait(0.6)
+    path.to(0.04, 0.085, 0.1).to(0.04, 0.2, 0.2, speed=0.15)
+    path.to(0.1, 0.24, 0.2, speed=0.3)
+    return [("scalpel", None), ("hook", path), ("baton", None)]
+
+
+def no_tools():
+    return [("scalpel", None), ("hook", None), ("baton", None)]
+
+
+def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ=""):
+    """A scenario whose tissue moves."""
+    text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration)
+    settings = f'[tissue]\nmodel = "elastic"\n{tissue}\n{extra}'
+    return text.replace("[[tool]]", settings.rstrip("\n") + "\n\n[[tool]]", 1).replace(
+        'source = "liver"\n', 'source = "liver"\n' + organ, 1)
+
+
+def scenario(title, description, spacing_mm, tools, view, tail=0.4, duration=None):
+    end = duration - tail if duration else max(path.keys[-1][0] for _, path in tools if path)
     lines = [
         "# Written by tools/make_scenarios; change it there. Metres and seconds; docs/scenarios.md explains the keys.",
         f'title = "{title}"',
@@ -141,6 +191,14 @@ def all_scenarios():
     yield "resect-segment", scenario(
         "Left lateral part of the liver taken off", "A scalpel path that parts the liver completely, in three strokes",
         4.0, resect_segment(0.004), "surgeon", tail=0.8)
+    yield "press", elastic("The baton presses on a soft liver", "Elastic tissue on the table, pressed twice", 8.0,
+                           press(), LIGAMENTS)
+    yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, lift(),
+                          LIGAMENTS)
+    yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
+                          no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.08, 0]\n")
+    yield "drop", elastic("The liver is dropped on the table", "From 12 cm; it flattens, and comes to rest", 8.0,
+                          no_tools(), "", 'drag = 1.5\n', duration=3, organ="position = [0, 0.12, 0]\n")
 
 
 def main():

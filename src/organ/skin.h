@@ -1,0 +1,52 @@
+// Where is the surface when the tissue has moved? Vertices of the rest surface follow the particles
+// round them; nothing is triangulated again.
+//
+// A vertex hangs on the up to eight particles round it: x = sum w_i (x_i + F_i (X - X_i)), weights
+// as of trilinear interpolation, shared among those that are there and bonded to the heaviest one,
+// so that a vertex beside a cut follows its own side. Normals turn with the cofactor of F. Cost: a
+// few products per vertex and frame, a look round for vertices that changed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sph/lattice.h"
+#include "surface/surface_tracker.h"
+#include "tissue/tissue_model.h"
+
+namespace resect {
+
+class SurfaceSkin {
+ public:
+  // After surface.update() and tissue.move(). `changedCells`: whose bonds changed, or that were
+  // removed, since the last call.
+  void follow(const SurfaceTracker& surface, const Lattice& lattice, const TissueModel& tissue,
+              std::span<const std::int64_t> changedCells);
+
+  // One per vertex of the surface's arrays.
+  std::span<const Vec3f> points() const { return points_; }    // world, m
+  std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards
+
+ private:
+  struct Binding {
+    std::array<std::int32_t, 8> place;  // into cells_; -1: none
+    std::array<float, 8> weight;
+  };
+  void bind(const Vec3f& vertex, const Lattice& lattice, const TissueModel& tissue, Binding& to);
+  std::int32_t placeOf(std::int64_t cell);
+
+  std::vector<Binding> bindings_;
+  std::vector<std::int64_t> cells_;        // that vertices hang on
+  std::vector<std::int32_t> placeOfCell_;  // per lattice cell: into cells_, or -1
+  std::vector<Vec3f> restOfCell_;
+  std::vector<CellPlacement> placements_;
+  std::vector<Vec3f> points_, normals_;
+  std::vector<std::uint8_t> changed_;  // per place in cells_
+};
+
+// The triangles of a surface with holes in its arrays, at other points, without the holes.
+TriangleMesh withoutHoles(std::span<const Vec3f> points, std::span<const Triangle> triangles);
+
+}  // namespace resect

@@ -1,0 +1,124 @@
+#include "tools/moving_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "collision/inside.h"
+#include "collision/swept_blade.h"
+#include "tissue/stencil.h"
+
+namespace resect {
+namespace {
+
+// Does the edge move along its blade and not back out of the cut? `motion`: of the edge's middle,
+// in the tool's frame, m.
+bool cuts(const ToolModel& tool, const Vec3& motion) {
+  const Vec3 chord = (tool.edge.back() - tool.edge.front()).normalized();
+  const Vec3 middle = 0.5 * (tool.edge.back() + tool.edge.front());
+  // The flat's normal: across the belly of the edge, or across edge and spine when it is straight.
+  Vec3 normal = Vec3::Zero();
+  for (const Vec3& p : tool.edge) {
+    const Vec3 n = chord.cross(p - tool.edge.front());
+    if (n.squaredNorm() > normal.squaredNorm()) normal = n;
+  }
+  if (normal.norm() < 1e-6) normal = chord.cross(bounds(tool.mesh).centre() - middle);
+  if (normal.norm() < 1e-9) return true;
+  normal.normalize();
+  Vec3 outwards = chord.cross(normal);
+  if (outwards.dot(bounds(tool.mesh).centre() - middle) > 0) outwards = -outwards;
+  const double across = std::abs(motion.dot(normal));
+  const Vec3 along = motion - motion.dot(normal) * normal;
+  return along.norm() > across && along.dot(outwards) > -0.5 * along.norm();
+}
+
+Vec3 middleOf(const std::vector<Vec3>& points) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& p : points) sum += p;
+  return sum / double(points.size());
+}
+
+SweptBlade sweepOf(const ToolModel& tool, const ToolWay& way) {
+  SweptBlade blade = sweepBlade(tool.edge, way.earlier, way.from);
+  const SweptBlade last = sweepBlade(tool.edge, way.from, way.to);
+  blade.triangles.insert(blade.triangles.end(), last.triangles.begin(), last.triangles.end());
+  blade.bounds.grow(last.bounds);
+  return blade;
+}
+
+// Is a point of the tool's frame in the mouth of the hook: within the bend's circle?
+bool inBend(const ToolModel& tool, const Vec3& p, double spacing) {
+  const Vec3 first = tool.hook.front(), last = tool.hook.back();
+  const Vec3 centre = 0.5 * (first + last);
+  double radius = 0;
+  for (const Vec3& q : tool.hook) radius = std::max(radius, (q - centre).norm());
+  const Vec3 plane = (first - centre).cross(tool.hook[tool.hook.size() / 2] - centre).normalized();
+  const double off = (p - centre).dot(plane);
+  return std::abs(off) < 0.75 * spacing && (p - centre - off * plane).norm() < radius;
+}
+
+}  // namespace
+
+double standOff(const ToolModel& tool, double spacing) {
+  return (tool.edge.empty() && tool.hook.empty() ? 0.5 : 0.1) * spacing;
+}
+
+ToolContacts findMovingContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
+                                std::int32_t toolIndex, const ToolWay& way) {
+  ToolContacts contacts;
+  contacts.tool = toolIndex;
+  contacts.tissueMoves = true;
+  contacts.gripped = tissue.gripped(toolIndex);
+  const ToolModel& model = tool.model();
+  const Lattice& lattice = organ.rest.lattice;
+  const double spacing = lattice.spacing.x();
+  const Pose toTool = way.to.inverse();
+
+  const Vec3 motion = toTool.rotation * (way.to.position - way.from.position);
+  contacts.pulls = motion.dot(model.axis) > 0.2 * motion.norm() && motion.norm() > 0;
+  SweptBlade blade;
+  if (!model.edge.empty()) {
+    const Vec3 middle = middleOf(model.edge);
+    if (cuts(model, toTool.rotation * (way.to * middle - way.from * middle)))
+      blade = sweepOf(model, way);
+  }
+  const Aabb nearBlade = blade.bounds.padded(2 * spacing);
+
+  // The tool's box on its way, in its frame at the end.
+  Aabb box = tool.bounds();
+  for (int corner = 0; corner < 8; ++corner)
+    box.grow(toTool *
+             (way.from * Vec3(corner & 1 ? tool.bounds().max.x() : tool.bounds().min.x(),
+                              corner & 2 ? tool.bounds().max.y() : tool.bounds().min.y(),
+                              corner & 4 ? tool.bounds().max.z() : tool.bounds().min.z())));
+  box = box.padded(0.5 * spacing);
+
+  std::vector<std::int64_t> near;
+  std::vector<Vec3> positions;
+  for (std::int64_t c = 0; c < lattice.cellCount(); ++c) {
+    if (!organ.alive[c] || !tissue.solid(c)) continue;
+    const Vec3 x = lattice.centre(lattice.cell(c)) + tissue.displacement(c);
+    const Vec3 local = toTool * x;
+    if (box.contains(local)) {
+      near.push_back(c);
+      positions.push_back(x);
+      contacts.volumeOfInterest.grow(x);
+      if (!model.hook.empty() && contacts.pulls && inBend(model, local, spacing))
+        contacts.caught.push_back(c);
+    }
+    if (blade.empty() || !nearBlade.contains(x)) continue;
+    const Vec3i at = lattice.cell(c);
+    for (int d = kFirstForward; d < kDirections; ++d) {
+      if (!(tissue.bonds(c) >> d & 1)) continue;
+      const Vec3i other = at + offsetOf(d);
+      const Vec3 y = lattice.centre(other) + tissue.displacement(lattice.index(other));
+      if (crossing(blade, x, y)) contacts.crossed.push_back({c, d});
+    }
+  }
+  if (near.empty()) return contacts;
+  const std::vector<std::uint8_t> touched = sweptInside(model.mesh, way.from, way.to, positions);
+  for (std::size_t i = 0; i < near.size(); ++i)
+    if (touched[i]) contacts.cells.push_back(near[i]);
+  return contacts;
+}
+
+}  // namespace resect
