@@ -75,7 +75,7 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ) {
   if (!setup.elastic) return std::make_unique<StillTissue>();
   auto tissue = std::make_unique<ElasticTissue>(
-      TissueCells{organ.rest.lattice, organ.alive, {setup.material}, {}}, setup.settings);
+      TissueCells{organ.rest.lattice, organ.rest.inside, {setup.material}, {}}, setup.settings);
   for (std::size_t i = 0; i < setup.attachments.size(); ++i)
     if (tissue->attach(setup.attachments[i]) == 0)
       throw error(

@@ -97,7 +97,7 @@ void Simulation::findContacts(StepReport& report) const {
       report.contacts[i] = resect::findContacts(organ_, *state.tool, std::int32_t(i),
                                                 state.previousPose, state.pose);
     else
-      report.contacts[i] = ToolContacts{std::int32_t(i)};
+      (report.contacts[i] = {}).tool = std::int32_t(i);
   }
 }
 
@@ -131,8 +131,7 @@ void Simulation::applyEdits(StepReport& report) {
         break;
       case TissueEdit::Kind::Sever:
         tissue_->sever(edit.cell, edit.direction);
-        changedCells_.push_back(edit.cell);
-        changedCells_.push_back(lattice.index(lattice.cell(edit.cell) + offsetOf(edit.direction)));
+        noteChange({edit.cell, edit.direction});
         ++report.severed;
         break;
       case TissueEdit::Kind::Grip:
@@ -142,6 +141,13 @@ void Simulation::applyEdits(StepReport& report) {
         tissue_->release(edit.tool);
         break;
     }
+}
+
+// Vertices that hang on the ends of a parted bond are bound again.
+void Simulation::noteChange(const TissueBond& bond) {
+  const Lattice& lattice = organ_.rest.lattice;
+  changedCells_.push_back(bond.cell);
+  changedCells_.push_back(lattice.index(lattice.cell(bond.cell) + offsetOf(bond.direction)));
 }
 
 // Tissue moves for the frame, pushed and pulled by the tools on their way.
@@ -160,8 +166,7 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
                               model.friction, model.slipForce});
   }
   tissue_->move(input.duration, {tissueTools_, table_}, report.tissue);
-  changedCells_.insert(changedCells_.end(), report.tissue.tornCells.begin(),
-                       report.tissue.tornCells.end());
+  for (const TissueBond& bond : report.tissue.tornBonds) noteChange(bond);
   for (std::size_t k = 0; k < tissueTools_.size(); ++k)
     report.toolForce[tissueTools_[k].tool] = report.tissue.toolForce[k];
   const double share = 1 - std::exp(-input.duration / kFeltTime);

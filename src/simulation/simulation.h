@@ -91,6 +91,7 @@ class Simulation {
   void actTools(const StepReport& report);
   void applyEdits(StepReport& report);
   void moveTissue(const FrameInput& input, StepReport& report);
+  void noteChange(const TissueBond& bond);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
   void measure(const FrameInput& input, StepReport& report);

@@ -87,6 +87,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
 }
 
 void TissueContacts::push(ElasticState& s, double share, double lookAhead) {
+  pushCutFaces(s, lookAhead);
   for (std::size_t b = 0; b < bodyCount_; ++b) {
     Body& body = bodies_[b];
     if (body.cells.empty()) continue;
@@ -107,6 +108,45 @@ void TissueContacts::push(ElasticState& s, double share, double lookAhead) {
     const double depth = 0.5 * s.spacing - y;
     if (depth > 0)
       tableImpulse_ -= pushOut(s, i, depth, Vec3::UnitY(), Vec3::Zero(), kTableFriction, lookAhead);
+  }
+}
+
+void TissueContacts::keepApart(const ElasticState& s, std::int32_t cell, int direction) {
+  const std::int32_t other = cell + s.box.step[direction];
+  const Vec3 rest = s.spacing * offsetOf(direction).cast<double>();
+  const double now = (rest + at(s.u, other) - at(s.u, cell)).norm();
+  cut_.push_back({cell, other, float(std::min(now, 0.9 * rest.norm())), rest.cast<float>()});
+}
+
+void TissueContacts::forgetCell(std::int32_t cell) {
+  std::erase_if(cut_, [&](const CutPair& pair) { return pair.a == cell || pair.b == cell; });
+}
+
+void TissueContacts::pushCutFaces(ElasticState& s, double lookAhead) {
+  constexpr float kShare = 0.2f;  // of what is missing, per substep
+  for (const CutPair& pair : cut_) {
+    const auto [a, b] = std::pair(pair.a, pair.b);
+    Vec3f along = pair.rest, speed;
+    for (int k = 0; k < 3; ++k) {
+      along[k] += s.u[k][b] - s.u[k][a];
+      speed[k] = s.v[k][b] - s.v[k][a];
+    }
+    const float length2 = along.squaredNorm();
+    if (length2 >= pair.distance * pair.distance || length2 < 1e-20f) continue;
+    const float length = std::sqrt(length2);
+    along /= length;
+    const float into = std::max(0.0f, -speed.dot(along));
+    const float way = kShare * (pair.distance - length);
+    const float sum = s.inverseMass[a] + s.inverseMass[b];
+    for (const auto& [cell, sign] : {std::pair(a, -1.0f), std::pair(b, 1.0f)}) {
+      const float share = sign * s.inverseMass[cell] / sum;
+      for (int k = 0; k < 3; ++k) {
+        if (s.held[cell] >> k & 1) continue;
+        s.u[k][cell] += share * way * along[k];
+        s.v[k][cell] += share * into * along[k];
+        s.ahead[k][cell] = s.u[k][cell] + float(lookAhead) * s.v[k][cell];
+      }
+    }
   }
 }
 

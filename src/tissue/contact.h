@@ -1,5 +1,8 @@
 // Which cells do tools and table touch in a frame, and how are they pushed?
 //
+// Cut faces of one body do not pass through each other either: the ends of cut bonds are pushed
+// apart like balls that do not rebound.
+//
 // Once per frame the cells that can come near are listed; after every substep each of them that is
 // nearer to a body than its stand-off is put back along the surface's normal, loses its speed
 // towards the body and, up to Coulomb's limit, its speed along it. The momentum so taken, over the
@@ -24,6 +27,11 @@ class TissueContacts {
   // After a substep that ends at `share` of the frame; `lookAhead` as in the passes.
   void push(ElasticState& state, double share, double lookAhead);
 
+  // The two ends of a bond that is cut meet again but do not pass each other: from now on they keep
+  // nine tenths of their distance at rest, or what they have now.
+  void keepApart(const ElasticState& state, std::int32_t cell, int direction);
+  void forgetCell(std::int32_t cell);
+
   // Momentum given since list(), kg m/s; by place in surroundings.tools.
   const std::vector<Vec3>& toolImpulse() const { return toolImpulse_; }
   const Vec3& tableImpulse() const { return tableImpulse_; }
@@ -35,12 +43,19 @@ class TissueContacts {
     Vec3 velocity, spin;  // world, m/s and 1/s
     std::vector<std::int32_t> cells;
   };
+  struct CutPair {
+    std::int32_t a, b;
+    float distance;  // kept, m
+    Vec3f rest;      // from a to b at rest, m
+  };
+  void pushCutFaces(ElasticState& state, double lookAhead);
   Vec3 restPosition(const ElasticState& state, std::int32_t cell) const;
 
   Vec3 origin_ = Vec3::Zero();
   std::vector<Body> bodies_;
   std::size_t bodyCount_ = 0;
   std::vector<std::int32_t> onTable_;
+  std::vector<CutPair> cut_;
   std::vector<Vec3> toolImpulse_;
   Vec3 tableImpulse_ = Vec3::Zero();
 };

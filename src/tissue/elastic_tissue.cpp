@@ -157,42 +157,42 @@ void ElasticTissue::move(double duration, const TissueSurroundings& around, Tiss
     }
   }
   step.tableForce = contacts_.tableImpulse() / duration;
-  step.tornCells.clear();
-  step.torn = tear(step.tornCells);
-  ++frame_;
+  tear(step.tornBonds);
+  step.torn = std::int32_t(step.tornBonds.size());
 }
 
-// Bonds stretched beyond their material's limit. A quarter of the tissue is looked at per frame,
-// and at most one bond in fifty tears, so that a tear runs and does not happen at once.
-std::int32_t ElasticTissue::tear(std::vector<std::int64_t>& cells) {
-  constexpr std::size_t kShares = 4;
-  const std::int32_t most =
-      std::max<std::int32_t>(20, std::int32_t(state_.chunks.size() * 13 / 50));
-  std::int32_t torn = 0;
-  for (std::size_t n = std::size_t(frame_) % kShares; n < state_.chunks.size(); n += kShares)
-    for (std::int32_t i = state_.chunks[n].start; i < state_.chunks[n].start + kChunk; ++i) {
-      if (!(state_.bonds[i] >> kFirstForward)) continue;
-      const float limit = float(state_.materials[state_.material[i]].tearStretch);
-      for (int d = kFirstForward; d < kDirections; ++d) {
-        if (!(state_.bonds[i] >> d & 1)) continue;
-        const std::int32_t j = i + state_.box.step[d];
-        float length2 = 0;
-        for (int a = 0; a < 3; ++a) {
-          const float x =
-              float(offsetAlong(d, a)) * float(state_.spacing) + state_.u[a][j] - state_.u[a][i];
-          length2 += x * x;
+// Tissue tears where a tool pulls at it: bonds within some cells of a gripped one that are
+// stretched beyond their material's limit. At most twenty per frame, so that a tear runs and does
+// not happen at once.
+void ElasticTissue::tear(std::vector<TissueBond>& torn) {
+  constexpr int kReach = 4;
+  constexpr std::size_t kMost = 20;
+  torn.clear();
+  Vec3i low = Vec3i::Constant(1 << 20), high = Vec3i::Constant(-1);
+  for (const TissueSpring& spring : springs_.all()) {
+    if (spring.tool < 0) continue;
+    const Vec3i at = state_.box.cell(spring.cell);
+    low = low.cwiseMin(at - Vec3i::Constant(kReach));
+    high = high.cwiseMax(at + Vec3i::Constant(kReach));
+  }
+  low = low.cwiseMax(0);
+  high = high.cwiseMin(lattice_.dims - Vec3i::Ones());
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const std::int32_t i = state_.box.index({x, y, z});
+        const double limit = state_.materials[state_.material[i]].tearStretch * state_.spacing;
+        for (int d = kFirstForward; d < kDirections; ++d) {
+          if (!(state_.bonds[i] >> d & 1)) continue;
+          const std::int32_t j = i + state_.box.step[d];
+          Vec3 along = state_.spacing * offsetOf(d).cast<double>();
+          for (int a = 0; a < 3; ++a) along[a] += double(state_.u[a][j]) - state_.u[a][i];
+          if (!(along.squaredNorm() > limit * limit * neighbourKind(d))) continue;
+          torn.push_back({state_.box.toLattice(i), d});
+          sever(torn.back().cell, d);
+          if (torn.size() == kMost) return;
         }
-        const float rest2 = float(state_.spacing * state_.spacing) * float(neighbourKind(d));
-        if (!(length2 > limit * limit * rest2)) continue;
-        severBond(state_, i, d);
-        bondsChanged_.push_back(i);
-        bondsChanged_.push_back(j);
-        cells.push_back(state_.box.toLattice(i));
-        cells.push_back(state_.box.toLattice(j));
-        if (++torn == most) return torn;
       }
-    }
-  return torn;
 }
 
 // Held cells excepted.
@@ -237,6 +237,7 @@ void ElasticTissue::sever(std::int64_t cell, int direction) {
   const std::int32_t i = state_.box.fromLattice(cell);
   if (!(state_.bonds[i] >> direction & 1)) return;
   severBond(state_, i, direction);
+  contacts_.keepApart(state_, i, direction);
   bondsChanged_.push_back(i);
   bondsChanged_.push_back(i + state_.box.step[direction]);
 }
@@ -248,6 +249,7 @@ void ElasticTissue::remove(std::int64_t cell) {
   for (int d = 0; d < kDirections; ++d)
     if (state_.bonds[i] >> d & 1) bondsChanged_.push_back(i + state_.box.step[d]);
   removeCell(state_, i);
+  contacts_.forgetCell(i);
   loosen(springs_.drop([&](const TissueSpring& spring) { return spring.cell == i; }));
 }
 

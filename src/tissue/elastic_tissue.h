@@ -108,7 +108,7 @@ class ElasticTissue final : public TissueModel {
   void run(double duration, const TissueSurroundings& surroundings, TissueStep& step);
   bool substeps(double duration, const TissueSurroundings& surroundings, std::int32_t& count);
   void loosen(std::span<const std::int32_t> cells);
-  std::int32_t tear(std::vector<std::int64_t>& cells);
+  void tear(std::vector<TissueBond>& torn);
   float stressPass(const SubstepConstants& constants);
   bool motionPass(const SubstepConstants& constants);
   SubstepConstants constants(double dt) const;
@@ -123,7 +123,6 @@ class ElasticTissue final : public TissueModel {
   double longestSubstep_ = 0;
   int halvings_ = 0;    // of the substep, at present
   int calmFrames_ = 0;  // since the last halving
-  int frame_ = 0;       // of move()
   TissueContacts contacts_;
   TissueSprings springs_;
   std::vector<std::int32_t> gripper_;  // per cell of the box: tool that holds it, or -1

@@ -13,6 +13,12 @@
 
 namespace resect {
 
+// A bond by one of its ends.
+struct TissueBond {
+  std::int64_t cell = -1;
+  std::int32_t direction = -1;  // tissue/stencil.h
+};
+
 // A rigid instrument as tissue feels it in one frame.
 struct TissueTool {
   std::int32_t tool = 0;                  // its number in the simulation
@@ -34,10 +40,10 @@ struct TissueStep {
   std::int32_t retries = 0;  // how often the frame was started again with shorter substeps
   bool calm = true;          // false: even the shortest exploded; the tissue was stopped
   std::int32_t torn = 0;     // bonds
-  std::vector<std::int64_t> tornCells;  // whose bonds tore
-  std::vector<Vec3> toolForce;          // on each of the tools, mean over the frame, N
-  std::vector<std::int32_t> letGo;      // tools whose grip slipped
-  Vec3 tableForce = Vec3::Zero();       // on the table, mean over the frame, N
+  std::vector<TissueBond> tornBonds;
+  std::vector<Vec3> toolForce;      // on each of the tools, mean over the frame, N
+  std::vector<std::int32_t> letGo;  // tools whose grip slipped
+  Vec3 tableForce = Vec3::Zero();   // on the table, mean over the frame, N
 };
 
 // Where a cell is, for whatever hangs on it: a point X' near its rest position X

@@ -45,7 +45,7 @@ SweptBlade sweepOf(const ToolModel& tool, const ToolWay& way) {
   return blade;
 }
 
-// Is a point of the tool's frame in the mouth of the hook: within the bend's circle?
+// Is a point of the tool's frame held by the hook: within the bend's circle, or not a cell away?
 bool inBend(const ToolModel& tool, const Vec3& p, double spacing) {
   const Vec3 first = tool.hook.front(), last = tool.hook.back();
   const Vec3 centre = 0.5 * (first + last);
@@ -53,7 +53,7 @@ bool inBend(const ToolModel& tool, const Vec3& p, double spacing) {
   for (const Vec3& q : tool.hook) radius = std::max(radius, (q - centre).norm());
   const Vec3 plane = (first - centre).cross(tool.hook[tool.hook.size() / 2] - centre).normalized();
   const double off = (p - centre).dot(plane);
-  return std::abs(off) < 0.75 * spacing && (p - centre - off * plane).norm() < radius;
+  return std::abs(off) < spacing && (p - centre - off * plane).norm() < radius + 0.5 * spacing;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "geometry/pose.h"
 #include "geometry/triangle_mesh.h"
 #include "organ/organ.h"
+#include "tissue/tissue_model.h"
 
 namespace resect {
 
@@ -34,18 +35,12 @@ struct ToolModel {
   double slipForce = 6.0;  // N: a hook lets go beyond it
 };
 
-// A bond by one of its ends.
-struct BondCut {
-  std::int64_t cell = -1;
-  std::int32_t direction = -1;  // tissue/stencil.h
-};
-
 // What one tool touches in one step.
 struct ToolContacts {
   std::int32_t tool = -1;            // index of the tool in the simulation
   std::vector<std::int64_t> cells;   // particles inside the volume that the tool swept, ascending
   bool tissueMoves = false;          // the following are filled for tissue that moves
-  std::vector<BondCut> crossed;      // bonds that its edge has passed through, ascending
+  std::vector<TissueBond> crossed;   // bonds that its edge has passed through, ascending
   std::vector<std::int64_t> caught;  // particles in its bend while it pulls, ascending
   bool pulls = false;                // it moves towards its handle
   std::int32_t gripped = 0;          // particles that it holds

@@ -116,7 +116,7 @@ stiffness = 300
 """
 PINNED_TOP = """[[tissue.attachment]]
 kind = "pin"
-box = [[-0.05, 0.185, -0.06], [0.02, 0.21, 0.02]]
+box = [[-0.08, 0.19, -0.08], [0.06, 0.25, 0.05]]
 """
 
 
@@ -137,11 +137,11 @@ def lift():
     """The hook enters the front margin, pulls it up and out, holds it, and pulls until it slips."""
     path = Path3(handle=(0, 0.75, 0.66), edge=(0, -0.66, 0.75), speed=0.1)
     path.wait(0.9)
-    path.to(0.04, 0.12, 0.16).to(0.04, 0.035, 0.055)
+    path.to(0.055, 0.12, 0.14).to(0.055, 0.022, 0.04)
     path.wait(0.1)
-    path.to(0.04, 0.035, 0.055).to(0.04, 0.085, 0.1, speed=0.06)
+    path.to(0.055, 0.022, 0.04).to(0.055, 0.075, 0.07, speed=0.05)
     path.wait(0.6)
-    path.to(0.04, 0.085, 0.1).to(0.04, 0.2, 0.2, speed=0.15)
+    path.to(0.055, 0.075, 0.07).to(0.055, 0.2, 0.14, speed=0.08)
     path.to(0.1, 0.24, 0.2, speed=0.3)
     return [("scalpel", None), ("hook", path), ("baton", None)]
 
@@ -196,7 +196,7 @@ def all_scenarios():
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, lift(),
                           LIGAMENTS)
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
-                          no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.08, 0]\n")
+                          no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n")
     yield "drop", elastic("The liver is dropped on the table", "From 12 cm; it flattens, and comes to rest", 8.0,
                           no_tools(), "", 'drag = 1.5\n', duration=3, organ="position = [0, 0.12, 0]\n")
 
