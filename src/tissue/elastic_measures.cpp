@@ -116,6 +116,7 @@ TissueEnergy ElasticTissue::energy() {
                         .squaredNorm();
       sum.elastic += state_.kappa[i] / 2 * misfit;
     }
+  sum.elastic += threadEnergy(threads_, state_);
   return sum;
 }
 

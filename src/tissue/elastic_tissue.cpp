@@ -49,6 +49,7 @@ ElasticTissue::ElasticTissue(const TissueCells& cells, const TissueSettings& set
   for (const TissueMaterial& m : cells.materials) fastest = std::max(fastest, m.waveSpeed());
   longestSubstep_ = settings.stepShare * state_.spacing / fastest;
   gripper_.assign(state_.box.size, -1);
+  threads_ = findThreads(state_, {});
 }
 
 SubstepConstants ElasticTissue::constants(double dt) const {
@@ -98,6 +99,7 @@ bool ElasticTissue::substeps(double duration, const TissueSurroundings& around,
   double left = duration;
   for (;;) {
     const double stiffest = std::max(1.0, stressPass(start) / kStiffeningAllowed);
+    pullThreads(threads_, state_);
     const double longest = longestSubstep_ / (std::sqrt(stiffest) * double(1 << halvings_));
     const double steps = std::max(1.0, std::ceil(left / longest - 1e-9));
     const double dt = left / steps, share = 1 - (steps == 1 ? 0 : left - dt) / duration;
@@ -221,7 +223,10 @@ void ElasticTissue::settleEdits() {
     std::sort(list->begin(), list->end());
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
-  if (!bondsChanged_.empty()) refreshCells(state_, bondsChanged_);
+  if (!bondsChanged_.empty()) {
+    refreshCells(state_, bondsChanged_);
+    threads_ = findThreads(state_, threads_);
+  }
   if (!holdsChanged_.empty()) refreshChunks(state_, holdsChanged_);
   bondsChanged_.clear();
   holdsChanged_.clear();
@@ -231,6 +236,7 @@ void ElasticTissue::evaluateForces() {
   settleEdits();
   state_.ahead = state_.u;
   kernel_->stressPass(viewOf(state_), constants(longestSubstep_), 0, state_.chunks.size());
+  pullThreads(threads_, state_);
 }
 
 void ElasticTissue::sever(std::int64_t cell, int direction) {

@@ -17,6 +17,7 @@
 #include "tissue/elastic_state.h"
 #include "tissue/material.h"
 #include "tissue/springs.h"
+#include "tissue/threads.h"
 #include "tissue/tissue_model.h"
 
 namespace resect {
@@ -125,6 +126,7 @@ class ElasticTissue final : public TissueModel {
   int calmFrames_ = 0;  // since the last halving
   TissueContacts contacts_;
   TissueSprings springs_;
+  std::vector<TissueThread> threads_;
   std::vector<std::int32_t> gripper_;  // per cell of the box: tool that holds it, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;
   std::array<FloatArray, 3> keptU_, keptV_;

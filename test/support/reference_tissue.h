@@ -41,6 +41,7 @@ class ReferenceTissue {
       const TissueMaterial& m = cells.materials[cells.material.empty() ? 0 : cells.material[c]];
       mu.push_back(Scalar(m.shear()));
       lambda.push_back(Scalar(m.lame()));
+      young.push_back(Scalar(m.young));
       kappa.push_back(Scalar(penalty * m.shear()) * volume);
       mass.push_back(Scalar(m.density) * volume);
       neighbours.emplace_back();
@@ -68,6 +69,11 @@ class ReferenceTissue {
   Scalar energy() const {
     Scalar sum = 0;
     for (std::size_t i = 0; i < u.size(); ++i) {
+      for (const Neighbour& n : neighbours[i]) {
+        if (n.particle < int(i) || !thread(i, n)) continue;
+        const Scalar stretch = (n.x + u[n.particle] - u[i]).norm() - n.x.norm();
+        sum += threadStiffness(i, n) / 2 * stretch * stretch;
+      }
       if (!deforms[i]) continue;
       const M h = gradient(i), f = h + M::Identity();
       const Scalar growth = f.determinant() - 1;
@@ -100,6 +106,10 @@ class ReferenceTissue {
       for (const Neighbour& n : neighbours[i]) {
         const int j = n.particle;
         const Scalar both = (deforms[i] ? kappa[i] : 0) + (deforms[j] ? kappa[j] : 0);
+        if (thread(i, n)) {
+          const V x = n.x + u[j] - u[i];
+          result[i] += threadStiffness(i, n) * (1 - n.x.norm() / x.norm()) * x;
+        }
         result[i] += n.w * ((a[i] + a[j]) * n.x + both * (u[j] - u[i]));
       }
     return result;
@@ -116,6 +126,17 @@ class ReferenceTissue {
     }
   }
 
+  // Bonds of which neither end has a gradient.
+  bool thread(std::size_t i, const Neighbour& n) const {
+    return !deforms[i] && !deforms[n.particle];
+  }
+  Scalar threadStiffness(std::size_t i, const Neighbour& n) const {
+    const Scalar s = std::cbrt(volume);
+    const int kind = int(std::lround(n.x.squaredNorm() / (s * s)));
+    const Scalar share = kind == 1 ? Scalar(0.5) : kind == 2 ? Scalar(0.25) : Scalar(0.15);
+    return share * (young[i] + young[n.particle]) / 2 * s;
+  }
+
   M gradient(std::size_t i) const {
     M sum = M::Zero();
     for (const Neighbour& n : neighbours[i]) sum += n.w * (u[n.particle] - u[i]) * n.x.transpose();
@@ -125,7 +146,7 @@ class ReferenceTissue {
   Scalar volume;
   std::vector<std::int64_t> cellOf;  // lattice cell of each particle
   std::vector<std::vector<Neighbour>> neighbours;
-  std::vector<Scalar> mu, lambda, kappa, mass;
+  std::vector<Scalar> young, mu, lambda, kappa, mass;
   std::vector<V> u, v;
   std::vector<M> inverseMoment;
   std::vector<char> deforms;

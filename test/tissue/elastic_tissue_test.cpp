@@ -55,18 +55,19 @@ TEST_CASE(
     TissueSettings settings = test::weightless();
     ElasticTissue tissue(cells, settings);
     test::ReferenceTissue<double> reference(cells, settings.penalty);
-    Random random(seed);
-    for (std::size_t i = 0; i < reference.u.size(); ++i) {
-      const std::int64_t c = reference.cellOf[i];
-      tissue.setDisplacement(c, wobble(cells.lattice.cell(c), random));
-      reference.u[i] = tissue.displacement(c);
-    }
     const auto side = [&](const Vec3i& c) { return 3 * c.x() + 2 * c.y() - c.z() > 35; };
     test::severBetween(tissue, side);
     reference.sever([&](int i, int j) {
       return side(cells.lattice.cell(reference.cellOf[i])) !=
              side(cells.lattice.cell(reference.cellOf[j]));
     });
+    tissue.evaluateForces();  // at rest, so that threads are born at their rest lengths
+    Random random(seed);
+    for (std::size_t i = 0; i < reference.u.size(); ++i) {
+      const std::int64_t c = reference.cellOf[i];
+      tissue.setDisplacement(c, wobble(cells.lattice.cell(c), random));
+      reference.u[i] = tissue.displacement(c);
+    }
     tissue.evaluateForces();
     const auto forces = reference.forces();
     double largest = 0, worst = 0;
@@ -138,6 +139,23 @@ TEST_CASE("cells without a gradient, isolated cells and lone pairs fall freely a
     CHECK(tissue.velocity(c).y() == doctest::Approx(-0.981));
     CHECK((tissue.deformation(c) - Mat3::Identity()).norm() < 1e-6);
   });
+}
+
+TEST_CASE("a string and a sheet of single cells hold together, and turn freely") {
+  TissueCells cells = solidBlock({10, 1, 6}, 0.005, liverTissue());
+  for (std::int64_t c = 0; c < 60; ++c)
+    cells.solid[c] = cells.lattice.cell(c).x() < 5 || cells.lattice.cell(c).z() == 2;
+  TissueSettings settings;
+  settings.drag = 3;
+  ElasticTissue tissue(cells, settings);
+  for (int z = 0; z < 6; ++z) tissue.hold(cells.lattice.index({0, 0, z}), kHeldAll);
+  for (int i = 0; i < 180; ++i) CHECK(tissue.advance(1.0 / 60).calm);
+  // It hangs straight down from the held row, a little stretched by its weight.
+  const Vec3 end =
+      cells.lattice.centre({9, 0, 2}) + tissue.displacement(cells.lattice.index({9, 0, 2}));
+  CHECK(end.y() < -0.035);
+  CHECK(end.y() > -0.06);
+  CHECK(std::abs(end.x()) < 0.02);
 }
 
 TEST_CASE("a held cell moves as it is told, a loaded one feels its force, a freed one falls") {

@@ -1,0 +1,37 @@
+// What holds tissue together that is one cell thin?
+//
+// A cell of a sheet or a string of single cells has no deformation gradient, and a bond between two
+// such cells has no energy. It is given one as a thread: a spring along the bond, of about the
+// tissue's own stiffness, E s / 2 for a face neighbour and less further off. Turns with the tissue,
+// does not resist bending.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tissue/elastic_state.h"
+
+namespace resect {
+
+struct TissueThread {
+  std::int32_t a, b;  // cells of the box
+  float stiffness;    // N/m
+  Vec3f rest;         // from a to b at rest, m
+  float length;       // at which it does not pull, m
+};
+
+// Share of E s that a thread has, by kind of neighbour.
+inline constexpr float kThreadShare[4] = {0, 0.5f, 0.25f, 0.15f};
+
+// All bonds of which neither end has a gradient, in ascending order. Those among `before` stay as
+// they are; a new one does not pull at the length that it has now, so that a cut that makes threads
+// of stretched tissue adds no energy.
+std::vector<TissueThread> findThreads(const ElasticState& state,
+                                      std::span<const TissueThread> before);
+
+// Adds their forces to the bond forces of the stress pass.
+void pullThreads(std::span<const TissueThread> threads, ElasticState& state);
+
+double threadEnergy(std::span<const TissueThread> threads, const ElasticState& state);  // J
+
+}  // namespace resect
