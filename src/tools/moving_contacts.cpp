@@ -90,7 +90,8 @@ ToolContacts findMovingContacts(const Organ& organ, const TissueModel& tissue, c
              (way.from * Vec3(corner & 1 ? tool.bounds().max.x() : tool.bounds().min.x(),
                               corner & 2 ? tool.bounds().max.y() : tool.bounds().min.y(),
                               corner & 4 ? tool.bounds().max.z() : tool.bounds().min.z())));
-  box = box.padded(0.5 * spacing);
+  for (const Vec3& p : model.hook) box.grow(p);
+  box = box.padded((model.hook.empty() ? 0.5 : 1.5) * spacing);
 
   std::vector<std::int64_t> near;
   std::vector<Vec3> positions;

@@ -1,0 +1,172 @@
+// Do instruments act on tissue that moves as they should, through the whole step?
+#include <doctest/doctest.h>
+
+#include "base/parallel.h"
+#include "geometry/topology.h"
+#include "simulation/simulation.h"
+#include "support/block_organ.h"
+#include "support/test_tools.h"
+#include "tissue/elastic_tissue.h"
+
+using namespace resect;
+
+namespace {
+
+constexpr double kSpacing = 0.008;
+
+Pose at(const Vec3& p) { return {p, Eigen::Quaterniond::Identity()}; }
+
+std::unique_ptr<Tool> toolOfKind(const char* kind, const char* response = "") {
+  ToolModel model;
+  model.name = model.kind = kind;
+  model.response = response;
+  if (model.kind == "scalpel") {
+    model.mesh = boxMesh({{-0.0002, -0.008, 0}, {0.0002, 0.002, 0.06}});
+    model.edge = {{0, -0.008, 0}, {0, -0.0082, 0.03}, {0, -0.008, 0.06}};
+  } else if (model.kind == "hook") {
+    model.mesh = boxMesh({{-0.001, -0.001, 0}, {0.001, 0.001, 0.1}});
+    model.hook = {{0, -0.01, 0.01}, {0, 0, 0}, {0, 0.01, 0.01}};
+    model.slipForce = 1.2;
+  } else {
+    model.mesh = sphereMesh({0, 0, 0}, 0.012, 24);
+  }
+  return makeTool(std::move(model));
+}
+
+// A block of 14 x 6 x 10 cells on the table.
+Simulation block(std::unique_ptr<Tool> tool) {
+  Discretization cells = test::fullBlock({14, 6, 10}, kSpacing);
+  cells.lattice.origin = Vec3::Constant(0.5 * kSpacing);
+  TissueSettings settings;
+  settings.drag = 6;
+  TissueMaterial material;
+  material.young = 20000;
+  auto tissue = std::make_unique<ElasticTissue>(
+      TissueCells{cells.lattice, cells.inside, {material}, {}}, settings);
+  std::vector<std::unique_ptr<Tool>> tools;
+  tools.push_back(std::move(tool));
+  return Simulation(makeOrgan(std::move(cells), {}), std::move(tools), std::move(tissue));
+}
+
+FrameInput input(const Vec3& p, bool inHand = true) {
+  FrameInput frame;
+  frame.tools.push_back({at(p), inHand});
+  return frame;
+}
+
+// Moves the tool in a straight line in so many frames; sums up what was severed.
+std::int64_t drive(Simulation& simulation, const Vec3& from, const Vec3& to, int frames) {
+  std::int64_t severed = 0;
+  for (int i = 0; i <= frames; ++i) {
+    const StepReport report = simulation.step(input(from + (to - from) * (double(i) / frames)));
+    CHECK(report.faults.empty());
+    severed += report.severed;
+  }
+  return severed;
+}
+
+double highest(const Simulation& simulation) {
+  double y = -1;
+  for (const Vec3& p : simulation.surfaceMesh().points) y = std::max(y, p.y());
+  return y;
+}
+
+const Vec3 kAway(0.05, 0.3, 0.04);
+
+}  // namespace
+
+TEST_CASE("tissue that is left alone settles on the table with its surface closed") {
+  Simulation simulation = block(toolOfKind("baton"));
+  for (int i = 0; i < 120; ++i) simulation.step(input(kAway, false));
+  const Topology t = topology(simulation.surfaceMesh());
+  CHECK(t.closed());
+  CHECK(t.oriented());
+  CHECK(highest(simulation) > 5 * kSpacing);
+  CHECK(highest(simulation) < 6.01 * kSpacing);
+  double lowest = 1;
+  for (const Vec3& p : simulation.surfaceMesh().points) lowest = std::min(lowest, p.y());
+  CHECK(std::abs(lowest) < 0.1 * kSpacing);
+}
+
+TEST_CASE("a baton pushes, feels a force, cuts nothing; the surface gives way and comes back") {
+  Simulation simulation = block(toolOfKind("baton"));
+  const Vec3 above(7 * kSpacing, 6 * kSpacing + 0.02, 5 * kSpacing);
+  CHECK(drive(simulation, above, above - Vec3(0, 0.025, 0), 30) == 0);
+  CHECK(simulation.tools()[0].force.y() > 0.3);
+  CHECK(simulation.tools()[0].feltForce.y() > 0.2);
+  CHECK(simulation.organ().removed == 0);
+  double under = 1;
+  for (const Vec3& p : simulation.surfaceMesh().points)
+    if (std::hypot(p.x() - above.x(), p.z() - above.z()) < 0.5 * kSpacing && p.y() > 2 * kSpacing)
+      under = std::min(under, p.y());
+  CHECK(under < 5.4 * kSpacing);
+  for (int i = 0; i < 120; ++i) simulation.step(input(kAway, false));
+  CHECK(simulation.tools()[0].force == Vec3::Zero());
+  CHECK(highest(simulation) > 5.6 * kSpacing);
+}
+
+TEST_CASE("a scalpel drawn through parts the block into two bodies and takes nothing away") {
+  Simulation simulation = block(toolOfKind("scalpel"));
+  const std::int64_t particles = simulation.organ().particles;
+  // The edge looks down (-Y), 6 cm along z: through the whole height.
+  const Vec3 start(7 * kSpacing, 6 * kSpacing + 0.012, -0.005);
+  CHECK(drive(simulation, start, start - Vec3(0, 6 * kSpacing + 0.006, 0), 40) > 0);
+  const std::int64_t more =
+      drive(simulation, start + Vec3(0, 0, 0.03), start + Vec3(0, -6 * kSpacing - 0.006, 0.03), 40);
+  CHECK(more > 0);
+  CHECK(simulation.organ().particles == particles);
+  const Lattice& lattice = simulation.organ().rest.lattice;
+  int across = 0;
+  for (std::int64_t c = 0; c < lattice.cellCount(); ++c)
+    for (int d = 0; d < kDirections; ++d)
+      if (lattice.cell(c).x() == 6 && offsetAlong(d, 0) == 1)
+        across += simulation.tissue().bonds(c) >> d & 1;
+  CHECK(across == 0);
+}
+
+TEST_CASE("a blade that moves sideways or back out pushes and cuts nothing") {
+  Simulation simulation = block(toolOfKind("scalpel"));
+  CHECK(drive(simulation, {-0.03, 0.03, 0.01}, {0.02, 0.03, 0.01}, 30) == 0);
+  CHECK(simulation.tools()[0].force.norm() > 0.01);
+}
+
+TEST_CASE("a hook catches while it pulls, lifts, and lets go when the pull is too much") {
+  Simulation simulation = block(toolOfKind("hook"));
+  const Vec3 over(7 * kSpacing, 5 * kSpacing, 10 * kSpacing + 0.02);
+  drive(simulation, over, over - Vec3(0, 0, 0.035), 20);
+  CHECK(simulation.tissue().gripped(0) == 0);
+  const Vec3 in = over - Vec3(0, 0, 0.035);
+  drive(simulation, in, in + Vec3(0, 0, 0.002), 20);
+  CHECK(simulation.tissue().gripped(0) > 3);
+  bool slipped = false;
+  Vec3 place = in + Vec3(0, 0, 0.002);
+  for (int i = 0; i < 120 && !slipped; ++i) {
+    place.z() += 0.002;
+    slipped = !simulation.step(input(place)).tissue.letGo.empty();
+  }
+  CHECK(slipped);
+  CHECK(simulation.tissue().gripped(0) == 0);
+}
+
+TEST_CASE("every instrument can take tissue out instead, as in the original system") {
+  for (const char* kind : {"baton", "scalpel", "hook"}) {
+    Simulation simulation = block(toolOfKind(kind, "remove"));
+    drive(simulation, {0.052, 0.08, 0.02}, {0.052, 0.02, 0.02}, 20);
+    CHECK(simulation.organ().removed > 0);
+    CHECK(topology(simulation.surfaceMesh()).closed());
+  }
+}
+
+TEST_CASE("moving tissue gives the same state hash at 1, 2 and 3 threads and on a second run") {
+  const auto run = [](int threads) {
+    const ThreadLimit limit(threads);
+    Simulation simulation = block(toolOfKind("scalpel"));
+    const Vec3 start(7 * kSpacing, 6 * kSpacing + 0.01, 0.01);
+    drive(simulation, start, start - Vec3(0.004, 0.04, 0), 30);
+    return simulation.stateHash();
+  };
+  const std::uint64_t first = run(1);
+  CHECK(first == run(1));
+  CHECK(first == run(2));
+  CHECK(first == run(3));
+}
