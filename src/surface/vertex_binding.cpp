@@ -142,8 +142,8 @@ VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes 
   return binding;
 }
 
-// The particles nearest to the anchors, by steps over whole edges within the window, and those up
-// to a cell farther; the eight that weigh most.
+// The particles fewest steps over whole edges away from the anchors, and those a step farther: a
+// wider search would find the other side round the end of a cut.
 VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
                                        NearbyNodes anchors) const {
   VertexBinding binding;
@@ -165,7 +165,7 @@ VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
   for (std::size_t at = 0; at < count; ++at) {
     if (at == layerEnd) {
       layerEnd = count;
-      if (binding.count > 0) layersLeft = std::min(layersLeft, refine_ + 1) - 1;
+      if (binding.count > 0) layersLeft = std::min(layersLeft, 2) - 1;
       if (layersLeft == 0) break;
     }
     const int i = queue[at];

@@ -287,3 +287,41 @@ TEST_CASE("a blade through moved tissue severs what the same blade severs at res
     CHECK(test::wrongWith(bent.surface.mesh()) == "");
   }
 }
+
+TEST_CASE(
+    "behind the front of a cut each lip follows its own side; at the front vertices follow both") {
+  for (int refine : {1, 2, 3}) {
+    Patient p(test::blob(20), refine);
+    const Vec3 normal = Vec3(0.1, 0.05, 1).normalized(), down = Vec3(0, 1, -0.05).normalized();
+    const Vec3 across = normal.cross(down), front = p.middle() + Vec3(0.0011, 0.0007, 0.0013);
+    // From the front upwards, out of the organ.
+    p.cut(test::flatBlade(front + 0.1 * down, 0.2 * across, 0.1 * down));
+    p.follow();
+    int lips = 0, both = 0, late = 0;
+    double farthest = 0;
+    p.surface.visitBindings([&](std::int32_t first, std::span<const VertexBinding> vertices) {
+      for (std::size_t v = 0; v < vertices.size(); ++v) {
+        const std::size_t index = std::size_t(first) + v;
+        if (p.surface.cut()[index] < 1) continue;
+        const Vec3 at = p.surface.points()[index].cast<double>();
+        int above = 0;
+        for (int i = 0; i < vertices[v].count; ++i)
+          above +=
+              (p.field.lattice().centre(p.field.lattice().cell(vertices[v].cell[std::size_t(i)])) -
+               front)
+                  .dot(normal) >= 0;
+        ++lips;
+        if (above == 0 || above == vertices[v].count) continue;
+        ++both;
+        const double behind = (at - front).dot(down) / p.spacing();  // in cells
+        farthest = std::max(farthest, behind);
+        late += behind > 1;
+      }
+    });
+    MESSAGE("refine ", refine, ": of ", lips, " lip vertices ", both,
+            " follow both sides, the last of them ", farthest, " cells behind the front");
+    CHECK(late == 0);
+    CHECK(both > 0);
+    CHECK(both < lips / 4);
+  }
+}
