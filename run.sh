@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Resect, and starts it.
-#   ./run.sh            the main job: a segment of a liver is taken off; pictures and a summary
+#   ./run.sh            with a display: the window; without: a segment of a liver is taken off, pictures and a summary
 #   ./run.sh ARGS       the program with these arguments, e.g. ./run.sh --help
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -10,6 +10,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 resect="$root/build/release/resect"
 
 if (($#)); then exec "$resect" "$@"; fi
+
+if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then exec "$resect" window; fi
 
 output="$root/output/resect-segment"
 rm -rf "$output"

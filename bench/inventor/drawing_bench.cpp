@@ -20,7 +20,7 @@ void drawing(benchmark::State& state, bool moves) {
   scenario.organ.spacing = 0.008;
   int place = 0;
   for (const ToolKind& kind : toolKinds())
-    scenario.tools.push_back({std::string(kind.name), toolBoxPlace(place++), {}});
+    scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
   const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
   Simulation simulation(makeOrgan(loadCells(scenario.organ, reader), {}),
                         loadTools(scenario, reader));

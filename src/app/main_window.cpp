@@ -3,6 +3,7 @@
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <QApplication>
 #include <QDateTime>
@@ -15,6 +16,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QSocketNotifier>
 #include <QStatusBar>
 #include <QStyle>
 #include <QStyleFactory>
@@ -115,7 +117,40 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
     overlay_->show();
     settings.setValue("controls_seen", true);
   }
+  if (options.reports) listenToScript();
   load(options.scenario);
+}
+
+// A script may name files without going through their dialogs: "open FILE", "save-scene FILE",
+// "save-surface FILE", "save-picture FILE".
+void MainWindow::listenToScript() {
+  auto* lines = new QSocketNotifier(0, QSocketNotifier::Read, this);
+  connect(lines, &QSocketNotifier::activated, this, [this, lines] {
+    char block[4096];
+    const auto got = ::read(0, block, sizeof block);
+    if (got <= 0) return lines->setEnabled(false);
+    script_.append(block, std::size_t(got));
+    for (std::size_t end; (end = script_.find('\n')) != std::string::npos;) {
+      const std::string line = script_.substr(0, end);
+      script_.erase(0, end + 1);
+      const std::size_t space = line.find(' ');
+      const std::string what = line.substr(0, space),
+                        file = space == std::string::npos ? "" : line.substr(space + 1);
+      try {
+        if (what == "open") openFile(QString::fromStdString(file));
+        if (what == "save-scene") writeScene(file);
+        if (what == "save-surface") writeMeshFile(file, session_->operation().surface().mesh);
+        if (what == "save-picture") writePng(file, viewer_->grabPicture());
+        if (what.starts_with("save")) say("written {}", file);
+      } catch (const std::exception& e) {
+        complain(e.what());
+      }
+    }
+  });
+}
+
+void MainWindow::writeScene(const std::string& file) {
+  writeSceneFile(file, session_->room(), session_->operation().surface());
 }
 
 MainWindow::~MainWindow() {
@@ -133,10 +168,12 @@ void MainWindow::makeDocks() {
   instruments_ = new InstrumentsPanel;
   organ_ = new OrganPanel;
   removed_ = new RemovedPanel;
+  force_ = new ForcePanel;
   timing_ = new TimingPanel;
   dock("Instruments", instruments_);
   dock("Organ", organ_);
   dock("Removed", removed_);
+  dock("Force", force_);
   dock("Timing", timing_);
   instruments_->chosen = [this](int tool) {
     if (!session_) return;
@@ -151,7 +188,7 @@ void MainWindow::makeDocks() {
     session_->iso().setValue(iso);
     session_->operation().setIso(iso);
   };
-  organ_->rebuild = [this](double spacing, int refine) {
+  organ_->rebuild = [this](double spacing, int refine, bool elastic) {
     if (!session_) return;
     Scenario scenario = session_->scenario();
     if (!scenario.organ.dims || spacing != scenario.organ.spacing) {
@@ -159,6 +196,7 @@ void MainWindow::makeDocks() {
       scenario.organ.dims.reset();
     }
     scenario.organ.settings.refine = refine;
+    scenario.tissue.elastic = elastic;
     load(scenario);
   };
 }
@@ -218,7 +256,8 @@ void MainWindow::begin(OrganLoader::Result result) {
   for (const std::string& note : result.notes) notes += QString::fromStdString(note) + "\n";
   organ_->setOrgan(source.file.empty() ? "Built-in liver"
                                        : QFileInfo(QString::fromStdString(source.file)).fileName(),
-                   session_->cells().lattice.spacing.x(), source.settings.refine, notes.trimmed());
+                   session_->cells().lattice.spacing.x(), source.settings.refine,
+                   session_->scenario().tissue.elastic, notes.trimmed());
   organ_->setIso(session_->iso().value());
   viewer_->setFocus();
   if (options_.reports)
@@ -245,7 +284,8 @@ void MainWindow::tick() {
     removedSaid_ = state.removed;
     say("removed {}", removedSaid_);
   }
-  for (const std::string& fault : state.faults) complain(fault);
+  for (const std::string& fault : state.faults)
+    if (fault != faultSaid_) complain(faultSaid_ = fault);
   if (video_ && now - pictureTaken_ >= qint64(1000 / kVideoRate)) {
     pictureTaken_ = now;
     try {
@@ -260,6 +300,9 @@ void MainWindow::tick() {
   organ_->follow(state);
   organ_->setIso(session_->iso().value());
   removed_->follow(state);
+  if (force_->parentWidget()->isVisible() != state.moves)
+    force_->parentWidget()->setVisible(state.moves);
+  if (state.moves) force_->follow(state, tools.held());
   timing_->follow(state, viewer_->framesPerSecond(), viewer_->scaleInMotion());
   if (options_.reports && !readySaid_ && state.frame > 0 && viewer_->framesPerSecond() > 0) {
     readySaid_ = true;
@@ -409,9 +452,8 @@ void MainWindow::saveSurface() {
 }
 
 void MainWindow::saveScene() {
-  save("Save scene", "Open Inventor (*.iv)", "scene.iv", [this](const std::string& file) {
-    writeSceneFile(file, session_->room(), session_->operation().surface());
-  });
+  save("Save scene", "Open Inventor (*.iv)", "scene.iv",
+       [this](const std::string& file) { writeScene(file); });
 }
 
 void MainWindow::savePicture() {

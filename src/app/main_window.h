@@ -18,6 +18,7 @@ class QPushButton;
 namespace resect {
 
 class ControlsOverlay;
+class ForcePanel;
 class InstrumentsPanel;
 class OrganPanel;
 class RemovedPanel;
@@ -43,7 +44,8 @@ class MainWindow : public QMainWindow {
   void makeDocks();
   void begin(OrganLoader::Result result);
   void tick();
-  void follow();
+  void listenToScript();
+  void writeScene(const std::string& file);
   void openFile(const QString& file);
   void askOrgan(const QString& file);
   void remember(const QString& file);
@@ -74,12 +76,14 @@ class MainWindow : public QMainWindow {
   InstrumentsPanel* instruments_;
   OrganPanel* organ_;
   RemovedPanel* removed_;
+  ForcePanel* force_;
   TimingPanel* timing_;
   std::unique_ptr<VideoWriter> video_;
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // ms
   std::int64_t removedSaid_ = 0;
   int heldSaid_ = -2;
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
+  std::string script_, faultSaid_;
   bool lookingAt_ = false;  // the next click chooses the point of interest
   bool readySaid_ = false;
 };

@@ -48,7 +48,7 @@ Scenario withAllInstruments(Scenario scenario) {
     const bool there = std::any_of(
         scenario.tools.begin(), scenario.tools.end(),
         [&](const ScenarioTool& tool) { return std::filesystem::path(tool.model).stem() == name; });
-    if (!there) scenario.tools.push_back({name, {}, {}});
+    if (!there) scenario.tools.push_back({name, {}, {}, {}});
   }
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     scenario.tools[i].rest = toolBoxPlace(int(i));
@@ -126,6 +126,7 @@ void OrganLoader::buildCells(const std::string& convertedFile) {
           },
           &result_.notes);
       organ_.emplace(makeOrgan(std::move(cells), source.settings));
+      tissue_ = makeTissue(scenario_.tissue, *organ_);
     } catch (const Cancelled&) {
       result_.problem = "cancelled";
     } catch (const std::exception& e) {
@@ -156,7 +157,8 @@ void OrganLoader::poll() {
       // Here and not in the thread: Inventor, which reads the tools, belongs to the window's
       // thread.
       result_.simulation =
-          std::make_unique<Simulation>(std::move(*organ_), loadTools(scenario_, &readModel));
+          std::make_unique<Simulation>(std::move(*organ_), loadTools(scenario_, &readModel),
+                                       std::move(tissue_), scenario_.table);
     } catch (const std::exception& e) {
       result_.problem = e.what();
     }

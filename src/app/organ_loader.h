@@ -55,6 +55,7 @@ class OrganLoader {
   std::atomic<double> share_{0};
   std::atomic<bool> cancelled_{false}, built_{false};
   std::optional<Organ> organ_;  // made by the thread
+  std::unique_ptr<TissueModel> tissue_;
   Result result_;
   QTimer timer_;
 };

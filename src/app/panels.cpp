@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
@@ -80,22 +81,29 @@ OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
   refine_->setRange(1, 4);
   refine_->setToolTip("Nodes of the surface's grid per cell: 2 shows the skin well");
   form->addRow("Refinement", refine_);
+  elastic_ = new QCheckBox("Elastic tissue", this);
+  elastic_->setToolTip(
+      "Tissue gives way, is pulled and opens; without it, it stands still and what is touched "
+      "goes");
+  form->addRow(elastic_);
   auto* again = new QPushButton("Begin again", this);
   again->setToolTip("The organ whole again, with this spacing and refinement");
   form->addRow(again);
   QObject::connect(again, &QPushButton::clicked, this, [this] {
-    if (rebuild) rebuild(spacing_->value() * 1e-3, refine_->value());
+    if (rebuild) rebuild(spacing_->value() * 1e-3, refine_->value(), elastic_->isChecked());
   });
   notes_ = new QLabel(this);
   notes_->setWordWrap(true);
   form->addRow(notes_);
 }
 
-void OrganPanel::setOrgan(const QString& name, double spacing, int refine, const QString& notes) {
+void OrganPanel::setOrgan(const QString& name, double spacing, int refine, bool elastic,
+                          const QString& notes) {
   name_->setText("<b>" + name.toHtmlEscaped() + "</b>");
   const QSignalBlocker quiet(spacing_);
   spacing_->setValue(spacing * 1e3);
   refine_->setValue(refine);
+  elastic_->setChecked(elastic);
   notes_->setText(notes);
   notes_->setVisible(!notes.isEmpty());
 }
@@ -172,6 +180,45 @@ void RemovedPanel::paintEvent(QPaintEvent*) {
     i == 0 ? path.moveTo(p) : path.lineTo(p);
   }
   painter.setPen(QPen(QColor(200, 70, 60), 2));
+  painter.drawPath(path);
+}
+
+ForcePanel::ForcePanel(QWidget* parent) : QWidget(parent) {
+  setMinimumHeight(90);
+  setToolTip("What the hand would feel, over the last ten seconds");
+}
+
+void ForcePanel::follow(const LiveState& state, int held) {
+  const bool felt = held >= 0 && std::size_t(held) < state.forces.size();
+  if (!history_.empty() && state.time < history_.back().first) history_.clear();
+  history_.emplace_back(state.time, felt ? state.forces[std::size_t(held)] : 0);
+  std::erase_if(history_, [&](const auto& p) { return p.first < state.time - 10; });
+  update();
+}
+
+void ForcePanel::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const int line = QFontMetrics(font()).height();
+  double most = 1;
+  for (const auto& [time, force] : history_) most = std::max(most, force);
+  const double now = history_.empty() ? 0 : history_.back().second;
+  painter.setPen(palette().color(QPalette::WindowText));
+  painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignLeft,
+                   QString("%1 N").arg(now, 0, 'f', 2));
+  painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignRight,
+                   QString("to %1 N").arg(most, 0, 'f', 1));
+  const QRectF plot(8, line + 6, width() - 16, height() - line - 12);
+  painter.setPen(palette().color(QPalette::Mid));
+  painter.drawLine(plot.bottomLeft(), plot.bottomRight());
+  QPainterPath path;
+  for (std::size_t i = 0; i < history_.size(); ++i) {
+    const double age = history_.back().first - history_[i].first;
+    const QPointF p(plot.right() - plot.width() * age / 10,
+                    plot.bottom() - plot.height() * history_[i].second / most);
+    i == 0 ? path.moveTo(p) : path.lineTo(p);
+  }
+  painter.setPen(QPen(QColor(90, 180, 200), 2));
   painter.drawPath(path);
 }
 

@@ -8,6 +8,7 @@
 #include "operation/live_operation.h"
 #include "tools/tool.h"
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
 class QSlider;
@@ -34,17 +35,19 @@ class InstrumentsPanel : public QWidget {
 class OrganPanel : public QWidget {
  public:
   explicit OrganPanel(QWidget* parent = nullptr);
-  void setOrgan(const QString& name, double spacing, int refine, const QString& notes);
+  void setOrgan(const QString& name, double spacing, int refine, bool elastic,
+                const QString& notes);
   void follow(const LiveState& state);
   void setIso(float iso);
   std::function<void(float)> isoChanged;
-  std::function<void(double spacing, int refine)> rebuild;  // m
+  std::function<void(double spacing, int refine, bool elastic)> rebuild;  // m
 
  private:
   QLabel *name_, *counts_, *isoText_, *notes_;
   QSlider* iso_;
   QDoubleSpinBox* spacing_;
   QSpinBox* refine_;
+  QCheckBox* elastic_;
 };
 
 // Millilitres taken out, large, with their history.
@@ -61,6 +64,19 @@ class RemovedPanel : public QWidget {
   double removed_ = 0, whole_ = 0;  // m^3
   std::int64_t particles_ = 0;
   std::vector<std::pair<double, double>> history_;  // s, ml
+};
+
+// The force of the tissue on the tool in hand over the last ten seconds.
+class ForcePanel : public QWidget {
+ public:
+  explicit ForcePanel(QWidget* parent = nullptr);
+  void follow(const LiveState& state, int held);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  std::vector<std::pair<double, double>> history_;  // s, N
 };
 
 // A live bar per stage of the step, the frame rates, and what to change where they are too low.

@@ -50,6 +50,10 @@ void SoOrganShape::initClass() {
 
 SoOrganShape::SoOrganShape() {
   SO_NODE_CONSTRUCTOR(SoOrganShape);
+  SO_NODE_ADD_EMPTY_MFIELD(points);
+  SO_NODE_ADD_EMPTY_MFIELD(normals);
+  SO_NODE_ADD_EMPTY_MFIELD(cut);
+  SO_NODE_ADD_EMPTY_MFIELD(coordIndex);
   SO_NODE_ADD_FIELD(revision, (0));
   SoContextHandler::addContextDestructionCallback(contextDestroyed, this);
 }
@@ -74,6 +78,38 @@ void SoOrganShape::contextDestroyed(std::uint32_t context, void* shape) {
   if (found == self->contexts_.end()) return;
   glDeleteBuffers(kBufferCount, found->second->names);
   self->contexts_.erase(found);
+}
+
+void SoOrganShape::notify(SoNotList* list) {
+  const SoField* field = list->getLastField();
+  if (field == &points || field == &normals || field == &cut || field == &coordIndex)
+    fieldsAreTaken_ = boxIsFresh_ = false;
+  SoShape::notify(list);
+}
+
+// What a file or an engine says the surface is. A triangle with an index without its point is left
+// out.
+void SoOrganShape::takeFields() {
+  if (fieldsAreTaken_) return;
+  fieldsAreTaken_ = true;
+  const int count = points.getNum();
+  std::vector<Vec3f> at(static_cast<std::size_t>(count)), up(at.size(), Vec3f::UnitY());
+  std::vector<float> share(at.size(), 0.0f);
+  for (int i = 0; i < count; ++i)
+    at[std::size_t(i)] = Vec3f(points[i][0], points[i][1], points[i][2]);
+  for (int i = 0; i < std::min(count, normals.getNum()); ++i)
+    up[std::size_t(i)] = Vec3f(normals[i][0], normals[i][1], normals[i][2]);
+  for (int i = 0; i < std::min(count, cut.getNum()); ++i) share[std::size_t(i)] = cut[i];
+  std::vector<Triangle> faces;
+  const std::int32_t* index = coordIndex.getValues(0);
+  for (int i = 0; i + 2 < coordIndex.getNum(); i += 4) {
+    const Triangle t{index[i], index[i + 1], index[i + 2]};
+    if (std::ranges::all_of(t, [&](std::int32_t v) { return v >= 0 && v < count; }))
+      faces.push_back(t);
+  }
+  const SbBool notified = enableNotify(FALSE);  // whoever asks is already looking
+  setGeometry({at, up, share, faces, {}});
+  enableNotify(notified);
 }
 
 void SoOrganShape::setGeometry(const OrganGeometry& geometry) {
@@ -138,6 +174,7 @@ void SoOrganShape::upload(ContextBuffers& buffers) {
 }
 
 void SoOrganShape::GLRender(SoGLRenderAction* action) {
+  takeFields();
   if (!shouldGLRender(action) || triangles_.empty()) return;
   SoState* state = action->getState();
   const auto context = std::uint32_t(SoGLCacheContextElement::get(state));
@@ -175,6 +212,7 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
 }
 
 void SoOrganShape::computeBBox(SoAction*, SbBox3f& box, SbVec3f& centre) {
+  takeFields();
   if (!boxIsFresh_) {
     // Over the triangles, not the points: a vertex that nothing uses may lie anywhere.
     Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity()), high = -low;
@@ -195,6 +233,7 @@ void SoOrganShape::computeBBox(SoAction*, SbBox3f& box, SbVec3f& centre) {
 }
 
 void SoOrganShape::generatePrimitives(SoAction* action) {
+  takeFields();
   for (const Triangle& t : triangles_) {
     if (t[0] == t[1]) continue;
     SoPrimitiveVertex corners[3];

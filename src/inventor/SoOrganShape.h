@@ -1,14 +1,18 @@
 // How does the ever-changing surface of an organ reach the graphics card at the cost of its changes
 // only?
 //
-// A shape with vertex buffers of its own. The bulk geometry is not in fields: setGeometry() and
-// updateRange() copy it in, and the next rendering uploads the changed ranges to each context that
-// draws the shape. The field `revision` counts changes and notifies the scene.
+// A shape with vertex buffers of its own. A program hands its geometry to setGeometry() and
+// updateRange(), and the next rendering uploads the changed ranges to each context that draws the
+// shape. The field `revision` counts changes and notifies the scene. In an .iv file, and from an
+// engine, the surface comes through fields, whole each time: see inventor/SoMarchingCubes.h.
 //
 // Attributes seen by a shader: gl_Vertex, gl_Normal, gl_MultiTexCoord1.xyz = rest position (for
 // patterns that stick to the tissue), gl_MultiTexCoord2.x = cut. In .iv files: `OrganShape {}`.
 #pragma once
 
+#include <Inventor/fields/SoMFFloat.h>
+#include <Inventor/fields/SoMFInt32.h>
+#include <Inventor/fields/SoMFVec3f.h>
 #include <Inventor/fields/SoSFInt32.h>
 #include <Inventor/nodes/SoShape.h>
 #include <Inventor/nodes/SoSubNode.h>
@@ -41,6 +45,12 @@ class SoOrganShape : public SoShape {
   static void initClass();
   SoOrganShape();
 
+  // The whole surface, for files and engines; while coordIndex is empty these fields are not used.
+  SoMFVec3f points;      // m
+  SoMFVec3f normals;     // unit, outwards, one per point
+  SoMFFloat cut;         // 0 = capsule, 1 = cut parenchyma, one per point; missing ones count as 0
+  SoMFInt32 coordIndex;  // triangles: three and -1
+
   // Number of changes so far. Written by the functions below.
   SoSFInt32 revision;
 
@@ -63,6 +73,7 @@ class SoOrganShape : public SoShape {
   void GLRender(SoGLRenderAction* action) override;
   void computeBBox(SoAction* action, SbBox3f& box, SbVec3f& centre) override;
   void generatePrimitives(SoAction* action) override;
+  void notify(SoNotList* list) override;
 
  private:
   struct Range {
@@ -70,6 +81,7 @@ class SoOrganShape : public SoShape {
   };
   struct ContextBuffers;
 
+  void takeFields();
   void upload(ContextBuffers& buffers);
   static void contextDestroyed(std::uint32_t context, void* shape);
 
@@ -79,7 +91,7 @@ class SoOrganShape : public SoShape {
   std::map<std::uint32_t, std::unique_ptr<ContextBuffers>> contexts_;
   std::uint64_t uploadedBytes_ = 0;
   SbBox3f box_;
-  bool boxIsFresh_ = false;
+  bool boxIsFresh_ = false, fieldsAreTaken_ = true;
 };
 
 }  // namespace resect

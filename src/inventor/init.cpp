@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "inventor/SoMarchingCubes.h"
 #include "inventor/SoOrganShape.h"
 #include "inventor/SoShadowMaps.h"
 
@@ -18,6 +19,7 @@ void initInventor() {
   SoDB::init();
   SoNodeKit::init();
   SoInteraction::init();
+  SoMarchingCubes::initClass();
   SoOrganShape::initClass();
   SoShadowMaps::initClass();
 }

@@ -70,7 +70,7 @@ void OperationView::follow(const Simulation& simulation) {
 void OperationView::follow(const SurfaceUpdate& update) {
   if (update.everything) room_.organ()->setGeometry({});
   for (const SurfaceUpdate::Vertices& v : update.vertices)
-    room_.organ()->updateRange(v.first, 0, {v.points, v.normals, v.cut, {}, {}});
+    room_.organ()->updateRange(v.first, 0, {v.points, v.normals, v.cut, {}, v.rest});
   for (const SurfaceUpdate::Triangles& t : update.triangles)
     room_.organ()->updateRange(0, t.first, {{}, {}, {}, t.triangles, {}});
 }

@@ -100,7 +100,26 @@ bool LiveOperation::take(SurfaceUpdate& update, LiveState& state) {
 
 SurfaceTracker::Compact LiveOperation::surface() const {
   const std::lock_guard lock(stepping_);
-  return simulation_->organ().surface.compact();
+  const SurfaceTracker& surface = simulation_->organ().surface;
+  const auto points = simulation_->surfacePoints(), normals = simulation_->surfaceNormals();
+  SurfaceTracker::Compact result;
+  std::vector<std::int32_t> place(points.size(), -1);
+  for (const Triangle& t : surface.triangles()) {
+    if (t[0] == t[1]) continue;  // a hole
+    Triangle corners;
+    for (int c = 0; c < 3; ++c) {
+      const auto v = std::size_t(t[c]);
+      if (place[v] < 0) {
+        place[v] = std::int32_t(result.mesh.points.size());
+        result.mesh.points.push_back(points[v].cast<double>());
+        result.normals.push_back(normals[v]);
+        result.cut.push_back(surface.cut()[v]);
+      }
+      corners[c] = place[v];
+    }
+    result.mesh.triangles.push_back(corners);
+  }
+  return result;
 }
 
 void LiveOperation::waitFor(std::int64_t frame) {
@@ -163,8 +182,9 @@ void LiveOperation::publish(const StepReport& report) {
       const auto some = span.subspan(std::size_t(first), std::size_t(count));
       return std::vector(some.begin(), some.end());
     };
-    update_.vertices.push_back(
-        {first, part(surface.points()), part(surface.normals()), part(surface.cut())});
+    update_.vertices.push_back({first, part(simulation_->surfacePoints()),
+                                part(simulation_->surfaceNormals()), part(surface.cut()),
+                                part(surface.points())});
     updateVertices_ += std::size_t(count);
   };
   const auto addTriangles = [&](int first, int count) {
@@ -182,7 +202,14 @@ void LiveOperation::publish(const StepReport& report) {
     addVertices(0, int(surface.points().size()));
     addTriangles(0, int(surface.triangles().size()));
   } else {
-    for (const IndexRange& r : changes.vertices) addVertices(int(r.first), int(r.count));
+    if (simulation_->tissue().moves()) {
+      // All vertices are elsewhere; what an earlier frame said of them is past.
+      update_.vertices.clear();
+      addVertices(0, int(surface.points().size()));
+      updateVertices_ = 0;
+    } else {
+      for (const IndexRange& r : changes.vertices) addVertices(int(r.first), int(r.count));
+    }
     for (const IndexRange& r : changes.triangles) addTriangles(int(r.first), int(r.count));
   }
 
@@ -195,13 +222,17 @@ void LiveOperation::publish(const StepReport& report) {
   state_.triangles = surface.triangleCount();
   state_.iso = surface.iso();
   state_.faults = report.faults;
+  state_.moves = simulation_->tissue().moves();
   const auto& tools = simulation_->tools();
   state_.tips.resize(tools.size());
   state_.touching.assign(tools.size(), 0);
+  state_.forces.resize(tools.size());
   lastTouch_.resize(tools.size(), -1);
   for (std::size_t i = 0; i < tools.size(); ++i) {
+    state_.forces[i] = tools[i].feltForce.norm();
     // Tissue that is taken at once would be touched for one frame only, too short to see.
-    if (!report.contacts[i].cells.empty()) lastTouch_[i] = report.time;
+    if (!report.contacts[i].cells.empty() || report.toolForce[i].norm() > 0.01)
+      lastTouch_[i] = report.time;
     state_.touching[i] = std::uint8_t(lastTouch_[i] >= 0 && report.time - lastTouch_[i] < 0.1);
     if (tools[i].inHand)
       state_.tips[i] = placeOf(organ, tools[i].pose * tools[i].tool->model().tip);

@@ -22,8 +22,9 @@ namespace resect {
 struct SurfaceUpdate {
   struct Vertices {
     int first = 0;
-    std::vector<Vec3f> points, normals;
+    std::vector<Vec3f> points, normals;  // world, m; unit, outwards
     std::vector<float> cut;
+    std::vector<Vec3f> rest;  // where the tissue was at rest, m
   };
   struct Triangles {
     int first = 0;
@@ -60,6 +61,8 @@ struct LiveState {
   std::vector<StageTime> stages;
   double stepMedian = 0, stepWorst = 0;  // s, over the last second
   double realTimeFactor = 1;             // simulated over elapsed time, over the last second
+  bool moves = false;                    // the tissue is elastic
+  std::vector<double> forces;            // of the tissue on each tool as a hand feels it, N
   std::vector<std::string> faults;       // of the last frame
 };
 
@@ -81,7 +84,7 @@ class LiveOperation {
   // Moves out what has changed since the last call and copies the state. False: no frame since.
   bool take(SurfaceUpdate& update, LiveState& state);
 
-  // The surface as it is now, for saving; waits for the frame in work.
+  // The surface where it is now, for saving; waits for the frame in work.
   SurfaceTracker::Compact surface() const;
   // Waits until at least this frame has been done (for tests).
   void waitFor(std::int64_t frame);

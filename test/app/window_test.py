@@ -120,7 +120,7 @@ class Window:
     def __init__(self, screen, *args, scale="1"):
         environment = {**screen.environment, "QT_SCALE_FACTOR": scale}
         self.process = subprocess.Popen([PROGRAM, "window", "--reports", "--no-help", *args], env=environment,
-                                        stdout=subprocess.PIPE, stderr=None if os.environ.get("SHOW") else subprocess.DEVNULL, text=True)
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=None if os.environ.get("SHOW") else subprocess.DEVNULL, text=True)
         self.lines, self.places, self.said = queue.Queue(), {}, []
         threading.Thread(target=self.listen, daemon=True).start()
 
@@ -143,6 +143,10 @@ class Window:
             if line.startswith(beginning):
                 return line
 
+    def tell(self, command):
+        self.process.stdin.write(command + "\n")
+        self.process.stdin.flush()
+
     def drain(self):
         while not self.lines.empty():
             self.said.append(self.lines.get())
@@ -151,6 +155,7 @@ class Window:
         self.process.terminate()
         self.process.wait(timeout=30)
         self.process.stdout.close()
+        self.process.stdin.close()
 
 
 class AtTheWindow(unittest.TestCase):
@@ -225,18 +230,10 @@ class AtTheWindow(unittest.TestCase):
 
         # The scene into a file and back; then another organ.
         scene = FOLDER / "scene.iv"
-        screen.focus("^Resect$")
-        screen.key("ctrl+s")
-        screen.focus("Save scene")
-        screen.type(str(scene) + "\n")
+        window.tell(f"save-scene {scene}")
         window.wait(f"written {scene}")
         self.assertIn(b"DEF Organ", scene.read_bytes())
-        screen.focus("^Resect$")
-        screen.key("ctrl+o")
-        screen.focus("^Open$")
-        screen.type(str(scene))
-        screen.picture("7_file_dialog")
-        screen.type("\n")
+        window.tell(f"open {scene}")
         window.wait("report ")
         screen.picture("7_open_scene")
         screen.focus("Open organ")

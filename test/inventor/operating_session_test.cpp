@@ -30,7 +30,7 @@ struct Bench {
     scenario.organ.spacing = 0.012;
     int place = 0;
     for (const ToolKind& kind : toolKinds())
-      scenario.tools.push_back({std::string(kind.name), toolBoxPlace(place++), {}});
+      scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
     const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
     session = std::make_unique<OperatingSession>(
         scenario,

@@ -1,0 +1,49 @@
+// Which surface does a field of numbers have, inside an Inventor scene? The engine of the original
+// thesis: values on a grid go in, a surface comes out, and follows whenever an input changes.
+//
+//     OrganShape {
+//       points     = DEF SURFACE MarchingCubes { dims 20 20 20  value [ ... ]  iso 50 } . points
+//       normals    = USE SURFACE . normals
+//       coordIndex = USE SURFACE . coordIndex
+//     }
+//
+// Every change costs a pass over the whole grid; an organ that is operated on is better shown by
+// SurfaceTracker (surface/surface_tracker.h), which costs what has changed. Lorensen, Cline 1987.
+#pragma once
+
+#include <Inventor/engines/SoEngine.h>
+#include <Inventor/engines/SoSubEngine.h>
+#include <Inventor/fields/SoMFFloat.h>
+#include <Inventor/fields/SoMFInt32.h>
+#include <Inventor/fields/SoMFVec3f.h>
+#include <Inventor/fields/SoSFFloat.h>
+#include <Inventor/fields/SoSFInt32.h>
+#include <Inventor/fields/SoSFVec3f.h>
+#include <Inventor/fields/SoSFVec3s.h>
+
+namespace resect {
+
+class SoMarchingCubes : public SoEngine {
+  SO_ENGINE_HEADER(SoMarchingCubes);
+
+ public:
+  static void initClass();
+  SoMarchingCubes();
+
+  SoSFVec3s dims;   // nodes along x, y, z, >= 2 each for a surface
+  SoMFFloat value;  // one per node, x fastest; missing ones count as 0, others are left out
+  SoSFVec3f min;    // where the first node is
+  SoSFVec3f max;    // where the last node is
+  SoSFFloat iso;    // inside: value >= iso. Open where the inside reaches the grid's border
+
+  SoEngineOutput points;         // SoMFVec3f, shared by the triangles round them
+  SoEngineOutput normals;        // SoMFVec3f, unit, outwards: down the field's gradient
+  SoEngineOutput coordIndex;     // SoMFInt32, as IndexedFaceSet has it: three and -1
+  SoEngineOutput triangleCount;  // SoSFInt32
+
+ protected:
+  ~SoMarchingCubes() override = default;
+  void evaluate() override;
+};
+
+}  // namespace resect
