@@ -59,12 +59,10 @@ void run(const Options& options, const OrganOptions& organOptions) {
   organOptions.applyTo(scenario.organ);
 
   std::vector<std::string> notes, files;
-  Organ cells =
+  Simulation simulation(
       makeOrgan(loadCells(scenario.organ, modelReader(), progressBar("particles"), &notes),
-                scenario.organ.settings);
-  std::unique_ptr<TissueModel> tissue = makeTissue(scenario.tissue, cells);
-  Simulation simulation(std::move(cells), loadTools(scenario, modelReader()), std::move(tissue),
-                        scenario.table);
+                scenario.organ.settings),
+      loadTools(scenario, modelReader()));
 
   std::optional<PictureWriter> pictures;
   if (!options.frames.empty() || !options.video.empty())
@@ -86,11 +84,11 @@ void run(const Options& options, const OrganOptions& organOptions) {
     files.insert(files.end(), written.begin(), written.end());
   }
   if (!options.surface.empty()) {
-    writeMeshFile(options.surface, simulation.surfaceMesh());
+    writeMeshFile(options.surface, simulation.organ().surface.mesh());
     files.push_back(options.surface);
   }
   if (!options.pieces.empty()) {
-    const auto written = writePieces(options.pieces, simulation.surfaceMesh());
+    const auto written = writePieces(options.pieces, simulation.organ());
     files.insert(files.end(), written.begin(), written.end());
   }
   if (!options.json.empty()) writeJson(options.json, toJson(summary, scenario));
