@@ -6,7 +6,7 @@
 // touched bricks, whatever the size of the organ.
 //
 // Incisions are drawn in the same bricks (surface/wound_brick.h): nothing is removed, two lips lie
-// on each other until the tissue moves. An organ that was never cut pays nothing for them.
+// on each other until the tissue moves. An organ that was never cut keeps its path.
 //
 // points(), normals(), cut() and triangles() are arrays with holes, made for viewers: a brick keeps
 // its ranges while they suffice, unused triangles are (0, 0, 0), and changes() lists what to
