@@ -18,6 +18,7 @@ struct TissueEdit {
   enum class Kind : std::uint8_t {
     Remove,  // the particle of the cell is taken out
     Sever,   // its bond in `direction` is cut; for tissue that moves
+    Incise,  // the surface is parted where the tool's edge has passed; no cell
     Grip,    // the tool takes hold of it
     Release  // the tool lets go of all that it holds; no cell
   };

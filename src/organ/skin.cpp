@@ -4,20 +4,11 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "tissue/stencil.h"
 
 namespace resect {
 namespace {
 
 constexpr std::size_t kGrain = 2048;  // vertices per block
-
-// Are two cells of the same eight one, or bonded?
-bool together(const TissueModel& tissue, std::int64_t a, const Vec3i& from, const Vec3i& to) {
-  const Vec3i step = to - from;
-  if (step == Vec3i::Zero()) return true;
-  const int place = 13 + step.x() + 3 * step.y() + 9 * step.z();
-  return tissue.bonds(a) >> (place < 13 ? place : place - 1) & 1;
-}
 
 }  // namespace
 
@@ -66,17 +57,9 @@ void SurfaceSkin::bind(const Vec3f& vertex, const Lattice& lattice, const Tissue
         }
     if (count == 0) return;
   }
-  const auto heaviest =
-      std::max_element(candidates.begin(), candidates.begin() + count,
-                       [](const Candidate& a, const Candidate& b) { return a.weight < b.weight; });
-  const Vec3i main = heaviest->cell;
   double sum = 0;
+  for (int i = 0; i < count; ++i) sum += candidates[i].weight;
   for (int i = 0; i < count; ++i) {
-    if (!together(tissue, lattice.index(main), main, candidates[i].cell)) candidates[i].weight = 0;
-    sum += candidates[i].weight;
-  }
-  for (int i = 0; i < count; ++i) {
-    if (candidates[i].weight == 0) continue;
     to.place[i] = placeOf(lattice.index(candidates[i].cell));
     to.weight[i] = float(candidates[i].weight / sum);
   }
@@ -109,6 +92,21 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
       for (std::int32_t v = range.first; v < range.first + range.count; ++v)
         bind(rest[v], lattice, tissue, bindings_[v]);
   }
+  // Beside a wound the tracker knows which particles are on a vertex's side.
+  if (surface.changes().everything || !surface.changes().vertices.empty())
+    surface.visitBindings([&](std::int32_t first, std::span<const VertexBinding> bindings) {
+      for (std::size_t v = 0; v < bindings.size(); ++v) {
+        Binding& to = bindings_[std::size_t(first) + v];
+        if (bindings[v].count == 0) continue;
+        to.place.fill(-1);
+        to.weight.fill(0);
+        for (int k = 0; k < bindings[v].count; ++k) {
+          if (!tissue.solid(bindings[v].cell[k])) continue;
+          to.place[k] = placeOf(bindings[v].cell[k]);
+          to.weight[k] = bindings[v].weight[k];
+        }
+      }
+    });
 
   for (std::size_t i = restOfCell_.size(); i < cells_.size(); ++i)
     restOfCell_.push_back(lattice.centre(lattice.cell(cells_[i])).cast<float>());

@@ -2,9 +2,9 @@
 // round them; nothing is triangulated again.
 //
 // A vertex hangs on the up to eight particles round it: x = sum w_i (x_i + F_i (X - X_i)), weights
-// as of trilinear interpolation, shared among those that are there and bonded to the heaviest one,
-// so that a vertex beside a cut follows its own side. Normals turn with the cofactor of F. Cost: a
-// few products per vertex and frame, a look round for vertices that changed.
+// as of trilinear interpolation, shared among those that are there; beside a wound the tracker
+// names those on the vertex's own side (surface/vertex_binding.h). Normals turn with the cofactor
+// of F. Cost: a few products per vertex and frame, a look round for vertices that changed.
 #pragma once
 
 #include <array>
@@ -20,8 +20,7 @@ namespace resect {
 
 class SurfaceSkin {
  public:
-  // After surface.update() and tissue.move(). `changedCells`: whose bonds changed, or that were
-  // removed, since the last call.
+  // After surface.update() and tissue.move(). `changedCells`: removed since the last call.
   void follow(const SurfaceTracker& surface, const Lattice& lattice, const TissueModel& tissue,
               std::span<const std::int64_t> changedCells);
 

@@ -5,7 +5,7 @@
 
 #include "base/assert.h"
 #include "base/state_hash.h"
-#include "tissue/stencil.h"
+#include "organ/moved_incision.h"
 #include "tissue/still_tissue.h"
 #include "tools/moving_contacts.h"
 
@@ -105,7 +105,7 @@ void Simulation::findContacts(StepReport& report) const {
 void Simulation::actTools(const StepReport& report) {
   edits_.clear();
   for (const ToolContacts& contacts : report.contacts)
-    if (!contacts.cells.empty() || !contacts.crossed.empty() || !contacts.caught.empty())
+    if (!contacts.cells.empty() || !contacts.nearBlade.empty() || !contacts.caught.empty())
       tools_[contacts.tool].tool->act(contacts, edits_);
   for (std::size_t i = 0; i < tools_.size(); ++i)
     if (!tools_[i].inHand && tools_[i].wasInHand)
@@ -120,18 +120,17 @@ void Simulation::applyEdits(StepReport& report) {
   report.severed = 0;
   changedCells_.clear();
   if (!tissue_->moves()) return;
-  const Lattice& lattice = organ_.rest.lattice;
   for (const TissueEdit& edit : edits_) switch (edit.kind) {
       case TissueEdit::Kind::Remove:
-        for (int d = 0; d < kDirections; ++d)
-          if (tissue_->bonds(edit.cell) >> d & 1)
-            changedCells_.push_back(lattice.index(lattice.cell(edit.cell) + offsetOf(d)));
         changedCells_.push_back(edit.cell);
         tissue_->remove(edit.cell);
         break;
+      case TissueEdit::Kind::Incise:
+        inciseMoved(organ_, *tissue_, report.contacts[edit.tool].blade,
+                    report.contacts[edit.tool].nearBlade);
+        break;
       case TissueEdit::Kind::Sever:
         tissue_->sever(edit.cell, edit.direction);
-        noteChange({edit.cell, edit.direction});
         ++report.severed;
         break;
       case TissueEdit::Kind::Grip:
@@ -141,13 +140,6 @@ void Simulation::applyEdits(StepReport& report) {
         tissue_->release(edit.tool);
         break;
     }
-}
-
-// Vertices that hang on the ends of a parted bond are bound again.
-void Simulation::noteChange(const TissueBond& bond) {
-  const Lattice& lattice = organ_.rest.lattice;
-  changedCells_.push_back(bond.cell);
-  changedCells_.push_back(lattice.index(lattice.cell(bond.cell) + offsetOf(bond.direction)));
 }
 
 // Tissue moves for the frame, pushed and pulled by the tools on their way.
@@ -166,7 +158,6 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
                               model.friction, model.slipForce});
   }
   tissue_->move(input.duration, {tissueTools_, table_}, report.tissue);
-  for (const TissueBond& bond : report.tissue.tornBonds) noteChange(bond);
   for (std::size_t k = 0; k < tissueTools_.size(); ++k)
     report.toolForce[tissueTools_[k].tool] = report.tissue.toolForce[k];
   const double share = 1 - std::exp(-input.duration / kFeltTime);

@@ -91,7 +91,6 @@ class Simulation {
   void actTools(const StepReport& report);
   void applyEdits(StepReport& report);
   void moveTissue(const FrameInput& input, StepReport& report);
-  void noteChange(const TissueBond& bond);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
   void measure(const FrameInput& input, StepReport& report);
@@ -102,7 +101,7 @@ class Simulation {
   std::vector<ToolState> tools_;
   std::vector<std::unique_ptr<SignedDistance>> shapes_;  // of the tools, for tissue that moves
   std::vector<TissueTool> tissueTools_;                  // of this frame
-  std::vector<std::int64_t> changedCells_;               // whose bonds changed in this frame
+  std::vector<std::int64_t> changedCells_;               // removed in this frame
   SurfaceSkin skin_;
   std::vector<TissueEdit> edits_;                // queued in this frame
   std::span<const std::int64_t> touchedBricks_;  // of this frame

@@ -75,7 +75,7 @@ ToolContacts findMovingContacts(const Organ& organ, const TissueModel& tissue, c
 
   const Vec3 motion = toTool.rotation * (way.to.position - way.from.position);
   contacts.pulls = motion.dot(model.axis) > 0.2 * motion.norm() && motion.norm() > 0;
-  SweptBlade blade;
+  SweptBlade& blade = contacts.blade;
   if (!model.edge.empty()) {
     const Vec3 middle = middleOf(model.edge);
     if (cuts(model, toTool.rotation * (way.to * middle - way.from * middle)))
@@ -107,6 +107,7 @@ ToolContacts findMovingContacts(const Organ& organ, const TissueModel& tissue, c
         contacts.caught.push_back(c);
     }
     if (blade.empty() || !nearBlade.contains(x)) continue;
+    contacts.nearBlade.push_back(c);
     const Vec3i at = lattice.cell(c);
     for (int d = kFirstForward; d < kDirections; ++d) {
       if (!(tissue.bonds(c) >> d & 1)) continue;

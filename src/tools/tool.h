@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "collision/swept_blade.h"
 #include "geometry/pose.h"
 #include "geometry/triangle_mesh.h"
 #include "organ/organ.h"
@@ -37,13 +38,15 @@ struct ToolModel {
 
 // What one tool touches in one step.
 struct ToolContacts {
-  std::int32_t tool = -1;            // index of the tool in the simulation
-  std::vector<std::int64_t> cells;   // particles inside the volume that the tool swept, ascending
-  bool tissueMoves = false;          // the following are filled for tissue that moves
-  std::vector<TissueBond> crossed;   // bonds that its edge has passed through, ascending
-  std::vector<std::int64_t> caught;  // particles in its bend while it pulls, ascending
-  bool pulls = false;                // it moves towards its handle
-  std::int32_t gripped = 0;          // particles that it holds
+  std::int32_t tool = -1;           // index of the tool in the simulation
+  std::vector<std::int64_t> cells;  // particles inside the volume that the tool swept, ascending
+  bool tissueMoves = false;         // the following are filled for tissue that moves
+  SweptBlade blade;                 // what its edge swept while it cut; empty when it did not
+  std::vector<std::int64_t> nearBlade;  // particles near that, ascending
+  std::vector<TissueBond> crossed;      // bonds that its edge has passed through, ascending
+  std::vector<std::int64_t> caught;     // particles in its bend while it pulls, ascending
+  bool pulls = false;                   // it moves towards its handle
+  std::int32_t gripped = 0;             // particles that it holds
   double overlapVolume = 0;  // m^3 of organ and tool in the same place at the end of the step
   Aabb volumeOfInterest;     // where both boxes overlap; empty when they do not
 };

@@ -146,6 +146,17 @@ def lift():
     return [("scalpel", None), ("hook", path), ("baton", None)]
 
 
+def incise():
+    """One long cut over the dome, towards the surgeon, two centimetres deep."""
+    path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
+    path.wait(0.9)
+    path.to(-0.03, 0.2, -0.06).to(-0.03, 0.1, -0.065)
+    for y, z in ((0.082, -0.05), (0.078, -0.02), (0.07, 0.01), (0.058, 0.035), (0.045, 0.055)):
+        path.to(-0.03, y, z, speed=0.05)
+    path.to(-0.03, 0.14, 0.12).to(0.05, 0.24, 0.14, speed=0.3)
+    return [("scalpel", path), ("hook", None), ("baton", None)]
+
+
 def no_tools():
     return [("scalpel", None), ("hook", None), ("baton", None)]
 
@@ -195,6 +206,8 @@ def all_scenarios():
                            press(), LIGAMENTS)
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, lift(),
                           LIGAMENTS)
+    yield "incise", elastic("An incision over the dome", "The blade is drawn towards the surgeon; nothing is lost",
+                            8.0, incise(), LIGAMENTS)
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n")
     yield "drop", elastic("The liver is dropped on the table", "From 12 cm; it flattens, and comes to rest", 8.0,

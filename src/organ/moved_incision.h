@@ -1,0 +1,16 @@
+// How is an incision made in tissue that has moved? The blade is met where the tissue is now.
+#pragma once
+
+#include "collision/swept_blade.h"
+#include "organ/organ.h"
+#include "tissue/tissue_model.h"
+
+namespace resect {
+
+// Cuts along the blade, in world space as the tissue is; `nearCells`: particles near the blade. The
+// surface follows with updateSurface(). Returns the number of grid edges severed. Cost: some 10 us
+// per brick near the blade.
+std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
+                         std::span<const std::int64_t> nearCells);
+
+}  // namespace resect
