@@ -32,8 +32,10 @@ keys = [
 RunSummary runWith(int threads) {
   const ThreadLimit limit(threads);
   const Scenario scenario = parseScenario(kScenario, "example");
-  Simulation simulation(makeOrgan(loadCells(scenario.organ, readModel), scenario.organ.settings),
-                        loadTools(scenario, readModel));
+  Organ organ = makeOrgan(loadCells(scenario.organ, readModel), scenario.organ.settings);
+  std::unique_ptr<TissueModel> tissue = makeTissue(scenario.tissue, organ);
+  Simulation simulation(std::move(organ), loadTools(scenario, readModel), std::move(tissue),
+                        scenario.table);
   return runScenario(simulation, scenario, [](const Simulation&, const StepReport& report) {
     if (report.removed > 0)
       fmt::print("{:.3f} s: {} particles, {:.2f} ml\n", report.time, report.removed,

@@ -100,26 +100,7 @@ bool LiveOperation::take(SurfaceUpdate& update, LiveState& state) {
 
 SurfaceTracker::Compact LiveOperation::surface() const {
   const std::lock_guard lock(stepping_);
-  const SurfaceTracker& surface = simulation_->organ().surface;
-  const auto points = simulation_->surfacePoints(), normals = simulation_->surfaceNormals();
-  SurfaceTracker::Compact result;
-  std::vector<std::int32_t> place(points.size(), -1);
-  for (const Triangle& t : surface.triangles()) {
-    if (t[0] == t[1]) continue;  // a hole
-    Triangle corners;
-    for (int c = 0; c < 3; ++c) {
-      const auto v = std::size_t(t[c]);
-      if (place[v] < 0) {
-        place[v] = std::int32_t(result.mesh.points.size());
-        result.mesh.points.push_back(points[v].cast<double>());
-        result.normals.push_back(normals[v]);
-        result.cut.push_back(surface.cut()[v]);
-      }
-      corners[c] = place[v];
-    }
-    result.mesh.triangles.push_back(corners);
-  }
-  return result;
+  return simulation_->surface();
 }
 
 void LiveOperation::waitFor(std::int64_t frame) {

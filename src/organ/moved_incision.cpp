@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "surface/node_places.h"
+#include "tissue/stencil.h"
 
 namespace resect {
 namespace {
@@ -56,6 +57,26 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
                 [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
                   placeNodes(organ.field, wound, organ.surface.iso(), brick, motionOf, places);
                 });
+}
+
+std::int64_t tearSurface(Organ& organ, std::span<const TissueBond> torn) {
+  const int refine = organ.field.refine();
+  std::int64_t severed = 0;
+  for (const TissueBond& bond : torn) {
+    if (neighbourKind(bond.direction) != 1) continue;
+    const Vec3i step = offsetOf(bond.direction), from = organ.rest.lattice.cell(bond.cell);
+    const Vec3i low = from.cwiseMin(from + step);
+    const int axis = step.x() != 0 ? 0 : step.y() != 0 ? 1 : 2;
+    // The lower cell's centre is a node; the shared face lies half a cell above it.
+    const Vec3i node = refine * (low + Vec3i::Constant(2)) + (refine / 2) * Vec3i::Unit(axis);
+    const double share = refine % 2 == 0 ? 0 : 0.5;
+    const Vec3i along = Vec3i::Unit((axis + 1) % 3), across = Vec3i::Unit((axis + 2) % 3);
+    for (int i = -refine / 2; i <= refine / 2; ++i)
+      for (int j = -refine / 2; j <= refine / 2; ++j)
+        severed +=
+            organ.severed.sever(node + i * along + j * across, axis, share, Vec3::Unit(axis));
+  }
+  return severed;
 }
 
 }  // namespace resect

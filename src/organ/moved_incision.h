@@ -13,4 +13,8 @@ namespace resect {
 std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
                          std::span<const std::int64_t> nearCells);
 
+// Parts the surface where bonds tore: of each torn face bond, the grid edges through the face that
+// the two cells shared. Returns the number of grid edges severed.
+std::int64_t tearSurface(Organ& organ, std::span<const TissueBond> torn);
+
 }  // namespace resect

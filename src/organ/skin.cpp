@@ -138,22 +138,4 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
   });
 }
 
-TriangleMesh withoutHoles(std::span<const Vec3f> points, std::span<const Triangle> triangles) {
-  TriangleMesh mesh;
-  std::vector<std::int32_t> number(points.size(), -1);
-  for (const Triangle& t : triangles) {
-    if (t[0] == t[1]) continue;
-    Triangle compact;
-    for (int k = 0; k < 3; ++k) {
-      if (number[t[k]] < 0) {
-        number[t[k]] = std::int32_t(mesh.points.size());
-        mesh.points.push_back(points[t[k]].cast<double>());
-      }
-      compact[k] = number[t[k]];
-    }
-    mesh.triangles.push_back(compact);
-  }
-  return mesh;
-}
-
 }  // namespace resect

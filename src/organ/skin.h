@@ -45,7 +45,4 @@ class SurfaceSkin {
   std::vector<std::uint8_t> changed_;  // per place in cells_
 };
 
-// The triangles of a surface with holes in its arrays, at other points, without the holes.
-TriangleMesh withoutHoles(std::span<const Vec3f> points, std::span<const Triangle> triangles);
-
 }  // namespace resect

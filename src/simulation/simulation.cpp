@@ -158,6 +158,7 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
                               model.friction, model.slipForce});
   }
   tissue_->move(input.duration, {tissueTools_, table_}, report.tissue);
+  tearSurface(organ_, report.tissue.tornBonds);
   for (std::size_t k = 0; k < tissueTools_.size(); ++k)
     report.toolForce[tissueTools_[k].tool] = report.tissue.toolForce[k];
   const double share = 1 - std::exp(-input.duration / kFeltTime);
@@ -195,9 +196,8 @@ std::span<const Vec3f> Simulation::surfaceNormals() const {
   return tissue_->moves() ? skin_.normals() : organ_.surface.normals();
 }
 
-TriangleMesh Simulation::surfaceMesh() const {
-  return tissue_->moves() ? withoutHoles(skin_.points(), organ_.surface.triangles())
-                          : organ_.surface.mesh();
+SurfaceTracker::Compact Simulation::surface() const {
+  return organ_.surface.compact(surfacePoints(), surfaceNormals());
 }
 
 // The books: time, frame, and faults of nature or of settings.

@@ -78,7 +78,8 @@ class Simulation {
   // tissue. One point and normal per vertex of the tracker's arrays.
   std::span<const Vec3f> surfacePoints() const;
   std::span<const Vec3f> surfaceNormals() const;
-  TriangleMesh surfaceMesh() const;  // without the arrays' holes
+  SurfaceTracker::Compact surface() const;  // without the arrays' holes
+  TriangleMesh surfaceMesh() const { return surface().mesh; }
   double time() const { return time_; }
   std::int64_t frame() const { return frame_; }
 

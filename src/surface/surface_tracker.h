@@ -78,7 +78,9 @@ class SurfaceTracker {
     std::vector<Vec3f> normals;
     std::vector<float> cut;
   };
-  Compact compact() const;
+  Compact compact() const { return compact(points_, normals_); }
+  // The same at other places: one point and normal per vertex of the arrays.
+  Compact compact(std::span<const Vec3f> points, std::span<const Vec3f> normals) const;
   TriangleMesh mesh() const { return compact().mesh; }
   // For each point of compact(): a node of the field inside the tissue that it is the skin of.
   std::vector<Vec3i> anchorNodes(const ColourField& field) const;

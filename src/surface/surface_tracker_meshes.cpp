@@ -6,9 +6,10 @@
 
 namespace resect {
 
-SurfaceTracker::Compact SurfaceTracker::compact() const {
+SurfaceTracker::Compact SurfaceTracker::compact(std::span<const Vec3f> points,
+                                                std::span<const Vec3f> normals) const {
   Compact result;
-  std::vector<std::int32_t> newIndex(points_.size(), -1);
+  std::vector<std::int32_t> newIndex(points.size(), -1);
   for (const std::int32_t record : recordOf_) {
     if (record == kNone) continue;
     const BrickMesh& mesh = bricks_[record];
@@ -20,8 +21,8 @@ SurfaceTracker::Compact SurfaceTracker::compact() const {
         continue;
       }
       newIndex[v] = std::int32_t(result.mesh.points.size());
-      result.mesh.points.push_back(points_[v].cast<double>());
-      result.normals.push_back(normals_[v]);
+      result.mesh.points.push_back(points[v].cast<double>());
+      result.normals.push_back(normals[v]);
       result.cut.push_back(cut_[v]);
     }
   }

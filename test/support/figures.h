@@ -18,12 +18,12 @@ class Figures {
   }
   // Returns the relative error, |measured / reference - 1|; `allowed` is what the test allows.
   double add(const std::string& quantity, double measured, double reference, double allowed) {
-    file_ << quantity << ',' << measured << ',' << reference << ',' << allowed << '\n';
+    file_ << '"' << quantity << "\"," << measured << ',' << reference << ',' << allowed << '\n';
     return std::abs(measured / reference - 1);
   }
   // A figure that is itself an error, with the most that is allowed; returned as it is.
   double addError(const std::string& quantity, double error, double allowed) {
-    file_ << quantity << ',' << error << ",," << allowed << '\n';
+    file_ << '"' << quantity << "\"," << error << ",," << allowed << '\n';
     return error;
   }
 

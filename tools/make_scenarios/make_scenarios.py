@@ -157,6 +157,24 @@ def incise():
     return [("scalpel", path), ("hook", None), ("baton", None)]
 
 
+def incise_under_traction():
+    """The hook takes the left lobe and pulls it aside; the scalpel cuts across the pull, and the wound opens."""
+    hook = Path3(handle=(0.8, 0.6, 0), edge=(0.6, -0.8, 0), speed=0.12)
+    hook.wait(0.9)
+    hook.to(0.16, 0.11, 0.02).to(0.062, 0.026, 0.02)
+    hook.wait(0.1)
+    hook.to(0.062, 0.026, 0.02).to(0.085, 0.042, 0.02, speed=0.03)
+    hook.wait(4)
+    hook.to(0.085, 0.042, 0.02)
+    scalpel = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.15)
+    scalpel.wait(2.8)
+    scalpel.to(0.025, 0.2, -0.04).to(0.025, 0.09, -0.045)
+    for y, z in ((0.06, -0.035), (0.045, -0.01), (0.035, 0.02), (0.03, 0.045), (0.025, 0.065)):
+        scalpel.to(0.025, y, z, speed=0.06)
+    scalpel.to(0.025, 0.14, 0.12).to(0.05, 0.24, 0.14, speed=0.3)
+    return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
+
+
 def no_tools():
     return [("scalpel", None), ("hook", None), ("baton", None)]
 
@@ -208,6 +226,9 @@ def all_scenarios():
                           LIGAMENTS)
     yield "incise", elastic("An incision over the dome", "The blade is drawn towards the surgeon; nothing is lost",
                             8.0, incise(), LIGAMENTS)
+    yield "incise-under-traction", elastic(
+        "An incision under traction", "The hook pulls, the scalpel cuts across the pull, and the wound opens", 6.0,
+        incise_under_traction(), LIGAMENTS)
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n")
     yield "drop", elastic("The liver is dropped on the table", "From 12 cm; it flattens, and comes to rest", 8.0,
