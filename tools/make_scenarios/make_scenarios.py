@@ -163,15 +163,15 @@ def incise_under_traction():
     hook.wait(0.9)
     hook.to(0.16, 0.11, 0.02).to(0.062, 0.026, 0.02)
     hook.wait(0.1)
-    hook.to(0.062, 0.026, 0.02).to(0.085, 0.042, 0.02, speed=0.03)
-    hook.wait(4)
-    hook.to(0.085, 0.042, 0.02)
+    hook.to(0.062, 0.026, 0.02).to(0.076, 0.0365, 0.02, speed=0.03)
+    hook.wait(4.5)
+    hook.to(0.076, 0.0365, 0.02)
     scalpel = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.15)
-    scalpel.wait(2.8)
-    scalpel.to(0.025, 0.2, -0.04).to(0.025, 0.09, -0.045)
-    for y, z in ((0.06, -0.035), (0.045, -0.01), (0.035, 0.02), (0.03, 0.045), (0.025, 0.065)):
-        scalpel.to(0.025, y, z, speed=0.06)
-    scalpel.to(0.025, 0.14, 0.12).to(0.05, 0.24, 0.14, speed=0.3)
+    scalpel.wait(3)
+    scalpel.to(0.045, 0.2, -0.03).to(0.045, 0.09, -0.035)
+    for y, z in ((0.03, -0.025), (0.018, -0.005), (0.012, 0.02), (0.012, 0.045), (0.012, 0.06)):
+        scalpel.to(0.045, y, z, speed=0.06)
+    scalpel.to(0.045, 0.14, 0.12).to(0.05, 0.24, 0.14, speed=0.3)
     return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
 
 
