@@ -40,6 +40,8 @@ class MainWindow : public QMainWindow {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  static constexpr double kVideoRate = 25;  // pictures per second
+
   void makeMenus();
   void makeDocks();
   void begin(OrganLoader::Result result);

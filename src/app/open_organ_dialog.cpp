@@ -6,11 +6,13 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "inventor/scene_file.h"
 
@@ -74,21 +76,22 @@ void OpenOrganDialog::show(const std::string& json, const std::string& problem) 
     report_->setText(QString::fromStdString(problem));
     return;
   }
-  const auto info = nlohmann::json::parse(json, nullptr, false);
-  if (info.is_discarded()) return report_->setText("the report cannot be read");
-  const bool closed = info.value("closed", false);
+  const QJsonObject info = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
+  if (info.isEmpty()) return report_->setText("the report cannot be read");
+  const bool closed = info["closed"].toBool();
   QString text =
       QString("%L1 triangles, %2 components, %3")
-          .arg(info.value("triangles", 0))
-          .arg(info.value("components", 0))
+          .arg(info["triangles"].toInt())
+          .arg(info["components"].toInt())
           .arg(closed ? "closed"
-                      : QString("open: %1 boundary edges").arg(info.value("boundary_edges", 0)));
-  if (info.value("inside_out", false)) text += ", inside out (will be turned)";
+                      : QString("open: %1 boundary edges").arg(info["boundary_edges"].toInt()));
+  if (info["inside_out"].toBool()) text += ", inside out (will be turned)";
   report_->setText(text);
   repair_->setChecked(!closed);
+  const QJsonArray bounds = info["bounds_m"].toArray();
   for (int a = 0; a < 3; ++a)
-    longest_ = std::max(
-        longest_, info["bounds_m"][1][a].get<double>() - info["bounds_m"][0][a].get<double>());
+    longest_ =
+        std::max(longest_, bounds[1].toArray()[a].toDouble() - bounds[0].toArray()[a].toDouble());
   // A liver is 0.15 to 0.30 m long: the unit that comes nearest.
   int best = 0;
   for (int i = 0; i < unit_->count(); ++i) {
@@ -99,10 +102,10 @@ void OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   }
   unit_->setCurrentIndex(best);
   unitChanged();
-  if (info.contains("parts") && info["parts"].size() > 1)
-    for (const auto& part : info["parts"]) {
-      const QString name = QString::fromStdString(part.is_string() ? part.get<std::string>()
-                                                                   : part.value("name", ""));
+  const QJsonArray parts = info["parts"].toArray();
+  if (parts.size() > 1)
+    for (const QJsonValue& part : parts) {
+      const QString name = part.isString() ? part.toString() : part["name"].toString();
       part_->addItem(name, name);
       // In a scene that was saved from here the organ is known by its name.
       if (name == kOrganNode) {

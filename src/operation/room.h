@@ -21,8 +21,8 @@ inline Pose toolBoxPlace(int i) {
   return {toolBoxPose() * Vec3(-0.085 + 0.075 * (i % 3), 0.008, -0.085), onItsSide};
 }
 
-// How a tool is held over the organ: handle up and towards the surgeon, edge towards the surgeon, as
-// one draws a cut.
+// How a tool is held over the organ: handle up and towards the surgeon, edge towards the surgeon,
+// as one draws a cut.
 inline Eigen::Quaterniond workingRotation() {
   const Vec3 handle = Vec3(0, 0.9, 0.45).normalized(), edge = Vec3(0, -0.45, 0.9).normalized();
   Mat3 axes;  // of the tool's frame: the edge looks to -Y, the handle to +Z

@@ -1,0 +1,159 @@
+// What the main window does with files: opens and saves, from menus, drops and scripts.
+#include <unistd.h>
+
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMimeData>
+#include <QSettings>
+#include <QSocketNotifier>
+#include <QStatusBar>
+#include <filesystem>
+
+#include "app/main_window.h"
+#include "app/say.h"
+#include "app/viewer.h"
+#include "base/error.h"
+#include "inventor/scene_file.h"
+#include "io/mesh_file.h"
+#include "io/png_file.h"
+#include "io/scenario_file.h"
+
+namespace resect {
+// A script may name files without going through their dialogs: "open FILE", "save-scene FILE",
+// "save-surface FILE", "save-picture FILE".
+void MainWindow::listenToScript() {
+  auto* lines = new QSocketNotifier(0, QSocketNotifier::Read, this);
+  connect(lines, &QSocketNotifier::activated, this, [this, lines] {
+    char block[4096];
+    const auto got = ::read(0, block, sizeof block);
+    if (got <= 0) return lines->setEnabled(false);
+    script_.append(block, std::size_t(got));
+    for (std::size_t end; (end = script_.find('\n')) != std::string::npos;) {
+      const std::string line = script_.substr(0, end);
+      script_.erase(0, end + 1);
+      const std::size_t space = line.find(' ');
+      const std::string what = line.substr(0, space),
+                        file = space == std::string::npos ? "" : line.substr(space + 1);
+      try {
+        if (what == "open") openFile(QString::fromStdString(file));
+        if (what == "save-scene") writeScene(file);
+        if (what == "save-surface") writeMeshFile(file, session_->operation().surface().mesh);
+        if (what == "save-picture") writePng(file, viewer_->grabPicture());
+        if (what.starts_with("save")) say("written {}", file);
+      } catch (const std::exception& e) {
+        complain(e.what());
+      }
+    }
+  });
+}
+
+void MainWindow::writeScene(const std::string& file) {
+  writeSceneFile(file, session_->room(), session_->operation().surface());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  if (!urls.isEmpty()) openFile(urls.front().toLocalFile());
+}
+
+// Organ, scenario or saved scene: told by what is in it.
+void MainWindow::openFile(const QString& file) {
+  try {
+    const std::filesystem::path path = file.toStdString();
+    if (path.extension() == ".toml") {
+      load(readScenario(path));
+      remember(file);
+    } else if (path.extension() == ".dis") {
+      Scenario scenario = options_.scenario;
+      scenario.organ = {};
+      scenario.organ.file = path.string();
+      load(scenario);
+      remember(file);
+    } else {
+      askOrgan(file);
+    }
+  } catch (const std::exception& e) {
+    complain(e.what());
+  }
+}
+
+void MainWindow::askOrgan(const QString& file) {
+  auto* dialog = new OpenOrganDialog(file.toStdString(), options_.scenario.organ, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
+    Scenario scenario = session_ ? session_->scenario() : options_.scenario;
+    scenario.organ = dialog->source();
+    // What was saved from here lies as it lay.
+    if (scenario.organ.part == kOrganNode) scenario.organ.onTable = false;
+    load(scenario);
+    remember(file);
+  });
+  dialog->examined = [this](const std::string& report) {
+    if (options_.reports) say("report {}", report);
+  };
+  dialog->open();
+}
+
+void MainWindow::remember(const QString& file) {
+  QSettings settings;
+  QStringList recent = settings.value("recent").toStringList();
+  recent.removeAll(file);
+  recent.prepend(file);
+  settings.setValue("recent", QStringList(recent.mid(0, 8)));
+  fillRecent();
+}
+
+void MainWindow::save(const char* title, const char* filter, const QString& name,
+                      const std::function<void(const std::string&)>& write) {
+  if (!session_) return;
+  const QString file = QFileDialog::getSaveFileName(this, title, name, filter);
+  if (file.isEmpty()) return;
+  try {
+    write(file.toStdString());
+    statusBar()->showMessage("Written: " + file, 5000);
+    if (options_.reports) say("written {}", file.toStdString());
+  } catch (const std::exception& e) {
+    complain(e.what());
+  }
+}
+
+void MainWindow::saveSurface() {
+  save("Save surface", "Meshes (*.stl *.obj *.ply *.vtk *.iv)", "organ.stl",
+       [this](const std::string& file) {
+         writeMeshFile(file, session_->operation().surface().mesh);
+       });
+}
+
+void MainWindow::saveScene() {
+  save("Save scene", "Open Inventor (*.iv)", "scene.iv",
+       [this](const std::string& file) { writeScene(file); });
+}
+
+void MainWindow::savePicture() {
+  save("Save picture", "PNG (*.png)", "picture.png",
+       [this](const std::string& file) { writePng(file, viewer_->grabPicture()); });
+}
+
+void MainWindow::toggleVideo() {
+  if (video_) {
+    try {
+      video_->finish();
+      statusBar()->showMessage("The video is written", 5000);
+    } catch (const std::exception& e) {
+      complain(e.what());
+    }
+    video_.reset();
+    return;
+  }
+  save("Record video", "MPEG-4 (*.mp4)", "operation.mp4", [this](const std::string& file) {
+    const RgbImage picture = viewer_->grabPicture();
+    video_ = std::make_unique<VideoWriter>(file, picture.width, picture.height, kVideoRate);
+  });
+}
+
+}  // namespace resect
