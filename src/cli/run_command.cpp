@@ -37,9 +37,10 @@ void listScenarios() {
                readScenario(dataFolder() / "scenarios" / (name + ".toml")).title);
 }
 
-std::vector<std::string> writePieces(const std::filesystem::path& folder, const Organ& organ) {
+std::vector<std::string> writePieces(const std::filesystem::path& folder,
+                                     const Simulation& simulation) {
   std::vector<std::string> files;
-  for (const TriangleMesh& piece : bodies(organ)) {
+  for (const TriangleMesh& piece : bodies(simulation.organ(), simulation.surface().mesh)) {
     files.push_back(folder / fmt::format("piece_{}.stl", files.size() + 1));
     writeMeshFile(files.back(), piece);
   }
@@ -88,7 +89,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
     files.push_back(options.surface);
   }
   if (!options.pieces.empty()) {
-    const auto written = writePieces(options.pieces, simulation.organ());
+    const auto written = writePieces(options.pieces, simulation);
     files.insert(files.end(), written.begin(), written.end());
   }
   if (!options.json.empty()) writeJson(options.json, toJson(summary, scenario));

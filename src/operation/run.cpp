@@ -58,7 +58,8 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
     summary.computedSeconds += summarise(stage.seconds).total;
   const TriangleMesh surface = simulation.surfaceMesh();
   summary.surface = summarise(surface);
-  for (const TriangleMesh& piece : bodies(organ)) summary.pieces.push_back(summarise(piece));
+  for (const TriangleMesh& piece : bodies(organ, surface))
+    summary.pieces.push_back(summarise(piece));
   summary.stateHash = simulation.stateHash();
   return summary;
 }

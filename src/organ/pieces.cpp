@@ -91,8 +91,9 @@ std::vector<std::int32_t> tissuePieces(const Organ& organ, int* count) {
   return piece;
 }
 
-std::vector<TriangleMesh> bodies(const Organ& organ) {
-  const TriangleMesh surface = organ.surface.mesh();
+std::vector<TriangleMesh> bodies(const Organ& organ) { return bodies(organ, organ.surface.mesh()); }
+
+std::vector<TriangleMesh> bodies(const Organ& organ, const TriangleMesh& surface) {
   if (organ.severed.empty()) return bodies(surface);
   int count = 0;
   const std::vector<std::int32_t> pieceOf = tissuePieces(organ, &count);

@@ -16,6 +16,8 @@ std::vector<TriangleMesh> bodies(const TriangleMesh& surface);
 // belong to one body when their tissue is connected over whole edges of the grid. The bodies'
 // volumes add up to the organ's. Crumbs smaller than a particle are bodies too. O(grid nodes).
 std::vector<TriangleMesh> bodies(const Organ& organ);
+// The same where the tissue has moved; surface: organ.surface.compact(points, normals).mesh.
+std::vector<TriangleMesh> bodies(const Organ& organ, const TriangleMesh& surface);
 
 // Per node of the field's grid, x fastest: the piece of tissue that it lies in, -1 outside. Pieces
 // are numbered in the order of their first node.

@@ -61,6 +61,23 @@ TEST_CASE("cut right through, an organ is separate closed bodies whose volumes a
   for (std::size_t i = 1; i < pieces.size(); ++i) CHECK(volume(pieces[i - 1]) >= volume(pieces[i]));
 }
 
+TEST_CASE("bodies of moved tissue are closed at their present places") {
+  Organ organ = makeOrgan(test::blob(18), {});
+  incise(organ, test::flatBlade(middle(organ) + Vec3(0.0003, 0.0004, 0.0005), Vec3(0.2, 0.01, 0.02),
+                                Vec3(0.01, 0.01, 0.2)));
+  follow(organ);
+  std::vector<Vec3f> moved;
+  for (const Vec3f& p : organ.surface.points()) moved.push_back(1.1f * p + Vec3f(0.1f, 0, 0));
+  const auto still = bodies(organ),
+             there = bodies(organ, organ.surface.compact(moved, organ.surface.normals()).mesh);
+  REQUIRE(there.size() == still.size());
+  REQUIRE(there.size() >= 2);
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    CHECK(test::wrongWith(there[i]) == "");
+    CHECK(std::abs(volume(there[i]) / volume(still[i]) - 1.331) < 1e-3);
+  }
+}
+
 TEST_CASE("a blind cut within is no body of its own") {
   Organ organ = makeOrgan(test::blob(20), {});
   incise(organ, test::flatBlade(middle(organ), Vec3(0.015, 0, 0.001), Vec3(0, 0.001, 0.015)));
