@@ -128,6 +128,7 @@ void MainWindow::makeDocks() {
   dock("Removed", removed_);
   dock("Force", force_);
   dock("Timing", timing_);
+  force_->parentWidget()->hide();  // until there is tissue that pushes back
   instruments_->chosen = [this](int tool) {
     if (!session_) return;
     if (tool < 0)
@@ -257,11 +258,16 @@ void MainWindow::tick() {
     force_->parentWidget()->setVisible(state.moves);
   if (state.moves) force_->follow(state, tools.held());
   timing_->follow(state, viewer_->framesPerSecond(), viewer_->scaleInMotion());
-  if (options_.reports && !readySaid_ && state.frame > 0 && viewer_->framesPerSecond() > 0) {
-    readySaid_ = true;
+  if (!options_.reports || state.frame == 0) return;
+  // Once the panels have settled round the picture.
+  const QSize size = viewer_->size();
+  if (size == lastSize_ && size != placesSize_) {
     reportPlaces();
-    say("ready");
+    placesSize_ = size;
+    if (!readySaid_) say("ready");
+    readySaid_ = true;
   }
+  lastSize_ = size;
 }
 
 // Where a script finds things: pixels of the screen.

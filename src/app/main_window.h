@@ -88,6 +88,7 @@ class MainWindow : public QMainWindow {
   std::string script_, faultSaid_;
   bool lookingAt_ = false;  // the next click chooses the point of interest
   bool readySaid_ = false;
+  QSize lastSize_, placesSize_;  // of the picture: at the last look, when places were told
 };
 
 }  // namespace resect

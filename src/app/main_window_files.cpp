@@ -93,8 +93,11 @@ void MainWindow::askOrgan(const QString& file) {
     load(scenario);
     remember(file);
   });
-  dialog->examined = [this](const std::string& report) {
-    if (options_.reports) say("report {}", report);
+  dialog->examined = [this, dialog](const std::string& report) {
+    if (!options_.reports) return;
+    const QPoint at = dialog->openButton() * devicePixelRatioF();
+    say("place open {} {}", at.x(), at.y());
+    say("report {}", report);
   };
   dialog->open();
 }

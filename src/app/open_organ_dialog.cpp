@@ -118,6 +118,8 @@ void OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   open_->setDefault(true);
 }
 
+QPoint OpenOrganDialog::openButton() const { return open_->mapToGlobal(open_->rect().center()); }
+
 OrganSource OpenOrganDialog::source() const {
   OrganSource source;
   source.file = file_;

@@ -22,6 +22,8 @@ class OpenOrganDialog : public QDialog {
   // What was chosen; meaningful after accept().
   OrganSource source() const;
 
+  QPoint openButton() const;  // its middle on the screen
+
   // Called when the file has been looked into, with what is shown of it.
   std::function<void(const std::string&)> examined;
 

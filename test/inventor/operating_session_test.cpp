@@ -135,6 +135,20 @@ TEST_CASE("dragging a tool moves it under the pointer; with Shift it turns about
   CHECK(bench.tools().pose(0).rotation.angularDistance(before.rotation) > 0.1);
 }
 
+TEST_CASE("a pick hits what is under the pointer in pictures of any shape") {
+  Bench bench;
+  for (const SbVec2s size : {SbVec2s(900, 300), SbVec2s(500, 500), SbVec2s(450, 700)}) {
+    CAPTURE(size[0]);
+    bench.viewport = SbViewportRegion(size);
+    bench.session->bringEverythingBack(double(size[0]) / size[1]);
+    for (int tool = 0; tool < bench.tools().toolCount(); ++tool) {
+      bench.click(bench.pixelOf(tool));
+      CHECK(bench.tools().held() == tool);
+      bench.tools().hold(-1, ToolHandling::Hold::None);
+    }
+  }
+}
+
 TEST_CASE("no tool goes through the table") {
   Bench bench;
   bench.tools().take(0);

@@ -204,6 +204,7 @@ origin to the point, which looks back to the hand.
             centre_line(),
             "Centre line of the bend from the point to the shaft: corners of a polyline (m).",
         ),
+        ("slip_force", 2.0, "Beyond this pull it lets go of what it has caught (N)."),
     ]
     return {
         "hook.iv": model_text(description, build(), {"all": STEEL}),
