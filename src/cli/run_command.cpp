@@ -60,10 +60,12 @@ void run(const Options& options, const OrganOptions& organOptions) {
   organOptions.applyTo(scenario.organ);
 
   std::vector<std::string> notes, files;
-  Simulation simulation(
+  Organ organ =
       makeOrgan(loadCells(scenario.organ, modelReader(), progressBar("particles"), &notes),
-                scenario.organ.settings),
-      loadTools(scenario, modelReader()));
+                scenario.organ.settings);
+  std::unique_ptr<TissueModel> tissue = makeTissue(scenario.tissue, organ);
+  Simulation simulation(std::move(organ), loadTools(scenario, modelReader()), std::move(tissue),
+                        scenario.table);
 
   std::optional<PictureWriter> pictures;
   if (!options.frames.empty() || !options.video.empty())

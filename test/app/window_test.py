@@ -29,7 +29,13 @@ class Screen:
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp"],
             pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
-        self.environment = {**os.environ, "DISPLAY": ":" + os.read(read, 16).decode().strip(),
+        number = b""
+        while not number.endswith(b"\n"):
+            part = os.read(read, 16)
+            if not part:
+                raise AssertionError("Xvfb has not started")
+            number += part
+        self.environment = {**os.environ, "DISPLAY": ":" + number.decode().strip(),
                             "QT_QPA_PLATFORM": "xcb", "XDG_CONFIG_HOME": str(FOLDER / "config"),
                             "XDG_RUNTIME_DIR": str(FOLDER)}
         os.close(read)
@@ -120,7 +126,8 @@ class Window:
     def __init__(self, screen, *args, scale="1"):
         environment = {**screen.environment, "QT_SCALE_FACTOR": scale}
         self.process = subprocess.Popen([PROGRAM, "window", "--reports", "--no-help", *args], env=environment,
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=None if os.environ.get("SHOW") else subprocess.DEVNULL, text=True)
+                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        stderr=(FOLDER / "complaints.txt").open("a"), text=True)
         self.lines, self.places, self.said = queue.Queue(), {}, []
         threading.Thread(target=self.listen, daemon=True).start()
 
@@ -135,7 +142,9 @@ class Window:
             try:
                 line = self.lines.get(timeout=max(0.01, end - time.time()))
             except queue.Empty:
-                raise AssertionError(f"the window did not say {beginning!r}; it said {self.said[-12:]}") from None
+                complaints = (FOLDER / "complaints.txt").read_text()[-600:]
+                raise AssertionError(f"the window (status {self.process.poll()}) did not say {beginning!r}; it said "
+                                     f"{self.said[-12:]} and {complaints!r}") from None
             self.said.append(line)
             if line.startswith("place "):
                 name, x, y = line[6:].rsplit(" ", 2)
