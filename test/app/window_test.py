@@ -24,21 +24,35 @@ class Screen:
     """A virtual screen of its own."""
 
     def __init__(self):
+        for _ in range(5):
+            number = self.start()
+            if number:
+                break
+        else:
+            raise AssertionError("Xvfb does not start")
+        self.environment = {**os.environ, "DISPLAY": ":" + number,
+                            "QT_QPA_PLATFORM": "xcb", "XDG_CONFIG_HOME": str(FOLDER / "config"),
+                            "XDG_RUNTIME_DIR": str(FOLDER)}
+
+    def start(self):
+        """Number of the display; nothing when there is none."""
         read, write = os.pipe()
         self.process = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp", "-noreset"],
             pass_fds=[write], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(write)
         number = b""
         while not number.endswith(b"\n"):
             part = os.read(read, 16)
             if not part:
-                raise AssertionError("Xvfb has not started")
+                break
             number += part
-        self.environment = {**os.environ, "DISPLAY": ":" + number.decode().strip(),
-                            "QT_QPA_PLATFORM": "xcb", "XDG_CONFIG_HOME": str(FOLDER / "config"),
-                            "XDG_RUNTIME_DIR": str(FOLDER)}
         os.close(read)
+        if not number.endswith(b"\n"):
+            self.process.kill()
+            self.process.wait()
+            return ""
+        return number.decode().strip()
 
     def do(self, *args):
         subprocess.run(["xdotool", *map(str, args)], env=self.environment, timeout=30, check=True)
