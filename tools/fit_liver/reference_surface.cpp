@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "geometry/point_triangle.h"
 
 namespace fit_liver {
 namespace {
@@ -20,28 +21,6 @@ constexpr int kLeaf = 4;
 
 double distanceToBox(const Aabb& box, const Vec3& p) {
   return (box.min - p).cwiseMax(p - box.max).cwiseMax(0.0).squaredNorm();
-}
-
-// Squared distance by the regions of the triangle's plane (Ericson 2005, 5.1.5).
-double distanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return ap.squaredNorm();
-  const Vec3 bp = p - b;
-  const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return bp.squaredNorm();
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return (ap - ab * (d1 / (d1 - d3))).squaredNorm();
-  const Vec3 cp = p - c;
-  const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return cp.squaredNorm();
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return (ap - ac * (d2 / (d2 - d6))).squaredNorm();
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 >= d3 && d5 >= d6)
-    return (bp - (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)))).squaredNorm();
-  const double scale = 1 / (va + vb + vc);
-  return (ap - ab * (vb * scale) - ac * (vc * scale)).squaredNorm();
 }
 
 }  // namespace
@@ -123,8 +102,8 @@ void ReferenceSurface::nearest(int index, const Vec3& p, double& best) const {
   if (node.left < 0) {
     for (int i = node.begin; i < node.end; ++i) {
       const Triangle& t = mesh_.triangles[order_[i]];
-      best = std::min(
-          best, distanceToTriangle(p, mesh_.points[t[0]], mesh_.points[t[1]], mesh_.points[t[2]]));
+      best = std::min(best, resect::squaredDistance(p, mesh_.points[t[0]], mesh_.points[t[1]],
+                                                    mesh_.points[t[2]]));
     }
     return;
   }
