@@ -16,12 +16,6 @@ void discretizeLiver(benchmark::State& state) {
       benchmark::Counter(double(state.range(0)), benchmark::Counter::kIsIterationInvariantRate |
                                                      benchmark::Counter::kInvert);
 }
-BENCHMARK(discretizeLiver)
-    ->ArgName("particles")
-    ->Arg(10'000)
-    ->Arg(100'000)
-    ->Arg(1'000'000)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(discretizeLiver)->Apply(bench::upToAMillion)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -21,12 +21,6 @@ void buildField(benchmark::State& state) {
   state.counters["per node"] = benchmark::Counter(
       nodes, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(buildField)
-    ->ArgName("particles")
-    ->Arg(10'000)
-    ->Arg(100'000)
-    ->Arg(1'000'000)
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK(buildField)->Apply(bench::upToAMillion)->Unit(benchmark::kMillisecond);
 
 }  // namespace

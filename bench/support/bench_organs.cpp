@@ -41,4 +41,8 @@ std::vector<std::int64_t> bite(const Discretization& cells, int count) {
   return found;
 }
 
+void upToAMillion(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgName("particles")->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->UseRealTime();
+}
+
 }  // namespace resect::bench

@@ -1,6 +1,8 @@
 // Which organs are measured? The built-in liver, at any number of particles.
 #pragma once
 
+#include <benchmark/benchmark.h>
+
 #include "organ/discretize.h"
 
 namespace resect::bench {
@@ -16,5 +18,8 @@ Discretization liverCells(double particles);
 // The `count` particles nearest to the liver's foremost point, ascending: a bite out of its skin,
 // of the same shape in cells at every spacing.
 std::vector<std::int64_t> bite(const Discretization& cells, int count);
+
+// ->Apply(bench::upToAMillion): argument "particles" of 10^4, 10^5 and 10^6, wall time.
+void upToAMillion(benchmark::internal::Benchmark* benchmark);
 
 }  // namespace resect::bench

@@ -28,12 +28,6 @@ void sweptContacts(benchmark::State& state) {
   for (auto _ : state) touched = double(findContacts(organ, *rod, 0, from, to).cells.size());
   state.counters["touched"] = touched;
 }
-BENCHMARK(sweptContacts)
-    ->ArgName("particles")
-    ->Arg(10'000)
-    ->Arg(100'000)
-    ->Arg(1'000'000)
-    ->UseRealTime()
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(sweptContacts)->Apply(bench::upToAMillion)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
