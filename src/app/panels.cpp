@@ -18,6 +18,27 @@
 #include "sph/colour_field.h"
 
 namespace resect {
+namespace {
+
+constexpr double kForceSeconds = 10;  // that the force's plot shows
+
+// A line from `first` to `last` seconds across the plot, from 0 to `most` up it.
+void drawHistory(QPainter& painter, const QRectF& plot, const History& history, double first,
+                 double last, double most, const QColor& axis, const QColor& line) {
+  painter.setPen(axis);
+  painter.drawLine(plot.bottomLeft(), plot.bottomRight());
+  if (history.size() < 2 || plot.height() < 8) return;
+  QPainterPath path;
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const QPointF p(plot.left() + plot.width() * (history[i].first - first) / (last - first),
+                    plot.bottom() - plot.height() * history[i].second / most);
+    i == 0 ? path.moveTo(p) : path.lineTo(p);
+  }
+  painter.setPen(QPen(line, 2));
+  painter.drawPath(path);
+}
+
+}  // namespace
 
 InstrumentsPanel::InstrumentsPanel(QWidget* parent) : QWidget(parent) {
   layout_ = new QVBoxLayout(this);
@@ -142,7 +163,7 @@ void RemovedPanel::follow(const LiveState& state) {
     history_.emplace_back(state.time, removed_ * 1e6);
   if (history_.size() > 2000) {
     // Every other point: the shape stays.
-    std::vector<std::pair<double, double>> fewer;
+    History fewer;
     for (std::size_t i = 0; i < history_.size(); i += 2) fewer.push_back(history_[i]);
     history_ = std::move(fewer);
   }
@@ -168,19 +189,11 @@ void RemovedPanel::paintEvent(QPaintEvent*) {
                    detail);
   const QRectF plot(8, line + QFontMetrics(font()).height() + 8, width() - 16,
                     height() - line - QFontMetrics(font()).height() - 14);
-  painter.setPen(palette().color(QPalette::Mid));
-  painter.drawLine(plot.bottomLeft(), plot.bottomRight());
-  if (history_.size() < 2 || plot.height() < 8) return;
-  const double first = history_.front().first, last = std::max(history_.back().first, first + 1),
-               most = std::max(1.0, history_.back().second);
-  QPainterPath path;
-  for (std::size_t i = 0; i < history_.size(); ++i) {
-    const QPointF p(plot.left() + plot.width() * (history_[i].first - first) / (last - first),
-                    plot.bottom() - plot.height() * history_[i].second / most);
-    i == 0 ? path.moveTo(p) : path.lineTo(p);
-  }
-  painter.setPen(QPen(QColor(200, 70, 60), 2));
-  painter.drawPath(path);
+  const double first = history_.empty() ? 0 : history_.front().first;
+  const double last = history_.empty() ? 1 : std::max(history_.back().first, first + 1);
+  const double most = std::max(1.0, history_.empty() ? 0 : history_.back().second);
+  drawHistory(painter, plot, history_, first, last, most, palette().color(QPalette::Mid),
+              QColor(200, 70, 60));
 }
 
 ForcePanel::ForcePanel(QWidget* parent) : QWidget(parent) {
@@ -192,7 +205,7 @@ void ForcePanel::follow(const LiveState& state, int held) {
   const bool felt = held >= 0 && std::size_t(held) < state.forces.size();
   if (!history_.empty() && state.time < history_.back().first) history_.clear();
   history_.emplace_back(state.time, felt ? state.forces[std::size_t(held)] : 0);
-  std::erase_if(history_, [&](const auto& p) { return p.first < state.time - 10; });
+  std::erase_if(history_, [&](const auto& p) { return p.first < state.time - kForceSeconds; });
   update();
 }
 
@@ -209,17 +222,9 @@ void ForcePanel::paintEvent(QPaintEvent*) {
   painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignRight,
                    QString("to %1 N").arg(most, 0, 'f', 1));
   const QRectF plot(8, line + 6, width() - 16, height() - line - 12);
-  painter.setPen(palette().color(QPalette::Mid));
-  painter.drawLine(plot.bottomLeft(), plot.bottomRight());
-  QPainterPath path;
-  for (std::size_t i = 0; i < history_.size(); ++i) {
-    const double age = history_.back().first - history_[i].first;
-    const QPointF p(plot.right() - plot.width() * age / 10,
-                    plot.bottom() - plot.height() * history_[i].second / most);
-    i == 0 ? path.moveTo(p) : path.lineTo(p);
-  }
-  painter.setPen(QPen(QColor(90, 180, 200), 2));
-  painter.drawPath(path);
+  const double last = history_.empty() ? 0 : history_.back().first;
+  drawHistory(painter, plot, history_, last - kForceSeconds, last, most,
+              palette().color(QPalette::Mid), QColor(90, 180, 200));
 }
 
 TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent) {

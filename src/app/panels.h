@@ -18,6 +18,9 @@ class QVBoxLayout;
 
 namespace resect {
 
+// What a value was at each time, oldest first: simulated s, value.
+using History = std::vector<std::pair<double, double>>;
+
 // One button per instrument; pressed while it is in hand.
 class InstrumentsPanel : public QWidget {
  public:
@@ -63,7 +66,7 @@ class RemovedPanel : public QWidget {
  private:
   double removed_ = 0, whole_ = 0;  // m^3
   std::int64_t particles_ = 0;
-  std::vector<std::pair<double, double>> history_;  // s, ml
+  History history_;  // ml
 };
 
 // The force of the tissue on the tool in hand over the last ten seconds.
@@ -76,7 +79,7 @@ class ForcePanel : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  std::vector<std::pair<double, double>> history_;  // s, N
+  History history_;  // N
 };
 
 // A live bar per stage of the step, the frame rates, and what to change where they are too low.
