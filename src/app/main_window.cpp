@@ -243,7 +243,8 @@ void MainWindow::tick() {
   if (video_ && now - pictureTaken_ >= qint64(1000 / kVideoRate)) {
     pictureTaken_ = now;
     try {
-      video_->add(viewer_->grabPicture());
+      // A film shows what was seen; a full picture for each of its own would slow it down.
+      video_->add(viewer_->grabPicture(false));
     } catch (const std::exception& e) {
       video_.reset();
       complain(e.what());

@@ -39,7 +39,7 @@ void MainWindow::listenToScript() {
         if (what == "open") openFile(QString::fromStdString(file));
         if (what == "save-scene") writeScene(file);
         if (what == "save-surface") writeMeshFile(file, session_->operation().surface().mesh);
-        if (what == "save-picture") writePng(file, viewer_->grabPicture());
+        if (what == "save-picture") writePng(file, viewer_->grabPicture(true));
         if (what.starts_with("save")) say("written {}", file);
       } catch (const std::exception& e) {
         complain(e.what());
@@ -139,7 +139,7 @@ void MainWindow::saveScene() {
 
 void MainWindow::savePicture() {
   save("Save picture", "PNG (*.png)", "picture.png",
-       [this](const std::string& file) { writePng(file, viewer_->grabPicture()); });
+       [this](const std::string& file) { writePng(file, viewer_->grabPicture(true)); });
 }
 
 void MainWindow::toggleVideo() {
@@ -154,7 +154,7 @@ void MainWindow::toggleVideo() {
     return;
   }
   save("Record video", "MPEG-4 (*.mp4)", "operation.mp4", [this](const std::string& file) {
-    const RgbImage picture = viewer_->grabPicture();
+    const RgbImage picture = viewer_->grabPicture(false);
     video_ = std::make_unique<VideoWriter>(file, picture.width, picture.height, kVideoRate);
   });
 }

@@ -214,8 +214,8 @@ void Viewer::paintGL() {
   if (drawn_.size() > 240) drawn_.erase(drawn_.begin(), drawn_.begin() + 120);
 }
 
-RgbImage Viewer::grabPicture() {
-  full_ = true;
+RgbImage Viewer::grabPicture(bool full) {
+  full_ = full_ || full;
   const QImage image = grabFramebuffer().convertToFormat(QImage::Format_RGB888);
   RgbImage result{image.width(), image.height(), {}};
   for (int y = 0; y < image.height(); ++y)

@@ -39,8 +39,8 @@ class Viewer : public QOpenGLWidget {
   double framesPerSecond() const;                  // of the pictures drawn lately
   double scaleInMotion() const { return scale_; }  // share of the pixels' rows drawn in motion
   const std::string& renderer() const { return renderer_; }
-  // The picture as shown, in full quality.
-  RgbImage grabPicture();
+  // The picture as shown; `full`: drawn anew with all pixels and smooth edges.
+  RgbImage grabPicture(bool full);
 
   std::function<void()> ticked;  // after each look at the operation
   // Asked first: true when it used the event.
