@@ -20,31 +20,35 @@ double median(std::vector<double> values) {
   return values.empty() ? 0 : summarise(std::move(values)).median;
 }
 
-TipPlace placeOf(const Organ& organ, const Vec3& tip) {
-  const Lattice& lattice = organ.rest.lattice;
-  TipPlace place{0, kTipReach};
-  const Vec3 c = lattice.toCellSpace(tip);
-  const Vec3 reach = kTipReach * lattice.spacing.cwiseInverse();
-  Vec3i low, high;
-  for (int a = 0; a < 3; ++a) {
-    low[a] = std::max(0, int(std::ceil(c[a] - reach[a] - 0.5)));
-    high[a] = std::min(lattice.dims[a] - 1, int(std::floor(c[a] + reach[a] + 0.5)));
+// Looks at every triangle: some 0.1 ms for a liver at 5 mm, and only for the tool in hand.
+TipPlace placeOf(const Simulation& simulation, const Vec3& tip) {
+  const auto points = simulation.surfacePoints(), normals = simulation.surfaceNormals();
+  const Vec3f p = tip.cast<float>();
+  float nearest = float(kTipReach * kTipReach), under = 0;
+  bool inside = false;
+  for (const Triangle& t : simulation.organ().surface.triangles()) {
+    if (t[0] == t[1]) continue;  // a hole
+    for (const std::int32_t v : t) {
+      const Vec3f away = p - points[std::size_t(v)];
+      if (away.squaredNorm() >= nearest) continue;
+      nearest = away.squaredNorm();
+      inside = away.dot(normals[std::size_t(v)]) < 0;
+    }
+    // Seen from above: does the plumb line through the tip meet the triangle?
+    const Vec3f &a = points[std::size_t(t[0])], &b = points[std::size_t(t[1])],
+                &c = points[std::size_t(t[2])];
+    const auto side = [&](const Vec3f& u, const Vec3f& v) {
+      return (v.x() - u.x()) * (p.z() - u.z()) - (v.z() - u.z()) * (p.x() - u.x());
+    };
+    const float ab = side(a, b), bc = side(b, c), ca = side(c, a), area = ab + bc + ca;
+    const bool meets =
+        area != 0 && ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0));
+    if (!meets) continue;
+    const float height = (bc * a.y() + ca * b.y() + ab * c.y()) / area;
+    if (height <= p.y()) under = std::max(under, height);
   }
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x) {
-        if (!organ.alive[lattice.index({x, y, z})]) continue;
-        const Vec3 beyond = ((c - Vec3(x, y, z)).cwiseAbs() - Vec3::Constant(0.5)).cwiseMax(0.0);
-        place.distance = std::min(place.distance, beyond.cwiseProduct(lattice.spacing).norm());
-      }
-  const int x = int(std::lround(c.x())), z = int(std::lround(c.z()));
-  if (x >= 0 && z >= 0 && x < lattice.dims.x() && z < lattice.dims.z())
-    for (int y = std::min(lattice.dims.y() - 1, int(std::floor(c.y()))); y >= 0; --y)
-      if (organ.alive[lattice.index({x, y, z})]) {
-        place.below = lattice.centre({x, y, z}).y() + 0.5 * lattice.spacing.y();
-        break;
-      }
-  return place;
+  if (inside) return {tip.y(), 0};
+  return {under, std::sqrt(double(nearest))};
 }
 
 }  // namespace
@@ -216,7 +220,7 @@ void LiveOperation::publish(const StepReport& report) {
       lastTouch_[i] = report.time;
     state_.touching[i] = std::uint8_t(lastTouch_[i] >= 0 && report.time - lastTouch_[i] < 0.1);
     if (tools[i].inHand)
-      state_.tips[i] = placeOf(organ, tools[i].pose * tools[i].tool->model().tip);
+      state_.tips[i] = placeOf(*simulation_, tools[i].pose * tools[i].tool->model().tip);
   }
 }
 

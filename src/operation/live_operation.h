@@ -37,10 +37,10 @@ struct SurfaceUpdate {
   bool empty() const { return !everything && vertices.empty() && triangles.empty(); }
 };
 
-// Where is the tip of a tool in hand, as seen by the tissue?
+// Where is the tip of a tool in hand, as seen by the tissue where it is now?
 struct TipPlace {
   double below = 0;     // height (y, m) of the tissue or table top straight below the tip
-  double distance = 0;  // m to the nearest particle's cell; 0 inside; at most kTipReach
+  double distance = 0;  // m to the nearest vertex of the surface; 0 inside; at most kTipReach
 };
 constexpr double kTipReach = 0.03;
 

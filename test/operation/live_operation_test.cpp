@@ -1,0 +1,122 @@
+#include "operation/live_operation.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <thread>
+
+#include "support/block_organ.h"
+#include "support/test_tools.h"
+
+using namespace resect;
+
+namespace {
+
+const Pose kAway{Vec3(0, 1, 0), Eigen::Quaterniond::Identity()};
+
+// A block of 12 x 8 x 12 cells and one box-shaped tool, out of hand.
+struct Live {
+  Discretization cells = test::fullBlock({12, 8, 12});
+  Aabb box = cells.lattice.box();
+  LiveOperation operation{simulation(cells), {kAway}, 240};
+  // What a viewer would hold.
+  std::vector<Vec3f> points;
+  std::vector<Triangle> triangles;
+  LiveState state;
+
+  static std::unique_ptr<Simulation> simulation(const Discretization& cells) {
+    std::vector<std::unique_ptr<Tool>> tools;
+    tools.push_back(test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}));
+    return std::make_unique<Simulation>(makeOrgan(cells, {}), std::move(tools));
+  }
+
+  void follow() {
+    SurfaceUpdate update;
+    if (!operation.take(update, state)) return;
+    if (update.everything) points.clear(), triangles.clear();
+    for (const auto& range : update.vertices) {
+      points.resize(std::max(points.size(), std::size_t(range.first) + range.points.size()));
+      std::copy(range.points.begin(), range.points.end(), points.begin() + range.first);
+    }
+    for (const auto& range : update.triangles) {
+      triangles.resize(
+          std::max(triangles.size(), std::size_t(range.first) + range.triangles.size()));
+      std::copy(range.triangles.begin(), range.triangles.end(), triangles.begin() + range.first);
+    }
+  }
+  void frames(int count) {
+    follow();
+    operation.waitFor(state.frame + count);
+    follow();
+  }
+};
+
+// Triangles with their corners, in an order of their own.
+std::vector<std::array<float, 9>> corners(const std::vector<Vec3f>& points,
+                                          const std::vector<Triangle>& triangles) {
+  std::vector<std::array<float, 9>> result;
+  for (const Triangle& t : triangles)
+    if (t[0] != t[1]) {
+      auto& triangle = result.emplace_back();
+      for (int c = 0; c < 3; ++c)
+        std::copy_n(points[std::size_t(t[c])].data(), 3, triangle.begin() + 3 * c);
+    }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("a viewer that applies the changes holds the surface, however seldom it looks") {
+  Live live;
+  const Vec3 middle = live.box.centre();
+  for (int i = 0; i < 12; ++i) {
+    live.operation.setTool(0, {{middle + Vec3(0.004 * (i - 6), 0, 0), kAway.rotation}, true});
+    live.frames(1 + i % 4);
+  }
+  live.frames(3);  // the last pose has had its effect
+  CHECK(live.state.removed > 0);
+  const auto whole = live.operation.surface();
+  std::vector<Vec3f> points;
+  for (const Vec3& p : whole.mesh.points) points.push_back(p.cast<float>());
+  live.follow();
+  const auto held = corners(live.points, live.triangles),
+             truth = corners(points, whole.mesh.triangles);
+  CHECK(held.size() == truth.size());
+  CHECK(held == truth);
+}
+
+TEST_CASE("the tip knows what lies under it and how near tissue is") {
+  Live live;
+  const Vec3 top(live.box.centre().x(), live.box.max.y(), live.box.centre().z());
+  const auto placeAt = [&](const Vec3& tip) {
+    live.operation.setTool(0, {{tip, kAway.rotation}, true});
+    live.frames(2);
+    return live.state.tips[0];
+  };
+  const TipPlace above = placeAt(top + Vec3(0, 0.012, 0));
+  CHECK(above.below == doctest::Approx(top.y()).epsilon(0.05));
+  CHECK(above.distance == doctest::Approx(0.012).epsilon(0.1));
+  const TipPlace beside = placeAt(Vec3(live.box.max.x() + 0.2, top.y(), top.z()));
+  CHECK(beside.below == 0);
+  CHECK(beside.distance == doctest::Approx(kTipReach));
+}
+
+TEST_CASE("a tool out of hand touches nothing, and a paused operation stands still") {
+  Live live;
+  live.operation.setTool(0, {{live.box.centre(), kAway.rotation}, false});
+  live.frames(3);
+  CHECK(live.state.removed == 0);
+  live.operation.setPaused(true);
+  // The frame in work may still come.
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  live.follow();
+  const auto frame = live.state.frame;
+  SurfaceUpdate update;
+  LiveState state;
+  CHECK_FALSE(live.operation.take(update, state));
+  live.operation.setPaused(false);
+  live.operation.waitFor(frame + 1);
+}
