@@ -16,6 +16,6 @@ if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then exec "$resect" window; fi
 output="$root/output/resect-segment"
 rm -rf "$output"
 mkdir -p "$output"
-"$resect" run resect-segment --frames "$output" --surface "$output/remaining.obj" --json "$output/summary.json"
+"$resect" run resect-segment --frames "$output" --surface "$output/surface.obj" --pieces "$output/pieces" --json "$output/summary.json"
 echo
 echo "Pictures, surface and summary: $output"

@@ -137,9 +137,10 @@ int main(int argc, char** argv) {
   follow(organ);
   const auto pieces = bodies(organ);
   double sum = 0;
-  for (const TriangleMesh& piece : pieces) {
-    sum += volume(piece);
-    fmt::print("body of {:.2f} ml, closed: {}\n", 1e6 * volume(piece), topology(piece).closed());
+  for (const Body& body : pieces) {
+    sum += volume(body.mesh);
+    fmt::print("body of {:.2f} ml, {} particles, closed: {}\n", 1e6 * volume(body.mesh),
+               body.particles, topology(body.mesh).closed());
   }
   fmt::print("together {:.3f} ml of {:.3f} ml\n", 1e6 * sum, 1e6 * whole);
   return skin.closed() && skin.oriented() && skin.manifold() && kept < 1e-7 && severed > 500 &&

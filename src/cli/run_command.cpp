@@ -14,6 +14,7 @@
 #include "cli/progress_bar.h"
 #include "cli/run_report.h"
 #include "inventor/model_file.h"
+#include "io/atomic_file.h"
 #include "io/data_folder.h"
 #include "io/mesh_file.h"
 #include "io/operation_setup.h"
@@ -25,7 +26,7 @@ namespace resect {
 namespace {
 
 struct Options {
-  std::string scenario, organ, frames, video, surface, pieces, json, size = "1280x720", view;
+  std::string scenario, organ, frames, video, surface, pieces, plot, json, size = "1280x720", view;
   double pictureRate = 10;
   int threads = 0;
   bool list = false;
@@ -40,9 +41,9 @@ void listScenarios() {
 std::vector<std::string> writePieces(const std::filesystem::path& folder,
                                      const Simulation& simulation) {
   std::vector<std::string> files;
-  for (const TriangleMesh& piece : bodies(simulation.organ(), simulation.surface().mesh)) {
+  for (const Body& body : bodies(simulation.organ(), simulation.surface().mesh)) {
     files.push_back(folder / fmt::format("piece_{}.stl", files.size() + 1));
-    writeMeshFile(files.back(), piece);
+    writeMeshFile(files.back(), body.mesh);
   }
   return files;
 }
@@ -58,6 +59,11 @@ void run(const Options& options, const OrganOptions& organOptions) {
   if (!options.organ.empty()) scenario.organ.file = options.organ == "liver" ? "" : options.organ;
   if (!options.view.empty()) scenario.view = options.view;
   organOptions.applyTo(scenario.organ);
+  if (!options.plot.empty() && !scenario.tissue.elastic)
+    throw usageError(
+        "--plot shows forces, and the tissue of \"{}\" does not move; leave it out, or "
+        "set model = \"elastic\" in the scenario's [tissue]",
+        scenario.name);
 
   std::vector<std::string> notes, files;
   Organ organ =
@@ -87,12 +93,17 @@ void run(const Options& options, const OrganOptions& organOptions) {
     files.insert(files.end(), written.begin(), written.end());
   }
   if (!options.surface.empty()) {
-    writeMeshFile(options.surface, simulation.organ().surface.mesh());
+    writeMeshFile(options.surface, simulation.surfaceMesh());
     files.push_back(options.surface);
   }
   if (!options.pieces.empty()) {
     const auto written = writePieces(options.pieces, simulation);
     files.insert(files.end(), written.begin(), written.end());
+  }
+  if (!options.plot.empty()) {
+    writeFileAtomically(options.plot,
+                        [&](std::ostream& out) { out << toSvg(forcePlot(summary, scenario)); });
+    files.push_back(options.plot);
   }
   if (!options.json.empty()) writeJson(options.json, toJson(summary, scenario));
   if (options.json == "-") return;
@@ -128,12 +139,15 @@ void addRunCommand(CLI::App& app) {
                       "Mesh file for the surface at the end: .obj .stl .ply .vtk .iv");
   command->add_option("--pieces", options->pieces,
                       "Folder for a mesh of each separate piece at the end (.stl)");
+  command->add_option("--plot", options->plot,
+                      "Plot of the force on each instrument over time, where tissue moves (.svg)");
   command->add_option("--json", options->json, "JSON file for the summary; - for standard output");
   command->footer(
       "Examples:\n"
       "  resect run --list\n"
       "  resect run resect-segment --frames pictures --pieces pieces\n"
       "  resect run cut --organ my_liver.stl --unit mm --spacing 4mm --json cut.json\n"
+      "  resect run lift --plot lift.svg\n"
       "  resect run perforate --video perforate.mp4 --picture-rate 30");
   command->callback([options, organ] { run(*options, *organ); });
 }

@@ -27,7 +27,12 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
   json["surface_before"] = toJson(summary.surfaceBefore);
   json["surface"] = toJson(summary.surface);
   json["pieces"] = nlohmann::ordered_json::array();
-  for (const SurfaceSummary& piece : summary.pieces) json["pieces"].push_back(toJson(piece));
+  for (const PieceSummary& piece : summary.pieces) {
+    json["pieces"].push_back(toJson(piece.surface));
+    json["pieces"].back()["particles"] = piece.particles;
+    json["pieces"].back()["tissue_ml"] = 1e6 * piece.tissue;
+    json["pieces"].back()["mass_g"] = 1e3 * piece.mass;
+  }
   for (const StageTimes& stage : summary.stages) {
     const TimeSummary t = summarise(stage.seconds);
     json["stages_ms"][stage.name] = {{"median", 1e3 * t.median},
@@ -71,7 +76,8 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
                   summary.surface.oriented ? "oriented" : "NOT ORIENTED"));
   std::string pieces;
   for (std::size_t i = 0; i < summary.pieces.size() && i < 4; ++i)
-    pieces += fmt::format("{}{:.1f} ml", i ? " + " : "", 1e6 * summary.pieces[i].volume);
+    pieces += fmt::format("{}{:.1f} ml ({:.1f} g)", i ? " + " : "",
+                          1e6 * summary.pieces[i].surface.volume, 1e3 * summary.pieces[i].mass);
   if (summary.pieces.size() > 4) pieces += fmt::format(" + {} smaller", summary.pieces.size() - 4);
   row("pieces",
       fmt::format("{}: {}", summary.pieces.size(), pieces.empty() ? "nothing is left" : pieces));
@@ -103,6 +109,18 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
     for (const std::string& file : files) text += "    " + file + "\n";
   }
   return text;
+}
+
+LinePlot forcePlot(const RunSummary& summary, const Scenario& scenario) {
+  LinePlot plot{scenario.title, "time, s", "force on the instrument, N", {}};
+  for (const ToolForces& tool : summary.forces) {
+    if (!(tool.peak > 0)) continue;
+    plot.lines.push_back({tool.tool, {}});
+    for (std::size_t frame = 0; frame < tool.perFrame.size(); ++frame)
+      plot.lines.back().points.push_back(
+          {double(frame + 1) / scenario.frameRate, double(tool.perFrame[frame])});
+  }
+  return plot;
 }
 
 }  // namespace resect

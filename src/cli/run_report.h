@@ -5,11 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "io/line_plot.h"
 #include "operation/run.h"
 
 namespace resect {
 
 nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario);
+
+// The force on each instrument that was in touch with tissue, N over s.
+LinePlot forcePlot(const RunSummary& summary, const Scenario& scenario);
 
 // `files`: what was written, one line each.
 std::string toText(const RunSummary& summary, const Scenario& scenario,

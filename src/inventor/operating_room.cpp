@@ -2,13 +2,11 @@
 
 #include <Inventor/SoFullPath.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
+#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoCoordinate3.h>
-#include <Inventor/nodes/SoCube.h>
-#include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoEventCallback.h>
 #include <Inventor/nodes/SoFaceSet.h>
-#include <Inventor/nodes/SoIndexedFaceSet.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoPickStyle.h>
@@ -17,7 +15,6 @@
 #include <Inventor/nodes/SoShapeHints.h>
 #include <Inventor/nodes/SoSpotLight.h>
 #include <Inventor/nodes/SoTransform.h>
-#include <Inventor/nodes/SoTranslation.h>
 
 #include <algorithm>
 #include <array>
@@ -31,6 +28,7 @@
 #include "inventor/SoShadowMaps.h"
 #include "inventor/init.h"
 #include "inventor/materials.h"
+#include "inventor/model_nodes.h"
 
 namespace resect {
 
@@ -64,30 +62,6 @@ SoNode* backgroundQuad() {
   face->numVertices = 4;
   quad->addChild(face);
   return quad;
-}
-
-// An unseen box round a model, at least a finger wide: what a pointer hits, and what a manipulator
-// is sized by.
-SoNode* pickProxy(SoNode* model) {
-  constexpr float kLeast = 0.02f;  // m
-  SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
-  measure.apply(model);
-  const SbBox3f box = measure.getBoundingBox();
-  auto* proxy = new SoSeparator;
-  if (box.isEmpty()) return proxy;
-  auto* unseen = new SoDrawStyle;
-  unseen->style = SoDrawStyle::INVISIBLE;
-  proxy->addChild(unseen);
-  auto* middle = new SoTranslation;
-  middle->translation = box.getCenter();
-  proxy->addChild(middle);
-  auto* cube = new SoCube;
-  const SbVec3f size = box.getMax() - box.getMin();
-  cube->width = std::max(size[0], kLeast);
-  cube->height = std::max(size[1], kLeast);
-  cube->depth = std::max(size[2], kLeast);
-  proxy->addChild(cube);
-  return proxy;
 }
 
 // Colour, hints and shape of one tissue. The back of a closed surface need not be drawn.
@@ -247,9 +221,29 @@ int OperatingRoom::addTool(SoNode* model) {
   body->addChild(steel_);
   body->addChild(model);
   tool->addChild(body);
-  tool->addChild(pickProxy(model));
   tools_->addChild(tool);
-  return tools_->getNumChildren() - 1;
+  jaws_.emplace_back();
+  SoSearchAction search;
+  search.setType(SoTransform::getClassTypeId());
+  search.setInterest(SoSearchAction::ALL);
+  search.apply(model);
+  for (int i = 0; i < search.getPaths().getLength(); ++i) {
+    auto* transform = static_cast<SoTransform*>(search.getPaths()[i]->getTail());
+    if (std::string_view(transform->getName().getString()).starts_with("Jaw"))
+      jaws_.back().push_back({transform, getPose(*transform).rotation.cast<float>()});
+  }
+  const int number = tools_->getNumChildren() - 1;
+  setToolSqueeze(number, 1);
+  tool->addChild(makePickProxy(model));
+  return number;
+}
+
+void OperatingRoom::setToolSqueeze(int tool, double squeeze) {
+  for (const Jaw& jaw : jaws_.at(std::size_t(tool))) {
+    const Eigen::Quaternionf q = jaw.open.slerp(float(squeeze), Eigen::Quaternionf::Identity());
+    const SbRotation rotation(q.x(), q.y(), q.z(), q.w());
+    if (jaw.transform->rotation.getValue() != rotation) jaw.transform->rotation = rotation;
+  }
 }
 
 SoTransform* OperatingRoom::toolTransform(int tool) const {
@@ -374,26 +368,6 @@ void OperatingRoom::place(RoomView view, const Vec3& target, double distance) {
   camera_->focalDistance = float(distance);
   camera_->nearDistance = float(0.05 * distance);
   camera_->farDistance = float(20.0 * distance);
-}
-
-SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees) {
-  auto* model = new SoSeparator;
-  auto* hints = new SoShapeHints;
-  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
-  hints->creaseAngle = float(creaseDegrees * std::numbers::pi / 180.0);
-  model->addChild(hints);
-  auto* coordinates = new SoCoordinate3;
-  std::vector<SbVec3f> points(mesh.points.size());
-  std::ranges::transform(mesh.points, points.begin(), toSb);
-  coordinates->point.setValues(0, int(points.size()), points.data());
-  model->addChild(coordinates);
-  auto* faces = new SoIndexedFaceSet;
-  std::vector<std::int32_t> indices;
-  indices.reserve(4 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles) indices.insert(indices.end(), {t[0], t[1], t[2], -1});
-  faces->coordIndex.setValues(0, int(indices.size()), indices.data());
-  model->addChild(faces);
-  return model;
 }
 
 }  // namespace resect

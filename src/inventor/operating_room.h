@@ -66,6 +66,9 @@ class OperatingRoom {
   // origin, handle along +Z, m.
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
+  // Of a tool with jaws, 0 wide open to 1 closed: turns those SoTransforms in its model whose names
+  // begin with "Jaw" from where the model has them to no rotation. Nothing for others.
+  void setToolSqueeze(int tool, double squeeze);
   // The transform, or what stands in its place: a manipulator is an SoTransform too.
   SoTransform* toolTransform(int tool) const;
   // What a tool and its manipulator fill, world, m.
@@ -110,6 +113,10 @@ class OperatingRoom {
   void frame(RoomView view, const Aabb& box, double aspect);
 
  private:
+  struct Jaw {
+    SoTransform* transform;
+    Eigen::Quaternionf open;
+  };
   void place(RoomView view, const Vec3& target, double distance);
 
   SoSeparator* root_;
@@ -121,6 +128,7 @@ class OperatingRoom {
   SoSeparator* toolbox_;
   SoTransform* toolboxPose_;
   SoSeparator* tools_;
+  std::vector<std::vector<Jaw>> jaws_;  // of each tool
   SoSeparator* tissue_;
   SoTransform* organPose_;
   SoBaseColor* organColour_;
@@ -133,8 +141,5 @@ class OperatingRoom {
 // Position and rotation of an Inventor transform; its scale is left as it is, or out.
 void setPose(SoTransform* transform, const Pose& pose);
 Pose getPose(const SoTransform& transform);
-
-// A model from triangles, with a crease where faces meet at more than `creaseDegrees`.
-SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
 
 }  // namespace resect

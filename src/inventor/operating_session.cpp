@@ -74,7 +74,8 @@ Vec3 OperatingSession::lampPosition() const {
 void OperatingSession::toolsChanged() {
   toolBoxes_.resize(std::size_t(tools_.toolCount()));
   for (int i = 0; i < tools_.toolCount(); ++i) {
-    operation_.setTool(i, {tools_.pose(i), i == tools_.held()});
+    const bool held = i == tools_.held();
+    operation_.setTool(i, {tools_.pose(i), held, held && !tools_.squeezing() ? 0.0 : 1.0});
     const Aabb box = room().toolBounds(i);
     Aabb& before = toolBoxes_[std::size_t(i)];
     if (box.min == before.min && box.max == before.max) continue;
@@ -114,6 +115,8 @@ Damage OperatingSession::update() {
       for (const Vec3f& p : range.points) box.grow(p.cast<double>());
       if (!damage_.everything) addWithShadow(damage_, box, lampPosition(), organBox_.max.y());
     }
+    for (int i = 0; i < tools_.toolCount(); ++i)
+      room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);
     const int held = tools_.held();
     if (held >= 0 && std::size_t(held) < state_.tips.size()) {
       const TipPlace& place = state_.tips[std::size_t(held)];

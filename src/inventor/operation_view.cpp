@@ -50,8 +50,10 @@ void OperationView::setOrgan(const Simulation& simulation) {
 RgbImage OperationView::draw(OffscreenView& picture) const { return picture.render(room_.root()); }
 
 void OperationView::follow(const Simulation& simulation) {
-  for (std::size_t i = 0; i < simulation.tools().size(); ++i)
+  for (std::size_t i = 0; i < simulation.tools().size(); ++i) {
     room_.setToolPose(int(i), simulation.tools()[i].pose);
+    room_.setToolSqueeze(int(i), simulation.tools()[i].squeeze);
+  }
   const SurfaceTracker& surface = simulation.organ().surface;
   const SurfaceTracker::Changes& changes = surface.changes();
   if (changes.everything || simulation.tissue().moves()) return setOrgan(simulation);

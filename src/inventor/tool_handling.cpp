@@ -74,6 +74,7 @@ void ToolHandling::hold(int tool, Hold how) {
   detach();
   held_ = tool;
   how_ = how;
+  squeezing_ = false;
   if (how == Hold::HandleBox || how == Hold::Trackball) attach(tool, how);
   if (how == Hold::Direct && atRest(tool)) {
     // Its tip comes to where its middle lay, which is where the pointer is.
@@ -275,8 +276,14 @@ void ToolHandling::mouseMoved(SoEventCallback& node) {
 
 void ToolHandling::key(SoEventCallback& node) {
   const auto* event = static_cast<const SoKeyboardEvent*>(node.getEvent());
-  if (event->getState() != SoButtonEvent::DOWN) return;
   const int key = event->getKey();
+  if (key == SoKeyboardEvent::C && !event->wasCtrlDown() && held_ >= 0) {
+    squeezing_ = event->getState() == SoButtonEvent::DOWN;
+    notify();
+    node.setHandled();
+    return;
+  }
+  if (event->getState() != SoButtonEvent::DOWN) return;
   if (key >= SoKeyboardEvent::NUMBER_1 && key <= SoKeyboardEvent::NUMBER_9) {
     const int tool = key - SoKeyboardEvent::NUMBER_1;
     if (tool >= toolCount() || event->wasCtrlDown()) return;

@@ -4,7 +4,8 @@
 // moves it; a middle click toggles to a trackball, which turns it, and back; a click elsewhere
 // lets go and restores the SoTransform. And directly: pressing on a tool and dragging moves it in
 // the plane of the view, the wheel in depth, with Shift it turns about its tip; arrow keys and page
-// keys do the same, 1 2 3 take tools, Escape puts the tool back. One tool is held at a time.
+// keys do the same, 1 2 3 take tools, Escape puts the tool back, C held down closes its jaws. One
+// tool is held at a time.
 //
 // Listens through an SoEventCallback at the start of the scene, so whoever sends events through it
 // (a window, a test) gets the same behaviour. The camera's moves are not its business: events that
@@ -40,6 +41,7 @@ class ToolHandling {
   int toolCount() const { return int(rests_.size()); }
   int held() const { return held_; }  // -1: none
   Hold how() const { return how_; }
+  bool squeezing() const { return squeezing_; }  // the held tool's jaws are being closed
   // World pose of a tool, without the scale that a handle box may write.
   Pose pose(int tool) const;
 
@@ -86,6 +88,7 @@ class ToolHandling {
   std::vector<Pose> rests_;
   int held_ = -1;
   Hold how_ = Hold::None;
+  bool squeezing_ = false;
   Hold precise_ = Hold::HandleBox;  // which manipulator comes on a click
 
   // From a press until the release.

@@ -8,6 +8,7 @@
 #include "io/scenario_file.h"
 #include "organ/builtin_liver.h"
 #include "organ/discretize.h"
+#include "organ/fit_surface.h"
 #include "tissue/still_tissue.h"
 #include "tools/registry.h"
 
@@ -52,10 +53,12 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
   }
   const TriangleMesh mesh = loadOrganMesh(source, readModel, notes);
   const Aabb box = bounds(mesh);
-  return discretize(
+  Discretization cells = discretize(
       mesh,
       source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, *source.spacing),
       progress);
+  fitSurface(mesh, cells);
+  return cells;
 }
 
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,

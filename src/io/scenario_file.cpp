@@ -102,7 +102,8 @@ ScenarioTool readScenarioTool(const TomlTable& t, int number) {
     const double time = key.number("time", 0, 1e5);
     if (!tool.keys.empty() && time <= tool.keys.back().time)
       key.complain("time", "is not later than that of the key before");
-    tool.keys.push_back({time, {key.vec3("position"), key.rotation("rotation")}});
+    tool.keys.push_back(
+        {time, {key.vec3("position"), key.rotation("rotation")}, key.number("squeeze", 0, 1, 0)});
     key.refuseUnknownKeys();
   }
   t.refuseUnknownKeys();
@@ -167,6 +168,11 @@ ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh
   model.axis.normalize();
   model.edge = t.points("edge");
   model.hook = t.points("hook");
+  model.jaws.pivot = t.vec3("jaw_pivot", Vec3::Zero());
+  model.jaws.axis = t.vec3("jaw_axis", Vec3::UnitX());
+  if (model.jaws.axis.norm() < 1e-9) t.complain("jaw_axis", "has no length");
+  model.jaws.axis.normalize();
+  model.jaws.opening = t.number("jaw_opening", 0, 3, 0);
   model.point = t.vec3("point", Vec3::Zero());
   model.contactRadius = t.number("contact_radius", 0, 1, 0);
   model.response = readResponse(t);

@@ -16,6 +16,8 @@ void keepLast(std::vector<double>& values, double value, std::size_t most) {
   values.push_back(value);
 }
 
+constexpr double kSqueezeTime = 0.25;  // s: from wide open to closed
+
 double median(std::vector<double> values) {
   return values.empty() ? 0 : summarise(std::move(values)).median;
 }
@@ -59,7 +61,7 @@ LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::
       frameRate_(frameRate),
       wholeVolume_(simulation_->organ().rest.volume()) {
   input_.duration = 1 / frameRate_;
-  for (const Pose& rest : rests) input_.tools.push_back({rest, false});
+  for (const Pose& rest : rests) input_.tools.push_back({rest, false, 1});
   update_.everything = true;
   thread_ = std::thread([this] { work(); });
 }
@@ -126,6 +128,10 @@ void LiveOperation::work() {
       if (ending_) return;
       input = input_;
       input_.iso.reset();
+    }
+    for (std::size_t i = 0; i < input.tools.size(); ++i) {
+      const double most = input.duration / kSqueezeTime, now = simulation_->tools()[i].squeeze;
+      input.tools[i].squeeze = std::clamp(input.tools[i].squeeze, now - most, now + most);
     }
     StageClock clock;
     {
@@ -212,9 +218,11 @@ void LiveOperation::publish(const StepReport& report) {
   state_.tips.resize(tools.size());
   state_.touching.assign(tools.size(), 0);
   state_.forces.resize(tools.size());
+  state_.squeeze.resize(tools.size());
   lastTouch_.resize(tools.size(), -1);
   for (std::size_t i = 0; i < tools.size(); ++i) {
     state_.forces[i] = tools[i].feltForce.norm();
+    state_.squeeze[i] = tools[i].squeeze;
     // Tissue that is taken at once would be touched for one frame only, too short to see.
     if (!report.contacts[i].cells.empty() || report.toolForce[i].norm() > 0.01)
       lastTouch_[i] = report.time;

@@ -57,6 +57,7 @@ struct LiveState {
   double removedVolume = 0, volume = 0;  // m^3
   float iso = 50;
   std::vector<TipPlace> tips;          // one per tool; meaningful for those in hand
+  std::vector<double> squeeze;         // of each tool's jaws
   std::vector<std::uint8_t> touching;  // 1 for each tool that has touched tissue lately (0.1 s)
   std::vector<StageTime> stages;
   double stepMedian = 0, stepWorst = 0;  // s, over the last second
@@ -76,7 +77,8 @@ class LiveOperation {
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;
 
-  // From the next frame on. May be called from any thread.
+  // From the next frame on. May be called from any thread. Jaws follow their squeeze as fast as a
+  // hand closes them.
   void setTool(int tool, const ToolInput& input);
   void setIso(float iso);
   void setPaused(bool paused);

@@ -15,10 +15,12 @@ namespace resect {
 inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::Identity()}; }
 
 // Where tool number i lies in the tool box, side by side, handle towards the surgeon: on its side,
-// so that it lies flat.
+// so that it lies flat. The box has four places; further tools lie on the table beside it.
 inline Pose toolBoxPlace(int i) {
   const Eigen::Quaterniond onItsSide(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
-  return {toolBoxPose() * Vec3(-0.085 + 0.075 * (i % 3), 0.008, -0.085), onItsSide};
+  constexpr double kPlaces[] = {-0.085, -0.01, 0.065, 0.104};  // x, m
+  const double x = i < 4 ? kPlaces[i] : 0.19 + 0.05 * (i - 4);
+  return {toolBoxPose() * Vec3(x, 0.008, -0.085), onItsSide};
 }
 
 // How a tool is held over the organ: handle up and towards the surgeon, edge towards the surgeon,

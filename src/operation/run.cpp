@@ -58,8 +58,9 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
     summary.computedSeconds += summarise(stage.seconds).total;
   const TriangleMesh surface = simulation.surfaceMesh();
   summary.surface = summarise(surface);
-  for (const TriangleMesh& piece : bodies(organ, surface))
-    summary.pieces.push_back(summarise(piece));
+  for (const Body& body : bodies(organ, surface))
+    summary.pieces.push_back({summarise(body.mesh), body.particles, body.tissue,
+                              body.tissue * scenario.tissue.material.density});
   summary.stateHash = simulation.stateHash();
   return summary;
 }

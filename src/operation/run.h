@@ -18,6 +18,14 @@ struct SurfaceSummary {
 };
 SurfaceSummary summarise(const TriangleMesh& surface);
 
+// A body that the organ has come apart into.
+struct PieceSummary {
+  SurfaceSummary surface;
+  std::int64_t particles = 0;
+  double tissue = 0;  // m^3
+  double mass = 0;    // kg
+};
+
 // The force on a tool over the frames, N.
 struct ToolForces {
   std::string tool;
@@ -36,7 +44,7 @@ struct RunSummary {
   double simulatedSeconds = 0;
   double computedSeconds = 0;  // spent in the steps, pictures not counted
   SurfaceSummary surfaceBefore, surface;
-  std::vector<SurfaceSummary> pieces;  // bodies of the surface at the end, the largest first
+  std::vector<PieceSummary> pieces;  // bodies of the organ at the end, the largest first
   std::vector<StageTimes> stages;
   std::vector<std::string> faults;  // each once
   bool tissueMoves = false;

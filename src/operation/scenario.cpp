@@ -10,14 +10,15 @@ ToolInput toolInputAt(const ScenarioTool& tool, double time) {
   // Times are sums of frame durations: a key counts as reached a rounding error early.
   const double now = time + 1e-9;
   if (keys.empty() || now < keys.front().time || time - 1e-9 > keys.back().time)
-    return {tool.rest, false};
+    return {tool.rest, false, 1};
   const auto next =
       std::find_if(keys.begin(), keys.end(), [&](const ToolKey& key) { return key.time > now; });
-  if (next == keys.end()) return {keys.back().pose, true};
-  if (next == keys.begin()) return {keys.front().pose, true};
+  if (next == keys.end()) return {keys.back().pose, true, keys.back().squeeze};
+  if (next == keys.begin()) return {keys.front().pose, true, keys.front().squeeze};
   const ToolKey& before = *(next - 1);
   const double share = std::clamp((time - before.time) / (next->time - before.time), 0.0, 1.0);
-  return {interpolate(before.pose, next->pose, share), true};
+  return {interpolate(before.pose, next->pose, share), true,
+          before.squeeze + share * (next->squeeze - before.squeeze)};
 }
 
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame) {

@@ -29,8 +29,9 @@ struct OrganSource {
 // A tool is here at this time; between keys it moves linearly and turns along the shorter great
 // circle.
 struct ToolKey {
-  double time;  // s from the start
-  Pose pose;    // of the tool's frame: tip at the position
+  double time;         // s from the start
+  Pose pose;           // of the tool's frame: tip at the position
+  double squeeze = 0;  // of its jaws: 0 wide open, 1 closed
 };
 
 struct ScenarioTool {

@@ -75,9 +75,9 @@ std::int64_t ownerCell(const Discretization& rest, std::int64_t cell) {
 }
 
 double particleVolume(const Discretization& rest, std::int64_t cell) {
-  double sum = rest.value[cell];
-  visitSkin(rest, cell, [&](std::int64_t skin) { sum += rest.value[skin]; });
-  return sum / 100 * rest.lattice.cellVolume();
+  double sum = rest.cellVolume(cell);
+  visitSkin(rest, cell, [&](std::int64_t skin) { sum += rest.cellVolume(skin); });
+  return sum;
 }
 
 EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits) {
@@ -104,7 +104,7 @@ std::int64_t incise(Organ& organ, const SweptBlade& blade) {
 
 std::int64_t incise(Organ& organ, const SweptBlade& blade, std::span<const std::int64_t> bricks,
                     const PlaceNodes& place) {
-  return severAlong(organ.severed, organ.field, blade, bricks, place);
+  return severAlong(organ.severed, organ.field, blade, bricks, place, CutsBetweenCells::One);
 }
 
 void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {

@@ -10,16 +10,53 @@
 namespace resect {
 namespace {
 
-std::vector<TriangleMesh> largestFirst(std::vector<TriangleMesh> pieces) {
-  std::vector<double> volumes;
-  for (const TriangleMesh& piece : pieces) volumes.push_back(volume(piece));
-  std::vector<std::size_t> order(pieces.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](auto a, auto b) { return volumes[a] > volumes[b]; });
-  std::vector<TriangleMesh> sorted;
-  for (const std::size_t i : order) sorted.push_back(std::move(pieces[i]));
-  return sorted;
+// The piece at the node of a cell's centre, or of the nearest node of the cell that lies in tissue
+// where the skin has sunk below the centre; -1 when the whole cell has.
+std::int32_t pieceOfCell(const Organ& organ, const std::vector<std::int32_t>& pieceOf,
+                         std::int64_t cell) {
+  const int refine = organ.field.refine();
+  const Vec3i dims = organ.field.nodeDims();
+  const Vec3i centre = refine * (organ.rest.lattice.cell(cell) + Vec3i::Constant(2));
+  std::int32_t piece = -1;
+  int nearest = 1 << 20;
+  for (int z = -refine; z <= refine; ++z)
+    for (int y = -refine; y <= refine; ++y)
+      for (int x = -refine; x <= refine; ++x) {
+        const Vec3i n = centre + Vec3i(x, y, z);
+        const int distance = x * x + y * y + z * z;
+        if (distance >= nearest || (n.array() < 0).any() || (n.array() >= dims.array()).any())
+          continue;
+        const std::int32_t found = pieceOf[std::size_t(
+            n.x() + std::int64_t(dims.x()) * (n.y() + std::int64_t(dims.y()) * n.z()))];
+        if (found < 0) continue;
+        piece = found;
+        nearest = distance;
+      }
+  return piece;
+}
+
+// Joins each piece without a particle to one that it touches across a cut; returns the number that
+// each piece goes under.
+std::vector<std::int32_t> joinSlivers(const Organ& organ, const std::vector<std::int32_t>& pieceOf,
+                                      std::vector<std::uint8_t> holdsParticle) {
+  const Vec3i dims = organ.field.nodeDims();
+  const std::int64_t step[3] = {1, dims.x(), std::int64_t(dims.x()) * dims.y()};
+  std::vector<std::int32_t> joined(holdsParticle.size());
+  std::iota(joined.begin(), joined.end(), 0);
+  for (bool again = true; again;) {
+    again = false;
+    for (std::int64_t i = 0; i < std::int64_t(pieceOf.size()); ++i)
+      for (int a = 0; a < 3; ++a) {
+        if (i / step[a] % dims[a] + 1 >= dims[a]) continue;
+        const std::int32_t p = pieceOf[std::size_t(i)], q = pieceOf[std::size_t(i + step[a])];
+        if (p < 0 || q < 0 || p == q || holdsParticle[p] == holdsParticle[q]) continue;
+        const auto [sliver, body] = holdsParticle[p] ? std::pair(q, p) : std::pair(p, q);
+        joined[sliver] = joined[body];
+        holdsParticle[sliver] = 1;
+        again = true;
+      }
+  }
+  return joined;
 }
 
 }  // namespace
@@ -91,29 +128,46 @@ std::vector<std::int32_t> tissuePieces(const Organ& organ, int* count) {
   return piece;
 }
 
-std::vector<TriangleMesh> bodies(const Organ& organ) { return bodies(organ, organ.surface.mesh()); }
+std::vector<Body> bodies(const Organ& organ) { return bodies(organ, organ.surface.mesh()); }
 
-std::vector<TriangleMesh> bodies(const Organ& organ, const TriangleMesh& surface) {
-  if (organ.severed.empty()) return bodies(surface);
+std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface) {
   int count = 0;
   const std::vector<std::int32_t> pieceOf = tissuePieces(organ, &count);
-  const std::vector<Vec3i> anchors = organ.surface.anchorNodes(organ.field);
   const Vec3i dims = organ.field.nodeDims();
-  std::vector<TriangleMesh> pieces(std::size_t(count), TriangleMesh{});
+  const auto pieceAt = [&](const Vec3i& n) {
+    return pieceOf[std::size_t(n.x() +
+                               std::int64_t(dims.x()) * (n.y() + std::int64_t(dims.y()) * n.z()))];
+  };
+  std::vector<Body> pieces(std::size_t(count), Body{});
+  for (std::int64_t cell = 0; cell < organ.rest.lattice.cellCount(); ++cell) {
+    if (!organ.alive[cell] || !organ.rest.inside[cell]) continue;
+    const std::int32_t piece = pieceOfCell(organ, pieceOf, cell);
+    if (piece < 0) continue;
+    ++pieces[piece].particles;
+    pieces[piece].tissue += particleVolume(organ.rest, cell);
+  }
+  std::vector<std::uint8_t> holdsParticle;
+  for (const Body& piece : pieces) holdsParticle.push_back(piece.particles > 0);
+  const std::vector<std::int32_t> joined = joinSlivers(organ, pieceOf, std::move(holdsParticle));
+
+  const std::vector<Vec3i> anchors = organ.surface.anchorNodes(organ.field);
   std::vector<std::int32_t> piece(surface.points.size()), number(surface.points.size());
   for (std::size_t p = 0; p < surface.points.size(); ++p) {
-    const Vec3i& n = anchors[p];
-    const std::int64_t node =
-        n.x() + std::int64_t(dims.x()) * (n.y() + std::int64_t(dims.y()) * n.z());
-    piece[p] = pieceOf[std::size_t(node)];
-    TriangleMesh& mesh = pieces[std::size_t(piece[p])];
+    piece[p] = joined[pieceAt(anchors[p])];
+    TriangleMesh& mesh = pieces[piece[p]].mesh;
     number[p] = std::int32_t(mesh.points.size());
     mesh.points.push_back(surface.points[p]);
   }
   for (const Triangle& t : surface.triangles)
-    pieces[std::size_t(piece[std::size_t(t[0])])].triangles.push_back(
-        {number[std::size_t(t[0])], number[std::size_t(t[1])], number[std::size_t(t[2])]});
-  return largestFirst(std::move(pieces));
+    pieces[piece[t[0]]].mesh.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+  std::erase_if(pieces, [](const Body& body) { return body.mesh.triangles.empty(); });
+
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < pieces.size(); ++i) order.push_back({-volume(pieces[i].mesh), i});
+  std::sort(order.begin(), order.end());
+  std::vector<Body> sorted;
+  for (const auto& [size, i] : order) sorted.push_back(std::move(pieces[i]));
+  return sorted;
 }
 
 }  // namespace resect

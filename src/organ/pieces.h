@@ -12,12 +12,19 @@ namespace resect {
 // body round it. Each body is a closed mesh.
 std::vector<TriangleMesh> bodies(const TriangleMesh& surface);
 
+struct Body {
+  TriangleMesh mesh;           // closed
+  std::int64_t particles = 0;  // 0: a crumb
+  double tissue = 0;           // m^3 of its particles, skin included; times density: its mass
+};
+
 // The same for an organ with incisions, whose lips lie on each other: two parts of the surface
-// belong to one body when their tissue is connected over whole edges of the grid. The bodies'
-// volumes add up to the organ's. Crumbs smaller than a particle are bodies too. O(grid nodes).
-std::vector<TriangleMesh> bodies(const Organ& organ);
+// belong to one body when their tissue is connected over whole edges of the grid. A sliver between
+// two cuts that holds no particle belongs to the body that it lay on, and moves with it. The
+// meshes' volumes add up to the surface's, the tissue to the organ's. O(grid nodes).
+std::vector<Body> bodies(const Organ& organ);
 // The same where the tissue has moved; surface: organ.surface.compact(points, normals).mesh.
-std::vector<TriangleMesh> bodies(const Organ& organ, const TriangleMesh& surface);
+std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface);
 
 // Per node of the field's grid, x fastest: the piece of tissue that it lies in, -1 outside. Pieces
 // are numbered in the order of their first node.

@@ -82,6 +82,10 @@ void Simulation::moveTools(const FrameInput& input, StepReport& report) {
     state.earlierPose = state.wasInHand ? state.previousPose : wanted.pose;
     state.previousPose = state.wasInHand ? state.pose : wanted.pose;
     state.pose = wanted.pose;
+    const double squeeze = std::isfinite(wanted.squeeze) ? std::clamp(wanted.squeeze, 0.0, 1.0) : 0;
+    state.earlierSqueeze = state.wasInHand ? state.previousSqueeze : squeeze;
+    state.previousSqueeze = state.wasInHand ? state.squeeze : squeeze;
+    state.squeeze = squeeze;
   }
 }
 
@@ -92,7 +96,9 @@ void Simulation::findContacts(StepReport& report) const {
     const ToolState& state = tools_[i];
     if (state.inHand && tissue_->moves())
       report.contacts[i] = findMovingContacts(organ_, *tissue_, *state.tool, std::int32_t(i),
-                                              {state.earlierPose, state.previousPose, state.pose});
+                                              {{state.earlierPose, state.earlierSqueeze},
+                                               {state.previousPose, state.previousSqueeze},
+                                               {state.pose, state.squeeze}});
     else if (state.inHand)
       report.contacts[i] = resect::findContacts(organ_, *state.tool, std::int32_t(i),
                                                 state.previousPose, state.pose);
@@ -119,6 +125,8 @@ void Simulation::applyEdits(StepReport& report) {
   report.removedVolume = summary.removedVolume;
   report.severed = 0;
   changedCells_.clear();
+  cutBonds_.clear();
+  cutCells_.clear();
   if (!tissue_->moves()) return;
   for (const TissueEdit& edit : edits_) switch (edit.kind) {
       case TissueEdit::Kind::Remove:
@@ -128,10 +136,12 @@ void Simulation::applyEdits(StepReport& report) {
       case TissueEdit::Kind::Incise:
         inciseMoved(organ_, *tissue_, report.contacts[edit.tool].blade,
                     report.contacts[edit.tool].nearBlade);
+        cutCells_.insert(cutCells_.end(), report.contacts[edit.tool].nearBlade.begin(),
+                         report.contacts[edit.tool].nearBlade.end());
         break;
       case TissueEdit::Kind::Sever:
         tissue_->sever(edit.cell, edit.direction);
-        ++report.severed;
+        cutBonds_.push_back({edit.cell, edit.direction});
         break;
       case TissueEdit::Kind::Grip:
         tissue_->grip(edit.cell, edit.tool, tools_[edit.tool].previousPose);
@@ -140,6 +150,8 @@ void Simulation::applyEdits(StepReport& report) {
         tissue_->release(edit.tool);
         break;
     }
+  partStrands(organ_, *tissue_, cutBonds_, cutCells_);
+  report.severed = std::int64_t(cutBonds_.size());
 }
 
 // Tissue moves for the frame, pushed and pulled by the tools on their way.
@@ -158,7 +170,7 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
                               model.friction, model.slipForce});
   }
   tissue_->move(input.duration, {tissueTools_, table_}, report.tissue);
-  tearSurface(organ_, report.tissue.tornBonds);
+  partStrands(organ_, *tissue_, report.tissue.tornBonds);
   for (std::size_t k = 0; k < tissueTools_.size(); ++k)
     report.toolForce[tissueTools_[k].tool] = report.tissue.toolForce[k];
   const double share = 1 - std::exp(-input.duration / kFeltTime);
@@ -227,6 +239,7 @@ std::uint64_t Simulation::stateHash() const {
     hash.addBytes(state.pose.position.data(), 3 * sizeof(double));
     hash.addBytes(state.pose.rotation.coeffs().data(), 4 * sizeof(double));
     hash.add(std::uint8_t(state.inHand));
+    if (state.tool->model().jaws.opening > 0) hash.add(state.squeeze);
   }
   if (tissue_->moves()) {
     hash.add(tissue_->stateHash());

@@ -25,6 +25,7 @@ namespace resect {
 struct ToolInput {
   Pose pose;           // at the end of the frame, world, m
   bool inHand = true;  // false: it lies in the tool box, or is being put there, and touches nothing
+  double squeeze = 0;  // of a tool with jaws, at the end of the frame: 0 wide open, 1 closed
 };
 
 struct FrameInput {
@@ -50,8 +51,9 @@ struct StepReport {
 struct ToolState {
   std::unique_ptr<Tool> tool;
   Pose pose;
-  Pose previousPose;  // at the start of the frame
-  Pose earlierPose;   // at the start of the frame before
+  Pose previousPose;                                            // at the start of the frame
+  Pose earlierPose;                                             // at the start of the frame before
+  double squeeze = 1, previousSqueeze = 1, earlierSqueeze = 1;  // of its jaws, at the same times
   // On the tool, N: of this frame, and smoothed over some 0.05 s as a hand feels it.
   Vec3 force = Vec3::Zero(), feltForce = Vec3::Zero();
   bool inHand = false;
@@ -103,6 +105,8 @@ class Simulation {
   std::vector<std::unique_ptr<SignedDistance>> shapes_;  // of the tools, for tissue that moves
   std::vector<TissueTool> tissueTools_;                  // of this frame
   std::vector<std::int64_t> changedCells_;               // removed in this frame
+  std::vector<TissueBond> cutBonds_;                     // in this frame
+  std::vector<std::int64_t> cutCells_;                   // near blades that cut in this frame
   SurfaceSkin skin_;
   std::vector<TissueEdit> edits_;                // queued in this frame
   std::span<const std::int64_t> touchedBricks_;  // of this frame

@@ -18,16 +18,23 @@ struct Discretization {
   // 1 where the cell's centre is inside: these cells are the particles. Cells with value > 0 that
   // are no particle are the skin's share outside; each belongs to a particle beside it.
   std::vector<std::uint8_t> inside;
+  // Fitted values (organ/fit_surface.h) draw the body's surface rather than fill its cells; those
+  // between 0 and 100 times this add up to its volume.
+  double skinScale = 1;
 
   std::int64_t particleCount() const {
     std::int64_t count = 0;
     for (std::uint8_t flag : inside) count += flag;
     return count;
   }
+  double cellVolume(std::int64_t cell) const {  // of the tissue in a cell, m^3
+    const float v = value[cell];
+    return (v < 100 ? skinScale * v : v) / 100 * lattice.cellVolume();
+  }
   double volume() const {  // m^3
     double sum = 0;
-    for (float v : value) sum += v;
-    return sum / 100 * lattice.cellVolume();
+    for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell) sum += cellVolume(cell);
+    return sum;
   }
 };
 

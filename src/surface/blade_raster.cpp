@@ -23,6 +23,7 @@ struct PlacedBrick {
   std::array<Vec3, kPlacedNodes> place;
   std::array<double, kPlacedNodes> height;
   Aabb bounds;
+  CutsBetweenCells cuts;
 
   bool above(int i) const { return height[std::size_t(i)] >= -kOnPlane; }
   bool known(int i) const { return !std::isnan(height[std::size_t(i)]); }
@@ -58,6 +59,7 @@ void severEdge(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle&
                int axis) {
   const int i = at(n), j = i + kStep[axis];
   if (!b.known(i) || !b.known(j) || b.above(i) == b.above(j)) return;
+  if (b.cuts == CutsBetweenCells::One && severed.betweenCells(b.first + n, axis)) return;
   const double share = planeShare(b, i, j);
   const Vec3 p =
       b.place[std::size_t(i)] + share * (b.place[std::size_t(j)] - b.place[std::size_t(i)]);
@@ -136,11 +138,13 @@ Aabb boundsOf(const BladeTriangle& t) {
 }  // namespace
 
 std::int64_t severAlong(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade,
-                        std::span<const std::int64_t> bricks, const PlaceNodes& place) {
+                        std::span<const std::int64_t> bricks, const PlaceNodes& place,
+                        CutsBetweenCells cuts) {
   const std::int64_t before = severed.count();
   std::vector<Aabb> reach;
   for (const BladeTriangle& t : blade.triangles) reach.push_back(boundsOf(t));
   PlacedBrick b;
+  b.cuts = cuts;
   for (const std::int64_t index : bricks) {
     const Vec3i brick = field.brick(index);
     b.first = kBrickNodes * brick;

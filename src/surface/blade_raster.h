@@ -22,10 +22,16 @@ constexpr int kPlacedNodes = 125;  // the 5 x 5 x 5 nodes on which a brick's edg
 // far from tissue to have one: its edges cannot be severed.
 using PlaceNodes = std::function<void(const Vec3i& brick, std::span<Vec3, kPlacedNodes> places)>;
 
+// Bonds between particles are cut once; what a second blade would cut off between two particles'
+// planes holds none, and would follow nobody. So in tissue that moves a way from the middle plane
+// of one cell to that of the next is severed at one place at most.
+enum class CutsBetweenCells { Any, One };
+
 // Severs the edges and traces the faces of `bricks` that the blade crosses. Returns the number of
 // edges that were whole before.
 std::int64_t severAlong(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade,
-                        std::span<const std::int64_t> bricks, const PlaceNodes& place);
+                        std::span<const std::int64_t> bricks, const PlaceNodes& place,
+                        CutsBetweenCells cuts = CutsBetweenCells::Any);
 
 // The same in tissue at rest: all bricks of the field in which the blade can meet tissue or skin.
 std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade);

@@ -80,6 +80,14 @@ void SeveredEdges::touch(const Vec3i& node) {
   });
 }
 
+bool SeveredEdges::betweenCells(const Vec3i& node, int axis) const {
+  Vec3i n = node;
+  n[axis] -= n[axis] % refine_;  // the middle planes of cells are every refine-th from node 0 on
+  for (int k = 0; k < refine_; ++k, ++n[axis])
+    if (at(n, axis) != kWhole) return true;
+  return false;
+}
+
 bool SeveredEdges::sever(const Vec3i& node, int axis, double t, const Vec3& normal) {
   Record& r = takeRecord(node);
   const int s = slot(node, 0);

@@ -49,7 +49,10 @@ class SeveredEdges {
   void trace(const Vec3i& node, int axis, const FaceTrace& line);
 
   // Nodes may lie outside the grid: nothing is severed there.
-  float at(const Vec3i& node, int axis) const;      // kWhole where not severed
+  float at(const Vec3i& node, int axis) const;  // kWhole where not severed
+  // Is the edge severed, or another one of the straight way between the middle planes of two cells
+  // that it lies on?
+  bool betweenCells(const Vec3i& node, int axis) const;
   Vec3f normal(const Vec3i& node, int axis) const;  // unit, upwards along the axis
   // visit(const FaceTrace&) for the lines on a face, in the order in which they were made.
   template <typename Visit>

@@ -1,6 +1,6 @@
 #include "tools/baton_tool.h"
 
-#include "tools/removing_tool.h"
+#include "tools/responses.h"
 
 namespace resect {
 

@@ -7,6 +7,7 @@
 #include "tools/baton_tool.h"
 #include "tools/hook_tool.h"
 #include "tools/scalpel_tool.h"
+#include "tools/scissors_tool.h"
 
 namespace resect {
 namespace {
@@ -16,10 +17,11 @@ std::unique_ptr<Tool> make(ToolModel model) {
   return std::make_unique<T>(std::move(model));
 }
 
-constexpr std::array<ToolKind, 3> kToolKinds = {{
+constexpr std::array<ToolKind, 4> kToolKinds = {{
     {"scalpel", make<ScalpelTool>},
     {"hook", make<HookTool>},
     {"baton", make<BatonTool>},
+    {"scissors", make<ScissorsTool>},
 }};
 
 }  // namespace

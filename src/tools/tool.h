@@ -15,6 +15,13 @@
 
 namespace resect {
 
+// Two blades that turn against each other about a pivot, in the tool's frame.
+struct Jaws {
+  Vec3 pivot = Vec3::Zero();  // m
+  Vec3 axis = Vec3::UnitX();  // unit
+  double opening = 0;         // between the edges when wide open, rad; 0: the tool has no jaws
+};
+
 // An instrument's shape and working parts, in its own frame: tip at the origin, handle along +Z.
 // All lengths in m.
 struct ToolModel {
@@ -25,7 +32,8 @@ struct ToolModel {
   TriangleMesh mesh;           // closed, outwards
   Vec3 tip = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  // unit, tip to handle
-  std::vector<Vec3> edge;     // cutting edge, tip to heel; empty for a blunt tool
+  std::vector<Vec3> edge;     // cutting edge, tip to heel; empty for a blunt tool; of jaws: closed
+  Jaws jaws;                  // the mesh shows them wide open
   std::vector<Vec3> hook;     // centre line of a hook's bend; empty without one
   Vec3 point = Vec3::Zero();  // end of the hook
   double contactRadius = 0;   // of a round tip; 0 when the tool has none

@@ -81,10 +81,10 @@ struct Bench {
            shift);
     button(to, false, which, shift);
   }
-  bool key(SoKeyboardEvent::Key key, bool shift = false) {
+  bool key(SoKeyboardEvent::Key key, bool shift = false, bool down = true) {
     SoKeyboardEvent event;
     event.setKey(key);
-    event.setState(SoButtonEvent::DOWN);
+    event.setState(down ? SoButtonEvent::DOWN : SoButtonEvent::UP);
     return send(event, {400, 250}, shift);
   }
   SbVec2s pixelOf(int tool) const {
@@ -288,9 +288,29 @@ TEST_CASE("a scene that is saved comes back with organ, tools and camera") {
   CHECK(organ.triangles.size() == surface.mesh.triangles.size());
   const auto places = readScenePlaces(file);
   REQUIRE(places);
-  REQUIRE(places->tools.size() == 3);
+  REQUIRE(places->tools.size() == toolKinds().size());
   CHECK((places->tools[1].position - Vec3(0.1, 0.2, 0.05)).norm() < 1e-6);
   const SbVec3f camera = bench.session->room().camera()->position.getValue();
   CHECK((places->camera.position - Vec3(camera[0], camera[1], camera[2])).norm() < 1e-5);
   CHECK_FALSE(readScenePlaces(bench.session->toolModels()[0].file).has_value());
+}
+
+TEST_CASE("C held down closes the scissors in hand, and they open again when it is let go") {
+  Bench bench;
+  const auto squeeze = [&](std::int64_t frames) {
+    bench.session->operation().waitFor(bench.session->state().frame + frames);
+    bench.session->update();
+    return bench.session->state().squeeze[3];
+  };
+  REQUIRE(bench.session->toolModels()[3].kind == "scissors");
+  CHECK(bench.session->state().squeeze[3] == 1);  // they lie in the tool box closed
+  const double closed = bench.session->room().toolBounds(3).size().norm();
+  CHECK_FALSE(bench.key(SoKeyboardEvent::C));
+  bench.tools().take(3);
+  CHECK(squeeze(30) == 0);
+  CHECK(bench.session->room().toolBounds(3).size().norm() > closed);
+  CHECK(bench.key(SoKeyboardEvent::C));
+  CHECK(squeeze(30) == 1);
+  CHECK(bench.key(SoKeyboardEvent::C, false, false));
+  CHECK(squeeze(30) == 0);
 }

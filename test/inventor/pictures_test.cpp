@@ -13,6 +13,7 @@
 #include "inventor/SoOrganShape.h"
 #include "inventor/SoShadowMaps.h"
 #include "inventor/materials.h"
+#include "inventor/model_nodes.h"
 #include "inventor/offscreen_view.h"
 #include "inventor/operating_room.h"
 

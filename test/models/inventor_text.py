@@ -93,6 +93,10 @@ class _Reader:
                 raise ValueError("the shape is not declared counterclockwise and solid")
         elif kind == "TriangleStripSet":
             self.strip_set([int(x) for x in fields["numVertices"]], state)
+        elif kind == "Transform":
+            # Jaws that the file shows open; the models are checked closed.
+            if sorted(fields) != ["center", "rotation"]:
+                raise ValueError(f"a Transform with {', '.join(fields)} is not that of a jaw")
         elif kind != "Material":
             raise ValueError(f"unexpected node {kind}")
 

@@ -16,8 +16,8 @@ import solid
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FOLDER = os.path.join(SOURCE, "data", "tools")
-INSTRUMENTS = ("scalpel", "hook", "baton")
-SHELLS = {"scalpel": 1, "hook": 1, "baton": 1, "table": 1, "toolbox": 2}
+INSTRUMENTS = ("scalpel", "hook", "baton", "scissors")
+SHELLS = {"scalpel": 1, "hook": 1, "baton": 1, "scissors": 5, "table": 1, "toolbox": 2}
 MILLIMETRE = 0.001
 
 
@@ -93,7 +93,9 @@ class EveryModel(unittest.TestCase):
                 winding = solid.winding_number(point, model.triangles)
                 self.assertAlmostEqual(winding, round(winding), delta=1e-6)
                 seen.add(round(winding))
-            self.assertEqual(seen, {0, 1})
+            # Shells that overlap, as where a finger ring meets its shank, count twice there.
+            most = 1 if SHELLS[name] <= 2 else 2
+            self.assertTrue({0, 1} <= seen <= set(range(most + 1)), seen)
 
         self.check(test)
 

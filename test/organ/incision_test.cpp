@@ -6,11 +6,15 @@
 #include "geometry/topology.h"
 #include "organ/builtin_liver.h"
 #include "organ/discretize.h"
+#include "organ/moved_incision.h"
 #include "organ/organ.h"
 #include "organ/pieces.h"
 #include "support/blades.h"
+#include "support/block_organ.h"
 #include "support/visible_human.h"
 #include "support/wound_reference.h"
+#include "tissue/elastic_tissue.h"
+#include "tissue/stencil.h"
 
 using namespace resect;
 
@@ -46,19 +50,26 @@ TEST_CASE("cut right through, an organ is separate closed bodies whose volumes a
                                 Vec3(0.013, 0.2, 0.007), Vec3(-0.011, 0.04, 0.2)));
   follow(organ);
   const auto pieces = bodies(organ);
-  double sum = 0;
+  double sum = 0, tissueSum = 0;
+  std::int64_t particleSum = 0;
   int large = 0;
-  for (const TriangleMesh& piece : pieces) {
+  for (const auto& [piece, particles, tissue] : pieces) {
     CHECK(test::wrongWith(piece) == "");
     CHECK(volume(piece) > 0);
+    CHECK(particles > 0);
+    particleSum += particles;
+    tissueSum += tissue;
     large += volume(piece) > 0.01 * whole;
     sum += volume(piece);
   }
   MESSAGE(pieces.size(), " bodies, ", large, " of them more than a hundredth; volumes add up to ",
           sum / whole, " of the whole");
   CHECK(large == 4);
+  CHECK(particleSum == organ.particles);
+  CHECK(tissueSum == doctest::Approx(organ.volume()).epsilon(1e-9));
   CHECK(std::abs(sum / whole - 1) < 1e-8);  // points are floats
-  for (std::size_t i = 1; i < pieces.size(); ++i) CHECK(volume(pieces[i - 1]) >= volume(pieces[i]));
+  for (std::size_t i = 1; i < pieces.size(); ++i)
+    CHECK(volume(pieces[i - 1].mesh) >= volume(pieces[i].mesh));
 }
 
 TEST_CASE("bodies of moved tissue are closed at their present places") {
@@ -73,8 +84,8 @@ TEST_CASE("bodies of moved tissue are closed at their present places") {
   REQUIRE(there.size() == still.size());
   REQUIRE(there.size() >= 2);
   for (std::size_t i = 0; i < there.size(); ++i) {
-    CHECK(test::wrongWith(there[i]) == "");
-    CHECK(std::abs(volume(there[i]) / volume(still[i]) - 1.331) < 1e-3);
+    CHECK(test::wrongWith(there[i].mesh) == "");
+    CHECK(std::abs(volume(there[i].mesh) / volume(still[i].mesh) - 1.331) < 1e-3);
   }
 }
 
@@ -84,6 +95,44 @@ TEST_CASE("a blind cut within is no body of its own") {
   follow(organ);
   CHECK(topology(organ.surface.mesh()).components == 2);
   CHECK(bodies(organ).size() == 1);
+}
+
+TEST_CASE(
+    "where all bonds between two halves are gone the surface parts too, whatever blades did") {
+  for (const int blades : {0, 1, 2})  // that went beside the plane of the bonds, and not through
+    for (const bool skinned : {false, true}) {
+      const Discretization cells = skinned ? test::ball(13) : test::fullBlock({8, 7, 6});
+      Organ organ = makeOrgan(cells, {});
+      ElasticTissue tissue({cells.lattice, cells.inside, {TissueMaterial{}}, {}}, {});
+      const double whole = volume(organ.surface.mesh());
+      const Lattice& lattice = organ.rest.lattice;
+      std::vector<TissueBond> bonds;
+      std::vector<std::int64_t> near;
+      for (std::int64_t c = 0; c < lattice.cellCount(); ++c) {
+        if (lattice.cell(c).x() != 3 || !cells.inside[c]) continue;
+        near.push_back(c);
+        for (int d = 0; d < kDirections; ++d)
+          if (offsetAlong(d, 0) == 1 && tissue.bonds(c) >> d & 1) {
+            bonds.push_back({c, d});
+            tissue.sever(c, d);
+          }
+      }
+      for (int blade = 0; blade <= blades; ++blade) {
+        if (blade > 0)
+          incise(organ, test::flatBlade(lattice.centre({3, 3, 1 + 2 * blade}) +
+                                            Vec3((blade == 1 ? 0.6 : 0.4) * 0.005, 0, 0),
+                                        Vec3(0.0002, 0, 0.01), Vec3(0, 0.02, 0.0003)));
+        partStrands(organ, tissue, bonds, near);
+        bonds.clear();
+      }
+      follow(organ);
+      CHECK(test::wrongWith(organ.surface.mesh()) == "");
+      const auto pieces = bodies(organ);
+      REQUIRE(pieces.size() == 2);
+      if (!skinned) CHECK(pieces[0].particles == 168);
+      CHECK(pieces[0].particles + pieces[1].particles == organ.particles);
+      CHECK(std::abs((volume(pieces[0].mesh) + volume(pieces[1].mesh)) / whole - 1) < 1e-8);
+    }
 }
 
 TEST_CASE("a cut organ can be carved, and carved away, and its iso level changed") {
@@ -129,7 +178,7 @@ TEST_CASE("a liver cut twenty times at random stays closed, keeps its volume and
     const auto pieces = bodies(organ);
     double sum = 0;
     int crumbs = 0;
-    for (const TriangleMesh& piece : pieces) {
+    for (const auto& [piece, particles, tissue] : pieces) {
       REQUIRE(test::wrongWith(piece) == "");
       sum += volume(piece);
       crumbs += volume(piece) < 8 * organ.rest.lattice.cellVolume();

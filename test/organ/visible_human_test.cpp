@@ -9,6 +9,7 @@
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
 #include "organ/discretize.h"
+#include "organ/fit_surface.h"
 #include "support/mesh_reference.h"
 #include "support/nearest_triangle.h"
 #include "support/visible_human.h"
@@ -61,11 +62,20 @@ TEST_CASE("the Visible Human liver at 5 mm keeps its volume, its place and its n
   CHECK(fractional.deviation.faceAngle < 5.5);
   CHECK(fractional.deviation.shadingAngle < 6);
 
+  // Fitted values lie nearer to it still.
+  Discretization fitted = cells;
+  fitSurface(*liver, fitted);
+  const Likeness fit = likeness(fitted, *liver);
+  CHECK(std::abs(fit.volumeError) < 0.3 * std::abs(fractional.volumeError));
+  CHECK(fit.deviation.distance < 0.75 * fractional.deviation.distance);
+  CHECK(fit.deviation.shadingAngle < 0.85 * fractional.deviation.shadingAngle);
+
   // Values of 0 or 100, as in the thesis, show stairs.
   for (std::size_t i = 0; i < cells.value.size(); ++i) cells.value[i] = cells.inside[i] ? 100 : 0;
   const Likeness stairs = likeness(cells, *liver);
   CHECK(stairs.deviation.distance > 2 * fractional.deviation.distance);
   CHECK(stairs.deviation.faceAngle > 2 * fractional.deviation.faceAngle);
   report("fractional", fractional);
+  report("fitted", fit);
   report("0 or 100", stairs);
 }

@@ -199,6 +199,32 @@ TEST_CASE("a grip that pulls tissue beyond its limit tears it, bond by bond") {
   CHECK(tissue.energy().elastic < 0.05);
 }
 
+TEST_CASE("a strand that a cut has left tears when it is stretched, the whole block does not") {
+  const double s = 0.005;
+  for (const bool strand : {true, false}) {
+    ElasticTissue tissue(solidBlock({12, 5, 5}, s, liverTissue()), test::weightless());
+    // Cut across but for the bonds of one cell in the middle.
+    if (strand)
+      test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& x) {
+        if (x.x() != 5) return;
+        for (int d = 0; d < kDirections; ++d)
+          if (offsetAlong(d, 0) == 1 && !(x.y() == 2 && x.z() == 2 && neighbourKind(d) == 1))
+            tissue.sever(c, d);
+      });
+    test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& x) {
+      if (x.x() == 0) tissue.hold(c, kHeldAll, {-0.012, 0, 0});
+      if (x.x() == 11) tissue.hold(c, kHeldAll, {0.012, 0, 0});
+    });
+    TissueStep step;
+    int torn = 0;
+    for (int i = 0; i < 90; ++i) {
+      tissue.move(kFrame, {}, step);
+      torn += step.torn;
+    }
+    CHECK((torn > 0) == strand);
+  }
+}
+
 TEST_CASE("the faces of a cut do not pass through each other when they are pressed together") {
   const double s = 0.005;
   const TissueCells cells = solidBlock({12, 6, 6}, s, liverTissue());

@@ -50,9 +50,9 @@ def comment(text):
     return "".join(f"# {line}".rstrip() + "\n" for line in lines[:-1])
 
 
-def model_text(description, surface, materials, decimals=7, crease_degrees=50.0):
+def model_text(description, surface, materials, decimals=7, crease_degrees=50.0, before=None):
     """The whole file: one Separator for each part of the surface, in the order of `materials`
-    {part: Material}."""
+    {part: Material}. `before`: {part: text of nodes that begin its Separator}."""
     normals = corner_normals(surface, crease_degrees)
     text = HEADER + "\n" + comment(description) + "\nSeparator {\n"
     text += "  ShapeHints {\n    vertexOrdering COUNTERCLOCKWISE\n    shapeType SOLID\n  }\n"
@@ -63,7 +63,9 @@ def model_text(description, surface, materials, decimals=7, crease_degrees=50.0)
             if surface.parts[k] == part
         ]
         name = "" if part == "all" else f"DEF {part} "
-        text += f"  {name}Separator {{\n" + material.text("    ")
+        text += f"  {name}Separator {{\n"
+        text += textwrap.indent((before or {}).get(part, ""), "    ")
+        text += material.text("    ")
         text += strip_set(make_strips(corners), surface.points, decimals, "    ") + "  }\n"
     return text + "}\n"
 

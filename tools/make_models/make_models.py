@@ -11,6 +11,7 @@ import sys
 import baton
 import hook
 import scalpel
+import scissors
 import table
 import toolbox
 
@@ -18,7 +19,7 @@ import toolbox
 def all_files():
     """{file name: text} of everything, in a fixed order."""
     result = {}
-    for module in (scalpel, hook, baton, table, toolbox):
+    for module in (scalpel, hook, baton, scissors, table, toolbox):
         result.update(module.files())
     return result
 

@@ -18,12 +18,13 @@ SIZES = {  # name: (spacing in mm, what people are told)
 
 
 class Path3:
-    """Keys of one tool: time, tip, and where handle and edge point."""
+    """Keys of one tool: time, tip, how far its jaws are squeezed, and where handle and edge point."""
 
     def __init__(self, handle, edge, speed):
         self.handle, self.edge, self.speed = handle, edge, speed
         self.keys = []
         self.time = 0.0
+        self.squeeze = 0.0
 
     def wait(self, seconds):
         self.time += round(seconds * FRAME_RATE) / FRAME_RATE
@@ -33,13 +34,21 @@ class Path3:
             # Keys fall on frames, so that the corners of the way are passed and not cut off between two frames.
             seconds = math.dist(tip, self.keys[-1][1]) / (speed or self.speed)
             self.time += max(1, math.ceil(seconds * FRAME_RATE - 1e-6)) / FRAME_RATE
-        self.keys.append((round(self.time, 5), tip))
+        self.keys.append((round(self.time, 5), tip, self.squeeze))
+        return self
+
+    def snip(self, seconds=0.3):
+        """Closes the jaws where they are and opens them again."""
+        for self.squeeze in (1.0, 0.0):
+            self.wait(seconds)
+            self.keys.append((round(self.time, 5), self.keys[-1][1], self.squeeze))
         return self
 
     def text(self):
         vector = lambda v: "[" + ", ".join(f"{x:.4f}".rstrip("0").rstrip(".") for x in v) + "]"
         turn = f"{{ handle = {vector(self.handle)}, edge = {vector(self.edge)} }}"
-        rows = [f"  {{ time = {t:.7g}, position = {vector(p)}, rotation = {turn} }}," for t, p in self.keys]
+        jaws = lambda squeeze: f", squeeze = {squeeze:g}" if squeeze else ""
+        rows = [f"  {{ time = {t:.7g}, position = {vector(p)}, rotation = {turn}{jaws(s)} }}," for t, p, s in self.keys]
         return "keys = [\n" + "\n".join(rows) + "\n]\n"
 
 
@@ -175,6 +184,35 @@ def incise_under_traction():
     return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
 
 
+def snip():
+    """The scissors come from the front and cut into the left lobe, snip by snip."""
+    path = Path3(handle=(0, 0.42, 0.91), edge=(0, -0.91, 0.42), speed=0.1)
+    path.wait(0.9)
+    path.to(0.058, 0.09, 0.2, speed=0.2)
+    for i in range(5):
+        z = 0.078 - 0.014 * i
+        path.to(0.058, 0.012 + 0.0045 * i, z, speed=0.06).snip()
+    path.to(0.058, 0.09, 0.16, speed=0.15).to(0.1, 0.2, 0.2, speed=0.3)
+    return [("scalpel", None), ("hook", None), ("baton", None), ("scissors", path)]
+
+
+def resect_segment_elastic():
+    """The scalpel, held upright, takes the left lateral part off in one stroke; the hook lifts it away."""
+    x = 0.062
+    scalpel = Path3(handle=(0, 1, 0.05), edge=(0, -0.05, 1), speed=0.15)
+    scalpel.wait(0.9)
+    scalpel.to(x, 0.2, -0.12, speed=0.3).to(x, 0.001, -0.12, speed=0.3).to(x, 0.001, 0.13, speed=0.1)
+    scalpel.to(x, 0.14, 0.13, speed=0.4).to(0.05, 0.24, 0.14, speed=0.5)
+    hook = Path3(handle=(0.45, 0.85, 0.27), edge=(0.85, -0.52, 0.1), speed=0.15)
+    hook.wait(scalpel.time + 0.2)
+    hook.to(0.17, 0.13, 0.03, speed=0.3).to(0.075, 0.016, 0.02)
+    hook.wait(0.1)
+    hook.to(0.075, 0.016, 0.02).to(0.14, 0.075, 0.04, speed=0.06)
+    hook.wait(0.6)
+    hook.to(0.14, 0.075, 0.04)
+    return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
+
+
 def no_tools():
     return [("scalpel", None), ("hook", None), ("baton", None)]
 
@@ -229,6 +267,11 @@ def all_scenarios():
     yield "incise-under-traction", elastic(
         "An incision under traction", "The hook pulls, the scalpel cuts across the pull, and the wound opens", 6.0,
         incise_under_traction(), LIGAMENTS)
+    yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
+                          snip(), LIGAMENTS)
+    yield "resect-segment-elastic", elastic(
+        "A piece of a soft liver taken off", "The scalpel parts the left lateral part; the hook lifts it away", 8.0,
+        resect_segment_elastic(), LIGAMENTS)
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n")
     yield "drop", elastic("The liver is dropped on the table", "From 12 cm; it flattens, and comes to rest", 8.0,

@@ -1,0 +1,23 @@
+// Which colour values draw the surface that an organ came from?
+//
+// A cell's share of tissue is a blurred sample of the body: its colour field meets the iso level up
+// to a twentieth of a cell beside the body's surface, in ripples that follow the lattice and that
+// wet tissue's highlights make plain to see. Here the values of the cells that the surface passes
+// through are corrected until the field is 50 on it: simultaneous iterative reconstruction (Gilbert
+// 1972), each cell moved by the mean misfit of the surface points near it, weighed by the kernel.
+// On a ball the ripples and the error of normals fall to half;
+// docs/methods/colour_field_and_surface.md has the figures.
+#pragma once
+
+#include "geometry/triangle_mesh.h"
+#include "sph/discretization.h"
+
+namespace resect {
+
+// Changes only values strictly between 0 and 100, and keeps them there, so no cell becomes or stops
+// being tissue; skinScale keeps the sum of the cells' volumes. `mesh`: what `cells` were made from.
+// Same bits at any number of threads. Cost: 12 evaluations of the field for every cell-sized piece
+// of the surface, twice.
+void fitSurface(const TriangleMesh& mesh, Discretization& cells);
+
+}  // namespace resect
