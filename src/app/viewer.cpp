@@ -1,18 +1,13 @@
 #include "app/viewer.h"
 
 #include <Inventor/SbViewportRegion.h>
-#include <Inventor/actions/SoGLRenderAction.h>
-#include <Inventor/elements/SoGLCacheContextElement.h>
 #include <Inventor/events/SoKeyboardEvent.h>
 #include <Inventor/events/SoLocation2Event.h>
 #include <Inventor/events/SoMouseButtonEvent.h>
-#include <Inventor/misc/SoContextHandler.h>
 #include <Inventor/nodes/SoNode.h>
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
-#include <QOpenGLFramebufferObject>
 #include <QOpenGLFunctions>
 #include <algorithm>
 #include <cmath>
@@ -23,7 +18,6 @@ namespace resect {
 namespace {
 
 constexpr double kStillSeconds = 0.25;  // after this the picture is drawn in full
-constexpr double kScales[] = {1.0, 0.85, 0.7, 0.6, 0.5, 0.4};
 
 int inventorKey(int key) {
   if (key >= Qt::Key_A && key <= Qt::Key_Z) return SoKeyboardEvent::A + (key - Qt::Key_A);
@@ -64,14 +58,13 @@ Viewer::Viewer(QWidget* parent) : QOpenGLWidget(parent) {
 Viewer::~Viewer() { forgetContext(); }
 
 void Viewer::forgetContext() {
-  if (!action_) return;
+  if (!picture_) return;
   makeCurrent();
-  SoContextHandler::destructingContext(action_->getCacheContext());
-  action_.reset();
-  buffer_.reset();
-  shown_.reset();
+  picture_.reset();
   doneCurrent();
 }
+
+double Viewer::scaleInMotion() const { return picture_ ? picture_->scale() : 1; }
 
 void Viewer::setFpsLimit(double fps) { timer_.setInterval(std::max(1, int(1000 / fps))); }
 
@@ -100,12 +93,11 @@ double Viewer::framesPerSecond() const {
 void Viewer::tick() {
   if (!session_) return;
   const Damage damage = session_->update();
-  damage_.everything = damage_.everything || damage.everything;
-  damage_.boxes.insert(damage_.boxes.end(), damage.boxes.begin(), damage.boxes.end());
+  damage_.add(damage);
   if (!damage_.empty()) {
     still_.restart();
-    full_ = !software_;
-    fullShown_ = false;
+    full_ = false;
+    fullShown_ = picture_ && !picture_->processorDraws();
     update();
   } else if (!fullShown_ && double(still_.elapsed()) * 1e-3 > kStillSeconds) {
     full_ = true;
@@ -115,101 +107,24 @@ void Viewer::tick() {
 }
 
 void Viewer::initializeGL() {
-  const auto* name =
-      reinterpret_cast<const char*>(context()->functions()->glGetString(GL_RENDERER));
-  renderer_ = name ? name : "unknown";
-  software_ = renderer_.find("llvmpipe") != std::string::npos ||
-              renderer_.find("softpipe") != std::string::npos;
-  if (software_) scale_ = 0.7;
-  action_ = std::make_unique<SoGLRenderAction>(viewport());
-  action_->setCacheContext(SoGLCacheContextElement::getUniqueCacheContext());
+  picture_ = std::make_unique<LivePicture>();
   QObject::connect(context(), &QOpenGLContext::aboutToBeDestroyed, this,
                    [this] { forgetContext(); });
 }
 
-// All of the scene, or the pixels of `part`.
-void Viewer::draw(QOpenGLFramebufferObject& buffer, const PixelRect* part) {
-  buffer.bind();
-  QOpenGLFunctions* gl = context()->functions();
-  gl->glViewport(0, 0, buffer.width(), buffer.height());
-  if (part) {
-    gl->glEnable(GL_SCISSOR_TEST);
-    gl->glScissor(part->left, part->bottom, part->right - part->left, part->top - part->bottom);
-  }
-  gl->glClearColor(0, 0, 0, 1);
-  gl->glDepthMask(GL_TRUE);
-  gl->glEnable(GL_DEPTH_TEST);
-  gl->glDepthFunc(GL_LEQUAL);
-  gl->glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  action_->invalidateState();
-  action_->setViewportRegion(SbViewportRegion(short(buffer.width()), short(buffer.height())));
-  action_->apply(session_->root());
-  gl->glDisable(GL_SCISSOR_TEST);
-}
-
 void Viewer::paintGL() {
-  QOpenGLFunctions* gl = context()->functions();
-  QOpenGLExtraFunctions* extra = context()->extraFunctions();
-  const SbVec2s size = viewport().getWindowSize();
-  if (!session_) {
+  if (!session_ || !picture_) {
+    QOpenGLFunctions* gl = context()->functions();
     gl->glClearColor(0.05f, 0.06f, 0.07f, 1);
     gl->glClear(GL_COLOR_BUFFER_BIT);
     return;
   }
-  QElapsedTimer time;
-  time.start();
-  if (!shown_ || shown_->width() != size[0] || shown_->height() != size[1]) {
-    shown_ = std::make_unique<QOpenGLFramebufferObject>(
-        size[0], size[1], QOpenGLFramebufferObject::CombinedDepthStencil);
-    damage_.everything = true;
-  }
-  const auto copy = [&](QOpenGLFramebufferObject& from, GLuint to, GLenum filter) {
-    extra->glBindFramebuffer(GL_READ_FRAMEBUFFER, from.handle());
-    extra->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    extra->glBlitFramebuffer(0, 0, from.width(), from.height(), 0, 0, size[0], size[1],
-                             GL_COLOR_BUFFER_BIT, filter);
-  };
-  const auto buffer = [&](int width, int height, int samples) -> QOpenGLFramebufferObject& {
-    if (!buffer_ || buffer_->width() != width || buffer_->height() != height ||
-        buffer_->format().samples() != samples) {
-      QOpenGLFramebufferObjectFormat format;
-      format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-      format.setSamples(samples);
-      buffer_ = std::make_unique<QOpenGLFramebufferObject>(width, height, format);
-    }
-    return *buffer_;
-  };
-  const std::vector<PixelRect> parts = pixelsOf(damage_, *session_->room().camera(), viewport());
-  const std::int64_t affordable = std::int64_t(scale_ * scale_ * size[0] * size[1]);
-  session_->room().setShadowResolution(software_ ? 512 : 1024);
-  if (full_) {
-    QOpenGLFramebufferObject& smooth = buffer(size[0], size[1], 4);
-    draw(smooth, nullptr);
-    copy(smooth, shown_->handle(), GL_NEAREST);
-  } else if (area(parts) <= affordable) {
-    for (const PixelRect& part : parts) draw(*shown_, &part);
-  } else {
-    QOpenGLFramebufferObject& coarse =
-        buffer(std::max(16, int(size[0] * scale_)), std::max(16, int(size[1] * scale_)), 0);
-    draw(coarse, nullptr);
-    copy(coarse, shown_->handle(), GL_LINEAR);
-  }
-  copy(*shown_, defaultFramebufferObject(), GL_NEAREST);
-  extra->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-  if (software_ && !full_ && !parts.empty()) {
-    gl->glFinish();
-    const double ms = double(time.nsecsElapsed()) * 1e-6;
-    const auto* at = std::find(std::begin(kScales), std::end(kScales), scale_);
-    if (at == std::end(kScales)) at = std::begin(kScales) + 2;
-    if (ms > 30 && at + 1 != std::end(kScales))
-      ++at;
-    else if (ms < 15 && area(parts) > affordable / 2 && at != std::begin(kScales))
-      --at;
-    scale_ = *at;
-  }
+  session_->room().setShadowResolution(picture_->processorDraws() ? 512 : 1024);
+  picture_->draw(session_->root(), *session_->room().camera(), damage_, viewport().getWindowSize(),
+                 full_, defaultFramebufferObject());
   damage_ = {};
-  fullShown_ = full_;
-  full_ = !software_;
+  fullShown_ = full_ || !picture_->processorDraws();
+  full_ = false;
   drawn_.push_back(double(clock_.nsecsElapsed()) * 1e-9);
   if (drawn_.size() > 240) drawn_.erase(drawn_.begin(), drawn_.begin() + 120);
 }

@@ -1,10 +1,5 @@
 // The picture in the window: draws the operation, and turns mouse and keyboard into Inventor
-// events.
-//
-// On a graphics card every picture is drawn in full. Where the processor draws, only what has
-// changed is drawn again; when that is most of the picture, as after a move of the camera, with as
-// few pixels as keep the frame rate. Once all stands still a full picture with smooth edges
-// follows.
+// events. Once all stands still the picture is drawn in full, with smooth edges.
 #pragma once
 
 #include <QElapsedTimer>
@@ -14,11 +9,10 @@
 #include <memory>
 
 #include "inventor/damage.h"
+#include "inventor/live_picture.h"
 #include "io/png_file.h"
 
-class QOpenGLFramebufferObject;
 class SoEvent;
-class SoGLRenderAction;
 class SbViewportRegion;
 
 namespace resect {
@@ -35,10 +29,9 @@ class Viewer : public QOpenGLWidget {
   void setFpsLimit(double framesPerSecond);
 
   double aspect() const { return double(width()) / std::max(1, height()); }
-  SbViewportRegion viewport() const;               // device pixels
-  double framesPerSecond() const;                  // of the pictures drawn lately
-  double scaleInMotion() const { return scale_; }  // share of the pixels' rows drawn in motion
-  const std::string& renderer() const { return renderer_; }
+  SbViewportRegion viewport() const;  // device pixels
+  double framesPerSecond() const;     // of the pictures drawn lately
+  double scaleInMotion() const;       // share of the pixels' rows drawn in motion
   // The picture as shown; `full`: drawn anew with all pixels and smooth edges.
   RgbImage grabPicture(bool full);
 
@@ -60,7 +53,6 @@ class Viewer : public QOpenGLWidget {
 
  private:
   void tick();
-  void draw(QOpenGLFramebufferObject& buffer, const PixelRect* part);
   void mouseButton(QMouseEvent* event, bool down);
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QPointF& at, Qt::KeyboardModifiers modifiers);
@@ -69,15 +61,10 @@ class Viewer : public QOpenGLWidget {
   OperatingSession* session_ = nullptr;
   QTimer timer_;
   QElapsedTimer clock_, still_;
-  std::unique_ptr<SoGLRenderAction> action_;
-  // The picture as shown, and what it is made from: with several samples or fewer pixels.
-  std::unique_ptr<QOpenGLFramebufferObject> shown_, buffer_;
+  std::unique_ptr<LivePicture> picture_;
   Damage damage_;
-  std::string renderer_;
-  bool software_ = false;  // the processor draws
-  bool full_ = false;      // the next picture is drawn in full
+  bool full_ = false;  // the next picture is drawn in full
   bool fullShown_ = false;
-  double scale_ = 1;
   std::vector<double> drawn_;  // times of the last pictures, s
   double wheel_ = 0;           // degrees not yet turned into steps
 };

@@ -7,11 +7,13 @@
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/bundles/SoMaterialBundle.h>
 #include <Inventor/elements/SoGLCacheContextElement.h>
+#include <Inventor/elements/SoModelMatrixElement.h>
+#include <Inventor/elements/SoProjectionMatrixElement.h>
+#include <Inventor/elements/SoViewingMatrixElement.h>
 #include <Inventor/misc/SoContextHandler.h>
 #include <Inventor/misc/SoState.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "base/assert.h"
 
@@ -83,7 +85,7 @@ void SoOrganShape::contextDestroyed(std::uint32_t context, void* shape) {
 void SoOrganShape::notify(SoNotList* list) {
   const SoField* field = list->getLastField();
   if (field == &points || field == &normals || field == &cut || field == &coordIndex)
-    fieldsAreTaken_ = boxIsFresh_ = false;
+    fieldsAreTaken_ = false;
   SoShape::notify(list);
 }
 
@@ -113,6 +115,8 @@ void SoOrganShape::takeFields() {
 }
 
 void SoOrganShape::setGeometry(const OrganGeometry& geometry) {
+  growChanged({0, points_.size()}, {});
+  blocks_ = {};
   points_.clear(), normals_.clear(), rest_.clear(), cut_.clear(), triangles_.clear();
   for (auto& [context, buffers] : contexts_) buffers->vertices.clear(), buffers->triangles.clear();
   updateRange(0, 0, geometry);
@@ -126,6 +130,8 @@ void SoOrganShape::updateRange(int firstVertex, int firstTriangle, const OrganGe
   // What lies between the old end and the new range is sent too: it has become holes.
   const Range vertices{std::min(v, points_.size()), v + g.points.size()};
   const Range triangles{std::min(t, triangles_.size()), t + g.triangles.size()};
+  // A brick that goes leaves no vertices behind, only holes in place of its triangles.
+  growChanged({v, v + g.points.size()}, {t, t + g.triangles.size()});
   overwrite(points_, v, g.points, Vec3f(Vec3f::Zero()));
   overwrite(normals_, v, g.normals, Vec3f(Vec3f::UnitY()));
   overwrite(rest_, v, g.rest.empty() ? g.points : g.rest, Vec3f(Vec3f::Zero()));
@@ -135,8 +141,55 @@ void SoOrganShape::updateRange(int firstVertex, int firstTriangle, const OrganGe
     if (!g.points.empty()) buffers->vertices.push_back(vertices);
     if (!g.triangles.empty()) buffers->triangles.push_back(triangles);
   }
-  boxIsFresh_ = false;
+  blocks_.verticesChanged(vertices.begin, vertices.end);
+  blocks_.trianglesChanged(triangles.begin, triangles.end);
+  growChanged({v, v + g.points.size()}, {t, t + g.triangles.size()});
   revision = revision.getValue() + 1;
+}
+
+// By what the triangles fill that use these vertices, and by these triangles.
+void SoOrganShape::growChanged(Range vertices, Range triangles) {
+  blocks_.refresh(points_, triangles_);
+  const auto grow = [&](const TriangleBlocks::Box& box) {
+    changed_.low = changed_.low.cwiseMin(box.low);
+    changed_.high = changed_.high.cwiseMax(box.high);
+  };
+  const std::size_t end = std::min(vertices.end, points_.size());
+  if (vertices.begin < end)
+    grow(end - vertices.begin > points_.size() / 2
+             ? blocks_.box()
+             : blocks_.around(vertices.begin, end, points_, triangles_));
+  for (std::size_t t = triangles.begin; t < std::min(triangles.end, triangles_.size()); ++t)
+    if (triangles_[t][0] != triangles_[t][1])
+      for (const std::int32_t v : triangles_[t])
+        if (std::size_t(v) < points_.size()) changed_.grow(points_[std::size_t(v)]);
+}
+
+Aabb SoOrganShape::takeChanged() {
+  Aabb box;
+  if (!changed_.empty()) box = {changed_.low.cast<double>(), changed_.high.cast<double>()};
+  changed_ = TriangleBlocks::emptyBox();
+  return box;
+}
+
+// The triangles that can lie within the view, or within the scissor box when there is one.
+std::vector<TriangleBlocks::Run> SoOrganShape::seen(SoState* state) {
+  blocks_.refresh(points_, triangles_);
+  Eigen::Vector2f low(-1, -1), high(1, 1);
+  if (glIsEnabled(GL_SCISSOR_TEST)) {
+    GLint view[4], part[4];
+    glGetIntegerv(GL_VIEWPORT, view);
+    glGetIntegerv(GL_SCISSOR_BOX, part);
+    for (int a = 0; a < 2; ++a) {
+      const float size = 0.5f * float(std::max(view[2 + a], 1));
+      low[a] = std::max(low[a], float(part[a] - view[a]) / size - 1);
+      high[a] = std::min(high[a], float(part[a] + part[2 + a] - view[a]) / size - 1);
+    }
+  }
+  SbMatrix toClip = SoModelMatrixElement::get(state);
+  toClip.multRight(SoViewingMatrixElement::get(state));
+  toClip.multRight(SoProjectionMatrixElement::get(state));
+  return blocks_.within(halfSpacesOf(toClip.getValue(), low, high));
 }
 
 void SoOrganShape::upload(ContextBuffers& buffers) {
@@ -203,7 +256,14 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
   glEnableClientState(GL_TEXTURE_COORD_ARRAY);
   glTexCoordPointer(1, GL_FLOAT, 0, nullptr);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers->names[kTriangles]);
-  glDrawElements(GL_TRIANGLES, GLsizei(3 * triangles_.size()), GL_UNSIGNED_INT, nullptr);
+  drawnTriangles_ = 0;
+  for (const TriangleBlocks::Run& run : seen(state)) {
+    const std::size_t count = std::min(run.count, triangles_.size() - run.first);
+    glDrawRangeElements(GL_TRIANGLES, GLuint(run.low), GLuint(run.high), GLsizei(3 * count),
+                        GL_UNSIGNED_INT,
+                        reinterpret_cast<const void*>(run.first * sizeof(Triangle)));
+    drawnTriangles_ += std::int64_t(count);
+  }
   glPopClientAttrib();
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -213,22 +273,12 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
 
 void SoOrganShape::computeBBox(SoAction*, SbBox3f& box, SbVec3f& centre) {
   takeFields();
-  if (!boxIsFresh_) {
-    // Over the triangles, not the points: a vertex that nothing uses may lie anywhere.
-    Vec3f low = Vec3f::Constant(std::numeric_limits<float>::infinity()), high = -low;
-    for (const Triangle& t : triangles_) {
-      if (t[0] == t[1]) continue;
-      for (const std::int32_t v : t) {
-        low = low.cwiseMin(points_[std::size_t(v)]);
-        high = high.cwiseMax(points_[std::size_t(v)]);
-      }
-    }
-    box_.makeEmpty();
-    if (low.x() <= high.x())
-      box_.setBounds(low.x(), low.y(), low.z(), high.x(), high.y(), high.z());
-    boxIsFresh_ = true;
-  }
-  box = box_;
+  // Over the triangles, not the points: a vertex that nothing uses may lie anywhere.
+  blocks_.refresh(points_, triangles_);
+  const TriangleBlocks::Box all = blocks_.box();
+  box.makeEmpty();
+  if (!all.empty())
+    box.setBounds(all.low.x(), all.low.y(), all.low.z(), all.high.x(), all.high.y(), all.high.z());
   if (!box.isEmpty()) centre = box.getCenter();
 }
 

@@ -3,8 +3,10 @@
 //
 // A shape with vertex buffers of its own. A program hands its geometry to setGeometry() and
 // updateRange(), and the next rendering uploads the changed ranges to each context that draws the
-// shape. The field `revision` counts changes and notifies the scene. In an .iv file, and from an
-// engine, the surface comes through fields, whole each time: see inventor/SoMarchingCubes.h.
+// shape; of these triangles it draws those blocks that can lie in the part of the picture that is
+// drawn (the scissor box). The field `revision` counts changes and notifies the scene. In an .iv
+// file, and from an engine, the surface comes through fields, whole each time: see
+// inventor/SoMarchingCubes.h.
 //
 // Attributes seen by a shader: gl_Vertex, gl_Normal, gl_MultiTexCoord1.xyz = rest position (for
 // patterns that stick to the tissue), gl_MultiTexCoord2.x = cut. In .iv files: `OrganShape {}`.
@@ -24,7 +26,9 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "geometry/aabb.h"
 #include "geometry/triangle_mesh.h"
+#include "inventor/triangle_blocks.h"
 
 namespace resect {
 
@@ -65,6 +69,11 @@ class SoOrganShape : public SoShape {
   int vertexCount() const { return int(points_.size()); }
   int triangleCount() const { return int(triangles_.size()); }  // holes included
 
+  // Where the surface has become another since the last call: before and after. m, object space.
+  Aabb takeChanged();
+
+  // Triangles sent through the graphics pipeline at the last rendering.
+  std::int64_t drawnTriangles() const { return drawnTriangles_; }
   // Bytes sent to graphics contexts since the shape was made.
   std::uint64_t uploadedBytes() const { return uploadedBytes_; }
 
@@ -82,6 +91,8 @@ class SoOrganShape : public SoShape {
   struct ContextBuffers;
 
   void takeFields();
+  void growChanged(Range vertices, Range triangles);
+  std::vector<TriangleBlocks::Run> seen(SoState* state);
   void upload(ContextBuffers& buffers);
   static void contextDestroyed(std::uint32_t context, void* shape);
 
@@ -90,8 +101,10 @@ class SoOrganShape : public SoShape {
   std::vector<Triangle> triangles_;
   std::map<std::uint32_t, std::unique_ptr<ContextBuffers>> contexts_;
   std::uint64_t uploadedBytes_ = 0;
-  SbBox3f box_;
-  bool boxIsFresh_ = false, fieldsAreTaken_ = true;
+  std::int64_t drawnTriangles_ = 0;
+  TriangleBlocks blocks_;
+  TriangleBlocks::Box changed_ = TriangleBlocks::emptyBox();
+  bool fieldsAreTaken_ = true;
 };
 
 }  // namespace resect

@@ -3,6 +3,7 @@
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
+#include <Inventor/SbBox2f.h>
 #include <Inventor/SbMatrix.h>
 #include <Inventor/SbViewVolume.h>
 #include <Inventor/SbViewportRegion.h>
@@ -20,9 +21,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "inventor/materials.h"
+#include "inventor/gl_program.h"
+#include "inventor/map_texture.h"
 
 namespace resect {
 
@@ -40,31 +41,36 @@ SbMatrix clipToTexture() {
 // World space -> clip space, for row vectors.
 SbMatrix worldToClip(const SoCamera* camera) { return camera->getViewVolume(1.0f).getMatrix(); }
 
-// 0 when the sources do not compile; Coin's error handler is then told why.
-GLuint makeProgram(const char* vertexFile, const char* fragmentFile) {
-  const GLuint program = glCreateProgram();
-  char log[2000] = "";
-  for (const auto& [file, stage] :
-       {std::pair(vertexFile, GL_VERTEX_SHADER), std::pair(fragmentFile, GL_FRAGMENT_SHADER)}) {
-    const std::string source = shaderSource({file});
-    const char* text = source.c_str();
-    const GLuint shader = glCreateShader(GLenum(stage));
-    glShaderSource(shader, 1, &text, nullptr);
-    glCompileShader(shader);
-    GLint compiled = 0;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (!compiled) glGetShaderInfoLog(shader, sizeof log, nullptr, log);
-    glAttachShader(program, shader);
-    glDeleteShader(shader);
+// Where the camera sees this box in its picture, each way from 0 to 1.
+SbBox2f placesOf(const Aabb& box, const SoCamera* camera) {
+  const SbViewVolume volume = camera->getViewVolume(1.0f);
+  SbBox2f places;
+  for (int corner = 0; corner < 8; ++corner) {
+    SbVec3f place;
+    volume.projectToScreen(SbVec3f(float(corner & 1 ? box.max.x() : box.min.x()),
+                                   float(corner & 2 ? box.max.y() : box.min.y()),
+                                   float(corner & 4 ? box.max.z() : box.min.z())),
+                           place);
+    places.extendBy(SbVec2f(place[0], place[1]));
   }
-  glLinkProgram(program);
-  GLint linked = 0;
-  glGetProgramiv(program, GL_LINK_STATUS, &linked);
-  if (linked) return program;
-  if (log[0] == '\0') glGetProgramInfoLog(program, sizeof log, nullptr, log);
-  SoDebugError::post("SoShadowMaps", "GLSL shader %s: %s", fragmentFile, log);
-  glDeleteProgram(program);
-  return 0;
+  return places;
+}
+
+// The texels that hold all of these places, and `margin` more on each side.
+PixelRect texelsOf(const SbBox2f& places, GLsizei texels, int margin) {
+  const auto texel = [&](float place) {
+    return int(std::clamp(place, 0.0f, 1.0f) * float(texels));
+  };
+  const SbVec2f low = places.getMin(), high = places.getMax();
+  return {std::max(texel(low[0]) - margin, 0), std::max(texel(low[1]) - margin, 0),
+          std::min(texel(high[0]) + 1 + margin, int(texels)),
+          std::min(texel(high[1]) + 1 + margin, int(texels))};
+}
+
+void clipTo(const PixelRect& part) {
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(part.left, part.bottom, std::max(part.right - part.left, 0),
+            std::max(part.top - part.bottom, 0));
 }
 
 void setTextureMatrix(GLenum unit, const SbMatrix& matrix) {
@@ -75,62 +81,23 @@ void setTextureMatrix(GLenum unit, const SbMatrix& matrix) {
 
 }  // namespace
 
-// A texture to draw into.
-struct SoShadowMaps::Map {
-  GLuint texture = 0, framebuffer = 0;
-  GLsizei size = 0;
-
-  void make(GLsizei texels, bool isDepth) {
-    size = texels;
-    glGenTextures(1, &texture);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, isDepth ? GL_DEPTH_COMPONENT24 : GL_RGBA8, size, size, 0,
-                 isDepth ? GL_DEPTH_COMPONENT : GL_RGBA,
-                 isDepth ? GL_UNSIGNED_INT : GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    // Outside nothing casts: depth is far; all is seen, of a surface at no height.
-    const float outside[4] = {1.0f, 1.0f, 1.0f, isDepth ? 1.0f : 0.0f};
-    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, outside);
-    if (isDepth) {
-      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-      glTexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_LUMINANCE);
-    }
-    glGenFramebuffers(1, &framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, isDepth ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
-                           GL_TEXTURE_2D, texture, 0);
-    glDrawBuffer(isDepth ? GL_NONE : GL_COLOR_ATTACHMENT0);
-    glReadBuffer(isDepth ? GL_NONE : GL_COLOR_ATTACHMENT0);
-  }
-
-  void use() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, size, size);
-  }
-
-  void free() const {
-    glDeleteFramebuffers(1, &framebuffer);
-    glDeleteTextures(1, &texture);
-  }
-};
-
 struct SoShadowMaps::ContextMaps {
-  Map lamp, above, grid;
+  MapTexture stillLamp, stillAbove;  // of the casters
+  MapTexture lamp, above, grid;      // of casters and movers
   GLuint program = 0;
-  SbUniqueId drawn = 0;  // the node id that the maps show
+  SbUniqueId drawn = 0, drawnCasters = 0;  // the node ids that the maps show
+  SbMatrix drawnFrom;                      // how the lamp saw them
+  Aabb changed;                            // since then, where that is known
+  bool anywhere = false;                   // it is not
   std::unique_ptr<SoGLRenderAction> action;
 
   void make(GLsizei size) {
     if (lamp.size > 0) freeMaps();
-    lamp.make(size, true);
-    above.make(size, true);
+    for (MapTexture* map : {&stillLamp, &stillAbove, &lamp, &above}) map->make(size, true);
     grid.make(std::max(size * 3 / 16, 16), false);
   }
   void freeMaps() const {
-    for (const Map* map : {&lamp, &above, &grid}) map->free();
+    for (const MapTexture* map : {&stillLamp, &stillAbove, &lamp, &above, &grid}) map->free();
   }
   void free() const {
     freeMaps();
@@ -150,6 +117,7 @@ void SoShadowMaps::initClass() {
 SoShadowMaps::SoShadowMaps() {
   SO_NODE_CONSTRUCTOR(SoShadowMaps);
   SO_NODE_ADD_FIELD(casters, (nullptr));
+  SO_NODE_ADD_FIELD(movers, (nullptr));
   SO_NODE_ADD_FIELD(lampPosition, (0.3f, 1.3f, 0.3f));
   SO_NODE_ADD_FIELD(focus, (0.0f, 0.0f, 0.0f));
   SO_NODE_ADD_FIELD(radius, (0.5f));
@@ -197,14 +165,13 @@ void SoShadowMaps::contextDestroyed(std::uint32_t context, void* node) {
   self->contexts_.erase(found);
 }
 
-void SoShadowMaps::draw(ContextMaps& maps, std::uint32_t context) {
-  const auto size = GLsizei(std::clamp(resolution.getValue(), 64, 4096));
-  if (maps.lamp.size != size) {
-    maps.make(size);
-    maps.action = std::make_unique<SoGLRenderAction>(SbViewportRegion(short(size), short(size)));
-    maps.action->setCacheContext(context);
-  }
+void SoShadowMaps::changedIn(const Aabb& box) {
+  for (auto& [context, maps] : contexts_)
+    box.empty() ? void(maps->anywhere = true) : maps->changed.grow(box);
+}
 
+// Lamp and sky as the fields say.
+void SoShadowMaps::aim() {
   const SbVec3f centre = focus.getValue();
   const float r = std::max(radius.getValue(), 1e-4f);
   const float distance = std::max((lampPosition.getValue() - centre).length(), 1.1f * r);
@@ -218,31 +185,94 @@ void SoShadowMaps::draw(ContextMaps& maps, std::uint32_t context) {
   above_->nearDistance = 0.0f;
   above_->farDistance = 2.0f * r;
   above_->height = 2.0f * r;
+}
 
-  for (auto [map, root] : {std::pair(&maps.lamp, fromLamp_), std::pair(&maps.above, fromAbove_)}) {
-    if (root->getNumChildren() == 3) root->addChild(casters.getValue());
-    if (root->getChild(3) != casters.getValue()) root->replaceChild(3, casters.getValue());
-    map->use();
+void SoShadowMaps::draw(ContextMaps& maps, std::uint32_t context) {
+  const auto size = GLsizei(std::clamp(resolution.getValue(), 64, 4096));
+  aim();
+  const SbMatrix seen = worldToClip(lamp_);
+  bool whole = maps.anywhere || maps.changed.empty() || seen != maps.drawnFrom;
+  if (maps.lamp.size != size) {
+    maps.make(size);
+    maps.action = std::make_unique<SoGLRenderAction>(SbViewportRegion(short(size), short(size)));
+    maps.action->setCacheContext(context);
+    whole = true;
+  }
+  const bool stillChanged = whole || maps.drawnCasters != casters.getValue()->getNodeId();
+  if (stillChanged && whole) ++wholeRedraws_;
+
+  struct View {
+    const MapTexture &still, &full;
+    SoSeparator* root;
+    const SoCamera* camera;
+  };
+  for (const View& view : {View{maps.stillLamp, maps.lamp, fromLamp_, lamp_},
+                           View{maps.stillAbove, maps.above, fromAbove_, above_}}) {
+    const auto apply = [&](SoNode* shapes) {
+      if (view.root->getNumChildren() == 3) view.root->addChild(shapes);
+      if (view.root->getChild(3) != shapes) view.root->replaceChild(3, shapes);
+      maps.action->apply(view.root);
+    };
     glDepthMask(GL_TRUE);
     glEnable(GL_DEPTH_TEST);
-    glClear(GL_DEPTH_BUFFER_BIT);
-    maps.action->apply(root);
+    if (stillChanged) {
+      view.still.use();
+      if (!whole) clipTo(texelsOf(placesOf(maps.changed, view.camera), size, 2));
+      glClear(GL_DEPTH_BUFFER_BIT);
+      apply(casters.getValue());
+      glDisable(GL_SCISSOR_TEST);
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, view.still.framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, view.full.framebuffer);
+    glBlitFramebuffer(0, 0, size, size, 0, 0, size, size, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    view.full.use();
+    if (movers.getValue()) apply(movers.getValue());
   }
-  drawGrid(maps);
+  drawGrid(maps, whole ? PixelRect{0, 0, maps.grid.size, maps.grid.size}
+                       : gridPart(maps.changed, maps.grid.size));
+  maps.drawnFrom = seen;
+  maps.drawnCasters = casters.getValue()->getNodeId();
+  maps.changed = {};
+  maps.anywhere = false;
   ++redraws_;
 }
 
+// The texels of the grid that a change in this box can reach: those near enough to be darkened by
+// it, and those in its shadow on the table.
+PixelRect SoShadowMaps::gridPart(const Aabb& changed, std::int32_t texels) const {
+  constexpr double kNear = 0.125, kSoft = 0.08;  // m; beyond the widest patterns of grid.frag
+  const SbVec3f lamp = lampPosition.getValue(), centre = focus.getValue();
+  Aabb reach = changed.padded(kNear);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p(corner & 1 ? changed.max.x() : changed.min.x(),
+                 corner & 2 ? changed.max.y() : changed.min.y(),
+                 corner & 4 ? changed.max.z() : changed.min.z());
+    const double fall = std::max(lamp[1] - p.y(), 0.01), share = std::max(p.y(), 0.0) / fall;
+    const Vec3 foot = p + share * (p - Vec3(lamp[0], lamp[1], lamp[2]));
+    reach.grow(Aabb{foot, foot}.padded(kSoft));
+  }
+  const double side = 2.0 * std::max(radius.getValue(), 1e-4f);
+  const auto place = [&](double x, double z) {
+    return SbVec2f(float(0.5 + (x - centre[0]) / side), float(0.5 - (z - centre[2]) / side));
+  };
+  SbBox2f places;
+  places.extendBy(place(reach.min.x(), reach.min.z()));
+  places.extendBy(place(reach.max.x(), reach.max.z()));
+  return texelsOf(places, texels, 1);
+}
+
 // One quad over the grid; what each texel is, is worked out in data/shaders/grid.frag.
-void SoShadowMaps::drawGrid(ContextMaps& maps) const {
+void SoShadowMaps::drawGrid(ContextMaps& maps, const PixelRect& part) const {
   if (maps.program == 0) maps.program = makeProgram("grid.vert", "grid.frag");
   if (maps.program == 0) return;
   const auto uniform = [&](const char* name) { return glGetUniformLocation(maps.program, name); };
-  const auto bindDepths = [&](const Map& map, GLenum unit) {
+  const auto bindDepths = [&](const MapTexture& map, GLenum unit) {
     glActiveTexture(unit);
     glBindTexture(GL_TEXTURE_2D, map.texture);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_NONE);
   };
   maps.grid.use();
+  clipTo(part);
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);
@@ -260,6 +290,7 @@ void SoShadowMaps::drawGrid(ContextMaps& maps) const {
   worldToLamp.multRight(clipToTexture());
   glUniformMatrix4fv(uniform("worldToLamp"), 1, GL_FALSE, worldToLamp[0]);
   glRectf(-1.0f, -1.0f, 1.0f, 1.0f);
+  glDisable(GL_SCISSOR_TEST);
   glUseProgram(0);
   glActiveTexture(kLampUnit);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);

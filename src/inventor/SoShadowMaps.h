@@ -10,7 +10,9 @@
 //     seen from the table (green), share of the room seen from the topmost surface (blue), height
 //     of that surface over the table as a share of `radius` (alpha)
 //   gl_TextureMatrix[5]: eye space -> world space (rotation and translation)
-// Stands after the camera. Redraws only when a caster or a field has changed.
+// Stands after the camera. Redraws only when a caster or a field has changed, and only that part
+// which changedIn() tells: the still casters are kept in depth maps of their own, the movers are
+// drawn over a copy of them.
 //
 // Sources: shadow maps, Williams 1978; percentage-closer soft shadows, Fernando 2005; the room's
 // light over a height field after Oat and Sander 2007.
@@ -27,6 +29,9 @@
 #include <map>
 #include <memory>
 
+#include "geometry/aabb.h"
+#include "inventor/damage.h"
+
 class SoGLRenderAction;
 class SoOrthographicCamera;
 class SoPerspectiveCamera;
@@ -42,25 +47,32 @@ class SoShadowMaps : public SoNode {
   SoShadowMaps();
 
   SoSFNode casters;        // drawn without lights and materials
+  SoSFNode movers;         // the same, for a few triangles that often move
   SoSFVec3f lampPosition;  // world, m
   SoSFVec3f focus;         // world, m: centre of the region with shadows
   SoSFFloat radius;        // m, > 0: the region is the sphere of this radius round `focus`
   SoSFInt32
       resolution;  // texels along each side of the depth maps, 64 to 4096; the grid has 3/16 of it
 
-  // How often the maps were drawn.
+  // What has changed among casters and movers since the last drawing lay and lies in this box,
+  // world, m. An empty box, and a change of which nothing is said: anywhere.
+  void changedIn(const Aabb& box);
+
+  // How often the maps were drawn, and how often of these the casters were drawn whole.
   int redraws() const { return redraws_; }
+  int wholeRedraws() const { return wholeRedraws_; }
 
  protected:
   ~SoShadowMaps() override;
   void GLRender(SoGLRenderAction* action) override;
 
  private:
-  struct Map;
   struct ContextMaps;
 
+  void aim();
   void draw(ContextMaps& maps, std::uint32_t context);
-  void drawGrid(ContextMaps& maps) const;
+  void drawGrid(ContextMaps& maps, const PixelRect& part) const;
+  PixelRect gridPart(const Aabb& changed, std::int32_t texels) const;
   static void contextDestroyed(std::uint32_t context, void* node);
 
   std::map<std::uint32_t, std::unique_ptr<ContextMaps>> contexts_;
@@ -68,7 +80,7 @@ class SoShadowMaps : public SoNode {
   SoSeparator* fromAbove_;
   SoPerspectiveCamera* lamp_;
   SoOrthographicCamera* above_;
-  int redraws_ = 0;
+  int redraws_ = 0, wholeRedraws_ = 0;
 };
 
 }  // namespace resect

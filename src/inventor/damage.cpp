@@ -12,36 +12,87 @@
 namespace resect {
 namespace {
 
-constexpr double kPenumbra = 0.03;  // m: how far soft shadows reach beyond hard ones
-constexpr int kMargin = 3;          // pixels
-constexpr int kPassPixels = 15000;  // what one more pass over the scene costs, in pixels
+constexpr double kFurniture = 0.03;  // m: height of the tool box
+constexpr int kMargin = 3;           // pixels
+constexpr int kTile = 16;            // pixels
 
 Vec3 cornerOf(const Aabb& box, int corner) {
   return {corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
           corner & 4 ? box.max.z() : box.min.z()};
 }
 
+// The tiles that the rectangles touch, as rectangles that do not overlap.
+std::vector<PixelRect> withoutOverlap(const std::vector<PixelRect>& parts, int width, int height) {
+  const int columns = (width + kTile - 1) / kTile, rows = (height + kTile - 1) / kTile;
+  std::vector<std::uint8_t> touched(std::size_t(columns) * std::size_t(rows));
+  for (const PixelRect& part : parts)
+    for (int row = part.bottom / kTile; row * kTile < part.top; ++row)
+      for (int column = part.left / kTile; column * kTile < part.right; ++column)
+        touched[std::size_t(row * columns + column)] = 1;
+  std::vector<PixelRect> result;
+  std::size_t before = 0;  // the first rectangle that ends at the row below
+  for (int row = 0; row < rows; ++row) {
+    const std::size_t first = result.size();
+    for (int column = 0; column < columns; ++column) {
+      if (!touched[std::size_t(row * columns + column)]) continue;
+      const int begin = column;
+      while (column < columns && touched[std::size_t(row * columns + column)]) ++column;
+      const PixelRect run{begin * kTile, row * kTile, std::min(column * kTile, width),
+                          std::min((row + 1) * kTile, height)};
+      const auto below =
+          std::find_if(result.begin() + std::ptrdiff_t(before),
+                       result.begin() + std::ptrdiff_t(first), [&](const PixelRect& r) {
+                         return r.top == run.bottom && r.left == run.left && r.right == run.right;
+                       });
+      if (below != result.begin() + std::ptrdiff_t(first))
+        below->top = run.top;
+      else
+        result.push_back(run);
+    }
+    // Rectangles that were made longer may be made longer again.
+    while (before < result.size() && result[before].top <= row * kTile) ++before;
+  }
+  return result;
+}
+
 }  // namespace
 
-void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, double ceiling) {
+void Damage::add(const Damage& other) {
+  everything = everything || other.everything;
+  boxes.insert(boxes.end(), other.boxes.begin(), other.boxes.end());
+  shadows.insert(shadows.end(), other.shadows.begin(), other.shadows.end());
+}
+
+void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, const Aabb& organ) {
   if (box.empty()) return;
   damage.boxes.push_back(box.padded(0.002));
   if (box.max.y() >= lamp.y() - 0.01) {
     damage.everything = true;
     return;
   }
-  // The box of the slanted beam is wide where it need not be: in slices it is not.
-  constexpr int kSlices = 4;
-  for (int s = 0; s < kSlices; ++s) {
-    Aabb slice;
+  // The box of the slanted beam is wide where it need not be: in layers of height it is not. Above
+  // what else stands on the table there is only the organ to fall on.
+  constexpr int kLayers = 5;
+  const double ceiling = std::max(organ.max.y(), 2 * kFurniture);
+  for (int layer = 0; layer <= kLayers; ++layer) {
+    const double step = (ceiling - kFurniture) / kLayers,
+                 low = layer ? kFurniture + (layer - 1) * step : 0,
+                 high = layer ? low + step : kFurniture;
+    Aabb beam;
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3 p = cornerOf(box, corner);
-      const double fall = lamp.y() - p.y();
-      const double begin = std::max(0.0, p.y() - ceiling) / fall, end = std::max(0.0, p.y()) / fall;
-      for (const double share : {double(s) / kSlices, double(s + 1) / kSlices})
-        slice.grow(Vec3(p + (begin + share * (end - begin)) * (p - lamp)));
+      for (const double height : {low, high})
+        beam.grow(Vec3(p + std::max(0.0, p.y() - height) / (lamp.y() - p.y()) * (p - lamp)));
     }
-    damage.boxes.push_back(slice.padded(kPenumbra));
+    beam.min.y() = std::max(beam.min.y(), low);
+    beam.max.y() = std::min(beam.max.y(), high);
+    // Shadows are the softer the farther they fall.
+    const double soft = std::min(0.008 + 0.08 * std::max(box.max.y() - low, 0.0), 0.03);
+    const Vec3 margin(soft, 0.002, soft);
+    beam = {beam.min - margin, beam.max + margin};
+    if (beam.empty()) continue;
+    if (layer == 0 || !intersection(beam, organ.padded(0.02)).empty())
+      damage.shadows.push_back(beam);
   }
 }
 
@@ -55,7 +106,9 @@ std::vector<PixelRect> pixelsOf(const Damage& damage, const SoPerspectiveCamera&
   camera.orientation.getValue().multVec(SbVec3f(0, 0, -1), ahead);
   const SbVec3f eye = camera.position.getValue();
   std::vector<PixelRect> parts;
-  for (const Aabb& box : damage.boxes) {
+  std::vector<Aabb> boxes = damage.boxes;
+  boxes.insert(boxes.end(), damage.shadows.begin(), damage.shadows.end());
+  for (const Aabb& box : boxes) {
     PixelRect rect{size[0], size[1], 0, 0};
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3f p = cornerOf(box, corner).cast<float>();
@@ -76,26 +129,7 @@ std::vector<PixelRect> pixelsOf(const Damage& damage, const SoPerspectiveCamera&
     rect.top = std::min<int>(rect.top, size[1]);
     if (!rect.empty()) parts.push_back(rect);
   }
-  // Two become one while that is no more to draw; each costs a pass over the scene.
-  const auto joined = [](const PixelRect& a, const PixelRect& b) {
-    return PixelRect{std::min(a.left, b.left), std::min(a.bottom, b.bottom),
-                     std::max(a.right, b.right), std::max(a.top, b.top)};
-  };
-  for (bool again = true; again;) {
-    again = false;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      for (std::size_t j = i + 1; j < parts.size();) {
-        const PixelRect both = joined(parts[i], parts[j]);
-        if (both.area() > parts[i].area() + parts[j].area() + kPassPixels) {
-          ++j;
-          continue;
-        }
-        parts[i] = both;
-        parts.erase(parts.begin() + std::ptrdiff_t(j));
-        again = true;
-      }
-  }
-  return parts;
+  return withoutOverlap(parts, size[0], size[1]);
 }
 
 std::int64_t area(const std::vector<PixelRect>& parts) {

@@ -6,6 +6,8 @@
 
 #include <Inventor/SbVec2s.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "geometry/aabb.h"
@@ -19,12 +21,14 @@ namespace resect {
 struct Damage {
   bool everything = false;
   std::vector<Aabb> boxes;
-  bool empty() const { return !everything && boxes.empty(); }
+  std::vector<Aabb> shadows;  // where only a soft shadow has: an eye does not miss it for 0.1 s
+  bool empty() const { return !everything && boxes.empty() && shadows.empty(); }
+  void add(const Damage& other);
 };
 
-// Adds the box, and where its shadow falls when lit from `lamp`: on what stands on the table, up to
-// `ceiling`, and on the table top, y = 0.
-void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, double ceiling);
+// Adds the box, and where its shadow falls when lit from `lamp`: on the organ, on low things that
+// stand on the table, and on the table top, y = 0.
+void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, const Aabb& organ);
 
 // Pixels [left, right) x [bottom, top).
 struct PixelRect {
@@ -34,10 +38,15 @@ struct PixelRect {
     return empty() ? 0 : std::int64_t(right - left) * std::int64_t(top - bottom);
   }
 };
-// The pixels that show any of the boxes, within the viewport, in a few rectangles. A box that
-// reaches behind the camera takes the whole picture.
+// The least that holds both.
+inline PixelRect joined(const PixelRect& a, const PixelRect& b) {
+  return {std::min(a.left, b.left), std::min(a.bottom, b.bottom), std::max(a.right, b.right),
+          std::max(a.top, b.top)};
+}
+// The pixels that show any of the boxes, within the viewport, in rectangles that do not overlap. A
+// box that reaches behind the camera takes the whole picture.
 std::vector<PixelRect> pixelsOf(const Damage& damage, const SoPerspectiveCamera& camera,
                                 const SbViewportRegion& viewport);
-std::int64_t area(const std::vector<PixelRect>& parts);  // those that overlap count twice
+std::int64_t area(const std::vector<PixelRect>& parts);
 
 }  // namespace resect

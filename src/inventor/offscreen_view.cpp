@@ -185,7 +185,16 @@ RgbImage OffscreenView::render(SoNode* scene) {
   if (!complaints.text().empty())
     throw error("a shader of the scene does not work on {}: {}; please report this", c.renderer,
                 complaints.text());
+  return read();
+}
 
+void OffscreenView::makeCurrent() { context_->makeCurrent(); }
+
+unsigned OffscreenView::framebuffer() const { return context_->drawBuffer; }
+
+RgbImage OffscreenView::read() {
+  Context& c = *context_;
+  c.makeCurrent();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, c.drawBuffer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, c.readBuffer);
   glBlitFramebuffer(0, 0, c.width, c.height, 0, 0, c.width, c.height, GL_COLOR_BUFFER_BIT,

@@ -29,6 +29,11 @@ class OffscreenView {
   // Inventor would go on with flat colours.
   RgbImage render(SoNode* scene);
 
+  // For those who draw into it themselves: its context, and the framebuffer that render() uses.
+  void makeCurrent();
+  unsigned framebuffer() const;
+  RgbImage read();  // what is in the framebuffer
+
   // Name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
   const char* renderer() const;
 

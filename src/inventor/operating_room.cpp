@@ -100,28 +100,6 @@ void setMesh(const Tissue& tissue, const TriangleMesh& mesh) {
   tissue.shape->setGeometry({points, normals, cut, mesh.triangles, {}});
 }
 
-struct Direction {
-  Vec3 towards;        // from what is looked at to the camera
-  double heightAngle;  // rad
-  double margin;       // the sphere round the box is this much smaller than the picture
-  Vec3 aside;  // what is looked at, off the middle of the box, in its radii, per (aspect - 1)
-};
-
-Direction direction(RoomView view) {
-  switch (view) {
-    case RoomView::Surgeon:
-      return {{0.06, 0.62, 1.0}, 0.50, 1.08, {0.66, -0.06, 0.0}};
-    case RoomView::Assistant:
-      return {{-1.0, 0.55, -0.55}, 0.48, 1.0, {0.0, 0.0, 0.0}};
-    case RoomView::Top:
-      return {{0.0, 1.0, 1e-3}, 0.48, 1.0, {0.0, 0.0, 0.0}};
-    case RoomView::Laparoscope:
-      return {{0.35, 0.48, 0.85}, 1.15, 0.80, {0.0, 0.0, 0.0}};
-  }
-  RESECT_ASSERT(false);
-  return {};
-}
-
 }  // namespace
 
 void setPose(SoTransform* transform, const Pose& pose) {
@@ -134,14 +112,6 @@ Pose getPose(const SoTransform& transform) {
   const SbVec3f& p = transform.translation.getValue();
   const float* q = transform.rotation.getValue().getValue();
   return {Vec3(p[0], p[1], p[2]), Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized()};
-}
-
-std::optional<RoomView> roomView(std::string_view name) {
-  if (name == "surgeon") return RoomView::Surgeon;
-  if (name == "assistant") return RoomView::Assistant;
-  if (name == "top") return RoomView::Top;
-  if (name == "laparoscope") return RoomView::Laparoscope;
-  return std::nullopt;
 }
 
 OperatingRoom::OperatingRoom() {
@@ -174,7 +144,8 @@ OperatingRoom::OperatingRoom() {
   organColour_ = organ.colour;
   organHints_ = organ.hints;
   organ_ = organ.shape;
-  for (SoNode* node : {toolbox_, tools_, tissue_}) casters_->addChild(node);
+  for (SoNode* node : {toolbox_, tissue_}) casters_->addChild(node);
+  shadows_->movers = tools_;
 
   root_->addChild(withMaterial(RoomMaterial::Liver, {tissue_}));
   steel_ = makeMaterial(RoomMaterial::Steel);
@@ -286,6 +257,8 @@ Aabb OperatingRoom::toolBounds(int tool) const {
   return {Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])};
 }
 
+void OperatingRoom::changedIn(const Aabb& box) { shadows_->changedIn(box); }
+
 void OperatingRoom::setShadowResolution(int texels) {
   if (shadows_->resolution.getValue() != texels) shadows_->resolution = texels;
 }
@@ -324,50 +297,6 @@ void OperatingRoom::lightUp(const Aabb& box) {
   shadows_->lampPosition = lamps_[0]->location.getValue();
   shadows_->focus = toSb(centre);
   shadows_->radius = float(std::max(0.46, 1.5 * radius));
-}
-
-void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
-  RESECT_ASSERT(aspect > 0.0);
-  if (box.empty()) return;
-  const Direction from = direction(view);
-  const double radius = std::max(0.5 * box.size().norm(), 1e-3);
-  // Only wide pictures have room for the tool box beside the organ.
-  const bool beside = toolbox_->getNumChildren() > 1;
-  const double aside = beside ? std::clamp(aspect - 1.0, 0.0, 0.8) : 0.0;
-  // The sphere round the box fits; Inventor takes the angle across the narrower side.
-  place(view, box.centre() + aside * radius * from.aside,
-        from.margin * radius / std::sin(0.5 * from.heightAngle));
-}
-
-void OperatingRoom::frame(RoomView view, const Aabb& box, double aspect) {
-  RESECT_ASSERT(aspect > 0.0);
-  if (box.empty()) return;
-  const Direction from = direction(view);
-  const Vec3 back = from.towards.normalized(), right = Vec3::UnitY().cross(back).normalized(),
-             up = back.cross(right);
-  const double narrow = 0.93 * std::tan(0.5 * from.heightAngle);
-  const double tanX = narrow * std::max(1.0, aspect), tanY = narrow * std::max(1.0, 1 / aspect);
-  double distance = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p =
-        Vec3(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
-             corner & 4 ? box.max.z() : box.min.z()) -
-        box.centre();
-    const double nearer = p.dot(back);
-    distance = std::max(
-        {distance, nearer + std::abs(p.dot(right)) / tanX, nearer + std::abs(p.dot(up)) / tanY});
-  }
-  place(view, box.centre(), distance);
-}
-
-void OperatingRoom::place(RoomView view, const Vec3& target, double distance) {
-  const Direction from = direction(view);
-  camera_->heightAngle = float(from.heightAngle);
-  camera_->position = toSb(target + distance * from.towards.normalized());
-  camera_->pointAt(toSb(target), SbVec3f(0.0f, 1.0f, 0.0f));
-  camera_->focalDistance = float(distance);
-  camera_->nearDistance = float(0.05 * distance);
-  camera_->farDistance = float(20.0 * distance);
 }
 
 }  // namespace resect

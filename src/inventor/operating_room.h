@@ -100,6 +100,11 @@ class OperatingRoom {
   // shaders.
   SoSeparator* aids() const { return aids_; }
 
+  // Organ, tools and tool box have changed only in these boxes, world, m, since the last picture;
+  // an empty box, or no word of it: anywhere. Shadows are then drawn anew only there.
+  void changedIn(const Aabb& box);
+
+  const SoShadowMaps& shadows() const { return *shadows_; }
   // Texels along each side of the shadow maps: fewer are drawn sooner.
   void setShadowResolution(int texels);
 

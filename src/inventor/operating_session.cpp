@@ -9,8 +9,10 @@
 #include <Inventor/nodes/SoSpotLight.h>
 #include <Inventor/sensors/SoSensorManager.h>
 
+#include <algorithm>
 #include <utility>
 
+#include "inventor/SoOrganShape.h"
 #include "operation/room.h"
 
 namespace resect {
@@ -26,6 +28,41 @@ std::vector<Pose> restsOf(const Scenario& scenario) {
   std::vector<Pose> rests;
   for (const ScenarioTool& tool : scenario.tools) rests.push_back(tool.rest);
   return rests;
+}
+
+// The box of a box that stands in this pose.
+Aabb placed(const Aabb& box, const Pose& pose) {
+  Aabb result;
+  for (int corner = 0; corner < 8; ++corner)
+    result.grow(pose * Vec3(corner & 1 ? box.max.x() : box.min.x(),
+                            corner & 2 ? box.max.y() : box.min.y(),
+                            corner & 4 ? box.max.z() : box.min.z()));
+  return result;
+}
+
+// A long thin thing that lies aslant fills little of its box, but most of those of its slices.
+std::vector<Aabb> slicesOf(const TriangleMesh& mesh) {
+  constexpr int kSlices = 8;
+  const Aabb whole = bounds(mesh);
+  std::vector<Aabb> slices(kSlices);
+  const auto sliceOf = [&](const Vec3& p) {
+    const double share = (p.z() - whole.min.z()) / std::max(whole.size().z(), 1e-9);
+    return std::clamp(int(share * kSlices), 0, kSlices - 1);
+  };
+  for (const Triangle& t : mesh.triangles) {
+    Aabb box;
+    for (const std::int32_t v : t) box.grow(mesh.points[std::size_t(v)]);
+    const int last = sliceOf(box.max);
+    for (int s = sliceOf(box.min); s <= last; ++s) {
+      // A triangle belongs to all slices it passes, to each with the part that lies there.
+      Aabb part = box;
+      part.min.z() = std::max(box.min.z(), whole.min.z() + s * whole.size().z() / kSlices);
+      part.max.z() = std::min(box.max.z(), whole.min.z() + (s + 1) * whole.size().z() / kSlices);
+      slices[std::size_t(s)].grow(part);
+    }
+  }
+  std::erase_if(slices, [](const Aabb& slice) { return slice.empty(); });
+  return slices;
 }
 
 // At the far left corner of the table's field, where it hides nothing.
@@ -48,6 +85,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       marker_(view_.room().aids()),
       events_(SbViewportRegion(640, 480)),
       operation_(std::move(simulation), restsOf(scenario), scenario.frameRate) {
+  for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
   tools_.changed = [this] { toolsChanged(); };
   tools_.readyPlace = Vec3(organBox_.centre().x(), organBox_.max.y() + 0.02,
                            organBox_.centre().z() + 0.15 * organBox_.size().z());
@@ -73,15 +111,25 @@ Vec3 OperatingSession::lampPosition() const {
 
 void OperatingSession::toolsChanged() {
   toolBoxes_.resize(std::size_t(tools_.toolCount()));
+  shownSlices_.resize(toolBoxes_.size());
   for (int i = 0; i < tools_.toolCount(); ++i) {
     const bool held = i == tools_.held();
     operation_.setTool(i, {tools_.pose(i), held, held && !tools_.squeezing() ? 0.0 : 1.0});
     const Aabb box = room().toolBounds(i);
     Aabb& before = toolBoxes_[std::size_t(i)];
     if (box.min == before.min && box.max == before.max) continue;
-    addWithShadow(damage_, before, lampPosition(), organBox_.max.y());
-    addWithShadow(damage_, box, lampPosition(), organBox_.max.y());
+    room().changedIn(before);
+    room().changedIn(box);
     before = box;
+    // A manipulator is as wide as its box.
+    std::vector<Aabb> slices{box};
+    if (i != tools_.held() || tools_.how() == ToolHandling::Hold::Direct) {
+      slices = toolSlices_[std::size_t(i)];
+      for (Aabb& slice : slices) slice = placed(slice, tools_.pose(i));
+    }
+    for (const std::vector<Aabb>& places : {shownSlices_[std::size_t(i)], slices})
+      for (const Aabb& place : places) addWithShadow(damage_, place, lampPosition(), organBox_);
+    shownSlices_[std::size_t(i)] = slices;
   }
   if (tools_.held() < 0) {
     marker_.hide();
@@ -109,11 +157,12 @@ Damage OperatingSession::update() {
   SurfaceUpdate update;
   if (operation_.take(update, state_)) {
     view_.follow(update);
+    const Aabb changed = room().organ()->takeChanged();
     if (update.everything) damage_.everything = true;
-    for (const SurfaceUpdate::Vertices& range : update.vertices) {
-      Aabb box;
-      for (const Vec3f& p : range.points) box.grow(p.cast<double>());
-      if (!damage_.everything) addWithShadow(damage_, box, lampPosition(), organBox_.max.y());
+    if (update.everything) room().changedIn({});
+    if (!update.everything && !changed.empty()) {
+      room().changedIn(changed);
+      addWithShadow(damage_, changed, lampPosition(), organBox_);
     }
     for (int i = 0; i < tools_.toolCount(); ++i)
       room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);

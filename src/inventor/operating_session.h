@@ -71,8 +71,10 @@ class OperatingSession {
   IsoDragger iso_;
   TipMarker marker_;
   SoHandleEventAction events_;
-  Damage damage_{true, {}};
-  std::vector<Aabb> toolBoxes_;  // as drawn last
+  Damage damage_{true, {}, {}};
+  std::vector<Aabb> toolBoxes_;                 // as drawn last
+  std::vector<std::vector<Aabb>> toolSlices_;   // along each tool's axis, in its frame
+  std::vector<std::vector<Aabb>> shownSlices_;  // where they were drawn last
   Aabb markerBox_;
   LiveState state_;
   LiveOperation operation_;  // last: ends its thread before what it shows goes

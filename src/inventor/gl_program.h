@@ -1,0 +1,12 @@
+// How do two files of data/shaders become a program of OpenGL, outside of Coin's scene graph?
+#pragma once
+
+#include <GL/gl.h>
+
+namespace resect {
+
+// Compiles and links in the current context. 0 when that fails; Coin's error handler is then told
+// why. Throws Error when a file cannot be read.
+GLuint makeProgram(const char* vertexFile, const char* fragmentFile);
+
+}  // namespace resect

@@ -1,0 +1,67 @@
+// Which triangles of a large, changing surface can lie in a part of the picture?
+//
+// Keeps the surface's triangles in blocks of 128 that follow each other, each with its box and the
+// vertices it uses, so that a few pixels cost a few blocks, whatever the size of the surface. Only
+// blocks that were changed are looked at again.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/vec.h"
+#include "geometry/triangle_mesh.h"
+
+namespace resect {
+
+class TriangleBlocks {
+ public:
+  static constexpr std::size_t kTriangles = 128;  // of a block
+
+  // Half spaces a * x + b * y + c * z + d >= 0.
+  using HalfSpaces = std::array<Eigen::Vector4f, 6>;
+  struct Run {
+    std::size_t first = 0, count = 0;  // triangles
+    std::int32_t low = 0, high = 0;    // vertices that they use lie between these, both included
+  };
+  struct Box {
+    Vec3f low, high;  // low > high: empty
+    bool empty() const { return low.x() > high.x(); }
+    void grow(const Vec3f& p) { low = low.cwiseMin(p), high = high.cwiseMax(p); }
+  };
+  static Box emptyBox();
+
+  // Elements [begin, end) have other values since the last refresh().
+  void verticesChanged(std::size_t begin, std::size_t end) { vertices_.push_back({begin, end}); }
+  void trianglesChanged(std::size_t begin, std::size_t end) { triangles_.push_back({begin, end}); }
+  // Looks again at the blocks that use them. Triangles with two equal corners count as holes.
+  void refresh(std::span<const Vec3f> points, std::span<const Triangle> triangles);
+
+  // After refresh(): what the triangles fill that use any of the vertices [begin, end).
+  Box around(std::size_t begin, std::size_t end, std::span<const Vec3f> points,
+             std::span<const Triangle> triangles) const;
+  // After refresh(): what all triangles fill, and those that may reach into all half spaces, in
+  // their order.
+  Box box() const;
+  std::vector<Run> within(const HalfSpaces& spaces) const;
+
+ private:
+  struct Block {
+    Box box = emptyBox();
+    std::int32_t low = 0, high = -1;  // none used
+    bool stale = true;
+  };
+  struct Range {
+    std::size_t begin, end;
+  };
+  std::vector<Block> blocks_;
+  std::vector<Range> vertices_, triangles_;
+};
+
+// The half spaces whose meeting is seen in the part [x0, x1] x [y0, y1] of the picture, both from
+// -1 to 1, through this matrix, which takes row vectors to clip space.
+TriangleBlocks::HalfSpaces halfSpacesOf(const float matrix[4][4], const Eigen::Vector2f& low,
+                                        const Eigen::Vector2f& high);
+
+}  // namespace resect

@@ -1,0 +1,92 @@
+#include "inventor/live_picture.h"
+
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <doctest/doctest.h>
+
+#include "geometry/primitives.h"
+#include "inventor/offscreen_view.h"
+#include "inventor/operating_room.h"
+
+using namespace resect;
+
+namespace {
+
+constexpr int kWidth = 480, kHeight = 270;
+
+// A ball on a table, a tool beside it, and a window that the processor draws.
+struct Scene {
+  OffscreenView window{kWidth, kHeight, 1};
+  OperatingRoom room;
+  Aabb box{{-0.15, 0, -0.15}, {0.15, 0.14, 0.15}};
+  int tool;
+
+  Scene() {
+    room.setTable(makeModel(boxMesh({{-0.6, -0.02, -0.6}, {0.6, 0, 0.6}})));
+    room.setOrgan(sphereMesh({0, 0.07, 0}, 0.07, 24));
+    tool = room.addTool(makeModel(boxMesh({{-0.01, -0.01, 0}, {0.01, 0.01, 0.1}})));
+    place({-0.12, 0.1, 0});
+    room.lightUp(box);
+    room.look(RoomView::Surgeon, box, double(kWidth) / kHeight);
+    window.makeCurrent();
+  }
+  void place(const Vec3& p) { room.setToolPose(tool, {p, Eigen::Quaterniond::Identity()}); }
+  RgbImage draw(LivePicture& picture, const Damage& damage, bool full = false) {
+    picture.setProcessorDraws(true);
+    picture.setLongestPicture(1e9);
+    picture.draw(room.root(), *room.camera(), damage, {kWidth, kHeight}, full,
+                 window.framebuffer());
+    return window.read();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("what is drawn again in part is what a picture drawn whole shows, the rest stays") {
+  Scene scene;
+  LivePicture picture, anew;
+  const Damage all{true, {}, {}};
+  const RgbImage before = scene.draw(picture, all);
+  CHECK(picture.drawnPixels() == kWidth * kHeight);
+  Damage damage{false, {scene.room.toolBounds(scene.tool)}, {}};
+  scene.place({0.03, 0.16, -0.02});
+  damage.boxes.push_back(scene.room.toolBounds(scene.tool));
+  const RgbImage after = scene.draw(picture, damage);
+  const RgbImage whole = scene.draw(anew, all);
+  const auto parts =
+      pixelsOf(damage, *scene.room.camera(), SbViewportRegion(short(kWidth), short(kHeight)));
+  CHECK(parts.size() > 1);
+  CHECK(picture.drawnPixels() == area(parts));
+  CHECK(picture.drawnPixels() < kWidth * kHeight / 3);
+  int wrong = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const bool drawn = std::any_of(parts.begin(), parts.end(), [&](const PixelRect& part) {
+        const int up = kHeight - 1 - y;
+        return x >= part.left && x < part.right && up >= part.bottom && up < part.top;
+      });
+      const RgbImage& expected = drawn ? whole : before;
+      for (int c = 0; c < 3; ++c) wrong += after.at(x, y)[c] != expected.at(x, y)[c];
+    }
+  CHECK(wrong == 0);
+  CHECK(after.pixels != before.pixels);
+}
+
+TEST_CASE("shadows come at latest with the third picture, at once when nothing else has changed") {
+  Scene scene;
+  LivePicture picture;
+  scene.draw(picture, {true, {}, {}});
+  const Aabb some{{0, 0, 0}, {0.02, 0.02, 0.02}}, shadow{{-0.1, 0, 0.05}, {0.1, 0, 0.15}};
+  scene.draw(picture, {false, {}, {shadow}});
+  const std::int64_t shadowPixels = picture.drawnPixels();
+  CHECK(shadowPixels > 0);
+  std::vector<std::int64_t> drawn;
+  for (int i = 0; i < 3; ++i) {
+    scene.draw(picture, {false, {some}, {shadow}});
+    drawn.push_back(picture.drawnPixels());
+  }
+  CHECK(*std::max_element(drawn.begin(), drawn.end()) > shadowPixels);
+  CHECK(std::count_if(drawn.begin(), drawn.end(),
+                      [&](std::int64_t n) { return n < shadowPixels; }) == 2);
+  scene.draw(picture, {});
+  CHECK(picture.drawnPixels() == 0);
+}
