@@ -19,6 +19,8 @@ namespace resect {
 namespace {
 
 constexpr double kScales[] = {1.0, 0.75, 0.5, 0.4};
+// Share of the picture. All of it with fewer pixels costs all of the triangles.
+constexpr double kMostInParts = 0.4;
 constexpr int kSmoothSamples = 4;
 constexpr int kShadowInterval = 3;  // pictures
 
@@ -152,7 +154,7 @@ void LivePicture::draw(SoNode* scene, const SoPerspectiveCamera& camera, const D
     drawParts(scene, c.smooth, std::span(&whole, 1));
     copy(c.smooth, whole, c.shown.framebuffer, whole, GL_NEAREST);
   } else {
-    const bool coarse = double(area(parts)) > scale_ * scale_ * width * height;
+    const bool coarse = double(area(parts)) > kMostInParts * width * height;
     if (coarse) {
       c.coarse.make(std::max(16, int(width * scale_)), std::max(16, int(height * scale_)), 1);
       const PixelRect small{0, 0, c.coarse.width, c.coarse.height};
@@ -163,7 +165,7 @@ void LivePicture::draw(SoNode* scene, const SoPerspectiveCamera& camera, const D
     }
     if (!parts.empty()) {
       glFinish();
-      adapt(std::chrono::duration<double>(Clock::now() - begin).count(), coarse);
+      if (coarse) adapt(std::chrono::duration<double>(Clock::now() - begin).count());
     }
   }
   copy(c.shown, whole, framebuffer, whole, GL_NEAREST);
@@ -171,11 +173,11 @@ void LivePicture::draw(SoNode* scene, const SoPerspectiveCamera& camera, const D
 }
 
 // One step to fewer pixels when the picture took too long, to more when there was time to spare.
-void LivePicture::adapt(double seconds, bool coarse) {
+void LivePicture::adapt(double seconds) {
   const auto* at = std::ranges::find(kScales, scale_);
   if (seconds > longest_ && at + 1 != std::end(kScales))
     ++at;
-  else if (coarse && seconds < 0.45 * longest_ && at != std::begin(kScales))
+  else if (seconds < 0.45 * longest_ && at != std::begin(kScales))
     --at;
   scale_ = *at;
 }

@@ -47,7 +47,7 @@ class LivePicture {
   struct Context;
 
   void drawParts(SoNode* scene, const Buffer& buffer, std::span<const PixelRect> parts);
-  void adapt(double seconds, bool coarse);
+  void adapt(double seconds);
 
   std::unique_ptr<Context> context_;
   double scale_ = 1, longest_ = 0.028;
