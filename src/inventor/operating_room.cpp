@@ -209,12 +209,16 @@ int OperatingRoom::addTool(SoNode* model) {
   return number;
 }
 
-void OperatingRoom::setToolSqueeze(int tool, double squeeze) {
+bool OperatingRoom::setToolSqueeze(int tool, double squeeze) {
+  bool turned = false;
   for (const Jaw& jaw : jaws_.at(std::size_t(tool))) {
     const Eigen::Quaternionf q = jaw.open.slerp(float(squeeze), Eigen::Quaternionf::Identity());
     const SbRotation rotation(q.x(), q.y(), q.z(), q.w());
-    if (jaw.transform->rotation.getValue() != rotation) jaw.transform->rotation = rotation;
+    if (jaw.transform->rotation.getValue() == rotation) continue;
+    jaw.transform->rotation = rotation;
+    turned = true;
   }
+  return turned;
 }
 
 SoTransform* OperatingRoom::toolTransform(int tool) const {

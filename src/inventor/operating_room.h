@@ -67,8 +67,8 @@ class OperatingRoom {
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
   // Of a tool with jaws, 0 wide open to 1 closed: turns those SoTransforms in its model whose names
-  // begin with "Jaw" from where the model has them to no rotation. Nothing for others.
-  void setToolSqueeze(int tool, double squeeze);
+  // begin with "Jaw" from where the model has them to no rotation. False: nothing turned.
+  bool setToolSqueeze(int tool, double squeeze);
   // The transform, or what stands in its place: a manipulator is an SoTransform too.
   SoTransform* toolTransform(int tool) const;
   // What a tool and its manipulator fill, world, m.

@@ -164,8 +164,10 @@ Damage OperatingSession::update() {
       room().changedIn(changed);
       addWithShadow(damage_, changed, lampPosition(), organBox_);
     }
+    bool turned = false;
     for (int i = 0; i < tools_.toolCount(); ++i)
-      room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);
+      turned |= room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);
+    if (turned) toolsChanged();
     const int held = tools_.held();
     if (held >= 0 && std::size_t(held) < state_.tips.size()) {
       const TipPlace& place = state_.tips[std::size_t(held)];

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "geometry/primitives.h"
+#include "inventor/model_nodes.h"
 #include "inventor/offscreen_view.h"
 #include "inventor/operating_room.h"
 
