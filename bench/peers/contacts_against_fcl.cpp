@@ -143,7 +143,7 @@ Findings contactsAgainstFcl(const Effort& effort) {
           resectFrames, [&] { collideFrames(refit); }, effort, line);
       line.resect /= double(ways.size());
       line.peerTime /= double(ways.size());
-      line.agreement = fmt::format("both touch at {} of {} places; {}", touching, ways.size(),
+      line.agreement = fmt::format("FCL touches at {} of {} places; {}", touching, ways.size(),
                                    checkParticles(organ, *tool, ways));
       findings.comparisons.push_back(std::move(line));
     }

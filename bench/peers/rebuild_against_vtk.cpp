@@ -47,8 +47,10 @@ Findings rebuildAgainstVtk(const Effort& effort) {
             triangles = SurfaceTracker(fresh, 50).triangleCount();
           },
           [&] { vtk.recompute(); }, effort, line);
-      line.agreement = fmt::format("field to {:.0e}; {} and {} triangles", vtk.difference(field),
-                                   triangles, vtk.triangles());
+      line.agreement =
+          fmt::format("field to {:.0e}; {} and {} triangles; {} of {} nodes evaluated",
+                      vtk.difference(field), triangles, vtk.triangles(),
+                      std::int64_t(field.slotCount()) * kBrickSize, field.nodeDims().prod());
       findings.comparisons.push_back(std::move(line));
       if (threadsOfMachine() == 1) break;
     }

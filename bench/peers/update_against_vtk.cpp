@@ -135,7 +135,7 @@ Findings updateAgainstVtk(const Effort& effort) {
   };
   findings.figures.push_back(
       {"C", "bricks touched, smallest to largest organ", range(&Counters::bricks), "at most 20 %"});
-  findings.figures.push_back({"C", "triangles written, smallest to largest organ",
+  findings.figures.push_back({"C", "triangles touched, smallest to largest organ",
                               range(&Counters::triangles), "at most 20 %"});
   findings.figures.push_back({"C", "time at the largest organ over that at 10^4",
                               fmt::format("{:.2f}", counters.back().seconds / counters[1].seconds),

@@ -98,29 +98,39 @@ TriangleMesh SurfaceTracker::meshOver(const ColourField& field, const ColumnGrid
                                       std::span<const std::uint8_t> wanted) const {
   TriangleMesh mesh;
   const WantedColumns columns(grid, wanted);
+  // Bricks over wanted columns; a brick's triangles lie between its first nodes and those of the
+  // next brick.
+  const auto brickAt = [&](const Vec2& p) {
+    const Vec3 cell = field.lattice().toCellSpace({p.x(), p.y(), 0}) + Vec3::Constant(2);
+    return Vec3(cell * field.refine() / kBrickNodes);
+  };
+  const Vec2 size = grid.pitch.cwiseProduct(Vec2(grid.countX - 1, grid.countY - 1));
+  const Vec3 first = brickAt(grid.origin), last = brickAt(grid.origin + size);
   const Vec3i dims = field.brickDims();
-  // A brick's triangles lie between its first nodes and those of the next brick.
-  std::vector<std::uint8_t> over(std::size_t(dims.x()) * dims.y());
-  for (int y = 0; y < dims.y(); ++y)
-    for (int x = 0; x < dims.x(); ++x) {
+  std::vector<Vec3i> over;
+  for (int y = int(std::max(0.0, first.y() - 1)); y < std::min(double(dims.y()), last.y() + 1); ++y)
+    for (int x = int(std::max(0.0, first.x() - 1)); x < std::min(double(dims.x()), last.x() + 1);
+         ++x) {
       const Vec3 low = field.nodePosition(kBrickNodes * Vec3(x, y, 0));
       const Vec3 high = field.nodePosition(kBrickNodes * Vec3(x + 1, y + 1, 0));
-      over[std::size_t(y) * dims.x() + x] = columns.meet(low.head<2>(), high.head<2>());
+      if (columns.meet(low.head<2>(), high.head<2>())) over.emplace_back(x, y, 0);
     }
-  const auto plane = std::int64_t(over.size());
-  for (std::int64_t b = 0; b < std::int64_t(recordOf_.size()); ++b) {
-    if (recordOf_[b] == kNone || !over[b % plane]) continue;
-    const BrickMesh& brick = bricks_[recordOf_[b]];
-    for (int i = brick.firstTriangle; i < brick.firstTriangle + brick.triangles; ++i) {
-      const Vec3f &p = points_[triangles_[i][0]], &q = points_[triangles_[i][1]],
-                  &r = points_[triangles_[i][2]];
-      const Vec3f low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
-      if (!columns.meet(low.head<2>().cast<double>(), high.head<2>().cast<double>())) continue;
-      const auto first = std::int32_t(mesh.points.size());
-      for (const Vec3f* corner : {&p, &q, &r}) mesh.points.push_back(corner->cast<double>());
-      mesh.triangles.push_back({first, first + 1, first + 2});
+
+  for (int z = 0; z < dims.z(); ++z)
+    for (const Vec3i& b : over) {
+      const std::int32_t record = recordOf_[field.brickIndex({b.x(), b.y(), z})];
+      if (record == kNone) continue;
+      const BrickMesh& brick = bricks_[record];
+      for (int i = brick.firstTriangle; i < brick.firstTriangle + brick.triangles; ++i) {
+        const Vec3f &p = points_[triangles_[i][0]], &q = points_[triangles_[i][1]],
+                    &r = points_[triangles_[i][2]];
+        const Vec3f low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
+        if (!columns.meet(low.head<2>().cast<double>(), high.head<2>().cast<double>())) continue;
+        const auto corner = std::int32_t(mesh.points.size());
+        for (const Vec3f* v : {&p, &q, &r}) mesh.points.push_back(v->cast<double>());
+        mesh.triangles.push_back({corner, corner + 1, corner + 2});
+      }
     }
-  }
   return mesh;
 }
 
