@@ -23,6 +23,8 @@ struct Diagram {
 
 constexpr double kWidth = 360, kHeight = 240, kLeft = 58, kTop = 44, kRight = 14, kBottom = 40;
 
+constexpr const char *kOurs = "#b3261e", *kPeer = "#3b6ea5";
+
 struct Axis {
   int low, high;  // powers of ten
   double from, to;
@@ -33,7 +35,7 @@ struct Axis {
 
 Axis axisOver(const std::vector<double>& values, double from, double to) {
   const auto [low, high] = std::ranges::minmax(values);
-  return {int(std::floor(std::log10(low) + 1e-9)), int(std::ceil(std::log10(high) - 1e-9)), from,
+  return {int(std::floor(std::log10(low) + 0.03)), int(std::ceil(std::log10(high) - 0.03)), from,
           to};
 }
 
@@ -49,41 +51,47 @@ std::string draw(const Diagram& d, double left, double top) {
     for (const auto& [size, time] : curve->points) sizes.push_back(size), times.push_back(time);
   const Axis x = axisOver(sizes, left + kLeft, left + kWidth - kRight);
   const Axis y = axisOver(times, top + kHeight - kBottom, top + kTop);
-  std::string svg = fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"title\">{}</text>\n",
-                                left + 8, top + 18, d.title);
+  std::string svg = fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12\" font-weight=\"bold\">{}</text>\n", left + 8,
+      top + 18, d.title);
   for (int p = y.low; p <= y.high; ++p) {
     const double at = y.place(std::pow(10, p));
     svg += fmt::format(
-        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"grid\"/>"
-        "<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"tick\" text-anchor=\"end\">{}</text>\n",
+        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#dddddd\"/>"
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" fill=\"#555555\" "
+        "text-anchor=\"end\">{}</text>\n",
         x.from, at, x.to, at, x.from - 6, at + 4, secondsText(p));
   }
   for (int p = x.low; p <= x.high; ++p) {
     const double at = x.place(std::pow(10, p));
     svg += fmt::format(
-        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" class=\"grid\"/>"
-        "<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"tick\" text-anchor=\"middle\">10<tspan "
-        "dy=\"-4\" font-size=\"8\">{}</tspan></text>\n",
+        "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#dddddd\"/>"
+        "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" fill=\"#555555\" "
+        "text-anchor=\"middle\">1e{}</text>\n",
         at, y.to, at, y.from, at, y.from + 15, p);
   }
   svg += fmt::format(
-      "<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"tick\" text-anchor=\"middle\">{}</text>\n",
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" fill=\"#555555\" "
+      "text-anchor=\"middle\">{}</text>\n",
       (x.from + x.to) / 2, y.from + 31, d.sizeUnit);
   for (const Curve* curve : {&d.resect, &d.peer}) {
-    const char* kind = curve->ours ? "ours" : "peer";
+    const char* colour = curve->ours ? kOurs : kPeer;
     std::string path;
     for (const auto& [size, time] : curve->points) {
       path +=
           fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x.place(size), y.place(time));
-      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" class=\"{}\"/>\n",
-                         x.place(size), y.place(time), kind);
+      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>\n",
+                         x.place(size), y.place(time), colour);
     }
-    svg += fmt::format("<path d=\"{}\" class=\"{} line\"/>\n", path, kind);
+    svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke-width=\"2\" stroke=\"{}\"/>\n", path,
+                       colour);
   }
-  svg += fmt::format(
-      "<text x=\"{:.1f}\" y=\"{:.1f}\" class=\"name\"><tspan class=\"ours\">Resect</tspan> <tspan "
-      "class=\"peer\" dx=\"8\">{}</tspan></text>\n",
-      left + 8, top + 34, d.peer.name);
+  const auto name = [&](double x, const char* colour, const std::string& text) {
+    svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"10\" fill=\"{}\">{}</text>\n",
+                       x, top + 34, colour, text);
+  };
+  name(left + 8, kOurs, d.resect.name);
+  name(left + 50, kPeer, d.peer.name);
   return svg;
 }
 
@@ -109,10 +117,6 @@ std::string asSvg(const Findings& findings) {
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
       "height=\"{1}\" font-family=\"sans-serif\">\n"
-      "<style>.title{{font-size:12px;font-weight:bold}}.tick{{font-size:10px;fill:#555}}"
-      ".name{{font-size:10px}}.grid{{stroke:#ddd}}.line{{fill:none;stroke-width:2}}"
-      ".ours{{stroke:none;fill:#b3261e}}.peer{{stroke:none;fill:#3b6ea5}}"
-      ".ours.line{{fill:none;stroke:#b3261e}}.peer.line{{fill:none;stroke:#3b6ea5}}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
       kAcross * kWidth, rows * kHeight);
   for (std::size_t i = 0; i < diagrams.size(); ++i)

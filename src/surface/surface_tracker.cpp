@@ -18,7 +18,8 @@ constexpr std::size_t kWoundGrain = 8;  // the same of bricks that are cut
 // visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending,
 // but those in `except`; `inside`: as for cornerMasks().
 template <typename Visit>
-void visitCells(const std::array<std::uint64_t, 8>& inside, std::uint64_t except, Visit visit) {
+[[gnu::always_inline]] inline void visitCells(const std::array<std::uint64_t, 8>& inside,
+                                              std::uint64_t except, Visit visit) {
   const auto corners = cornerMasks(inside);
   std::uint64_t any = 0, all = ~std::uint64_t(0);
   for (const std::uint64_t mask : corners) any |= mask, all &= mask;
