@@ -2,10 +2,22 @@
 # Installs what is missing, builds Resect, and starts it.
 #   ./run.sh            with a display: the window; without: a segment of a liver is taken off, pictures and a summary
 #   ./run.sh ARGS       the program with these arguments, e.g. ./run.sh --help
+#   ./run.sh bench --peers [ARGS]   times it beside VTK, OpenVDB, Embree and FCL, those that are installed;
+#                                   ARGS: see ./run.sh bench --peers --help
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
 "$root/tools/install_packages.sh"
+if [[ ${1:-} == bench && ${2:-} == --peers ]]; then
+  shift 2
+  missing=$("$root/tools/install_packages.sh" --list packages_optional.txt)
+  if [[ -n $missing && -t 0 ]]; then
+    read -r -p "To compare with all of them, $missing are missing. Install them? [y/N] " answer
+    if [[ $answer == [yY]* ]]; then "$root/tools/install_packages.sh" packages_optional.txt; fi
+  fi
+  "$root/tools/build.sh" release resect_peers
+  exec "$root/build/release/resect_peers" "$@"
+fi
 "$root/tools/build.sh" release resect
 resect="$root/build/release/resect"
 

@@ -1,9 +1,12 @@
 #!/usr/bin/env bash
 # Installs what tools/packages.txt names and this machine lacks. Says nothing when nothing is missing.
+#   install_packages.sh [--list] [FILE]   another list in tools/; --list only names what is missing
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 
-mapfile -t wanted < <(sed 's/#.*//' "$here/packages.txt" | tr -s ' \t' '\n\n' | sed '/^$/d')
+only_list=false
+if [[ ${1:-} == --list ]]; then only_list=true && shift; fi
+mapfile -t wanted < <(sed 's/#.*//' "$here/${1:-packages.txt}" | tr -s ' \t' '\n\n' | sed '/^$/d')
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   echo "resect: this is not Debian, so nothing was installed; the build needs what Debian 12 calls: ${wanted[*]}" >&2
@@ -17,6 +20,7 @@ for package in "${wanted[@]}"; do
   grep -qxF "$package installed" <<<"$installed" || missing+=("$package")
 done
 ((${#missing[@]})) || exit 0
+if $only_list; then echo "${missing[*]}" && exit 0; fi
 
 as_root=()
 if ((EUID != 0)); then

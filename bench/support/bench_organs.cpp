@@ -5,6 +5,7 @@
 
 #include "geometry/measures.h"
 #include "organ/builtin_liver.h"
+#include "surface/surface_tracker.h"
 
 namespace resect::bench {
 
@@ -17,6 +18,15 @@ double spacingFor(double particles) { return std::cbrt(volume(liver()) / particl
 
 Discretization liverCells(double particles) {
   return discretize(liver(), latticeForSpacing(bounds(liver()), spacingFor(particles)));
+}
+
+double particlesFor(double triangles) {
+  double particles = 0.4 * std::pow(triangles, 1.5) / 100;
+  for (int i = 0; i < 3; ++i) {
+    const ColourField field(liverCells(particles), 2);
+    particles *= std::pow(triangles / double(SurfaceTracker(field, 50).triangleCount()), 1.5);
+  }
+  return particles;
 }
 
 std::vector<std::int64_t> bite(const Discretization& cells, int count) {

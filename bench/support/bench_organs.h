@@ -15,6 +15,9 @@ double spacingFor(double particles);
 
 Discretization liverCells(double particles);
 
+// Particles at which the liver's surface, two nodes to a cell, has about that many triangles.
+double particlesFor(double triangles);
+
 // The `count` particles nearest to the liver's foremost point, ascending: a bite out of its skin,
 // of the same shape in cells at every spacing.
 std::vector<std::int64_t> bite(const Discretization& cells, int count);

@@ -17,6 +17,7 @@ Examples:
   resect window                                   operate with the mouse
   resect run resect-segment --frames pictures     cut the left lateral part off the built-in liver
   resect run cut --organ my_liver.stl --json -    the same tools on an organ of your own
+  resect bench                                    how large an organ keeps real time here?
   resect info my_liver.stl                        is this mesh fit to be an organ?
   resect discretize my_liver.stl --spacing 5mm -o my_liver.dis
   resect surface my_liver.dis -o surface.obj
@@ -43,6 +44,7 @@ int parseAndRun(int argc, char** argv) {
   resect::addDiscretizeCommand(app);
   resect::addSurfaceCommand(app);
   resect::addRunCommand(app);
+  resect::addBenchCommand(app);
   resect::addRenderCommand(app);
   resect::addConvertCommand(app);
   resect::addWindowCommand(app);

@@ -66,12 +66,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
         scenario.name);
 
   std::vector<std::string> notes, files;
-  Organ organ =
-      makeOrgan(loadCells(scenario.organ, modelReader(), progressBar("particles"), &notes),
-                scenario.organ.settings);
-  std::unique_ptr<TissueModel> tissue = makeTissue(scenario.tissue, organ);
-  Simulation simulation(std::move(organ), loadTools(scenario, modelReader()), std::move(tissue),
-                        scenario.table);
+  Simulation simulation = makeSimulation(scenario, modelReader(), progressBar("particles"), &notes);
 
   std::optional<PictureWriter> pictures;
   if (!options.frames.empty() || !options.video.empty())

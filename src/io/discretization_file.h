@@ -28,6 +28,11 @@
 
 namespace resect {
 
+// By its name: *.dis.
+inline bool isDiscretizationFile(const std::filesystem::path& path) {
+  return path.extension() == ".dis";
+}
+
 // unit > 0: metres per unit of the file's coordinates, which carry none themselves. Whatever is not
 // exactly such a file is refused by an Error that names file and line: a wrong count or order, a
 // short or long row, numbers that are none or not finite, values outside [0, 100], a cell listed

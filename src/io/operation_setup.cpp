@@ -15,10 +15,6 @@
 namespace resect {
 namespace {
 
-bool isDiscretizationFile(const std::string& file) {
-  return std::filesystem::path(file).extension() == ".dis";
-}
-
 // What lays a box on the table: centred over the origin, lowest point on the table top.
 Vec3 ontoTable(const Aabb& box) { return {-box.centre().x(), -box.min.y(), -box.centre().z()}; }
 
@@ -86,6 +82,15 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
           "coordinates of the organ at rest, m)",
           i + 1);
   return tissue;
+}
+
+Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
+                          const Progress& progress, std::vector<std::string>* notes) {
+  Organ organ =
+      makeOrgan(loadCells(scenario.organ, readModel, progress, notes), scenario.organ.settings);
+  std::unique_ptr<TissueModel> tissue = makeTissue(scenario.tissue, organ);
+  return Simulation(std::move(organ), loadTools(scenario, readModel), std::move(tissue),
+                    scenario.table);
 }
 
 }  // namespace resect

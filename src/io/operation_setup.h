@@ -36,4 +36,8 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
 // a setting is out of range.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ);
 
+// All of the above: the scenario, ready for its first frame.
+Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
+                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
+
 }  // namespace resect

@@ -80,6 +80,11 @@ double particleVolume(const Discretization& rest, std::int64_t cell) {
   return sum;
 }
 
+std::size_t Organ::bytes() const {
+  return rest.value.capacity() * sizeof(float) + rest.inside.capacity() + field.bytes() +
+         surface.bytes() + severed.bytes() + alive.capacity();
+}
+
 EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits) {
   EditSummary summary;
   for (const TissueEdit& edit : edits) {

@@ -58,6 +58,7 @@ struct Organ {
   double removedVolume = 0;         // m^3 since built
 
   double volume() const { return rest.volume() - removedVolume; }  // m^3 left
+  std::size_t bytes() const;  // memory held: cells, field, surface, wounds
 };
 
 // Throws Error when `cells` holds no tissue, or a setting is out of range.

@@ -138,4 +138,11 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
   });
 }
 
+std::size_t SurfaceSkin::bytes() const {
+  return bindings_.capacity() * sizeof(Binding) + cells_.capacity() * sizeof(std::int64_t) +
+         placeOfCell_.capacity() * sizeof(std::int32_t) +
+         (restOfCell_.capacity() + points_.capacity() + normals_.capacity()) * sizeof(Vec3f) +
+         placements_.capacity() * sizeof(CellPlacement) + changed_.capacity();
+}
+
 }  // namespace resect

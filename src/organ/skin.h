@@ -27,6 +27,7 @@ class SurfaceSkin {
   // One per vertex of the surface's arrays.
   std::span<const Vec3f> points() const { return points_; }    // world, m
   std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards
+  std::size_t bytes() const;                                   // memory held
 
  private:
   struct Binding {

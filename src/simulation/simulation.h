@@ -84,6 +84,8 @@ class Simulation {
   TriangleMesh surfaceMesh() const { return surface().mesh; }
   double time() const { return time_; }
   std::int64_t frame() const { return frame_; }
+  // Memory held for the organ, its tissue and its surface where it is now.
+  std::size_t bytes() const { return organ_.bytes() + tissue_->bytes() + skin_.bytes(); }
 
   // Digest of all that decides what comes next: cells, iso level, poses, time; and of the surface.
   std::uint64_t stateHash() const;

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "base/assert.h"
+#include "base/growth.h"
 #include "base/parallel.h"
 #include "sph/kernel.h"
 
@@ -14,6 +15,9 @@ namespace {
 constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that waits for update()
 constexpr int kMostBricks = 6;       // that a cell reaches along an axis: 17 nodes at refine 4
 constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
+
+// The four nodes of a brick along x: every machine adds them at once.
+using Row = Eigen::Array4f;
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
@@ -46,7 +50,7 @@ ColourField::ColourField(const Discretization& cells, int refine)
       slotOf_[b] = std::int32_t(stored.size());
       stored.push_back(std::int64_t(b));
     }
-  values_.resize(stored.size() * kBrickSize);
+  growTo(values_, stored.size() * kBrickSize, 0.f);
   parallelFor(stored.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       evaluate(brick(stored[i]), kAllPlanes, values_.data() + i * kBrickSize);
@@ -64,14 +68,15 @@ void ColourField::makeTaps() {
         for (int dz = 0; dz < kReach; ++dz)
           for (int dy = 0; dy < kReach; ++dy)
             for (int dx = 0; dx < kReach; ++dx) {
-              Tap tap{(dz * kWindow + dy) * kReach + dx, {}};
+              Tap tap{{}, (dz * kReach + dy) * kReach + dx};
               bool reached = false;
               for (int y = 0; y < kBrickNodes; ++y)
                 for (int x = 0; x < kBrickNodes; ++x) {
                   const Vec3 place((phaseX + x) % refine_, (phaseY + y) % refine_, z);
                   const Vec3 d = Vec3(dx - 1, dy - 1, dz - 1) - place / refine_;
-                  tap.weight[y][x] = float(kernel(d.norm(), kSmoothingPerSpacing));
-                  reached = reached || tap.weight[y][x] > 0;
+                  const float weight = float(kernel(d.norm(), kSmoothingPerSpacing));
+                  tap.weight[y * kBrickNodes + x] = weight;
+                  reached = reached || weight > 0;
                 }
               if (reached) taps.push_back(tap);
             }
@@ -83,7 +88,7 @@ void ColourField::makeTaps() {
         for (int z = 0; z < kBrickNodes; ++z)
           for (const Tap& tap : taps_[phaseIndex({phaseX, phaseY, (phaseZ + z) % refine_})])
             for (int i = 0; i < kBrickNodes * kBrickNodes; ++i)
-              out[z * kBrickNodes * kBrickNodes + i] += 100.f * tap.weight[i / 4][i % 4];
+              out[z * kBrickNodes * kBrickNodes + i] += 100.f * tap.weight[i];
       }
 }
 
@@ -155,29 +160,38 @@ void ColourField::classifyBricks() {
       });
 }
 
-// Evaluates the planes of nodes named by the bits of `planes`, four nodes along x at a time. Every
-// node adds its cells in the same order whatever its plane or brick; a tap that does not reach it
-// adds an exact zero.
+// Evaluates the planes of nodes named by the bits of `planes`, all 16 nodes of a plane at a time.
+// Every node adds its cells in the same order whatever its plane or brick; a tap that does not
+// reach it adds an exact zero. Aims at a load, a product and a sum per tap and row of four nodes;
+// the four sums hide each other's latency, so wider vectors would not be faster.
 void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
   const Vec3i low = windowCell(b), first = phase(b);
-  const auto place = [&](int axis, int node) { return (first[axis] + node) / refine_; };
-  const int shift[kBrickNodes] = {0, place(0, 1), place(0, 2), place(0, 3)};
-  CellRows rows;
-  for (int z = 0; z < place(2, kBrickNodes - 1) + kReach; ++z)
-    for (int y = 0; y < place(1, kBrickNodes - 1) + kReach; ++y) {
-      const float* cell = cells_.data() + padded(low + Vec3i(0, y, z));
-      for (int dx = 0; dx < kReach; ++dx, ++cell)
-        rows[z][y][dx] = Row(cell[shift[0]], cell[shift[1]], cell[shift[2]], cell[shift[3]]);
+  int place[3][kBrickNodes];  // of the nodes along each axis: cells on from the first node's
+  for (int a = 0; a < 3; ++a)
+    for (int i = 0; i < kBrickNodes; ++i) place[a][i] = (first[a] + i) / refine_;
+  const bool apart = refine_ == 1;  // each node along x in a cell of its own
+  CellPlanes cells;
+  for (int z = 0; z < place[2][kBrickNodes - 1] + kReach; ++z)
+    for (int row = 0; row < place[1][kBrickNodes - 1] + kReach; ++row) {
+      const float* cell = cells_.data() + padded(low + Vec3i(0, row, z));
+      for (int dx = 0; dx < kReach; ++dx, ++cell) {
+        const Row seen =
+            apart ? Row(Row::Map(cell))
+                  : Row(cell[place[0][0]], cell[place[0][1]], cell[place[0][2]], cell[place[0][3]]);
+        for (int y = 0; y < kBrickNodes; ++y)
+          if (const int dy = row - place[1][y]; dy >= 0 && dy < kReach)
+            Row::Map(&cells[z][dy][dx][y * kBrickNodes]) = seen;
+      }
     }
   for (int z = 0; z < kBrickNodes; ++z, out += kBrickNodes * kBrickNodes) {
     if (!(planes >> z & 1)) continue;
-    const Row* own[kBrickNodes];
-    for (int y = 0; y < kBrickNodes; ++y) own[y] = rows[place(2, z)][place(1, y)];
+    const Plane* own = cells[place[2][z]][0];
     Row sum[kBrickNodes] = {Row::Zero(), Row::Zero(), Row::Zero(), Row::Zero()};
     for (const Tap& tap : taps_[phaseIndex({first.x(), first.y(), (first.z() + z) % refine_})])
-      for (int y = 0; y < kBrickNodes; ++y) sum[y] += own[y][tap.offset] * tap.weight[y];
-    for (int y = 0; y < kBrickNodes; ++y)
-      std::copy_n(sum[y].data(), kBrickNodes, out + y * kBrickNodes);
+      for (int y = 0; y < kBrickNodes; ++y)
+        sum[y] +=
+            Row::Map(&own[tap.offset][y * kBrickNodes]) * Row::Map(&tap.weight[y * kBrickNodes]);
+    for (int y = 0; y < kBrickNodes; ++y) Row::Map(out + y * kBrickNodes) = sum[y];
   }
 }
 
@@ -224,7 +238,7 @@ void ColourField::setCellValue(std::int64_t cell, float value) {
 
 std::int32_t ColourField::takeSlot() {
   if (freeSlots_.empty()) {
-    values_.resize(values_.size() + kBrickSize);
+    growTo(values_, values_.size() + kBrickSize, 0.f);
     return slotCount() - 1;
   }
   const std::int32_t s = freeSlots_.back();

@@ -99,17 +99,18 @@ class ColourField {
   static constexpr int kWindow = kBrickNodes + kReach - 1;  // cells that a brick reaches
   // What do the cells hold that the nodes of a brick and the plane of nodes after them reach?
   enum class Reach { Empty, Full, Mixed };
-  using Row = Eigen::Array4f;  // the four nodes of a brick along x
+  // Numbers for the 16 nodes of a plane z of a brick, x fastest.
+  using Plane = std::array<float, kBrickNodes * kBrickNodes>;
 
   // The share of a cell in the nodes of a plane of a brick. Neighbouring nodes differ in their
   // place within their cells, so each has its own weight; 0 where it does not reach the cell.
   struct Tap {
-    int offset;  // into CellRows, from the row of the node's own cell less one
-    Row weight[kBrickNodes];
+    Plane weight;
+    int offset;  // into CellPlanes, from the plane of the node's own cell less one
   };
-  // The cells round a brick as seen by its nodes: row (z, y) of cells, shifted by 0 to 3 cells, one
-  // cell for each of the four nodes along x.
-  using CellRows = Row[kWindow][kWindow][kReach];
+  // The cells round a brick as seen by its nodes: in plane z of cells, for each of the 16 nodes of
+  // a plane the cell that lies (dy, dx), each 0 to 3, on from its own less one.
+  using CellPlanes = Plane[kWindow][kReach][kReach];
 
   std::int64_t padded(const Vec3i& cell) const {
     return (std::int64_t(cell.z() + kPad) * paddedDims_.y() + cell.y() + kPad) * paddedDims_.x() +

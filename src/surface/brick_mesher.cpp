@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/instruction_set.h"
+
 namespace resect {
 namespace {
 
@@ -52,6 +54,7 @@ Vec3f gradient(const Halo& halo, int node) {
 
 }  // namespace
 
+RESECT_WIDEST
 std::uint64_t insideMask(std::span<const float, kBrickSize> nodes, float iso) {
   std::uint64_t mask = 0;
   for (int node = 0; node < kBrickSize; ++node) mask |= std::uint64_t(nodes[node] >= iso) << node;
@@ -74,6 +77,7 @@ std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& ins
   return mask;
 }
 
+RESECT_WIDEST
 void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSigns& signs, float iso,
                    SurfaceVertex* out) {
   Halo halo;

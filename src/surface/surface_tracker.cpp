@@ -4,6 +4,8 @@
 #include <bit>
 
 #include "base/assert.h"
+#include "base/growth.h"
+#include "base/instruction_set.h"
 #include "base/parallel.h"
 #include "surface/marching_cubes_table.h"
 
@@ -16,7 +18,8 @@ constexpr std::size_t kWoundGrain = 8;  // the same of bricks that are cut
 // visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending,
 // but those in `except`; `inside`: as for cornerMasks().
 template <typename Visit>
-void visitCells(const std::array<std::uint64_t, 8>& inside, std::uint64_t except, Visit visit) {
+[[gnu::always_inline]] inline void visitCells(const std::array<std::uint64_t, 8>& inside,
+                                              std::uint64_t except, Visit visit) {
   const auto corners = cornerMasks(inside);
   std::uint64_t any = 0, all = ~std::uint64_t(0);
   for (const std::uint64_t mask : corners) any |= mask, all &= mask;
@@ -27,6 +30,13 @@ void visitCells(const std::array<std::uint64_t, 8>& inside, std::uint64_t except
     for (int c = 0; c < 8; ++c) kind |= int(corners[c] >> cell & 1) << c;
     visit(cell, table[kind]);
   }
+}
+
+RESECT_WIDEST
+std::int32_t countTriangles(const std::array<std::uint64_t, 8>& inside, std::uint64_t except) {
+  std::int32_t count = 0;
+  visitCells(inside, except, [&](int, const CellTriangles& drawn) { count += drawn.count; });
+  return count;
 }
 
 }  // namespace
@@ -43,6 +53,7 @@ void SurfaceTracker::setIso(const ColourField& field, float iso, const Wound* wo
   std::vector<std::int64_t> stored;
   for (std::int64_t b = 0; b < field.brickCount(); ++b)
     if (field.slot(b) >= 0 || (wound && wound->severed.near(b))) stored.push_back(b);
+  bricks_.reserve(stored.size());
   remesh(field, stored, wound);
   changes_.everything = true;
 }
@@ -224,9 +235,10 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   }
 
   // 3. Write the vertices.
-  points_.resize(vertexSpace_.end(), Vec3f::Zero());
-  normals_.resize(vertexSpace_.end(), Vec3f::UnitY());
-  cut_.resize(vertexSpace_.end(), 0.f);
+  const auto vertexCount = std::size_t(vertexSpace_.end());
+  growTo(points_, vertexCount, Vec3f(Vec3f::Zero()));
+  growTo(normals_, vertexCount, Vec3f(Vec3f::UnitY()));
+  growTo(cut_, vertexCount, 0.f);
   parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::array<SurfaceVertex, 3 * kBrickSize> vertices;
     for (std::size_t i = begin; i < end; ++i) {
@@ -252,8 +264,7 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const BrickMesh& mesh = bricks_[recordOf_[retriangulate_[i]]];
-      visitCells(above(field, retriangulate_[i]).inside, woundCells(mesh),
-                 [&](int, const CellTriangles& drawn) { newTriangles_[i] += drawn.count; });
+      newTriangles_[i] = countTriangles(above(field, retriangulate_[i]).inside, woundCells(mesh));
       if (mesh.wound != kNone)
         newTriangles_[i] += std::int32_t(wounds_[std::size_t(mesh.wound)].triangles.size());
     }
@@ -277,7 +288,7 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     mesh.triangles = count;
     if (count > 0) changes_.triangles.push_back({mesh.firstTriangle, count});
   }
-  triangles_.resize(triangleSpace_.end(), Triangle{0, 0, 0});
+  growTo(triangles_, std::size_t(triangleSpace_.end()), Triangle{0, 0, 0});
   parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (newTriangles_[i] > 0) drawTriangles(field, retriangulate_[i]);
@@ -303,6 +314,7 @@ SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64
   return result;
 }
 
+RESECT_WIDEST
 void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick) {
   const Above around = above(field, brick);
   const BrickMesh& mesh = bricks_[recordOf_[brick]];

@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "collision/columns.h"
 #include "geometry/triangle_mesh.h"
 #include "sph/colour_field.h"
 #include "surface/brick_mesher.h"
@@ -85,9 +86,11 @@ class SurfaceTracker {
   // For each point of compact(): a node of the field inside the tissue that it is the skin of.
   std::vector<Vec3i> anchorNodes(const ColourField& field) const;
 
-  // The triangles of bricks whose nodes can lie in `box` (rest space), as a mesh of their own; the
-  // columns along z are complete, so that an inside test along z may use it for points in the box.
-  TriangleMesh meshAround(const ColourField& field, const Aabb& box) const;
+  // The triangles (rest space) that some of a grid's columns can meet, as a mesh of their own: all
+  // that a wanted column meets, whatever their depth. wanted: one flag per column. Cost: the bricks
+  // over wanted columns.
+  TriangleMesh meshOver(const ColourField& field, const ColumnGrid& grid,
+                        std::span<const std::uint8_t> wanted) const;
 
   std::size_t bytes() const;
 

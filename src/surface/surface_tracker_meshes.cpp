@@ -1,10 +1,40 @@
 // The surface as meshes of their own; following the organ is in surface_tracker.cpp.
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "surface/surface_tracker.h"
 
 namespace resect {
+namespace {
+
+// Does a rectangle in x and y hold one of the wanted columns? Rounded outwards by a little, for
+// columns and triangles are snapped to a raster before they meet.
+class WantedColumns {
+ public:
+  WantedColumns(const ColumnGrid& grid, std::span<const std::uint8_t> wanted)
+      : grid_(grid), wanted_(wanted) {}
+
+  bool meet(const Vec2& low, const Vec2& high) const {
+    constexpr double kMargin = 1e-4;  // of a pitch
+    const Vec2 first = (low - grid_.origin).cwiseQuotient(grid_.pitch),
+               last = (high - grid_.origin).cwiseQuotient(grid_.pitch);
+    const int x0 = int(std::ceil(std::max(0.0, first.x() - kMargin)));
+    const int y0 = int(std::ceil(std::max(0.0, first.y() - kMargin)));
+    const int x1 = int(std::floor(std::min(grid_.countX - 1.0, last.x() + kMargin)));
+    const int y1 = int(std::floor(std::min(grid_.countY - 1.0, last.y() + kMargin)));
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x)
+        if (wanted_[std::size_t(y) * std::size_t(grid_.countX) + std::size_t(x)]) return true;
+    return false;
+  }
+
+ private:
+  const ColumnGrid& grid_;
+  std::span<const std::uint8_t> wanted_;
+};
+
+}  // namespace
 
 SurfaceTracker::Compact SurfaceTracker::compact(std::span<const Vec3f> points,
                                                 std::span<const Vec3f> normals) const {
@@ -64,33 +94,43 @@ std::vector<Vec3i> SurfaceTracker::anchorNodes(const ColourField& field) const {
   return nodes;
 }
 
-TriangleMesh SurfaceTracker::meshAround(const ColourField& field, const Aabb& box) const {
+TriangleMesh SurfaceTracker::meshOver(const ColourField& field, const ColumnGrid& grid,
+                                      std::span<const std::uint8_t> wanted) const {
   TriangleMesh mesh;
-  if (box.empty()) return mesh;
-  // Bricks whose cells can reach into the box in x and y; all of them in z.
-  Vec3i low = Vec3i::Zero(), high = field.brickDims() - Vec3i::Ones();
-  const auto brickAt = [&](const Vec3& p) {
-    return Vec3((field.lattice().toCellSpace(p) + Vec3::Constant(2)) * field.refine() /
-                kBrickNodes);
+  const WantedColumns columns(grid, wanted);
+  // Bricks over wanted columns; a brick's triangles lie between its first nodes and those of the
+  // next brick.
+  const auto brickAt = [&](const Vec2& p) {
+    const Vec3 cell = field.lattice().toCellSpace({p.x(), p.y(), 0}) + Vec3::Constant(2);
+    return Vec3(cell * field.refine() / kBrickNodes);
   };
-  const Vec3 first = brickAt(box.min), last = brickAt(box.max);
-  for (int a = 0; a < 2; ++a) {
-    low[a] = std::max(low[a], int(std::floor(std::max(-1.0, first[a]))) - 1);
-    high[a] = int(std::min(double(high[a]), std::floor(last[a])));
-  }
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x) {
-        const std::int32_t record = recordOf_[field.brickIndex({x, y, z})];
-        if (record == kNone) continue;
-        const BrickMesh& brick = bricks_[record];
-        for (int i = brick.firstTriangle; i < brick.firstTriangle + brick.triangles; ++i) {
-          const auto first = std::int32_t(mesh.points.size());
-          for (const std::int32_t v : triangles_[i])
-            mesh.points.push_back(points_[v].cast<double>());
-          mesh.triangles.push_back({first, first + 1, first + 2});
-        }
+  const Vec2 size = grid.pitch.cwiseProduct(Vec2(grid.countX - 1, grid.countY - 1));
+  const Vec3 first = brickAt(grid.origin), last = brickAt(grid.origin + size);
+  const Vec3i dims = field.brickDims();
+  std::vector<Vec3i> over;
+  for (int y = int(std::max(0.0, first.y() - 1)); y < std::min(double(dims.y()), last.y() + 1); ++y)
+    for (int x = int(std::max(0.0, first.x() - 1)); x < std::min(double(dims.x()), last.x() + 1);
+         ++x) {
+      const Vec3 low = field.nodePosition(kBrickNodes * Vec3(x, y, 0));
+      const Vec3 high = field.nodePosition(kBrickNodes * Vec3(x + 1, y + 1, 0));
+      if (columns.meet(low.head<2>(), high.head<2>())) over.emplace_back(x, y, 0);
+    }
+
+  for (int z = 0; z < dims.z(); ++z)
+    for (const Vec3i& b : over) {
+      const std::int32_t record = recordOf_[field.brickIndex({b.x(), b.y(), z})];
+      if (record == kNone) continue;
+      const BrickMesh& brick = bricks_[record];
+      for (int i = brick.firstTriangle; i < brick.firstTriangle + brick.triangles; ++i) {
+        const Vec3f &p = points_[triangles_[i][0]], &q = points_[triangles_[i][1]],
+                    &r = points_[triangles_[i][2]];
+        const Vec3f low = p.cwiseMin(q).cwiseMin(r), high = p.cwiseMax(q).cwiseMax(r);
+        if (!columns.meet(low.head<2>().cast<double>(), high.head<2>().cast<double>())) continue;
+        const auto corner = std::int32_t(mesh.points.size());
+        for (const Vec3f* v : {&p, &q, &r}) mesh.points.push_back(v->cast<double>());
+        mesh.triangles.push_back({corner, corner + 1, corner + 2});
       }
+    }
   return mesh;
 }
 

@@ -341,6 +341,28 @@ std::uint64_t ElasticTissue::stateHash() const {
   return hash.value();
 }
 
+std::size_t ElasticTissue::bytes() const {
+  const ElasticState& s = state_;
+  std::size_t bytes = 0;
+  const auto add = [&](const auto& array) {
+    bytes += array.capacity() * sizeof(typename std::decay_t<decltype(array)>::value_type);
+  };
+  const auto addEach = [&](const auto& arrays) {
+    for (const auto& array : arrays) add(array);
+  };
+  for (const auto* three : {&s.u, &s.ahead, &s.v, &s.bondForce, &s.skew, &s.load, &keptU_, &keptV_})
+    addEach(*three);
+  addEach(s.stress);
+  addEach(s.inverseMoment);
+  for (const FloatArray* one : {&s.inverseMass, &s.shearVolume, &s.lameVolume, &s.kappa}) add(*one);
+  for (const auto* one : {&s.solid, &s.material, &s.held, &s.loaded}) add(*one);
+  add(s.bonds);
+  add(s.chunks);
+  add(gripper_);
+  add(threads_);
+  return bytes;
+}
+
 void ElasticTissue::hold(std::int64_t cell, int axes, const Vec3& velocity) {
   const std::int32_t i = state_.box.fromLattice(cell);
   if (!state_.solid[i]) return;

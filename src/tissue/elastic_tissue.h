@@ -94,6 +94,7 @@ class ElasticTissue final : public TissueModel {
   TissueEnergy energy();
   void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override;
   std::uint64_t stateHash() const override;
+  std::size_t bytes() const override;
   double longestSubstep() const { return longestSubstep_; }  // s
 
   const Lattice& lattice() const { return lattice_; }

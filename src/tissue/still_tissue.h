@@ -22,6 +22,7 @@ class StillTissue final : public TissueModel {
     for (CellPlacement& p : places) p = {Vec3f::Zero(), Eigen::Matrix3f::Zero()};
   }
   std::uint64_t stateHash() const override { return 0; }
+  std::size_t bytes() const override { return 0; }
 };
 
 }  // namespace resect

@@ -79,6 +79,7 @@ class TissueModel {
   virtual void place(std::span<const std::int64_t> cells,
                      std::span<CellPlacement> places) const = 0;
   virtual std::uint64_t stateHash() const = 0;
+  virtual std::size_t bytes() const = 0;  // memory held
 };
 
 }  // namespace resect

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/collider.h"
+#include "collision/columns.h"
 #include "collision/inside.h"
 
 namespace resect {
@@ -50,20 +50,39 @@ Aabb movedBounds(const Aabb& box, const Pose& pose) {
   return result;
 }
 
+// Layered depth images of both along z; the organ's only in the pixels that the tool covers.
 double overlapVolume(const Organ& organ, const TriangleMesh& tool, const Pose& pose,
                      const Aabb& region) {
   constexpr int kPixels = 32;
-  TriangleMesh inWorld = tool;
-  for (Vec3& p : inWorld.points) p = pose * p;
+  const TriangleMesh inWorld = transformed(tool, pose);
   const Aabb box = intersection(bounds(inWorld), region);
-  if (box.empty()) return 0;
-  Collider collider;
-  collider.setObject(Collider::First, organ.surface.meshAround(organ.field, box));
-  collider.setObject(Collider::Second, std::move(inWorld));
-  if (!collider.generateVolumeOfInterest()) return 0;
-  collider.generateLayeredDepthImages(kPixels);
-  collider.generateIntersectionVolume();
-  return collider.ldi(Collider::Intersection).volume();
+  if (box.empty() || !(box.size().array() > 0).all()) return 0;
+  const Vec2 size = box.size().head<2>();
+  const auto pixels = [&](double side) {
+    return std::clamp(int(std::lround(kPixels * side / size.maxCoeff())), 1, kPixels);
+  };
+  ColumnGrid grid;
+  grid.countX = pixels(size.x());
+  grid.countY = pixels(size.y());
+  grid.pitch = size.cwiseQuotient(Vec2(grid.countX, grid.countY));
+  grid.origin = box.min.head<2>() + 0.5 * grid.pitch;
+
+  const Crossings toolColumns = castColumns(snapToRaster(inWorld), grid);
+  std::vector<std::uint8_t> covered(grid.count());
+  for (std::size_t c = 0; c < covered.size(); ++c) covered[c] = !toolColumns[c].empty();
+  const TriangleMesh skin = organ.surface.meshOver(organ.field, grid, covered);
+  const Crossings organColumns = castColumns(snapToRaster(skin), grid);
+
+  double length = 0;
+  for (std::size_t c = 0; c < covered.size(); ++c)
+    if (covered[c])
+      forEachInside(toolColumns[c], [&](double entered, double left) {
+        const double low = std::max(entered, box.min.z()), high = std::min(left, box.max.z());
+        forEachInside(organColumns[c], [&](double from, double to) {
+          length += std::max(0.0, std::min(to, high) - std::max(from, low));
+        });
+      });
+  return length * grid.pitch.prod();
 }
 
 }  // namespace

@@ -92,6 +92,36 @@ class Scenarios(unittest.TestCase):
         self.assertIn("Hook", plot.read_text())
 
 
+class Bench(unittest.TestCase):
+    def test_the_bench_runs_what_run_runs_and_says_how_large_an_organ_may_be(self):
+        def bench(*args):
+            done = resect("bench", "--json", "-", *args)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            return json.loads(done.stdout)
+
+        once = bench("cut-950", "--once")
+        self.assertEqual(once["state_hash"], STILL["cut-950"])
+        self.assertEqual(once["frames"], run("cut-950")["frames"])
+        self.assertGreater(once["triangles"], 1000)
+        self.assertGreater(once["bytes_per_particle"], 10)
+        self.assertIn(once["instruction_set"], ["baseline", "avx2", "avx512"])
+        self.assertNotIn("verdict", once)
+        stages = once["stages_ms"].values()
+        self.assertAlmostEqual(sum(s["total"] for s in stages), once["frame_ms"]["total"], places=6)
+
+        full = bench("cut-950", "--most", 5000)
+        self.assertIn("particles", full["verdict"])
+        largest = full["largest_in_real_time"]
+        if largest:
+            self.assertLessEqual(largest["p95_ms"], full["frame_duration_ms"])
+        if full["smallest_too_slow"]:
+            self.assertGreater(full["smallest_too_slow"]["p95_ms"], full["frame_duration_ms"])
+
+        elastic = bench("press", "--once", "--spacing", "10mm")
+        self.assertGreater(elastic["substeps"], elastic["frames"])
+        self.assertGreater(elastic["ns_per_particle_and_substep"], 0)
+
+
 class Complaints(unittest.TestCase):
     def test_a_wrong_argument_gives_one_sentence_and_status_2(self):
         for args in (["run", "cut", "--spacing", "5 parsec"], ["run", "cut", "--dims", "0"], ["nonsense"],

@@ -1,0 +1,162 @@
+// F: which particles does an instrument touch, and how much tissue is where it is, on an organ that
+// changes? Beside FCL, which refits its tree to the organ's new points and collides the two
+// surfaces.
+
+#include <fcl/fcl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "geometry/primitives.h"
+#include "organ/organ.h"
+#include "peers/rows.h"
+#include "peers/timing.h"
+#include "support/bench_organs.h"
+#include "support/mesh_reference.h"
+#include "tools/contacts.h"
+#include "tools/registry.h"
+
+namespace resect::bench {
+namespace {
+
+using FclTree = fcl::BVHModel<fcl::OBBRSSd>;
+
+std::shared_ptr<FclTree> treeOf(const TriangleMesh& mesh) {
+  auto tree = std::make_shared<FclTree>();
+  std::vector<fcl::Triangle> triangles;
+  for (const Triangle& t : mesh.triangles)
+    triangles.emplace_back(std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2]));
+  tree->beginModel(int(triangles.size()), int(mesh.points.size()));
+  tree->addSubModel(mesh.points, triangles);
+  tree->endModel();
+  return tree;
+}
+
+fcl::Transform3d transformOf(const Pose& pose) {
+  fcl::Transform3d transform = fcl::Transform3d::Identity();
+  transform.linear() = pose.rotation.toRotationMatrix();
+  transform.translation() = pose.position;
+  return transform;
+}
+
+// A blunt rod, 10 mm across, its round tip at the origin, handle towards +Z.
+std::unique_ptr<Tool> rod() {
+  ToolModel model;
+  model.name = model.kind = "baton";
+  model.mesh = sphereMesh({0, 0, 0.05}, 1, 16);
+  for (Vec3& p : model.mesh.points)
+    p = (p - Vec3(0, 0, 0.05)).cwiseProduct(Vec3(0.005, 0.005, 0.05)) + Vec3(0, 0, 0.05);
+  return makeTool(std::move(model));
+}
+
+// Tip 10 mm deep in the liver's front at 16 places, moving 2 mm a frame.
+struct Way {
+  Pose from, to;
+};
+std::vector<Way> waysIntoFront(const Organ& organ) {
+  std::vector<Way> ways;
+  const Lattice& lattice = organ.rest.lattice;
+  for (int i = 0; i < 16; ++i) {
+    Vec3i c(int((0.25 + 0.5 * i / 15) * lattice.dims.x()), lattice.dims.y() / 2,
+            lattice.dims.z() - 1);
+    while (c.z() > 0 && !organ.rest.inside[lattice.index(c)]) --c.z();
+    const Vec3 tip = lattice.centre(c) - Vec3(0, 0, 0.01);
+    ways.push_back({{tip - Vec3(0.002, 0, 0), Eigen::Quaterniond::Identity()},
+                    {tip, Eigen::Quaterniond::Identity()}});
+  }
+  return ways;
+}
+
+// By solid angles: the particles inside the rod at `to`, and whether all of them were found.
+std::string checkParticles(const Organ& organ, const Tool& tool, const std::vector<Way>& ways) {
+  std::int64_t found = 0, expected = 0, wrong = 0;
+  for (const Way& way : ways) {
+    const ToolContacts contacts = findContacts(organ, tool, 0, way.to, way.to);
+    std::vector<std::int64_t> reference;
+    const Aabb near = tool.bounds().padded(1e-6);
+    for (std::int64_t cell = 0; cell < organ.rest.lattice.cellCount(); ++cell) {
+      if (!organ.alive[cell]) continue;
+      const Vec3 p = way.to.inverse() * organ.rest.lattice.centre(organ.rest.lattice.cell(cell));
+      if (near.contains(p) && test::solidAngleWinding(tool.model().mesh, p) > 0.5)
+        reference.push_back(cell);
+    }
+    std::vector<std::int64_t> difference;
+    std::ranges::set_symmetric_difference(contacts.cells, reference,
+                                          std::back_inserter(difference));
+    found += std::int64_t(contacts.cells.size());
+    expected += std::int64_t(reference.size());
+    wrong += std::int64_t(difference.size());
+  }
+  return fmt::format("{} of {} particles found, {} wrong", found, expected, wrong);
+}
+
+}  // namespace
+
+Findings contactsAgainstFcl(const Effort& effort) {
+  struct Case {
+    double triangles, goal;
+  };
+  std::vector<Case> cases = {{2e4, 100}};
+  if (!effort.quick) cases.push_back({2e5, 1000});
+  Findings findings;
+  const ThreadLimit limit(1);
+  const std::unique_ptr<Tool> tool = rod();
+  for (const Case& c : cases) {
+    const Organ organ = makeOrgan(liverCells(particlesFor(c.triangles)), {});
+    const std::vector<Way> ways = waysIntoFront(organ);
+    const TriangleMesh surface = organ.surface.mesh();
+    const std::shared_ptr<FclTree> organTree = treeOf(surface),
+                                   toolTree = treeOf(tool->model().mesh);
+    double overlap = 0;
+    int touching = 0;
+    const auto resectFrames = [&] {
+      overlap = 0;
+      for (const Way& way : ways)
+        overlap += findContacts(organ, *tool, 0, way.from, way.to).overlapVolume;
+    };
+    const auto collideFrames = [&](bool refit) {
+      touching = 0;
+      for (const Way& way : ways) {
+        if (refit) {
+          organTree->beginUpdateModel();
+          organTree->updateSubModel(surface.points);
+          organTree->endUpdateModel();
+        }
+        const fcl::CollisionObjectd a(organTree), b(toolTree, transformOf(way.to));
+        fcl::CollisionRequestd request(1'000'000, true);
+        fcl::CollisionResultd result;
+        fcl::collide(&a, &b, request, result);
+        touching += result.isCollision();
+      }
+    };
+    for (const bool refit : {true, false}) {
+      Comparison line;
+      line.row = "F";
+      line.work = refit ? "particles touched and ml shared, organ changed"
+                        : "the same, organ unchanged since the last frame";
+      line.peer = refit ? "FCL 0.7 refit + collide" : "FCL 0.7 collide alone";
+      line.size = double(surface.triangles.size());
+      line.sizeUnit = "triangles";
+      line.goal = refit ? c.goal : 0;
+      timeBoth(
+          resectFrames, [&] { collideFrames(refit); }, effort, line);
+      line.resect /= double(ways.size());
+      line.peerTime /= double(ways.size());
+      line.agreement = fmt::format("FCL touches at {} of {} places; {}", touching, ways.size(),
+                                   checkParticles(organ, *tool, ways));
+      findings.comparisons.push_back(std::move(line));
+    }
+    const Pose away{{0, 0.5, 0}, Eigen::Quaterniond::Identity()};
+    std::vector<double> times;
+    for (int i = 0; i < 1000; ++i)
+      times.push_back(secondsOf([&] { findContacts(organ, *tool, 0, away, away); }));
+    findings.figures.push_back(
+        {"F",
+         fmt::format("an instrument away from an organ of {} triangles", surface.triangles.size()),
+         fmt::format("{:.2f} us", 1e6 * median(times)), "at most 20 us"});
+  }
+  return findings;
+}
+
+}  // namespace resect::bench

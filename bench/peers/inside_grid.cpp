@@ -1,0 +1,75 @@
+#include "peers/inside_grid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+
+namespace resect::bench {
+namespace {
+
+ColumnGrid columnsOf(const InsideGrid& grid) {
+  return {grid.first.head<2>(), grid.pitch.head<2>(), grid.n, grid.n};
+}
+
+}  // namespace
+
+InsideGrid gridRound(const TriangleMesh& mesh, int n) {
+  const Aabb box = bounds(mesh);
+  const Vec3 pitch = box.size() / n;
+  return {box.min + 0.5 * pitch, pitch, n};
+}
+
+std::vector<std::uint8_t> insideFlags(const TriangleMesh& mesh, const InsideGrid& grid) {
+  const Crossings columns = castColumns(snapToRaster(mesh), columnsOf(grid));
+  std::vector<std::uint8_t> flags(std::size_t(grid.n) * grid.n * grid.n, 0);
+  parallelFor(columns.columnCount(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+      forEachInside(columns[c], [&](double entered, double left) {
+        const auto firstAbove = [&](double z) {
+          const double place = (z - grid.first.z()) / grid.pitch.z();
+          return std::size_t(std::clamp(std::floor(place) + 1, 0.0, double(grid.n)));
+        };
+        const std::size_t from = firstAbove(entered), to = firstAbove(left);
+        std::fill(flags.begin() + std::ptrdiff_t(c * grid.n + from),
+                  flags.begin() + std::ptrdiff_t(c * grid.n + to), std::uint8_t(1));
+      });
+  });
+  return flags;
+}
+
+FlagDifference compareFlags(const TriangleMesh& mesh, const InsideGrid& grid,
+                            const std::vector<std::uint8_t>& ours,
+                            const std::vector<std::uint8_t>& theirs, double tolerance) {
+  FlagDifference difference;
+  // A point is off the surface when all six places `tolerance` from it are on the side that we say.
+  std::vector<Vec3> around;
+  std::vector<std::uint8_t> side;
+  for (int y = 0; y < grid.n; ++y)
+    for (int x = 0; x < grid.n; ++x)
+      for (int z = 0; z < grid.n; ++z) {
+        const std::size_t i = grid.index(x, y, z);
+        if (ours[i] == theirs[i]) continue;
+        ++difference.points;
+        for (int d = 0; d < 6; ++d)
+          around.push_back(grid.point(x, y, z) + (d & 1 ? 1 : -1) * tolerance * Vec3::Unit(d / 2));
+        side.push_back(ours[i]);
+      }
+  if (around.empty()) return difference;
+  const std::vector<std::int32_t> winding = windingNumbers(snapToRaster(mesh), around);
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    bool same = true;
+    for (int d = 0; d < 6; ++d) same = same && (winding[6 * i + d] > 0) == (side[i] != 0);
+    difference.offSurface += same;
+  }
+  return difference;
+}
+
+std::int64_t oddColumns(const TriangleMesh& mesh, const InsideGrid& grid) {
+  const Crossings columns = castColumns(snapToRaster(mesh), columnsOf(grid));
+  std::int64_t odd = 0;
+  for (std::size_t c = 0; c < columns.columnCount(); ++c) odd += columns[c].size() % 2;
+  return odd;
+}
+
+}  // namespace resect::bench

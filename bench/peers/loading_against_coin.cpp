@@ -1,0 +1,72 @@
+// G: an Inventor file of half a million triangles to the first picture of it as an organ, beside
+// reading the file's bytes and Coin's own parse, which are part of that.
+
+#include <Inventor/SoDB.h>
+#include <Inventor/SoInput.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "inventor/init.h"
+#include "inventor/model_file.h"
+#include "inventor/offscreen_view.h"
+#include "inventor/operation_view.h"
+#include "io/mesh_file.h"
+#include "io/operation_setup.h"
+#include "organ/builtin_liver.h"
+#include "peers/rows.h"
+#include "peers/timing.h"
+
+namespace resect::bench {
+namespace {
+
+void parseWithCoin(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes(std::filesystem::file_size(path), '\0');
+  in.read(bytes.data(), std::streamsize(bytes.size()));
+  SoInput input;
+  input.setBuffer(bytes.data(), bytes.size());
+  SoSeparator* scene = SoDB::readAll(&input);
+  scene->ref();
+  scene->unref();
+}
+
+void loadAndDraw(const std::filesystem::path& path, std::int64_t& particles) {
+  Scenario scenario;
+  scenario.organ.file = path;
+  scenario.organ.spacing = 0.005;
+  const Simulation simulation =
+      makeSimulation(scenario, [](const auto& p) { return readModel(p); });
+  particles = simulation.organ().particles;
+  OffscreenView picture(1280, 720);
+  OperationView(scenario, simulation, 16.0 / 9).draw(picture);
+}
+
+}  // namespace
+
+Findings loadingAgainstCoin(const Effort& effort) {
+  initInventor();
+  const TriangleMesh liver = builtinLiver(effort.quick ? 0.0025 : 0.0009);
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() /
+      fmt::format("resect_peers_{}.iv", std::hash<std::size_t>{}(liver.points.size()));
+  writeMeshFile(file, liver);
+  Comparison line;
+  line.row = "G";
+  line.work = ".iv to the first picture";
+  line.peer = "reading the bytes + Coin 4 parsing them";
+  line.size = double(liver.triangles.size());
+  line.sizeUnit = "triangles";
+  line.threads = threadsOfMachine();
+  line.goal = 1 / 3.0;
+  std::int64_t particles = 0;
+  timeBoth([&] { loadAndDraw(file, particles); }, [&] { parseWithCoin(file); }, effort, line);
+  line.agreement = fmt::format("{} particles at 5 mm; file of {:.0f} MB", particles,
+                               1e-6 * double(std::filesystem::file_size(file)));
+  std::filesystem::remove(file);
+  return {{line}, {}};
+}
+
+}  // namespace resect::bench

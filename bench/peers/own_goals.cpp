@@ -1,0 +1,50 @@
+// H and I: what there is no peer for. Memory of an organ of a million particles, and the time of
+// the frames when it is cut.
+
+#include <fmt/format.h>
+
+#include "base/parallel.h"
+#include "inventor/model_file.h"
+#include "io/data_folder.h"
+#include "io/operation_setup.h"
+#include "io/scenario_file.h"
+#include "operation/bench.h"
+#include "peers/rows.h"
+#include "support/bench_organs.h"
+
+namespace resect::bench {
+
+Findings memoryOfStillOrgan(const Effort& effort) {
+  Findings findings;
+  std::vector<double> sizes = {1e4, 1e5};
+  if (!effort.quick) sizes.push_back(1e6);
+  for (const double size : sizes) {
+    const Organ organ = makeOrgan(liverCells(size), {});
+    const double n = double(organ.particles);
+    findings.figures.push_back(
+        {"H", fmt::format("bytes per particle at {}, nodes s/2 apart", organ.particles),
+         fmt::format("{:.1f}: field {:.1f}, surface {:.1f}, lattice {:.1f}",
+                     double(organ.bytes()) / n, double(organ.field.bytes()) / n,
+                     double(organ.surface.bytes()) / n,
+                     double(organ.bytes() - organ.field.bytes() - organ.surface.bytes()) / n),
+         size == 1e6 ? "at most 96" : ""});
+  }
+  return findings;
+}
+
+Findings millionParticlesInRealTime(const Effort& effort) {
+  const ThreadLimit limit(1);
+  Scenario scenario = readScenario(findDataFile("cut", "scenarios", ".toml"));
+  scenario.organ.spacing = spacingFor(effort.quick ? 1e5 : 1e6);
+  Simulation simulation = makeSimulation(scenario, [](const auto& p) { return readModel(p); });
+  const BenchReport report = benchScenario(simulation, scenario);
+  std::string text =
+      fmt::format("median {:.2f} ms, p95 {:.2f}, max {:.2f}; {} of {} frames missed; state {:016x}",
+                  1e3 * report.frame.median, 1e3 * report.frame.p95, 1e3 * report.frame.max,
+                  report.missed, report.frames, report.stateHash);
+  return {{},
+          {{"I", fmt::format("a frame of \"cut\" on {} particles, one thread", report.particles),
+            text, fmt::format("{:.1f} ms", 1e3 * report.frameDuration)}}};
+}
+
+}  // namespace resect::bench

@@ -1,0 +1,61 @@
+// A: field and surface from nothing, beside VTK on the same nodes.
+
+#include <fmt/format.h>
+#include <vtkVersion.h>
+
+#include "base/parallel.h"
+#include "peers/rows.h"
+#include "peers/timing.h"
+#include "peers/vtk_field.h"
+#include "peers/vtk_threads.h"
+#include "support/bench_organs.h"
+#include "surface/surface_tracker.h"
+
+namespace resect::bench {
+
+Findings rebuildAgainstVtk(const Effort& effort) {
+  struct Case {
+    double particles;
+    int refine;
+    double goal;
+  };
+  std::vector<Case> cases = {{1e4, 1, 200}, {1e5, 1, 200}, {1e4, 2, 0}, {1e5, 2, 0}};
+  if (!effort.quick) cases.insert(cases.end(), {{1e6, 1, 400}, {1e6, 2, 1000}});
+  Findings findings;
+  for (const Case& c : cases) {
+    const Discretization cells = liverCells(c.particles);
+    const ColourField field(cells, c.refine);
+    VtkField vtk(cells, field);
+    std::int64_t triangles = 0;
+    for (const int threads : {1, threadsOfMachine()}) {
+      if (threads == 1 && !findings.comparisons.empty() && threadsOfMachine() == 1) continue;
+      const ThreadLimit limit(threads);
+      setVtkThreads(threads);
+      Comparison line;
+      line.row = "A";
+      line.work = fmt::format("field and surface from nothing, nodes s{} apart",
+                              c.refine == 1 ? "" : fmt::format("/{}", c.refine));
+      line.peer =
+          fmt::format("VTK {} vtkSPHInterpolator + vtkFlyingEdges3D", vtkVersion::GetVTKVersion());
+      line.size = double(cells.particleCount());
+      line.sizeUnit = "particles";
+      line.threads = threads;
+      line.goal = c.goal;
+      timeBoth(
+          [&] {
+            const ColourField fresh(cells, c.refine);
+            triangles = SurfaceTracker(fresh, 50).triangleCount();
+          },
+          [&] { vtk.recompute(); }, effort, line);
+      line.agreement =
+          fmt::format("field to {:.0e}; {} and {} triangles; {} of {} nodes evaluated",
+                      vtk.difference(field), triangles, vtk.triangles(),
+                      std::int64_t(field.slotCount()) * kBrickSize, field.nodeDims().prod());
+      findings.comparisons.push_back(std::move(line));
+      if (threadsOfMachine() == 1) break;
+    }
+  }
+  return findings;
+}
+
+}  // namespace resect::bench

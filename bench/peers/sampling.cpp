@@ -1,0 +1,44 @@
+#include "peers/sampling.h"
+
+#include <fmt/format.h>
+
+#include "base/parallel.h"
+#include "support/bench_organs.h"
+#include "surface/surface_tracker.h"
+
+namespace resect::bench {
+
+Findings compareSampling(const Effort& effort, const SamplingPeer& peer,
+                         std::function<double(double triangles)> goal) {
+  constexpr int kPoints = 256;
+  std::vector<double> sizes = {1e4, 1e5};
+  if (!effort.quick) sizes.push_back(5e5);
+  Findings findings;
+  for (const double size : sizes) {
+    const ColourField field(liverCells(particlesFor(size)), 2);
+    const TriangleMesh mesh = SurfaceTracker(field, 50).mesh();
+    const InsideGrid grid = gridRound(mesh, kPoints);
+    for (int threads = 1; threads <= threadsOfMachine();
+         threads = threads == threadsOfMachine() ? threads + 1 : threadsOfMachine()) {
+      const ThreadLimit limit(threads);
+      Comparison line;
+      line.row = "E";
+      line.work = fmt::format("{0} x {0} x {0} points inside or outside", kPoints);
+      line.peer = peer.name;
+      line.size = double(mesh.triangles.size());
+      line.sizeUnit = "triangles";
+      line.threads = threads;
+      line.goal = goal(size);
+      peer.prepare(mesh, grid, threads);
+      std::vector<std::uint8_t> ours;
+      timeBoth([&] { ours = insideFlags(mesh, grid); }, peer.sample, effort, line);
+      const FlagDifference d = compareFlags(mesh, grid, ours, peer.flags(), peer.tolerance);
+      line.agreement = fmt::format("{} points differ, {} of them off the surface; {} odd columns",
+                                   d.points, d.offSurface, oddColumns(mesh, grid));
+      findings.comparisons.push_back(std::move(line));
+    }
+  }
+  return findings;
+}
+
+}  // namespace resect::bench

@@ -1,0 +1,69 @@
+#include "peers/tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <thread>
+
+namespace resect::bench {
+namespace {
+
+std::string timeText(double s) {
+  return s < 1e-3 ? fmt::format("{:.3g} us", 1e6 * s)
+         : s < 1  ? fmt::format("{:.3g} ms", 1e3 * s)
+                  : fmt::format("{:.3g} s", s);
+}
+
+std::string ratioText(double r) {
+  return r == 0 ? "" : r < 10 ? fmt::format("{:.2f}", r) : fmt::format("{:.0f}", r);
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
+}  // namespace
+
+std::string machineName() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("model name"))
+      return fmt::format("{}, {} threads", line.substr(line.find(':') + 2),
+                         std::thread::hardware_concurrency());
+  return fmt::format("{} threads", std::thread::hardware_concurrency());
+}
+
+std::string asMarkdown(const Findings& findings) {
+  std::string text;
+  if (!findings.comparisons.empty())
+    text +=
+        "| row | work | size | threads | Resect | peer | peer's time | times faster | goal | runs "
+        "| "
+        "drift | agreement |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const Comparison& c : findings.comparisons)
+    text += fmt::format(
+        "| {} | {} | {:.0f} {} | {} | {} | {} | {} | {} | {} | {} / {} | {:.2f} | {} |\n", c.row,
+        c.work, c.size, c.sizeUnit, c.threads, timeText(c.resect), c.peer, timeText(c.peerTime),
+        ratioText(c.ratio()), ratioText(c.goal), c.resectRuns, c.peerRuns, c.drift, c.agreement);
+  if (!findings.figures.empty()) text += "\n| row | what | figure | goal |\n|---|---|---|---|\n";
+  for (const Figure& f : findings.figures)
+    text += fmt::format("| {} | {} | {} | {} |\n", f.row, f.what, f.value, f.goal);
+  return text;
+}
+
+std::string asCsv(const Findings& findings) {
+  std::string text =
+      "row,work,peer,size,unit,threads,resect_s,peer_s,ratio,goal,resect_runs,peer_runs,drift,"
+      "agreement\n";
+  for (const Comparison& c : findings.comparisons)
+    text += fmt::format("{},{},{},{:.0f},{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{},{:.4g},{}\n",
+                        c.row, quoted(c.work), quoted(c.peer), c.size, c.sizeUnit, c.threads,
+                        c.resect, c.peerTime, c.ratio(), c.goal, c.resectRuns, c.peerRuns, c.drift,
+                        quoted(c.agreement));
+  return text;
+}
+
+}  // namespace resect::bench

@@ -1,0 +1,93 @@
+// resect bench: how fast an operation is here, and how large an organ could be.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "cli/bench_report.h"
+#include "cli/commands.h"
+#include "cli/json_output.h"
+#include "cli/organ_options.h"
+#include "cli/progress_bar.h"
+#include "io/data_folder.h"
+#include "io/discretization_file.h"
+#include "io/operation_setup.h"
+#include "io/scenario_file.h"
+
+namespace resect {
+namespace {
+
+struct Options {
+  std::string scenario = "cut", organ, json;
+  int threads = 0;
+  double most = 1e6;
+  bool once = false;
+};
+
+BenchReport measure(const Scenario& scenario, const std::string& title) {
+  Simulation simulation = makeSimulation(scenario, modelReader(), progressBar("particles"));
+  const Progress progress = progressBar(title);
+  const double frames = double(frameCount(scenario));
+  return benchScenario(simulation, scenario, [&](const Simulation&, const StepReport& step) {
+    report(progress, double(step.frame + 1) / frames);
+    return true;
+  });
+}
+
+void run(const Options& options, const OrganOptions& organOptions) {
+  const ThreadLimit threads(options.threads);
+  Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
+  if (!options.organ.empty()) scenario.organ.file = options.organ == "liver" ? "" : options.organ;
+  organOptions.applyTo(scenario.organ);
+
+  const BenchReport report = measure(scenario, scenario.name);
+  std::optional<RealTimeLimit> limit;
+  // A file of particles is as fine as it is.
+  if (!options.once && !isDiscretizationFile(scenario.organ.file))
+    limit = findRealTimeLimit(
+        report,
+        [&](double spacing) {
+          Scenario other = scenario;
+          other.organ.spacing = spacing;
+          other.organ.dims.reset();
+          return measure(other, fmt::format("{} at {:.3g} mm", scenario.name, 1e3 * spacing));
+        },
+        4, options.most);
+  if (!options.json.empty()) writeJson(options.json, toJson(report, limit, scenario));
+  if (options.json != "-") fmt::print("{}", toText(report, limit, scenario));
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "bench", "Say how fast an operation is here, and how large an organ keeps real time");
+  command
+      ->add_option("SCENARIO", options->scenario,
+                   "Scenario file, or the name of one that comes with Resect")
+      ->capture_default_str();
+  command->add_option("--organ", options->organ, "Another organ: model or .dis file, or \"liver\"");
+  auto organ = addOrganOptions(*command);
+  command
+      ->add_option("--threads", options->threads, "Threads to use; 0 = all. The result is the same")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_flag("--once", options->once,
+                    "Measure the scenario as it is; do not look for the largest organ");
+  command->add_option("--most", options->most, "Particles of the largest organ to try")
+      ->check(CLI::Range(100.0, 1e8))
+      ->capture_default_str();
+  command->add_option("--json", options->json, "JSON file for the figures; - for standard output");
+  command->footer(
+      "The largest organ is found by trying: up to four more runs at other spacings.\n\n"
+      "Examples:\n"
+      "  resect bench\n"
+      "  resect bench incise --threads 1\n"
+      "  resect bench cut --spacing 1.15mm --once --json cut.json");
+  command->callback([options, organ] { run(*options, *organ); });
+}
+
+}  // namespace resect

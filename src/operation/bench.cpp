@@ -1,0 +1,95 @@
+#include "operation/bench.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tissue/elastic_kernel.h"
+
+namespace resect {
+namespace {
+
+// A size is aimed at where the 95th percentile should be at this share of a frame.
+constexpr double kAim = 0.9;
+constexpr double kCloseEnough = 1.15;  // of the sizes that hold and fail
+// Time of a frame goes with this power of the particles: when nothing moves an instrument touches a
+// share of the surface; tissue that moves needs more and shorter substeps.
+constexpr double kStillPower = 2.0 / 3, kElasticPower = 4.0 / 3;
+
+// m, to a hundredth of a millimetre or a thousandth of itself, as one would type it.
+double rounded(double spacing) {
+  const double step = std::min(1e-5, std::pow(10, std::floor(std::log10(spacing)) - 2));
+  return std::round(spacing / step) * step;
+}
+
+}  // namespace
+
+BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
+                          const FrameObserver& observer) {
+  BenchReport report;
+  const Organ& organ = simulation.organ();
+  report.spacing = std::cbrt(organ.rest.lattice.cellVolume());
+  report.particles = organ.particles;
+  report.triangles = organ.surface.triangleCount();
+  report.bytes = std::int64_t(simulation.bytes());
+  report.tissueMoves = simulation.tissue().moves();
+  report.frameDuration = 1 / scenario.frameRate;
+  report.instructionSet = fastestKernel().name;
+
+  StageClock clock;
+  StepReport step;
+  const std::int64_t frames = frameCount(scenario);
+  while (report.frames < frames) {
+    simulation.step(frameInput(scenario, report.frames), step, &clock);
+    ++report.frames;
+    report.substeps += step.tissue.substeps;
+    if (observer && !observer(simulation, step)) break;
+  }
+
+  std::vector<double> wholeFrames(std::size_t(report.frames), 0.0);
+  for (const StageTimes& stage : clock.stages()) {
+    report.stages.push_back({stage.name, summarise(stage.seconds)});
+    for (std::size_t i = 0; i < stage.seconds.size(); ++i) wholeFrames[i] += stage.seconds[i];
+    if (stage.name == "moveTissue" && report.substeps > 0)
+      report.perParticleAndSubstep =
+          report.stages.back().time.total / (double(report.particles) * double(report.substeps));
+  }
+  report.missed =
+      std::ranges::count_if(wholeFrames, [&](double s) { return s > report.frameDuration; });
+  report.frame = summarise(std::move(wholeFrames));
+  report.stateHash = simulation.stateHash();
+  return report;
+}
+
+RealTimeLimit findRealTimeLimit(const BenchReport& first,
+                                const std::function<BenchReport(double spacing)>& measure,
+                                int trials, double mostParticles) {
+  RealTimeLimit limit;
+  const auto keep = [&](const BenchReport& r) {
+    auto& place = r.realTime() ? limit.holds : limit.fails;
+    if (!place || (r.particles > place->particles) == r.realTime()) place = r;
+  };
+  keep(first);
+  BenchReport last = first;
+  const double power = first.tissueMoves ? kElasticPower : kStillPower;
+  for (int trial = 0; trial < trials; ++trial) {
+    double wanted = double(last.particles) *
+                    std::pow(kAim * last.frameDuration / std::max(1e-9, last.frame.p95), 1 / power);
+    wanted = std::clamp(wanted, 100.0, mostParticles);
+    if (limit.holds && limit.fails) {
+      const double low = double(limit.holds->particles), high = double(limit.fails->particles);
+      if (high <= kCloseEnough * low) break;
+      if (!(wanted > 1.02 * low && wanted < high / 1.02)) wanted = std::sqrt(low * high);
+    } else if (limit.holds) {
+      wanted = std::min(std::max(wanted, 1.3 * double(limit.holds->particles)), mostParticles);
+    } else {
+      wanted = std::min(wanted, 0.8 * double(limit.fails->particles));
+    }
+    const double spacing = rounded(first.spacing * std::cbrt(double(first.particles) / wanted));
+    if (std::abs(wanted / double(last.particles) - 1) < 0.02 || spacing == last.spacing) break;
+    last = measure(spacing);
+    keep(last);
+  }
+  return limit;
+}
+
+}  // namespace resect

@@ -1,0 +1,55 @@
+// How fast is an operation on this machine, and how large an organ could be operated on in real
+// time?
+//
+// An operation keeps real time when 95 of 100 frames are computed within the time that they last.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/stage_clock.h"
+#include "operation/run.h"
+#include "operation/scenario.h"
+
+namespace resect {
+
+struct BenchReport {
+  struct Stage {
+    std::string name;
+    TimeSummary time;
+  };
+  double spacing = 0;                                    // cube root of a cell's volume, m
+  std::int64_t particles = 0, triangles = 0, bytes = 0;  // before the operation
+  bool tissueMoves = false;
+  std::int64_t frames = 0, missed = 0;  // missed: computed in more time than they last
+  double frameDuration = 0;             // s
+  TimeSummary frame;                    // time of all stages together
+  std::vector<Stage> stages;            // in the order of the step
+  std::int64_t substeps = 0;            // of tissue that moves
+  double perParticleAndSubstep = 0;  // s, of the stage moveTissue; 0 for tissue that stands still
+  std::string instructionSet;        // of the kernels that move tissue
+  std::uint64_t stateHash = 0;       // at the end, as of runScenario()
+
+  double bytesPerParticle() const { return double(bytes) / double(particles); }
+  bool realTime() const { return frame.p95 <= frameDuration; }
+};
+
+// Runs all frames of the scenario on a simulation made for it; nothing but the steps is timed.
+BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
+                          const FrameObserver& observer = {});
+
+// What searching for the largest organ found. Sizes are tried, not extrapolated.
+struct RealTimeLimit {
+  std::optional<BenchReport> holds;  // the largest that was tried and kept real time
+  std::optional<BenchReport> fails;  // the smallest that was tried and did not
+};
+
+// `measure` runs the operation at another spacing, m. `first`: what is known already. Tries at most
+// `trials` spacings and up to `mostParticles`; stops when the two sizes are 15 % apart.
+RealTimeLimit findRealTimeLimit(const BenchReport& first,
+                                const std::function<BenchReport(double spacing)>& measure,
+                                int trials = 4, double mostParticles = 1e6);
+
+}  // namespace resect
