@@ -129,6 +129,10 @@ void MainWindow::makeDocks() {
   dock("Force", force_);
   dock("Timing", timing_);
   force_->parentWidget()->hide();  // until there is tissue that pushes back
+  // A width of their own from the start: the picture beside must not shift when numbers come.
+  QList<QDockWidget*> docks = findChildren<QDockWidget*>();
+  resizeDocks(docks, QList<int>(docks.size(), 32 * fontMetrics().averageCharWidth()),
+              Qt::Horizontal);
   instruments_->chosen = [this](int tool) {
     if (!session_) return;
     if (tool < 0)

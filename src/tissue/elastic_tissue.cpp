@@ -163,57 +163,6 @@ void ElasticTissue::move(double duration, const TissueSurroundings& around, Tiss
   step.torn = std::int32_t(step.tornBonds.size());
 }
 
-// Tissue tears where a tool pulls at it, and where cuts have left a strand: bonds that are
-// stretched beyond their material's limit, within some cells of a gripped one, or beyond
-// twice that where two thirds of a cell's bonds to that side are gone. At most twenty per frame, so
-// that a tear runs and does not happen at once.
-void ElasticTissue::tear(std::vector<TissueBond>& torn) {
-  constexpr int kReach = 4;
-  constexpr double kStrand =
-      2;  // beside a blade's edge tissue is stretched that far and comes back
-  constexpr std::size_t kMost = 20;
-  torn.clear();
-  const auto tearBond = [&](std::int32_t i, int d, double times) {
-    if (torn.size() == kMost || !(state_.bonds[i] >> d & 1)) return;
-    const double limit = state_.materials[state_.material[i]].tearStretch * times * state_.spacing;
-    const std::int32_t j = i + state_.box.step[d];
-    Vec3 along = state_.spacing * offsetOf(d).cast<double>();
-    for (int a = 0; a < 3; ++a) along[a] += double(state_.u[a][j]) - state_.u[a][i];
-    if (!(along.squaredNorm() > limit * limit * neighbourKind(d))) return;
-    torn.push_back({state_.box.toLattice(i), d});
-    sever(torn.back().cell, d);
-  };
-  Vec3i low = Vec3i::Constant(1 << 20), high = Vec3i::Constant(-1);
-  for (const TissueSpring& spring : springs_.all()) {
-    if (spring.tool < 0) continue;
-    const Vec3i at = state_.box.cell(spring.cell);
-    low = low.cwiseMin(at - Vec3i::Constant(kReach));
-    high = high.cwiseMax(at + Vec3i::Constant(kReach));
-  }
-  low = low.cwiseMax(0);
-  high = high.cwiseMin(lattice_.dims - Vec3i::Ones());
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x)
-        for (int d = kFirstForward; d < kDirections; ++d)
-          tearBond(state_.box.index({x, y, z}), d, 1);
-
-  std::sort(cut_.begin(), cut_.end());
-  cut_.erase(std::unique(cut_.begin(), cut_.end()), cut_.end());
-  for (std::size_t k = 0, count = cut_.size(); k < count; ++k) {
-    const std::int32_t i = cut_[k];
-    for (int d = 0; d < kDirections; ++d) {
-      int neighbours = 0, bonds = 0;
-      for (int e = 0; e < kDirections; ++e)
-        if (offsetOf(d).dot(offsetOf(e)) > 0) {
-          neighbours += state_.solid[i + state_.box.step[e]];
-          bonds += state_.bonds[i] >> e & 1;
-        }
-      if (3 * bonds <= neighbours) tearBond(i, d, kStrand);
-    }
-  }
-}
-
 // Held cells excepted.
 void ElasticTissue::stopMotion() {
   for (const TissueChunk& chunk : state_.chunks)
