@@ -4,6 +4,8 @@
 #include <Inventor/SoInput.h>
 #include <Inventor/nodes/SoSeparator.h>
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "inventor/SoOrganShape.h"
 #include "inventor/init.h"
@@ -36,7 +38,9 @@ OperationView::OperationView(const Scenario& scenario, const Simulation& simulat
   follow(simulation);
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     room_.setToolPose(int(i), scenario.tools[i].rest);
-  const Aabb box = simulation.organ().rest.lattice.box();
+  Aabb box = simulation.organ().rest.lattice.box();
+  // What hangs or falls is seen down to the table that it may come to.
+  if (scenario.table) box.min.y() = std::min(box.min.y(), 0.0);
   room_.lightUp(box);
   room_.look(*view, box, aspect);
 }
