@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/moved_box.h"
 #include "inventor/SoOrganShape.h"
 #include "operation/room.h"
 
@@ -28,16 +29,6 @@ std::vector<Pose> restsOf(const Scenario& scenario) {
   std::vector<Pose> rests;
   for (const ScenarioTool& tool : scenario.tools) rests.push_back(tool.rest);
   return rests;
-}
-
-// The box of a box that stands in this pose.
-Aabb placed(const Aabb& box, const Pose& pose) {
-  Aabb result;
-  for (int corner = 0; corner < 8; ++corner)
-    result.grow(pose * Vec3(corner & 1 ? box.max.x() : box.min.x(),
-                            corner & 2 ? box.max.y() : box.min.y(),
-                            corner & 4 ? box.max.z() : box.min.z()));
-  return result;
 }
 
 // A long thin thing that lies aslant fills little of its box, but most of those of its slices.
@@ -125,7 +116,7 @@ void OperatingSession::toolsChanged() {
     std::vector<Aabb> slices{box};
     if (i != tools_.held() || tools_.how() == ToolHandling::Hold::Direct) {
       slices = toolSlices_[std::size_t(i)];
-      for (Aabb& slice : slices) slice = placed(slice, tools_.pose(i));
+      for (Aabb& slice : slices) slice = movedBox(slice, tools_.pose(i));
     }
     for (const std::vector<Aabb>& places : {shownSlices_[std::size_t(i)], slices})
       for (const Aabb& place : places) addWithShadow(damage_, place, lampPosition(), organBox_);

@@ -5,6 +5,7 @@
 
 #include "collision/columns.h"
 #include "collision/inside.h"
+#include "geometry/moved_box.h"
 
 namespace resect {
 namespace {
@@ -39,15 +40,6 @@ Aabb sweptBox(const Aabb& tool, const Pose& from, const Pose& to) {
     box.grow(back * (from * p));
   }
   return box.padded(reach * (1 - std::cos(std::min(half, 3.2))) + 1e-9);
-}
-
-Aabb movedBounds(const Aabb& box, const Pose& pose) {
-  Aabb result;
-  for (int corner = 0; corner < 8; ++corner)
-    result.grow(pose * Vec3(corner & 1 ? box.max.x() : box.min.x(),
-                            corner & 2 ? box.max.y() : box.min.y(),
-                            corner & 4 ? box.max.z() : box.min.z()));
-  return result;
 }
 
 // Layered depth images of both along z; the organ's only in the pixels that the tool covers.
@@ -93,7 +85,7 @@ ToolContacts findContacts(const Organ& organ, const Tool& tool, std::int32_t too
   contacts.tool = toolIndex;
   const Lattice& lattice = organ.rest.lattice;
   const Aabb box = sweptBox(tool.bounds(), from, to);
-  const Aabb region = intersection(movedBounds(box, to), lattice.box());
+  const Aabb region = intersection(movedBox(box, to), lattice.box());
   contacts.volumeOfInterest = region;
   if (region.empty()) return contacts;
 
