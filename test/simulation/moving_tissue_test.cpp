@@ -4,7 +4,7 @@
 #include "base/parallel.h"
 #include "geometry/topology.h"
 #include "simulation/simulation.h"
-#include "support/block_organ.h"
+#include "support/elastic_block.h"
 #include "support/test_tools.h"
 #include "tissue/elastic_tissue.h"
 
@@ -35,17 +35,7 @@ std::unique_ptr<Tool> toolOfKind(const char* kind, const char* response = "") {
 
 // A block of 14 x 6 x 10 cells on the table.
 Simulation block(std::unique_ptr<Tool> tool) {
-  Discretization cells = test::fullBlock({14, 6, 10}, kSpacing);
-  cells.lattice.origin = Vec3::Constant(0.5 * kSpacing);
-  TissueSettings settings;
-  settings.drag = 6;
-  TissueMaterial material;
-  material.young = 20000;
-  auto tissue = std::make_unique<ElasticTissue>(
-      TissueCells{cells.lattice, cells.inside, {material}, {}}, settings);
-  std::vector<std::unique_ptr<Tool>> tools;
-  tools.push_back(std::move(tool));
-  return Simulation(makeOrgan(std::move(cells), {}), std::move(tools), std::move(tissue));
+  return test::elasticBlock({14, 6, 10}, kSpacing, std::move(tool));
 }
 
 FrameInput input(const Vec3& p, bool inHand = true) {

@@ -3,7 +3,7 @@
 
 #include "geometry/topology.h"
 #include "simulation/simulation.h"
-#include "support/block_organ.h"
+#include "support/elastic_block.h"
 #include "support/test_tools.h"
 #include "tissue/elastic_tissue.h"
 #include "tools/registry.h"
@@ -27,17 +27,7 @@ std::unique_ptr<Tool> scissors(const char* response = "") {
 
 // A slab of 11 x 9 x 5 cells on the table whose long side is along X.
 Simulation slab(std::unique_ptr<Tool> tool) {
-  Discretization cells = test::fullBlock({11, 5, 9}, kSpacing);
-  cells.lattice.origin = Vec3::Constant(0.5 * kSpacing);
-  TissueSettings settings;
-  settings.drag = 6;
-  TissueMaterial material;
-  material.young = 20000;
-  auto tissue = std::make_unique<ElasticTissue>(
-      TissueCells{cells.lattice, cells.inside, {material}, {}}, settings);
-  std::vector<std::unique_ptr<Tool>> tools;
-  tools.push_back(std::move(tool));
-  return Simulation(makeOrgan(std::move(cells), {}), std::move(tools), std::move(tissue));
+  return test::elasticBlock({11, 5, 9}, kSpacing, std::move(tool));
 }
 
 FrameInput input(const Vec3& tip, double squeeze) {

@@ -1,0 +1,25 @@
+// A block of elastic tissue on the table with one tool: what instruments are tried on.
+#pragma once
+
+#include "simulation/simulation.h"
+#include "support/block_organ.h"
+#include "tissue/elastic_tissue.h"
+
+namespace resect::test {
+
+// Full cells of side `spacing`, from the origin on; E = 20 kPa.
+inline Simulation elasticBlock(const Vec3i& dims, double spacing, std::unique_ptr<Tool> tool) {
+  Discretization cells = fullBlock(dims, spacing);
+  cells.lattice.origin = Vec3::Constant(0.5 * spacing);
+  TissueSettings settings;
+  settings.drag = 6;
+  TissueMaterial material;
+  material.young = 20000;
+  auto tissue = std::make_unique<ElasticTissue>(
+      TissueCells{cells.lattice, cells.inside, {material}, {}}, settings);
+  std::vector<std::unique_ptr<Tool>> tools;
+  tools.push_back(std::move(tool));
+  return Simulation(makeOrgan(std::move(cells), {}), std::move(tools), std::move(tissue));
+}
+
+}  // namespace resect::test
