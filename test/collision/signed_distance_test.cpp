@@ -4,24 +4,16 @@
 
 #include "base/random.h"
 #include "geometry/primitives.h"
+#include "support/random_point.h"
 
 using namespace resect;
-
-namespace {
-
-Vec3 randomPoint(Random& random, double reach) {
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach),
-          random.uniform(-reach, reach)};
-}
-
-}  // namespace
 
 TEST_CASE("the distance to a ball is that of its formula, inside and outside") {
   const double radius = 0.01;
   const SignedDistance ball(sphereMesh({0.001, 0, 0}, radius, 64), 0.008, 0.0005);
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
-    const Vec3 p = randomPoint(random, 0.014), from = p - Vec3(0.001, 0, 0);
+    const Vec3 p = test::randomPoint(random, 0.014), from = p - Vec3(0.001, 0, 0);
     const auto sample = ball(p);
     // Nodes near the surface are exact; further off the nearest triangle is handed on.
     const bool near = std::abs(from.norm() - radius) < 0.001;

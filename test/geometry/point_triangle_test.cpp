@@ -6,17 +6,9 @@
 
 #include "base/random.h"
 #include "support/mesh_reference.h"
+#include "support/random_point.h"
 
 using namespace resect;
-
-namespace {
-
-Vec3 anywhere(Random& random, double reach) {
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach),
-          random.uniform(-reach, reach)};
-}
-
-}  // namespace
 
 TEST_CASE("the distance to a right triangle is exact over its face, beside its edges and corners") {
   const Vec3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
@@ -32,8 +24,8 @@ TEST_CASE("the distance to a right triangle is exact over its face, beside its e
 TEST_CASE("the distance to any triangle is the plain reference's") {
   Random random(8);
   for (int i = 0; i < 2000; ++i) {
-    const Vec3 a = anywhere(random, 1), b = anywhere(random, 1), c = anywhere(random, 1),
-               p = anywhere(random, 2);
+    const Vec3 a = test::randomPoint(random, 1), b = test::randomPoint(random, 1),
+               c = test::randomPoint(random, 1), p = test::randomPoint(random, 2);
     CHECK(std::sqrt(squaredDistance(p, a, b, c)) ==
           doctest::Approx(test::distanceToTriangle(p, a, b, c)).epsilon(1e-9));
   }
