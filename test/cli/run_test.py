@@ -25,7 +25,7 @@ STILL = {
 # On tissue that moves: the same with and without vector instructions.
 ELASTIC = {
     "press": "b4f3f5f5908ef8e1",
-    "lift": "886ef99eb38f25ca",
+    "lift": "e8a14ea4315025cd",
     "incise": "7701930cfb266dcd",
     "incise-under-traction": "bbb67cb30cc1b251",
     "snip": "623f4f83e47146b9",

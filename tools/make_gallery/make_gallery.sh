@@ -27,7 +27,7 @@ for scenario in cut cut-120 cut-950 perforate perforate-120 perforate-950 deform
   shown "$scenario" last
 done
 shown press 30
-shown lift 30
+shown lift 40
 shown incise 34
 shown incise-under-traction 62
 shown snip 70

@@ -148,9 +148,9 @@ def lift():
     path.wait(0.9)
     path.to(0.055, 0.12, 0.14).to(0.055, 0.022, 0.04)
     path.wait(0.1)
-    path.to(0.055, 0.022, 0.04).to(0.055, 0.075, 0.07, speed=0.05)
+    path.to(0.055, 0.022, 0.04).to(0.055, 0.046, 0.056, speed=0.05)
     path.wait(0.6)
-    path.to(0.055, 0.075, 0.07).to(0.055, 0.2, 0.14, speed=0.08)
+    path.to(0.055, 0.046, 0.056).to(0.055, 0.2, 0.14, speed=0.08)
     path.to(0.1, 0.24, 0.2, speed=0.3)
     return [("scalpel", None), ("hook", path), ("baton", None)]
 
