@@ -30,6 +30,13 @@ endfunction()
 set(RESECT_TEST_ENVIRONMENT ASAN_OPTIONS=allocator_may_return_null=1
     LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/test/library_leaks.txt:print_suppressions=0)
 
+# Under a sanitizer everything is some ten times slower.
+if(RESECT_SANITIZE)
+  set(RESECT_TEST_SECONDS 7200)
+else()
+  set(RESECT_TEST_SECONDS 900)
+endif()
+
 function(resect_layer_test name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/test/${name}/*_test.cpp)
   if(NOT sources)
@@ -40,5 +47,5 @@ function(resect_layer_test name)
   target_link_libraries(test_${name} PRIVATE resect_${name} resect_test_support ${ARGN})
   resect_precompile(test_${name})
   add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
-  set_tests_properties(${name} PROPERTIES TIMEOUT 900 ENVIRONMENT "${RESECT_TEST_ENVIRONMENT}")
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${RESECT_TEST_SECONDS} ENVIRONMENT "${RESECT_TEST_ENVIRONMENT}")
 endfunction()

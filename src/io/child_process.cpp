@@ -16,6 +16,9 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/asan_interface.h>
+#endif
 
 #include "base/assert.h"
 #include "base/error.h"
@@ -79,10 +82,32 @@ void writeAll(int pipe, const char* data, std::size_t size) {
   }
 }
 
+void send(int pipe, Kind kind, const std::string& message) {
+  const char first = kind;
+  writeAll(pipe, &first, 1);
+  writeAll(pipe, message.data(), message.size());
+  writeAll(pipe, &kEnd, 1);
+}
+
+#ifdef __SANITIZE_ADDRESS__
+// The address sanitizer needs an address space without limit and ends a process that asks for more
+// than there is, where operator new would throw: answer in its place.
+int gPipeOfThisChild = -1;
+void answerWhenOutOfMemory(const char* report) {
+  if (!std::strstr(report, "out of memory") && !std::strstr(report, "exceeds maximum")) return;
+  send(gPipeOfThisChild, kNoMemory, "");
+  ::_exit(0);
+}
+#endif
+
 [[noreturn]] void runChild(int pipe, const ChildLimits& limits,
                            const std::function<std::string()>& work) {
   restrictThisProcess(limits);
-  char kind = kResult;
+#ifdef __SANITIZE_ADDRESS__
+  gPipeOfThisChild = pipe;
+  __asan_set_error_report_callback(answerWhenOutOfMemory);
+#endif
+  Kind kind = kResult;
   std::string message;
   try {
     message = work();
@@ -98,9 +123,7 @@ void writeAll(int pipe, const char* data, std::size_t size) {
     kind = kOther;
     message = "unknown exception";
   }
-  writeAll(pipe, &kind, 1);
-  writeAll(pipe, message.data(), message.size());
-  writeAll(pipe, &kEnd, 1);
+  send(pipe, kind, message);
   ::_exit(0);  // no destructors: they belong to the parent
 }
 

@@ -3,8 +3,8 @@
 //
 // Total-Lagrangian SPH with corrected gradient and bond penalty (Ganzenmueller 2015 in the energy
 // form of docs/methods/tissue.md). Each cell only gathers, and every lane does the same operations
-// in the same order, so the results do not depend on the instruction set, on the number of threads
-// or on how cells are grouped.
+// in the same order, and the path that is taken is chosen for kChunk cells at a time, so the
+// results depend neither on the instruction set nor on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,15 @@
 
 namespace resect {
 
+// |cof F|^2, 3 at rest, beyond which a cell answers to volume change as much less: so one length of
+// substep is stable for all that tissue goes through.
+inline constexpr float kMostStiffening = 6;
+
 // What both passes read besides the state.
 struct SubstepConstants {
   float weight[4] = {};        // by kind of neighbour: tissue/stencil.h
+  float faceShare = 0;         // weight of a face neighbour over that of an edge neighbour
+  float cornerShare = 0;       // the same of a corner neighbour
   float inverseSpacing = 0;    // 1/m
   float dt = 0;                // s
   float lookAhead = 0;         // beta dt, s
@@ -27,7 +33,7 @@ struct SubstepConstants {
 // The arrays of an ElasticState by address.
 struct ElasticView {
   float *u[3], *ahead[3], *v[3], *stress[9], *bondForce[3];
-  const float *inverseMoment[6], *skew[3], *load[3];
+  const float *inverseMoment[6], *skew[3], *planeWeight[3], *load[3];
   const float *inverseMass, *shearVolume, *lameVolume, *kappa;
   const std::uint32_t* bonds;
   const std::uint8_t* held;
@@ -38,11 +44,9 @@ ElasticView viewOf(ElasticState& state);
 
 struct ElasticKernel {
   const char* name;
-  // For chunks [begin, end): stress and bondForce from `ahead`. Returns how many times stiffer
-  // against volume change the stiffest cell is than at rest, in one direction; at least 1, at
-  // most 6.
-  float (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
-                      std::size_t end);
+  // For chunks [begin, end): stress and bondForce from `ahead`.
+  void (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                     std::size_t end);
   // Then v, u and `ahead` from them; false when a speed is beyond the most or not a number.
   bool (*motionPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                      std::size_t end);

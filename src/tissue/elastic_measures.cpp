@@ -70,7 +70,7 @@ Mat3 ElasticTissue::stress(std::int64_t cell) const {
   if (state_.kappa[i] == 0) return Mat3::Zero();
   const TissueMaterial& m = state_.materials[state_.material[i]];
   const Mat3 f = deformation(cell), cof = cofactors(f);
-  const double limit = std::min(1.0, 6 / cof.squaredNorm());
+  const double limit = std::min(1.0, kMostStiffening / cof.squaredNorm());
   return m.shear() * (f - cof) + limit * (m.lame() + m.shear()) * (f.determinant() - 1) * cof;
 }
 

@@ -26,6 +26,11 @@ void putMoment(ElasticState& s, std::int32_t i, const std::array<double, 4>& wei
     moment += weights[neighbourKind(d)] * x * x.transpose();
     skew += weights[neighbourKind(d)] * x;
   }
+  // Beyond rounding, so that kernels may leave out what is zero.
+  if (s.bonds[i] == kAllBonds) {
+    moment = moment(0, 0) * Mat3::Identity();
+    skew.setZero();
+  }
   Mat3 inverse = Mat3::Zero();
   Eigen::SelfAdjointEigenSolver<Mat3> eigen;
   eigen.computeDirect(moment, Eigen::EigenvaluesOnly);
@@ -38,12 +43,36 @@ void putMoment(ElasticState& s, std::int32_t i, const std::array<double, 4>& wei
   s.kappa[i] = deforms ? kappa : 0;
 }
 
-// Is a cell, and all that it is bonded to, of one material, free and deformable?
-bool ordinary(const ElasticState& s, std::int32_t i) {
-  if (s.held[i] || s.kappa[i] == 0 || s.loaded[i]) return false;
+// ElasticState::planeWeight of the cells of the row up to one before and behind each given one, in
+// the rows beside it too.
+void putPlaneWeights(ElasticState& s, std::span<const std::int32_t> cells) {
+  const std::array<double, 4> weights = bondWeights();
+  const auto weigh = [&](std::int32_t p) {
+    Vec3 sum = Vec3::Zero();
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z)
+        if (s.solid[p + y * s.box.strideY + z * s.box.strideZ])
+          sum += weights[1 + y * y + z * z] / weights[2] * Vec3(1, y, z);
+    for (int k = 0; k < 3; ++k) s.planeWeight[k][p] = float(sum[k]);
+  };
+  for (const std::int32_t i : cells)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) weigh(i + y * s.box.strideY + z * s.box.strideZ);
+}
+
+// Is every neighbour that is there bonded?
+bool uncut(const ElasticState& s, std::int32_t i) {
   for (int d = 0; d < kDirections; ++d)
-    if ((s.bonds[i] >> d & 1) && s.kappa[i + s.box.step[d]] != s.kappa[i]) return false;
+    if (s.solid[i + s.box.step[d]] && !(s.bonds[i] >> d & 1)) return false;
   return true;
+}
+
+// Does a cell lack a gradient, or is it bonded to one of another stiffness?
+bool uneven(const ElasticState& s, std::int32_t i) {
+  if (s.kappa[i] == 0) return true;
+  for (int d = 0; d < kDirections; ++d)
+    if ((s.bonds[i] >> d & 1) && s.kappa[i + s.box.step[d]] != s.kappa[i]) return true;
+  return false;
 }
 
 }  // namespace
@@ -67,6 +96,7 @@ ElasticState makeElasticState(const TissueCells& cells, double penalty) {
   allocate(s.bondForce, s.box.size);
   allocate(s.inverseMoment, s.box.size);
   allocate(s.skew, s.box.size);
+  allocate(s.planeWeight, s.box.size);
   allocate(s.load, s.box.size);
   for (FloatArray* a : {&s.inverseMass, &s.shearVolume, &s.lameVolume, &s.kappa})
     a->assign(s.box.size, 0);
@@ -89,6 +119,7 @@ ElasticState makeElasticState(const TissueCells& cells, double penalty) {
   for (const std::int32_t i : all)
     for (int d = 0; d < kDirections; ++d)
       if (s.solid[i + s.box.step[d]]) s.bonds[i] |= 1u << d;
+  putPlaneWeights(s, all);
   refreshCells(s, all);
   return s;
 }
@@ -107,6 +138,7 @@ void removeCell(ElasticState& s, std::int32_t i) {
     s.u[a][i] = s.ahead[a][i] = s.v[a][i] = s.load[a][i] = s.bondForce[a][i] = 0;
     for (int b = 0; b < 3; ++b) s.stress[3 * a + b][i] = 0;
   }
+  putPlaneWeights(s, {&i, 1});
 }
 
 void refreshCells(ElasticState& s, std::span<const std::int32_t> cells) {
@@ -139,7 +171,9 @@ void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells) {
         chunk.full[half] &= s.bonds[i] == kAllBonds;
         if (!s.solid[i]) continue;
         chunk.empty[half] = false;
-        chunk.special |= !ordinary(s, i);
+        chunk.steered |= s.held[i] || s.loaded[i];
+        chunk.uneven |= uneven(s, i);
+        chunk.whole &= uncut(s, i);
       }
     }
     if (!chunk.empty[0] || !chunk.empty[1]) fresh.push_back(chunk);
@@ -166,6 +200,7 @@ ElasticView viewOf(ElasticState& s) {
     view.v[a] = s.v[a].data();
     view.bondForce[a] = s.bondForce[a].data();
     view.skew[a] = s.skew[a].data();
+    view.planeWeight[a] = s.planeWeight[a].data();
     view.load[a] = s.load[a].data();
   }
   for (int k = 0; k < 9; ++k) view.stress[k] = s.stress[k].data();

@@ -1,7 +1,7 @@
 // Everything that is known about elastic tissue between two substeps, as arrays over the cells of a
 // padded box.
 //
-// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 + 3 + 5) + 4 = 168. Lengths in m, masses in kg;
+// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 5) + 4 = 180. Lengths in m, masses in kg;
 // the moment matrix is free of units, because offsets are counted in spacings.
 #pragma once
 
@@ -23,9 +23,12 @@ enum HeldAxis : std::int32_t { kHeldX = 1, kHeldY = 2, kHeldZ = 4, kHeldAll = 7 
 // Sixteen cells of a row, at least one of them solid.
 struct TissueChunk {
   std::int32_t start = 0;  // index in the box, a multiple of kChunk
-  // The general path is needed: a cell without deformation gradient, a change of material, or a
-  // held or loaded cell is here or next to it.
-  bool special = false;
+  // A cell is held or loaded.
+  bool steered = false;
+  // A cell has no deformation gradient, or is bonded to one of another stiffness.
+  bool uneven = false;
+  // No bond of a cell here is severed: every neighbour that is there is bonded.
+  bool whole = true;
   // All cells of the half are solid and have all their bonds.
   bool full[2] = {false, false};
   bool empty[2] = {false, false};  // no cell of the half is solid
@@ -36,11 +39,15 @@ struct ElasticState {
   double spacing = 0;  // m
   double penalty = 0;  // alpha
   std::vector<TissueMaterial> materials;
-  std::array<FloatArray, 3> u, ahead, v;       // displacement; u + beta dt v; velocity
-  std::array<FloatArray, 9> stress;            // A of pass 1, row by row, N
-  std::array<FloatArray, 3> bondForce;         // q of pass 1, N
-  std::array<FloatArray, 6> inverseMoment;     // L: xx yy zz xy xz yz
-  std::array<FloatArray, 3> skew;              // S: sum of w X, in spacings
+  std::array<FloatArray, 3> u, ahead, v;    // displacement; u + beta dt v; velocity
+  std::array<FloatArray, 9> stress;         // A of pass 1, row by row, N
+  std::array<FloatArray, 3> bondForce;      // q of pass 1, N
+  std::array<FloatArray, 6> inverseMoment;  // L: xx yy zz xy xz yz
+  std::array<FloatArray, 3> skew;           // S: sum of w X, in spacings
+  // What the cells of a plane across the row weigh together, round their middle cell, over the
+  // weight of an edge neighbour: sum, and the sums times offsets along y and z. The cell may be
+  // missing.
+  std::array<FloatArray, 3> planeWeight;
   std::array<FloatArray, 3> load;              // force from outside on the cell, N
   FloatArray inverseMass;                      // 1/kg, 0 where nothing is
   FloatArray shearVolume, lameVolume;          // mu V and (lambda + mu) V, J

@@ -13,10 +13,8 @@ namespace resect {
 namespace {
 
 constexpr int kMostHalvings = 6;
-constexpr int kCalmFrames = 60;    // after which a halved substep is doubled again
-constexpr double kMostCells = 20;  // spacings per substep: faster is an explosion
-// How much stiffer than at rest a cell may be before substeps get shorter: the margin of stepShare.
-constexpr double kStiffeningAllowed = 1.3;
+constexpr int kCalmFrames = 60;     // after which a halved substep is doubled again
+constexpr double kMostCells = 20;   // spacings per substep: faster is an explosion
 constexpr std::size_t kGrain = 64;  // chunks per block of a pass
 
 void check(const TissueCells& cells, const TissueSettings& settings) {
@@ -50,12 +48,15 @@ ElasticTissue::ElasticTissue(const TissueCells& cells, const TissueSettings& set
   longestSubstep_ = settings.stepShare * state_.spacing / fastest;
   gripper_.assign(state_.box.size, -1);
   threads_ = findThreads(state_, {});
+  uneven_ = findUnevenBonds(state_);
 }
 
 SubstepConstants ElasticTissue::constants(double dt) const {
   SubstepConstants c;
   const std::array<double, 4> weights = bondWeights();
   for (int kind = 1; kind <= 3; ++kind) c.weight[kind] = float(weights[kind]);
+  c.faceShare = float(weights[1] / weights[2]);
+  c.cornerShare = float(weights[3] / weights[2]);
   c.inverseSpacing = float(1 / state_.spacing);
   c.dt = float(dt);
   c.lookAhead = float(settings_.damping * dt);
@@ -66,18 +67,17 @@ SubstepConstants ElasticTissue::constants(double dt) const {
   return c;
 }
 
-float ElasticTissue::stressPass(const SubstepConstants& c) {
+void ElasticTissue::stressPass(const SubstepConstants& c) {
   const ElasticView view = viewOf(state_);
   const std::size_t chunks = state_.chunks.size();
-  if (settings_.threads <= 1) return kernel_->stressPass(view, c, 0, chunks);
-  std::atomic<float> stiffest = 1;
-  parallelFor(chunks, kGrain, [&](std::size_t begin, std::size_t end) {
-    const float here = kernel_->stressPass(view, c, begin, end);
-    float most = stiffest;
-    while (here > most && !stiffest.compare_exchange_weak(most, here)) {
-    }
-  });
-  return stiffest;
+  if (settings_.threads <= 1)
+    kernel_->stressPass(view, c, 0, chunks);
+  else
+    parallelFor(chunks, kGrain, [&](std::size_t begin, std::size_t end) {
+      kernel_->stressPass(view, c, begin, end);
+    });
+  pullUnevenBonds(uneven_, state_);
+  pullThreads(threads_, state_);
 }
 
 bool ElasticTissue::motionPass(const SubstepConstants& c) {
@@ -91,26 +91,22 @@ bool ElasticTissue::motionPass(const SubstepConstants& c) {
   return calm;
 }
 
-// Substeps up to `duration`, each as long as the stiffest cell allows and none a remainder of
-// another. False when the state explodes.
+// False when the state explodes.
 bool ElasticTissue::substeps(double duration, const TissueSurroundings& around,
                              std::int32_t& count) {
-  const SubstepConstants start = constants(longestSubstep_);
-  double left = duration;
-  for (;;) {
-    const double stiffest = std::max(1.0, stressPass(start) / kStiffeningAllowed);
-    pullThreads(threads_, state_);
-    const double longest = longestSubstep_ / (std::sqrt(stiffest) * double(1 << halvings_));
-    const double steps = std::max(1.0, std::ceil(left / longest - 1e-9));
-    const double dt = left / steps, share = 1 - (steps == 1 ? 0 : left - dt) / duration;
-    const SubstepConstants c = constants(dt);
+  const double longest = longestSubstep_ / double(1 << halvings_);
+  const int steps = std::max(1, int(std::ceil(duration / longest - 1e-9)));
+  const double dt = duration / steps;
+  const SubstepConstants c = constants(dt);
+  for (int k = 1; k <= steps; ++k) {
+    const double share = double(k) / steps;
+    stressPass(c);
     springs_.pull(state_, lattice_.origin, around.tools, share, duration, dt);
     ++count;
     if (!motionPass(c)) return false;
     contacts_.push(state_, share, c.lookAhead);
-    if (steps == 1) return true;
-    left -= dt;
   }
+  return true;
 }
 
 ElasticTissue::Advance ElasticTissue::advance(double duration) {
@@ -192,6 +188,7 @@ void ElasticTissue::settleEdits() {
   if (!bondsChanged_.empty()) {
     refreshCells(state_, bondsChanged_);
     threads_ = findThreads(state_, threads_);
+    uneven_ = findUnevenBonds(state_);
   }
   if (!holdsChanged_.empty()) refreshChunks(state_, holdsChanged_);
   bondsChanged_.clear();
@@ -201,8 +198,7 @@ void ElasticTissue::settleEdits() {
 void ElasticTissue::evaluateForces() {
   settleEdits();
   state_.ahead = state_.u;
-  kernel_->stressPass(viewOf(state_), constants(longestSubstep_), 0, state_.chunks.size());
-  pullThreads(threads_, state_);
+  stressPass(constants(longestSubstep_));
 }
 
 void ElasticTissue::sever(std::int64_t cell, int direction) {
@@ -299,7 +295,8 @@ std::size_t ElasticTissue::bytes() const {
   const auto addEach = [&](const auto& arrays) {
     for (const auto& array : arrays) add(array);
   };
-  for (const auto* three : {&s.u, &s.ahead, &s.v, &s.bondForce, &s.skew, &s.load, &keptU_, &keptV_})
+  for (const auto* three :
+       {&s.u, &s.ahead, &s.v, &s.bondForce, &s.skew, &s.planeWeight, &s.load, &keptU_, &keptV_})
     addEach(*three);
   addEach(s.stress);
   addEach(s.inverseMoment);
@@ -309,6 +306,7 @@ std::size_t ElasticTissue::bytes() const {
   add(s.chunks);
   add(gripper_);
   add(threads_);
+  add(uneven_);
   return bytes;
 }
 

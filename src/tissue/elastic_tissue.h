@@ -19,6 +19,7 @@
 #include "tissue/springs.h"
 #include "tissue/threads.h"
 #include "tissue/tissue_model.h"
+#include "tissue/uneven_bonds.h"
 
 namespace resect {
 
@@ -34,7 +35,7 @@ struct TissueSettings {
   // lattice wrinkle, more is too stiff. Above 0, up to 3.
   double penalty = 1.55;
   // Substep as a share of the time of a pressure wave from cell to cell: 0.6; more blows up.
-  double stepShare = 0.6;
+  double stepShare = 0.5;
   // Threads for the two passes, >= 1; more than there are idle cores is slower than one.
   int threads = 1;
 };
@@ -111,7 +112,7 @@ class ElasticTissue final : public TissueModel {
   bool substeps(double duration, const TissueSurroundings& surroundings, std::int32_t& count);
   void loosen(std::span<const std::int32_t> cells);
   void tear(std::vector<TissueBond>& torn);
-  float stressPass(const SubstepConstants& constants);
+  void stressPass(const SubstepConstants& constants);
   bool motionPass(const SubstepConstants& constants);
   SubstepConstants constants(double dt) const;
   void settleEdits();
@@ -128,6 +129,7 @@ class ElasticTissue final : public TissueModel {
   TissueContacts contacts_;
   TissueSprings springs_;
   std::vector<TissueThread> threads_;
+  std::vector<UnevenBond> uneven_;
   std::vector<std::int32_t> gripper_;  // per cell of the box: tool that holds it, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;
   std::vector<std::int32_t> cut_;  // cells at which a bond was severed

@@ -21,7 +21,7 @@ std::vector<TissueThread> findThreads(const ElasticState& s, std::span<const Tis
   };
   std::vector<TissueThread> threads;
   for (const TissueChunk& chunk : s.chunks) {
-    if (!chunk.special) continue;
+    if (!chunk.uneven) continue;
     for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i) {
       if (!s.solid[i] || s.kappa[i] > 0) continue;
       for (int d = kFirstForward; d < kDirections; ++d) {

@@ -24,14 +24,14 @@ STILL = {
 }
 # On tissue that moves: the same with and without vector instructions.
 ELASTIC = {
-    "press": "b4f3f5f5908ef8e1",
-    "lift": "e8a14ea4315025cd",
-    "incise": "7701930cfb266dcd",
-    "incise-under-traction": "bbb67cb30cc1b251",
-    "snip": "623f4f83e47146b9",
-    "resect-segment-elastic": "635fe81fe7003ed4",
-    "hang": "5a457ff2f5c99705",
-    "drop": "b2b16d8601b5cbc0",
+    "press": "0b0e572b9d51bf5f",
+    "lift": "8ad04a47812e8ec8",
+    "incise": "a24ffa72d5bf017f",
+    "incise-under-traction": "1e97b27f7989c6f4",
+    "snip": "acd787c2a74fc724",
+    "resect-segment-elastic": "bde23abf75ed0879",
+    "hang": "12c5e13ff74fbead",
+    "drop": "9da209bfcce4a0e1",
 }
 
 PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2])
