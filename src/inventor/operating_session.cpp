@@ -10,6 +10,7 @@
 #include <Inventor/sensors/SoSensorManager.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geometry/moved_box.h"
@@ -54,6 +55,11 @@ std::vector<Aabb> slicesOf(const TriangleMesh& mesh) {
   }
   std::erase_if(slices, [](const Aabb& slice) { return slice.empty(); });
   return slices;
+}
+
+Vec3 positionOf(const SoPerspectiveCamera* camera) {
+  const SbVec3f p = camera->position.getValue();
+  return {p[0], p[1], p[2]};
 }
 
 // At the far left corner of the table's field, where it hides nothing.
@@ -176,6 +182,20 @@ Damage OperatingSession::update() {
   }
   std::erase_if(damage_.boxes, [](const Aabb& box) { return box.empty(); });
   return std::exchange(damage_, {});
+}
+
+void OperatingSession::follow(const ViewMotion& motion) {
+  if (motion.move.isZero() && motion.turn.isZero()) return;
+  if (tools_.held() >= 0) {
+    if (!motion.move.isZero()) tools_.move(motion.move);
+    tools_.turn(motion.turn);
+    return;
+  }
+  const double distance = (camera_.pointOfInterest() - positionOf(room().camera())).norm();
+  camera_.pan(motion.move.x(), motion.move.y());
+  camera_.zoom(std::exp(motion.move.z() / std::max(distance, 0.05)));
+  camera_.orbit(motion.turn.y(), -motion.turn.x());
+  damage_.everything = true;
 }
 
 void OperatingSession::look(RoomView view, double aspect) {

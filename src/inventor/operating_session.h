@@ -14,6 +14,7 @@
 #include "inventor/damage.h"
 #include "inventor/iso_dragger.h"
 #include "inventor/operation_view.h"
+#include "inventor/six_axes.h"
 #include "inventor/tip_marker.h"
 #include "inventor/tool_handling.h"
 #include "operation/live_operation.h"
@@ -36,7 +37,10 @@ class OperatingSession {
   // Takes what the operation has changed since the last call and lets Inventor's sensors run.
   // Returns what has to be drawn again.
   Damage update();
+  bool pending() const { return !damage_.empty(); }  // there is something to draw already
 
+  // Moves and turns the tool in hand; without one, all that is seen.
+  void follow(const ViewMotion& motion);
   void look(RoomView view, double aspect);
   // All of the organ and the tool box in sight, all tools in the tool box.
   void bringEverythingBack(double aspect);

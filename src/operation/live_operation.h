@@ -53,6 +53,8 @@ struct StageTime {
 struct LiveState {
   std::int64_t frame = 0;
   double time = 0;  // simulated, s
+  // s of the steady clock: when a frame last took particles away.
+  double lastRemoval = 0;
   std::int64_t particles = 0, removed = 0, triangles = 0;
   double removedVolume = 0, volume = 0;  // m^3
   float iso = 50;

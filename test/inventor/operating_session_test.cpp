@@ -314,3 +314,24 @@ TEST_CASE("C held down closes the scissors in hand, and they open again when it 
   CHECK(bench.key(SoKeyboardEvent::C, false, false));
   CHECK(squeeze(30) == 0);
 }
+
+TEST_CASE("a 3D mouse moves and turns what is in hand, and the view when nothing is") {
+  Bench bench;
+  bench.tools().take(0);
+  const Pose before = bench.tools().pose(0);
+  const SbVec3f eye = bench.session->room().camera()->position.getValue();
+  bench.session->follow({Vec3(0.01, 0, 0), Vec3(0, 0.1, 0)});
+  const Pose after = bench.tools().pose(0);
+  CHECK((after.position - before.position).norm() == doctest::Approx(0.01));
+  CHECK(after.rotation.angularDistance(before.rotation) == doctest::Approx(0.1));
+  CHECK(bench.session->room().camera()->position.getValue() == eye);
+
+  bench.tools().hold(-1, ToolHandling::Hold::None);
+  bench.session->update();
+  CHECK_FALSE(bench.session->pending());
+  bench.session->follow({Vec3(0, 0, 0.05), Vec3::Zero()});
+  CHECK(bench.session->pending());
+  const SbVec3f farther = bench.session->room().camera()->position.getValue();
+  CHECK((farther - eye).length() == doctest::Approx(0.05).epsilon(0.1));
+  CHECK(bench.tools().pose(0).position == after.position);
+}
