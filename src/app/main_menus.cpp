@@ -101,6 +101,10 @@ void MainWindow::makeMenus() {
     overlay_->show();
     overlay_->raise();
   });
+  QAction* spaceMouse = help->addAction(QString());
+  spaceMouse->setEnabled(false);
+  connect(help, &QMenu::aboutToShow, this,
+          [this, spaceMouse] { spaceMouse->setText(spaceMouse_.status()); });
   add(help, "&About", {}, [this] {
     QMessageBox::about(this, "About Resect",
                        "<b>Resect</b><p>Virtual surgery on organ models, in real time.<p>"

@@ -93,6 +93,9 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
     cancel_->hide();
     statusBar()->showMessage("Cancelled; nothing has changed", 4000);
   });
+  spaceMouse_.pushed = [this](const SixAxes& axes, double seconds) {
+    if (session_) session_->follow(motionOf(axes, seconds));
+  };
   makeDocks();
   makeMenus();
   setTheme(options.dark);
@@ -207,6 +210,7 @@ void MainWindow::begin(OrganLoader::Result result) {
   viewer_->show(session_.get());
   heldSaid_ = -2;
   removedSaid_ = 0;
+  uploadedSaid_ = 0;
   removed_->clear();
   instruments_->setTools(session_->toolModels());
   const OrganSource& source = session_->scenario().organ;
@@ -254,6 +258,7 @@ void MainWindow::tick() {
       complain(e.what());
     }
   }
+  if (options_.reports) reportPace();
   if (now - panelsShown_ < kPanelInterval) return;
   panelsShown_ = now;
   organ_->follow(state);
@@ -273,23 +278,6 @@ void MainWindow::tick() {
     readySaid_ = true;
   }
   lastSize_ = size;
-}
-
-// Where a script finds things: pixels of the screen.
-void MainWindow::reportPlaces() {
-  const SbViewportRegion viewport = viewer_->viewport();
-  const double ratio = viewer_->devicePixelRatioF();
-  const auto place = [&](const std::string& what, const Vec3& point) {
-    const SbVec2s pixel = session_->pixelOf(point, viewport);
-    const QPoint local(int(pixel[0] / ratio), viewer_->height() - 1 - int(pixel[1] / ratio));
-    const QPoint global = viewer_->mapToGlobal(local);
-    say("place {} {} {}", what, int(global.x() * ratio), int(global.y() * ratio));
-  };
-  for (int i = 0; i < session_->tools().toolCount(); ++i)
-    place(session_->toolModels()[std::size_t(i)].name, session_->middleOfTool(i));
-  place("iso", session_->iso().handle());
-  place("organ", session_->cells().lattice.box().centre());
-  say("places");
 }
 
 bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {

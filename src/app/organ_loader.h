@@ -64,6 +64,7 @@ class OrganLoader {
 // empty text and the sentence that it ended with.
 class FileExaminer {
  public:
+  ~FileExaminer() { cancel(); }
   void examine(const std::string& file,
                std::function<void(const std::string& json, const std::string& problem)> done);
   void cancel();
