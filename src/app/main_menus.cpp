@@ -95,6 +95,9 @@ void MainWindow::makeMenus() {
     if (session_) session_->tools().hold(-1, ToolHandling::Hold::None);
   });
 
+  instruments->addSeparator();
+  add(instruments, "&Play the scenario's motions", QKeySequence("P"), [this] { play(1e9); });
+
   QMenu* help = menuBar()->addMenu("&Help");
   add(help, "&Controls", QKeySequence("F1"), [this] {
     overlay_->setGeometry(viewer_->rect());

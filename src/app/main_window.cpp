@@ -15,6 +15,7 @@
 #include <QStatusBar>
 #include <QStyle>
 #include <QStyleFactory>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -258,6 +259,8 @@ void MainWindow::tick() {
       complain(e.what());
     }
   }
+  if (options_.reports && playingSaid_ && !session_->playing()) say("played");
+  playingSaid_ = session_->playing();
   if (options_.reports) reportPace();
   if (now - panelsShown_ < kPanelInterval) return;
   panelsShown_ = now;
@@ -292,6 +295,14 @@ bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewp
   Vec3 point;
   if (session_->pointUnder(event.getPosition(), viewport, point)) session_->camera().lookAt(point);
   return true;
+}
+
+void MainWindow::play(double until) {
+  if (!session_) return;
+  const auto& tools = session_->scenario().tools;
+  if (std::ranges::all_of(tools, [](const ScenarioTool& tool) { return tool.keys.empty(); }))
+    return complain("There is no motion to play; open a scenario that has one.");
+  session_->play(until);
 }
 
 void MainWindow::look(RoomView view) {

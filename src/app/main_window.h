@@ -34,6 +34,8 @@ class MainWindow : public QMainWindow {
   void load(const Scenario& scenario);
   // One sentence over the picture, until it is clicked away or another comes.
   void complain(const std::string& sentence);
+  // The motions of the scenario, on until this time of theirs, s.
+  void play(double until);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -93,6 +95,7 @@ class MainWindow : public QMainWindow {
   std::string script_, faultSaid_;
   bool lookingAt_ = false;  // the next click chooses the point of interest
   bool readySaid_ = false;
+  bool playingSaid_ = false;
   QSize lastSize_, placesSize_;  // of the picture: at the last look, when places were told
 };
 

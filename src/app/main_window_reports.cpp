@@ -37,6 +37,7 @@ void MainWindow::listenToScript() {
         if (what == "save-picture") writePng(file, viewer_->grabPicture(true));
         if (what.starts_with("save")) say("written {}", file);
         if (what == "picture-size") resizePicture(file);
+        if (what == "play") play(file.empty() ? 1e9 : std::stod(file));
       } catch (const std::exception& e) {
         complain(e.what());
       }

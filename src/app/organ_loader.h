@@ -19,8 +19,8 @@
 
 namespace resect {
 
-// The scenario with one of each instrument that comes with Resect, its own first, all without
-// motions: what a person operates with.
+// The scenario with one of each instrument that comes with Resect, its own first, all in the tool
+// box: what a person operates with.
 Scenario withAllInstruments(Scenario scenario);
 
 class OrganLoader {

@@ -6,7 +6,6 @@
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <Inventor/nodes/SoNode.h>
 
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <algorithm>
@@ -166,9 +165,10 @@ bool Viewer::send(SoEvent& event, const QInputEvent& from, const QPointF& at) {
   return used;
 }
 
-void Viewer::mouseButton(QMouseEvent* event, bool down) {
+void Viewer::mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down) {
+  down_.setFlag(button, down);
   SoMouseButtonEvent mouse;
-  switch (event->button()) {
+  switch (button) {
     case Qt::LeftButton:
       mouse.setButton(SoMouseButtonEvent::BUTTON1);
       break;
@@ -182,10 +182,14 @@ void Viewer::mouseButton(QMouseEvent* event, bool down) {
       return;
   }
   mouse.setState(down ? SoButtonEvent::DOWN : SoButtonEvent::UP);
-  send(mouse, *event, event->position());
+  send(mouse, event, event.position());
 }
 
 void Viewer::mouseMoveEvent(QMouseEvent* event) {
+  // A dialog that opens during a drag takes the release of its button.
+  for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton, Qt::RightButton})
+    if (down_.testFlag(button) && !event->buttons().testFlag(button))
+      mouseButton(*event, button, false);
   SoLocation2Event moved;
   send(moved, *event, event->position());
 }

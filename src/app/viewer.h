@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QMouseEvent>
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <functional>
@@ -56,7 +57,8 @@ class Viewer : public QOpenGLWidget {
 
  private:
   void tick();
-  void mouseButton(QMouseEvent* event, bool down);
+  void mouseButton(QMouseEvent* event, bool down) { mouseButton(*event, event->button(), down); }
+  void mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down);
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
   void forgetContext();
@@ -69,6 +71,7 @@ class Viewer : public QOpenGLWidget {
   bool full_ = false;  // the next picture is drawn in full
   bool fullShown_ = false;
   bool grabbing_ = false;
+  Qt::MouseButtons down_;
   std::vector<double> drawn_;  // times of the last pictures, s
   Pace pace_;
   double wheel_ = 0;  // degrees not yet turned into steps

@@ -107,6 +107,7 @@ Vec3 OperatingSession::lampPosition() const {
 }
 
 void OperatingSession::toolsChanged() {
+  if (tools_.held() >= 0) stopPlaying();
   toolBoxes_.resize(std::size_t(tools_.toolCount()));
   shownSlices_.resize(toolBoxes_.size());
   for (int i = 0; i < tools_.toolCount(); ++i) {
@@ -165,6 +166,7 @@ Damage OperatingSession::update() {
     for (int i = 0; i < tools_.toolCount(); ++i)
       turned |= room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);
     if (turned) toolsChanged();
+    if (playing_) followMotion();
     const int held = tools_.held();
     if (held >= 0 && std::size_t(held) < state_.tips.size()) {
       const TipPlace& place = state_.tips[std::size_t(held)];
@@ -182,6 +184,39 @@ Damage OperatingSession::update() {
   }
   std::erase_if(damage_.boxes, [](const Aabb& box) { return box.empty(); });
   return std::exchange(damage_, {});
+}
+
+void OperatingSession::play(double until) {
+  tools_.hold(-1, ToolHandling::Hold::None);
+  const std::int64_t all = frameCount(scenario_);
+  if (played_ >= all) played_ = 0;
+  playUntil_ = std::min<std::int64_t>(all, std::llround(until * scenario_.frameRate));
+  playing_ = true;
+  operation_.play([scenario = scenario_, frame = played_, end = playUntil_]() mutable {
+    return frame < end ? std::optional(frameInput(scenario, frame++)) : std::nullopt;
+  });
+}
+
+void OperatingSession::followMotion() {
+  std::vector<ToolInput> inputs = state_.played;
+  if (inputs.empty() && operation_.playing()) return;
+  if (inputs.empty()) {
+    // Over; of the last frames nothing may have been seen here.
+    playing_ = false;
+    played_ = playUntil_;
+    if (played_ > 0) inputs = frameInput(scenario_, played_ - 1).tools;
+    if (played_ == frameCount(scenario_))
+      for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].pose = scenario_.tools[i].rest;
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) room().setToolPose(int(i), inputs[i].pose);
+  toolsChanged();
+}
+
+void OperatingSession::stopPlaying() {
+  if (!playing_) return;
+  operation_.play({});
+  playing_ = false;
+  played_ = 0;
 }
 
 void OperatingSession::follow(const ViewMotion& motion) {
@@ -213,6 +248,7 @@ void OperatingSession::look(RoomView view, double aspect) {
 }
 
 void OperatingSession::bringEverythingBack(double aspect) {
+  stopPlaying();
   for (int i = 0; i < tools_.toolCount(); ++i) tools_.putBack(i);
   look(RoomView::Surgeon, aspect);
 }

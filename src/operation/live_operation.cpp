@@ -95,6 +95,16 @@ void LiveOperation::setIso(float iso) {
   input_.iso = iso;
 }
 
+void LiveOperation::play(std::function<std::optional<FrameInput>()> motion) {
+  const std::lock_guard lock(mutex_);
+  motion_ = std::move(motion);
+}
+
+bool LiveOperation::playing() const {
+  const std::lock_guard lock(mutex_);
+  return bool(motion_);
+}
+
 void LiveOperation::setPaused(bool paused) {
   {
     const std::lock_guard lock(mutex_);
@@ -131,6 +141,7 @@ void LiveOperation::work() {
   auto due = Clock::now();
   for (;;) {
     FrameInput input;
+    std::vector<ToolInput> played;
     {
       std::unique_lock lock(mutex_);
       wake_.wait_until(lock, due, [&] { return ending_; });
@@ -138,8 +149,12 @@ void LiveOperation::work() {
       if (ending_) return;
       input = input_;
       input_.iso.reset();
+      if (const auto next = motion_ ? motion_() : std::nullopt)
+        input.tools = played = next->tools;
+      else
+        motion_ = {};
     }
-    for (std::size_t i = 0; i < input.tools.size(); ++i) {
+    for (std::size_t i = 0; played.empty() && i < input.tools.size(); ++i) {
       const double most = input.duration / kSqueezeTime, now = simulation_->tools()[i].squeeze;
       input.tools[i].squeeze = std::clamp(input.tools[i].squeeze, now - most, now + most);
     }
@@ -166,6 +181,7 @@ void LiveOperation::work() {
       const double elapsed = arrivals_.back() - arrivals_.front();
       state_.realTimeFactor = elapsed > 0 ? double(arrivals_.size() - 1) / frameRate_ / elapsed : 1;
       publish(report);
+      state_.played = std::move(played);
       fresh_ = true;
     }
     newFrame_.notify_all();
