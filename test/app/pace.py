@@ -51,12 +51,12 @@ def measure(program, folder, seconds=8):
     screen = Screen(folder, 1700, 1000)
     window = None
     try:
-        window = Window(program, screen, "--spacing", "5mm", "--size", "1600x800")
+        window = Window(program, screen, "--spacing", "5mm", "--size", "1600x860")
         window.wait("ready", 180)
-        window.tell("picture-size 1280 720")
+        window.tell("picture-size 1280 770")
         window.wait("places")
         organ = window.places["organ"]
-        print("| liver at 5 mm, picture 1280 x 720 | pictures/s: median (least) | drawing one | input to picture: median | longest | "
+        print("| liver at 5 mm, picture 1280 x 770 | pictures/s: median (least) | drawing one | input to picture: median | longest | "
               "in pictures, at most | removed particles gone in picture | vertices sent per picture | particles removed |")
         print("|---|---|---|---|---|---|---|---|---|", flush=True)
         screen.click(organ[0], organ[1] + 200)

@@ -129,9 +129,10 @@ class Window:
     def __init__(self, program, screen, *args, scale="1", environment=None):
         environment = {**screen.environment, "QT_SCALE_FACTOR": scale, **(environment or {})}
         self.complaints = screen.folder / "complaints.txt"
-        self.process = subprocess.Popen([program, "window", "--reports", "--no-help", *args], env=environment, cwd=screen.folder,
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                        stderr=self.complaints.open("a"), text=True)
+        with self.complaints.open("a") as complaints:
+            self.process = subprocess.Popen([program, "window", "--reports", "--no-help", *args], env=environment,
+                                            cwd=screen.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                            stderr=complaints, text=True)
         self.lines, self.places, self.said = queue.Queue(), {}, []
         threading.Thread(target=self.listen, daemon=True).start()
 

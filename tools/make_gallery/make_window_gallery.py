@@ -23,10 +23,10 @@ FIGURES = [("5.1", "cut-120", 3.9), ("5.2", "deform-120", 13), ("5.3", "cut-950"
 ANIMATED, FIRST, LAST, STEP = "cut", 0.4, 5.8, 0.12  # scenario; s
 
 
-def opened(program, screen, scenario, width, height):
+def opened(program, screen, scenario):
     window = Window(program, screen, scenario, "--size", "1300x800")
     window.wait("ready", 300)
-    window.tell(f"picture-size {width} {height}")
+    window.tell("picture-size 960 770")
     window.wait("places")
     return window
 
@@ -40,7 +40,7 @@ def picture(window, file, play=None):
 
 
 def make_figure(program, screen, folder, name, scenario, during):
-    window = opened(program, screen, scenario, 960, 540)
+    window = opened(program, screen, scenario)
     try:
         picture(window, folder / "before.png")
         picture(window, folder / "during.png", during)
@@ -54,7 +54,7 @@ def make_figure(program, screen, folder, name, scenario, during):
 
 
 def make_gif(program, screen, folder):
-    window = opened(program, screen, ANIMATED, 960, 540)
+    window = opened(program, screen, ANIMATED)
     frames = []
     try:
         time = FIRST
@@ -65,8 +65,8 @@ def make_gif(program, screen, folder):
     finally:
         window.quit()
     target = ROOT / "docs" / "images" / "window.gif"
-    subprocess.run(["convert", "-delay", str(round(100 * STEP)), *frames, "-delay", "150", frames[-1], "-resize", "480x270",
-                    "+dither", "-colors", "96", "-fuzz", "3%", "-layers", "Optimize", "-loop", "0", str(target)], check=True)
+    subprocess.run(["convert", "-delay", str(round(100 * STEP)), *frames, "-delay", "150", frames[-1], "-crop", "800x450+40+150",
+                    "+repage", "-resize", "480x270", "+dither", "-colors", "128", "-fuzz", "1%", "-layers", "Optimize", "-loop", "0", str(target)], check=True)
     print(target.relative_to(ROOT), target.stat().st_size // 1024, "KB")
 
 
