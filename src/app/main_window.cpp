@@ -253,7 +253,13 @@ void MainWindow::tick() {
     pictureTaken_ = now;
     try {
       // A film shows what was seen; a full picture for each of its own would slow it down.
-      video_->add(viewer_->grabPicture(false));
+      const RgbImage picture = viewer_->grabPicture(false);
+      if (QSize(picture.width, picture.height) != videoSize_) {
+        toggleVideo();
+        complain("The video ends here: the picture has another size now.");
+      } else {
+        video_->add(picture);
+      }
     } catch (const std::exception& e) {
       video_.reset();
       complain(e.what());

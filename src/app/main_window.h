@@ -87,6 +87,7 @@ class MainWindow : public QMainWindow {
   ForcePanel* force_;
   TimingPanel* timing_;
   std::unique_ptr<VideoWriter> video_;
+  QSize videoSize_;
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // ms
   std::int64_t removedSaid_ = 0;
   std::uint64_t uploadedSaid_ = 0;

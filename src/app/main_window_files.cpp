@@ -125,6 +125,7 @@ void MainWindow::toggleVideo() {
   }
   save("Record video", "MPEG-4 (*.mp4)", "operation.mp4", [this](const std::string& file) {
     const RgbImage picture = viewer_->grabPicture(false);
+    videoSize_ = {picture.width, picture.height};
     video_ = std::make_unique<VideoWriter>(file, picture.width, picture.height, kVideoRate);
   });
 }

@@ -96,18 +96,19 @@ class Person:
 
     def everything_back(self):
         """What Escape and Space promise, from whatever state the window is in."""
-        self.let_go()
-        for _ in range(6):
-            if not any(name in DIALOGS for _, name in self.windows()):
-                break
-            self.answer_dialogs("Escape")
-            time.sleep(0.5)
-        for attempt in range(3):
+        for attempt in range(4):
+            self.let_go()
+            time.sleep(1)
+            for _ in range(6):
+                if not any(name in DIALOGS for _, name in self.windows()):
+                    break
+                self.answer_dialogs("Escape")
+                time.sleep(0.5)
             self.window.drain()
             self.screen.focus("^Resect$")
             self.screen.key("Escape", "Escape", "space")
             try:
-                self.window.wait("places", 60)
+                self.window.wait("places", 30)
                 time.sleep(0.5)
                 self.window.drain()
                 assert self.held().startswith("held nothing"), f"after Escape and Space: {self.held()}"
@@ -117,12 +118,12 @@ class Person:
                     self.screen.key(key)
                     self.window.wait(held, 30)
                 self.screen.key("space")
-                self.window.wait("places", 60)
+                self.window.wait("places", 30)
                 assert self.window.places == at, f"not everything is back: {self.window.places}, not {at}"
                 return
             except AssertionError:
-                # An organ that was still being read may have come in between.
-                if attempt == 2 or self.window.process.poll() is not None:
+                # An organ, or a dialog about one, that was still being read may have come in between.
+                if attempt == 3 or self.window.process.poll() is not None:
                     self.screen.picture("stuck")
                     raise
 

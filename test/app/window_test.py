@@ -190,9 +190,6 @@ class AtTheWindow(unittest.TestCase):
         self.screen.key("Escape")
         window.wait("held nothing")  # it goes on without the daemon
 
-    def test_random_input_breaks_nothing(self):
-        self.assertEqual(play(PROGRAM, FOLDER / "random", 15, OPTIONS.seed, ("--spacing", "12mm")), 0)
-
     def test_a_pick_hits_what_is_under_the_pointer_at_any_scale(self):
         for scale in ("1", "1.5", "2"):
             size = f"{int(1200 / float(scale))}x{int(900 / float(scale))}"
