@@ -3,8 +3,11 @@
 
 # Two thirds of compiling a file is reading Eigen and the standard headers: they are read once, in the lowest layer.
 function(resect_precompile target)
-  if(target STREQUAL "resect_base")
-    target_precompile_headers(resect_base PRIVATE ${CMAKE_SOURCE_DIR}/src/base/precompiled.h)
+  # Qt compiles all that uses it as position-independent code: that needs headers of its own.
+  if(target STREQUAL "resect_base" OR target STREQUAL "resect_app")
+    target_precompile_headers(${target} PRIVATE ${CMAKE_SOURCE_DIR}/src/base/precompiled.h)
+  elseif(target STREQUAL "resect")
+    target_precompile_headers(resect REUSE_FROM resect_app)
   else()
     target_precompile_headers(${target} REUSE_FROM resect_base)
   endif()

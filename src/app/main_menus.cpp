@@ -95,12 +95,19 @@ void MainWindow::makeMenus() {
     if (session_) session_->tools().hold(-1, ToolHandling::Hold::None);
   });
 
+  instruments->addSeparator();
+  add(instruments, "&Play the scenario's motions", QKeySequence("P"), [this] { play(1e9); });
+
   QMenu* help = menuBar()->addMenu("&Help");
   add(help, "&Controls", QKeySequence("F1"), [this] {
     overlay_->setGeometry(viewer_->rect());
     overlay_->show();
     overlay_->raise();
   });
+  QAction* spaceMouse = help->addAction(QString());
+  spaceMouse->setEnabled(false);
+  connect(help, &QMenu::aboutToShow, this,
+          [this, spaceMouse] { spaceMouse->setText(spaceMouse_.status()); });
   add(help, "&About", {}, [this] {
     QMessageBox::about(this, "About Resect",
                        "<b>Resect</b><p>Virtual surgery on organ models, in real time.<p>"

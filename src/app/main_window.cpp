@@ -15,6 +15,7 @@
 #include <QStatusBar>
 #include <QStyle>
 #include <QStyleFactory>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -93,6 +94,9 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
     cancel_->hide();
     statusBar()->showMessage("Cancelled; nothing has changed", 4000);
   });
+  spaceMouse_.pushed = [this](const SixAxes& axes, double seconds) {
+    if (session_) session_->follow(motionOf(axes, seconds));
+  };
   makeDocks();
   makeMenus();
   setTheme(options.dark);
@@ -207,6 +211,7 @@ void MainWindow::begin(OrganLoader::Result result) {
   viewer_->show(session_.get());
   heldSaid_ = -2;
   removedSaid_ = 0;
+  uploadedSaid_ = 0;
   removed_->clear();
   instruments_->setTools(session_->toolModels());
   const OrganSource& source = session_->scenario().organ;
@@ -248,12 +253,21 @@ void MainWindow::tick() {
     pictureTaken_ = now;
     try {
       // A film shows what was seen; a full picture for each of its own would slow it down.
-      video_->add(viewer_->grabPicture(false));
+      const RgbImage picture = viewer_->grabPicture(false);
+      if (QSize(picture.width, picture.height) != videoSize_) {
+        toggleVideo();
+        complain("The video ends here: the picture has another size now.");
+      } else {
+        video_->add(picture);
+      }
     } catch (const std::exception& e) {
       video_.reset();
       complain(e.what());
     }
   }
+  if (options_.reports && playingSaid_ && !session_->playing()) say("played");
+  playingSaid_ = session_->playing();
+  if (options_.reports) reportPace();
   if (now - panelsShown_ < kPanelInterval) return;
   panelsShown_ = now;
   organ_->follow(state);
@@ -275,23 +289,6 @@ void MainWindow::tick() {
   lastSize_ = size;
 }
 
-// Where a script finds things: pixels of the screen.
-void MainWindow::reportPlaces() {
-  const SbViewportRegion viewport = viewer_->viewport();
-  const double ratio = viewer_->devicePixelRatioF();
-  const auto place = [&](const std::string& what, const Vec3& point) {
-    const SbVec2s pixel = session_->pixelOf(point, viewport);
-    const QPoint local(int(pixel[0] / ratio), viewer_->height() - 1 - int(pixel[1] / ratio));
-    const QPoint global = viewer_->mapToGlobal(local);
-    say("place {} {} {}", what, int(global.x() * ratio), int(global.y() * ratio));
-  };
-  for (int i = 0; i < session_->tools().toolCount(); ++i)
-    place(session_->toolModels()[std::size_t(i)].name, session_->middleOfTool(i));
-  place("iso", session_->iso().handle());
-  place("organ", session_->cells().lattice.box().centre());
-  say("places");
-}
-
 bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {
   if (overlay_->isVisible()) overlay_->hide();
   if (!lookingAt_ || !session_ || !event.isOfType(SoMouseButtonEvent::getClassTypeId()))
@@ -304,6 +301,14 @@ bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewp
   Vec3 point;
   if (session_->pointUnder(event.getPosition(), viewport, point)) session_->camera().lookAt(point);
   return true;
+}
+
+void MainWindow::play(double until) {
+  if (!session_) return;
+  const auto& tools = session_->scenario().tools;
+  if (std::ranges::all_of(tools, [](const ScenarioTool& tool) { return tool.keys.empty(); }))
+    return complain("There is no motion to play; open a scenario that has one.");
+  session_->play(until);
 }
 
 void MainWindow::look(RoomView view) {

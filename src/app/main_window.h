@@ -6,6 +6,7 @@
 
 #include "app/open_organ_dialog.h"
 #include "app/organ_loader.h"
+#include "app/space_mouse.h"
 #include "app/window.h"
 #include "inventor/operating_session.h"
 #include "io/video.h"
@@ -33,6 +34,8 @@ class MainWindow : public QMainWindow {
   void load(const Scenario& scenario);
   // One sentence over the picture, until it is clicked away or another comes.
   void complain(const std::string& sentence);
+  // The motions of the scenario, on until this time of theirs, s.
+  void play(double until);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -61,6 +64,8 @@ class MainWindow : public QMainWindow {
   void look(RoomView view);
   void bringEverythingBack();
   void reportPlaces();
+  void reportPace();
+  void resizePicture(const std::string& text);
   void placeOverlays();
   // Asks for a file to write; what goes wrong in `write` is said.
   void save(const char* title, const char* filter, const QString& name,
@@ -69,6 +74,7 @@ class MainWindow : public QMainWindow {
   WindowOptions options_;
   std::unique_ptr<OperatingSession> session_;
   OrganLoader loader_;
+  SpaceMouse spaceMouse_;
   Viewer* viewer_;
   ControlsOverlay* overlay_;
   QPushButton* complaint_;
@@ -81,13 +87,16 @@ class MainWindow : public QMainWindow {
   ForcePanel* force_;
   TimingPanel* timing_;
   std::unique_ptr<VideoWriter> video_;
+  QSize videoSize_;
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // ms
   std::int64_t removedSaid_ = 0;
+  std::uint64_t uploadedSaid_ = 0;
   int heldSaid_ = -2;
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::string script_, faultSaid_;
   bool lookingAt_ = false;  // the next click chooses the point of interest
   bool readySaid_ = false;
+  bool playingSaid_ = false;
   QSize lastSize_, placesSize_;  // of the picture: at the last look, when places were told
 };
 

@@ -1,12 +1,9 @@
 // What the main window does with files: opens and saves, from menus, drops and scripts.
-#include <unistd.h>
-
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMimeData>
 #include <QSettings>
-#include <QSocketNotifier>
 #include <QStatusBar>
 #include <filesystem>
 
@@ -20,33 +17,6 @@
 #include "io/scenario_file.h"
 
 namespace resect {
-// A script may name files without going through their dialogs: "open FILE", "save-scene FILE",
-// "save-surface FILE", "save-picture FILE".
-void MainWindow::listenToScript() {
-  auto* lines = new QSocketNotifier(0, QSocketNotifier::Read, this);
-  connect(lines, &QSocketNotifier::activated, this, [this, lines] {
-    char block[4096];
-    const auto got = ::read(0, block, sizeof block);
-    if (got <= 0) return lines->setEnabled(false);
-    script_.append(block, std::size_t(got));
-    for (std::size_t end; (end = script_.find('\n')) != std::string::npos;) {
-      const std::string line = script_.substr(0, end);
-      script_.erase(0, end + 1);
-      const std::size_t space = line.find(' ');
-      const std::string what = line.substr(0, space),
-                        file = space == std::string::npos ? "" : line.substr(space + 1);
-      try {
-        if (what == "open") openFile(QString::fromStdString(file));
-        if (what == "save-scene") writeScene(file);
-        if (what == "save-surface") writeMeshFile(file, session_->operation().surface().mesh);
-        if (what == "save-picture") writePng(file, viewer_->grabPicture(true));
-        if (what.starts_with("save")) say("written {}", file);
-      } catch (const std::exception& e) {
-        complain(e.what());
-      }
-    }
-  });
-}
 
 void MainWindow::writeScene(const std::string& file) {
   writeSceneFile(file, session_->room(), session_->operation().surface());
@@ -155,6 +125,7 @@ void MainWindow::toggleVideo() {
   }
   save("Record video", "MPEG-4 (*.mp4)", "operation.mp4", [this](const std::string& file) {
     const RgbImage picture = viewer_->grabPicture(false);
+    videoSize_ = {picture.width, picture.height};
     video_ = std::make_unique<VideoWriter>(file, picture.width, picture.height, kVideoRate);
   });
 }

@@ -42,7 +42,6 @@ bool isModelFile(const std::string& file) {
 }  // namespace
 
 Scenario withAllInstruments(Scenario scenario) {
-  for (ScenarioTool& tool : scenario.tools) tool.keys.clear();
   for (const ToolKind& kind : toolKinds()) {
     const std::string name(kind.name);
     const bool there = std::any_of(

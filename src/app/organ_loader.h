@@ -19,8 +19,8 @@
 
 namespace resect {
 
-// The scenario with one of each instrument that comes with Resect, its own first, all without
-// motions: what a person operates with.
+// The scenario with one of each instrument that comes with Resect, its own first, all in the tool
+// box: what a person operates with.
 Scenario withAllInstruments(Scenario scenario);
 
 class OrganLoader {
@@ -64,6 +64,7 @@ class OrganLoader {
 // empty text and the sentence that it ended with.
 class FileExaminer {
  public:
+  ~FileExaminer() { cancel(); }
   void examine(const std::string& file,
                std::function<void(const std::string& json, const std::string& problem)> done);
   void cancel();

@@ -6,7 +6,6 @@
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <Inventor/nodes/SoNode.h>
 
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <algorithm>
@@ -52,6 +51,7 @@ Viewer::Viewer(QWidget* parent) : QOpenGLWidget(parent) {
   still_.start();
   QObject::connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
   timer_.setTimerType(Qt::PreciseTimer);
+  QObject::connect(this, &QOpenGLWidget::frameSwapped, this, [this] { pace_.pictureShown(); });
   setFpsLimit(60);
 }
 
@@ -119,9 +119,15 @@ void Viewer::paintGL() {
     gl->glClear(GL_COLOR_BUFFER_BIT);
     return;
   }
+  // What has happened since the last tick is in this picture, not the next.
+  const Damage fresh = session_->update();
+  if (!fresh.empty() && !grabbing_) full_ = false;
+  damage_.add(fresh);
+  pace_.pictureBegins(session_->state().lastRemoval);
   session_->room().setShadowResolution(picture_->processorDraws() ? 512 : 1024);
   picture_->draw(session_->root(), *session_->room().camera(), damage_, viewport().getWindowSize(),
                  full_, defaultFramebufferObject());
+  pace_.pictureIsDrawn();
   damage_ = {};
   fullShown_ = full_ || !picture_->processorDraws();
   full_ = false;
@@ -131,7 +137,10 @@ void Viewer::paintGL() {
 
 RgbImage Viewer::grabPicture(bool full) {
   full_ = full_ || full;
-  const QImage image = grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+  grabbing_ = true;
+  const QImage grabbed = grabFramebuffer();
+  grabbing_ = false;
+  const QImage image = grabbed.convertToFormat(QImage::Format_RGB888);
   RgbImage result{image.width(), image.height(), {}};
   for (int y = 0; y < image.height(); ++y)
     result.pixels.insert(result.pixels.end(), image.constScanLine(y),
@@ -139,8 +148,9 @@ RgbImage Viewer::grabPicture(bool full) {
   return result;
 }
 
-bool Viewer::send(SoEvent& event, const QPointF& at, Qt::KeyboardModifiers modifiers) {
+bool Viewer::send(SoEvent& event, const QInputEvent& from, const QPointF& at) {
   if (!session_) return false;
+  const Qt::KeyboardModifiers modifiers = from.modifiers();
   const SbViewportRegion region = viewport();
   const double ratio = devicePixelRatioF();
   event.setPosition(SbVec2s(short(std::lround(at.x() * ratio)),
@@ -150,12 +160,15 @@ bool Viewer::send(SoEvent& event, const QPointF& at, Qt::KeyboardModifiers modif
   event.setCtrlDown(modifiers.testFlag(Qt::ControlModifier));
   event.setAltDown(modifiers.testFlag(Qt::AltModifier));
   if (before && before(event, region)) return true;
-  return session_->handle(event, region);
+  const bool used = session_->handle(event, region);
+  if (used && session_->pending()) pace_.inputCame(steadySecondsOf(from.timestamp()));
+  return used;
 }
 
-void Viewer::mouseButton(QMouseEvent* event, bool down) {
+void Viewer::mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down) {
+  down_.setFlag(button, down);
   SoMouseButtonEvent mouse;
-  switch (event->button()) {
+  switch (button) {
     case Qt::LeftButton:
       mouse.setButton(SoMouseButtonEvent::BUTTON1);
       break;
@@ -169,12 +182,16 @@ void Viewer::mouseButton(QMouseEvent* event, bool down) {
       return;
   }
   mouse.setState(down ? SoButtonEvent::DOWN : SoButtonEvent::UP);
-  send(mouse, event->position(), event->modifiers());
+  send(mouse, event, event.position());
 }
 
 void Viewer::mouseMoveEvent(QMouseEvent* event) {
+  // A dialog that opens during a drag takes the release of its button.
+  for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton, Qt::RightButton})
+    if (down_.testFlag(button) && !event->buttons().testFlag(button))
+      mouseButton(*event, button, false);
   SoLocation2Event moved;
-  send(moved, event->position(), event->modifiers());
+  send(moved, *event, event->position());
 }
 
 void Viewer::wheelEvent(QWheelEvent* event) {
@@ -185,7 +202,7 @@ void Viewer::wheelEvent(QWheelEvent* event) {
     SoMouseButtonEvent notch;
     notch.setButton(wheel_ > 0 ? SoMouseButtonEvent::BUTTON4 : SoMouseButtonEvent::BUTTON5);
     notch.setState(SoButtonEvent::DOWN);
-    send(notch, event->position(), event->modifiers());
+    send(notch, *event, event->position());
     wheel_ += wheel_ > 0 ? -15 : 15;
   }
 }
@@ -195,7 +212,7 @@ void Viewer::key(QKeyEvent* event, bool down) {
   keyboard.setKey(SoKeyboardEvent::Key(inventorKey(event->key())));
   keyboard.setState(down ? SoButtonEvent::DOWN : SoButtonEvent::UP);
   const QPoint at = mapFromGlobal(QCursor::pos());
-  if (!send(keyboard, at, event->modifiers()))
+  if (!send(keyboard, *event, at))
     down ? QOpenGLWidget::keyPressEvent(event) : QOpenGLWidget::keyReleaseEvent(event);
 }
 

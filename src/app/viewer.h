@@ -3,15 +3,18 @@
 #pragma once
 
 #include <QElapsedTimer>
+#include <QMouseEvent>
 #include <QOpenGLWidget>
 #include <QTimer>
 #include <functional>
 #include <memory>
 
+#include "app/pace.h"
 #include "inventor/damage.h"
 #include "inventor/live_picture.h"
 #include "io/png_file.h"
 
+class QInputEvent;
 class SoEvent;
 class SbViewportRegion;
 
@@ -32,6 +35,7 @@ class Viewer : public QOpenGLWidget {
   SbViewportRegion viewport() const;  // device pixels
   double framesPerSecond() const;     // of the pictures drawn lately
   double scaleInMotion() const;       // share of the pixels' rows drawn in motion
+  Pace& pace() { return pace_; }
   // The picture as shown; `full`: drawn anew with all pixels and smooth edges.
   RgbImage grabPicture(bool full);
 
@@ -53,9 +57,10 @@ class Viewer : public QOpenGLWidget {
 
  private:
   void tick();
-  void mouseButton(QMouseEvent* event, bool down);
+  void mouseButton(QMouseEvent* event, bool down) { mouseButton(*event, event->button(), down); }
+  void mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down);
   void key(QKeyEvent* event, bool down);
-  bool send(SoEvent& event, const QPointF& at, Qt::KeyboardModifiers modifiers);
+  bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
   void forgetContext();
 
   OperatingSession* session_ = nullptr;
@@ -65,8 +70,11 @@ class Viewer : public QOpenGLWidget {
   Damage damage_;
   bool full_ = false;  // the next picture is drawn in full
   bool fullShown_ = false;
+  bool grabbing_ = false;
+  Qt::MouseButtons down_;
   std::vector<double> drawn_;  // times of the last pictures, s
-  double wheel_ = 0;           // degrees not yet turned into steps
+  Pace pace_;
+  double wheel_ = 0;  // degrees not yet turned into steps
 };
 
 }  // namespace resect

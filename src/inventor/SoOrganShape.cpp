@@ -209,6 +209,7 @@ void SoOrganShape::upload(ContextBuffers& buffers) {
       glBufferData(target, GLsizeiptr(buffers.capacity[b] * size), nullptr, GL_DYNAMIC_DRAW);
       glBufferSubData(target, 0, GLsizeiptr(count * size), data[b]);
       uploadedBytes_ += count * size;
+      if (b == kPoints) uploadedVertices_ += count;
       continue;
     }
     std::ranges::sort(changed, {}, &Range::begin);
@@ -220,6 +221,7 @@ void SoOrganShape::upload(ContextBuffers& buffers) {
       glBufferSubData(target, GLintptr(merged.begin * size), GLsizeiptr(bytes),
                       static_cast<const char*>(data[b]) + merged.begin * size);
       uploadedBytes_ += bytes;
+      if (b == kPoints) uploadedVertices_ += merged.end - merged.begin;
     }
   }
   buffers.vertices.clear();

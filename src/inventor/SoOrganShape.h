@@ -74,8 +74,9 @@ class SoOrganShape : public SoShape {
 
   // Triangles sent through the graphics pipeline at the last rendering.
   std::int64_t drawnTriangles() const { return drawnTriangles_; }
-  // Bytes sent to graphics contexts since the shape was made.
+  // Sent to graphics contexts since the shape was made.
   std::uint64_t uploadedBytes() const { return uploadedBytes_; }
+  std::uint64_t uploadedVertices() const { return uploadedVertices_; }
 
  protected:
   ~SoOrganShape() override;
@@ -100,7 +101,7 @@ class SoOrganShape : public SoShape {
   std::vector<float> cut_;
   std::vector<Triangle> triangles_;
   std::map<std::uint32_t, std::unique_ptr<ContextBuffers>> contexts_;
-  std::uint64_t uploadedBytes_ = 0;
+  std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;
   std::int64_t drawnTriangles_ = 0;
   TriangleBlocks blocks_;
   TriangleBlocks::Box changed_ = TriangleBlocks::emptyBox();

@@ -10,6 +10,7 @@
 #include <Inventor/sensors/SoSensorManager.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geometry/moved_box.h"
@@ -54,6 +55,11 @@ std::vector<Aabb> slicesOf(const TriangleMesh& mesh) {
   }
   std::erase_if(slices, [](const Aabb& slice) { return slice.empty(); });
   return slices;
+}
+
+Vec3 positionOf(const SoPerspectiveCamera* camera) {
+  const SbVec3f p = camera->position.getValue();
+  return {p[0], p[1], p[2]};
 }
 
 // At the far left corner of the table's field, where it hides nothing.
@@ -101,6 +107,7 @@ Vec3 OperatingSession::lampPosition() const {
 }
 
 void OperatingSession::toolsChanged() {
+  if (tools_.held() >= 0) stopPlaying();
   toolBoxes_.resize(std::size_t(tools_.toolCount()));
   shownSlices_.resize(toolBoxes_.size());
   for (int i = 0; i < tools_.toolCount(); ++i) {
@@ -159,6 +166,7 @@ Damage OperatingSession::update() {
     for (int i = 0; i < tools_.toolCount(); ++i)
       turned |= room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);
     if (turned) toolsChanged();
+    if (playing_) followMotion();
     const int held = tools_.held();
     if (held >= 0 && std::size_t(held) < state_.tips.size()) {
       const TipPlace& place = state_.tips[std::size_t(held)];
@@ -178,6 +186,53 @@ Damage OperatingSession::update() {
   return std::exchange(damage_, {});
 }
 
+void OperatingSession::play(double until) {
+  tools_.hold(-1, ToolHandling::Hold::None);
+  const std::int64_t all = frameCount(scenario_);
+  if (played_ >= all) played_ = 0;
+  playUntil_ = std::min<std::int64_t>(all, std::llround(until * scenario_.frameRate));
+  playing_ = true;
+  operation_.play([scenario = scenario_, frame = played_, end = playUntil_]() mutable {
+    return frame < end ? std::optional(frameInput(scenario, frame++)) : std::nullopt;
+  });
+}
+
+void OperatingSession::followMotion() {
+  std::vector<ToolInput> inputs = state_.played;
+  if (inputs.empty() && operation_.playing()) return;
+  if (inputs.empty()) {
+    // Over; of the last frames nothing may have been seen here.
+    playing_ = false;
+    played_ = playUntil_;
+    if (played_ > 0) inputs = frameInput(scenario_, played_ - 1).tools;
+    if (played_ == frameCount(scenario_))
+      for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].pose = scenario_.tools[i].rest;
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) room().setToolPose(int(i), inputs[i].pose);
+  toolsChanged();
+}
+
+void OperatingSession::stopPlaying() {
+  if (!playing_) return;
+  operation_.play({});
+  playing_ = false;
+  played_ = 0;
+}
+
+void OperatingSession::follow(const ViewMotion& motion) {
+  if (motion.move.isZero() && motion.turn.isZero()) return;
+  if (tools_.held() >= 0) {
+    if (!motion.move.isZero()) tools_.move(motion.move);
+    tools_.turn(motion.turn);
+    return;
+  }
+  const double distance = (camera_.pointOfInterest() - positionOf(room().camera())).norm();
+  camera_.pan(motion.move.x(), motion.move.y());
+  camera_.zoom(std::exp(motion.move.z() / std::max(distance, 0.05)));
+  camera_.orbit(motion.turn.y(), -motion.turn.x());
+  damage_.everything = true;
+}
+
 void OperatingSession::look(RoomView view, double aspect) {
   if (view != RoomView::Surgeon) {
     room().look(view, organBox_, aspect);
@@ -193,6 +248,7 @@ void OperatingSession::look(RoomView view, double aspect) {
 }
 
 void OperatingSession::bringEverythingBack(double aspect) {
+  stopPlaying();
   for (int i = 0; i < tools_.toolCount(); ++i) tools_.putBack(i);
   look(RoomView::Surgeon, aspect);
 }

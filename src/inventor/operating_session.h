@@ -14,6 +14,7 @@
 #include "inventor/damage.h"
 #include "inventor/iso_dragger.h"
 #include "inventor/operation_view.h"
+#include "inventor/six_axes.h"
 #include "inventor/tip_marker.h"
 #include "inventor/tool_handling.h"
 #include "operation/live_operation.h"
@@ -25,8 +26,7 @@ namespace resect {
 
 class OperatingSession {
  public:
-  // aspect: width / height of the picture. The scenario's motions are not played: its tools lie in
-  // the tool box for a person to take.
+  // aspect: width / height of the picture. The tools lie in the tool box for a person to take.
   OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect);
 
   // An event of mouse or keyboard, positions in pixels of the viewport, from its lower left. True
@@ -36,7 +36,15 @@ class OperatingSession {
   // Takes what the operation has changed since the last call and lets Inventor's sensors run.
   // Returns what has to be drawn again.
   Damage update();
+  bool pending() const { return !damage_.empty(); }  // there is something to draw already
 
+  // Goes on with the motions of the scenario, in its frames, until this time of theirs (s), or from
+  // their start once they are over. A person who takes a tool ends it.
+  void play(double until);
+  bool playing() const { return playing_; }
+
+  // Moves and turns the tool in hand; without one, all that is seen.
+  void follow(const ViewMotion& motion);
   void look(RoomView view, double aspect);
   // All of the organ and the tool box in sight, all tools in the tool box.
   void bringEverythingBack(double aspect);
@@ -59,6 +67,8 @@ class OperatingSession {
 
  private:
   void toolsChanged();
+  void followMotion();
+  void stopPlaying();
   Vec3 lampPosition() const;
 
   Scenario scenario_;
@@ -76,6 +86,8 @@ class OperatingSession {
   std::vector<std::vector<Aabb>> toolSlices_;   // along each tool's axis, in its frame
   std::vector<std::vector<Aabb>> shownSlices_;  // where they were drawn last
   Aabb markerBox_;
+  bool playing_ = false;
+  std::int64_t played_ = 0, playUntil_ = 0;  // frames of the scenario's motions
   LiveState state_;
   LiveOperation operation_;  // last: ends its thread before what it shows goes
 };

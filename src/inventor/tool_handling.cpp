@@ -248,6 +248,8 @@ void ToolHandling::mouseButton(SoEventCallback& node) {
 }
 
 void ToolHandling::mouseMoved(SoEventCallback& node) {
+  // What is dragged may have been put back by a key.
+  if (dragging_ && held_ < 0) pressed_ = -1;
   if (pressed_ < 0) {
     if (elsewhere_) {
       const SbVec2s way = node.getEvent()->getPosition() - pressedAt_;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -53,11 +54,14 @@ struct StageTime {
 struct LiveState {
   std::int64_t frame = 0;
   double time = 0;  // simulated, s
+  // s of the steady clock: when a frame last took particles away.
+  double lastRemoval = 0;
   std::int64_t particles = 0, removed = 0, triangles = 0;
   double removedVolume = 0, volume = 0;  // m^3
   float iso = 50;
   std::vector<TipPlace> tips;          // one per tool; meaningful for those in hand
   std::vector<double> squeeze;         // of each tool's jaws
+  std::vector<ToolInput> played;       // what a motion made the tools do; empty: none did
   std::vector<std::uint8_t> touching;  // 1 for each tool that has touched tissue lately (0.1 s)
   std::vector<StageTime> stages;
   double stepMedian = 0, stepWorst = 0;  // s, over the last second
@@ -81,6 +85,10 @@ class LiveOperation {
   // hand closes them.
   void setTool(int tool, const ToolInput& input);
   void setIso(float iso);
+  // From the next frame on the tools follow `motion`, which is asked once a frame, in the
+  // operation's thread, until it gives nothing; an empty function ends it.
+  void play(std::function<std::optional<FrameInput>()> motion);
+  bool playing() const;
   void setPaused(bool paused);
 
   // Moves out what has changed since the last call and copies the state. False: no frame since.
@@ -102,6 +110,7 @@ class LiveOperation {
   mutable std::mutex mutex_;     // guards all below
   std::condition_variable newFrame_, wake_;
   FrameInput input_;
+  std::function<std::optional<FrameInput>()> motion_;
   bool paused_ = false, ending_ = false, fresh_ = false;
   SurfaceUpdate update_;
   std::size_t updateVertices_ = 0;

@@ -11,8 +11,11 @@
 #include "inventor/SoOrganShape.h"
 #include "inventor/model_file.h"
 #include "inventor/scene_file.h"
+#include "io/data_folder.h"
 #include "io/operation_setup.h"
+#include "io/scenario_file.h"
 #include "operation/room.h"
+#include "operation/run.h"
 #include "support/temporary_folder.h"
 #include "tools/registry.h"
 
@@ -313,4 +316,70 @@ TEST_CASE("C held down closes the scissors in hand, and they open again when it 
   CHECK(squeeze(30) == 1);
   CHECK(bench.key(SoKeyboardEvent::C, false, false));
   CHECK(squeeze(30) == 0);
+}
+
+TEST_CASE("a 3D mouse moves and turns what is in hand, and the view when nothing is") {
+  Bench bench;
+  bench.tools().take(0);
+  const Pose before = bench.tools().pose(0);
+  const SbVec3f eye = bench.session->room().camera()->position.getValue();
+  bench.session->follow({Vec3(0.01, 0, 0), Vec3(0, 0.1, 0)});
+  const Pose after = bench.tools().pose(0);
+  CHECK((after.position - before.position).norm() == doctest::Approx(0.01));
+  CHECK(after.rotation.angularDistance(before.rotation) == doctest::Approx(0.1));
+  CHECK(bench.session->room().camera()->position.getValue() == eye);
+
+  bench.tools().hold(-1, ToolHandling::Hold::None);
+  bench.session->update();
+  CHECK_FALSE(bench.session->pending());
+  bench.session->follow({Vec3(0, 0, 0.05), Vec3::Zero()});
+  CHECK(bench.session->pending());
+  const SbVec3f farther = bench.session->room().camera()->position.getValue();
+  CHECK((farther - eye).length() == doctest::Approx(0.05).epsilon(0.1));
+  CHECK(bench.tools().pose(0).position == after.position);
+}
+
+TEST_CASE("a scenario that is played in the window removes what it removes without one") {
+  Scenario scenario = readScenario(findDataFile("perforate-120", "scenarios", ".toml"));
+  const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
+  const auto make = [&] {
+    return std::make_unique<Simulation>(
+        makeOrgan(loadCells(scenario.organ, reader), scenario.organ.settings),
+        loadTools(scenario, reader));
+  };
+  scenario.duration = 2;
+  auto simulation = make();
+  const RunSummary expected = runScenario(*simulation, scenario);
+  REQUIRE(expected.removed > 0);
+
+  OperatingSession session(scenario, make(), 1.6);
+  const auto playUntil = [&](double time) {
+    session.play(time);
+    while (session.playing()) {
+      session.operation().waitFor(session.state().frame + 1);
+      session.update();
+    }
+  };
+  playUntil(1);
+  CHECK(session.state().removed <= expected.removed);
+  playUntil(1e9);
+  CHECK(session.state().removed == expected.removed);
+  CHECK((session.tools().pose(0).position - scenario.tools[0].rest.position).norm() < 1e-6);
+
+  session.play(1e9);
+  session.tools().take(0);
+  CHECK_FALSE(session.playing());
+}
+
+TEST_CASE("a drag ends when its tool is put back by a key") {
+  Bench bench;
+  const SbVec2s at = bench.pixelOf(0);
+  bench.button(at, true, SoMouseButtonEvent::BUTTON1);
+  bench.move(SbVec2s(short(at[0] + 20), at[1]));
+  REQUIRE(bench.tools().held() == 0);
+  bench.key(SoKeyboardEvent::ESCAPE);
+  const Vec3 rest = bench.tools().pose(0).position;
+  bench.move(SbVec2s(short(at[0] + 40), at[1]));
+  CHECK(bench.tools().held() == -1);
+  CHECK(bench.tools().pose(0).position == rest);
 }

@@ -1,0 +1,86 @@
+// What the main window tells scripts, and what it does when they ask.
+#include <Inventor/SbViewportRegion.h>
+#include <unistd.h>
+
+#include <QSocketNotifier>
+#include <sstream>
+
+#include "app/main_window.h"
+#include "app/say.h"
+#include "app/viewer.h"
+#include "inventor/SoOrganShape.h"
+#include "io/mesh_file.h"
+#include "io/png_file.h"
+
+namespace resect {
+
+// A script may name files without going through their dialogs: "open FILE", "save-scene FILE",
+// "save-surface FILE", "save-picture FILE"; and give the picture a size: "picture-size WIDTH
+// HEIGHT".
+void MainWindow::listenToScript() {
+  auto* lines = new QSocketNotifier(0, QSocketNotifier::Read, this);
+  connect(lines, &QSocketNotifier::activated, this, [this, lines] {
+    char block[4096];
+    const auto got = ::read(0, block, sizeof block);
+    if (got <= 0) return lines->setEnabled(false);
+    script_.append(block, std::size_t(got));
+    for (std::size_t end; (end = script_.find('\n')) != std::string::npos;) {
+      const std::string line = script_.substr(0, end);
+      script_.erase(0, end + 1);
+      const std::size_t space = line.find(' ');
+      const std::string what = line.substr(0, space),
+                        file = space == std::string::npos ? "" : line.substr(space + 1);
+      try {
+        if (what == "open") openFile(QString::fromStdString(file));
+        if (what == "save-scene") writeScene(file);
+        if (what == "save-surface") writeMeshFile(file, session_->operation().surface().mesh);
+        if (what == "save-picture") writePng(file, viewer_->grabPicture(true));
+        if (what.starts_with("save")) say("written {}", file);
+        if (what == "picture-size") resizePicture(file);
+        if (what == "play") play(file.empty() ? 1e9 : std::stod(file));
+      } catch (const std::exception& e) {
+        complain(e.what());
+      }
+    }
+  });
+}
+
+// The window becomes as large as it must for a picture of this size.
+void MainWindow::resizePicture(const std::string& text) {
+  std::istringstream in(text);
+  int width = 0, height = 0;
+  if (!(in >> width >> height) || width < 320 || height < 240)
+    return complain("picture-size takes a width from 320 and a height from 240 on");
+  resize(size() - viewer_->size() + QSize(width, height));
+}
+
+// Where a script finds things: pixels of the screen.
+void MainWindow::reportPlaces() {
+  const SbViewportRegion viewport = viewer_->viewport();
+  const double ratio = viewer_->devicePixelRatioF();
+  const auto place = [&](const std::string& what, const Vec3& point) {
+    const SbVec2s pixel = session_->pixelOf(point, viewport);
+    const QPoint local(int(pixel[0] / ratio), viewer_->height() - 1 - int(pixel[1] / ratio));
+    const QPoint global = viewer_->mapToGlobal(local);
+    say("place {} {} {}", what, int(global.x() * ratio), int(global.y() * ratio));
+  };
+  for (int i = 0; i < session_->tools().toolCount(); ++i)
+    place(session_->toolModels()[std::size_t(i)].name, session_->middleOfTool(i));
+  place("iso", session_->iso().handle());
+  place("organ", session_->cells().lattice.box().centre());
+  say("places");
+}
+
+// How smooth it is, while somebody operates.
+void MainWindow::reportPace() {
+  const auto pace = viewer_->pace().take();
+  if (!pace) return;
+  say("rate {:.1f} drawing {:.1f} ms latency {:.0f} ms most {:.0f} ms pictures {} removal {}",
+      pace->rate, pace->drawing * 1e3, pace->latency * 1e3, pace->most * 1e3, pace->pictures,
+      pace->removal);
+  const SoOrganShape& organ = *session_->room().organ();
+  say("uploaded {} of {} vertices", organ.uploadedVertices() - uploadedSaid_, organ.vertexCount());
+  uploadedSaid_ = organ.uploadedVertices();
+}
+
+}  // namespace resect

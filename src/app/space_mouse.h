@@ -1,0 +1,31 @@
+// The 3D mouse, as the free daemon spacenavd reports it. Where there is no daemon or no device,
+// nothing happens.
+#pragma once
+
+#include <QSocketNotifier>
+#include <functional>
+#include <memory>
+
+#include "inventor/six_axes.h"
+
+namespace resect {
+
+class SpaceMouse {
+ public:
+  SpaceMouse();
+  ~SpaceMouse();
+  SpaceMouse(const SpaceMouse&) = delete;
+  SpaceMouse& operator=(const SpaceMouse&) = delete;
+
+  bool connected() const { return notifier_ != nullptr; }
+  const char* status() const;  // for people
+
+  std::function<void(const SixAxes&, double seconds)> pushed;
+
+ private:
+  void read();
+
+  std::unique_ptr<QSocketNotifier> notifier_;
+};
+
+}  // namespace resect
