@@ -9,6 +9,7 @@
 #include "base/state_hash.h"
 #include "support/reference_tissue.h"
 #include "support/tissue_blocks.h"
+#include "support/wide_kernel.h"
 
 using namespace resect;
 using test::material;
@@ -104,12 +105,12 @@ TEST_CASE("motion over a hundred substeps follows the reference") {
 
 TEST_CASE("every instruction set and every number of threads gives the same bits") {
   const TissueCells cells = raggedBlock(5);
-  const auto run = [&](const char* kernel, int threads) {
+  const auto run = [&](const ElasticKernel& kernel, int threads) {
     TissueSettings settings;
     settings.threads = threads;
     const ThreadLimit limit(threads);
     ElasticTissue tissue(cells, settings);
-    if (kernel) tissue.useKernel(*kernelNamed(kernel));
+    tissue.useKernel(kernel);
     for (int i = 0; i < 12; ++i) {
       if (i == 4) test::severBetween(tissue, [](const Vec3i& c) { return c.x() + c.y() > 14; });
       if (i == 8) tissue.remove(cells.lattice.index({4, 4, 4}));
@@ -117,14 +118,15 @@ TEST_CASE("every instruction set and every number of threads gives the same bits
     }
     return hashOf(tissue);
   };
-  const std::uint64_t first = run("baseline", 1);
+  const std::uint64_t first = run(*kernelNamed("baseline"), 1);
+  CHECK(run(test::wideKernel(), 1) == first);
   for (const char* name : {"avx2", "avx512"})
-    if (kernelNamed(name)) {
-      CHECK(run(name, 1) == first);
+    if (const ElasticKernel* kernel = kernelNamed(name)) {
+      CHECK(run(*kernel, 1) == first);
     } else {
       MESSAGE("skipped: this machine has no " << std::string(name));
     }
-  for (const int threads : {1, 2, 3}) CHECK(run(nullptr, threads) == first);
+  for (const int threads : {1, 2, 3}) CHECK(run(fastestKernel(), threads) == first);
 }
 
 TEST_CASE("cells without a gradient, isolated cells and lone pairs fall freely and stay finite") {

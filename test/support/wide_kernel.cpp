@@ -1,0 +1,17 @@
+#include "support/wide_kernel.h"
+
+namespace resect::wide {
+
+constexpr int kLanes = 16;
+#include "tissue/elastic_kernel.inl"
+
+}  // namespace resect::wide
+
+namespace resect::test {
+
+const ElasticKernel& wideKernel() {
+  static constexpr ElasticKernel kKernel = {"wide", wide::stressPass, wide::motionPass};
+  return kKernel;
+}
+
+}  // namespace resect::test
