@@ -33,6 +33,38 @@ std::vector<std::int64_t> bricksRound(const Organ& organ, std::span<const std::i
   return bricks;
 }
 
+// May the blade meet one of the brick's edges? Particles in and beside the brick lie round its
+// nodes, which stray less than a spacing from them.
+bool mayMeet(const Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
+             const Vec3i& brick) {
+  const Lattice& lattice = organ.rest.lattice;
+  const int refine = organ.field.refine();
+  const double slack = lattice.spacing.maxCoeff();
+  // Cell c lies at node refine * (c + 2).
+  const Vec3i low = (kBrickNodes * brick / refine - Vec3i::Constant(3)).cwiseMax(0);
+  const Vec3i end = kBrickNodes * (brick + Vec3i::Ones()) + Vec3i::Constant(refine - 1);
+  const Vec3i high = (end / refine - Vec3i::Ones()).cwiseMin(lattice.dims - Vec3i::Ones());
+  std::vector<Vec3> places;
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const std::int64_t cell = lattice.index({x, y, z});
+        if (organ.alive[cell] && organ.rest.inside[cell])
+          places.push_back(lattice.centre({x, y, z}) + tissue.displacement(cell));
+      }
+  // Is there a place on the far side, or nearly?
+  const auto reaches = [&](const Vec3& along, const Vec3& from, double most) {
+    const double enough = most - slack * along.norm();
+    return std::ranges::any_of(places,
+                               [&](const Vec3& p) { return along.dot(p - from) >= enough; });
+  };
+  return std::ranges::any_of(blade.triangles, [&](const BladeTriangle& t) {
+    return reaches(t.normal, t.corner, 0) && reaches(-t.normal, t.corner, 0) &&
+           reaches(t.alongU, t.corner, 0) && reaches(t.alongV, t.corner, 0) &&
+           reaches(-(t.alongU + t.alongV), t.corner, -1);
+  });
+}
+
 // The particle that a node of the grid goes with: the one fewest whole edges away through tissue;
 // of several the first. -1 when none is within kFar.
 class NodeOwners {
@@ -44,8 +76,9 @@ class NodeOwners {
            organ_.field.node(node) >= organ_.surface.iso();
   }
 
+  static constexpr int kFar = 6;  // edges
+
   std::int64_t operator()(const Vec3i& node) {
-    constexpr int kFar = 6;
     seen_.assign(1, node);
     std::int64_t owner = -1;
     std::size_t layer = 0;
@@ -117,7 +150,11 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
     return motions[known[cell]];
   };
   const Wound wound{organ.severed, organ.alive};
-  return incise(organ, blade, bricksRound(organ, nearCells),
+  std::vector<std::int64_t> bricks = bricksRound(organ, nearCells);
+  std::erase_if(bricks, [&](std::int64_t brick) {
+    return !mayMeet(organ, tissue, blade, organ.field.brick(brick));
+  });
+  return incise(organ, blade, bricks,
                 [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
                   placeNodes(organ.field, wound, organ.surface.iso(), brick, motionOf, places);
                 });
@@ -125,10 +162,22 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
 
 std::int64_t partStrands(Organ& organ, const TissueModel& tissue,
                          std::span<const TissueBond> parted, std::span<const std::int64_t> near) {
-  if (parted.empty() && near.empty()) return 0;
+  if (parted.empty() && (near.empty() || organ.severed.pending().empty())) return 0;
   const Lattice& lattice = organ.rest.lattice;
   const int refine = organ.field.refine();
   NodeOwners ownerOf(organ);
+  std::vector<Vec3i> changed;  // bricks
+  for (const std::int64_t brick : organ.severed.pending())
+    changed.push_back(organ.field.brick(brick));
+  // Can what was severed since the last picture have changed the owner of a node round here?
+  const auto concerned = [&](std::int64_t particle) {
+    const Vec3i centre = refine * (lattice.cell(particle) + Vec3i::Constant(2));
+    const int reach = NodeOwners::kFar + 1 + refine;
+    return std::ranges::any_of(changed, [&](const Vec3i& brick) {
+      const Vec3i low = kBrickNodes * brick, high = low + Vec3i::Constant(kBrickNodes);
+      return ((centre - high).array() <= reach).all() && ((low - centre).array() <= reach).all();
+    });
+  };
   std::vector<Vec3i> nodes;
   const auto addNodes = [&](std::int64_t particle, bool cutOnly) {
     const Vec3i centre = refine * (lattice.cell(particle) + Vec3i::Constant(2));
@@ -141,7 +190,8 @@ std::int64_t partStrands(Organ& organ, const TissueModel& tissue,
             nodes.push_back(n);
         }
   };
-  for (const std::int64_t particle : near) addNodes(particle, true);
+  for (const std::int64_t particle : near)
+    if (concerned(particle)) addNodes(particle, true);
   for (const TissueBond& bond : parted) {
     addNodes(bond.cell, false);
     addNodes(lattice.index(lattice.cell(bond.cell) + offsetOf(bond.direction)), false);

@@ -80,6 +80,8 @@ class SeveredEdges {
   // The bricks near() a cut in which something drawn depends on what was severed or traced since
   // the last call, ascending, each once. Valid until the next call.
   std::span<const TouchedBrick> update();
+  // The bricks that the next update() will look at, in any order.
+  std::span<const std::int64_t> pending() const { return pending_; }
 
   std::size_t bytes() const;
 
