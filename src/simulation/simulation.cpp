@@ -6,6 +6,7 @@
 #include "base/assert.h"
 #include "base/state_hash.h"
 #include "organ/moved_incision.h"
+#include "organ/strands.h"
 #include "tissue/still_tissue.h"
 #include "tools/moving_contacts.h"
 

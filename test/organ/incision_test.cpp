@@ -9,6 +9,7 @@
 #include "organ/moved_incision.h"
 #include "organ/organ.h"
 #include "organ/pieces.h"
+#include "organ/strands.h"
 #include "support/blades.h"
 #include "support/block_organ.h"
 #include "support/visible_human.h"
