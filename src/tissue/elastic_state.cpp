@@ -50,9 +50,11 @@ void putPlaneWeights(ElasticState& s, std::span<const std::int32_t> cells) {
   const auto weigh = [&](std::int32_t p) {
     Vec3 sum = Vec3::Zero();
     for (int y = -1; y <= 1; ++y)
-      for (int z = -1; z <= 1; ++z)
-        if (s.solid[p + y * s.box.strideY + z * s.box.strideZ])
-          sum += weights[1 + y * y + z * z] / weights[2] * Vec3(1, y, z);
+      for (int z = -1; z <= 1; ++z) {
+        const std::int32_t q = p + y * s.box.strideY + z * s.box.strideZ;
+        if (q < 0 || q >= s.box.size || !s.solid[q]) continue;  // a margin cell has no margin
+        sum += weights[1 + y * y + z * z] / weights[2] * Vec3(1, y, z);
+      }
     for (int k = 0; k < 3; ++k) s.planeWeight[k][p] = float(sum[k]);
   };
   for (const std::int32_t i : cells)
