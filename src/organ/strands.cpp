@@ -71,8 +71,8 @@ class NodeSet {
   template <typename Take>
   void list(const Take& take) {
     const Vec3i reach = Vec3i::Constant(reach_);
+    low_ = Vec3i::Constant(std::numeric_limits<int>::max());
     Vec3i high = Vec3i::Constant(std::numeric_limits<int>::min());
-    low_ = -high - Vec3i::Ones();
     for (const auto& [centre, which] : centres_) {
       low_ = low_.cwiseMin(centre - reach);
       high = high.cwiseMax(centre + reach);
