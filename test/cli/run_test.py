@@ -38,7 +38,7 @@ PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2])
 
 
 def resect(*args):
-    return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True, timeout=300)
+    return subprocess.run([PROGRAM, *map(str, args)], capture_output=True, text=True, timeout=1800)
 
 
 def run(scenario, *args):
