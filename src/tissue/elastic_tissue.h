@@ -34,7 +34,8 @@ struct TissueSettings {
   // At 1.55 the second-order error of bending and torsion vanishes; less is too soft and lets the
   // lattice wrinkle, more is too stiff. Above 0, up to 3.
   double penalty = 1.55;
-  // Substep as a share of the time of a pressure wave from cell to cell: 0.6; more blows up.
+  // Substep as a share of the time of a pressure wave from cell to cell; beyond 0.5 tissue that is
+  // sheared or stretched as a whole may blow up (docs/methods/tissue.md).
   double stepShare = 0.5;
   // Threads for the two passes, >= 1; more than there are idle cores is slower than one.
   int threads = 1;

@@ -25,7 +25,7 @@ struct Tip {
 };
 
 // Half a beam of `length` cells and height x height cells under a force at its tip, at rest.
-Tip bend(int length, int height, const TissueMaterial& m, double force, double stepShare = 0.6) {
+Tip bend(int length, int height, const TissueMaterial& m, double force, double stepShare = 0.5) {
   TissueSettings settings = test::weightless();
   settings.stepShare = stepShare;
   ElasticTissue tissue(solidBlock({2 * length + 1, height, height}, kSpacing, m), settings);
