@@ -1,0 +1,88 @@
+// Is one length of substep short enough for all that tissue goes through?
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "geometry/measures.h"
+#include "organ/builtin_liver.h"
+#include "organ/discretize.h"
+#include "support/figures.h"
+#include "support/tissue_blocks.h"
+
+using namespace resect;
+
+namespace {
+
+// Some 1 100 cells with the thin margins and ragged edges of an organ.
+TissueCells liver() {
+  const TriangleMesh mesh = builtinLiver(0.005);
+  const Discretization cells = discretize(mesh, latticeForSpacing(bounds(mesh), 0.0115));
+  return {cells.lattice, cells.inside, {liverTissue()}, {}};
+}
+
+// The highest frequency of small motions about the displacements `u`, 1/s: power iteration on the
+// change of the forces.
+double highestFrequency(ElasticTissue& tissue, const std::vector<std::int64_t>& cells,
+                        const std::vector<Vec3>& u) {
+  constexpr int kIterations = 120;
+  const double small = 0.002 * tissue.lattice().spacing.x();
+  const auto forcesAt = [&](const std::vector<Vec3>& away, double scale) {
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      tissue.setDisplacement(cells[k], u[k] + scale * away[k]);
+    tissue.evaluateForces();
+    std::vector<Vec3> forces;
+    for (const std::int64_t c : cells) forces.push_back(tissue.elasticForce(c));
+    return forces;
+  };
+  Random random(3);
+  std::vector<Vec3> mode(cells.size());
+  for (Vec3& v : mode) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+  const std::vector<Vec3> rest = forcesAt(mode, 0);
+  double squared = 0;
+  for (int i = 0; i < kIterations; ++i) {
+    double largest = 0, norm = 0, work = 0;
+    for (const Vec3& v : mode) largest = std::max(largest, v.norm());
+    for (Vec3& v : mode) norm += (v /= largest).squaredNorm();
+    const std::vector<Vec3> forces = forcesAt(mode, small);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      const Vec3 next = (rest[k] - forces[k]) / (small * tissue.mass(cells[k]));
+      work += next.dot(mode[k]);
+      mode[k] = next;
+    }
+    squared = work / norm;
+  }
+  return std::sqrt(squared);
+}
+
+}  // namespace
+
+TEST_CASE("the substep is stable at rest, stretched, sheared, swollen and pressed flat") {
+  test::Figures figures("stability");
+  TissueSettings settings = test::weightless();
+  ElasticTissue tissue(liver(), settings);
+  std::vector<std::int64_t> cells;
+  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i&) { cells.push_back(c); });
+  REQUIRE(cells.size() > 800);
+  Mat3 shear = Mat3::Identity();
+  shear(0, 1) = 1;
+  const double side = std::sqrt(0.5);
+  const std::pair<const char*, Mat3> states[] = {
+      {"at rest", Mat3::Identity()},
+      {"stretched to 1.3", Vec3(1.3, 1, 1).asDiagonal()},
+      {"stretched to 2, volume kept", Vec3(2, side, side).asDiagonal()},
+      {"stretched to 1.5 both ways", Vec3(1.5, 1.5, 1).asDiagonal()},
+      {"swollen to 1.4", 1.4 * Mat3::Identity()},
+      {"pressed to a fifth", Vec3(1, 0.2, 1).asDiagonal()},
+      {"sheared by 1", shear}};
+  // Of v += dt a(u + beta dt v), u += dt v: stable while (omega dt)^2 (1 + 2 beta) < 4.
+  const double limit = 2 / std::sqrt(1 + 2 * settings.damping);
+  for (const auto& [name, f] : states) {
+    std::vector<Vec3> u;
+    for (const std::int64_t c : cells)
+      u.push_back((f - Mat3::Identity()) * tissue.lattice().centre(tissue.lattice().cell(c)));
+    const double share = highestFrequency(tissue, cells, u) * tissue.longestSubstep() / limit;
+    CHECK(share > 0.3);  // no longer substep is given away than needed
+    CHECK(figures.addError("substep / longest stable, " + std::string(name), share, 1) < 1);
+  }
+}
