@@ -1,7 +1,8 @@
 #include "app/pace.h"
 
 #include <algorithm>
-#include <chrono>
+
+#include "base/stage_clock.h"
 
 namespace resect {
 namespace {
@@ -18,10 +19,6 @@ int countAfter(const std::vector<double>& times, double time) {
 }
 
 }  // namespace
-
-double steadySeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 double steadySecondsOf(std::uint64_t stamp) {
   const double now = steadySeconds();

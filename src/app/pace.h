@@ -9,9 +9,7 @@
 
 namespace resect {
 
-// s of the steady clock.
-double steadySeconds();
-// The same for a display server's stamp (ms, its lower 32 bits), or now where that is another
+// steadySeconds() of a display server's stamp (ms, its lower 32 bits), or now where that is another
 // clock.
 double steadySecondsOf(std::uint64_t stamp);
 

@@ -7,6 +7,9 @@
 
 namespace resect {
 
+// s of the steady clock, to compare with another of its times.
+double steadySeconds();
+
 struct StageTimes {
   std::string name;
   std::vector<double> seconds;  // one per step

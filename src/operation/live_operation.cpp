@@ -11,10 +11,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsNow() {
-  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
-
 void keepLast(std::vector<double>& values, double value, std::size_t most) {
   if (values.size() >= most) values.erase(values.begin(), values.end() - std::ptrdiff_t(most) + 1);
   values.push_back(value);
@@ -26,8 +22,8 @@ double median(std::vector<double> values) {
   return values.empty() ? 0 : summarise(std::move(values)).median;
 }
 
-// Looks at one corner of every triangle, at all of those that can be near: well below 0.1 ms for a
-// liver at 5 mm, and only for the tool in hand.
+// Looks at one corner of every triangle, at all of those that can be near; only for the tool in
+// hand.
 TipPlace placeOf(const Simulation& simulation, const Vec3& tip) {
   const auto points = simulation.surfacePoints(), normals = simulation.surfaceNormals();
   const Vec3f p = tip.cast<float>();
@@ -175,7 +171,7 @@ void LiveOperation::work() {
         state_.stages[s] = {clock.stages()[s].name, median(laps_[s])};
       }
       keepLast(steps_, step, second);
-      keepLast(arrivals_, secondsNow(), second);
+      keepLast(arrivals_, steadySeconds(), second);
       state_.stepMedian = median(steps_);
       state_.stepWorst = *std::max_element(steps_.begin(), steps_.end());
       const double elapsed = arrivals_.back() - arrivals_.front();
@@ -232,7 +228,7 @@ void LiveOperation::publish(const StepReport& report) {
   state_.frame = report.frame + 1;
   state_.time = report.time;
   state_.particles = organ.particles;
-  if (organ.removed != state_.removed) state_.lastRemoval = secondsNow();
+  if (organ.removed != state_.removed) state_.lastRemoval = steadySeconds();
   state_.removed = organ.removed;
   state_.removedVolume = organ.removedVolume;
   state_.volume = wholeVolume_ - organ.removedVolume;

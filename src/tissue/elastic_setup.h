@@ -12,7 +12,8 @@
 
 namespace resect {
 
-// At rest, all solid neighbours bonded. `penalty`: alpha, 0 to 1. Throws Error when the lattice is
+// At rest, all solid neighbours bonded. `penalty`: alpha, 0 or more
+// (docs/methods/tissue.md). Throws Error when the lattice is
 // not cubic.
 ElasticState makeElasticState(const TissueCells& cells, double penalty);
 

@@ -15,7 +15,7 @@ from pathlib import Path
 BEGIN, END = "<!-- figures: begin -->", "<!-- figures: end -->"
 ORDER = ["moduli", "law", "patch", "slope", "momentum", "energy", "cut energy", "cantilever",
          "nearly incompressible beam", "elastica", "frequency", "torsion", "cook", "slit", "own weight", "hertz",
-         "resolution", "substep"]
+         "resolution", "substep", "stability"]
 
 
 def rows_of(folder):
