@@ -38,8 +38,12 @@ vec3 noise2(vec2 x) {
               2.0 * du * vec2(k1 + k3 * u.y, k2 + k3 * u.x));
 }
 
-// 1 where the pattern noise(x) is wider than a pixel, 0 where it is finer and would only flicker.
-float finer(vec3 x) {
+// How far x moves within a pixel.
+float widest(vec3 x) {
   vec3 wide = fwidth(x);
-  return 1.0 - smoothstep(0.35, 0.9, max(wide.x, max(wide.y, wide.z)));
+  return max(wide.x, max(wide.y, wide.z));
 }
+
+// 1 where the pattern noise(x) is wider than a pixel, 0 where it is finer and would only flicker;
+// wide: widest(x).
+float finer(float wide) { return 1.0 - smoothstep(0.35, 0.9, wide); }

@@ -8,7 +8,7 @@ void main() {
   vec3 n0 = normalize(objectNormal);
   // Brush marks run across the long (Z) axis of the tools.
   vec3 marks = objectPosition * vec3(250.0, 250.0, 3000.0);
-  vec4 brush = noise(marks) * finer(marks);
+  vec4 brush = noise(marks) * finer(widest(marks));
   float metal = smoothstep(0.12, 0.35, dot(gl_FrontMaterial.specular.rgb, vec3(0.333)));
   vec3 slope = 0.016 * metal * vec3(brush.y, brush.z, 0.6 * brush.w);
   slope -= dot(slope, n0) * n0;

@@ -29,8 +29,8 @@ double steadySecondsOf(std::uint64_t stamp) {
 
 void Pace::inputCame(double at) { waiting_.push_back({at, false}); }
 
-void Pace::pictureBegins(double lastRemoval) {
-  keep(begun_, steadySeconds());
+void Pace::pictureBegins(double looked, double lastRemoval) {
+  keep(begun_, looked);
   for (Input& input : waiting_) input.inPicture = true;
   if (lastRemoval == seenRemoval_) return;
   seenRemoval_ = lastRemoval;

@@ -16,8 +16,9 @@ double steadySecondsOf(std::uint64_t stamp);
 class Pace {
  public:
   void inputCame(double at);
-  // A picture begins that shows all inputs so far and all particles taken until `lastRemoval`.
-  void pictureBegins(double lastRemoval);
+  // A picture begins that shows all inputs until `looked` and all particles taken until
+  // `lastRemoval`.
+  void pictureBegins(double looked, double lastRemoval);
   void pictureIsDrawn();
   void pictureShown();
 

@@ -6,17 +6,19 @@
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <Inventor/nodes/SoNode.h>
 
-#include <QOpenGLContext>
-#include <QOpenGLFunctions>
+#include <QPaintEvent>
+#include <QPainter>
 #include <algorithm>
 #include <cmath>
 
+#include "base/stage_clock.h"
 #include "inventor/operating_session.h"
 
 namespace resect {
 namespace {
 
-constexpr double kStillSeconds = 0.25;  // after this the picture is drawn in full
+constexpr double kStillSeconds = 0.25;  // after this the picture is drawn with smooth edges
+constexpr int kStrips = 10;             // of a smooth picture, one a tick
 
 int inventorKey(int key) {
   if (key >= Qt::Key_A && key <= Qt::Key_Z) return SoKeyboardEvent::A + (key - Qt::Key_A);
@@ -43,36 +45,31 @@ int inventorKey(int key) {
 
 }  // namespace
 
-Viewer::Viewer(QWidget* parent) : QOpenGLWidget(parent) {
+Viewer::Viewer(QWidget* parent) : QWidget(parent) {
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
   setMinimumSize(320, 240);
+  setAttribute(Qt::WA_OpaquePaintEvent);
   clock_.start();
   still_.start();
-  QObject::connect(&timer_, &QTimer::timeout, this, [this] { tick(); });
+  // A timer of no length waits until all input has been handled: what the hand did is in the
+  // picture that begins now, not in the next.
+  soon_.setSingleShot(true);
+  QObject::connect(&timer_, &QTimer::timeout, &soon_, [this] { soon_.start(0); });
+  QObject::connect(&soon_, &QTimer::timeout, this, [this] { tick(); });
   timer_.setTimerType(Qt::PreciseTimer);
-  QObject::connect(this, &QOpenGLWidget::frameSwapped, this, [this] { pace_.pictureShown(); });
   setFpsLimit(60);
 }
 
-Viewer::~Viewer() { forgetContext(); }
-
-void Viewer::forgetContext() {
-  if (!picture_) return;
-  makeCurrent();
-  picture_.reset();
-  doneCurrent();
-}
-
-double Viewer::scaleInMotion() const { return picture_ ? picture_->scale() : 1; }
+double Viewer::scaleInMotion() const { return picture_.scale(); }
 
 void Viewer::setFpsLimit(double fps) { timer_.setInterval(std::max(1, int(1000 / fps))); }
 
 void Viewer::show(OperatingSession* session) {
   session_ = session;
   damage_.everything = true;
-  full_ = true;
-  timer_.start();
+  session ? timer_.start() : timer_.stop();
+  image_ = {};
   update();
 }
 
@@ -92,55 +89,74 @@ double Viewer::framesPerSecond() const {
 
 void Viewer::tick() {
   if (!session_) return;
-  const Damage damage = session_->update();
-  damage_.add(damage);
-  if (!damage_.empty()) {
+  const double looked = steadySeconds();
+  damage_.add(session_->update());
+  if (!damage_.empty() || image_.size() != pictureSize()) {
+    drawChanges(looked);
     still_.restart();
-    full_ = false;
-    fullShown_ = picture_ && !picture_->processorDraws();
-    update();
-  } else if (!fullShown_ && double(still_.elapsed()) * 1e-3 > kStillSeconds) {
-    full_ = true;
-    update();
+  } else if (strip_<kStrips&& double(still_.elapsed()) * 1e-3> kStillSeconds) {
+    drawStrip();
   }
   if (ticked) ticked();
 }
 
-void Viewer::initializeGL() {
-  picture_ = std::make_unique<LivePicture>();
-  QObject::connect(context(), &QOpenGLContext::aboutToBeDestroyed, this,
-                   [this] { forgetContext(); });
-}
-
-void Viewer::paintGL() {
-  if (!session_ || !picture_) {
-    QOpenGLFunctions* gl = context()->functions();
-    gl->glClearColor(0.05f, 0.06f, 0.07f, 1);
-    gl->glClear(GL_COLOR_BUFFER_BIT);
-    return;
-  }
-  // What has happened since the last tick is in this picture, not the next.
-  const Damage fresh = session_->update();
-  if (!fresh.empty() && !grabbing_) full_ = false;
-  damage_.add(fresh);
-  pace_.pictureBegins(session_->state().lastRemoval);
-  session_->room().setShadowResolution(picture_->processorDraws() ? 512 : 1024);
-  picture_->draw(session_->root(), *session_->room().camera(), damage_, viewport().getWindowSize(),
-                 full_, defaultFramebufferObject());
+void Viewer::drawChanges(double looked) {
+  pace_.pictureBegins(looked, session_->state().lastRemoval);
+  session_->room().setShadowResolution(picture_.processorDraws() ? 512 : 1024);
+  session_->room().holdShadows(!picture_.shadowsAreDue(damage_));
+  const QRegion changed = fetch(picture_.draw(session_->root(), *session_->room().camera(), damage_,
+                                              viewport().getWindowSize()));
   pace_.pictureIsDrawn();
   damage_ = {};
-  fullShown_ = full_ || !picture_->processorDraws();
-  full_ = false;
+  strip_ = picture_.processorDraws() ? 0 : kStrips;
+  repaint(changed);
+  pace_.pictureShown();
   drawn_.push_back(double(clock_.nsecsElapsed()) * 1e-9);
   if (drawn_.size() > 240) drawn_.erase(drawn_.begin(), drawn_.begin() + 120);
 }
 
-RgbImage Viewer::grabPicture(bool full) {
-  full_ = full_ || full;
-  grabbing_ = true;
-  const QImage grabbed = grabFramebuffer();
-  grabbing_ = false;
-  const QImage image = grabbed.convertToFormat(QImage::Format_RGB888);
+void Viewer::drawStrip() {
+  session_->room().holdShadows(false);
+  const PixelRect part = picture_.drawSmooth(session_->root(), strip_++, kStrips);
+  repaint(fetch(std::span(&part, 1)));
+}
+
+QSize Viewer::pictureSize() const {
+  const SbVec2s size = viewport().getWindowSize();
+  return QSize(size[0], size[1]);
+}
+
+// Where the widget has changed. The picture counts device pixels, from below.
+QRegion Viewer::fetch(std::span<const PixelRect> parts) {
+  const double ratio = devicePixelRatioF();
+  if (image_.size() != pictureSize()) image_ = QImage(pictureSize(), QImage::Format_RGB32);
+  image_.setDevicePixelRatio(ratio);
+  QRegion changed;
+  for (const PixelRect& part : parts) {
+    const int top = image_.height() - part.top;
+    auto* pixels = reinterpret_cast<std::uint32_t*>(image_.scanLine(top)) + part.left;
+    picture_.read(part, pixels, image_.bytesPerLine() / 4);
+    changed += QRectF(part.left / ratio, top / ratio, (part.right - part.left) / ratio,
+                      (part.top - part.bottom) / ratio)
+                   .toAlignedRect();
+  }
+  return changed;
+}
+
+void Viewer::paintEvent(QPaintEvent* event) {
+  QPainter painter(this);
+  const QSizeF shown = image_.deviceIndependentSize();
+  if (shown.width() < width() || shown.height() < height())
+    painter.fillRect(event->rect(), QColor(13, 15, 18));
+  painter.drawImage(QPointF(0, 0), image_);
+}
+
+RgbImage Viewer::grabPicture(bool smooth) {
+  if (smooth && session_) {
+    drawChanges(steadySeconds());
+    for (strip_ = 0; strip_ < kStrips;) drawStrip();
+  }
+  const QImage image = image_.convertToFormat(QImage::Format_RGB888);
   RgbImage result{image.width(), image.height(), {}};
   for (int y = 0; y < image.height(); ++y)
     result.pixels.insert(result.pixels.end(), image.constScanLine(y),
@@ -213,7 +229,7 @@ void Viewer::key(QKeyEvent* event, bool down) {
   keyboard.setState(down ? SoButtonEvent::DOWN : SoButtonEvent::UP);
   const QPoint at = mapFromGlobal(QCursor::pos());
   if (!send(keyboard, *event, at))
-    down ? QOpenGLWidget::keyPressEvent(event) : QOpenGLWidget::keyReleaseEvent(event);
+    down ? QWidget::keyPressEvent(event) : QWidget::keyReleaseEvent(event);
 }
 
 }  // namespace resect

@@ -1,13 +1,18 @@
 // The picture in the window: draws the operation, and turns mouse and keyboard into Inventor
-// events. Once all stands still the picture is drawn in full, with smooth edges.
+// events. Once all stands still the picture is drawn with smooth edges, strip by strip, so that the
+// hand never waits for it.
+//
+// The picture is drawn offscreen and only what is new in it goes to the screen: a QOpenGLWidget
+// would put the whole window together anew each time, which on the processor costs as much as the
+// drawing (docs/decisions/0003).
 #pragma once
 
 #include <QElapsedTimer>
+#include <QImage>
 #include <QMouseEvent>
-#include <QOpenGLWidget>
 #include <QTimer>
+#include <QWidget>
 #include <functional>
-#include <memory>
 
 #include "app/pace.h"
 #include "inventor/damage.h"
@@ -22,10 +27,10 @@ namespace resect {
 
 class OperatingSession;
 
-class Viewer : public QOpenGLWidget {
+class Viewer : public QWidget {
  public:
+  // Throws Error in one sentence where nothing can be drawn.
   explicit Viewer(QWidget* parent = nullptr);
-  ~Viewer() override;
 
   // Shows this session; nullptr: nothing. The session must outlive its showing.
   void show(OperatingSession* session);
@@ -36,8 +41,8 @@ class Viewer : public QOpenGLWidget {
   double framesPerSecond() const;     // of the pictures drawn lately
   double scaleInMotion() const;       // share of the pixels' rows drawn in motion
   Pace& pace() { return pace_; }
-  // The picture as shown; `full`: drawn anew with all pixels and smooth edges.
-  RgbImage grabPicture(bool full);
+  // The picture as shown; `smooth`: drawn anew with smooth edges.
+  RgbImage grabPicture(bool smooth);
 
   std::function<void()> ticked;  // after each look at the operation
   // Asked first: true when it used the event.
@@ -45,8 +50,7 @@ class Viewer : public QOpenGLWidget {
   std::function<void(const std::string&)> failed;  // a sentence
 
  protected:
-  void initializeGL() override;
-  void paintGL() override;
+  void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override { mouseButton(event, true); }
   void mouseReleaseEvent(QMouseEvent* event) override { mouseButton(event, false); }
   void mouseDoubleClickEvent(QMouseEvent* event) override { mouseButton(event, true); }
@@ -61,16 +65,18 @@ class Viewer : public QOpenGLWidget {
   void mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down);
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
-  void forgetContext();
+  void drawChanges(double looked);  // when the operation was looked at, s
+  void drawStrip();
+  QSize pictureSize() const;
+  QRegion fetch(std::span<const PixelRect> parts);
 
   OperatingSession* session_ = nullptr;
-  QTimer timer_;
+  QTimer timer_, soon_;
   QElapsedTimer clock_, still_;
-  std::unique_ptr<LivePicture> picture_;
+  LivePicture picture_;
+  QImage image_;  // what is on the screen
   Damage damage_;
-  bool full_ = false;  // the next picture is drawn in full
-  bool fullShown_ = false;
-  bool grabbing_ = false;
+  int strip_ = 0;  // the next of the smooth picture
   Qt::MouseButtons down_;
   std::vector<double> drawn_;  // times of the last pictures, s
   Pace pace_;

@@ -1,7 +1,6 @@
 #include "app/window.h"
 
 #include <QApplication>
-#include <QSurfaceFormat>
 #include <cstdlib>
 
 #include "app/main_window.h"
@@ -17,14 +16,6 @@ int showWindow(const WindowOptions& options) {
   };
   if (!given("DISPLAY") && !given("WAYLAND_DISPLAY") && !given("QT_QPA_PLATFORM"))
     throw error("there is no display to open a window on; use `resect run` to operate without one");
-  // Coin draws with OpenGL's compatibility profile.
-  QSurfaceFormat format;
-  format.setRenderableType(QSurfaceFormat::OpenGL);
-  format.setProfile(QSurfaceFormat::CompatibilityProfile);
-  format.setVersion(2, 1);
-  format.setDepthBufferSize(24);
-  format.setSwapInterval(0);
-  QSurfaceFormat::setDefaultFormat(format);
   QApplication::setStyle("Fusion");
   int count = 1;
   char name[] = "resect";

@@ -261,9 +261,9 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
   drawnTriangles_ = 0;
   for (const TriangleBlocks::Run& run : seen(state)) {
     const std::size_t count = std::min(run.count, triangles_.size() - run.first);
-    glDrawRangeElements(GL_TRIANGLES, GLuint(run.low), GLuint(run.high), GLsizei(3 * count),
-                        GL_UNSIGNED_INT,
-                        reinterpret_cast<const void*>(run.first * sizeof(Triangle)));
+    // Not glDrawRangeElements: holes use vertex 0, which may lie outside of what a run uses.
+    glDrawElements(GL_TRIANGLES, GLsizei(3 * count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(run.first * sizeof(Triangle)));
     drawnTriangles_ += std::int64_t(count);
   }
   glPopClientAttrib();

@@ -263,7 +263,7 @@ PixelRect SoShadowMaps::gridPart(const Aabb& changed, std::int32_t texels) const
 
 // One quad over the grid; what each texel is, is worked out in data/shaders/grid.frag.
 void SoShadowMaps::drawGrid(ContextMaps& maps, const PixelRect& part) const {
-  if (maps.program == 0) maps.program = makeProgram("grid.vert", "grid.frag");
+  if (maps.program == 0) maps.program = makeProgram({"grid.vert"}, {"grid.frag"});
   if (maps.program == 0) return;
   const auto uniform = [&](const char* name) { return glGetUniformLocation(maps.program, name); };
   const auto bindDepths = [&](const MapTexture& map, GLenum unit) {
@@ -305,7 +305,7 @@ void SoShadowMaps::GLRender(SoGLRenderAction* action) {
   std::unique_ptr<ContextMaps>& maps = contexts_[context];
   if (!maps) maps = std::make_unique<ContextMaps>();
 
-  if (maps->drawn != getNodeId()) {
+  if (maps->drawn != getNodeId() && !(held_ && maps->drawn != 0)) {
     // Coin keeps a shadow copy of OpenGL's state: everything the inner drawing touches is put back.
     GLint drawBuffer = 0, readBuffer = 0, program = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBuffer);

@@ -58,6 +58,9 @@ class SoShadowMaps : public SoNode {
   // world, m. An empty box, and a change of which nothing is said: anywhere.
   void changedIn(const Aabb& box);
 
+  // While held, the maps stay as they were last drawn, if they were.
+  void hold(bool held) { held_ = held; }
+
   // How often the maps were drawn, and how often of these the casters were drawn whole.
   int redraws() const { return redraws_; }
   int wholeRedraws() const { return wholeRedraws_; }
@@ -80,6 +83,7 @@ class SoShadowMaps : public SoNode {
   SoSeparator* fromAbove_;
   SoPerspectiveCamera* lamp_;
   SoOrthographicCamera* above_;
+  bool held_ = false;
   int redraws_ = 0, wholeRedraws_ = 0;
 };
 

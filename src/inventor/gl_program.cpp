@@ -4,6 +4,7 @@
 #include <GL/glext.h>
 #include <Inventor/errors/SoDebugError.h>
 
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -11,12 +12,13 @@
 
 namespace resect {
 
-GLuint makeProgram(const char* vertexFile, const char* fragmentFile) {
+GLuint makeProgram(std::initializer_list<std::string_view> vertexFiles,
+                   std::initializer_list<std::string_view> fragmentFiles) {
   const GLuint program = glCreateProgram();
   char log[2000] = "";
-  for (const auto& [file, stage] :
-       {std::pair(vertexFile, GL_VERTEX_SHADER), std::pair(fragmentFile, GL_FRAGMENT_SHADER)}) {
-    const std::string source = shaderSource({file});
+  for (const auto& [files, stage] :
+       {std::pair(vertexFiles, GL_VERTEX_SHADER), std::pair(fragmentFiles, GL_FRAGMENT_SHADER)}) {
+    const std::string source = shaderSource(files);
     const char* text = source.c_str();
     const GLuint shader = glCreateShader(GLenum(stage));
     glShaderSource(shader, 1, &text, nullptr);
@@ -32,7 +34,8 @@ GLuint makeProgram(const char* vertexFile, const char* fragmentFile) {
   glGetProgramiv(program, GL_LINK_STATUS, &linked);
   if (linked) return program;
   if (log[0] == '\0') glGetProgramInfoLog(program, sizeof log, nullptr, log);
-  SoDebugError::post("makeProgram", "GLSL shader %s: %s", fragmentFile, log);
+  SoDebugError::post("makeProgram", "GLSL shader %s: %s",
+                     std::string(*std::prev(fragmentFiles.end())).c_str(), log);
   glDeleteProgram(program);
   return 0;
 }

@@ -8,6 +8,7 @@
 
 #include "inventor/SoMarchingCubes.h"
 #include "inventor/SoOrganShape.h"
+#include "inventor/SoShadeOnce.h"
 #include "inventor/SoShadowMaps.h"
 
 namespace resect {
@@ -22,6 +23,7 @@ void initInventor() {
   SoMarchingCubes::initClass();
   SoOrganShape::initClass();
   SoShadowMaps::initClass();
+  SoShadeOnce::initClass();
 }
 
 }  // namespace resect

@@ -5,15 +5,14 @@
 #include <GL/glext.h>
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/actions/SoGLRenderAction.h>
-#include <Inventor/elements/SoGLCacheContextElement.h>
-#include <Inventor/misc/SoContextHandler.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <string>
 #include <utility>
+
+#include "base/stage_clock.h"
+#include "inventor/offscreen_context.h"
 
 namespace resect {
 namespace {
@@ -58,33 +57,42 @@ struct LivePicture::Buffer {
   }
 };
 
+// Smoothed to single samples, or stretched.
+void LivePicture::copy(const Buffer& from, const PixelRect& a, const Buffer& to,
+                       const PixelRect& b) {
+  const bool sameSize =
+      a.right - a.left == b.right - b.left && a.top - a.bottom == b.top - b.bottom;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer);
+  glBlitFramebuffer(a.left, a.bottom, a.right, a.top, b.left, b.bottom, b.right, b.top,
+                    GL_COLOR_BUFFER_BIT, sameSize ? GL_NEAREST : GL_LINEAR);
+}
+
 struct LivePicture::Context {
+  OffscreenContext gl;
   Buffer shown, smooth, coarse;
-  std::string renderer;
-  bool processorDraws = false;
-  std::unique_ptr<SoGLRenderAction> action;
+  bool processorDraws = gl.processorDraws();
+  SoGLRenderAction action{SbViewportRegion(64, 64)};
+
+  ~Context() {
+    if (!gl.makeCurrent()) return;
+    for (Buffer* buffer : {&shown, &smooth, &coarse}) buffer->free();
+  }
 };
 
 LivePicture::LivePicture() : context_(std::make_unique<Context>()) {
-  Context& c = *context_;
-  if (const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER))) c.renderer = name;
-  setProcessorDraws(c.renderer.find("llvmpipe") != std::string::npos ||
-                    c.renderer.find("softpipe") != std::string::npos);
-  c.action = std::make_unique<SoGLRenderAction>(SbViewportRegion(64, 64));
-  c.action->setCacheContext(SoGLCacheContextElement::getUniqueCacheContext());
+  context_->action.setCacheContext(context_->gl.cacheContext());
 }
 
-LivePicture::~LivePicture() {
-  Context& c = *context_;
-  SoContextHandler::destructingContext(c.action->getCacheContext());
-  for (Buffer* buffer : {&c.shown, &c.smooth, &c.coarse}) buffer->free();
-}
+LivePicture::~LivePicture() = default;
 
-const char* LivePicture::renderer() const { return context_->renderer.c_str(); }
 bool LivePicture::processorDraws() const { return context_->processorDraws; }
 void LivePicture::setProcessorDraws(bool draws) { context_->processorDraws = draws; }
 void LivePicture::setLongestPicture(double seconds) { longest_ = seconds; }
-void LivePicture::forget() { context_->shown.free(); }
+void LivePicture::forget() {
+  context_->gl.makeCurrent();
+  context_->shown.free();
+}
 
 // All of the scene, or the pixels of `parts`, in one pass. Round the parts the depth buffer says
 // that something is nearer than all else: no pixel is worked out there.
@@ -113,7 +121,7 @@ void LivePicture::drawParts(SoNode* scene, const Buffer& buffer, std::span<const
     drawnPixels_ += part.area();
   }
   // Coin switches a scissor test off that it does not know of. The quarters: it cuts off fractions.
-  SoGLRenderAction& action = *context_->action;
+  SoGLRenderAction& action = context_->action;
   const SbVec2f size(float(buffer.width), float(buffer.height));
   const bool inPart = all.area() < std::int64_t(buffer.width) * buffer.height;
   const auto share = [&](int x, int y) {
@@ -127,49 +135,69 @@ void LivePicture::drawParts(SoNode* scene, const Buffer& buffer, std::span<const
   glDisable(GL_SCISSOR_TEST);
 }
 
-void LivePicture::draw(SoNode* scene, const SoPerspectiveCamera& camera, const Damage& damage,
-                       const SbVec2s& size, bool full, unsigned framebuffer) {
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point begin = Clock::now();
+bool LivePicture::shadowsAreDue(const Damage& damage) const {
+  const bool nothingElse = !damage.everything && damage.boxes.empty();
+  return !context_->processorDraws || nothingElse || pictures_ % kShadowInterval == 0;
+}
+
+std::span<const PixelRect> LivePicture::draw(SoNode* scene, const SoPerspectiveCamera& camera,
+                                             const Damage& damage, const SbVec2s& size) {
   Context& c = *context_;
+  c.gl.makeCurrent();
   const int width = size[0], height = size[1];
+  const PixelRect whole{0, 0, width, height};
   const bool nothing = c.shown.width != width || c.shown.height != height;
   c.shown.make(width, height, 1);
-  const auto copy = [](const Buffer& from, const PixelRect& a, GLuint to, const PixelRect& b,
-                       GLenum filter) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
-    glBlitFramebuffer(a.left, a.bottom, a.right, a.top, b.left, b.bottom, b.right, b.top,
-                      GL_COLOR_BUFFER_BIT, filter);
-  };
-  const PixelRect whole{0, 0, width, height};
+  drawnPixels_ = 0;
+  if (!c.processorDraws) {
+    drawSmooth(scene, 0, 1);
+    parts_.assign(1, whole);
+    return parts_;
+  }
   late_.add({false, {}, damage.shadows});
   Damage now{nothing || damage.everything, damage.boxes, {}};
-  if (full || damage.boxes.empty() || ++pictures_ % kShadowInterval == 0)
-    now.shadows = std::exchange(late_, {}).shadows;
-  const std::vector<PixelRect> parts = pixelsOf(now, camera, SbViewportRegion(size));
-  drawnPixels_ = 0;
-  if (full || !c.processorDraws) {
-    c.smooth.make(width, height, kSmoothSamples);
-    drawParts(scene, c.smooth, std::span(&whole, 1));
-    copy(c.smooth, whole, c.shown.framebuffer, whole, GL_NEAREST);
-  } else {
-    const bool coarse = double(area(parts)) > kMostInParts * width * height;
-    if (coarse) {
-      c.coarse.make(std::max(16, int(width * scale_)), std::max(16, int(height * scale_)), 1);
-      const PixelRect small{0, 0, c.coarse.width, c.coarse.height};
-      drawParts(scene, c.coarse, std::span(&small, 1));
-      copy(c.coarse, small, c.shown.framebuffer, whole, GL_LINEAR);
-    } else if (!parts.empty()) {
-      drawParts(scene, c.shown, parts);
-    }
-    if (!parts.empty()) {
-      glFinish();
-      if (coarse) adapt(std::chrono::duration<double>(Clock::now() - begin).count());
-    }
+  if (shadowsAreDue(damage)) now.shadows = std::exchange(late_, {}).shadows;
+  if (!damage.empty()) ++pictures_;
+  parts_ = pixelsOf(now, camera, SbViewportRegion(size));
+  if (double(area(parts_)) > kMostInParts * width * height) {
+    const double begin = steadySeconds();
+    c.coarse.make(std::max(16, int(width * scale_)), std::max(16, int(height * scale_)), 1);
+    const PixelRect all{0, 0, c.coarse.width, c.coarse.height};
+    drawParts(scene, c.coarse, std::span(&all, 1));
+    copy(c.coarse, all, c.shown, whole);
+    glFinish();
+    adapt(steadySeconds() - begin);
+    parts_.assign(1, whole);
+  } else if (!parts_.empty()) {
+    drawParts(scene, c.shown, parts_);
   }
-  copy(c.shown, whole, framebuffer, whole, GL_NEAREST);
-  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  return parts_;
+}
+
+PixelRect LivePicture::drawSmooth(SoNode* scene, int strip, int strips) {
+  Context& c = *context_;
+  c.gl.makeCurrent();
+  c.smooth.make(c.shown.width, c.shown.height, kSmoothSamples);
+  const auto edge = [&](int i) { return int(std::int64_t(c.shown.height) * i / strips); };
+  const PixelRect part{0, edge(strip), c.shown.width, edge(strip + 1)};
+  drawnPixels_ = 0;
+  drawParts(scene, c.smooth, std::span(&part, 1));
+  copy(c.smooth, part, c.shown, part);
+  if (strip + 1 == strips) late_ = {};
+  return part;
+}
+
+void LivePicture::read(const PixelRect& part, std::uint32_t* topLeft, std::ptrdiff_t stride) {
+  if (part.empty()) return;
+  context_->gl.makeCurrent();
+  const int width = part.right - part.left, height = part.top - part.bottom;
+  rows_.resize(std::size_t(part.area()));
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, context_->shown.framebuffer);
+  glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  glReadPixels(part.left, part.bottom, width, height, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+               rows_.data());
+  for (int y = 0; y < height; ++y)
+    std::copy_n(&rows_[std::size_t(height - 1 - y) * width], width, topLeft + y * stride);
 }
 
 // One step to fewer pixels when the picture took too long, to more when there was time to spare.

@@ -2,8 +2,8 @@
 //
 // On a graphics card every picture is drawn whole, with smooth edges. Where the processor draws,
 // only the changed parts are drawn again, soft shadows in every third picture; when the parts are
-// too large for the frame rate, all is drawn with fewer pixels. Whoever shows it asks for a full
-// picture once nothing moves any more.
+// too large for the frame rate, all is drawn with fewer pixels. Whoever shows it asks for the
+// smooth picture, strip by strip, once nothing moves any more, and reads only what is new.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "inventor/damage.h"
 
@@ -21,31 +22,38 @@ namespace resect {
 
 class LivePicture {
  public:
-  // Made, used and ended with one and the same OpenGL context current.
+  // Draws in an offscreen context of its own. Throws Error in one sentence when there is none.
   LivePicture();
   ~LivePicture();
   LivePicture(const LivePicture&) = delete;
   LivePicture& operator=(const LivePicture&) = delete;
 
-  const char* renderer() const;            // e.g. "llvmpipe (LLVM 15.0.6, 256 bits)"
   bool processorDraws() const;             // there is no graphics card
   void setProcessorDraws(bool draws);      // as if so, for tests
   void setLongestPicture(double seconds);  // beyond this, in motion, fewer pixels are drawn
 
-  // Draws the scene, in which `camera` is, as far as `damage` reaches, or whole and smooth when
-  // `full`, and copies the picture to a framebuffer of the same size.
-  void draw(SoNode* scene, const SoPerspectiveCamera& camera, const Damage& damage,
-            const SbVec2s& size, bool full, unsigned framebuffer);
+  // Will soft shadows be drawn in the next picture? Where not, their maps need not be made anew.
+  bool shadowsAreDue(const Damage& damage) const;
+  // Draws the scene, in which `camera` is, as far as `damage` reaches. Returns where the picture
+  // may have changed; valid until the next call.
+  std::span<const PixelRect> draw(SoNode* scene, const SoPerspectiveCamera& camera,
+                                  const Damage& damage, const SbVec2s& size);
+  // Strip `strip` of `strips`, from below, of the smooth picture of a scene that has not changed
+  // since it was drawn at this size.
+  PixelRect drawSmooth(SoNode* scene, int strip, int strips);
+  // Copies pixels as 0xffRRGGBB to `topLeft`, rows from above, `stride` pixels apart.
+  void read(const PixelRect& part, std::uint32_t* topLeft, std::ptrdiff_t stride);
   // The next picture will be drawn whole.
   void forget();
 
   double scale() const { return scale_; }  // share of the pixels' rows drawn in motion
-  std::int64_t drawnPixels() const { return drawnPixels_; }  // by the last draw()
+  std::int64_t drawnPixels() const { return drawnPixels_; }  // by the last draw
 
  private:
   struct Buffer;
   struct Context;
 
+  static void copy(const Buffer& from, const PixelRect& a, const Buffer& to, const PixelRect& b);
   void drawParts(SoNode* scene, const Buffer& buffer, std::span<const PixelRect> parts);
   void adapt(double seconds);
 
@@ -53,6 +61,8 @@ class LivePicture {
   double scale_ = 1, longest_ = 0.028;
   std::int64_t drawnPixels_ = 0;
   Damage late_;  // shadows not drawn yet
+  std::vector<PixelRect> parts_;
+  std::vector<std::uint32_t> rows_;  // for read()
   int pictures_ = 0;
 };
 

@@ -18,32 +18,35 @@ namespace resect {
 namespace {
 
 struct Stages {
-  std::string_view vertex, fragment;
+  std::string_view vertex;
+  std::vector<std::string_view> fragment;
 };
 
 Stages stages(RoomMaterial material) {
   switch (material) {
     case RoomMaterial::Liver:
-      return {"organ.vert", "liver.frag"};
+      return {"organ.vert", {"light.glsl", "noise.glsl", "liver.glsl", "liver.frag"}};
+    case RoomMaterial::Gather:
+      return {"organ.vert", {"noise.glsl", "gather.frag"}};
     case RoomMaterial::Steel:
-      return {"surface.vert", "steel.frag"};
+      return {"surface.vert", {"light.glsl", "noise.glsl", "steel.frag"}};
     case RoomMaterial::Cloth:
-      return {"surface.vert", "cloth.frag"};
+      return {"surface.vert", {"light.glsl", "noise.glsl", "cloth.frag"}};
     case RoomMaterial::Room:
-      return {"room.vert", "room.frag"};
+      return {"room.vert", {"light.glsl", "noise.glsl", "room.frag"}};
   }
   RESECT_ASSERT(false);
   return {};
 }
 
-void setSource(SoShaderObject* shader, std::initializer_list<std::string_view> parts) {
+void setSource(SoShaderObject* shader, const std::vector<std::string_view>& parts) {
   shader->sourceType = SoShaderObject::GLSL_PROGRAM;
   shader->sourceProgram = shaderSource(parts).c_str();
 }
 
 }  // namespace
 
-std::string shaderSource(std::initializer_list<std::string_view> parts) {
+std::string shaderSource(const std::vector<std::string_view>& parts) {
   std::string source = "#version 120\n";
   for (const std::string_view part : parts) {
     const std::filesystem::path path = dataFolder() / "shaders" / part;
@@ -57,10 +60,11 @@ std::string shaderSource(std::initializer_list<std::string_view> parts) {
 }
 
 SoShaderProgram* makeMaterial(RoomMaterial material) {
+  const Stages files = stages(material);
   auto* vertex = new SoVertexShader;
-  setSource(vertex, {stages(material).vertex});
+  setSource(vertex, {files.vertex});
   auto* fragment = new SoFragmentShader;
-  setSource(fragment, {"light.glsl", "noise.glsl", stages(material).fragment});
+  setSource(fragment, files.fragment);
   // The texture units of SoShadowMaps.
   const auto sampler = [&](const char* name, int unit) {
     auto* parameter = new SoShaderParameter1i;
@@ -68,8 +72,10 @@ SoShaderProgram* makeMaterial(RoomMaterial material) {
     parameter->value = unit;
     fragment->parameter.set1Value(fragment->parameter.getNum(), parameter);
   };
-  sampler("lampShadow", 7);
-  sampler("shadowGrid", 5);
+  if (material != RoomMaterial::Gather) {
+    sampler("lampShadow", kLampShadowUnit);
+    sampler("shadowGrid", kShadowGridUnit);
+  }
 
   auto* program = new SoShaderProgram;
   program->shaderObject.set1Value(0, vertex);

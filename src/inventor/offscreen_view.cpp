@@ -1,8 +1,6 @@
 #include "inventor/offscreen_view.h"
 
 #define GL_GLEXT_PROTOTYPES
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <Inventor/SbViewportRegion.h>
@@ -17,27 +15,11 @@
 #include <string>
 
 #include "base/error.h"
-#include "inventor/init.h"
+#include "inventor/offscreen_context.h"
 
 namespace resect {
 
 namespace {
-
-EGLDisplay openDisplay() {
-  const char* extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
-  const auto has = [&](const char* name) { return extensions && std::strstr(extensions, name); };
-  if (has("EGL_MESA_platform_surfaceless"))
-    return eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-  if (has("EGL_EXT_platform_device")) {
-    const auto queryDevices =
-        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
-    EGLDeviceEXT device = nullptr;
-    EGLint count = 0;
-    if (queryDevices && queryDevices(1, &device, &count) && count == 1)
-      return eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
-  }
-  return eglGetDisplay(EGL_DEFAULT_DISPLAY);
-}
 
 // Keeps what Coin has to say about a shader while it is alive; passes on what else matters.
 class ShaderComplaints {
@@ -66,58 +48,24 @@ class ShaderComplaints {
   std::string text_;
 };
 
-constexpr const char* kAdvice =
-    "pictures need OpenGL through EGL; install libegl1 and libgl1-mesa-dri";
-
 }  // namespace
 
-struct OffscreenView::Context {
+struct OffscreenView::Buffers {
   int width, height;
-  EGLDisplay display = EGL_NO_DISPLAY;
-  EGLContext egl = EGL_NO_CONTEXT;
+  OffscreenContext context;
   GLuint drawBuffer = 0, readBuffer = 0, renderBuffers[3] = {};
-  std::uint32_t id = 0;
-  std::unique_ptr<SoGLRenderAction> action;
-  std::string renderer;
+  SoGLRenderAction action;
 
-  Context(int w, int h) : width(w), height(h) {}
-
-  void open(int samples) {
-    display = openDisplay();
-    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
-      throw error("cannot open an EGL display: {}", kAdvice);
-    const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
-    EGLConfig config = EGL_NO_CONFIG_KHR;
-    EGLint count = 0;
-    if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, wanted, &config, 1, &count))
-      throw error("the EGL display has no OpenGL: {}", kAdvice);
-    egl =
-        eglCreateContext(display, count > 0 ? config : EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, nullptr);
-    if (egl == EGL_NO_CONTEXT) throw error("cannot make an OpenGL context: {}", kAdvice);
-    makeCurrent();
-    renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  Buffers(int w, int h, int samples)
+      : width(w), height(h), action(SbViewportRegion(short(w), short(h))) {
     makeBuffers(samples);
-
-    id = SoGLCacheContextElement::getUniqueCacheContext();
-    action = std::make_unique<SoGLRenderAction>(SbViewportRegion(short(width), short(height)));
-    action->setCacheContext(id);
+    action.setCacheContext(context.cacheContext());
   }
-
-  ~Context() {
-    if (egl != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, egl)) {
-      if (id) SoContextHandler::destructingContext(id);
-      glDeleteFramebuffers(1, &drawBuffer);
-      glDeleteFramebuffers(1, &readBuffer);
-      glDeleteRenderbuffers(3, renderBuffers);
-      eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-    }
-    if (egl != EGL_NO_CONTEXT) eglDestroyContext(display, egl);
-    // The display stays initialised: it is shared by all views of the process.
-  }
-
-  void makeCurrent() const {
-    if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, egl))
-      throw error("EGL cannot draw without a window: {}", kAdvice);
+  ~Buffers() {
+    if (!context.makeCurrent()) return;
+    glDeleteFramebuffers(1, &drawBuffer);
+    glDeleteFramebuffers(1, &readBuffer);
+    glDeleteRenderbuffers(3, renderBuffers);
   }
 
   void makeBuffers(int samples) {
@@ -126,7 +74,7 @@ struct OffscreenView::Context {
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (std::max(width, height) > largest)
       throw usageError("a picture of {} x {} pixels is too large for {}; stay below {}", width,
-                       height, renderer, largest);
+                       height, context.renderer(), largest);
     samples = std::clamp(samples, 1, most);
     glGenFramebuffers(1, &drawBuffer);
     glGenFramebuffers(1, &readBuffer);
@@ -147,8 +95,8 @@ struct OffscreenView::Context {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_RENDERBUFFER,
                               renderBuffers[1]);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw error("{} refuses a framebuffer of {} x {} pixels; choose a smaller size", renderer,
-                  width, height);
+      throw error("{} refuses a framebuffer of {} x {} pixels; choose a smaller size",
+                  context.renderer(), width, height);
   }
 };
 
@@ -156,20 +104,18 @@ OffscreenView::OffscreenView(int width, int height, int samples) {
   if (std::min(width, height) < 16 || std::max(width, height) > 8192)
     throw usageError("a picture of {} x {} pixels is refused; choose 16 to 8192 each way", width,
                      height);
-  initInventor();
-  context_ = std::make_unique<Context>(width, height);
-  context_->open(samples);
+  buffers_ = std::make_unique<Buffers>(width, height, samples);
 }
 
 OffscreenView::~OffscreenView() = default;
 
-int OffscreenView::width() const { return context_->width; }
-int OffscreenView::height() const { return context_->height; }
-const char* OffscreenView::renderer() const { return context_->renderer.c_str(); }
+int OffscreenView::width() const { return buffers_->width; }
+int OffscreenView::height() const { return buffers_->height; }
+const char* OffscreenView::renderer() const { return buffers_->context.renderer(); }
 
 RgbImage OffscreenView::render(SoNode* scene) {
-  Context& c = *context_;
-  c.makeCurrent();
+  Buffers& c = *buffers_;
+  c.context.makeCurrent();
   glBindFramebuffer(GL_FRAMEBUFFER, c.drawBuffer);
   glViewport(0, 0, c.width, c.height);
   glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
@@ -180,21 +126,17 @@ RgbImage OffscreenView::render(SoNode* scene) {
 
   const ShaderComplaints complaints;
   scene->ref();
-  c.action->apply(scene);
+  c.action.apply(scene);
   scene->unrefNoDelete();
   if (!complaints.text().empty())
-    throw error("a shader of the scene does not work on {}: {}; please report this", c.renderer,
-                complaints.text());
+    throw error("a shader of the scene does not work on {}: {}; please report this",
+                c.context.renderer(), complaints.text());
   return read();
 }
 
-void OffscreenView::makeCurrent() { context_->makeCurrent(); }
-
-unsigned OffscreenView::framebuffer() const { return context_->drawBuffer; }
-
 RgbImage OffscreenView::read() {
-  Context& c = *context_;
-  c.makeCurrent();
+  Buffers& c = *buffers_;
+  c.context.makeCurrent();
   glBindFramebuffer(GL_READ_FRAMEBUFFER, c.drawBuffer);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, c.readBuffer);
   glBlitFramebuffer(0, 0, c.width, c.height, 0, 0, c.width, c.height, GL_COLOR_BUFFER_BIT,

@@ -1,7 +1,7 @@
 // How does a scene become a picture where there is no display?
 //
-// An EGL context without a surface and a multisampled framebuffer of its own; kept for many
-// pictures, so that buffers, textures and shaders stay on the card. No X, no environment variable.
+// An offscreen context and a multisampled framebuffer of its own; kept for many pictures, so that
+// buffers, textures and shaders stay on the card.
 // The scene must contain its camera and its lights.
 #pragma once
 
@@ -29,17 +29,14 @@ class OffscreenView {
   // Inventor would go on with flat colours.
   RgbImage render(SoNode* scene);
 
-  // For those who draw into it themselves: its context, and the framebuffer that render() uses.
-  void makeCurrent();
-  unsigned framebuffer() const;
-  RgbImage read();  // what is in the framebuffer
-
   // Name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".
   const char* renderer() const;
 
  private:
-  struct Context;
-  std::unique_ptr<Context> context_;
+  RgbImage read();
+
+  struct Buffers;
+  std::unique_ptr<Buffers> buffers_;
 };
 
 }  // namespace resect

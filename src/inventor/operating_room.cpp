@@ -25,6 +25,7 @@
 #include "geometry/normals.h"
 #include "geometry/topology.h"
 #include "inventor/SoOrganShape.h"
+#include "inventor/SoShadeOnce.h"
 #include "inventor/SoShadowMaps.h"
 #include "inventor/init.h"
 #include "inventor/materials.h"
@@ -79,9 +80,11 @@ Tissue appendTissue(SoSeparator* tissue, const Vec3f& colour) {
   auto* base = new SoBaseColor;
   base->rgb.setValue(colour.data());
   auto* shape = new SoOrganShape;
+  auto* once = new SoShadeOnce;
+  once->addChild(shape);
   separator->addChild(base);
   separator->addChild(hints);
-  separator->addChild(shape);
+  separator->addChild(once);
   tissue->addChild(separator);
   return {base, hints, shape};
 }
@@ -266,6 +269,8 @@ void OperatingRoom::changedIn(const Aabb& box) { shadows_->changedIn(box); }
 void OperatingRoom::setShadowResolution(int texels) {
   if (shadows_->resolution.getValue() != texels) shadows_->resolution = texels;
 }
+
+void OperatingRoom::holdShadows(bool held) { shadows_->hold(held); }
 
 void OperatingRoom::addListener(SoEventCallback* listener) {
   root_->insertChild(listener, root_->findChild(camera_) + 1);

@@ -107,6 +107,7 @@ class OperatingRoom {
   const SoShadowMaps& shadows() const { return *shadows_; }
   // Texels along each side of the shadow maps: fewer are drawn sooner.
   void setShadowResolution(int texels);
+  void holdShadows(bool held);  // while held they stay as they are
 
   // Aims lamps and shadows at the box, world, m. Call it once per scene, or when the organ moves to
   // another place; not per frame, else the light flickers.

@@ -78,14 +78,10 @@ std::vector<TriangleBlocks::Run> TriangleBlocks::within(const HalfSpaces& spaces
     });
     if (!meets) continue;
     const std::size_t first = b * kTriangles;
-    if (!runs.empty() && runs.back().first + runs.back().count == first) {
-      Run& run = runs.back();
-      run.count += kTriangles;
-      run.low = std::min(run.low, block.low);
-      run.high = std::max(run.high, block.high);
-    } else {
-      runs.push_back({first, kTriangles, block.low, block.high});
-    }
+    if (!runs.empty() && runs.back().first + runs.back().count == first)
+      runs.back().count += kTriangles;
+    else
+      runs.push_back({first, kTriangles});
   }
   return runs;
 }

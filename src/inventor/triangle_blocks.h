@@ -23,7 +23,6 @@ class TriangleBlocks {
   using HalfSpaces = std::array<Eigen::Vector4f, 6>;
   struct Run {
     std::size_t first = 0, count = 0;  // triangles
-    std::int32_t low = 0, high = 0;    // vertices that they use lie between these, both included
   };
   struct Box {
     Vec3f low, high;  // low > high: empty
