@@ -17,9 +17,9 @@
 namespace resect {
 namespace {
 
-constexpr double kScales[] = {1.0, 0.75, 0.5, 0.4};
-// Share of the picture. All of it with fewer pixels costs all of the triangles.
-constexpr double kMostInParts = 0.4;
+// Tiles of 16 pixels stay whole in all of them.
+constexpr double kScales[] = {1.0, 0.75, 0.5, 0.375};
+constexpr double kMostSharp = 0.16;  // share of the picture that never gets fewer pixels
 constexpr int kSmoothSamples = 4;
 constexpr int kShadowInterval = 3;  // pictures
 
@@ -159,19 +159,37 @@ std::span<const PixelRect> LivePicture::draw(SoNode* scene, const SoPerspectiveC
   if (shadowsAreDue(damage)) now.shadows = std::exchange(late_, {}).shadows;
   if (!damage.empty()) ++pictures_;
   parts_ = pixelsOf(now, camera, SbViewportRegion(size));
-  if (double(area(parts_)) > kMostInParts * width * height) {
-    const double begin = steadySeconds();
-    c.coarse.make(std::max(16, int(width * scale_)), std::max(16, int(height * scale_)), 1);
-    const PixelRect all{0, 0, c.coarse.width, c.coarse.height};
-    drawParts(scene, c.coarse, std::span(&all, 1));
-    copy(c.coarse, all, c.shown, whole);
-    glFinish();
-    adapt(steadySeconds() - begin);
-    parts_.assign(1, whole);
-  } else if (!parts_.empty()) {
+  if (parts_.empty()) return parts_;
+  if (double(area(parts_)) < kMostSharp * width * height) {
     drawParts(scene, c.shown, parts_);
+    return parts_;
   }
+  const double begin = steadySeconds();
+  if (scale_ == 1) {
+    drawParts(scene, c.shown, parts_);
+  } else {
+    drawCoarse(scene);
+  }
+  glFinish();
+  adapt(steadySeconds() - begin);
   return parts_;
+}
+
+// With fewer pixels, stretched over the parts.
+void LivePicture::drawCoarse(SoNode* scene) {
+  Context& c = *context_;
+  const auto coarse = [&](int edge) { return int(std::lround(edge * scale_)); };
+  c.coarse.make(std::max(16, coarse(c.shown.width)), std::max(16, coarse(c.shown.height)), 1);
+  std::vector<PixelRect> small, drawn;
+  for (const PixelRect& part : parts_) {
+    const PixelRect s{coarse(part.left), coarse(part.bottom), coarse(part.right), coarse(part.top)};
+    small.push_back(s);
+    // A pixel more on each side: stretching looks beyond the edges.
+    drawn.push_back({std::max(s.left - 1, 0), std::max(s.bottom - 1, 0),
+                     std::min(s.right + 1, c.coarse.width), std::min(s.top + 1, c.coarse.height)});
+  }
+  drawParts(scene, c.coarse, drawn);
+  for (std::size_t i = 0; i < small.size(); ++i) copy(c.coarse, small[i], c.shown, parts_[i]);
 }
 
 PixelRect LivePicture::drawSmooth(SoNode* scene, int strip, int strips) {

@@ -2,7 +2,7 @@
 //
 // On a graphics card every picture is drawn whole, with smooth edges. Where the processor draws,
 // only the changed parts are drawn again, soft shadows in every third picture; when the parts are
-// too large for the frame rate, all is drawn with fewer pixels. Whoever shows it asks for the
+// too large for the frame rate, they are drawn with fewer pixels. Whoever shows it asks for the
 // smooth picture, strip by strip, once nothing moves any more, and reads only what is new.
 #pragma once
 
@@ -55,6 +55,7 @@ class LivePicture {
 
   static void copy(const Buffer& from, const PixelRect& a, const Buffer& to, const PixelRect& b);
   void drawParts(SoNode* scene, const Buffer& buffer, std::span<const PixelRect> parts);
+  void drawCoarse(SoNode* scene);
   void adapt(double seconds);
 
   std::unique_ptr<Context> context_;

@@ -33,6 +33,16 @@ def drawn(screen, window, points, button=1):
     return window.said[before:]
 
 
+def forward(screen, window, most):
+    """Away from the eye, until something is removed."""
+    for _ in range(most):
+        screen.do("click", 4)
+        time.sleep(0.1)
+        window.drain()
+        if any(line.startswith("removed ") for line in window.said):
+            break
+
+
 def row(what, said):
     rates = [tuple(map(float, RATE.match(line).groups())) for line in said if line.startswith("rate ")]
     uploads = [tuple(map(int, UPLOADED.match(line).groups())) for line in said if line.startswith("uploaded ")]
@@ -47,7 +57,61 @@ def row(what, said):
             f"{removed[-1].split()[1] if removed else 0} |")
 
 
+HEAD = ("| {} | pictures/s: median (least) | drawing one | input to picture: median | longest | in pictures, at most | "
+        "removed particles gone in picture | vertices sent per picture | particles removed |\n|---|---|---|---|---|---|---|---|---|")
+
+
 def measure(program, folder, seconds=8):
+    still(program, folder, seconds)
+    elastic(program, folder, seconds)
+
+
+ELASTIC = """title = "Elastic liver, three instruments"
+duration = 60
+[organ]
+source = "liver"
+spacing = "8mm"
+[tissue]
+model = "elastic"
+[[tool]]
+model = "scalpel"
+[[tool]]
+model = "hook"
+[[tool]]
+model = "baton"
+"""
+
+
+def elastic(program, folder, seconds):
+    """Baton, hook and scalpel on tissue that gives way, at 8 mm."""
+    scenario = folder / "elastic.toml"
+    scenario.write_text(ELASTIC)
+    screen = Screen(folder, 1700, 1000)
+    window = None
+    try:
+        window = Window(program, screen, str(scenario), "--size", "1600x860")
+        window.wait("ready", 180)
+        window.tell("picture-size 1280 770")
+        window.wait("places")
+        organ = window.places["organ"]
+        print(HEAD.format("elastic liver at 8 mm, picture 1280 x 770"), flush=True)
+        for what, key, name in (("the baton presses", 3, "Baton"), ("the hook pulls", 2, "Hook"), ("the scalpel cuts", 1, "Scalpel")):
+            screen.click(organ[0], organ[1] + 200)
+            screen.key(str(key))
+            window.wait(f"held {name} direct")
+            drawn(screen, window, zigzag(organ, 1, 60, 1, 60))
+            forward(screen, window, 12)
+            print(row(what, drawn(screen, window, zigzag(organ, 90, 40, max(1, seconds // 2), 120))), flush=True)
+            screen.picture("elastic_" + name.lower())
+            screen.key("Escape")
+        window.quit()
+    finally:
+        if window and window.process.poll() is None:
+            window.quit()
+        screen.close()
+
+
+def still(program, folder, seconds):
     screen = Screen(folder, 1700, 1000)
     window = None
     try:
@@ -56,26 +120,18 @@ def measure(program, folder, seconds=8):
         window.tell("picture-size 1280 770")
         window.wait("places")
         organ = window.places["organ"]
-        print("| liver at 5 mm, picture 1280 x 770 | pictures/s: median (least) | drawing one | input to picture: median | longest | "
-              "in pictures, at most | removed particles gone in picture | vertices sent per picture | particles removed |")
-        print("|---|---|---|---|---|---|---|---|---|", flush=True)
+        print(HEAD.format("liver at 5 mm, picture 1280 x 770"), flush=True)
         screen.click(organ[0], organ[1] + 200)
         screen.key("1")
         window.wait("held Scalpel direct")
         strokes = max(1, seconds // 2)
         print(row("the scalpel is moved over it", drawn(screen, window, zigzag(organ, 110, 0, strokes, 120))), flush=True)
         drawn(screen, window, zigzag(organ, 1, 60, 1, 60))
-        for _ in range(24):  # away from the eye, until it touches
-            screen.do("click", 4)
-            time.sleep(0.1)
-            window.drain()
-            if any(line.startswith("removed ") for line in window.said):
-                break
+        forward(screen, window, 24)
         print(row("it is drawn through the dome", drawn(screen, window, zigzag(organ, 110, 70, strokes, 120))), flush=True)
         screen.picture("cut")
         print(row("the camera goes round", drawn(screen, window, zigzag(organ, 200, 0, strokes, 120), button=3)), flush=True)
         window.quit()
-        return 0
     finally:
         if window and window.process.poll() is None:
             window.quit()
