@@ -29,8 +29,9 @@ function(resect_layer name)
 endfunction()
 
 # For the sanitizers: readers are given files that ask for more memory than there is, which is bad_alloc and no
-# finding; libraries keep some memory until the end.
-set(RESECT_TEST_ENVIRONMENT ASAN_OPTIONS=allocator_may_return_null=1
+# finding; what was freed is kept for a while, but not so much that it looks like growth; libraries keep some
+# memory until the end.
+set(RESECT_TEST_ENVIRONMENT ASAN_OPTIONS=allocator_may_return_null=1:quarantine_size_mb=16
     LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/test/library_leaks.txt:print_suppressions=0)
 
 # How many times as long a test may take: under a sanitizer everything is some ten times slower.

@@ -10,6 +10,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QLayout>
 #include <QPushButton>
 #include <algorithm>
 #include <cmath>
@@ -67,17 +68,23 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   });
 }
 
+// The dialog grows with what there is to read.
+void OpenOrganDialog::tell(const QString& text) {
+  report_->setText(text);
+  layout()->activate();
+  resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+}
+
 void OpenOrganDialog::unitChanged() {
   size_->setText(QString("%1 mm").arg(longest_ * unit_->currentData().toDouble() * 1e3, 0, 'g', 4));
 }
 
 void OpenOrganDialog::show(const std::string& json, const std::string& problem) {
   if (!problem.empty()) {
-    report_->setText(QString::fromStdString(problem));
-    return;
+    return tell(QString::fromStdString(problem));
   }
   const QJsonObject info = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
-  if (info.isEmpty()) return report_->setText("the report cannot be read");
+  if (info.isEmpty()) return tell("the report cannot be read");
   const bool closed = info["closed"].toBool();
   QString text =
       QString("%L1 triangles, %2 components, %3")
@@ -86,7 +93,7 @@ void OpenOrganDialog::show(const std::string& json, const std::string& problem) 
           .arg(closed ? "closed"
                       : QString("open: %1 boundary edges").arg(info["boundary_edges"].toInt()));
   if (info["inside_out"].toBool()) text += ", inside out (will be turned)";
-  report_->setText(text);
+  tell(text);
   repair_->setChecked(!closed);
   const QJsonArray bounds = info["bounds_m"].toArray();
   for (int a = 0; a < 3; ++a)

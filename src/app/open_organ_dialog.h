@@ -29,6 +29,7 @@ class OpenOrganDialog : public QDialog {
 
  private:
   void show(const std::string& json, const std::string& problem);
+  void tell(const QString& text);
   void unitChanged();
 
   std::string file_;

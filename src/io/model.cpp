@@ -103,20 +103,22 @@ void checkModel(const Model& model) {
   std::size_t triangles = 0;
   for (const ModelPart& part : model.parts) {
     const auto points = std::int32_t(part.mesh.points.size());
+    const std::string where =
+        part.name.empty() ? "the mesh" : fmt::format("part '{}'", printable(part.name));
     triangles += part.mesh.triangles.size();
     for (const Vec3& p : part.mesh.points)
       if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestCoordinate)
         throw error(
-            "{}: part '{}' has the point ({:g}, {:g}, {:g}), which is no place; export the "
+            "{}: {} has the point ({:g}, {:g}, {:g}), which is no place; export the "
             "model again",
-            model.path, printable(part.name), p.x(), p.y(), p.z());
+            model.path, where, p.x(), p.y(), p.z());
     for (const Triangle& t : part.mesh.triangles)
       for (const std::int32_t i : t)
         if (i < 0 || i >= points)
           throw error(
-              "{}: part '{}' has a triangle with point {} of only {}; export the model "
+              "{}: {} has a triangle with point {} of only {}; export the model "
               "again",
-              model.path, printable(part.name), i, points);
+              model.path, where, i, points);
   }
   if (triangles == 0)
     throw error("{}: there are no triangles in it; choose a file that holds a surface", model.path);

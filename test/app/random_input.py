@@ -165,6 +165,7 @@ def play(program, folder, seconds, seed, organ=("--spacing", "8mm")):
                 person.everything_back()
                 half = person.memory()
         person.everything_back()
+        half = half or person.memory()  # it was started again late
         end = person.memory()
         print(f"{actions} random acts in {time.time() - begun:.0f} s (seed {seed}), started {person.starts} times; "
               f"memory {half:.0f} MB at half time, {end:.0f} MB at the end")

@@ -149,6 +149,7 @@ class AtTheWindow(unittest.TestCase):
         name("Open", "ctrl+o", other)
         window.wait("report ")
         screen.focus("^Open organ$")
+        screen.picture("dialog_report")
         screen.key("Return")
         window.wait("organ other.stl")
         screen.picture("dialog_other_organ")
@@ -203,6 +204,9 @@ class AtTheWindow(unittest.TestCase):
                 self.screen.picture(f"scale_{scale}")
             finally:
                 window.quit()
+
+    def test_random_input_does_not_end_it_and_all_comes_back(self):
+        self.assertEqual(play(PROGRAM, FOLDER / "random", seconds=20, seed=1), 0)
 
     def test_a_broken_file_is_a_sentence_in_the_window(self):
         broken = FOLDER / "broken.stl"
