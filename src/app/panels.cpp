@@ -257,19 +257,23 @@ void TimingPanel::paintEvent(QPaintEvent*) {
   const StageTime* slowest = nullptr;
   for (const StageTime& stage : state_.stages)
     if (stage.median >= most) most = stage.median, slowest = &stage;
-  for (const StageTime& stage : state_.stages) {
-    const int bar = int((width() - 16) * std::min(1.0, stage.median / most));
-    painter.fillRect(QRect(8, y + row - 4, std::max(1, bar), 3), QColor(70, 140, 160));
-    text(QString::fromStdString(stage.name), QString("%1").arg(stage.median * 1e3, 0, 'f', 3));
-  }
   QString advice;
   if (state_.realTimeFactor < 0.9 && slowest)
     advice = QString("Slower than real time: %1 takes most. A larger spacing helps.")
                  .arg(QString::fromStdString(slowest->name));
   else if (pictures_ > 0 && scale_ < 0.45)
     advice = "Drawing is slow here: a smaller window or a graphics card helps.";
-  painter.setPen(QColor(220, 150, 60));
-  painter.drawText(QRect(8, y, width() - 16, 3 * row), Qt::AlignLeft | Qt::TextWordWrap, advice);
+  if (!advice.isEmpty()) {  // above the stages: the panel may be too low for all of them
+    const QRect room(8, y, width() - 16, 4 * row);
+    painter.setPen(QColor(220, 150, 60));
+    painter.drawText(room, Qt::AlignLeft | Qt::TextWordWrap, advice);
+    y += metrics.boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, advice).height() + 4;
+  }
+  for (const StageTime& stage : state_.stages) {
+    const int bar = int((width() - 16) * std::min(1.0, stage.median / most));
+    painter.fillRect(QRect(8, y + row - 4, std::max(1, bar), 3), QColor(70, 140, 160));
+    text(QString::fromStdString(stage.name), QString("%1").arg(stage.median * 1e3, 0, 'f', 3));
+  }
 }
 
 }  // namespace resect
