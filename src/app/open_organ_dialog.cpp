@@ -111,7 +111,7 @@ void OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   unitChanged();
   const QJsonArray parts = info["parts"].toArray();
   if (parts.size() > 1)
-    for (const QJsonValue& part : parts) {
+    for (const QJsonValue part : parts) {
       const QString name = part.isString() ? part.toString() : part["name"].toString();
       part_->addItem(name, name);
       // In a scene that was saved from here the organ is known by its name.

@@ -48,16 +48,9 @@ struct RingEdge {
 };
 inline RingEdge ringEdge(int axis, int i) {
   const int u = nextAxis(axis), v = lastAxis(axis);
-  switch (i) {
-    case 0:
-      return {Vec3i::Zero(), u};
-    case 1:
-      return {Vec3i::Unit(u), v};
-    case 2:
-      return {Vec3i::Unit(v), u};
-    default:
-      return {Vec3i::Zero(), v};
-  }
+  if (i == 1) return {Vec3i::Unit(u), v};
+  if (i == 2) return {Vec3i::Unit(v), u};
+  return {Vec3i::Zero(), i == 0 ? u : v};
 }
 
 // Does the skin run on unbroken through the face at node i, although edges of the face are cut? No
