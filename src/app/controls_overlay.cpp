@@ -45,7 +45,7 @@ void ControlsOverlay::paintEvent(QPaintEvent*) {
     words = std::max(words, metrics.horizontalAdvance(what));
   }
   const QRect box(0, 0, keys + words + 84, row * (rows + 2) + 36);
-  painter.translate((width() - box.width()) / 2, (height() - box.height()) / 2);
+  painter.translate(QPoint((width() - box.width()) / 2, (height() - box.height()) / 2));
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(14, 26, 32, 225));
   painter.drawRoundedRect(box, 12, 12);

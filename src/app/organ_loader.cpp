@@ -175,7 +175,7 @@ void FileExaminer::cancel() {
 
 void FileExaminer::examine(
     const std::string& file,
-    std::function<void(const std::string& json, const std::string& problem)> done) {
+    const std::function<void(const std::string& json, const std::string& problem)>& done) {
   cancel();
   process_ = std::make_unique<QProcess>();
   QProcess* process = process_.get();

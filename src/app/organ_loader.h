@@ -65,8 +65,9 @@ class OrganLoader {
 class FileExaminer {
  public:
   ~FileExaminer() { cancel(); }
-  void examine(const std::string& file,
-               std::function<void(const std::string& json, const std::string& problem)> done);
+  void examine(
+      const std::string& file,
+      const std::function<void(const std::string& json, const std::string& problem)>& done);
   void cancel();
 
  private:
