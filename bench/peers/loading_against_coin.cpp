@@ -40,7 +40,8 @@ void loadAndDraw(const std::filesystem::path& path, std::int64_t& particles) {
   const Simulation simulation =
       makeSimulation(scenario, [](const auto& p) { return readModel(p); });
   particles = simulation.organ().particles;
-  OffscreenView picture(1280, 720);
+  // One sample per pixel, as in a window's first picture; smooth edges come after it.
+  OffscreenView picture(1280, 720, 1);
   OperationView(scenario, simulation, 16.0 / 9).draw(picture);
 }
 

@@ -91,10 +91,13 @@ void Viewer::tick() {
   if (!session_) return;
   const double looked = steadySeconds();
   damage_.add(session_->update());
-  if (!damage_.empty() || image_.size() != pictureSize()) {
+  const double still = double(still_.elapsed()) * 1e-3;
+  if (!isVisible() || window()->isMinimized()) {
+    // What has changed is drawn when somebody looks again.
+  } else if (!damage_.empty() || image_.size() != pictureSize()) {
     drawChanges(looked);
     still_.restart();
-  } else if (strip_<kStrips&& double(still_.elapsed()) * 1e-3> kStillSeconds) {
+  } else if (still > kStillSeconds && strip_ < kStrips) {
     drawStrip();
   }
   if (ticked) ticked();
