@@ -318,6 +318,8 @@ void MainWindow::look(RoomView view) {
 }
 
 void MainWindow::bringEverythingBack() {
+  activateWindow();
+  viewer_->setFocus();  // else a panel may still take the keys
   if (!session_) return;
   session_->bringEverythingBack(viewer_->aspect());
   if (options_.reports) reportPlaces();
