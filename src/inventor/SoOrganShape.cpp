@@ -263,6 +263,7 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
     const std::size_t count = std::min(run.count, triangles_.size() - run.first);
     // Not glDrawRangeElements: holes use vertex 0, which may lie outside of what a run uses.
     glDrawElements(GL_TRIANGLES, GLsizei(3 * count), GL_UNSIGNED_INT,
+                   // OpenGL's offsets are pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
                    reinterpret_cast<const void*>(run.first * sizeof(Triangle)));
     drawnTriangles_ += std::int64_t(count);
   }

@@ -25,7 +25,7 @@ Vec3 followed(const VertexBinding& binding, const Vec3& X, const Lattice& lattic
   Vec3 x = Vec3::Zero();
   for (int i = 0; i < binding.count; ++i) {
     const std::int64_t cell = binding.cell[std::size_t(i)];
-    const ParticleMotion motion = motionOf(cell);
+    const ParticleMotion& motion = motionOf(cell);
     const Vec3 arm = X - lattice.centre(lattice.cell(cell));
     x += double(binding.weight[std::size_t(i)]) * (motion.position + motion.gradient * arm);
   }
