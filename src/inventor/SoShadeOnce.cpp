@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inventor/SoShadowMaps.h"
 #include "inventor/gl_program.h"
 #include "inventor/materials.h"
 

@@ -29,7 +29,8 @@ namespace resect {
 
 namespace {
 
-constexpr GLenum kLampUnit = GL_TEXTURE7, kAboveUnit = GL_TEXTURE6, kGridUnit = GL_TEXTURE5;
+constexpr GLenum kLampUnit = GL_TEXTURE0 + kLampShadowUnit, kAboveUnit = GL_TEXTURE6,
+                 kGridUnit = GL_TEXTURE0 + kShadowGridUnit;
 
 // Clip space [-1,1]^3 -> texture space [0,1]^3, for row vectors.
 SbMatrix clipToTexture() {

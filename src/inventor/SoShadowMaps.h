@@ -39,6 +39,8 @@ class SoSeparator;
 
 namespace resect {
 
+constexpr int kLampShadowUnit = 7, kShadowGridUnit = 5;  // texture units
+
 class SoShadowMaps : public SoNode {
   SO_NODE_HEADER(SoShadowMaps);
 

@@ -75,7 +75,7 @@ struct LivePicture::Context {
   SoGLRenderAction action{SbViewportRegion(64, 64)};
 
   ~Context() {
-    if (!gl.makeCurrent()) return;
+    if (!gl.becomesCurrent()) return;
     for (Buffer* buffer : {&shown, &smooth, &coarse}) buffer->free();
   }
 };

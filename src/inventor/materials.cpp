@@ -11,6 +11,7 @@
 
 #include "base/assert.h"
 #include "base/error.h"
+#include "inventor/SoShadowMaps.h"
 #include "io/data_folder.h"
 
 namespace resect {

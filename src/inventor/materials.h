@@ -9,9 +9,6 @@ class SoShaderProgram;
 
 namespace resect {
 
-// Texture units that SoShadowMaps fills.
-constexpr int kLampShadowUnit = 7, kShadowGridUnit = 5;
-
 enum class RoomMaterial {
   Liver,   // wet capsule, cut parenchyma; for SoOrganShape
   Gather,  // what Liver must know of each pixel, for SoShadeOnce

@@ -77,7 +77,7 @@ OffscreenContext::OffscreenContext() {
   if (display == EGL_NO_DISPLAY) throw error("cannot open an EGL display: {}", kAdvice);
   display_ = display;
   egl_ = makeContext(display);
-  if (!makeCurrent()) {
+  if (!becomesCurrent()) {
     eglDestroyContext(display_, egl_);
     throw error("EGL cannot draw without a window: {}", kAdvice);
   }
@@ -86,14 +86,18 @@ OffscreenContext::OffscreenContext() {
 }
 
 OffscreenContext::~OffscreenContext() {
-  if (makeCurrent()) {
+  if (becomesCurrent()) {
     SoContextHandler::destructingContext(id_);
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   }
   eglDestroyContext(display_, egl_);
 }
 
-bool OffscreenContext::makeCurrent() const {
+void OffscreenContext::makeCurrent() const {
+  if (!becomesCurrent()) throw error("EGL cannot draw without a window: {}", kAdvice);
+}
+
+bool OffscreenContext::becomesCurrent() const {
   return eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, egl_);
 }
 

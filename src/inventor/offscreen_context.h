@@ -18,7 +18,8 @@ class OffscreenContext {
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  bool makeCurrent() const;
+  void makeCurrent() const;     // throws Error where that fails
+  bool becomesCurrent() const;  // the same for destructors: false where that fails
   const char* renderer() const { return renderer_.c_str(); }  // "llvmpipe (LLVM 15.0.6, 256 bits)"
   bool processorDraws() const;                                // there is no graphics card
   std::uint32_t cacheContext() const { return id_; }          // Coin's number for it

@@ -62,7 +62,7 @@ struct OffscreenView::Buffers {
     action.setCacheContext(context.cacheContext());
   }
   ~Buffers() {
-    if (!context.makeCurrent()) return;
+    if (!context.becomesCurrent()) return;
     glDeleteFramebuffers(1, &drawBuffer);
     glDeleteFramebuffers(1, &readBuffer);
     glDeleteRenderbuffers(3, renderBuffers);
