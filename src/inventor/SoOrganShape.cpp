@@ -10,7 +10,6 @@
 #include <Inventor/elements/SoModelMatrixElement.h>
 #include <Inventor/elements/SoProjectionMatrixElement.h>
 #include <Inventor/elements/SoViewingMatrixElement.h>
-#include <Inventor/misc/SoContextHandler.h>
 #include <Inventor/misc/SoState.h>
 
 #include <algorithm>
@@ -40,6 +39,8 @@ struct SoOrganShape::ContextBuffers {
   GLuint names[kBufferCount] = {};
   std::size_t capacity[kBufferCount] = {};  // elements
   std::vector<Range> vertices, triangles;   // not sent yet; may overlap
+
+  void free() const { glDeleteBuffers(kBufferCount, names); }
 };
 
 SO_NODE_SOURCE(SoOrganShape);
@@ -57,30 +58,9 @@ SoOrganShape::SoOrganShape() {
   SO_NODE_ADD_EMPTY_MFIELD(cut);
   SO_NODE_ADD_EMPTY_MFIELD(coordIndex);
   SO_NODE_ADD_FIELD(revision, (0));
-  SoContextHandler::addContextDestructionCallback(contextDestroyed, this);
 }
 
-SoOrganShape::~SoOrganShape() {
-  SoContextHandler::removeContextDestructionCallback(contextDestroyed, this);
-  // No context need be current here: Coin calls back when each one next is.
-  for (auto& [context, buffers] : contexts_)
-    SoGLCacheContextElement::scheduleDeleteCallback(
-        context,
-        [](void* closure, std::uint32_t) {
-          const std::unique_ptr<ContextBuffers> dead(static_cast<ContextBuffers*>(closure));
-          glDeleteBuffers(kBufferCount, dead->names);
-        },
-        buffers.release());
-}
-
-// Called with the context current.
-void SoOrganShape::contextDestroyed(std::uint32_t context, void* shape) {
-  auto* self = static_cast<SoOrganShape*>(shape);
-  const auto found = self->contexts_.find(context);
-  if (found == self->contexts_.end()) return;
-  glDeleteBuffers(kBufferCount, found->second->names);
-  self->contexts_.erase(found);
-}
+SoOrganShape::~SoOrganShape() = default;
 
 void SoOrganShape::notify(SoNotList* list) {
   const SoField* field = list->getLastField();
@@ -233,16 +213,15 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
   if (!shouldGLRender(action) || triangles_.empty()) return;
   SoState* state = action->getState();
   const auto context = std::uint32_t(SoGLCacheContextElement::get(state));
-  std::unique_ptr<ContextBuffers>& buffers = contexts_[context];
-  if (!buffers) buffers = std::make_unique<ContextBuffers>();
+  ContextBuffers& buffers = contexts_[context];
 
   SoMaterialBundle material(action);
   material.sendFirst();
 
   // The buffer bindings are part of what is pushed; each array starts at its buffer's start.
-  const auto bind = [&](Buffer b) { glBindBuffer(GL_ARRAY_BUFFER, buffers->names[b]); };
+  const auto bind = [&](Buffer b) { glBindBuffer(GL_ARRAY_BUFFER, buffers.names[b]); };
   glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
-  upload(*buffers);
+  upload(buffers);
   bind(kPoints);
   glEnableClientState(GL_VERTEX_ARRAY);
   glVertexPointer(3, GL_FLOAT, 0, nullptr);
@@ -257,7 +236,7 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
   glClientActiveTexture(GL_TEXTURE2);
   glEnableClientState(GL_TEXTURE_COORD_ARRAY);
   glTexCoordPointer(1, GL_FLOAT, 0, nullptr);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers->names[kTriangles]);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.names[kTriangles]);
   drawnTriangles_ = 0;
   for (const TriangleBlocks::Run& run : seen(state)) {
     const std::size_t count = std::min(run.count, triangles_.size() - run.first);

@@ -20,14 +20,13 @@
 #include <Inventor/nodes/SoSubNode.h>
 
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/vec.h"
 #include "geometry/aabb.h"
 #include "geometry/triangle_mesh.h"
+#include "inventor/per_context.h"
 #include "inventor/triangle_blocks.h"
 
 namespace resect {
@@ -95,12 +94,11 @@ class SoOrganShape : public SoShape {
   void growChanged(Range vertices, Range triangles);
   std::vector<TriangleBlocks::Run> seen(SoState* state);
   void upload(ContextBuffers& buffers);
-  static void contextDestroyed(std::uint32_t context, void* shape);
 
   std::vector<Vec3f> points_, normals_, rest_;
   std::vector<float> cut_;
   std::vector<Triangle> triangles_;
-  std::map<std::uint32_t, std::unique_ptr<ContextBuffers>> contexts_;
+  PerContext<ContextBuffers> contexts_;
   std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;
   std::int64_t drawnTriangles_ = 0;
   TriangleBlocks blocks_;

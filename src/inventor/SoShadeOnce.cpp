@@ -12,7 +12,6 @@
 #include <Inventor/elements/SoProjectionMatrixElement.h>
 #include <Inventor/elements/SoViewingMatrixElement.h>
 #include <Inventor/elements/SoViewportRegionElement.h>
-#include <Inventor/misc/SoContextHandler.h>
 #include <Inventor/misc/SoState.h>
 #include <Inventor/nodes/SoShaderProgram.h>
 
@@ -95,29 +94,9 @@ SoShadeOnce::SoShadeOnce() {
   SO_NODE_CONSTRUCTOR(SoShadeOnce);
   gathering_ = makeMaterial(RoomMaterial::Gather);
   gathering_->ref();
-  SoContextHandler::addContextDestructionCallback(contextDestroyed, this);
 }
 
-SoShadeOnce::~SoShadeOnce() {
-  SoContextHandler::removeContextDestructionCallback(contextDestroyed, this);
-  for (auto& [context, textures] : contexts_)
-    SoGLCacheContextElement::scheduleDeleteCallback(
-        context,
-        [](void* closure, std::uint32_t) {
-          const std::unique_ptr<ContextTextures> dead(static_cast<ContextTextures*>(closure));
-          dead->free();
-        },
-        textures.release());
-  gathering_->unref();
-}
-
-void SoShadeOnce::contextDestroyed(std::uint32_t context, void* node) {
-  auto* self = static_cast<SoShadeOnce*>(node);
-  const auto found = self->contexts_.find(context);
-  if (found == self->contexts_.end()) return;
-  found->second->free();
-  self->contexts_.erase(found);
-}
+SoShadeOnce::~SoShadeOnce() { gathering_->unref(); }
 
 // Where the children can be, within the scissor box when there is one.
 PixelRect SoShadeOnce::pixels(SoGLRenderAction* action) const {
@@ -164,9 +143,8 @@ void SoShadeOnce::GLRender(SoGLRenderAction* action) {
   const GLuint depths = SoGLShaderProgramElement::get(state) ? singleDepths() : 0;
   if (depths != 0) {
     SoGLCacheContextElement::shouldAutoCache(state, SoGLCacheContextElement::DONT_AUTO_CACHE);
-    auto& textures = contexts_[std::uint32_t(SoGLCacheContextElement::get(state))];
-    if (!textures) textures = std::make_unique<ContextTextures>();
-    if (gather(action, *textures, depths)) return;
+    const auto context = std::uint32_t(SoGLCacheContextElement::get(state));
+    if (gather(action, contexts_[context], depths)) return;
   }
   SoGroup::GLRender(action);
 }

@@ -14,11 +14,8 @@
 #include <Inventor/nodes/SoGroup.h>
 #include <Inventor/nodes/SoSubNode.h>
 
-#include <cstdint>
-#include <map>
-#include <memory>
-
 #include "inventor/damage.h"
+#include "inventor/per_context.h"
 
 class SoShaderProgram;
 class SoState;
@@ -43,9 +40,8 @@ class SoShadeOnce : public SoGroup {
 
   bool gather(SoGLRenderAction* action, ContextTextures& textures, unsigned depths);
   PixelRect pixels(SoGLRenderAction* action) const;
-  static void contextDestroyed(std::uint32_t context, void* node);
 
-  std::map<std::uint32_t, std::unique_ptr<ContextTextures>> contexts_;
+  PerContext<ContextTextures> contexts_;
   SoShaderProgram* gathering_;
   int pictures_ = 0;
 };

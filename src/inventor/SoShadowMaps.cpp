@@ -11,7 +11,6 @@
 #include <Inventor/elements/SoGLCacheContextElement.h>
 #include <Inventor/elements/SoViewingMatrixElement.h>
 #include <Inventor/errors/SoDebugError.h>
-#include <Inventor/misc/SoContextHandler.h>
 #include <Inventor/misc/SoState.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
@@ -21,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "inventor/gl_program.h"
 #include "inventor/map_texture.h"
@@ -141,29 +141,11 @@ SoShadowMaps::SoShadowMaps() {
   };
   fromLamp_ = seenFrom(lamp_ = new SoPerspectiveCamera);
   fromAbove_ = seenFrom(above_ = new SoOrthographicCamera);
-  SoContextHandler::addContextDestructionCallback(contextDestroyed, this);
 }
 
 SoShadowMaps::~SoShadowMaps() {
-  SoContextHandler::removeContextDestructionCallback(contextDestroyed, this);
-  for (auto& [context, maps] : contexts_)
-    SoGLCacheContextElement::scheduleDeleteCallback(
-        context,
-        [](void* closure, std::uint32_t) {
-          const std::unique_ptr<ContextMaps> dead(static_cast<ContextMaps*>(closure));
-          dead->free();
-        },
-        maps.release());
   fromLamp_->unref();
   fromAbove_->unref();
-}
-
-void SoShadowMaps::contextDestroyed(std::uint32_t context, void* node) {
-  auto* self = static_cast<SoShadowMaps*>(node);
-  const auto found = self->contexts_.find(context);
-  if (found == self->contexts_.end()) return;
-  found->second->free();
-  self->contexts_.erase(found);
 }
 
 void SoShadowMaps::changedIn(const Aabb& box) {
@@ -303,10 +285,9 @@ void SoShadowMaps::GLRender(SoGLRenderAction* action) {
   SoGLCacheContextElement::shouldAutoCache(state, SoGLCacheContextElement::DONT_AUTO_CACHE);
   if (casters.getValue() == nullptr) return;
   const auto context = std::uint32_t(SoGLCacheContextElement::get(state));
-  std::unique_ptr<ContextMaps>& maps = contexts_[context];
-  if (!maps) maps = std::make_unique<ContextMaps>();
+  ContextMaps& maps = contexts_[context];
 
-  if (maps->drawn != getNodeId() && !(held_ && maps->drawn != 0)) {
+  if (maps.drawn != getNodeId() && !(held_ && maps.drawn != 0)) {
     // Coin keeps a shadow copy of OpenGL's state: everything the inner drawing touches is put back.
     GLint drawBuffer = 0, readBuffer = 0, program = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBuffer);
@@ -320,8 +301,8 @@ void SoShadowMaps::GLRender(SoGLRenderAction* action) {
     glPushMatrix();
     glUseProgram(0);
     glDisable(GL_SCISSOR_TEST);  // a picture may be drawn in part, its shadows never
-    draw(*maps, context);
-    maps->drawn = getNodeId();
+    draw(maps, context);
+    maps.drawn = getNodeId();
     glUseProgram(GLuint(program));
     glMatrixMode(GL_PROJECTION);
     glPopMatrix();
@@ -344,11 +325,11 @@ void SoShadowMaps::GLRender(SoGLRenderAction* action) {
   glGetIntegerv(GL_MATRIX_MODE, &mode);
   glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
   setTextureMatrix(kGridUnit, eyeToWorld);
-  glBindTexture(GL_TEXTURE_2D, maps->grid.texture);
+  glBindTexture(GL_TEXTURE_2D, maps.grid.texture);
   setTextureMatrix(kAboveUnit, toTexture(above_));
-  glBindTexture(GL_TEXTURE_2D, maps->above.texture);
+  glBindTexture(GL_TEXTURE_2D, maps.above.texture);
   setTextureMatrix(kLampUnit, toTexture(lamp_));
-  glBindTexture(GL_TEXTURE_2D, maps->lamp.texture);
+  glBindTexture(GL_TEXTURE_2D, maps.lamp.texture);
   glActiveTexture(GLenum(unit));
   glMatrixMode(GLenum(mode));
 }

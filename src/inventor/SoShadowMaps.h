@@ -26,11 +26,10 @@
 #include <Inventor/nodes/SoSubNode.h>
 
 #include <cstdint>
-#include <map>
-#include <memory>
 
 #include "geometry/aabb.h"
 #include "inventor/damage.h"
+#include "inventor/per_context.h"
 
 class SoGLRenderAction;
 class SoOrthographicCamera;
@@ -78,9 +77,8 @@ class SoShadowMaps : public SoNode {
   void draw(ContextMaps& maps, std::uint32_t context);
   void drawGrid(ContextMaps& maps, const PixelRect& part) const;
   PixelRect gridPart(const Aabb& changed, std::int32_t texels) const;
-  static void contextDestroyed(std::uint32_t context, void* node);
 
-  std::map<std::uint32_t, std::unique_ptr<ContextMaps>> contexts_;
+  PerContext<ContextMaps> contexts_;
   SoSeparator* fromLamp_;
   SoSeparator* fromAbove_;
   SoPerspectiveCamera* lamp_;
