@@ -150,8 +150,8 @@ std::vector<std::uint8_t> sweptInside(const TriangleMesh& tool, const Pose& from
 
   // Inside at the ends.
   for (const Pose* pose : {&back.front(), &back.back()}) {
-    std::vector<Vec3> local;
-    for (const std::uint32_t i : near) local.push_back(*pose * worldPoints[i]);
+    std::vector<Vec3> local(near.size());
+    for (std::size_t n = 0; n < near.size(); ++n) local[n] = *pose * worldPoints[near[n]];
     const std::vector<std::uint8_t> inside = insideFlags(tool, local);
     for (std::size_t n = 0; n < near.size(); ++n)
       if (inside[n]) touched[near[n]] = 1;

@@ -99,7 +99,7 @@ void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, const Aabb
 std::vector<PixelRect> pixelsOf(const Damage& damage, const SoPerspectiveCamera& camera,
                                 const SbViewportRegion& viewport) {
   const SbVec2s size = viewport.getViewportSizePixels();
-  const std::vector<PixelRect> all{{0, 0, size[0], size[1]}};
+  std::vector<PixelRect> all{{0, 0, size[0], size[1]}};
   if (damage.everything) return all;
   const SbViewVolume volume = viewVolumeOf(camera, viewport);
   SbVec3f ahead;

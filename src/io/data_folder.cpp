@@ -31,7 +31,7 @@ fs::path findDataFile(const std::string& name, const std::string& folder,
   if (fs::is_regular_file(name, ec)) return name;
   const bool plain = name.find('/') == std::string::npos;
   if (plain) {
-    const fs::path shipped = dataFolder() / folder / (name + extension);
+    fs::path shipped = dataFolder() / folder / (name + extension);
     if (fs::is_regular_file(shipped, ec)) return shipped;
   }
   std::string known;

@@ -61,6 +61,7 @@ VideoWriter::VideoWriter(const std::filesystem::path& path, int width, int heigh
                                           "mp4",
                                           temporary_.string()};
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
 

@@ -66,14 +66,15 @@ std::vector<TriangleMesh> bodies(const TriangleMesh& surface) {
   for (TriangleMesh& piece : splitComponents(surface))
     (volume(piece) >= 0 ? skins : cavities).push_back(std::move(piece));
 
-  std::vector<double> volumes;
-  for (const TriangleMesh& skin : skins) volumes.push_back(volume(skin));
+  std::vector<double> volumes(skins.size());
+  std::ranges::transform(skins, volumes.begin(), volume);
   std::vector<std::size_t> order(skins.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return volumes[a] > volumes[b]; });
 
   std::vector<TriangleMesh> result;
+  result.reserve(skins.size());
   for (const std::size_t i : order) result.push_back(skins[i]);
   for (const TriangleMesh& cavity : cavities) {
     // The smallest skin round a point of the cavity; the surface never touches itself, so one point
@@ -146,8 +147,9 @@ std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface) {
     ++pieces[piece].particles;
     pieces[piece].tissue += particleVolume(organ.rest, cell);
   }
-  std::vector<std::uint8_t> holdsParticle;
-  for (const Body& piece : pieces) holdsParticle.push_back(piece.particles > 0);
+  std::vector<std::uint8_t> holdsParticle(pieces.size());
+  std::ranges::transform(pieces, holdsParticle.begin(),
+                         [](const Body& piece) { return piece.particles > 0; });
   const std::vector<std::int32_t> joined = joinSlivers(organ, pieceOf, std::move(holdsParticle));
 
   const std::vector<Vec3i> anchors = organ.surface.anchorNodes(organ.field);
@@ -166,6 +168,7 @@ std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface) {
   for (std::size_t i = 0; i < pieces.size(); ++i) order.push_back({-volume(pieces[i].mesh), i});
   std::sort(order.begin(), order.end());
   std::vector<Body> sorted;
+  sorted.reserve(pieces.size());
   for (const auto& [size, i] : order) sorted.push_back(std::move(pieces[i]));
   return sorted;
 }

@@ -190,13 +190,14 @@ std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const 
     for (int y = low.y(); y <= high.y(); ++y)
       for (int x = low.x(); x <= high.x(); ++x)
         if (matters({x, y, z})) bricks.push_back(field.brickIndex({x, y, z}));
-  return severAlong(
-      severed, field, blade, bricks, [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
-        const Vec3 first = (kBrickNodes * brick).cast<double>();
-        for (int i = 0; i < kPlacedNodes; ++i)
-          places[std::size_t(i)] =
-              field.nodePosition(first + Vec3(i % kSide, i / kSide % kSide, i / kSide / kSide));
-      });
+  return severAlong(severed, field, blade, bricks,
+                    [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
+                      const Vec3 first = (kBrickNodes * brick).cast<double>();
+                      for (int i = 0; i < kPlacedNodes; ++i) {
+                        const Vec3i at(i % kSide, i / kSide % kSide, i / kSide / kSide);
+                        places[std::size_t(i)] = field.nodePosition(first + at.cast<double>());
+                      }
+                    });
 }
 
 }  // namespace resect

@@ -40,9 +40,9 @@ class Lattice {
   }
   Vec3 point(std::int64_t node) const {
     const std::int64_t n = node / 2;
-    const Vec3 at(double(n / nodes_.z() / nodes_.y()), double(n / nodes_.z() % nodes_.y()),
-                  double(n % nodes_.z()));
-    return origin_ + cell_ * (at + Vec3::Constant(node % 2 ? 0.5 : 0.0));
+    const Vec3i at(int(n / nodes_.z() / nodes_.y()), int(n / nodes_.z() % nodes_.y()),
+                   int(n % nodes_.z()));
+    return origin_ + cell_ * (at.cast<double>() + Vec3::Constant(node % 2 ? 0.5 : 0.0));
   }
   // The function, cut by the box: so every surface closes.
   double valueAt(const Vec3& p) const {

@@ -86,12 +86,12 @@ void CellLoops::joinSkin() {
       if (skinOf[std::size_t(e)] >= 0) {
         const int other = skinOf[std::size_t(e)];
         if (loop >= 0 && other != loop)
-          std::replace(skinOf.begin(), skinOf.end(), std::int8_t(other), std::int8_t(loop));
+          std::ranges::replace(skinOf, other, loop);
         else
           loop = other;
       }
     if (loop < 0) loop = skins++;
-    for (const int e : table->edges[std::size_t(t)]) skinOf[std::size_t(e)] = std::int8_t(loop);
+    for (const int e : table->edges[std::size_t(t)]) skinOf[std::size_t(e)] = loop;
   }
 }
 

@@ -40,12 +40,12 @@ struct CellLoops {
   std::array<const FaceLines*, 6> faces;
   const CellTriangles* table;  // what would be drawn, had nothing been cut
 
-  std::vector<Vertex> loop;            // all loops that were cut, one after another
-  std::vector<std::size_t> loopEnds;   // in loop
-  std::array<std::int8_t, 12> skinOf;  // per edge with an iso node: its uncut loop
-  int skins;                           // numbers given to uncut loops; some may be unused
-  std::array<bool, 4> touched;         // per uncut loop: was it cut?
-  std::vector<CellVertex> rest;        // room for the capping
+  std::vector<Vertex> loop;           // all loops that were cut, one after another
+  std::vector<std::size_t> loopEnds;  // in loop
+  std::array<int, 12> skinOf;         // per edge with an iso node: its uncut loop
+  int skins;                          // numbers given to uncut loops; some may be unused
+  std::array<bool, 4> touched;        // per uncut loop: was it cut?
+  std::vector<CellVertex> rest;       // room for the capping
 
   // Of a node or a face point; in the cell.
   Vec3 position(CellVertex v) const {
