@@ -120,9 +120,15 @@ bool LiveOperation::take(SurfaceUpdate& update, LiveState& state) {
   return true;
 }
 
-SurfaceTracker::Compact LiveOperation::surface() const {
-  const std::lock_guard lock(stepping_);
-  return simulation_->surface();
+SurfaceTracker::Compact LiveOperation::surface() {
+  std::unique_lock lock(mutex_);
+  ++readers_;
+  newFrame_.wait(lock, [&] { return !stepping_; });
+  SurfaceTracker::Compact surface = simulation_->surface();
+  --readers_;
+  lock.unlock();
+  wake_.notify_all();
+  return surface;
 }
 
 void LiveOperation::waitFor(std::int64_t frame) {
@@ -141,8 +147,9 @@ void LiveOperation::work() {
     {
       std::unique_lock lock(mutex_);
       wake_.wait_until(lock, due, [&] { return ending_; });
-      wake_.wait(lock, [&] { return ending_ || !paused_; });
+      wake_.wait(lock, [&] { return ending_ || (!paused_ && readers_ == 0); });
       if (ending_) return;
+      stepping_ = true;
       input = input_;
       input_.iso.reset();
       if (const auto next = motion_ ? motion_() : std::nullopt)
@@ -155,10 +162,7 @@ void LiveOperation::work() {
       input.tools[i].squeeze = std::clamp(input.tools[i].squeeze, now - most, now + most);
     }
     StageClock clock;
-    {
-      const std::lock_guard lock(stepping_);
-      simulation_->step(input, report, &clock);
-    }
+    simulation_->step(input, report, &clock);
     const auto second = std::size_t(std::ceil(frameRate_));
     laps_.resize(clock.stages().size());
     double step = 0;
@@ -179,6 +183,7 @@ void LiveOperation::work() {
       publish(report);
       state_.played = std::move(played);
       fresh_ = true;
+      stepping_ = false;
     }
     newFrame_.notify_all();
     due = std::max(due + period, Clock::now());

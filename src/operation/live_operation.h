@@ -94,8 +94,8 @@ class LiveOperation {
   // Moves out what has changed since the last call and copies the state. False: no frame since.
   bool take(SurfaceUpdate& update, LiveState& state);
 
-  // The surface where it is now, for saving; waits for the frame in work.
-  SurfaceTracker::Compact surface() const;
+  // The surface where it is now, for saving; waits for the frame in work, and no longer.
+  SurfaceTracker::Compact surface();
   // Waits until at least this frame has been done (for tests).
   void waitFor(std::int64_t frame);
 
@@ -105,13 +105,14 @@ class LiveOperation {
 
   std::unique_ptr<Simulation> simulation_;
   const double frameRate_;
-  const double wholeVolume_;     // m^3, before the operation
-  mutable std::mutex stepping_;  // held while the simulation is used
-  mutable std::mutex mutex_;     // guards all below
+  const double wholeVolume_;  // m^3, before the operation
+  mutable std::mutex mutex_;  // guards all below, and the simulation between frames
   std::condition_variable newFrame_, wake_;
   FrameInput input_;
   std::function<std::optional<FrameInput>()> motion_;
   bool paused_ = false, ending_ = false, fresh_ = false;
+  bool stepping_ = false;  // a frame is in work: the simulation is the thread's alone
+  int readers_ = 0;        // who wait for the end of the frame; none begins before they are served
   SurfaceUpdate update_;
   std::size_t updateVertices_ = 0;
   LiveState state_;

@@ -104,6 +104,42 @@ TEST_CASE("the tip knows what lies under it and how near tissue is") {
   CHECK(beside.distance == doctest::Approx(kTipReach));
 }
 
+namespace {
+
+// So slow that the operation is always late and never rests between frames.
+class SlowTool : public Tool {
+ public:
+  using Tool::Tool;
+  void act(const ToolContacts&, std::vector<TissueEdit>&) const override {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(5);
+    while (std::chrono::steady_clock::now() < end) continue;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("who wants the surface waits for the frame in work, however late the operation is") {
+  ToolModel model;
+  model.name = "slow";
+  model.mesh = boxMesh({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}});
+  std::vector<std::unique_ptr<Tool>> tools;
+  tools.push_back(std::make_unique<SlowTool>(std::move(model)));
+  const Discretization cells = test::fullBlock({12, 8, 12});
+  LiveOperation operation(std::make_unique<Simulation>(makeOrgan(cells, {}), std::move(tools)),
+                          {kAway}, 1000);
+  operation.setTool(0, {{cells.lattice.box().centre(), kAway.rotation}, true});
+  operation.waitFor(5);
+  SurfaceUpdate update;
+  LiveState before, after;
+  for (int i = 0; i < 20; ++i) {
+    operation.take(update, before);
+    CHECK(operation.surface().mesh.triangles.size() > 100);
+    operation.take(update, after);
+    CHECK(after.frame <= before.frame + 2);
+    operation.waitFor(after.frame + 1);
+  }
+}
+
 TEST_CASE("a tool out of hand touches nothing, and a paused operation stands still") {
   Live live;
   live.operation.setTool(0, {{live.box.centre(), kAway.rotation}, false});
