@@ -1,8 +1,10 @@
 // The menus of the main window and their shortcuts.
+#include <QAbstractButton>
 #include <QAction>
-#include <QActionGroup>
+#include <QApplication>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QKeyEvent>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
@@ -113,6 +115,27 @@ void MainWindow::makeMenus() {
                        "<b>Resect</b><p>Virtual surgery on organ models, in real time.<p>"
                        "Not for diagnosis or treatment. Apache License 2.0.");
   });
+}
+
+// The keys belong to the picture. Panels get them only where somebody went on purpose, by Tab or
+// into a field of numbers; Escape leads back from there, and Space is heard in fields too: it
+// brings everything back. On a button that Tab led to it presses the button, as everywhere.
+bool MainWindow::eventFilter(QObject* object, QEvent* event) {
+  const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  const auto* widget = key ? qobject_cast<QWidget*>(object) : nullptr;
+  if (!widget || widget == viewer_ || QApplication::activePopupWidget()) return false;
+  if (widget->window() != this && !qobject_cast<QDockWidget*>(widget->window())) return false;
+  const int code = static_cast<QKeyEvent*>(event)->key();
+  if (code == Qt::Key_Escape && event->type() == QEvent::KeyPress) {
+    activateWindow();
+    viewer_->setFocus();
+    return true;
+  }
+  if (code == Qt::Key_Space && event->type() == QEvent::ShortcutOverride) {
+    event->setAccepted(qobject_cast<const QAbstractButton*>(widget) != nullptr);
+    return true;
+  }
+  return false;
 }
 
 void MainWindow::fillRecent() {

@@ -78,12 +78,14 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
       "QPushButton { background: #7a2a22; color: white; border: 0; border-radius: 6px; "
       "padding: 8px 14px; text-align: left; }");
   complaint_->setToolTip("Click to close");
+  complaint_->setFocusPolicy(Qt::TabFocus);
   complaint_->hide();
   connect(complaint_, &QPushButton::clicked, complaint_, &QWidget::hide);
   overlay_ = new ControlsOverlay(viewer_);
   progress_ = new QProgressBar(this);
   progress_->setMaximumWidth(220);
   cancel_ = new QPushButton("Cancel", this);
+  cancel_->setFocusPolicy(Qt::TabFocus);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
   progress_->hide();
@@ -99,6 +101,7 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
   };
   makeDocks();
   makeMenus();
+  qApp->installEventFilter(this);
   setTheme(options.dark);
   resize(options.width, options.height);
   QSettings settings;

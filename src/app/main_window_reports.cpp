@@ -2,6 +2,7 @@
 #include <Inventor/SbViewportRegion.h>
 #include <unistd.h>
 
+#include <QAbstractSpinBox>
 #include <QSocketNotifier>
 #include <sstream>
 
@@ -68,6 +69,12 @@ void MainWindow::reportPlaces() {
     place(session_->toolModels()[std::size_t(i)].name, session_->middleOfTool(i));
   place("iso", session_->iso().handle());
   place("organ", session_->cells().lattice.box().centre());
+  for (const QAbstractSpinBox* field : findChildren<QAbstractSpinBox*>()) {
+    if (!field->isVisible()) continue;
+    const QPoint global = field->mapToGlobal(QPoint(field->width() / 4, field->height() / 2));
+    say("place {} {} {}", field->accessibleName().toStdString(), int(global.x() * ratio),
+        int(global.y() * ratio));
+  }
   say("places");
 }
 

@@ -59,6 +59,7 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
                        QString("\nKey %1 takes it in hand; Escape puts it back.").arg(i + 1));
     button->setAccessibleName(QString::fromStdString(tools[i].name));
     button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     QObject::connect(button, &QToolButton::clicked, this, [this, i](bool on) {
       if (chosen) chosen(on ? int(i) : -1);
@@ -85,6 +86,7 @@ OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
   iso_->setRange(int(kMinIso), int(kMaxIso));
   iso_->setToolTip(
       "Colour value at which the surface is drawn: lower swells it, higher shrinks it");
+  iso_->setFocusPolicy(Qt::TabFocus);
   isoText_ = new QLabel(this);
   form->addRow(isoText_, iso_);
   QObject::connect(iso_, &QSlider::valueChanged, this, [this](int value) {
@@ -97,18 +99,22 @@ OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
   spacing_->setDecimals(1);
   spacing_->setSuffix(" mm");
   spacing_->setToolTip("Side of the cells: smaller shows and cuts finer, and costs more");
+  spacing_->setAccessibleName("Spacing");
   form->addRow("Spacing", spacing_);
   refine_ = new QSpinBox(this);
   refine_->setRange(1, 4);
   refine_->setToolTip("Nodes of the surface's grid per cell: 2 shows the skin well");
+  refine_->setAccessibleName("Refinement");
   form->addRow("Refinement", refine_);
   elastic_ = new QCheckBox("Elastic tissue", this);
   elastic_->setToolTip(
       "Tissue gives way, is pulled and opens; without it, it stands still and what is touched "
       "goes");
+  elastic_->setFocusPolicy(Qt::TabFocus);
   form->addRow(elastic_);
   auto* again = new QPushButton("Begin again", this);
   again->setToolTip("The organ whole again, with this spacing and refinement");
+  again->setFocusPolicy(Qt::TabFocus);
   form->addRow(again);
   QObject::connect(again, &QPushButton::clicked, this, [this] {
     if (rebuild) rebuild(spacing_->value() * 1e-3, refine_->value(), elastic_->isChecked());

@@ -118,6 +118,37 @@ class AtTheWindow(unittest.TestCase):
         window.process.wait(timeout=30)
         self.assertEqual(window.process.returncode, 0)
 
+    def test_keys_come_back_from_the_panels(self):
+        screen = self.screen
+        window = Window(PROGRAM, screen, "--spacing", "12mm", "--size", "1200x900")
+        self.addCleanup(window.quit)
+        window.wait("ready")
+        screen.focus("^Resect$")
+
+        def places_are_said(*keys):
+            window.drain()
+            screen.key(*keys)
+            window.wait("places", 20)
+
+        # A field of numbers has the keys: digits are its own, Space is not, and Escape leaves it.
+        screen.click(*window.places["Spacing"])
+        screen.key("1")
+        places_are_said("space")
+        screen.key("1")
+        window.wait("held Scalpel direct", 20)
+        screen.click(*window.places["Refinement"])
+        screen.key("Escape", "2")
+        window.wait("held Hook direct", 20)
+
+        # A button that was clicked does not keep the keys; one that Tab led to is pressed by Space.
+        x, y = window.places["Refinement"]
+        screen.click(x, y + 54)  # Begin again
+        window.wait("organ liver")
+        places_are_said("space")
+        screen.click(x, y)
+        screen.key("Tab", "Tab", "space")
+        window.wait("organ liver", 20)
+
     def test_files_are_opened_and_saved_through_their_dialogs(self):
         screen = self.screen
         window = Window(PROGRAM, screen, "--spacing", "12mm", "--size", "1200x900")
