@@ -22,6 +22,7 @@ struct PlacedBrick {
   Vec3i first;
   std::array<Vec3, kPlacedNodes> place;
   std::array<double, kPlacedNodes> height;
+  std::array<Aabb, kBrickNodes * kBrickNodes * kBrickNodes> cells;  // bounds, x fastest
   Aabb bounds;
   CutsBetweenCells cuts;
 
@@ -101,29 +102,6 @@ void traceHalf(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle&
                 {(inFace[0] + from * line).cast<float>(), (inFace[0] + to * line).cast<float>()});
 }
 
-void severBrick(SeveredEdges& severed, PlacedBrick& b, const BladeTriangle& t) {
-  int above = 0, below = 0;
-  for (int i = 0; i < kPlacedNodes; ++i) {
-    b.height[std::size_t(i)] = t.normal.dot(b.place[std::size_t(i)] - t.corner);
-    if (b.known(i)) ++(b.above(i) ? above : below);
-  }
-  if (above == 0 || below == 0) return;
-  for (int z = 0; z < kBrickNodes; ++z)
-    for (int y = 0; y < kBrickNodes; ++y)
-      for (int x = 0; x < kBrickNodes; ++x) {
-        const Vec3i n(x, y, z);
-        int high = 0;  // of the cell's corners: most cells lie on one side
-        for (int c = 0; c < 8; ++c)
-          high += b.above(at(n) + (c & 1) + (c >> 1 & 1) * kSide + (c >> 2) * kSide * kSide);
-        if (high == 0 || high == 8) continue;
-        for (int axis = 0; axis < 3; ++axis) {
-          severEdge(severed, b, t, n, axis);
-          traceHalf(severed, b, t, n, axis, {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)});
-          traceHalf(severed, b, t, n, axis, {Vec2(0, 0), Vec2(1, 1), Vec2(0, 1)});
-        }
-      }
-}
-
 bool overlap(const Aabb& a, const Aabb& b) {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
@@ -133,6 +111,52 @@ Aabb boundsOf(const BladeTriangle& t) {
   for (const Vec3& p : {t.corner, t.otherU, t.otherV}) box.grow(p);
   const Vec3 reach = 2 * kBladeReach * box.size() + Vec3::Constant(kOnPlane);
   return {box.min - reach, box.max + reach};
+}
+
+// A corner of the cell at the brick's node n.
+int cornerOf(const Vec3i& n, int corner) {
+  return at(n) + (corner & 1) + (corner >> 1 & 1) * kSide + (corner >> 2) * kSide * kSide;
+}
+
+// visit(cell's number, its first node)
+template <typename Visit>
+void visitCells(Visit visit) {
+  for (int z = 0, cell = 0; z < kBrickNodes; ++z)
+    for (int y = 0; y < kBrickNodes; ++y)
+      for (int x = 0; x < kBrickNodes; ++x) visit(std::size_t(cell++), Vec3i(x, y, z));
+}
+
+void findBounds(PlacedBrick& b) {
+  b.bounds = {};
+  visitCells([&](std::size_t cell, const Vec3i& n) {
+    b.cells[cell] = {};
+    for (int c = 0; c < 8; ++c) {
+      const Vec3& p = b.place[std::size_t(cornerOf(n, c))];
+      if (!std::isnan(p.x())) b.cells[cell].grow(p);
+    }
+    b.bounds.grow(b.cells[cell]);
+  });
+}
+
+// A sweep's triangles are far smaller than a brick: most miss most of its cells. reach: bounds of
+// what the triangle can sever.
+void severBrick(SeveredEdges& severed, PlacedBrick& b, const BladeTriangle& t, const Aabb& reach) {
+  bool heightsKnown = false;
+  visitCells([&](std::size_t cell, const Vec3i& n) {
+    if (!overlap(b.cells[cell], reach)) return;
+    if (!heightsKnown)
+      for (std::size_t i = 0; i < kPlacedNodes; ++i)
+        b.height[i] = t.normal.dot(b.place[i] - t.corner);
+    heightsKnown = true;
+    int high = 0;  // of the cell's corners
+    for (int c = 0; c < 8; ++c) high += b.above(cornerOf(n, c));
+    if (high == 0 || high == 8) return;
+    for (int axis = 0; axis < 3; ++axis) {
+      severEdge(severed, b, t, n, axis);
+      traceHalf(severed, b, t, n, axis, {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)});
+      traceHalf(severed, b, t, n, axis, {Vec2(0, 0), Vec2(1, 1), Vec2(0, 1)});
+    }
+  });
 }
 
 }  // namespace
@@ -149,11 +173,9 @@ std::int64_t severAlong(SeveredEdges& severed, const ColourField& field, const S
     const Vec3i brick = field.brick(index);
     b.first = kBrickNodes * brick;
     place(brick, b.place);
-    b.bounds = {};
-    for (const Vec3& p : b.place)
-      if (!std::isnan(p.x())) b.bounds.grow(p);
+    findBounds(b);
     for (std::size_t t = 0; t < blade.triangles.size(); ++t)
-      if (overlap(b.bounds, reach[t])) severBrick(severed, b, blade.triangles[t]);
+      if (overlap(b.bounds, reach[t])) severBrick(severed, b, blade.triangles[t], reach[t]);
   }
   return severed.count() - before;
 }

@@ -5,7 +5,7 @@
 
 namespace resect {
 
-class StillTissue final : public TissueModel {
+class StillTissue : public TissueModel {
  public:
   bool moves() const override { return false; }
   void move(double, const TissueSurroundings&, TissueStep&) override {}
