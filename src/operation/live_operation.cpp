@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "base/stage_clock.h"
 
@@ -15,6 +16,9 @@ void keepLast(std::vector<double>& values, double value, std::size_t most) {
   if (values.size() >= most) values.erase(values.begin(), values.end() - std::ptrdiff_t(most) + 1);
   values.push_back(value);
 }
+
+constexpr int kChunk = 64;            // vertices of moving tissue that are published together
+constexpr float kSeenMotion = 5e-5f;  // m: what moved less since it was published looks the same
 
 constexpr double kSqueezeTime = 0.25;  // s: from wide open to closed
 
@@ -116,6 +120,7 @@ bool LiveOperation::take(SurfaceUpdate& update, LiveState& state) {
   update = std::move(update_);
   update_ = {};
   updateVertices_ = 0;
+  unseen_.assign(unseen_.size(), 0);
   state = state_;
   return true;
 }
@@ -190,6 +195,29 @@ void LiveOperation::work() {
   }
 }
 
+// Marks the chunks with vertices that are new, or have moved enough to be seen.
+void LiveOperation::findUnseen(std::span<const IndexRange> changed) {
+  const std::span<const Vec3f> points = simulation_->surfacePoints();
+  const Vec3f nowhere = Vec3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  published_.resize(points.size(), nowhere);
+  unseen_.resize((points.size() + kChunk - 1) / kChunk, 0);
+  for (const IndexRange& r : changed)
+    std::fill_n(published_.begin() + std::ptrdiff_t(r.first), r.count, nowhere);
+  for (std::size_t c = 0; c < unseen_.size(); ++c) {
+    const auto chunk = [&](auto span) {
+      return span.subspan(c * kChunk, std::min<std::size_t>(kChunk, span.size() - c * kChunk));
+    };
+    const std::span<Vec3f> before = chunk(std::span(published_));
+    const std::span<const Vec3f> now = chunk(points);
+    const bool same = std::ranges::equal(before, now, [](const Vec3f& p, const Vec3f& q) {
+      return (p - q).squaredNorm() < kSeenMotion * kSeenMotion;
+    });
+    if (same) continue;
+    unseen_[c] = 1;
+    std::ranges::copy(now, before.begin());
+  }
+}
+
 // Copies what the frame has changed; the simulation is this thread's alone, so it may be read.
 void LiveOperation::publish(const StepReport& report) {
   const Organ& organ = simulation_->organ();
@@ -216,13 +244,23 @@ void LiveOperation::publish(const StepReport& report) {
     update_ = {};
     updateVertices_ = 0;
     update_.everything = true;
+    unseen_.clear();
+    published_.clear();
     addVertices(0, int(surface.points().size()));
     addTriangles(0, int(surface.triangles().size()));
   } else {
     if (simulation_->tissue().moves()) {
-      // All vertices are elsewhere; what an earlier frame said of them is past.
+      // What an earlier frame said of moving vertices is past.
+      findUnseen(changes.vertices);
       update_.vertices.clear();
-      addVertices(0, int(surface.points().size()));
+      for (std::size_t c = 0; c < unseen_.size(); ++c) {
+        std::size_t end = c;
+        while (end < unseen_.size() && unseen_[end]) ++end;
+        if (end == c) continue;
+        const int first = int(c) * kChunk;
+        addVertices(first, std::min(int(end) * kChunk, int(surface.points().size())) - first);
+        c = end;
+      }
       updateVertices_ = 0;
     } else {
       for (const IndexRange& r : changes.vertices) addVertices(int(r.first), int(r.count));

@@ -102,6 +102,7 @@ class LiveOperation {
  private:
   void work();
   void publish(const StepReport& report);
+  void findUnseen(std::span<const IndexRange> changed);
 
   std::unique_ptr<Simulation> simulation_;
   const double frameRate_;
@@ -115,6 +116,8 @@ class LiveOperation {
   int readers_ = 0;        // who wait for the end of the frame; none begins before they are served
   SurfaceUpdate update_;
   std::size_t updateVertices_ = 0;
+  std::vector<Vec3f> published_;      // of moving tissue: where each vertex was last said to be
+  std::vector<std::uint8_t> unseen_;  // 1 for each chunk of these that has not been taken yet
   LiveState state_;
   std::vector<std::vector<double>> laps_;  // per stage, ring of the last second
   std::vector<double> steps_, arrivals_;

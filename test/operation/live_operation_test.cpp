@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "support/block_organ.h"
+#include "support/elastic_block.h"
 #include "support/test_tools.h"
 
 using namespace resect;
@@ -16,27 +17,23 @@ namespace {
 
 const Pose kAway{Vec3(0, 1, 0), Eigen::Quaterniond::Identity()};
 
-// A block of 12 x 8 x 12 cells and one box-shaped tool, out of hand.
-struct Live {
-  Discretization cells = test::fullBlock({12, 8, 12});
-  Aabb box = cells.lattice.box();
-  LiveOperation operation{simulation(cells), {kAway}, 240};
-  // What a viewer would hold.
+// An operation, and what a viewer would hold of it.
+struct Followed {
+  LiveOperation operation;
   std::vector<Vec3f> points;
   std::vector<Triangle> triangles;
   LiveState state;
+  std::size_t sent = 0;  // vertices
 
-  static std::unique_ptr<Simulation> simulation(const Discretization& cells) {
-    std::vector<std::unique_ptr<Tool>> tools;
-    tools.push_back(test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}));
-    return std::make_unique<Simulation>(makeOrgan(cells, {}), std::move(tools));
-  }
+  explicit Followed(std::unique_ptr<Simulation> simulation)
+      : operation(std::move(simulation), {kAway}, 240) {}
 
   void follow() {
     SurfaceUpdate update;
     if (!operation.take(update, state)) return;
     if (update.everything) points.clear(), triangles.clear();
     for (const auto& range : update.vertices) {
+      sent += range.points.size();
       points.resize(std::max(points.size(), std::size_t(range.first) + range.points.size()));
       std::copy(range.points.begin(), range.points.end(), points.begin() + range.first);
     }
@@ -53,7 +50,19 @@ struct Live {
   }
 };
 
-// Triangles with their corners, in an order of their own.
+// A block of 12 x 8 x 12 cells and one box-shaped tool, out of hand.
+struct Live : Followed {
+  Aabb box = test::fullBlock({12, 8, 12}).lattice.box();
+
+  Live() : Followed(simulation(test::fullBlock({12, 8, 12}))) {}
+  static std::unique_ptr<Simulation> simulation(const Discretization& cells) {
+    std::vector<std::unique_ptr<Tool>> tools;
+    tools.push_back(test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}));
+    return std::make_unique<Simulation>(makeOrgan(cells, {}), std::move(tools));
+  }
+};
+
+// Triangles with their corners.
 std::vector<std::array<float, 9>> corners(const std::vector<Vec3f>& points,
                                           const std::vector<Triangle>& triangles) {
   std::vector<std::array<float, 9>> result;
@@ -63,7 +72,6 @@ std::vector<std::array<float, 9>> corners(const std::vector<Vec3f>& points,
       for (int c = 0; c < 3; ++c)
         std::copy_n(points[std::size_t(t[c])].data(), 3, triangle.begin() + 3 * c);
     }
-  std::sort(result.begin(), result.end());
   return result;
 }
 
@@ -82,10 +90,49 @@ TEST_CASE("a viewer that applies the changes holds the surface, however seldom i
   std::vector<Vec3f> points;
   for (const Vec3& p : whole.mesh.points) points.push_back(p.cast<float>());
   live.follow();
-  const auto held = corners(live.points, live.triangles),
-             truth = corners(points, whole.mesh.triangles);
+  auto held = corners(live.points, live.triangles), truth = corners(points, whole.mesh.triangles);
+  std::ranges::sort(held), std::ranges::sort(truth);
   CHECK(held.size() == truth.size());
   CHECK(held == truth);
+}
+
+TEST_CASE("of tissue that moves a viewer is told what can be seen to move, and holds the surface") {
+  Followed live(std::make_unique<Simulation>(test::elasticBlock(
+      {7, 4, 7}, 0.01, test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}, "baton"))));
+  const auto off = [&] {  // m, at most
+    const auto whole = live.operation.surface();
+    live.follow();
+    const auto held = corners(live.points, live.triangles);
+    std::vector<Vec3f> points;
+    for (const Vec3& p : whole.mesh.points) points.push_back(p.cast<float>());
+    const auto truth = corners(points, whole.mesh.triangles);
+    REQUIRE(held.size() == truth.size());
+    float most = 0;
+    for (std::size_t t = 0; t < held.size(); ++t)
+      for (std::size_t i = 0; i < 9; ++i) most = std::max(most, std::abs(held[t][i] - truth[t][i]));
+    return most;
+  };
+  const auto press = [&](double depth) {
+    live.operation.setTool(0, {{Vec3(0.035, 0.04 - depth, 0.035),
+                                Eigen::Quaterniond(Eigen::AngleAxisd(-M_PI / 2, Vec3::UnitX()))},
+                               true});
+  };
+  live.operation.waitFor(360);
+  for (int i = 0; i < 8; ++i) {
+    press(0.001 * i);
+    live.frames(1 + i % 4);
+  }
+  live.frames(240);  // at rest, pressed
+  live.sent = 0;
+  live.frames(60);
+  CHECK(live.sent < live.points.size() / 4);
+  live.operation.setPaused(true);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  CHECK(off() < 1e-4);
+  live.operation.setPaused(false);
+  press(0.004);
+  live.frames(20);
+  CHECK(live.sent > live.points.size() / 4);
 }
 
 TEST_CASE("the tip knows what lies under it and how near tissue is") {
