@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QStyle>
@@ -134,12 +135,21 @@ void MainWindow::makeDocks() {
   dock("Organ", organ_);
   dock("Removed", removed_);
   dock("Force", force_);
-  dock("Timing", timing_);
+  auto* stages = new QScrollArea;  // longer than a low window
+  stages->setFrameShape(QFrame::NoFrame);
+  stages->setWidgetResizable(true);
+  stages->setFocusPolicy(Qt::NoFocus);
+  stages->setWidget(timing_);
+  dock("Timing", stages);
   force_->parentWidget()->hide();  // until there is tissue that pushes back
   // A width of their own from the start: the picture beside must not shift when numbers come.
   QList<QDockWidget*> docks = findChildren<QDockWidget*>();
   resizeDocks(docks, QList<int>(docks.size(), 32 * fontMetrics().averageCharWidth()),
               Qt::Horizontal);
+  // In lines of text: what has most to say gets the most room.
+  QList<int> heights;
+  for (const int lines : {9, 14, 6, 5, 19}) heights.push_back(lines * fontMetrics().height());
+  resizeDocks(docks, heights, Qt::Vertical);
   instruments_->chosen = [this](int tool) {
     if (!session_) return;
     if (tool < 0)

@@ -92,6 +92,7 @@ class MainWindow : public QMainWindow {
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // ms
   std::int64_t removedSaid_ = 0;
   std::uint64_t uploadedSaid_ = 0;
+  double forceSaid_ = 0;  // N, largest since it was said
   int heldSaid_ = -2;
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::string script_, faultSaid_;

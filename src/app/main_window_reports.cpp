@@ -80,6 +80,7 @@ void MainWindow::reportPlaces() {
 
 // How smooth it is, while somebody operates.
 void MainWindow::reportPace() {
+  for (const double force : session_->state().forces) forceSaid_ = std::max(forceSaid_, force);
   const auto pace = viewer_->pace().take();
   if (!pace) return;
   say("rate {:.1f} drawing {:.1f} ms latency {:.0f} ms most {:.0f} ms pictures {} removal {}",
@@ -88,6 +89,7 @@ void MainWindow::reportPace() {
   const SoOrganShape& organ = *session_->room().organ();
   say("uploaded {} of {} vertices", organ.uploadedVertices() - uploadedSaid_, organ.vertexCount());
   uploadedSaid_ = organ.uploadedVertices();
+  if (session_->state().moves) say("force {:.2f} N", std::exchange(forceSaid_, 0));
 }
 
 }  // namespace resect

@@ -55,12 +55,12 @@ std::optional<Pace::Second> Pace::take() {
   const double now = steadySeconds();
   if (now - since_ < 1) return {};
   std::optional<Second> second;
-  if (!latencies_.empty()) {
+  if (count_ > 0) {
     std::ranges::sort(latencies_);
     second = {count_ / (now - since_),
-              drawing_ / std::max(count_, 1),
-              latencies_[latencies_.size() / 2],
-              latencies_.back(),
+              drawing_ / count_,
+              latencies_.empty() ? 0 : latencies_[latencies_.size() / 2],
+              latencies_.empty() ? 0 : latencies_.back(),
               pictures_,
               removal_};
   }

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kStillSeconds = 0.25;  // after this the picture is drawn with smooth edges
 constexpr int kStrips = 10;             // of a smooth picture, one a tick
+constexpr int kPicturesPerStrip = 6;    // while something moves
 
 int inventorKey(int key) {
   if (key >= Qt::Key_A && key <= Qt::Key_Z) return SoKeyboardEvent::A + (key - Qt::Key_A);
@@ -97,30 +98,38 @@ void Viewer::tick() {
   } else if (!damage_.empty() || image_.size() != pictureSize()) {
     drawChanges(looked);
     still_.restart();
+    // Tissue may move for long; what lies still behind it is not left coarse until it rests.
+    if (behind_ < kStrips && ++sinceStrip_ >= kPicturesPerStrip) {
+      drawStrip(behind_++);
+      sinceStrip_ = 0;
+    }
   } else if (still > kStillSeconds && strip_ < kStrips) {
-    drawStrip();
+    session_->room().holdShadows(false);
+    drawStrip(strip_++);
+    if (strip_ == kStrips) behind_ = kStrips;
   }
   if (ticked) ticked();
 }
 
 void Viewer::drawChanges(double looked) {
+  const bool whole = damage_.everything || image_.size() != pictureSize();
   pace_.pictureBegins(looked, session_->state().lastRemoval);
   session_->room().setShadowResolution(picture_.processorDraws() ? 512 : 1024);
   session_->room().holdShadows(!picture_.shadowsAreDue(damage_));
   const QRegion changed = fetch(picture_.draw(session_->root(), *session_->room().camera(), damage_,
                                               viewport().getWindowSize()));
   pace_.pictureIsDrawn();
-  damage_ = {};
   strip_ = picture_.processorDraws() ? 0 : kStrips;
+  if (whole) behind_ = strip_, sinceStrip_ = 0;
+  damage_ = {};
   repaint(changed);
   pace_.pictureShown();
   drawn_.push_back(double(clock_.nsecsElapsed()) * 1e-9);
   if (drawn_.size() > 240) drawn_.erase(drawn_.begin(), drawn_.begin() + 120);
 }
 
-void Viewer::drawStrip() {
-  session_->room().holdShadows(false);
-  const PixelRect part = picture_.drawSmooth(session_->root(), strip_++, kStrips);
+void Viewer::drawStrip(int strip) {
+  const PixelRect part = picture_.drawSmooth(session_->root(), strip, kStrips);
   repaint(fetch(std::span(&part, 1)));
 }
 
@@ -157,7 +166,8 @@ void Viewer::paintEvent(QPaintEvent* event) {
 RgbImage Viewer::grabPicture(bool smooth) {
   if (smooth && session_) {
     drawChanges(steadySeconds());
-    for (strip_ = 0; strip_ < kStrips;) drawStrip();
+    session_->room().holdShadows(false);
+    for (strip_ = 0; strip_ < kStrips; ++strip_) drawStrip(strip_);
   }
   const QImage image = image_.convertToFormat(QImage::Format_RGB888);
   RgbImage result{image.width(), image.height(), {}};

@@ -66,7 +66,7 @@ class Viewer : public QWidget {
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
   void drawChanges(double looked);  // when the operation was looked at, s
-  void drawStrip();
+  void drawStrip(int strip);
   QSize pictureSize() const;
   QRegion fetch(std::span<const PixelRect> parts);
 
@@ -76,7 +76,9 @@ class Viewer : public QWidget {
   LivePicture picture_;
   QImage image_;  // what is on the screen
   Damage damage_;
-  int strip_ = 0;  // the next of the smooth picture
+  int strip_ = 0;       // the next of the smooth picture
+  int behind_ = 0;      // the same of what lies behind things that move, since all was drawn
+  int sinceStrip_ = 0;  // pictures
   Qt::MouseButtons down_;
   std::vector<double> drawn_;  // times of the last pictures, s
   Pace pace_;

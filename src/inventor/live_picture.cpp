@@ -18,10 +18,13 @@ namespace resect {
 namespace {
 
 // Tiles of 16 pixels stay whole in all of them.
-constexpr double kScales[] = {1.0, 0.75, 0.5, 0.375};
+constexpr double kScales[] = {1.0, 0.875, 0.75, 0.5, 0.375};
 constexpr double kMostSharp = 0.16;  // share of the picture that never gets fewer pixels
 constexpr int kSmoothSamples = 4;
-constexpr int kShadowInterval = 3;  // pictures
+// Pictures from one with new soft shadows to the next: as few as the frame rate allows.
+constexpr int kShortestInterval = 3, kLongestInterval = 8;
+
+double square(double x) { return x * x; }
 
 }  // namespace
 
@@ -137,7 +140,11 @@ void LivePicture::drawParts(SoNode* scene, const Buffer& buffer, std::span<const
 
 bool LivePicture::shadowsAreDue(const Damage& damage) const {
   const bool nothingElse = !damage.everything && damage.boxes.empty();
-  return !context_->processorDraws || nothingElse || pictures_ % kShadowInterval == 0;
+  if (!context_->processorDraws || nothingElse) return true;
+  const double left = std::max(longest_ - plain_, 1e-4);
+  const double interval = std::clamp<double>(std::ceil((shadowed_ - plain_) / left),
+                                             kShortestInterval, kLongestInterval);
+  return sinceShadows_ + 1 >= interval;
 }
 
 std::span<const PixelRect> LivePicture::draw(SoNode* scene, const SoPerspectiveCamera& camera,
@@ -156,22 +163,23 @@ std::span<const PixelRect> LivePicture::draw(SoNode* scene, const SoPerspectiveC
   }
   late_.add({false, {}, damage.shadows});
   Damage now{nothing || damage.everything, damage.boxes, {}};
-  if (shadowsAreDue(damage)) now.shadows = std::exchange(late_, {}).shadows;
-  if (!damage.empty()) ++pictures_;
+  const bool withShadows = shadowsAreDue(damage);
+  if (withShadows) now.shadows = std::exchange(late_, {}).shadows;
+  if (!damage.empty()) sinceShadows_ = withShadows ? 0 : sinceShadows_ + 1;
   parts_ = pixelsOf(now, camera, SbViewportRegion(size));
   if (parts_.empty()) return parts_;
-  if (double(area(parts_)) < kMostSharp * width * height) {
-    drawParts(scene, c.shown, parts_);
-    return parts_;
-  }
   const double begin = steadySeconds();
-  if (scale_ == 1) {
+  const bool sharp = double(area(parts_)) < kMostSharp * width * height;
+  if (sharp || scale_ == 1) {
     drawParts(scene, c.shown, parts_);
   } else {
     drawCoarse(scene);
   }
   glFinish();
-  adapt(steadySeconds() - begin);
+  const double seconds = steadySeconds() - begin;
+  double& usual = withShadows ? shadowed_ : plain_;
+  usual = usual == 0 ? seconds : 0.7 * usual + 0.3 * seconds;
+  if (!sharp && (!withShadows || now.everything)) adapt(seconds);
   return parts_;
 }
 
@@ -223,8 +231,8 @@ void LivePicture::adapt(double seconds) {
   const auto* at = std::ranges::find(kScales, scale_);
   if (seconds > longest_ && at + 1 != std::end(kScales))
     ++at;
-  else if (seconds < 0.45 * longest_ && at != std::begin(kScales))
-    --at;
+  else if (at != std::begin(kScales) && seconds * square(at[-1] / *at) < 0.8 * longest_)
+    --at;  // also if all of the time went into pixels
   scale_ = *at;
 }
 

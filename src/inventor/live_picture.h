@@ -1,9 +1,9 @@
 // How is a picture of a scene kept up to date at the cost of what has changed in it?
 //
 // On a graphics card every picture is drawn whole, with smooth edges. Where the processor draws,
-// only the changed parts are drawn again, soft shadows in every third picture; when the parts are
-// too large for the frame rate, they are drawn with fewer pixels. Whoever shows it asks for the
-// smooth picture, strip by strip, once nothing moves any more, and reads only what is new.
+// only the changed parts are drawn again, soft shadows in every third to eighth picture; when the
+// parts are too large for the frame rate, they are drawn with fewer pixels. Whoever shows it asks
+// for the smooth picture, strip by strip, once nothing moves any more, and reads only what is new.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -64,7 +64,8 @@ class LivePicture {
   Damage late_;  // shadows not drawn yet
   std::vector<PixelRect> parts_;
   std::vector<std::uint32_t> rows_;  // for read()
-  int pictures_ = 0;
+  int sinceShadows_ = 0;             // pictures
+  double plain_ = 0, shadowed_ = 0;  // s that pictures without and with new shadows took lately
 };
 
 }  // namespace resect

@@ -29,9 +29,9 @@ struct Scene {
     room.look(RoomView::Surgeon, box, double(kWidth) / kHeight);
   }
   void place(const Vec3& p) { room.setToolPose(tool, {p, Eigen::Quaterniond::Identity()}); }
-  Pixels draw(LivePicture& picture, const Damage& damage) {
+  Pixels draw(LivePicture& picture, const Damage& damage, double longest = 1e9) {
     picture.setProcessorDraws(true);
-    picture.setLongestPicture(1e9);
+    picture.setLongestPicture(longest);
     picture.draw(room.root(), *room.camera(), damage, {kWidth, kHeight});
     return read(picture);
   }
@@ -93,6 +93,22 @@ TEST_CASE("shadows come at latest with the third picture, at once when nothing e
   scene.draw(picture, {});  // shadows that are late
   scene.draw(picture, {});
   CHECK(picture.drawnPixels() == 0);
+}
+
+TEST_CASE(
+    "where pictures take too long shadows come more seldom, but every eighth picture has them") {
+  Scene scene;
+  LivePicture picture;
+  scene.draw(picture, {true, {}, {}});
+  const Aabb some{{0, 0, 0}, {0.02, 0.02, 0.02}}, shadow{{-0.5, 0, -0.5}, {0.5, 0, 0.5}};
+  int since = 0, longest = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Damage damage{false, {some}, {shadow}};
+    since = picture.shadowsAreDue(damage) ? 0 : since + 1;
+    longest = std::max(longest, since);
+    scene.draw(picture, damage, 1e-6);
+  }
+  CHECK(longest == 7);
 }
 
 TEST_CASE("a smooth picture comes in strips, and each can be read by itself") {
