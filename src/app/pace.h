@@ -29,7 +29,7 @@ class Pace {
     int pictures = 0;  // that came to the screen from an input until it was shown, at most
     int removal = 0;   // pictures begun after particles were taken until they were gone, at most
   };
-  // Once a second in which somebody did something.
+  // Once a second in which a picture was drawn; without input there is no latency: 0.
   std::optional<Second> take();
 
  private:

@@ -121,10 +121,6 @@ class BrickPlaces {
   std::vector<std::int64_t> particles_;
 };
 
-bool overlap(const Aabb& a, const Aabb& b) {
-  return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
-}
-
 }  // namespace
 
 std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
@@ -138,7 +134,8 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
   std::vector<std::int64_t> bricks = bricksRound(organ, nearCells);
   std::erase_if(bricks, [&](std::int64_t index) {
     const BrickPlaces brick(organ, tissue, motions, organ.field.brick(index));
-    return !overlap(brick.rough(), blade.bounds) || !overlap(brick.close(), blade.bounds);
+    return intersection(brick.rough(), blade.bounds).empty() ||
+           intersection(brick.close(), blade.bounds).empty();
   });
   return incise(organ, blade, bricks,
                 [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {

@@ -102,10 +102,6 @@ void traceHalf(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle&
                 {(inFace[0] + from * line).cast<float>(), (inFace[0] + to * line).cast<float>()});
 }
 
-bool overlap(const Aabb& a, const Aabb& b) {
-  return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
-}
-
 Aabb boundsOf(const BladeTriangle& t) {
   Aabb box;
   for (const Vec3& p : {t.corner, t.otherU, t.otherV}) box.grow(p);
@@ -143,7 +139,7 @@ void findBounds(PlacedBrick& b) {
 void severBrick(SeveredEdges& severed, PlacedBrick& b, const BladeTriangle& t, const Aabb& reach) {
   bool heightsKnown = false;
   visitCells([&](std::size_t cell, const Vec3i& n) {
-    if (!overlap(b.cells[cell], reach)) return;
+    if (intersection(b.cells[cell], reach).empty()) return;
     if (!heightsKnown)
       for (std::size_t i = 0; i < kPlacedNodes; ++i)
         b.height[i] = t.normal.dot(b.place[i] - t.corner);
@@ -175,7 +171,8 @@ std::int64_t severAlong(SeveredEdges& severed, const ColourField& field, const S
     place(brick, b.place);
     findBounds(b);
     for (std::size_t t = 0; t < blade.triangles.size(); ++t)
-      if (overlap(b.bounds, reach[t])) severBrick(severed, b, blade.triangles[t], reach[t]);
+      if (!intersection(b.bounds, reach[t]).empty())
+        severBrick(severed, b, blade.triangles[t], reach[t]);
   }
   return severed.count() - before;
 }
