@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Plays the figures of the original thesis in the window, on a virtual screen, and writes docs/gallery/window-*.png:
-before, during and after, side by side; and docs/images/window.gif, an operation in motion.
+before, during and after, side by side; and into docs/images window.png, the whole window, and window.gif, an operation
+in motion.
 
-    make_window_gallery.py [--program PROGRAM] [NAME ...]      names as in FIGURES, or "gif"; all without a name
+    make_window_gallery.py [--program PROGRAM] [NAME ...]      names as in FIGURES, "window" or "gif"; all without a name
 
 Needs Xvfb, xdotool and ImageMagick's convert.
 """
@@ -10,6 +11,7 @@ import argparse
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -53,15 +55,34 @@ def make_figure(program, screen, folder, name, scenario, during):
     print(target.relative_to(ROOT), target.stat().st_size // 1024, "KB", flush=True)
 
 
+def make_window(program, folder):
+    screen = Screen(folder, 1240, 900)  # no larger than the window
+    try:
+        window = Window(program, screen, ANIMATED, "--size", "1240x900")
+        try:
+            window.wait("ready", 300)
+            window.tell("play 4.2")
+            window.wait("played", 120)
+            time.sleep(9)  # until it is smooth, and the plot shows what was removed
+            screen.picture("window")
+        finally:
+            window.quit()
+    finally:
+        screen.close()
+    target = ROOT / "docs" / "images" / "window.png"
+    subprocess.run(["convert", folder / "window.png", "-resize", "930x", "-colors", "200", f"PNG8:{target}"], check=True)
+    print(target.relative_to(ROOT), target.stat().st_size // 1024, "KB", flush=True)
+
+
 def make_gif(program, screen, folder):
     window = opened(program, screen, ANIMATED)
     frames = []
     try:
-        time = FIRST
-        while time < LAST:
+        at = FIRST
+        while at < LAST:
             frames.append(folder / f"frame_{len(frames):03}.png")
-            picture(window, frames[-1], time)
-            time += STEP
+            picture(window, frames[-1], at)
+            at += STEP
     finally:
         window.quit()
     target = ROOT / "docs" / "images" / "window.gif"
@@ -75,7 +96,7 @@ def main():
     arguments.add_argument("--program", default=str(ROOT / "build" / "release" / "resect"))
     arguments.add_argument("names", nargs="*", metavar="NAME")
     options = arguments.parse_args()
-    known = [name for name, _, _ in FIGURES] + ["gif"]
+    known = [name for name, _, _ in FIGURES] + ["window", "gif"]
     for name in options.names:
         if name not in known:
             sys.exit(f"there is no {name}; choose from {', '.join(known)}")
@@ -86,6 +107,8 @@ def main():
             for figure in FIGURES:
                 if not options.names or figure[0] in options.names:
                     make_figure(options.program, screen, folder, *figure)
+            if not options.names or "window" in options.names:
+                make_window(options.program, folder)
             if not options.names or "gif" in options.names:
                 make_gif(options.program, screen, folder)
         finally:
