@@ -32,27 +32,71 @@ std::vector<std::int64_t> bricksRound(const Organ& organ, std::span<const std::i
   return bricks;
 }
 
-// How the particles have moved; each is asked once.
+// The cells whose particles the nodes of some bricks may follow.
+struct CellRange {
+  Vec3i low, dims;
+
+  // bricks: not none.
+  CellRange(const Organ& organ, std::span<const std::int64_t> bricks) {
+    Vec3i first = organ.field.brick(bricks[0]), last = first;
+    for (const std::int64_t index : bricks) {
+      first = first.cwiseMin(organ.field.brick(index));
+      last = last.cwiseMax(organ.field.brick(index));
+    }
+    constexpr int kFar = 4;  // cells beside a brick: a search along a cut stays in its window
+    const int refine = organ.field.refine();
+    const Vec3i& end = organ.rest.lattice.dims;
+    low = (kBrickNodes * first / refine - Vec3i::Constant(2 + kFar)).cwiseMax(0).cwiseMin(end);
+    const Vec3i high = kBrickNodes * (last + Vec3i::Ones()) / refine + Vec3i::Constant(kFar - 1);
+    dims = (high.cwiseMin(end) - low).cwiseMax(0);
+  }
+  std::size_t count() const { return std::size_t(dims.cast<std::int64_t>().prod()); }
+  std::size_t index(const Vec3i& cell) const {
+    const Vec3i at = cell - low;
+    return (std::size_t(at.z()) * std::size_t(dims.y()) + std::size_t(at.y())) *
+               std::size_t(dims.x()) +
+           std::size_t(at.x());
+  }
+};
+
+// How the particles of some cells have moved; each is asked once.
 class Motions {
  public:
-  Motions(const Organ& organ, const TissueModel& tissue)
-      : lattice_(organ.rest.lattice), tissue_(tissue), known_(lattice_.cellCount(), -1) {}
+  Motions(const Organ& organ, const TissueModel& tissue, const CellRange& range)
+      : lattice_(organ.rest.lattice),
+        tissue_(tissue),
+        range_(range),
+        placeOf_(range.count(), -1),
+        motionOf_(range.count(), -1) {}
 
-  const ParticleMotion& of(std::int64_t cell) {
-    if (known_[cell] < 0) {
+  const Vec3& place(const Vec3i& cell) {
+    std::int32_t& known = placeOf_[range_.index(cell)];
+    if (known < 0) {
+      known = std::int32_t(places_.size());
+      places_.push_back(lattice_.centre(cell) + tissue_.displacement(lattice_.index(cell)));
+    }
+    return places_[std::size_t(known)];
+  }
+  const ParticleMotion& of(const Vec3i& cell) {
+    std::int32_t& known = motionOf_[range_.index(cell)];
+    if (known < 0) {
       CellPlacement place;
-      tissue_.place({&cell, 1}, {&place, 1});
-      known_[cell] = std::int32_t(motions_.size());
-      motions_.push_back({lattice_.centre(lattice_.cell(cell)) + place.displacement.cast<double>(),
+      const std::int64_t index = lattice_.index(cell);
+      tissue_.place({&index, 1}, {&place, 1});
+      known = std::int32_t(motions_.size());
+      const Vec3 rest = lattice_.centre(cell);
+      motions_.push_back({rest, rest + place.displacement.cast<double>(),
                           Mat3::Identity() + place.gradient.cast<double>()});
     }
-    return motions_[known_[cell]];
+    return motions_[std::size_t(known)];
   }
 
  private:
   const Lattice& lattice_;
   const TissueModel& tissue_;
-  std::vector<std::int32_t> known_;
+  const CellRange& range_;
+  std::vector<std::int32_t> placeOf_, motionOf_;
+  std::vector<Vec3> places_;
   std::vector<ParticleMotion> motions_;
 };
 
@@ -60,8 +104,8 @@ class Motions {
 // its lattice cube take it to; beside a cut some follow particles farther away.
 class BrickPlaces {
  public:
-  BrickPlaces(const Organ& organ, const TissueModel& tissue, Motions& motions, const Vec3i& brick)
-      : organ_(organ), tissue_(tissue), motions_(motions), brick_(brick) {
+  BrickPlaces(const Organ& organ, Motions& motions, const Vec3i& brick)
+      : organ_(organ), motions_(motions), brick_(brick) {
     list(organ.severed.near(organ.field.brickIndex(brick)) ? 1 : 0);
     if (particles_.empty()) list(1);
   }
@@ -69,9 +113,7 @@ class BrickPlaces {
   // From the particles' places alone: however stretched, no node strays two spacings from them.
   Aabb rough() const {
     Aabb box;
-    const Lattice& lattice = organ_.rest.lattice;
-    for (const std::int64_t p : particles_)
-      box.grow(Vec3(lattice.centre(lattice.cell(p)) + tissue_.displacement(p)));
+    for (const Vec3i& p : particles_) box.grow(motions_.place(p));
     return widened(box, 2.0);
   }
   // From where each particle takes the whole brick.
@@ -79,12 +121,10 @@ class BrickPlaces {
     const ColourField& field = organ_.field;
     const Vec3 first = field.nodePosition((kBrickNodes * brick_).cast<double>());
     const Vec3 half = 0.5 * kBrickNodes * field.lattice().spacing / field.refine();
-    const Lattice& lattice = organ_.rest.lattice;
     Aabb box;
-    for (const std::int64_t p : particles_) {
+    for (const Vec3i& p : particles_) {
       const ParticleMotion& motion = motions_.of(p);
-      const Vec3 arm = first + half - lattice.centre(lattice.cell(p));
-      const Vec3 middle = motion.position + motion.gradient * arm;
+      const Vec3 middle = motion.position + motion.gradient * (first + half - motion.rest);
       const Vec3 reach = motion.gradient.cwiseAbs() * half;
       box.grow(Vec3(middle - reach));
       box.grow(Vec3(middle + reach));
@@ -106,7 +146,7 @@ class BrickPlaces {
       for (int y = low.y(); y <= high.y(); ++y)
         for (int x = low.x(); x <= high.x(); ++x) {
           const std::int64_t cell = lattice.index({x, y, z});
-          if (organ_.alive[cell] && organ_.rest.inside[cell]) particles_.push_back(cell);
+          if (organ_.alive[cell] && organ_.rest.inside[cell]) particles_.push_back({x, y, z});
         }
   }
   Aabb widened(const Aabb& box, double spacings) const {
@@ -115,28 +155,37 @@ class BrickPlaces {
   }
 
   const Organ& organ_;
-  const TissueModel& tissue_;
   Motions& motions_;
   Vec3i brick_;
-  std::vector<std::int64_t> particles_;
+  std::vector<Vec3i> particles_;  // cells
 };
+
+// Can the blade meet something in the box?
+bool mayMeet(const SweptBlade& blade, const Aabb& box) {
+  return std::ranges::any_of(blade.triangles, [&](const BladeTriangle& t) {
+    Aabb bounds;
+    for (const Vec3& p : {t.corner, t.otherU, t.otherV}) bounds.grow(p);
+    return !intersection(bounds, box).empty();
+  });
+}
 
 }  // namespace
 
 std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
                          std::span<const std::int64_t> nearCells) {
   if (blade.empty() || nearCells.empty()) return 0;
-  Motions motions(organ, tissue);
+  std::vector<std::int64_t> bricks = bricksRound(organ, nearCells);
+  if (bricks.empty()) return 0;
+  const CellRange range(organ, bricks);
+  Motions motions(organ, tissue, range);
+  std::erase_if(bricks, [&](std::int64_t index) {
+    const BrickPlaces brick(organ, motions, organ.field.brick(index));
+    return intersection(brick.rough(), blade.bounds).empty() || !mayMeet(blade, brick.close());
+  });
   const auto motionOf = [&](std::int64_t cell) -> const ParticleMotion& {
-    return motions.of(cell);
+    return motions.of(organ.rest.lattice.cell(cell));
   };
   const Wound wound{organ.severed, organ.alive};
-  std::vector<std::int64_t> bricks = bricksRound(organ, nearCells);
-  std::erase_if(bricks, [&](std::int64_t index) {
-    const BrickPlaces brick(organ, tissue, motions, organ.field.brick(index));
-    return intersection(brick.rough(), blade.bounds).empty() ||
-           intersection(brick.close(), blade.bounds).empty();
-  });
   return incise(organ, blade, bricks,
                 [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
                   placeNodes(organ.field, wound, organ.surface.iso(), brick, motionOf, places);

@@ -1,50 +1,101 @@
 #include "organ/strands.h"
 
 #include <algorithm>
-#include <limits>
+#include <bit>
 
 #include "tissue/stencil.h"
 
 namespace resect {
 namespace {
 
+// A box of the grid's nodes, numbered x fastest.
+struct NodeBox {
+  Vec3i low = Vec3i::Zero(), dims = Vec3i::Zero();
+
+  std::size_t count() const { return std::size_t(dims.cast<std::int64_t>().prod()); }
+  bool contains(const Vec3i& node) const {
+    return (node.array() >= low.array()).all() && (node.array() < (low + dims).array()).all();
+  }
+  std::int32_t step(int axis) const {
+    return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y();
+  }
+  std::int32_t index(const Vec3i& node) const {
+    const Vec3i at = node - low;
+    return (at.z() * dims.y() + at.y()) * dims.x() + at.x();
+  }
+  Vec3i node(std::int32_t index) const {
+    const std::int32_t row = index / dims.x();
+    return low + Vec3i(index % dims.x(), row % dims.y(), row / dims.y());
+  }
+};
+
+bool inTissue(const Organ& organ, const Vec3i& node) {
+  return (node.array() >= 0).all() && (node.array() < organ.field.nodeDims().array()).all() &&
+         organ.field.node(node) >= organ.surface.iso();
+}
+
 // The particle that a node of the grid goes with: the one fewest whole edges away through tissue;
 // of several the first. -1 when none is within kFar.
 class NodeOwners {
  public:
-  explicit NodeOwners(const Organ& organ) : organ_(organ), dims_(organ.field.nodeDims()) {}
-
-  bool tissue(const Vec3i& node) const {
-    return (node.array() >= 0).all() && (node.array() < dims_.array()).all() &&
-           organ_.field.node(node) >= organ_.surface.iso();
-  }
-
   static constexpr int kFar = 6;  // edges
 
+  // For the nodes of the box. Cost: five bytes per node of the box and of kFar round it.
+  NodeOwners(const Organ& organ, const NodeBox& box)
+      : organ_(organ),
+        box_{box.low - Vec3i::Constant(kFar), box.dims + Vec3i::Constant(2 * kFar)},
+        ways_(box_.count(), 0),
+        seenIn_(box_.count(), 0) {}
+
   std::int64_t operator()(const Vec3i& node) {
-    seen_.assign(1, node);
+    ++search_;
+    queue_.clear();
+    enqueue(box_.index(node));
     std::int64_t owner = -1;
-    std::size_t layer = 0;
-    for (int steps = 0; steps <= kFar && layer < seen_.size(); ++steps) {
-      const std::size_t end = seen_.size();
-      for (std::size_t k = layer; k < end; ++k) {
-        const std::int64_t particle = particleAt(seen_[k]);
-        if (particle >= 0 && (owner < 0 || particle < owner)) owner = particle;
-      }
-      if (owner >= 0) return owner;
+    for (std::size_t layer = 0, steps = 0; layer < queue_.size(); ++steps) {
+      const std::size_t end = queue_.size();
       for (std::size_t k = layer; k < end; ++k)
-        for (int axis = 0; axis < 3; ++axis)
-          for (const int side : {-1, 1}) {
-            const Vec3i from = seen_[k], to = from + side * Vec3i::Unit(axis);
-            if (!tissue(to) || organ_.severed.at(side < 0 ? to : from, axis) != kWhole) continue;
-            if (std::find(seen_.begin(), seen_.end(), to) == seen_.end()) seen_.push_back(to);
-          }
-      layer = end;
+        if (waysFrom(queue_[k]) & kParticle) {
+          const std::int64_t particle = particleAt(box_.node(queue_[k]));
+          if (owner < 0 || particle < owner) owner = particle;
+        }
+      if (owner >= 0 || steps == kFar) break;
+      for (; layer < end; ++layer) {
+        const std::int32_t from = queue_[layer];
+        for (unsigned ways = waysFrom(from) & kAllWays; ways != 0; ways &= ways - 1) {
+          const int way = std::countr_zero(ways), step = box_.step(way / 2);
+          const std::int32_t to = way % 2 ? from + step : from - step;
+          if (seenIn_[std::size_t(to)] != search_) enqueue(to);
+        }
+      }
     }
     return owner;
   }
 
  private:
+  // Bit 2 axis + up: a whole edge leads to a node in tissue.
+  static constexpr unsigned kAllWays = 0x3f, kParticle = 0x40, kKnown = 0x80;
+
+  void enqueue(std::int32_t i) {
+    seenIn_[std::size_t(i)] = search_;
+    queue_.push_back(i);
+  }
+
+  unsigned waysFrom(std::int32_t i) {
+    std::uint8_t& ways = ways_[std::size_t(i)];
+    if (ways != 0) return ways;
+    const Vec3i node = box_.node(i);
+    unsigned found = kKnown;
+    if (particleAt(node) >= 0) found |= kParticle;
+    for (int way = 0; way < 6; ++way) {
+      const Vec3i to = node + (way % 2 ? 1 : -1) * Vec3i::Unit(way / 2);
+      if (inTissue(organ_, to) && organ_.severed.at(way % 2 ? node : to, way / 2) == kWhole)
+        found |= 1u << way;
+    }
+    ways = std::uint8_t(found);
+    return found;
+  }
+
   std::int64_t particleAt(const Vec3i& node) const {
     const int refine = organ_.field.refine();
     const Vec3i cell = node / refine - Vec3i::Constant(2);
@@ -55,11 +106,14 @@ class NodeOwners {
   }
 
   const Organ& organ_;
-  Vec3i dims_;
-  std::vector<Vec3i> seen_;
+  NodeBox box_;
+  std::vector<std::uint8_t> ways_;  // per node; 0: not looked at
+  std::uint32_t search_ = 0;
+  std::vector<std::uint32_t> seenIn_;  // per node: the last search that saw it
+  std::vector<std::int32_t> queue_;
 };
 
-// The nodes round some particles, each once, in ascending order of x, y, z.
+// The nodes round some particles, each once, in ascending order.
 class NodeSet {
  public:
   enum Which : std::uint8_t { kNone, kBesideCuts, kAll };
@@ -70,68 +124,58 @@ class NodeSet {
   // Lists those that `take(node, which)` is true for. Cost: a byte per node of the box round all.
   template <typename Take>
   void list(const Take& take) {
-    const Vec3i reach = Vec3i::Constant(reach_);
-    low_ = Vec3i::Constant(std::numeric_limits<int>::max());
-    Vec3i high = Vec3i::Constant(std::numeric_limits<int>::min());
-    for (const auto& [centre, which] : centres_) {
-      low_ = low_.cwiseMin(centre - reach);
-      high = high.cwiseMax(centre + reach);
-    }
     if (centres_.empty()) return;
-    dims_ = high - low_ + Vec3i::Ones();
-    std::vector<std::uint8_t> wanted(std::size_t(dims_.cast<std::int64_t>().prod()), kNone);
+    Vec3i low = centres_[0].first, high = low;
+    for (const auto& [centre, which] : centres_) {
+      low = low.cwiseMin(centre);
+      high = high.cwiseMax(centre);
+    }
+    box_ = {low - Vec3i::Constant(reach_), high - low + Vec3i::Constant(2 * reach_ + 1)};
+    std::vector<std::uint8_t> wanted(box_.count(), kNone);
     for (const auto& [centre, which] : centres_)
-      for (int x = -reach_; x <= reach_; ++x)
-        for (int y = -reach_; y <= reach_; ++y)
-          for (int z = -reach_; z <= reach_; ++z) {
-            std::uint8_t& mark = wanted[index(centre + Vec3i(x, y, z))];
-            mark = std::max(mark, std::uint8_t(which));
-          }
-    number_.assign(wanted.size(), -1);
-    Vec3i n;
-    for (n.x() = low_.x(); n.x() <= high.x(); ++n.x())
-      for (n.y() = low_.y(); n.y() <= high.y(); ++n.y())
-        for (n.z() = low_.z(); n.z() <= high.z(); ++n.z()) {
-          const auto which = Which(wanted[index(n)]);
-          if (which == kNone || !take(n, which)) continue;
-          number_[index(n)] = std::int32_t(nodes_.size());
-          nodes_.push_back(n);
+      for (int z = -reach_; z <= reach_; ++z)
+        for (int y = -reach_; y <= reach_; ++y) {
+          std::uint8_t* row = wanted.data() + box_.index(centre + Vec3i(-reach_, y, z));
+          for (int x = 0; x <= 2 * reach_; ++x) row[x] = std::max(row[x], std::uint8_t(which));
         }
+    number_.assign(wanted.size(), -1);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (wanted[i] == kNone) continue;
+      const Vec3i node = box_.node(std::int32_t(i));
+      if (!take(node, Which(wanted[i]))) continue;
+      number_[i] = std::int32_t(nodes_.size());
+      nodes_.push_back(node);
+    }
   }
 
+  const NodeBox& box() const { return box_; }
   const std::vector<Vec3i>& all() const { return nodes_; }
   std::int32_t find(const Vec3i& node) const {  // -1 when it is not listed
-    const Vec3i at = node - low_;
-    return (at.array() >= 0).all() && (at.array() < dims_.array()).all() ? number_[index(node)]
-                                                                         : -1;
+    return box_.contains(node) ? number_[std::size_t(box_.index(node))] : -1;
   }
 
  private:
-  std::size_t index(const Vec3i& n) const {
-    const Vec3i at = n - low_;
-    return (std::size_t(at.x()) * std::size_t(dims_.y()) + std::size_t(at.y())) *
-               std::size_t(dims_.z()) +
-           std::size_t(at.z());
-  }
-
   int reach_;
   std::vector<std::pair<Vec3i, Which>> centres_;
-  Vec3i low_ = Vec3i::Zero(), dims_ = Vec3i::Zero();
+  NodeBox box_;
   std::vector<std::int32_t> number_;
   std::vector<Vec3i> nodes_;
 };
 
 // Are two particles bonded, or both to a third one?
 bool held(const Lattice& lattice, const TissueModel& tissue, std::int64_t p, std::int64_t q) {
-  const Vec3i from = lattice.cell(p), to = lattice.cell(q);
-  const auto bonded = [&](const Vec3i& a, const Vec3i& b) {
-    for (int d = 0; d < kDirections; ++d)
-      if (a + offsetOf(d) == b) return (tissue.bonds(lattice.index(a)) >> d & 1) != 0;
-    return false;
+  const Vec3i to = lattice.cell(q);
+  const auto bonded = [&](std::int64_t from, const Vec3i& cell) {
+    const Vec3i offset = to - cell;
+    if (offset.cwiseAbs().maxCoeff() > 1) return false;
+    return offset == Vec3i::Zero() || (tissue.bonds(from) >> directionTo(offset) & 1) != 0;
   };
-  if (bonded(from, to)) return true;
-  for (int d = 0; d < kDirections; ++d)
-    if (tissue.bonds(p) >> d & 1 && bonded(from + offsetOf(d), to)) return true;
+  const Vec3i from = lattice.cell(p);
+  if (bonded(p, from)) return true;
+  for (std::uint32_t bonds = tissue.bonds(p); bonds != 0; bonds &= bonds - 1) {
+    const Vec3i third = from + offsetOf(std::countr_zero(bonds));
+    if (bonded(lattice.index(third), third)) return true;
+  }
   return false;
 }
 
@@ -142,7 +186,6 @@ std::int64_t partStrands(Organ& organ, const TissueModel& tissue,
   if (parted.empty() && (near.empty() || organ.severed.pending().empty())) return 0;
   const Lattice& lattice = organ.rest.lattice;
   const int refine = organ.field.refine();
-  NodeOwners ownerOf(organ);
   std::vector<Vec3i> changed;  // bricks
   for (const std::int64_t brick : organ.severed.pending())
     changed.push_back(organ.field.brick(brick));
@@ -167,9 +210,10 @@ std::int64_t partStrands(Organ& organ, const TissueModel& tissue,
               NodeSet::kAll);
   }
   nodes.list([&](const Vec3i& n, NodeSet::Which which) {
-    return ownerOf.tissue(n) &&
+    return inTissue(organ, n) &&
            (which == NodeSet::kAll || organ.severed.near(organ.field.brickIndex(n / kBrickNodes)));
   });
+  NodeOwners ownerOf(organ, nodes.box());
   std::vector<std::int64_t> owners;
   for (const Vec3i& n : nodes.all()) owners.push_back(ownerOf(n));
 

@@ -13,20 +13,19 @@ namespace resect {
 
 // How a particle has moved: its place, and how the tissue round it is stretched and turned.
 struct ParticleMotion {
-  Vec3 position = Vec3::Zero();  // world, m
+  Vec3 rest = Vec3::Zero();      // its place at rest, m
+  Vec3 position = Vec3::Zero();  // and now: world, m
   Mat3 gradient = Mat3::Identity();
 };
 
 // Where a point at X in rest space is now that follows the binding. motionOf(cell) gives the motion
 // of a particle by its lattice index.
 template <typename MotionOf>
-Vec3 followed(const VertexBinding& binding, const Vec3& X, const Lattice& lattice,
-              const MotionOf& motionOf) {
+Vec3 followed(const VertexBinding& binding, const Vec3& X, const MotionOf& motionOf) {
   Vec3 x = Vec3::Zero();
   for (int i = 0; i < binding.count; ++i) {
-    const std::int64_t cell = binding.cell[std::size_t(i)];
-    const ParticleMotion& motion = motionOf(cell);
-    const Vec3 arm = X - lattice.centre(lattice.cell(cell));
+    const ParticleMotion& motion = motionOf(std::int64_t(binding.cell[std::size_t(i)]));
+    const Vec3 arm = X - motion.rest;
     x += double(binding.weight[std::size_t(i)]) * (motion.position + motion.gradient * arm);
   }
   return x;
@@ -46,7 +45,7 @@ void placeNodes(const ColourField& field, const Wound& wound, float iso, const V
     const Vec3 node = (kBrickNodes * brick + Vec3i(i % 5, i / 5 % 5, i / 25)).cast<double>();
     places[std::size_t(i)] = bindings[std::size_t(i)].count > 0
                                  ? followed(bindings[std::size_t(i)], field.nodePosition(node),
-                                            field.lattice(), motionOf)
+                                            motionOf)
                                  : Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   }
 }

@@ -31,20 +31,22 @@ VertexBinder::VertexBinder(const CutGrid& grid, const Lattice& lattice, int refi
 // Lattice cell k lies at the organ's node refine (k + 2).
 std::int64_t VertexBinder::particleAt(const Vec3i& node) const {
   const Vec3i n = grid_.first + node;
-  if ((n.array() < 0).any()) return -1;
   for (int a = 0; a < 3; ++a)
-    if (n[a] % refine_ != 0) return -1;
-  const Vec3i cell = n / refine_ - Vec3i::Constant(2);
+    if (n[a] < 0 || n[a] % refine_ != 0) return -1;
+  return particleOf(n / refine_ - Vec3i::Constant(2));
+}
+
+std::int64_t VertexBinder::particleOf(const Vec3i& cell) const {
   if (!lattice_.contains(cell)) return -1;
   const std::int64_t i = lattice_.index(cell);
   return particles_[std::size_t(i)] ? i : -1;
 }
 
-void VertexBinder::add(VertexBinding& binding, const Vec3& p, const Vec3i& node,
-                       std::int64_t cell) const {
-  double weight = 1;
-  for (int a = 0; a < 3; ++a)
-    weight *= std::max(kLeastWeight, 1 - std::abs(p[a] - node[a]) / refine_);
+double VertexBinder::weightAlong(double p, int node) const {
+  return std::max(kLeastWeight, 1 - std::abs(p - node) / refine_);
+}
+
+void VertexBinder::add(VertexBinding& binding, double weight, std::int64_t cell) {
   if (binding.count < VertexBinding::kMost) {
     binding.cell[std::size_t(binding.count)] = std::int32_t(cell);
     binding.weight[std::size_t(binding.count++)] = float(weight);
@@ -56,11 +58,52 @@ void VertexBinder::add(VertexBinding& binding, const Vec3& p, const Vec3i& node,
   binding.cell[std::size_t(least - binding.weight.begin())] = std::int32_t(cell);
 }
 
+template <typename Counts>
+void VertexBinder::addCorners(VertexBinding& binding, const Cube& cube, const Vec3& p,
+                              const Counts& counts) const {
+  double weight[3][2];
+  for (int a = 0; a < 3; ++a)
+    for (const int end : {0, 1}) weight[a][end] = weightAlong(p[a], cube.low[a] + end * refine_);
+  for (int c = 0; c < 8; ++c)
+    if (cube.particle[std::size_t(c)] >= 0 && counts(c))
+      add(binding, weight[0][c & 1] * weight[1][c >> 1 & 1] * weight[2][c >> 2],
+          cube.particle[std::size_t(c)]);
+}
+
+// Is every node of the cube inside, and every edge between them whole?
+bool VertexBinder::unbroken(const Vec3i& low) const {
+  const Vec3i high = low + Vec3i::Constant(refine_);
+  if (!grid_.contains(low) || !grid_.contains(high)) return false;
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(), i = grid_.index({x, y, z}); x <= high.x(); ++x, ++i)
+        if (!grid_.inside(i) || (x < high.x() && !grid_.whole(i, 0)) ||
+            (y < high.y() && !grid_.whole(i, 1)) || (z < high.z() && !grid_.whole(i, 2)))
+          return false;
+  return true;
+}
+
 const VertexBinder::Cube& VertexBinder::cube(const Vec3i& low) {
-  for (const Cube& known : cubes_)
-    if (known.low == low) return known;
+  if (lastCube_ < cubes_.size() && cubes_[lastCube_].low == low) return cubes_[lastCube_];
+  for (lastCube_ = 0; lastCube_ < cubes_.size(); ++lastCube_)
+    if (cubes_[lastCube_].low == low) return cubes_[lastCube_];
   Cube& made = cubes_.emplace_back();
   made.low = low;
+  const Vec3i first = grid_.first + low;
+  const Vec3i cell = Vec3i(floorDiv(first.x(), refine_), floorDiv(first.y(), refine_),
+                           floorDiv(first.z(), refine_)) -
+                     Vec3i::Constant(2);
+  for (int c = 0; c < 8; ++c)
+    made.particle[std::size_t(c)] = particleOf(cell + Vec3i(c & 1, c >> 1 & 1, c >> 2));
+  if (unbroken(low))
+    made.part.fill(0);
+  else
+    findParts(made);
+  return made;
+}
+
+void VertexBinder::findParts(Cube& made) const {
+  const Vec3i low = made.low;
   const int side = refine_ + 1;
   const auto at = [&](const Vec3i& d) { return (d.z() * side + d.y()) * side + d.x(); };
   made.part.fill(kOutside);
@@ -90,9 +133,6 @@ const VertexBinder::Cube& VertexBinder::cube(const Vec3i& low) {
     }
     ++parts;
   }
-  for (int c = 0; c < 8; ++c)
-    made.particle[std::size_t(c)] = particleAt(low + refine_ * Vec3i(c & 1, c >> 1 & 1, c >> 2));
-  return made;
 }
 
 Vec3i VertexBinder::cubeOf(const Vec3& p) const {
@@ -105,12 +145,8 @@ Vec3i VertexBinder::cubeOf(const Vec3& p) const {
 }
 
 VertexBinding VertexBinder::bindAll(const Vec3& p) {
-  const Vec3i low = cubeOf(p);
   VertexBinding binding;
-  for (int c = 0; c < 8; ++c) {
-    const Vec3i node = low + refine_ * Vec3i(c & 1, c >> 1 & 1, c >> 2);
-    if (const std::int64_t cell = particleAt(node); cell >= 0) add(binding, p, node, cell);
-  }
+  addCorners(binding, cube(cubeOf(p)), p, [](int) { return true; });
   if (binding.count > 0) normalise(binding);
   return binding;
 }
@@ -127,12 +163,10 @@ VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes 
   });
   wanted.reset(kOutside);
   VertexBinding binding;
-  for (int c = 0; c < 8; ++c) {
-    if (within.particle[std::size_t(c)] < 0) continue;
+  addCorners(binding, within, p, [&](int c) {
     const Vec3i d = refine_ * Vec3i(c & 1, c >> 1 & 1, c >> 2);
-    if (wanted[within.part[std::size_t((d.z() * side + d.y()) * side + d.x())]])
-      add(binding, p, low + d, within.particle[std::size_t(c)]);
-  }
+    return wanted[within.part[std::size_t((d.z() * side + d.y()) * side + d.x())]];
+  });
   if (binding.count == 0) {
     lookedFar_ = true;
     binding = bindWidely(p, place, anchors);
@@ -171,7 +205,9 @@ VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
     const int i = queue[at];
     const Vec3i n = grid_.node(i);
     const std::int64_t cell = particleAt(n);
-    if (cell >= 0) add(binding, p, n, cell);
+    if (cell >= 0)
+      add(binding,
+          weightAlong(p.x(), n.x()) * weightAlong(p.y(), n.y()) * weightAlong(p.z(), n.z()), cell);
     for (int a = 0; a < 3; ++a) {
       if (n[a] + 1 < grid_.dims[a] && grid_.whole(i, a)) visit(n + Vec3i::Unit(a));
       if (n[a] > 0 && grid_.whole(i - grid_.stride(a), a)) visit(n - Vec3i::Unit(a));

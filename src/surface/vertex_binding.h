@@ -44,9 +44,18 @@ class VertexBinder {
   const Cube& cube(const Vec3i& low);
   VertexBinding bindWidely(const Vec3& p, const Vec3i& place, NearbyNodes anchors) const;
   VertexBinding bindToNearest(const Vec3& p) const;
+  bool unbroken(const Vec3i& low) const;
+  void findParts(Cube& made) const;
   // The lattice cell at a node of the window, or -1 where there is no particle.
   std::int64_t particleAt(const Vec3i& node) const;
-  void add(VertexBinding& binding, const Vec3& p, const Vec3i& node, std::int64_t cell) const;
+  std::int64_t particleOf(const Vec3i& cell) const;
+  // What a coordinate of p gives to the weight of a particle at the node.
+  double weightAlong(double p, int node) const;
+  static void add(VertexBinding& binding, double weight, std::int64_t cell);
+  // Those of the cube's particles whose corner c counts(c).
+  template <typename Counts>
+  void addCorners(VertexBinding& binding, const Cube& cube, const Vec3& p,
+                  const Counts& counts) const;
 
   struct Cube {
     Vec3i low;
@@ -60,6 +69,7 @@ class VertexBinder {
   int refine_;
   std::span<const std::uint8_t> particles_;
   std::vector<Cube> cubes_;
+  std::size_t lastCube_ = 0;
   bool lookedFar_ = false;
 };
 

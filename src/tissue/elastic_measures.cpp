@@ -1,5 +1,6 @@
 // What can be read off elastic tissue: deformation, stress, force and energy, in double precision.
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.h"
 #include "tissue/elastic_tissue.h"
@@ -29,6 +30,14 @@ Mat3 gradient(const ElasticState& s, std::int32_t i) {
   return sum * inverseMoment(s, i) / s.spacing;
 }
 
+// visit.operator()<D>() for every direction, so that its offsets are known when compiling.
+template <typename Visit>
+void forEachDirection(const Visit& visit) {
+  [&]<int... D>(std::integer_sequence<int, D...>) {
+    (visit.template operator()<D>(), ...);
+  }(std::make_integer_sequence<int, kDirections>{});
+}
+
 Mat3 cofactors(const Mat3& f) {
   Mat3 c;
   c.row(0) = f.row(1).cross(f.row(2));
@@ -54,12 +63,14 @@ void ElasticTissue::place(std::span<const std::int64_t> cells,
       const std::int32_t i = s.box.fromLattice(cells[n]);
       const Vec3f u(s.u[0][i], s.u[1][i], s.u[2][i]);
       Eigen::Matrix3f sum = Eigen::Matrix3f::Zero();
-      for (int d = 0; d < kDirections; ++d) {
-        if (!(s.bonds[i] >> d & 1)) continue;
-        const std::int32_t j = i + s.box.step[d];
-        const Vec3f wu = weight[neighbourKind(d)] * (Vec3f(s.u[0][j], s.u[1][j], s.u[2][j]) - u);
-        for (int b = 0; b < 3; ++b) sum.col(b) += float(offsetAlong(d, b)) * wu;
-      }
+      forEachDirection([&]<int D>() {
+        if (!(s.bonds[i] >> D & 1)) return;
+        const std::int32_t j = i + s.box.step[D];
+        const Vec3f wu = weight[neighbourKind(D)] * (Vec3f(s.u[0][j], s.u[1][j], s.u[2][j]) - u);
+        if constexpr (offsetAlong(D, 0) != 0) sum.col(0) += float(offsetAlong(D, 0)) * wu;
+        if constexpr (offsetAlong(D, 1) != 0) sum.col(1) += float(offsetAlong(D, 1)) * wu;
+        if constexpr (offsetAlong(D, 2) != 0) sum.col(2) += float(offsetAlong(D, 2)) * wu;
+      });
       places[n] = {u, sum * inverseMoment(s, i).cast<float>()};
     }
   });

@@ -32,6 +32,12 @@ constexpr int neighbourKind(int d) {
 
 inline Vec3i offsetOf(int d) { return {offsetAlong(d, 0), offsetAlong(d, 1), offsetAlong(d, 2)}; }
 
+// The direction of an offset with coordinates -1, 0 or 1, not all 0.
+inline int directionTo(const Vec3i& offset) {
+  const int place = offset.x() + 1 + 3 * (offset.y() + 1) + 9 * (offset.z() + 1);
+  return place > kFirstForward ? place - 1 : place;
+}
+
 // -V W'(r) / r times the squared spacing, by kind of neighbour: index 1, 2, 3; index 0 is not used.
 std::array<double, 4> bondWeights();
 

@@ -202,8 +202,8 @@ TEST_CASE("in moved tissue a blade finds every edge that a search of the whole o
       const auto motionOf = [&](std::int64_t cell) {
         CellPlacement place;
         tissue.place({&cell, 1}, {&place, 1});
-        return ParticleMotion{whole.rest.lattice.centre(whole.rest.lattice.cell(cell)) +
-                                  place.displacement.cast<double>(),
+        const Vec3 rest = whole.rest.lattice.centre(whole.rest.lattice.cell(cell));
+        return ParticleMotion{rest, rest + place.displacement.cast<double>(),
                               Mat3::Identity() + place.gradient.cast<double>()};
       };
       const Wound wound{whole.severed, whole.alive};

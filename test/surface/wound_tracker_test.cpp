@@ -261,7 +261,8 @@ TEST_CASE("a blade through moved tissue severs what the same blade severs at res
       for (std::int64_t i = 0; i < bent.field.brickCount(); ++i) bricks.push_back(i);
       const Lattice& lattice = bent.field.lattice();
       const auto motionOf = [&](std::int64_t cell) {
-        return ParticleMotion{moved(lattice.centre(lattice.cell(cell))), stretch};
+        const Vec3 rest = lattice.centre(lattice.cell(cell));
+        return ParticleMotion{rest, moved(rest), stretch};
       };
       severAlong(bent.severed, bent.field, inWorld, bricks,
                  [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {

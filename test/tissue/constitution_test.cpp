@@ -105,6 +105,10 @@ TEST_CASE("stretch, shear and pressure of any size give the stress of the law") 
   CHECK(figures.addError("largest error of stress / E", worst, 2e-5) < 2e-5);
 }
 
+TEST_CASE("a direction is found again from its offset") {
+  for (int d = 0; d < kDirections; ++d) CHECK(directionTo(offsetOf(d)) == d);
+}
+
 TEST_CASE("an affine motion is seen exactly by every cell, before and after a random cut") {
   test::Figures figures("patch");
   Mat3 h;
