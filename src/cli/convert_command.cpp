@@ -22,7 +22,7 @@ struct Options {
 
 void convert(const Options& options) {
   // A wrong name or unit is said before the work is done.
-  checkWritableMeshFile(options.out);
+  checkWritableMeshFile(options.out, {&options.in, 1});
   const double metres = parseUnit(options.unit, "--unit");
   const Model model = readModel(options.in);
   TriangleMesh mesh;

@@ -10,6 +10,7 @@
 #include "cli/organ_options.h"
 #include "cli/progress_bar.h"
 #include "inventor/model_file.h"
+#include "io/atomic_file.h"
 #include "io/discretization_file.h"
 #include "io/length.h"
 #include "io/operation_setup.h"
@@ -40,6 +41,7 @@ void addDiscretizeCommand(CLI::App& app) {
     source.onTable = false;
     source.spacing = 0.005;
     organ->applyTo(source);
+    checkTarget(options->output, {&options->mesh, 1});
     std::vector<std::string> notes;
     const Discretization cells = loadCells(source, modelReader(), progressBar("particles"), &notes);
     if (cells.particleCount() == 0)

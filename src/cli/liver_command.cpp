@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/json_output.h"
 #include "geometry/measures.h"
 #include "io/length.h"
 #include "io/mesh_file.h"
@@ -16,6 +17,7 @@ namespace resect {
 void addLiverCommand(CLI::App& app) {
   struct Options {
     std::string output, edge = "2.5mm";
+    bool json = false;
   };
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("liver", "Write the built-in human liver as a mesh");
@@ -23,13 +25,22 @@ void addLiverCommand(CLI::App& app) {
       ->required();
   command->add_option("--edge", options->edge, "Longest edge of a triangle, 0.5mm to 5mm")
       ->capture_default_str();
+  command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  resect liver -o liver.obj");
   command->callback([options] {
     const double edge = parseLength(options->edge, "--edge");
     if (!(edge >= 0.0005 && edge <= 0.005))
       throw usageError("--edge is {}; give a length from 0.5mm to 5mm", options->edge);
+    checkWritableMeshFile(options->output);
     const TriangleMesh mesh = builtinLiver(edge);
     writeMeshFile(options->output, mesh);
+    if (options->json) {
+      writeJson("-", {{"file", options->output},
+                      {"triangles", mesh.triangles.size()},
+                      {"vertices", mesh.points.size()},
+                      {"volume_ml", 1e6 * volume(mesh)}});
+      return;
+    }
     fmt::print("{}: {} triangles, {:.1f} ml\n", options->output, mesh.triangles.size(),
                1e6 * volume(mesh));
   });

@@ -37,7 +37,9 @@ int parseAndRun(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", RESECT_VERSION);
   app.failure_message([](const CLI::App* failed, const CLI::Error& e) {
-    return std::string("resect: error: ") + e.what() + "; see " + failed->get_name() + " --help\n";
+    std::string command = failed->get_name();
+    for (const CLI::App* sub : failed->get_subcommands()) command += " " + sub->get_name();
+    return std::string("resect: error: ") + e.what() + "; see " + command + " --help\n";
   });
   resect::addInfoCommand(app);
   resect::addLiverCommand(app);
@@ -48,6 +50,9 @@ int parseAndRun(int argc, char** argv) {
   resect::addRenderCommand(app);
   resect::addConvertCommand(app);
   resect::addWindowCommand(app);
+  const auto named = [&](CLI::App* command) { return command->get_name() == argv[1]; };
+  if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
+    throw resect::usageError("there is no command \"{}\"; see resect --help", argv[1]);
   try {
     app.parse(argc, argv);
     return 0;

@@ -42,10 +42,12 @@ void OrganOptions::applyTo(OrganSource& source) const {
       throw usageError("--spacing is {}; give a length from 0.01mm to 100mm", spacing);
     source.spacing = s;
     source.dims.reset();
+    source.resample = true;
   }
   if (!dims.empty()) {
     source.dims = parseDims(dims);
     source.spacing.reset();
+    source.resample = true;
   }
 }
 

@@ -9,12 +9,14 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/json_output.h"
 #include "cli/picture_writer.h"
 #include "geometry/resting_pose.h"
 #include "inventor/model_file.h"
 #include "inventor/offscreen_view.h"
 #include "inventor/operating_room.h"
 #include "inventor/operation_view.h"
+#include "io/atomic_file.h"
 #include "io/data_folder.h"
 #include "io/length.h"
 #include "io/organ_mesh.h"
@@ -27,7 +29,7 @@ namespace {
 struct Options {
   std::vector<std::string> models;
   std::string out, size = "1280x720", view = "surgeon", part, unit = "m", pose = "lie";
-  bool noRoom = false;
+  bool noRoom = false, json = false;
 };
 
 // Screen colour of a tissue, told by its file's name as anatomists name things.
@@ -53,6 +55,9 @@ void render(const Options& options) {
   const auto view = roomView(options.view);
   if (!view) throw usageError("--view is \"{}\"; choose {}", options.view, kRoomViewNames);
   const double metres = parseUnit(options.unit, "--unit");
+  if (std::filesystem::path(options.out).extension() != ".png")
+    throw usageError("cannot write a picture as {}; give a name that ends in .png", options.out);
+  checkTarget(options.out, options.models);
   OffscreenView picture(width, height);  // before the reading, so that a missing EGL is said first
 
   std::vector<TriangleMesh> meshes;
@@ -95,6 +100,14 @@ void render(const Options& options) {
   room.lightUp(box);
   room.look(*view, box, double(width) / height);
   writePng(options.out, picture.render(room.root()));
+  if (options.json) {
+    writeJson("-", {{"file", options.out},
+                    {"width", width},
+                    {"height", height},
+                    {"triangles", all.triangles.size()},
+                    {"renderer", picture.renderer()}});
+    return;
+  }
   fmt::print("{}: {} x {} pixels, drawn by {}\n", options.out, width, height, picture.renderer());
 }
 
@@ -127,6 +140,7 @@ void addRenderCommand(CLI::App& app) {
       ->add_option("--unit", options->unit,
                    "What the models' numbers are: mm, cm, m, inch or the metres in one unit")
       ->capture_default_str();
+  command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Examples:\n"
       "  resect render liver.iv -o liver.png\n"

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <optional>
 
 #include "base/error.h"
@@ -14,6 +15,7 @@
 #include "cli/progress_bar.h"
 #include "cli/run_report.h"
 #include "inventor/model_file.h"
+#include "inventor/operating_room.h"
 #include "io/atomic_file.h"
 #include "io/data_folder.h"
 #include "io/mesh_file.h"
@@ -48,11 +50,28 @@ std::vector<std::string> writePieces(const std::filesystem::path& folder,
   return files;
 }
 
+// A wrong name is said before the work is done, and nothing is left behind.
+void checkTargets(const Options& options) {
+  int width = 0, height = 0;
+  parseSize(options.size, width, height);
+  if (!options.view.empty() && !roomView(options.view))
+    throw usageError("--view is \"{}\"; choose {}", options.view, kRoomViewNames);
+  if (!std::isfinite(options.pictureRate))
+    throw usageError("--picture-rate is not a number; give pictures per second, 0.01 to 1000");
+  const std::string inputs[] = {options.organ, options.scenario};
+  if (!options.surface.empty()) checkWritableMeshFile(options.surface, inputs);
+  for (const std::string* file : {&options.video, &options.plot})
+    if (!file->empty()) checkTarget(*file, inputs);
+  if (!options.json.empty() && options.json != "-") checkTarget(options.json, inputs);
+  for (const std::string* folder : {&options.frames, &options.pieces})
+    if (!folder->empty()) checkTarget(std::filesystem::path(*folder) / "1");
+}
+
 void run(const Options& options, const OrganOptions& organOptions) {
   if (options.list) return listScenarios();
   if (options.scenario.empty())
     throw usageError("no scenario given; name one, or see what there is with resect run --list");
-  if (!options.surface.empty()) checkWritableMeshFile(options.surface);
+  checkTargets(options);
   const ThreadLimit threads(options.threads);
 
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
@@ -129,7 +148,7 @@ void addRunCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--size", options->size, "Width and height of the pictures, pixels")
       ->capture_default_str();
-  command->add_option("--view", options->view, "surgeon, assistant, top or laparoscope");
+  command->add_option("--view", options->view, fmt::format("Camera: {}", kRoomViewNames));
   command->add_option("--surface", options->surface,
                       "Mesh file for the surface at the end: .obj .stl .ply .vtk .iv");
   command->add_option("--pieces", options->pieces,

@@ -39,7 +39,7 @@ void addSurfaceCommand(CLI::App& app) {
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  resect surface liver.dis --iso 50 --refine 2 -o surface.obj");
   command->callback([options] {
-    checkWritableMeshFile(options->output);
+    checkWritableMeshFile(options->output, {&options->input, 1});
     Discretization cells = readDiscretization(options->input, parseUnit(options->unit, "--unit"));
     const Organ organ = makeOrgan(std::move(cells), {options->refine, options->iso});
     const TriangleMesh mesh = organ.surface.mesh();

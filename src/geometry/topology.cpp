@@ -42,7 +42,7 @@ Topology topology(const TriangleMesh& mesh) {
       ++result.boundaryEdges;
     }
     if (uses > 2) ++result.nonManifoldEdges;
-    if (balance != 0) ++result.unorientedEdges;
+    if (std::abs(balance) > int(uses % 2)) ++result.unorientedEdges;
     first = last;
   }
   pointComponents(mesh, &result.components);

@@ -15,7 +15,8 @@ namespace resect {
 struct Topology {
   int boundaryEdges = 0;     // edges of an odd number of triangles: where the surface is open
   int nonManifoldEdges = 0;  // edges of more than two triangles
-  int unorientedEdges = 0;   // edges whose two directions are not used equally often
+  int unorientedEdges = 0;   // edges whose two directions are not used equally often, but for the
+                             // one use too many of a boundary edge
   int components = 0;        // pieces connected over shared points
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first open edge
 

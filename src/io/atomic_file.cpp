@@ -9,11 +9,46 @@
 #include "base/error.h"
 
 namespace resect {
+namespace {
+
+// Has somebody taken every right to write away? Asked of the file itself: for the superuser the
+// system would allow it all the same.
+bool writeProtected(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  constexpr fs::perms kWrite =
+      fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+  std::error_code ec;
+  return (fs::status(path, ec).permissions() & kWrite) == fs::perms::none;
+}
+
+}  // namespace
+
+void checkTarget(const std::filesystem::path& path, std::span<const std::string> inputs) {
+  namespace fs = std::filesystem;
+  std::error_code ec;
+  for (const std::string& input : inputs)
+    if (fs::equivalent(path, input, ec))
+      throw usageError("{} is read and would be overwritten; choose another name to write to",
+                       path.string());
+  if (fs::is_directory(path, ec))
+    throw error("cannot write {}: it is a folder; give the name of a file", path.string());
+  if (fs::is_regular_file(path, ec) && writeProtected(path))
+    throw error("cannot write {}: it is write-protected; choose another name", path.string());
+  fs::path folder = fs::absolute(path, ec).parent_path();
+  while (!fs::exists(folder, ec) && folder.has_relative_path()) folder = folder.parent_path();
+  if (!fs::is_directory(folder, ec))
+    throw error("cannot write {}: {} is not a folder; choose another place", path.string(),
+                folder.string());
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw error("cannot write {}: {}; choose a folder you may write to", path.string(),
+                std::strerror(errno));
+}
 
 void writeFileAtomically(const std::filesystem::path& path,
                          const std::function<void(std::ostream&)>& write) {
   namespace fs = std::filesystem;
   std::error_code ec;
+  checkTarget(path);
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), ec);
   const fs::path temporary = path.string() + fmt::format(".{}.tmp", ::getpid());
   try {

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <span>
+#include <string>
 
 namespace resect {
 
@@ -12,5 +14,10 @@ namespace resect {
 // an Error says why. Creates missing folders.
 void writeFileAtomically(const std::filesystem::path& path,
                          const std::function<void(std::ostream&)>& write);
+
+// Before long work: throws an Error when nothing can be written to `path` because a folder stands
+// there, or it or its folder is write-protected, and a usage Error when it is one of the files that
+// are read (`inputs`; those that do not exist are passed over).
+void checkTarget(const std::filesystem::path& path, std::span<const std::string> inputs = {});
 
 }  // namespace resect

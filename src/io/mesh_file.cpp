@@ -138,10 +138,11 @@ Writer writerFor(const std::filesystem::path& path) {
 
 }  // namespace
 
-void checkWritableMeshFile(const std::filesystem::path& path) {
+void checkWritableMeshFile(const std::filesystem::path& path, std::span<const std::string> inputs) {
   if (!writerFor(path))
     throw usageError("cannot write a surface as {}; use .obj, .stl, .ply, .vtk or .iv",
                      path.string());
+  checkTarget(path, inputs);
 }
 
 void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh) {

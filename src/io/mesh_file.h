@@ -2,15 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
 
-// A usage Error unless a surface can be written under that name: .obj .stl .ply .vtk .iv (any
-// case).
-void checkWritableMeshFile(const std::filesystem::path& path);
+// Before long work: a usage Error unless a surface can be written under that name: .obj .stl .ply
+// .vtk .iv (any case); else as checkTarget() (io/atomic_file.h).
+void checkWritableMeshFile(const std::filesystem::path& path,
+                           std::span<const std::string> inputs = {});
 
 // Writes by the name's extension, atomically (io/atomic_file.h), in metres:
 //   .obj  text, every coordinate with the digits that give back the same double

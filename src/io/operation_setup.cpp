@@ -18,6 +18,18 @@ namespace {
 // What lays a box on the table: centred over the origin, lowest point on the table top.
 Vec3 ontoTable(const Aabb& box) { return {-box.centre().x(), -box.min.y(), -box.centre().z()}; }
 
+// The cells that the source asks for, of a closed surface.
+Discretization sample(const TriangleMesh& surface, const OrganSource& source,
+                      const Progress& progress) {
+  const Aabb box = bounds(surface);
+  Discretization cells = discretize(
+      surface,
+      source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, *source.spacing),
+      progress);
+  fitSurface(surface, cells);
+  return cells;
+}
+
 }  // namespace
 
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
@@ -41,20 +53,22 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
 
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress, std::vector<std::string>* notes) {
-  if (isDiscretizationFile(source.file)) {
-    Discretization cells = readDiscretization(source.file, source.unit);
-    cells.lattice.origin += source.pose.position +
-                            (source.onTable ? ontoTable(cells.lattice.box()) : Vec3(Vec3::Zero()));
-    return cells;
-  }
-  const TriangleMesh mesh = loadOrganMesh(source, readModel, notes);
-  const Aabb box = bounds(mesh);
-  Discretization cells = discretize(
-      mesh,
-      source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, *source.spacing),
-      progress);
-  fitSurface(mesh, cells);
-  return cells;
+  if (!isDiscretizationFile(source.file))
+    return sample(loadOrganMesh(source, readModel, notes), source, progress);
+  if (!source.part.empty() || source.repair)
+    throw usageError("{} holds particles: it has no parts and needs no repair; leave {} out",
+                     source.file, source.repair ? "--repair" : "--part");
+  Discretization cells = readDiscretization(source.file, source.unit);
+  cells.lattice.origin += source.pose.position +
+                          (source.onTable ? ontoTable(cells.lattice.box()) : Vec3(Vec3::Zero()));
+  if (!source.resample) return cells;
+  const std::int64_t before = cells.particleCount();
+  const TriangleMesh surface = makeOrgan(std::move(cells), {}).surface.mesh();
+  if (surface.triangles.empty())
+    throw error("{} has no surface to sample anew; make it from a mesh", source.file);
+  if (notes)
+    notes->push_back(fmt::format("sampled anew from the surface of {} particles", before));
+  return sample(surface, source, progress);
 }
 
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,

@@ -24,7 +24,7 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
                            std::vector<std::string>* notes = nullptr);
 
 // The organ's cells: from a discretisation file (.dis, taken where its coordinates put it unless
-// onTable), else from the mesh.
+// onTable, and with its own cells unless source.resample), else from the mesh.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
 

@@ -20,6 +20,7 @@ struct OrganSource {
   bool repair = false;            // close the holes of an open mesh instead of refusing it
   std::optional<double> spacing;  // cell side, m; or
   std::optional<Vec3i> dims;      // the thesis's grid over the bounding box
+  bool resample = false;          // so too where the file is a discretisation with cells of its own
   Pose pose;  // turns the organ before it is laid on the table; the position is added after
   bool onTable = true;  // moved so that it stands centred on the table top, y = 0
   bool settle = true;   // on the table, rolled to the nearest pose in which it lies still

@@ -21,7 +21,7 @@ STILL = {
     "perforate": "386fdd1296866e49",
     "perforate-120": "365d0a30f1c7857f",
     "perforate-950": "995921159221ba5a",
-    "resect-segment": "deec50114a100f6b",
+    "resect-segment": "780e6abcec611004",
 }
 # On tissue that moves: the same with and without vector instructions.
 ELASTIC = {
@@ -66,6 +66,17 @@ class Scenarios(unittest.TestCase):
     def test_the_sizes_of_the_thesis_are_met(self):
         self.assertAlmostEqual(run("cut-120")["particles"], 120, delta=3)
         self.assertAlmostEqual(run("cut-950")["particles"], 950, delta=5)
+
+    def test_particles_in_a_file_are_sampled_anew_when_a_spacing_is_given(self):
+        coarse, fine = FOLDER / "coarse.dis", FOLDER / "fine.dis"
+        resect("discretize", "liver", "--dims", "20", "-o", coarse)
+        again = json.loads(resect("discretize", coarse, "--spacing", "6mm", "-o", fine, "--json").stdout)
+        whole = json.loads(resect("discretize", "liver", "--spacing", "6mm", "-o", fine, "--json").stdout)
+        self.assertEqual(again["spacing_m"], 0.006)
+        self.assertAlmostEqual(again["volume_ml"] / whole["volume_ml"], 1, delta=0.02)
+        own = run("cut-120", "--organ", coarse)["particles"]
+        self.assertGreater(run("cut-120", "--organ", coarse, "--spacing", "6mm")["particles"], 2 * own)
+        self.assertEqual(resect("discretize", coarse, "--part", "left", "-o", fine).returncode, 2)
 
     def test_the_segment_and_the_rest_add_up_and_are_closed(self):
         summary = run("resect-segment", "--pieces", FOLDER)
@@ -127,10 +138,36 @@ class Bench(unittest.TestCase):
 class Complaints(unittest.TestCase):
     def test_a_wrong_argument_gives_one_sentence_and_status_2(self):
         for args in (["run", "cut", "--spacing", "5 parsec"], ["run", "cut", "--dims", "0"], ["nonsense"],
-                     ["run", "cut", "--view", "cellar", "--frames", FOLDER / "none"]):
+                     ["run", "cut", "--view", "cellar"], ["run", "cut", "--size", "1x1"],
+                     ["run", "cut", "--picture-rate", "nan"], ["surface", "liver.dis", "--iso", "abc", "-o", "a.obj"],
+                     ["render", "liver.obj", "-o", "liver.jpg"]):
             done = resect(*args)
             self.assertEqual(done.returncode, 2, args)
             self.assertTrue(done.stderr.startswith("resect: error: "), done.stderr)
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+        self.assertIn('"nonsense"', resect("nonsense").stderr)
+        self.assertIn("resect surface --help", resect("surface", "a.dis", "--iso", "abc").stderr)
+
+    def test_what_is_read_and_what_is_protected_is_not_written(self):
+        mesh, cells = FOLDER / "guarded.obj", FOLDER / "guarded.dis"
+        for file in (mesh, cells):
+            file.unlink(missing_ok=True)
+        self.assertEqual(json.loads(resect("liver", "--json", "-o", mesh).stdout)["file"], str(mesh))
+        self.assertEqual(resect("discretize", mesh, "--spacing", "9mm", "-o", cells).returncode, 0)
+        before = mesh.read_bytes(), cells.read_bytes()
+        for args in (["discretize", mesh, "-o", mesh], ["convert", mesh, mesh], ["render", mesh, "-o", mesh],
+                     ["run", "cut-120", "--organ", mesh, "--surface", mesh],
+                     ["run", "cut-120", "--organ", cells, "--json", cells]):
+            self.assertEqual(resect(*args).returncode, 2, args)
+        mesh.chmod(0o444)
+        self.assertIn("write-protected", resect("liver", "-o", mesh).stderr)
+        self.assertEqual((mesh.read_bytes(), cells.read_bytes()), before)
+
+    def test_a_target_that_cannot_be_written_is_told_before_anything_is(self):
+        done = resect("run", "cut-120", "--surface", FOLDER / "early.obj", "--frames", FOLDER / "early", "--json", FOLDER)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("folder", done.stderr)
+        self.assertFalse((FOLDER / "early.obj").exists() or (FOLDER / "early").exists())
 
     def test_a_missing_file_gives_one_sentence_and_status_1(self):
         for args in (["info", "no_such_file.obj"], ["run", "no_such_scenario"],

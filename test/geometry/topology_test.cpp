@@ -37,6 +37,7 @@ TEST_CASE("a missing triangle opens three edges and the report says where") {
   CHECK(t.boundaryEdges == 3);
   REQUIRE(t.firstBoundaryPoint);
   CHECK(bounds(mesh).contains(*t.firstBoundaryPoint));
+  CHECK(t.oriented());  // what is left is wound one way
 }
 
 TEST_CASE("a turned triangle leaves the mesh closed but not oriented") {
