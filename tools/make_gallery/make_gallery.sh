@@ -1,31 +1,50 @@
 #!/usr/bin/env bash
 # tools/make_gallery/make_gallery.sh [PROGRAM]: runs every scenario and writes the pictures and force plots of
-# docs/gallery. Needs ImageMagick's convert.
+# docs/gallery, and the README's pictures of scenarios. Needs ImageMagick's convert and montage.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 resect=${1:-$root/build/release/resect}
 gallery="$root/docs/gallery"
+images="$root/docs/images"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # scenario, the picture to show (10 per second; last: the end)
 shown() {
-  local scenario=$1 picture=$2 plot=()
+  local scenario=$1 picture=$2 plot=() size=960x540
+  if [[ $picture == last ]]; then size=1280x720; fi
   if [[ $picture != last && $scenario != hang && $scenario != drop ]]; then plot=(--plot "$gallery/$scenario.svg"); fi
-  "$resect" run "$scenario" --frames "$work/$scenario" --size 960x540 "${plot[@]}" >"$work/$scenario.txt"
-  local file
-  if [[ $picture == last ]]; then
-    file=$(ls "$work/$scenario"/frame_*.png | tail -n 1)
+  "$resect" run "$scenario" --frames "$work/$scenario" --size "$size" "${plot[@]}" >"$work/$scenario.txt"
+  convert "$(picture "$scenario" "$picture")" -resize 640x360 -colors 200 "PNG8:$gallery/$scenario.png"
+}
+
+# The file of a picture that was made.
+picture() {
+  if [[ $2 == last ]]; then
+    ls "$work/$1"/frame_*.png | tail -n 1
   else
-    file=$(printf '%s/%s/frame_%04d.png' "$work" "$scenario" "$picture")
+    printf '%s/%s/frame_%04d.png' "$work" "$1" "$2"
   fi
-  convert "$file" -resize 640x360 -colors 200 "PNG8:$gallery/$scenario.png"
-  rm -r "${work:?}/$scenario"
+}
+
+# For the README: a scenario's end.
+large() {
+  convert "$(picture "$1" last)" -resize 1120x630 -colors 250 "PNG8:$images/${1//-/_}.png"
+}
+
+# For the README: a film strip of six pictures, cut to where things happen (WxH+X+Y of 960x540).
+strip() {
+  local scenario=$1 part=$2 files=() number
+  shift 2
+  for number in "$@"; do files+=("$(picture "$scenario" "$number")"); done
+  montage "${files[@]}" -crop "$part" +repage -tile 3x2 -geometry 450x+2+2 "$work/strip.png"
+  convert "$work/strip.png" -colors 220 "PNG8:$images/${scenario//-/_}.png"
 }
 
 for scenario in cut cut-120 cut-950 perforate perforate-120 perforate-950 deform deform-120 deform-950 resect-segment; do
   shown "$scenario" last
 done
+for scenario in perforate deform resect-segment; do large "$scenario"; done
 shown press 30
 shown lift 40
 shown incise 34
@@ -34,3 +53,5 @@ shown snip 70
 shown resect-segment-elastic 72
 shown hang 12
 shown drop 20
+strip incise-under-traction 640x420+120+110 14 26 34 46 54 last
+strip resect-segment-elastic 640x430+120+110 17 24 36 50 58 72

@@ -105,14 +105,14 @@ def deform(spacing):
 
 def resect_segment(spacing):
     """The left lateral part is cut off along a plane, stroke by stroke, each one deeper."""
-    x = 0.058
+    x = 0.05
     half = 0.52 * spacing  # with the 0.4 mm of the blade just a cell
     path = Path3(handle=(0, 0.96, 0.28), edge=(0, -0.28, 0.96), speed=0.22)
     path.wait(0.3)
     path.to(x, 0.22, -0.03).to(x, 0.12, -0.045, speed=0.3)
     for stroke, depth in enumerate((0.064, 0.032, -0.003)):
         ends = (-0.055, 0.098) if stroke % 2 == 0 else (0.098, -0.055)
-        saw(path, (x, depth, ends[0]), (x, depth, ends[1]), half, 0.004)
+        saw(path, (x, depth, ends[0]), (x, depth, ends[1]), half, spacing)
     path.to(x, 0.13, -0.06, speed=0.4).to(0.02, 0.25, -0.02, speed=0.4)
     return [("scalpel", path), ("hook", None), ("baton", None)]
 
@@ -257,7 +257,7 @@ def all_scenarios():
             yield name, scenario(f"{title}, {told}", description, spacing_mm, make(spacing_mm / 1000), "surgeon")
     yield "resect-segment", scenario(
         "Left lateral part of the liver taken off", "A scalpel path that parts the liver completely, in three strokes",
-        4.0, resect_segment(0.004), "surgeon", tail=0.8)
+        3.0, resect_segment(0.003), "surgeon", tail=0.8)
     yield "press", elastic("The baton presses on a soft liver", "Elastic tissue on the table, pressed twice", 8.0,
                            press(), LIGAMENTS)
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, lift(),
