@@ -21,6 +21,7 @@ namespace resect {
 namespace {
 
 constexpr double kForceSeconds = 10;  // that the force's plot shows
+constexpr double kFluent = 28;        // pictures per second, beyond which nobody calls drawing slow
 
 // A line from `first` to `last` seconds across the plot, from 0 to `most` up it.
 void drawHistory(QPainter& painter, const QRectF& plot, const History& history, double first,
@@ -267,7 +268,7 @@ void TimingPanel::paintEvent(QPaintEvent*) {
   if (state_.realTimeFactor < 0.9 && slowest)
     advice = QString("Slower than real time: %1 takes most. A larger spacing helps.")
                  .arg(QString::fromStdString(slowest->name));
-  else if (pictures_ > 0 && scale_ < 0.45)
+  else if (pictures_ > 0 && pictures_ < kFluent && scale_ < 0.45)
     advice = "Drawing is slow here: a smaller window or a graphics card helps.";
   if (!advice.isEmpty()) {  // above the stages: the panel may be too low for all of them
     const QRect room(8, y, width() - 16, 4 * row);
