@@ -1,5 +1,5 @@
 // Living liver: a wet capsule, reddish brown and faintly mottled; where it is cut, granular
-// parenchyma of a brighter red with vessels. Colours are linear.
+// parenchyma, darker and moist, with vessels. Colours are linear.
 //
 // p: position at rest, `wide`: how far it moves within a pixel; n0: unit normal towards the eye's
 // side; cutShare: 0 capsule, 1 cut; eyePosition: in eye space; baseColor: of the capsule, as on a
@@ -22,23 +22,23 @@ vec3 liver(vec3 p, float wide, vec3 n0, float cutShare, vec3 eyePosition, vec3 b
   float wetness = 1.0;
   if (cut > 0.0) {
     vec4 grain = noise(p * 1000.0) * finer(1000.0 * wide);
-    vec3 inside = vec3(0.245, 0.034, 0.024);
+    vec3 inside = vec3(0.0518, 0.0068, 0.0055);
     inside *= 1.0 + 0.22 * grain.x + 0.15 * fine.x + 0.12 * broad.x;
     // Lobules: paler centres in a darker net, about 1.5 mm.
-    inside = mix(inside, vec3(0.34, 0.085, 0.050), 0.40 * smoothstep(0.0, 0.7, fine.x + 0.5 * grain.x));
+    inside = mix(inside, vec3(0.0740, 0.0178, 0.0111), 0.40 * smoothstep(0.0, 0.7, fine.x + 0.5 * grain.x));
     // Vessels are curves in space, where two noises vanish together.
     float large = length(vec2(broad.x, noise(p.zxy * 50.0 + 17.3).x));
     float small = length(vec2(middle.x, noise(p.zxy * 140.0 + 5.1).x));
     // Walls pale, lumens full of dark blood.
     float wall = max(1.0 - smoothstep(0.17, 0.23, large), 0.7 - 0.7 * smoothstep(0.14, 0.22, small));
     float lumen = max(1.0 - smoothstep(0.11, 0.15, large), 0.8 - 0.8 * smoothstep(0.07, 0.13, small));
-    inside = mix(inside, vec3(0.42, 0.17, 0.125), 0.7 * wall);
+    inside = mix(inside, vec3(0.1665, 0.0703, 0.0536), 0.6 * wall);
     inside = mix(inside, vec3(0.060, 0.0035, 0.0045), lumen);
     albedo = mix(albedo, inside, cut);
     bumps = mix(bumps, 0.05 * middle.yzw + 0.09 * fine.yzw + 0.08 * grain.yzw, cut);
     wetness = mix(1.0, 0.85, cut);
   }
-  albedo = mix(albedo, vec3(0.36, 0.19, 0.15), 0.45 * rim);
+  albedo = mix(albedo, vec3(0.30, 0.14, 0.11), 0.25 * rim);
 
   // The film of fluid is smoother than the tissue under it.
   vec3 slope = bumps - dot(bumps, n0) * n0;
