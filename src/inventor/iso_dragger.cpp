@@ -1,13 +1,15 @@
 #include "inventor/iso_dragger.h"
 
+#include <Inventor/VRMLnodes/SoVRMLBillboard.h>
 #include <Inventor/draggers/SoTranslate1Dragger.h>
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoFont.h>
+#include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoSeparator.h>
-#include <Inventor/nodes/SoText2.h>
+#include <Inventor/nodes/SoText3.h>
 #include <Inventor/nodes/SoTransform.h>
 #include <Inventor/nodes/SoTranslation.h>
 #include <fmt/format.h>
@@ -62,16 +64,22 @@ IsoDragger::IsoDragger(SoSeparator* parent, const Vec3& foot) : parent_(parent),
   auto* label = new SoSeparator;
   auto* above = new SoTranslation;
   above->translation.setValue(0, kLength + 0.012f, 0);
+  // In the scene's size and not in pixels, so that it is the same on every screen and in pictures
+  // with fewer pixels.
+  auto* facing = new SoVRMLBillboard;
+  facing->axisOfRotation.setValue(0, 0, 0);
   auto* font = new SoFont;
-  font->size = 14;
+  font->size = 0.018f;
+  auto* flat = new SoLightModel;
+  flat->model = SoLightModel::BASE_COLOR;
   auto* ink = new SoBaseColor;
   ink->rgb.setValue(0.92f, 0.96f, 0.97f);
-  text_ = new SoText2;
-  text_->justification = SoText2::CENTER;
+  text_ = new SoText3;
+  text_->justification = SoText3::CENTER;
   label->addChild(above);
-  label->addChild(font);
-  label->addChild(ink);
-  label->addChild(text_);
+  label->addChild(facing);
+  for (SoNode* node : std::initializer_list<SoNode*>{font, flat, ink, text_})
+    facing->addChild(node);
   root_->addChild(label);
 
   auto* upright = new SoTransform;

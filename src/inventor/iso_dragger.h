@@ -8,7 +8,7 @@
 
 class SoDragger;
 class SoSeparator;
-class SoText2;
+class SoText3;
 class SoTranslate1Dragger;
 
 namespace resect {
@@ -35,7 +35,7 @@ class IsoDragger {
   SoSeparator* parent_;
   SoSeparator* root_;
   SoTranslate1Dragger* dragger_;
-  SoText2* text_;
+  SoText3* text_;
   Vec3 foot_;
   float value_ = 50;
   bool writing_ = false;

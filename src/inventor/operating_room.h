@@ -117,6 +117,8 @@ class OperatingRoom {
   void look(RoomView view, const Aabb& box, double aspect);
   // The same, as near as all corners of the box allow, with the box in the middle.
   void frame(RoomView view, const Aabb& box, double aspect);
+  // All of the box in the picture, from the side that it is looked at now.
+  void viewAll(const Aabb& box, double aspect);
 
  private:
   struct Jaw {

@@ -234,17 +234,26 @@ void OperatingSession::follow(const ViewMotion& motion) {
 }
 
 void OperatingSession::look(RoomView view, double aspect) {
-  if (view != RoomView::Surgeon) {
+  // The surgeon sees what there is to take.
+  if (view == RoomView::Surgeon)
+    room().frame(view, allThereIs(), aspect);
+  else
     room().look(view, organBox_, aspect);
-  } else {
-    // The surgeon sees what there is to take.
-    Aabb all = organBox_;
-    for (std::size_t i = 0; i < toolModels_.size(); ++i)
-      for (const Vec3& p : toolModels_[i].mesh.points) all.grow(scenario_.tools[i].rest * p);
-    all.grow(Vec3(isoFoot(organBox_) - Vec3(0.01, 0, 0)));
-    room().frame(view, all, aspect);
-  }
   damage_.everything = true;
+}
+
+void OperatingSession::viewAll(double aspect) {
+  room().viewAll(allThereIs(), aspect);
+  damage_.everything = true;
+}
+
+// The organ, the instruments in their tray, the iso scale.
+Aabb OperatingSession::allThereIs() const {
+  Aabb all = organBox_;
+  for (std::size_t i = 0; i < toolModels_.size(); ++i)
+    for (const Vec3& p : toolModels_[i].mesh.points) all.grow(scenario_.tools[i].rest * p);
+  all.grow(Vec3(isoFoot(organBox_) - Vec3(0.01, 0, 0)));
+  return all;
 }
 
 void OperatingSession::bringEverythingBack(double aspect) {

@@ -46,6 +46,8 @@ class OperatingSession {
   // Moves and turns the tool in hand; without one, all that is seen.
   void follow(const ViewMotion& motion);
   void look(RoomView view, double aspect);
+  // Organ, tray and scale in the picture, from the side that they are looked at now.
+  void viewAll(double aspect);
   // All of the organ and the tool box in sight, all tools in the tool box.
   void bringEverythingBack(double aspect);
   // The point of the room under a pixel; nothing there: false.
@@ -66,6 +68,7 @@ class OperatingSession {
   const Discretization& cells() const { return cells_; }  // as the operation began
 
  private:
+  Aabb allThereIs() const;
   void toolsChanged();
   void followMotion();
   void stopPlaying();

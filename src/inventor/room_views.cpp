@@ -35,6 +35,28 @@ Direction direction(RoomView view) {
   return {};
 }
 
+struct ViewAxes {
+  Vec3 right, up, back;  // unit
+};
+
+// From the middle of the box to a camera that sees all of it. Inventor takes the angle across the
+// narrower side.
+double distanceToFit(const Aabb& box, const ViewAxes& axes, double heightAngle, double aspect) {
+  const double narrow = 0.93 * std::tan(0.5 * heightAngle);
+  const double tanX = narrow * std::max(1.0, aspect), tanY = narrow * std::max(1.0, 1 / aspect);
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p =
+        Vec3(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
+             corner & 4 ? box.max.z() : box.min.z()) -
+        box.centre();
+    const double nearer = p.dot(axes.back);
+    distance = std::max({distance, nearer + std::abs(p.dot(axes.right)) / tanX,
+                         nearer + std::abs(p.dot(axes.up)) / tanY});
+  }
+  return distance;
+}
+
 }  // namespace
 
 std::optional<RoomView> roomView(std::string_view name) {
@@ -62,21 +84,26 @@ void OperatingRoom::frame(RoomView view, const Aabb& box, double aspect) {
   RESECT_ASSERT(aspect > 0.0);
   if (box.empty()) return;
   const Direction from = direction(view);
-  const Vec3 back = from.towards.normalized(), right = Vec3::UnitY().cross(back).normalized(),
-             up = back.cross(right);
-  const double narrow = 0.93 * std::tan(0.5 * from.heightAngle);
-  const double tanX = narrow * std::max(1.0, aspect), tanY = narrow * std::max(1.0, 1 / aspect);
-  double distance = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p =
-        Vec3(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
-             corner & 4 ? box.max.z() : box.min.z()) -
-        box.centre();
-    const double nearer = p.dot(back);
-    distance = std::max(
-        {distance, nearer + std::abs(p.dot(right)) / tanX, nearer + std::abs(p.dot(up)) / tanY});
+  const Vec3 back = from.towards.normalized(), right = Vec3::UnitY().cross(back).normalized();
+  place(view, box.centre(),
+        distanceToFit(box, {right, back.cross(right), back}, from.heightAngle, aspect));
+}
+
+void OperatingRoom::viewAll(const Aabb& box, double aspect) {
+  RESECT_ASSERT(aspect > 0.0);
+  if (box.empty()) return;
+  Vec3 axes[3];
+  for (int a = 0; a < 3; ++a) {
+    SbVec3f axis;
+    camera_->orientation.getValue().multVec(SbVec3f(a == 0, a == 1, a == 2), axis);
+    axes[a] = Vec3(axis[0], axis[1], axis[2]);
   }
-  place(view, box.centre(), distance);
+  const double distance = distanceToFit(box, {axes[0], axes[1], axes[2]},
+                                        double(camera_->heightAngle.getValue()), aspect);
+  camera_->position = toSb(box.centre() + distance * axes[2]);
+  camera_->focalDistance = float(distance);
+  camera_->nearDistance = float(0.05 * distance);
+  camera_->farDistance = float(20.0 * distance);
 }
 
 void OperatingRoom::place(RoomView view, const Vec3& target, double distance) {

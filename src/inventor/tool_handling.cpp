@@ -46,7 +46,10 @@ SoPath* pathTo(SoNode* root, SoNode* node) {
 }  // namespace
 
 ToolHandling::ToolHandling(OperatingRoom& room, std::vector<Pose> rests)
-    : room_(room), events_(new SoEventCallback), rests_(std::move(rests)) {
+    : room_(room),
+      events_(new SoEventCallback),
+      rests_(std::move(rests)),
+      bodies_(rests_.size(), nullptr) {
   for (const SoType type : {SoMouseButtonEvent::getClassTypeId(),
                             SoLocation2Event::getClassTypeId(), SoKeyboardEvent::getClassTypeId()})
     events_->addEventCallback(type, heard, this);
@@ -55,11 +58,24 @@ ToolHandling::ToolHandling(OperatingRoom& room, std::vector<Pose> rests)
 
 ToolHandling::~ToolHandling() {
   detach();
+  for (SoPath* body : bodies_)
+    if (body) body->unref();
   room_.removeListener(events_);
 }
 
-// The thesis takes the matrix of the path; that would hold the scale of a handle box too.
-Pose ToolHandling::pose(int tool) const { return getPose(*room_.toolTransform(tool)); }
+// As in the thesis: the matrix of the path to the tool's body. The scale that a handle box may have
+// written is left out.
+Pose ToolHandling::pose(int tool) const {
+  SoPath*& body = bodies_.at(std::size_t(tool));
+  if (!body) body = pathTo(room_.root(), room_.toolModel(tool));
+  SoGetMatrixAction matrix(SbViewportRegion(1, 1));
+  matrix.apply(body);
+  SbVec3f at, scale;
+  SbRotation turn, scaleTurn;
+  matrix.getMatrix().getTransform(at, turn, scale, scaleTurn);
+  const float* q = turn.getValue();
+  return {toVec(at), Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized()};
+}
 
 void ToolHandling::setPose(int tool, const Pose& pose) {
   room_.setToolPose(tool, constrain ? constrain(tool, pose) : pose);

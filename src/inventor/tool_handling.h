@@ -86,6 +86,7 @@ class ToolHandling {
   OperatingRoom& room_;
   SoEventCallback* events_;
   std::vector<Pose> rests_;
+  mutable std::vector<SoPath*> bodies_;  // to each tool's body, once it was asked for
   int held_ = -1;
   Hold how_ = Hold::None;
   bool squeezing_ = false;
