@@ -2,6 +2,7 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <algorithm>
 #include <utility>
 
 namespace resect {
@@ -45,7 +46,11 @@ void ControlsOverlay::paintEvent(QPaintEvent*) {
     words = std::max(words, metrics.horizontalAdvance(what));
   }
   const QRect box(0, 0, keys + words + 84, row * (rows + 2) + 36);
-  painter.translate(QPoint((width() - box.width()) / 2, (height() - box.height()) / 2));
+  // A small window shows it smaller, never cut off.
+  const double scale =
+      std::min({1.0, (width() - 8.0) / box.width(), (height() - 8.0) / box.height()});
+  painter.translate((width() - scale * box.width()) / 2, (height() - scale * box.height()) / 2);
+  painter.scale(scale, scale);
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(14, 26, 32, 225));
   painter.drawRoundedRect(box, 12, 12);

@@ -18,43 +18,60 @@
 #include "io/scenario_file.h"
 
 namespace resect {
+namespace {
+
+QString titleOf(const std::string& scenario) {
+  return QString::fromStdString(
+      readScenario(dataFolder() / "scenarios" / (scenario + ".toml")).title);
+}
+
+}  // namespace
 
 void MainWindow::makeMenus() {
-  const auto add = [this](QMenu* menu, const char* text, const QKeySequence& key, auto&& act) {
+  const auto add = [this](QMenu* menu, const char* text, const QKeySequence& key,
+                          const QString& tip, auto&& act) {
     QAction* action = menu->addAction(text);
     action->setShortcut(key);
+    action->setToolTip(tip);
     connect(action, &QAction::triggered, this, act);
     return action;
   };
 
   QMenu* file = menuBar()->addMenu("&File");
-  add(file, "&Open organ, scene or scenario ...", QKeySequence::Open, [this] {
-    const QString name =
-        QFileDialog::getOpenFileName(this, "Open", {},
-                                     "All that can be opened (*.iv *.wrl *.obj *.stl *.ply *.off "
-                                     "*.glb *.gltf *.vtk *.dis *.toml "
-                                     "*.gz);;All files (*)");
-    if (!name.isEmpty()) openFile(name);
-  });
-  add(file, "Built-in &liver", {}, [this] {
+  add(file, "&Open organ, scene or scenario ...", QKeySequence::Open,
+      "A mesh, particles, a saved scene or a scenario; a file can also be dropped on the window",
+      [this] {
+        const QString name = QFileDialog::getOpenFileName(
+            this, "Open", {},
+            "All that can be opened (*.iv *.wrl *.obj *.stl *.ply *.off "
+            "*.glb *.gltf *.vtk *.dis *.toml "
+            "*.gz);;All files (*)");
+        if (!name.isEmpty()) openFile(name);
+      });
+  add(file, "Built-in &liver", {}, "The liver that comes with Resect, whole", [this] {
     Scenario scenario = options_.scenario;
     scenario.organ.file.clear();
     load(scenario);
   });
   QMenu* scenarios = file->addMenu("S&cenario");
   for (const std::string& name : shippedNames("scenarios", ".toml"))
-    add(scenarios, name.c_str(), {}, [this, name] {
+    add(scenarios, name.c_str(), {}, titleOf(name), [this, name] {
       openFile(QString::fromStdString((dataFolder() / "scenarios" / (name + ".toml")).string()));
     });
   recent_ = file->addMenu("&Recent files");
   fillRecent();
   file->addSeparator();
-  add(file, "Save s&urface ...", QKeySequence("Ctrl+E"), [this] { saveSurface(); });
-  add(file, "&Save scene ...", QKeySequence::Save, [this] { saveScene(); });
-  add(file, "Save &picture ...", QKeySequence("Ctrl+P"), [this] { savePicture(); });
-  add(file, "Record &video: start or stop", QKeySequence("Ctrl+R"), [this] { toggleVideo(); });
+  add(file, "Save s&urface ...", QKeySequence("Ctrl+E"), "The organ as it is now, as a closed mesh",
+      [this] { saveSurface(); });
+  add(file, "&Save scene ...", QKeySequence::Save,
+      "The whole room as an Inventor file, for this program and others", [this] { saveScene(); });
+  add(file, "Save &picture ...", QKeySequence("Ctrl+P"),
+      "The picture as it is seen, with smooth edges", [this] { savePicture(); });
+  add(file, "Record &video: start or stop", QKeySequence("Ctrl+R"),
+      "A film of what is seen, until this is chosen again; needs ffmpeg",
+      [this] { toggleVideo(); });
   file->addSeparator();
-  add(file, "&Quit", QKeySequence("Ctrl+Q"), [this] { close(); });
+  add(file, "&Quit", QKeySequence("Ctrl+Q"), "Ends the operation", [this] { close(); });
 
   QMenu* view = menuBar()->addMenu("&View");
   const std::pair<const char*, RoomView> views[] = {{"&Surgeon", RoomView::Surgeon},
@@ -63,24 +80,30 @@ void MainWindow::makeMenus() {
                                                     {"&Laparoscope", RoomView::Laparoscope}};
   int number = 1;
   for (const auto& [name, which] : views)
-    add(view, name, QKeySequence(QString("Ctrl+%1").arg(number++)),
+    add(view, name, QKeySequence(QString("Ctrl+%1").arg(number++)), "Looks from there",
         [this, which = which] { look(which); });
   view->addSeparator();
-  add(view, "&Home, all in view", QKeySequence("H"), [this] { look(RoomView::Surgeon); });
-  add(view, "Look at a &point: click it", QKeySequence("L"), [this] {
-    lookingAt_ = true;
-    viewer_->setCursor(Qt::CrossCursor);
-    statusBar()->showMessage("Click what you want to look at");
-  });
+  add(view, "&Home", QKeySequence("H"), "The surgeon's view of organ and instruments",
+      [this] { look(RoomView::Surgeon); });
+  add(view, "&View all", QKeySequence("A"), "Organ, instruments and scale, from this side",
+      [this] { viewAll(); });
+  add(view, "Look at a &point: click it", QKeySequence("L"),
+      "The camera turns round the point that is clicked next", [this] {
+        lookingAt_ = true;
+        viewer_->setCursor(Qt::CrossCursor);
+        statusBar()->showMessage("Click what you want to look at");
+      });
   add(view, "&Bring everything back", QKeySequence(Qt::Key_Space),
-      [this] { bringEverythingBack(); });
+      "Instruments into the tray, the surgeon's view", [this] { bringEverythingBack(); });
   view->addSeparator();
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) view->addAction(dock->toggleViewAction());
-  QAction* dark = view->addAction("&Dark");
-  dark->setCheckable(true);
-  dark->setChecked(options_.dark);
-  connect(dark, &QAction::toggled, this, [this](bool on) { setTheme(on); });
-  add(view, "&Full screen", QKeySequence("F11"),
+  for (QDockWidget* dock : findChildren<QDockWidget*>()) {
+    dock->toggleViewAction()->setToolTip("Shows or hides this panel");
+    view->addAction(dock->toggleViewAction());
+  }
+  dark_ = view->addAction("&Dark");
+  dark_->setToolTip("Dark colours; kept for the next start");
+  dark_->setCheckable(true);
+  add(view, "&Full screen", QKeySequence("F11"), "And back again",
       [this] { isFullScreen() ? showNormal() : showFullScreen(); });
 
   QMenu* instruments = menuBar()->addMenu("&Instruments");
@@ -88,20 +111,23 @@ void MainWindow::makeMenus() {
     if (session_ && session_->tools().held() >= 0)
       session_->tools().hold(session_->tools().held(), how);
   };
-  add(instruments, "&Direct", QKeySequence("D"), [=] { precise(ToolHandling::Hold::Direct); });
-  add(instruments, "Handle &box: move", QKeySequence("B"),
+  add(instruments, "&Direct", QKeySequence("D"), "The instrument follows the mouse",
+      [=] { precise(ToolHandling::Hold::Direct); });
+  add(instruments, "Handle &box: move", QKeySequence("B"), "Moves it along one axis or face",
       [=] { precise(ToolHandling::Hold::HandleBox); });
-  add(instruments, "&Trackball: turn", QKeySequence("T"),
+  add(instruments, "&Trackball: turn", QKeySequence("T"), "Turns it about its tip",
       [=] { precise(ToolHandling::Hold::Trackball); });
-  add(instruments, "&Let go", QKeySequence("G"), [this] {
+  add(instruments, "&Let go", QKeySequence("G"), "It stays where it is", [this] {
     if (session_) session_->tools().hold(-1, ToolHandling::Hold::None);
   });
 
   instruments->addSeparator();
-  add(instruments, "&Play the scenario's motions", QKeySequence("P"), [this] { play(1e9); });
+  add(instruments, "&Play the scenario's motions", QKeySequence("P"),
+      "Until they end, or an instrument is taken", [this] { play(1e9); });
 
   QMenu* help = menuBar()->addMenu("&Help");
-  add(help, "&Controls", QKeySequence("F1"), [this] {
+  add(help, "&Controls", QKeySequence("F1"), "What mouse and keys do", [this] {
+    if (overlay_->isVisible()) return overlay_->hide();
     overlay_->setGeometry(viewer_->rect());
     overlay_->show();
     overlay_->raise();
@@ -110,11 +136,12 @@ void MainWindow::makeMenus() {
   spaceMouse->setEnabled(false);
   connect(help, &QMenu::aboutToShow, this,
           [this, spaceMouse] { spaceMouse->setText(spaceMouse_.status()); });
-  add(help, "&About", {}, [this] {
+  add(help, "&About", {}, "What this is", [this] {
     QMessageBox::about(this, "About Resect",
                        "<b>Resect</b><p>Virtual surgery on organ models, in real time.<p>"
                        "Not for diagnosis or treatment. Apache License 2.0.");
   });
+  for (QMenu* menu : menuBar()->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }
 
 // The keys belong to the picture. Panels get them only where somebody went on purpose, by Tab or

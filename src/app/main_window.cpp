@@ -4,6 +4,7 @@
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <fmt/format.h>
 
+#include <QAction>
 #include <QApplication>
 #include <QDateTime>
 #include <QDockWidget>
@@ -14,8 +15,6 @@
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
-#include <QStyle>
-#include <QStyleFactory>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -23,6 +22,7 @@
 #include "app/controls_overlay.h"
 #include "app/panels.h"
 #include "app/say.h"
+#include "app/theme.h"
 #include "app/viewer.h"
 #include "base/error.h"
 #include "inventor/scene_file.h"
@@ -61,6 +61,12 @@ QString sentenceOf(ToolHandling::Hold how, const QString& tool) {
   return {};
 }
 
+// Of a button or a key.
+bool isPress(const SoEvent& event) {
+  return event.isOfType(SoButtonEvent::getClassTypeId()) &&
+         static_cast<const SoButtonEvent&>(event).getState() == SoButtonEvent::DOWN;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
@@ -87,25 +93,31 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
   progress_->setMaximumWidth(220);
   cancel_ = new QPushButton("Cancel", this);
   cancel_->setFocusPolicy(Qt::TabFocus);
+  recording_ = new QLabel("<span style='color:#e0483c'>&#9679;</span> Recording");
+  recording_->setToolTip("A film is being recorded: Ctrl+R ends it and writes it");
+  recording_->hide();
+  statusBar()->addPermanentWidget(recording_);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
   progress_->hide();
   cancel_->hide();
-  connect(cancel_, &QPushButton::clicked, this, [this] {
-    loader_.cancel();
-    progress_->hide();
-    cancel_->hide();
-    statusBar()->showMessage("Cancelled; nothing has changed", 4000);
-  });
+  progress_->setToolTip("How much of the organ has been made");
+  cancel_->setToolTip("Gives the new organ up; what is there stays as it is");
+  connect(cancel_, &QPushButton::clicked, this, [this] { cancelLoading(); });
   spaceMouse_.pushed = [this](const SixAxes& axes, double seconds) {
     if (session_) session_->follow(motionOf(axes, seconds));
   };
   makeDocks();
   makeMenus();
   qApp->installEventFilter(this);
-  setTheme(options.dark);
   resize(options.width, options.height);
   QSettings settings;
+  dark_->setChecked(options.dark.value_or(settings.value("dark", true).toBool()));
+  setTheme(dark_->isChecked());
+  connect(dark_, &QAction::toggled, this, [this](bool on) {
+    setTheme(on);
+    QSettings().setValue("dark", on);
+  });
   if (options.overlay && !settings.value("controls_seen").toBool()) {
     overlay_->show();
     settings.setValue("controls_seen", true);
@@ -191,18 +203,33 @@ void MainWindow::load(const Scenario& scenario) {
       [this](OrganLoader::Result result) { begin(std::move(result)); });
 }
 
+void MainWindow::cancelLoading() {
+  loader_.cancel();
+  progress_->hide();
+  cancel_->hide();
+  if (session_) {
+    statusBar()->showMessage("Cancelled; nothing has changed", 4000);
+  } else {
+    loadDefault();
+  }
+}
+
+// The window is never empty: the liver that comes with Resect, coarse enough to be there at once.
+void MainWindow::loadDefault() {
+  Scenario scenario = options_.scenario;
+  scenario.organ = {};
+  scenario.organ.spacing = 0.006;
+  scenario.tissue.elastic = false;
+  load(scenario);
+}
+
 void MainWindow::begin(OrganLoader::Result result) {
   progress_->hide();
   cancel_->hide();
   statusBar()->clearMessage();
   if (!result.simulation) {
     complain(result.problem);
-    if (!session_ && !result.scenario.organ.file.empty()) {
-      // The window is never empty: the liver that comes with Resect, under the sentence.
-      Scenario scenario = options_.scenario;
-      scenario.organ = {};
-      load(scenario);
-    }
+    if (!session_ && !result.scenario.organ.file.empty()) loadDefault();
     return;
   }
   try {
@@ -262,22 +289,7 @@ void MainWindow::tick() {
   }
   for (const std::string& fault : state.faults)
     if (fault != faultSaid_) complain(faultSaid_ = fault);
-  if (video_ && now - pictureTaken_ >= qint64(1000 / kVideoRate)) {
-    pictureTaken_ = now;
-    try {
-      // A film shows what was seen; a full picture for each of its own would slow it down.
-      const RgbImage picture = viewer_->grabPicture(false);
-      if (QSize(picture.width, picture.height) != videoSize_) {
-        toggleVideo();
-        complain("The video ends here: the picture has another size now.");
-      } else {
-        video_->add(picture);
-      }
-    } catch (const std::exception& e) {
-      video_.reset();
-      complain(e.what());
-    }
-  }
+  film(now);
   if (options_.reports && playingSaid_ && !session_->playing()) say("played");
   playingSaid_ = session_->playing();
   if (options_.reports) reportPace();
@@ -289,7 +301,7 @@ void MainWindow::tick() {
   if (force_->parentWidget()->isVisible() != state.moves)
     force_->parentWidget()->setVisible(state.moves);
   if (state.moves) force_->follow(state, tools.held());
-  timing_->follow(state, viewer_->framesPerSecond(), viewer_->scaleInMotion());
+  timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
   if (!options_.reports || state.frame == 0) return;
   // Once the panels have settled round the picture.
   const QSize size = viewer_->size();
@@ -303,7 +315,7 @@ void MainWindow::tick() {
 }
 
 bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {
-  if (overlay_->isVisible()) overlay_->hide();
+  if (overlay_->isVisible() && isPress(event)) overlay_->hide();
   if (!lookingAt_ || !session_ || !event.isOfType(SoMouseButtonEvent::getClassTypeId()))
     return false;
   const auto& mouse = static_cast<const SoMouseButtonEvent&>(event);
@@ -327,6 +339,12 @@ void MainWindow::play(double until) {
 void MainWindow::look(RoomView view) {
   if (!session_) return;
   session_->look(view, viewer_->aspect());
+  if (options_.reports) reportPlaces();
+}
+
+void MainWindow::viewAll() {
+  if (!session_) return;
+  session_->viewAll(viewer_->aspect());
   if (options_.reports) reportPlaces();
 }
 
@@ -356,27 +374,6 @@ void MainWindow::placeOverlays() {
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   placeOverlays();
-}
-
-void MainWindow::setTheme(bool dark) {
-  QPalette palette = QStyleFactory::create("Fusion")->standardPalette();
-  if (dark) {
-    palette.setColor(QPalette::Window, QColor(30, 36, 40));
-    palette.setColor(QPalette::WindowText, QColor(222, 228, 230));
-    palette.setColor(QPalette::Base, QColor(22, 27, 30));
-    palette.setColor(QPalette::AlternateBase, QColor(34, 41, 45));
-    palette.setColor(QPalette::Text, QColor(222, 228, 230));
-    palette.setColor(QPalette::PlaceholderText, QColor(140, 150, 154));
-    palette.setColor(QPalette::Button, QColor(44, 52, 57));
-    palette.setColor(QPalette::ButtonText, QColor(222, 228, 230));
-    palette.setColor(QPalette::ToolTipBase, QColor(44, 52, 57));
-    palette.setColor(QPalette::ToolTipText, QColor(222, 228, 230));
-    palette.setColor(QPalette::Highlight, QColor(38, 128, 140));
-    palette.setColor(QPalette::HighlightedText, Qt::white);
-    palette.setColor(QPalette::Mid, QColor(80, 90, 95));
-    palette.setColor(QPalette::Link, QColor(110, 200, 215));
-  }
-  QApplication::setPalette(palette);
 }
 
 }  // namespace resect

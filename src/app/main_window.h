@@ -11,6 +11,7 @@
 #include "inventor/operating_session.h"
 #include "io/video.h"
 
+class QAction;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -41,6 +42,7 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
   bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
@@ -49,7 +51,10 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeDocks();
   void begin(OrganLoader::Result result);
+  void loadDefault();
+  void cancelLoading();
   void tick();
+  void film(qint64 now);  // ms
   void listenToScript();
   void writeScene(const std::string& file);
   void openFile(const QString& file);
@@ -60,9 +65,9 @@ class MainWindow : public QMainWindow {
   void saveScene();
   void savePicture();
   void toggleVideo();
-  void setTheme(bool dark);
   bool viewerEvent(const SoEvent& event, const SbViewportRegion& viewport);
   void look(RoomView view);
+  void viewAll();
   void bringEverythingBack();
   void reportPlaces();
   void reportPace();
@@ -81,7 +86,9 @@ class MainWindow : public QMainWindow {
   QPushButton* complaint_;
   QProgressBar* progress_;
   QPushButton* cancel_;
+  QLabel* recording_;
   QMenu* recent_;
+  QAction* dark_;
   InstrumentsPanel* instruments_;
   OrganPanel* organ_;
   RemovedPanel* removed_;

@@ -1,7 +1,6 @@
 // What the main window does with files: opens and saves, from menus, drops and scripts.
 #include <QDragEnterEvent>
 #include <QFileDialog>
-#include <QLabel>
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
@@ -110,24 +109,6 @@ void MainWindow::saveScene() {
 void MainWindow::savePicture() {
   save("Save picture", "PNG (*.png)", "picture.png",
        [this](const std::string& file) { writePng(file, viewer_->grabPicture(true)); });
-}
-
-void MainWindow::toggleVideo() {
-  if (video_) {
-    try {
-      video_->finish();
-      statusBar()->showMessage("The video is written", 5000);
-    } catch (const std::exception& e) {
-      complain(e.what());
-    }
-    video_.reset();
-    return;
-  }
-  save("Record video", "MPEG-4 (*.mp4)", "operation.mp4", [this](const std::string& file) {
-    const RgbImage picture = viewer_->grabPicture(false);
-    videoSize_ = {picture.width, picture.height};
-    video_ = std::make_unique<VideoWriter>(file, picture.width, picture.height, kVideoRate);
-  });
 }
 
 }  // namespace resect

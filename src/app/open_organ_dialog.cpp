@@ -12,12 +12,33 @@
 #include <QLabel>
 #include <QLayout>
 #include <QPushButton>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 
 #include "inventor/scene_file.h"
 
 namespace resect {
+namespace {
+
+// The health of a surface.
+QString reportOf(const QJsonObject& info) {
+  const auto count = [&](const char* field, const char* one, const char* many) {
+    const int n = info[field].toInt();
+    return QString("%L1 %2").arg(n).arg(n == 1 ? one : many);
+  };
+  const bool closed = info["closed"].toBool();
+  QString text = count("triangles", "triangle", "triangles") + ", " +
+                 count("components", "component", "components") + ", ";
+  text += closed ? "closed" : "open: " + count("boundary_edges", "boundary edge", "boundary edges");
+  if (!info["oriented"].toBool()) text += ", not wound one way";
+  if (info["inside_out"].toBool()) text += ", inside out (will be turned)";
+  if (info["non_manifold_edges"].toInt() > 0)
+    text += ", " + count("non_manifold_edges", "edge", "edges") + " of more than two triangles";
+  return text;
+}
+
+}  // namespace
 
 OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& before,
                                  QWidget* parent)
@@ -38,10 +59,14 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
                                                   {"inch", 0.0254}};
   for (const auto& [name, metres] : units) unit_->addItem(name, metres);
   size_ = new QLabel;
+  unit_->setToolTip(
+      "What the file's numbers count; the guess is the one that gives an organ's size");
+  size_->setToolTip("Of what is opened, in that unit");
   form->addRow("One unit of the file is a", unit_);
-  form->addRow("Longest side", size_);
+  form->addRow("Size", size_);
   part_ = new QComboBox;
   part_->addItem("all parts together", QString());
+  part_->setToolTip("One named part of the file, or all of them as one body");
   form->addRow("Part", part_);
   repair_ = new QCheckBox("Close holes");
   repair_->setToolTip("An open surface has no inside; its holes can be closed");
@@ -51,10 +76,13 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   spacing_->setDecimals(1);
   spacing_->setSuffix(" mm");
   spacing_->setValue(before.spacing.value_or(0.005) * 1e3);
+  spacing_->setToolTip("Side of the cells: smaller shows and cuts finer, and costs more");
   form->addRow("Spacing", spacing_);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
   open_ = buttons->button(QDialogButtonBox::Open);
   open_->setEnabled(false);
+  open_->setToolTip("Makes the organ; what is operated on now is replaced when it is ready");
+  buttons->button(QDialogButtonBox::Cancel)->setToolTip("Nothing changes");
   form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, [this] {
@@ -62,10 +90,22 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
     reject();
   });
   connect(unit_, &QComboBox::currentIndexChanged, this, [this] { unitChanged(); });
-  examiner_.examine(file, [this](const std::string& json, const std::string& problem) {
-    show(json, problem);
-    if (examined) examined(report_->text().toStdString());
-  });
+  connect(unit_, &QComboBox::activated, this, [this] { unitChosen_ = true; });
+  connect(part_, &QComboBox::activated, this, [this] { examine(); });
+  examine();
+}
+
+// The file, or the part of it that is chosen.
+void OpenOrganDialog::examine() {
+  open_->setEnabled(false);
+  examiner_.examine(file_, part_->currentData().toString().toStdString(),
+                    [this](const std::string& json, const std::string& problem) {
+                      // The process that has just ended may not be replaced from its own signal.
+                      if (!show(json, problem))
+                        QTimer::singleShot(0, this, [this] { examine(); });
+                      else if (examined)
+                        examined(report_->text().toStdString());
+                    });
 }
 
 // The dialog grows with what there is to read.
@@ -76,30 +116,49 @@ void OpenOrganDialog::tell(const QString& text) {
 }
 
 void OpenOrganDialog::unitChanged() {
-  size_->setText(QString("%1 mm").arg(longest_ * unit_->currentData().toDouble() * 1e3, 0, 'g', 4));
+  const double metres = unit_->currentData().toDouble();
+  QString size = QString("%1 mm long, skin %2 cm\u00b2")
+                     .arg(longest_ * metres * 1e3, 0, 'g', 4)
+                     .arg(area_ * metres * metres * 1e4, 0, 'g', 4);
+  if (volume_ > 0) size += QString(", %1 ml").arg(volume_ * std::pow(metres, 3) * 1e6, 0, 'g', 5);
+  size_->setText(size);
 }
 
-void OpenOrganDialog::show(const std::string& json, const std::string& problem) {
+// False when what has been found out changes what is to be opened.
+bool OpenOrganDialog::show(const std::string& json, const std::string& problem) {
   if (!problem.empty()) {
-    return tell(QString::fromStdString(problem));
+    tell(QString::fromStdString(problem));
+    return true;
   }
   const QJsonObject info = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
-  if (info.isEmpty()) return tell("the report cannot be read");
-  const bool closed = info["closed"].toBool();
-  QString text =
-      QString("%L1 triangles, %2 components, %3")
-          .arg(info["triangles"].toInt())
-          .arg(info["components"].toInt())
-          .arg(closed ? "closed"
-                      : QString("open: %1 boundary edges").arg(info["boundary_edges"].toInt()));
-  if (info["inside_out"].toBool()) text += ", inside out (will be turned)";
-  tell(text);
-  repair_->setChecked(!closed);
+  if (info.isEmpty()) {
+    tell("the report cannot be read");
+    return true;
+  }
+  tell(reportOf(info));
+  repair_->setChecked(!info["closed"].toBool());
   const QJsonArray bounds = info["bounds_m"].toArray();
+  area_ = info["area_m2"].toDouble();
+  volume_ = info["closed"].toBool() ? std::abs(info["volume_ml"].toDouble()) * 1e-6 : 0;
+  longest_ = 0;
   for (int a = 0; a < 3; ++a)
     longest_ =
         std::max(longest_, bounds[1].toArray()[a].toDouble() - bounds[0].toArray()[a].toDouble());
-  // A liver is 0.15 to 0.30 m long: the unit that comes nearest.
+  if (part_->count() == 1 && listParts(info["parts"].toArray())) return false;
+  // In a scene that was saved from here the organ is in metres.
+  if (part_->currentData().toString() == kOrganNode)
+    unit_->setCurrentIndex(0);
+  else if (!unitChosen_)
+    unit_->setCurrentIndex(likelyUnit());
+  unitChanged();
+  open_->setEnabled(true);
+  if (!part_->hasFocus()) open_->setFocus();
+  open_->setDefault(true);
+  return true;
+}
+
+// A liver is 0.15 to 0.30 m long: the unit that comes nearest.
+int OpenOrganDialog::likelyUnit() const {
   int best = 0;
   for (int i = 0; i < unit_->count(); ++i) {
     const auto off = [&](int k) {
@@ -107,22 +166,19 @@ void OpenOrganDialog::show(const std::string& json, const std::string& problem) 
     };
     if (off(i) < off(best)) best = i;
   }
-  unit_->setCurrentIndex(best);
-  unitChanged();
-  const QJsonArray parts = info["parts"].toArray();
-  if (parts.size() > 1)
-    for (const QJsonValue part : parts) {
-      const QString name = part.isString() ? part.toString() : part["name"].toString();
-      part_->addItem(name, name);
-      // In a scene that was saved from here the organ is known by its name.
-      if (name == kOrganNode) {
-        part_->setCurrentIndex(part_->count() - 1);
-        unit_->setCurrentIndex(0);
-      }
-    }
-  open_->setEnabled(true);
-  open_->setFocus();
-  open_->setDefault(true);
+  return best;
+}
+
+// True when one of them was chosen: in a scene that was saved from here the organ is known by its
+// name.
+bool OpenOrganDialog::listParts(const QJsonArray& parts) {
+  if (parts.size() < 2) return false;
+  for (const QJsonValue part : parts) {
+    const QString name = part.isString() ? part.toString() : part["name"].toString();
+    part_->addItem(name, name);
+    if (name == kOrganNode) part_->setCurrentIndex(part_->count() - 1);
+  }
+  return part_->currentIndex() > 0;
 }
 
 QPoint OpenOrganDialog::openButton() const { return open_->mapToGlobal(open_->rect().center()); }

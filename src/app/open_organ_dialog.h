@@ -10,6 +10,7 @@
 class QComboBox;
 class QCheckBox;
 class QDoubleSpinBox;
+class QJsonArray;
 class QLabel;
 class QPushButton;
 
@@ -28,9 +29,12 @@ class OpenOrganDialog : public QDialog {
   std::function<void(const std::string&)> examined;
 
  private:
-  void show(const std::string& json, const std::string& problem);
+  bool show(const std::string& json, const std::string& problem);
   void tell(const QString& text);
   void unitChanged();
+  void examine();
+  int likelyUnit() const;
+  bool listParts(const QJsonArray& parts);
 
   std::string file_;
   OrganSource before_;
@@ -40,7 +44,9 @@ class OpenOrganDialog : public QDialog {
   QCheckBox* repair_;
   QDoubleSpinBox* spacing_;
   QPushButton* open_;
-  double longest_ = 0;  // of the bounds, file units
+  double longest_ = 0;            // of the bounds, file units
+  double area_ = 0, volume_ = 0;  // squared and cubed; volume 0: open, so it has none
+  bool unitChosen_ = false;
 };
 
 }  // namespace resect

@@ -5,9 +5,13 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <thread>
+#include <utility>
 
 #include "base/error.h"
 #include "base/progress.h"
@@ -54,6 +58,51 @@ Scenario withAllInstruments(Scenario scenario) {
   return scenario;
 }
 
+// Cells, surface and tissue of an organ, made in a thread of its own.
+struct OrganLoader::Job {
+  Scenario scenario;
+  std::vector<std::string> notes;
+  std::string problem;
+  std::optional<Organ> organ;
+  std::unique_ptr<TissueModel> tissue;
+  std::atomic<double> share{-1};
+  std::atomic<bool> cancelled{false}, built{false};
+  std::thread thread;
+
+  ~Job() {
+    cancelled = true;
+    if (thread.joinable()) thread.join();
+  }
+  void start(const std::string& convertedFile) {
+    thread = std::thread([this, convertedFile] { build(convertedFile); });
+  }
+  void build(const std::string& convertedFile) {
+    try {
+      OrganSource source = scenario.organ;
+      if (!convertedFile.empty()) {
+        source.file = convertedFile;
+        source.part.clear();
+        source.unit = 1;
+      }
+      Discretization cells = loadCells(
+          source, readOwnFile,
+          [this](double now) {
+            share = now;
+            return !cancelled;
+          },
+          &notes);
+      share = -1;  // surface and tissue take their time too
+      organ.emplace(makeOrgan(std::move(cells), source.settings));
+      if (!cancelled) tissue = makeTissue(scenario.tissue, *organ);
+    } catch (const Cancelled&) {
+      problem = "cancelled";
+    } catch (const std::exception& e) {
+      problem = e.what();
+    }
+    built = true;
+  }
+};
+
 OrganLoader::OrganLoader() {
   QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { poll(); });
   timer_.setInterval(40);
@@ -63,106 +112,80 @@ OrganLoader::~OrganLoader() { cancel(); }
 
 void OrganLoader::cancel() {
   timer_.stop();
+  done_ = {};
   if (reader_) {
     reader_->kill();
     reader_->waitForFinished(1000);
     reader_.reset();
   }
-  cancelled_ = true;
-  if (thread_.joinable()) thread_.join();
-  if (!converted_.empty()) {
-    std::error_code ignored;
-    std::filesystem::remove(converted_, ignored);
-    converted_.clear();
+  // Its thread sees it at its next look; nobody waits for it.
+  if (job_) {
+    job_->cancelled = true;
+    givenUp_.push_back(std::move(job_));
   }
+  std::erase_if(givenUp_, [](const auto& job) { return !job->thread.joinable() || job->built; });
+  removeConverted();
+}
+
+void OrganLoader::removeConverted() {
+  if (converted_.empty()) return;
+  std::error_code ignored;
+  std::filesystem::remove(converted_, ignored);
+  converted_.clear();
 }
 
 void OrganLoader::load(const Scenario& scenario, std::function<void(double)> progress,
                        std::function<void(Result)> done) {
   cancel();
-  scenario_ = withAllInstruments(scenario);
   progress_ = std::move(progress);
   done_ = std::move(done);
-  cancelled_ = false;
-  built_ = false;
-  share_ = -1;
-  organ_.reset();
-  result_ = {};
-  result_.scenario = scenario_;
-  if (isModelFile(scenario_.organ.file)) {
-    converted_ =
-        QDir::temp()
-            .filePath(QString("resect-%1-organ.ply").arg(QCoreApplication::applicationPid()))
-            .toStdString();
-    QStringList arguments{"convert", QString::fromStdString(scenario_.organ.file),
+  job_ = std::make_unique<Job>();
+  job_->scenario = withAllInstruments(scenario);
+  const OrganSource& organ = job_->scenario.organ;
+  if (isModelFile(organ.file)) {
+    converted_ = QDir::temp()
+                     .filePath(QString("resect-%1-organ-%2.ply")
+                                   .arg(QCoreApplication::applicationPid())
+                                   .arg(++files_))
+                     .toStdString();
+    QStringList arguments{"convert", QString::fromStdString(organ.file),
                           QString::fromStdString(converted_), "--unit",
-                          QString::number(scenario_.organ.unit, 'g', 17)};
-    if (!scenario_.organ.part.empty())
-      arguments << "--part" << QString::fromStdString(scenario_.organ.part);
-    if (scenario_.organ.repair) arguments << "--repair";
+                          QString::number(organ.unit, 'g', 17)};
+    if (!organ.part.empty()) arguments << "--part" << QString::fromStdString(organ.part);
+    if (organ.repair) arguments << "--repair";
     reader_ = std::make_unique<QProcess>();
     reader_->start(QCoreApplication::applicationFilePath(), arguments);
   } else {
-    buildCells("");
+    job_->start("");
   }
   timer_.start();
-}
-
-void OrganLoader::buildCells(const std::string& convertedFile) {
-  thread_ = std::thread([this, convertedFile] {
-    try {
-      OrganSource source = scenario_.organ;
-      if (!convertedFile.empty()) {
-        source.file = convertedFile;
-        source.part.clear();
-        source.unit = 1;
-      }
-      Discretization cells = loadCells(
-          source, readOwnFile,
-          [this](double share) {
-            share_ = share;
-            return !cancelled_;
-          },
-          &result_.notes);
-      organ_.emplace(makeOrgan(std::move(cells), source.settings));
-      tissue_ = makeTissue(scenario_.tissue, *organ_);
-    } catch (const Cancelled&) {
-      result_.problem = "cancelled";
-    } catch (const std::exception& e) {
-      result_.problem = e.what();
-    }
-    built_ = true;
-  });
 }
 
 void OrganLoader::poll() {
   if (reader_) {
     if (reader_->state() != QProcess::NotRunning) return progress_(-1);
     const bool fine = reader_->exitStatus() == QProcess::NormalExit && reader_->exitCode() == 0;
-    if (!fine) result_.problem = sentenceOf(*reader_);
+    if (!fine) job_->problem = sentenceOf(*reader_);
     reader_.reset();
-    if (fine) return buildCells(converted_);
-    built_ = true;
+    if (fine) return job_->start(converted_);
+    job_->built = true;
   }
-  if (!built_) return progress_(share_);
+  if (!job_->built) return progress_(job_->share);
   timer_.stop();
-  if (thread_.joinable()) thread_.join();
-  if (!converted_.empty()) {
-    std::error_code ignored;
-    std::filesystem::remove(converted_, ignored);
-    converted_.clear();
-  }
-  if (organ_) try {
+  const std::unique_ptr<Job> job = std::move(job_);
+  if (job->thread.joinable()) job->thread.join();
+  removeConverted();
+  Result result{job->scenario, nullptr, std::move(job->notes), std::move(job->problem)};
+  if (job->organ && result.problem.empty()) try {
       // Here and not in the thread: Inventor, which reads the tools, belongs to the window's
       // thread.
-      result_.simulation =
-          std::make_unique<Simulation>(std::move(*organ_), loadTools(scenario_, &readModel),
-                                       std::move(tissue_), scenario_.table);
+      result.simulation =
+          std::make_unique<Simulation>(std::move(*job->organ), loadTools(job->scenario, &readModel),
+                                       std::move(job->tissue), job->scenario.table);
     } catch (const std::exception& e) {
-      result_.problem = e.what();
+      result.problem = e.what();
     }
-  organ_.reset();
-  done_(std::move(result_));
+  std::exchange(done_, {})(std::move(result));
 }
 
 void FileExaminer::cancel() {
@@ -174,7 +197,7 @@ void FileExaminer::cancel() {
 }
 
 void FileExaminer::examine(
-    const std::string& file,
+    const std::string& file, const std::string& part,
     const std::function<void(const std::string& json, const std::string& problem)>& done) {
   cancel();
   process_ = std::make_unique<QProcess>();
@@ -186,8 +209,9 @@ void FileExaminer::examine(
                      else
                        done("", sentenceOf(*process));
                    });
-  process->start(QCoreApplication::applicationFilePath(),
-                 {"info", "--json", QString::fromStdString(file)});
+  QStringList arguments{"info", "--json", QString::fromStdString(file)};
+  if (!part.empty()) arguments << "--part" << QString::fromStdString(part);
+  process->start(QCoreApplication::applicationFilePath(), arguments);
 }
 
 }  // namespace resect

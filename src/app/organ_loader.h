@@ -7,12 +7,10 @@
 
 #include <QProcess>
 #include <QTimer>
-#include <atomic>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
-#include <thread>
+#include <vector>
 
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
@@ -35,38 +33,36 @@ class OrganLoader {
     std::string problem;
   };
 
-  // One at a time; a new call gives up the one before. `progress` gets shares 0..1, or -1 while
-  // nothing is known; `done` comes last, unless cancel() was called. Both on the window's thread.
+  // One at a time; a new call gives up the one before, without waiting for it. `progress` gets
+  // shares 0..1, or -1 while nothing is known; `done` comes last, unless cancel() was called. Both
+  // on the window's thread.
   void load(const Scenario& scenario, std::function<void(double)> progress,
             std::function<void(Result)> done);
   void cancel();
   bool busy() const { return timer_.isActive(); }
 
  private:
+  struct Job;
   void poll();
-  void buildCells(const std::string& convertedFile);
+  void removeConverted();
 
-  Scenario scenario_;
   std::function<void(double)> progress_;
   std::function<void(Result)> done_;
   std::unique_ptr<QProcess> reader_;
-  std::string converted_;
-  std::thread thread_;
-  std::atomic<double> share_{0};
-  std::atomic<bool> cancelled_{false}, built_{false};
-  std::optional<Organ> organ_;  // made by the thread
-  std::unique_ptr<TissueModel> tissue_;
-  Result result_;
+  std::string converted_;  // the file that the reader writes
+  int files_ = 0;
+  std::unique_ptr<Job> job_;
+  std::vector<std::unique_ptr<Job>> givenUp_;  // whose threads have not noticed yet
   QTimer timer_;
 };
 
-// What is in a file: runs `resect info` on it, in a process of its own. `done` gets its JSON, or an
-// empty text and the sentence that it ended with.
+// What is in a file: runs `resect info` on it, or on its part of that name, in a process of its
+// own. `done` gets its JSON, or an empty text and the sentence that it ended with.
 class FileExaminer {
  public:
   ~FileExaminer() { cancel(); }
   void examine(
-      const std::string& file,
+      const std::string& file, const std::string& part,
       const std::function<void(const std::string& json, const std::string& problem)>& done);
   void cancel();
 

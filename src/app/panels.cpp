@@ -20,8 +20,17 @@
 namespace resect {
 namespace {
 
-constexpr double kForceSeconds = 10;  // that the force's plot shows
-constexpr double kFluent = 28;        // pictures per second, beyond which nobody calls drawing slow
+constexpr double kForceSeconds = 10;                     // that the force's plot shows
+constexpr int kLineGap = 5;                              // pixels
+constexpr double kSlowPicture = 0.04, kFewPictures = 5;  // s; in a second: too few to judge by
+
+// "findContacts" as "find contacts".
+QString inWords(const std::string& name) {
+  QString words;
+  for (const QChar c : QString::fromStdString(name))
+    words += c.isUpper() ? QString(' ') + c.toLower() : QString(c);
+  return words;
+}
 
 // A line from `first` to `last` seconds across the plot, from 0 to `most` up it.
 void drawHistory(QPainter& painter, const QRectF& plot, const History& history, double first,
@@ -79,8 +88,10 @@ OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
   auto* form = new QFormLayout(this);
   name_ = new QLabel(this);
   name_->setWordWrap(true);
+  name_->setToolTip("What is operated on");
   form->addRow(name_);
   counts_ = new QLabel(this);
+  counts_->setToolTip("Particles, triangles of the surface, and the volume that is left");
   form->addRow(counts_);
 
   iso_ = new QSlider(Qt::Horizontal, this);
@@ -235,51 +246,59 @@ void ForcePanel::paintEvent(QPaintEvent*) {
 }
 
 TimingPanel::TimingPanel(QWidget* parent) : QWidget(parent) {
-  setMinimumHeight(190);
   setToolTip("Median time of each stage of a step over the last second");
 }
 
-void TimingPanel::follow(const LiveState& state, double pictures, double scale) {
+void TimingPanel::follow(const LiveState& state, const Viewer::Drawing& drawing, double frameRate) {
   state_ = state;
-  pictures_ = pictures;
-  scale_ = scale;
+  drawing_ = drawing;
+  frameRate_ = frameRate;
+  const int lines = 3 + int(state.stages.size()) + 3;  // the last three: room for advice
+  setMinimumHeight(lines * (fontMetrics().height() + kLineGap));
   update();
+}
+
+// What to change, when the simulation or the drawing has been slow for the last second.
+QString TimingPanel::advice(const StageTime* slowest) const {
+  if (state_.realTimeFactor < 0.9 && state_.stepMedian > 0.9 / frameRate_ && slowest)
+    return QString("Slower than real time: \"%1\" takes most. A larger spacing helps.")
+        .arg(inWords(slowest->name));
+  if (drawing_.perSecond >= kFewPictures && drawing_.seconds > kSlowPicture)
+    return "Drawing is slow here: a smaller window or a graphics card helps.";
+  return {};
 }
 
 void TimingPanel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QFontMetrics metrics(font());
-  const int row = metrics.height() + 3;
+  const int row = metrics.height() + kLineGap;
   int y = 2;
   const auto text = [&](const QString& left, const QString& right) {
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(QRect(8, y, width() - 16, row), Qt::AlignLeft | Qt::AlignVCenter, left);
-    painter.drawText(QRect(8, y, width() - 16, row), Qt::AlignRight | Qt::AlignVCenter, right);
+    const QRect line(8, y, width() - 16, metrics.height());
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, left);
+    painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, right);
     y += row;
   };
-  text("Pictures", QString("%1 /s").arg(pictures_, 0, 'f', 0));
+  text("Pictures", drawing_.perSecond > 0 ? QString("%1 /s").arg(drawing_.perSecond, 0, 'f', 0)
+                                          : QString("at rest"));
   text("Real time", QString("%1 x").arg(state_.realTimeFactor, 0, 'f', 2));
   text("Step", QString("%1 ms").arg(state_.stepMedian * 1e3, 0, 'f', 2));
   double most = 1e-4;
   const StageTime* slowest = nullptr;
   for (const StageTime& stage : state_.stages)
     if (stage.median >= most) most = stage.median, slowest = &stage;
-  QString advice;
-  if (state_.realTimeFactor < 0.9 && slowest)
-    advice = QString("Slower than real time: %1 takes most. A larger spacing helps.")
-                 .arg(QString::fromStdString(slowest->name));
-  else if (pictures_ > 0 && pictures_ < kFluent && scale_ < 0.45)
-    advice = "Drawing is slow here: a smaller window or a graphics card helps.";
-  if (!advice.isEmpty()) {  // above the stages: the panel may be too low for all of them
+  const QString said = advice(slowest);
+  if (!said.isEmpty()) {  // above the stages: the panel may be too low for all of them
     const QRect room(8, y, width() - 16, 4 * row);
     painter.setPen(QColor(220, 150, 60));
-    painter.drawText(room, Qt::AlignLeft | Qt::TextWordWrap, advice);
-    y += metrics.boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, advice).height() + 4;
+    painter.drawText(room, Qt::AlignLeft | Qt::TextWordWrap, said);
+    y += metrics.boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, said).height() + 4;
   }
   for (const StageTime& stage : state_.stages) {
     const int bar = int((width() - 16) * std::min(1.0, stage.median / most));
-    painter.fillRect(QRect(8, y + row - 4, std::max(1, bar), 3), QColor(70, 140, 160));
-    text(QString::fromStdString(stage.name), QString("%1").arg(stage.median * 1e3, 0, 'f', 3));
+    painter.fillRect(QRect(8, y + metrics.height(), std::max(1, bar), 3), QColor(70, 140, 160));
+    text(inWords(stage.name), QString("%1 ms").arg(stage.median * 1e3, 0, 'f', 3));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "app/viewer.h"
 #include "operation/live_operation.h"
 #include "tools/tool.h"
 
@@ -86,14 +87,17 @@ class ForcePanel : public QWidget {
 class TimingPanel : public QWidget {
  public:
   explicit TimingPanel(QWidget* parent = nullptr);
-  void follow(const LiveState& state, double picturesPerSecond, double pictureScale);
+  void follow(const LiveState& state, const Viewer::Drawing& drawing, double frameRate);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QString advice(const StageTime* slowest) const;
+
   LiveState state_;
-  double pictures_ = 0, scale_ = 1;
+  Viewer::Drawing drawing_;
+  double frameRate_ = 60;
 };
 
 }  // namespace resect

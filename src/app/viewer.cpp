@@ -56,20 +56,29 @@ Viewer::Viewer(QWidget* parent) : QWidget(parent) {
   // A timer of no length waits until all input has been handled: what the hand did is in the
   // picture that begins now, not in the next.
   soon_.setSingleShot(true);
-  QObject::connect(&timer_, &QTimer::timeout, &soon_, [this] { soon_.start(0); });
+  QObject::connect(&timer_, &QTimer::timeout, &soon_, [this] {
+    waitForNext();
+    soon_.start(0);
+  });
   QObject::connect(&soon_, &QTimer::timeout, this, [this] { tick(); });
+  timer_.setSingleShot(true);
   timer_.setTimerType(Qt::PreciseTimer);
   setFpsLimit(60);
 }
 
-double Viewer::scaleInMotion() const { return picture_.scale(); }
+void Viewer::setFpsLimit(double fps) { interval_ = 1 / fps; }
 
-void Viewer::setFpsLimit(double fps) { timer_.setInterval(std::max(1, int(1000 / fps))); }
+// The timer counts whole milliseconds: what it is late or early by is made good in the next wait.
+void Viewer::waitForNext() {
+  const double now = double(clock_.nsecsElapsed()) * 1e-9;
+  due_ = std::max(due_ + interval_, now);
+  timer_.start(std::max(1, int(std::lround(1e3 * (due_ - now)))));
+}
 
 void Viewer::show(OperatingSession* session) {
   session_ = session;
   damage_.everything = true;
-  session ? timer_.start() : timer_.stop();
+  session ? waitForNext() : timer_.stop();
   image_ = {};
   update();
 }
@@ -80,12 +89,13 @@ SbViewportRegion Viewer::viewport() const {
                           short(std::lround(height() * ratio)));
 }
 
-double Viewer::framesPerSecond() const {
-  if (drawn_.size() < 2) return 0;
+Viewer::Drawing Viewer::drawing() const {
   const double now = double(clock_.nsecsElapsed()) * 1e-9;
-  const auto recent =
-      std::count_if(drawn_.begin(), drawn_.end(), [&](double t) { return now - t < 1.0; });
-  return double(recent);
+  Drawing recent;
+  for (const auto& [when, seconds] : drawn_)
+    if (now - when < 1.0) ++recent.perSecond, recent.seconds += seconds;
+  if (recent.perSecond > 0) recent.seconds /= recent.perSecond;
+  return recent;
 }
 
 void Viewer::tick() {
@@ -112,6 +122,7 @@ void Viewer::tick() {
 }
 
 void Viewer::drawChanges(double looked) {
+  const double begin = double(clock_.nsecsElapsed()) * 1e-9;
   const bool whole = damage_.everything || image_.size() != pictureSize();
   pace_.pictureBegins(looked, session_->state().lastRemoval);
   session_->room().setShadowResolution(picture_.processorDraws() ? 512 : 1024);
@@ -124,7 +135,8 @@ void Viewer::drawChanges(double looked) {
   damage_ = {};
   repaint(changed);
   pace_.pictureShown();
-  drawn_.push_back(double(clock_.nsecsElapsed()) * 1e-9);
+  const double end = double(clock_.nsecsElapsed()) * 1e-9;
+  drawn_.push_back({end, end - begin});
   if (drawn_.size() > 240) drawn_.erase(drawn_.begin(), drawn_.begin() + 120);
 }
 

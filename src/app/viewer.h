@@ -13,6 +13,8 @@
 #include <QTimer>
 #include <QWidget>
 #include <functional>
+#include <utility>
+#include <vector>
 
 #include "app/pace.h"
 #include "inventor/damage.h"
@@ -38,8 +40,10 @@ class Viewer : public QWidget {
 
   double aspect() const { return double(width()) / std::max(1, height()); }
   SbViewportRegion viewport() const;  // device pixels
-  double framesPerSecond() const;     // of the pictures drawn lately
-  double scaleInMotion() const;       // share of the pixels' rows drawn in motion
+  struct Drawing {
+    double perSecond = 0, seconds = 0;  // pictures of the last second, and what one of them took
+  };
+  Drawing drawing() const;
   Pace& pace() { return pace_; }
   // The picture as shown; `smooth`: drawn anew with smooth edges.
   RgbImage grabPicture(bool smooth);
@@ -61,6 +65,7 @@ class Viewer : public QWidget {
 
  private:
   void tick();
+  void waitForNext();
   void mouseButton(QMouseEvent* event, bool down) { mouseButton(*event, event->button(), down); }
   void mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down);
   void key(QKeyEvent* event, bool down);
@@ -72,6 +77,7 @@ class Viewer : public QWidget {
 
   OperatingSession* session_ = nullptr;
   QTimer timer_, soon_;
+  double interval_ = 1.0 / 60;  // s
   QElapsedTimer clock_, still_;
   LivePicture picture_;
   QImage image_;  // what is on the screen
@@ -80,7 +86,8 @@ class Viewer : public QWidget {
   int behind_ = 0;      // the same of what lies behind things that move, since all was drawn
   int sinceStrip_ = 0;  // pictures
   Qt::MouseButtons down_;
-  std::vector<double> drawn_;  // times of the last pictures, s
+  std::vector<std::pair<double, double>> drawn_;  // the last pictures: when, and how long, s
+  double due_ = 0;                                // when the next look at the operation is due, s
   Pace pace_;
   double wheel_ = 0;  // degrees not yet turned into steps
 };

@@ -1,6 +1,7 @@
 // The window: a person operates.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "operation/scenario.h"
@@ -11,9 +12,9 @@ struct WindowOptions {
   Scenario scenario;  // organ and room to begin with
   int width = 1280, height = 720;
   double fpsLimit = 60;
-  bool overlay = true;   // show the controls at the start
-  bool reports = false;  // say on standard output what happens, for scripts
-  bool dark = true;
+  bool overlay = true;       // show the controls at the start
+  bool reports = false;      // say on standard output what happens, for scripts
+  std::optional<bool> dark;  // colours; none: as chosen last, dark at first
 };
 
 // Opens the window and returns its exit status when it is closed. Throws Error when there is no

@@ -18,7 +18,7 @@ struct Options {
   std::string scenario, organ, size = "1280x800";
   double fpsLimit = 60;
   int threads = 0;
-  bool noHelp = false, light = false, reports = false;
+  bool noHelp = false, light = false, dark = false, reports = false;
 };
 
 void window(const Options& options, const OrganOptions& organOptions) {
@@ -34,7 +34,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
   organOptions.applyTo(window.scenario.organ);
   window.fpsLimit = options.fpsLimit;
   window.overlay = !options.noHelp;
-  window.dark = !options.light;
+  if (options.light || options.dark) window.dark = options.dark;
   window.reports = options.reports;
   if (const int status = showWindow(window); status != 0)
     throw error("the window ended with status {}", status);
@@ -58,7 +58,9 @@ void addWindowCommand(CLI::App& app) {
   command->add_option("--size", options->size, "Width and height of the window")
       ->capture_default_str();
   command->add_flag("--no-help", options->noHelp, "Do not show the controls at the first start");
-  command->add_flag("--light", options->light, "Light colours");
+  auto* light = command->add_flag("--light", options->light, "Light colours");
+  command->add_flag("--dark", options->dark, "Dark colours; neither: as chosen last")
+      ->excludes(light);
   command->add_flag("--reports", options->reports,
                     "Say on standard output what happens and where things are, for scripts");
   command->footer(

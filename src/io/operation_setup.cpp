@@ -59,15 +59,14 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
     throw usageError("{} holds particles: it has no parts and needs no repair; leave {} out",
                      source.file, source.repair ? "--repair" : "--part");
   Discretization cells = readDiscretization(source.file, source.unit);
-  cells.lattice.origin += source.pose.position +
-                          (source.onTable ? ontoTable(cells.lattice.box()) : Vec3(Vec3::Zero()));
+  cells.lattice.origin +=
+      source.pose.position + (source.onTable ? ontoTable(cells.lattice.box()) : Vec3(Vec3::Zero()));
   if (!source.resample) return cells;
   const std::int64_t before = cells.particleCount();
   const TriangleMesh surface = makeOrgan(std::move(cells), {}).surface.mesh();
   if (surface.triangles.empty())
     throw error("{} has no surface to sample anew; make it from a mesh", source.file);
-  if (notes)
-    notes->push_back(fmt::format("sampled anew from the surface of {} particles", before));
+  if (notes) notes->push_back(fmt::format("sampled anew from the surface of {} particles", before));
   return sample(surface, source, progress);
 }
 

@@ -43,10 +43,10 @@ void placeNodes(const ColourField& field, const Wound& wound, float iso, const V
   bindNodes(field, wound, iso, brick, bindings);
   for (int i = 0; i < kPlacedNodes; ++i) {
     const Vec3 node = (kBrickNodes * brick + Vec3i(i % 5, i / 5 % 5, i / 25)).cast<double>();
-    places[std::size_t(i)] = bindings[std::size_t(i)].count > 0
-                                 ? followed(bindings[std::size_t(i)], field.nodePosition(node),
-                                            motionOf)
-                                 : Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    places[std::size_t(i)] =
+        bindings[std::size_t(i)].count > 0
+            ? followed(bindings[std::size_t(i)], field.nodePosition(node), motionOf)
+            : Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   }
 }
 

@@ -33,9 +33,8 @@ Mat3 gradient(const ElasticState& s, std::int32_t i) {
 // visit.operator()<D>() for every direction, so that its offsets are known when compiling.
 template <typename Visit>
 void forEachDirection(const Visit& visit) {
-  [&]<int... D>(std::integer_sequence<int, D...>) {
-    (visit.template operator()<D>(), ...);
-  }(std::make_integer_sequence<int, kDirections>{});
+  [&]<int... D>(std::integer_sequence<int, D...>) { (visit.template operator()<D>(), ...); }
+  (std::make_integer_sequence<int, kDirections>{});
 }
 
 Mat3 cofactors(const Mat3& f) {

@@ -86,19 +86,36 @@ class Screen:
         self.do("type", "--delay", "20", str(text))
         time.sleep(0.3)
 
-    def picture(self, name):
-        """Rows of RGB bytes; also kept as a PNG."""
-        dump = subprocess.run(["xwd", "-silent", "-root"], env=self.environment, capture_output=True, timeout=30,
-                              check=True).stdout
-        header = struct.unpack(">25I", dump[:100])
+    def dump(self, *which):
+        """Rows of RGB bytes, width, height, left, top of a window; None where it has gone meanwhile."""
+        done = subprocess.run(["xwd", "-silent", *which], env=self.environment, capture_output=True, timeout=30)
+        if done.returncode != 0:
+            return None
+        header = struct.unpack(">25I", done.stdout[:100])
         size, width, height, stride, colours = header[0], header[4], header[5], header[12], header[19]
-        pixels, step = dump[size + 12 * colours:], header[11] // 8
+        left, top = struct.unpack(">2i", done.stdout[88:96])
+        pixels, step = done.stdout[size + 12 * colours:], header[11] // 8
         rows = []
         for y in range(height):
             row = pixels[y * stride:y * stride + step * width]  # blue, green, red, perhaps a spare byte
             rgb = bytearray(3 * width)
             rgb[0::3], rgb[1::3], rgb[2::3] = row[2::step], row[1::step], row[0::step]
-            rows.append(bytes(rgb))
+            rows.append(rgb)
+        return rows, width, height, left, top
+
+    def picture(self, name):
+        """Rows of RGB bytes; also kept as a PNG. A dump of the whole screen has holes where windows have a visual of
+        their own, so each window is dumped too and laid over it, the smallest on top."""
+        rows, width, height, _, _ = self.dump("-root")
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "."], env=self.environment,
+                               capture_output=True, text=True, timeout=30).stdout.split()
+        windows = [self.dump("-id", window) for window in found]
+        for part, w, h, left, top in sorted((w for w in windows if w), key=lambda w: -w[1] * w[2]):
+            for y in range(max(0, top), min(height, top + h)):
+                first, last = max(0, left), min(width, left + w)
+                if first < last:
+                    rows[y][3 * first:3 * last] = part[y - top][3 * (first - left):3 * (last - left)]
+        rows = [bytes(row) for row in rows]
 
         def chunk(kind, data):
             return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
