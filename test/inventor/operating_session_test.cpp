@@ -1,105 +1,21 @@
 #include "inventor/operating_session.h"
 
-#include <Inventor/SbViewportRegion.h>
-#include <Inventor/events/SoKeyboardEvent.h>
-#include <Inventor/events/SoLocation2Event.h>
-#include <Inventor/events/SoMouseButtonEvent.h>
-#include <Inventor/manips/SoTransformManip.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <doctest/doctest.h>
 
 #include "inventor/SoOrganShape.h"
-#include "inventor/model_file.h"
 #include "inventor/scene_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
 #include "io/scenario_file.h"
 #include "operation/room.h"
 #include "operation/run.h"
+#include "support/operating_bench.h"
 #include "support/temporary_folder.h"
-#include "tools/registry.h"
 
 using namespace resect;
 
-namespace {
-
-// A coarse liver, all instruments, and a mouse on a picture of 800 x 500 pixels.
-struct Bench {
-  Scenario scenario;
-  std::unique_ptr<OperatingSession> session;
-  SbViewportRegion viewport{800, 500};
-
-  Bench() {
-    scenario.organ.spacing = 0.012;
-    int place = 0;
-    for (const ToolKind& kind : toolKinds())
-      scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
-    const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
-    session = std::make_unique<OperatingSession>(
-        scenario,
-        std::make_unique<Simulation>(makeOrgan(loadCells(scenario.organ, reader), {}),
-                                     loadTools(scenario, reader)),
-        1.6);
-    settle();
-  }
-
-  ToolHandling& tools() { return session->tools(); }
-
-  // Lets the operation do two more frames.
-  void settle() {
-    session->update();
-    session->operation().waitFor(session->state().frame + 2);
-    session->update();
-  }
-  bool send(SoEvent& event, const SbVec2s& at, bool shift = false) {
-    event.setPosition(at);
-    event.setTime(SbTime::getTimeOfDay());
-    event.setShiftDown(shift);
-    const bool taken = session->handle(event, viewport);
-    session->update();
-    return taken;
-  }
-  void button(const SbVec2s& at, bool down, SoMouseButtonEvent::Button which, bool shift = false) {
-    SoMouseButtonEvent event;
-    event.setButton(which);
-    event.setState(down ? SoButtonEvent::DOWN : SoButtonEvent::UP);
-    send(event, at, shift);
-  }
-  void move(const SbVec2s& at, bool shift = false) {
-    SoLocation2Event event;
-    send(event, at, shift);
-  }
-  void click(const SbVec2s& at, SoMouseButtonEvent::Button which = SoMouseButtonEvent::BUTTON1) {
-    move(at);
-    button(at, true, which);
-    button(at, false, which);
-  }
-  void drag(const SbVec2s& from, const SbVec2s& to,
-            SoMouseButtonEvent::Button which = SoMouseButtonEvent::BUTTON1, bool shift = false) {
-    move(from);
-    button(from, true, which, shift);
-    for (int i = 1; i <= 10; ++i)
-      move(SbVec2s(short(from[0] + (to[0] - from[0]) * i / 10),
-                   short(from[1] + (to[1] - from[1]) * i / 10)),
-           shift);
-    button(to, false, which, shift);
-  }
-  bool key(SoKeyboardEvent::Key key, bool shift = false, bool down = true) {
-    SoKeyboardEvent event;
-    event.setKey(key);
-    event.setState(down ? SoButtonEvent::DOWN : SoButtonEvent::UP);
-    return send(event, {400, 250}, shift);
-  }
-  SbVec2s pixelOf(int tool) const {
-    return session->pixelOf(session->middleOfTool(tool), viewport);
-  }
-  SbVec2s nowhere() const { return {790, 490}; }  // the room's wall
-  bool manipulated(int tool) {
-    return session->room().toolTransform(tool)->isOfType(SoTransformManip::getClassTypeId());
-  }
-};
-
-}  // namespace
+using Bench = test::OperatingBench;
 
 TEST_CASE("a click on each tool attaches a handle box, a middle click toggles, elsewhere lets go") {
   Bench bench;

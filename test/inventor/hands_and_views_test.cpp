@@ -1,0 +1,94 @@
+// What mouse and keys do beyond the first operation: manipulators dragged, modifiers, views.
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <doctest/doctest.h>
+
+#include "support/operating_bench.h"
+
+using namespace resect;
+using Bench = test::OperatingBench;
+
+TEST_CASE(
+    "a handle box that is dragged moves its tool and does not grow it; a trackball turns it") {
+  Bench bench;
+  const SbVec2s at = bench.pixelOf(2);
+  bench.click(at);
+  REQUIRE(bench.tools().how() == ToolHandling::Hold::HandleBox);
+  const Pose before = bench.tools().pose(2);
+  bench.drag(at, {short(at[0] - 60), short(at[1] + 20)});
+  REQUIRE(bench.tools().how() == ToolHandling::Hold::HandleBox);
+  const Pose moved = bench.tools().pose(2);
+  CHECK((moved.position - before.position).norm() > 0.02);
+  CHECK(moved.rotation.angularDistance(before.rotation) < 1e-3);
+  CHECK(bench.session->room().toolTransform(2)->scaleFactor.getValue() == SbVec3f(1, 1, 1));
+
+  bench.click(bench.pixelOf(2), SoMouseButtonEvent::BUTTON2);
+  REQUIRE(bench.tools().how() == ToolHandling::Hold::Trackball);
+  const SbVec2s on = bench.pixelOf(2);
+  bench.drag(on, {short(on[0] + 50), short(on[1] + 30)});
+  CHECK(bench.tools().pose(2).rotation.angularDistance(moved.rotation) > 0.1);
+}
+
+TEST_CASE(
+    "with Shift the wheel and the page keys roll the tool in hand, with Ctrl the wheel zooms") {
+  Bench bench;
+  REQUIRE(bench.key(SoKeyboardEvent::NUMBER_1));
+  const Pose before = bench.tools().pose(0);
+  bench.button({400, 250}, true, SoMouseButtonEvent::BUTTON4, true);
+  const Pose rolled = bench.tools().pose(0);
+  CHECK(rolled.rotation.angularDistance(before.rotation) == doctest::Approx(0.05).epsilon(0.02));
+  CHECK((rolled.position - before.position).norm() < 1e-6);
+  CHECK(bench.key(SoKeyboardEvent::PAGE_DOWN, true));
+  CHECK(bench.tools().pose(0).rotation.angularDistance(before.rotation) < 1e-3);  // and back
+
+  auto* camera = bench.session->room().camera();
+  const float far = camera->focalDistance.getValue();
+  bench.button({400, 250}, true, SoMouseButtonEvent::BUTTON4, false, true);
+  CHECK(camera->focalDistance.getValue() < far);
+  CHECK((bench.tools().pose(0).position - before.position).norm() < 1e-6);
+}
+
+TEST_CASE(
+    "every named view has the organ in its middle part, and all comes into view from any side") {
+  Bench bench;
+  const Aabb box = bench.session->cells().lattice.box();
+  std::vector<SbVec3f> places;
+  for (const RoomView view :
+       {RoomView::Surgeon, RoomView::Assistant, RoomView::Top, RoomView::Laparoscope}) {
+    bench.session->look(view, 1.6);
+    const SbVec2s middle = bench.session->pixelOf(box.centre(), bench.viewport);
+    CHECK(std::abs(middle[0] - 400) < 250);
+    CHECK(std::abs(middle[1] - 250) < 150);
+    for (const SbVec3f& other : places)
+      CHECK((bench.session->room().camera()->position.getValue() - other).length() > 0.1f);
+    places.push_back(bench.session->room().camera()->position.getValue());
+  }
+  // From close by and from the side.
+  bench.drag({300, 300}, {500, 330}, SoMouseButtonEvent::BUTTON3);
+  for (int i = 0; i < 10; ++i) bench.button({400, 250}, true, SoMouseButtonEvent::BUTTON4);
+  const SbRotation side = bench.session->room().camera()->orientation.getValue();
+  bench.session->viewAll(1.6);
+  CHECK(bench.session->room().camera()->orientation.getValue().equals(side, 1e-6f));
+  for (int tool = 0; tool < bench.tools().toolCount(); ++tool) {
+    const SbVec2s at = bench.pixelOf(tool);
+    CHECK(at[0] > 0);
+    CHECK(at[0] < 800);
+    CHECK(at[1] > 0);
+    CHECK(at[1] < 500);
+  }
+}
+
+TEST_CASE("the camera turns to the point that was clicked and keeps it in its middle") {
+  Bench bench;
+  const Vec3 middle = bench.session->cells().lattice.box().centre();
+  Vec3 point;
+  REQUIRE(bench.session->pointUnder(bench.session->pixelOf(middle, bench.viewport), bench.viewport,
+                                    point));
+  bench.session->camera().lookAt(point);
+  CHECK((bench.session->camera().pointOfInterest() - point).norm() < 1e-3);
+  const SbVec2s at = bench.session->pixelOf(point, bench.viewport);
+  CHECK(std::abs(at[0] - 400) <= 2);
+  CHECK(std::abs(at[1] - 250) <= 2);
+  bench.drag({300, 300}, {360, 320}, SoMouseButtonEvent::BUTTON3);
+  const SbVec2s after = bench.session->pixelOf(point, bench.viewport);
+  CHECK(std::abs(after[0] - 400) <= 2);
+}
