@@ -149,6 +149,22 @@ class AtTheWindow(unittest.TestCase):
         screen.key("Tab", "Tab", "space")
         window.wait("organ liver", 20)
 
+    def test_f1_shows_the_controls_until_the_next_key(self):
+        screen = self.screen
+        window = Window(PROGRAM, screen, "--spacing", "12mm", "--size", "1200x900")
+        self.addCleanup(window.quit)
+        window.wait("ready")
+        screen.focus("^Resect$")
+        time.sleep(1.5)
+        bare = screen.picture("controls_none")
+        middle = (300, 250, 600, 500)
+        screen.key("F1")
+        time.sleep(1.0)
+        self.assertGreater(difference(bare, screen.picture("controls_shown"), middle), 0.3)
+        screen.key("F1")
+        time.sleep(1.0)
+        self.assertLess(difference(bare, screen.picture("controls_gone"), middle), 0.05)
+
     def test_files_are_opened_and_saved_through_their_dialogs(self):
         screen = self.screen
         window = Window(PROGRAM, screen, "--spacing", "12mm", "--size", "1200x900")
