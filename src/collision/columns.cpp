@@ -79,25 +79,29 @@ void sortColumn(Crossing* first, Crossing* last) {
   }
 }
 
+constexpr std::size_t kBlock = 8192;  // triangles that are looked at together
+
 struct Hit {
   std::uint32_t column;
   std::int32_t sign;
   double depth;
 };
 
-// Counting sort of one band's hits into its columns: offsets[c + 1] counts, then ends.
-void sortHits(const std::vector<Hit>& hits, std::span<std::size_t> ends,
-              std::vector<Crossing>& sorted) {
-  for (const Hit& hit : hits) ++ends[hit.column];
+// Counting sort of the hits, in the order of the blocks, into the columns.
+void sortHits(const std::vector<std::vector<Hit>>& blocks, Crossings& result) {
+  // offsets[c + 1] counts, then is where column c goes on, and at last where it ends.
+  for (const auto& hits : blocks)
+    for (const Hit& hit : hits) ++result.offsets[hit.column + 1];
   std::size_t sum = 0;
-  for (std::size_t& end : ends) end = std::exchange(sum, sum + end);
-  sorted.resize(hits.size());
-  for (const Hit& hit : hits) sorted[ends[hit.column]++] = {hit.depth, hit.sign};
-  std::size_t begin = 0;
-  for (const std::size_t end : ends) {
-    if (end - begin > 1) sortColumn(sorted.data() + begin, sorted.data() + end);
-    begin = end;
-  }
+  for (std::size_t c = 1; c < result.offsets.size(); ++c)
+    result.offsets[c] = std::exchange(sum, sum + result.offsets[c]);
+  result.all.resize(sum);
+  for (const auto& hits : blocks)
+    for (const Hit& hit : hits)
+      result.all[result.offsets[hit.column + 1]++] = {hit.depth, hit.sign};
+  for (std::size_t c = 0; c + 1 < result.offsets.size(); ++c)
+    if (result.offsets[c + 1] - result.offsets[c] > 1)
+      sortColumn(result.all.data() + result.offsets[c], result.all.data() + result.offsets[c + 1]);
 }
 
 // Raster places of the lines of one axis of a grid, and the first line at or beyond a place.
@@ -112,7 +116,8 @@ struct GridLines {
   double estimate(double place) const { return first + place * linesPerStep; }
   std::int32_t lowerBound(std::int32_t place) const {
     const int count = int(at.size());
-    int i = int(std::clamp(std::ceil(estimate(place)), 0.0, double(count)));
+    const double about = estimate(place);
+    int i = !(about > 0) ? 0 : about < count ? int(about) + 1 : count;
     while (i > 0 && at[i - 1] >= place) --i;
     while (i < count && at[i] < place) ++i;
     return i;
@@ -163,67 +168,44 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
     for (std::size_t i = begin; i < end; ++i)
       cells[i] = {linesX.lowerBound(mesh.points[i].x), linesY.lowerBound(mesh.points[i].y)};
   });
-  const Bands bands(grid.countY, 32, mesh.triangles.size(), [&](std::uint32_t t) {
-    const Cell &a = cells[mesh.triangles[t][0]], &b = cells[mesh.triangles[t][1]],
-               &c = cells[mesh.triangles[t][2]];
-    return Reach{t, rangeOf(a.row, b.row, c.row), rangeOf(a.column, b.column, c.column)};
-  });
-
   const double slack = 2 + std::ceil(linesX.linesPerStep);
-  std::vector<std::vector<Crossing>> sorted(bands.count());
-  parallelFor(bands.count(), 1, [&](std::size_t firstBand, std::size_t lastBand) {
-    std::vector<Hit> hits;
-    for (std::size_t band = firstBand; band < lastBand; ++band) {
-      hits.clear();
-      const int bandFirst = int(band) * bands.rowsPerBand;
-      const int bandLast = std::min(grid.countY, bandFirst + bands.rowsPerBand);
-      for (const Reach& reach : bands[band]) {
-        const auto& [ia, ib, ic] = mesh.triangles[reach.triangle];
-        const Footprint footprint(mesh.points[ia], mesh.points[ib], mesh.points[ic]);
-        if (footprint.area == 0) continue;
-        const Range rows{std::max(reach.rows.first, bandFirst),
-                         std::min(reach.rows.last, bandLast)};
-        const Range all = reach.columns;
-        for (int row = rows.first; row < rows.last; ++row) {
-          const std::int64_t y = linesY.at[row];
-          Range columns = all;
-          if (columns.last - columns.first > 8) {
-            // Where the row crosses the edges, by floating point; the exact test decides.
-            double low = all.first, high = all.last;
-            for (const Footprint::Edge& e : footprint.edge) {
-              if (e.dy == 0) continue;
-              const double rise = double(e.start) + double(e.dx) * double(y - footprint.y0);
-              const double at = linesX.estimate(double(footprint.x0) + rise / double(e.dy));
-              if (e.dy < 0) low = std::max(low, at - slack);
-              if (e.dy > 0) high = std::min(high, at + slack);
-            }
-            columns = {int(std::min(low, double(all.last))),
-                       int(std::ceil(std::max(high, double(all.first))))};
+  std::vector<std::vector<Hit>> blocks((mesh.triangles.size() + kBlock - 1) / kBlock);
+  parallelFor(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    std::vector<Hit>& hits = blocks[begin / kBlock];
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [ia, ib, ic] = mesh.triangles[t];
+      const Cell &a = cells[ia], &b = cells[ib], &c = cells[ic];
+      // Most triangles of a fine mesh lie between two lines.
+      if ((a.row == b.row && b.row == c.row) || (a.column == b.column && b.column == c.column))
+        continue;
+      const Range rows = rangeOf(a.row, b.row, c.row), all = rangeOf(a.column, b.column, c.column);
+      const Footprint footprint(mesh.points[ia], mesh.points[ib], mesh.points[ic]);
+      if (footprint.area == 0) continue;
+      for (int row = rows.first; row < rows.last; ++row) {
+        const std::int64_t y = linesY.at[row];
+        Range columns = all;
+        if (columns.last - columns.first > 8) {
+          // Where the row crosses the edges, by floating point; the exact test decides.
+          double low = all.first, high = all.last;
+          for (const Footprint::Edge& e : footprint.edge) {
+            if (e.dy == 0) continue;
+            const double rise = double(e.start) + double(e.dx) * double(y - footprint.y0);
+            const double at = linesX.estimate(double(footprint.x0) + rise / double(e.dy));
+            if (e.dy < 0) low = std::max(low, at - slack);
+            if (e.dy > 0) high = std::min(high, at + slack);
           }
-          for (int column = columns.first; column < columns.last; ++column)
-            footprint.test(linesX.at[column], y, [&](double depth) {
-              hits.push_back(
-                  {std::uint32_t((row - bandFirst) * grid.countX + column), footprint.sign, depth});
-            });
+          columns = {int(std::min(low, double(all.last))),
+                     int(std::ceil(std::max(high, double(all.first))))};
         }
+        for (int column = columns.first; column < columns.last; ++column)
+          footprint.test(linesX.at[column], y, [&](double depth) {
+            hits.push_back({std::uint32_t(row) * std::uint32_t(grid.countX) + std::uint32_t(column),
+                            footprint.sign, depth});
+          });
       }
-      const std::span<std::size_t> ends(
-          result.offsets.data() + 1 + std::size_t(bandFirst) * grid.countX,
-          std::size_t(bandLast - bandFirst) * grid.countX);
-      sortHits(hits, ends, sorted[band]);
     }
   });
-
-  std::size_t total = 0;
-  for (std::size_t band = 0; band < bands.count(); ++band) {
-    const std::size_t first = band * bands.rowsPerBand * grid.countX;
-    const std::size_t last =
-        std::min(grid.count(), first + std::size_t(bands.rowsPerBand) * grid.countX);
-    for (std::size_t c = first; c < last; ++c) result.offsets[c + 1] += total;
-    total += sorted[band].size();
-  }
-  result.all.reserve(total);
-  for (const auto& band : sorted) result.all.insert(result.all.end(), band.begin(), band.end());
+  sortHits(blocks, result);
   return result;
 }
 

@@ -15,8 +15,8 @@ inline constexpr double kRaster = 1 << 30;
 inline constexpr std::int32_t kBelow = -1, kAbove = (1 << 30) + 1;
 
 inline std::int32_t snapColumn(double offset, double step) {
-  const double steps = std::floor(offset / step + 0.5);
-  return !(steps >= 0) ? kBelow : steps > kRaster ? kAbove : std::int32_t(steps);
+  const double steps = offset / step + 0.5;  // whole steps are counted from 0 on: no floor() needed
+  return !(steps >= 0) ? kBelow : steps >= kRaster + 1 ? kAbove : std::int32_t(steps);
 }
 
 // One triangle over the raster, turned so that its area is positive.
