@@ -180,7 +180,7 @@ TEST_CASE("the report has the promised fields, as read and after welding") {
   CHECK(json["bounds_m"][1][0] == 2.0);
   CHECK(json["components"] == 2);
   CHECK(json["closed"] == false);
-  CHECK(json["oriented"] == false);
+  CHECK(json["oriented"] == true);  // open, but wound one way
   CHECK(json["inside_out"] == false);
   CHECK(json["boundary_edges"] == 3);
   CHECK(json["parts"] == std::vector<std::string>{"a", "b"});

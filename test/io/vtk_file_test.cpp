@@ -81,7 +81,7 @@ TEST_CASE("strips turn every second triangle; attributes, lines and fields are p
            "POINT_DATA 4\nSCALARS nonsense float\nLOOKUP_TABLE default\nx y z w\n");
   REQUIRE(mesh.triangles.size() == 2);
   CHECK(area(mesh) == doctest::Approx(1));
-  CHECK(topology(mesh).oriented() == false);  // open, but:
+  CHECK(topology(mesh).oriented());
   CHECK(topology(mesh).boundaryEdges == 4);
   CHECK(mesh.triangles[1] == Triangle{2, 1, 3});
 }
