@@ -50,8 +50,8 @@ shown lift 40
 shown incise 34
 shown incise-under-traction 62
 shown snip 70
-shown resect-segment-elastic 72
+shown resect-segment-elastic 78
 shown hang 12
 shown drop 20
 strip incise-under-traction 640x420+120+110 14 26 34 46 54 last
-strip resect-segment-elastic 640x430+120+110 17 24 36 50 58 72
+strip resect-segment-elastic 640x430+120+110 26 38 56 66 78 last
