@@ -26,6 +26,7 @@
 namespace resect {
 namespace {
 
+constexpr float kScaleRounding = 1e-8f;                   // squared distance of scales
 constexpr int kClickPixels = 4;                           // a press that moves less is a click
 constexpr double kWheelStep = 0.005;                      // m
 constexpr double kKeyStep = 0.002;                        // m
@@ -151,8 +152,10 @@ void ToolHandling::detach() {
 void ToolHandling::draggerMoved(void* closure, SoDragger*) {
   auto* self = static_cast<ToolHandling*>(closure);
   SoTransform* transform = self->room_.toolTransform(self->held_);
-  // Instruments do not grow.
-  if (transform->scaleFactor.getValue() != SbVec3f(1, 1, 1)) transform->scaleFactor = {1, 1, 1};
+  // Instruments do not grow. A scale that only rounding made is left: writing it would have the
+  // dragger write its own again, and so on for ever.
+  if (!transform->scaleFactor.getValue().equals(SbVec3f(1, 1, 1), kScaleRounding))
+    transform->scaleFactor = {1, 1, 1};
   self->notify();
 }
 

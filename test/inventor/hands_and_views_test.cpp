@@ -2,6 +2,7 @@
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <doctest/doctest.h>
 
+#include "base/random.h"
 #include "support/operating_bench.h"
 
 using namespace resect;
@@ -91,4 +92,31 @@ TEST_CASE("the camera turns to the point that was clicked and keeps it in its mi
   bench.drag({300, 300}, {360, 320}, SoMouseButtonEvent::BUTTON3);
   const SbVec2s after = bench.session->pixelOf(point, bench.viewport);
   CHECK(std::abs(after[0] - 400) <= 2);
+}
+
+TEST_CASE("a manipulator round a tool that is turned any way comes to rest") {
+  Bench bench;
+  Random random(5);
+  int changes = 0;
+  const auto follow = bench.tools().changed;
+  bench.tools().changed = [&] {
+    REQUIRE(++changes < 100000);  // rounding must not keep it busy for ever
+    follow();
+  };
+  for (int i = 0; i < 60; ++i) {
+    const Vec3 axis = Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    bench.tools().setPose(
+        i % 3, {Vec3(random.uniform(-0.1, 0.1), 0.3, random.uniform(-0.1, 0.1)),
+                Eigen::Quaterniond(Eigen::AngleAxisd(random.uniform(0, 3), axis.normalized()))});
+    for (const auto how : {ToolHandling::Hold::HandleBox, ToolHandling::Hold::Trackball}) {
+      bench.tools().hold(i % 3, how);
+      const Pose before = bench.tools().pose(i % 3);
+      auto* transform = bench.session->room().toolTransform(i % 3);
+      transform->translation.touch();
+      transform->rotation.touch();
+      bench.session->update();
+      CHECK((bench.tools().pose(i % 3).position - before.position).norm() < 1e-5);
+      CHECK(bench.tools().pose(i % 3).rotation.angularDistance(before.rotation) < 1e-3);
+    }
+  }
 }
