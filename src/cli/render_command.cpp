@@ -96,6 +96,7 @@ void render(const Options& options) {
     for (const char* tool : {"scalpel.iv", "hook.iv", "baton.iv"})
       room.setToolPose(room.addTool(readSceneFile(tools / tool)), toolBoxPlace(place++));
   }
+  const std::size_t triangles = all.triangles.size();
   const Aabb box = bounds(transformed(std::move(all), pose));
   room.lightUp(box);
   room.look(*view, box, double(width) / height);
@@ -104,7 +105,7 @@ void render(const Options& options) {
     writeJson("-", {{"file", options.out},
                     {"width", width},
                     {"height", height},
-                    {"triangles", all.triangles.size()},
+                    {"triangles", triangles},
                     {"renderer", picture.renderer()}});
     return;
   }
