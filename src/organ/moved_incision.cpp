@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/index_box.h"
 #include "surface/node_places.h"
 
 namespace resect {
@@ -32,45 +33,33 @@ std::vector<std::int64_t> bricksRound(const Organ& organ, std::span<const std::i
   return bricks;
 }
 
-// The cells whose particles the nodes of some bricks may follow.
-struct CellRange {
-  Vec3i low, dims;
-
-  // bricks: not none.
-  CellRange(const Organ& organ, std::span<const std::int64_t> bricks) {
-    Vec3i first = organ.field.brick(bricks[0]), last = first;
-    for (const std::int64_t index : bricks) {
-      first = first.cwiseMin(organ.field.brick(index));
-      last = last.cwiseMax(organ.field.brick(index));
-    }
-    constexpr int kFar = 4;  // cells beside a brick: a search along a cut stays in its window
-    const int refine = organ.field.refine();
-    const Vec3i& end = organ.rest.lattice.dims;
-    low = (kBrickNodes * first / refine - Vec3i::Constant(2 + kFar)).cwiseMax(0).cwiseMin(end);
-    const Vec3i high = kBrickNodes * (last + Vec3i::Ones()) / refine + Vec3i::Constant(kFar - 1);
-    dims = (high.cwiseMin(end) - low).cwiseMax(0);
+// The cells whose particles the nodes of some bricks may follow. bricks: not none.
+IndexBox cellsRound(const Organ& organ, std::span<const std::int64_t> bricks) {
+  Vec3i first = organ.field.brick(bricks[0]), last = first;
+  for (const std::int64_t index : bricks) {
+    first = first.cwiseMin(organ.field.brick(index));
+    last = last.cwiseMax(organ.field.brick(index));
   }
-  std::size_t count() const { return std::size_t(dims.cast<std::int64_t>().prod()); }
-  std::size_t index(const Vec3i& cell) const {
-    const Vec3i at = cell - low;
-    return (std::size_t(at.z()) * std::size_t(dims.y()) + std::size_t(at.y())) *
-               std::size_t(dims.x()) +
-           std::size_t(at.x());
-  }
-};
+  constexpr int kFar = 4;  // cells beside a brick: a search along a cut stays in its window
+  const int refine = organ.field.refine();
+  const Vec3i& end = organ.rest.lattice.dims;
+  const Vec3i low = (kBrickNodes * first / refine - Vec3i::Constant(2 + kFar)).cwiseMax(0);
+  const Vec3i high = kBrickNodes * (last + Vec3i::Ones()) / refine + Vec3i::Constant(kFar - 1);
+  return {low.cwiseMin(end), (high.cwiseMin(end) - low.cwiseMin(end)).cwiseMax(0)};
+}
 
 // How the particles of some cells have moved; each is asked once.
 class Motions {
  public:
-  Motions(const Organ& organ, const TissueModel& tissue, const CellRange& range)
+  Motions(const Organ& organ, const TissueModel& tissue, const IndexBox& cells)
       : lattice_(organ.rest.lattice),
         tissue_(tissue),
-        range_(range),
-        placeOf_(range.count(), -1),
-        motionOf_(range.count(), -1) {}
+        cells_(cells),
+        placeOf_(cells.count(), -1),
+        motionOf_(cells.count(), -1) {}
 
   const Vec3& place(const Vec3i& cell) {
-    std::int32_t& known = placeOf_[range_.index(cell)];
+    std::int32_t& known = placeOf_[std::size_t(cells_.index(cell))];
     if (known < 0) {
       known = std::int32_t(places_.size());
       places_.push_back(lattice_.centre(cell) + tissue_.displacement(lattice_.index(cell)));
@@ -78,7 +67,7 @@ class Motions {
     return places_[std::size_t(known)];
   }
   const ParticleMotion& of(const Vec3i& cell) {
-    std::int32_t& known = motionOf_[range_.index(cell)];
+    std::int32_t& known = motionOf_[std::size_t(cells_.index(cell))];
     if (known < 0) {
       CellPlacement place;
       const std::int64_t index = lattice_.index(cell);
@@ -94,7 +83,7 @@ class Motions {
  private:
   const Lattice& lattice_;
   const TissueModel& tissue_;
-  const CellRange& range_;
+  IndexBox cells_;
   std::vector<std::int32_t> placeOf_, motionOf_;
   std::vector<Vec3> places_;
   std::vector<ParticleMotion> motions_;
@@ -176,8 +165,7 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
   if (blade.empty() || nearCells.empty()) return 0;
   std::vector<std::int64_t> bricks = bricksRound(organ, nearCells);
   if (bricks.empty()) return 0;
-  const CellRange range(organ, bricks);
-  Motions motions(organ, tissue, range);
+  Motions motions(organ, tissue, cellsRound(organ, bricks));
   std::erase_if(bricks, [&](std::int64_t index) {
     const BrickPlaces brick(organ, motions, organ.field.brick(index));
     return intersection(brick.rough(), blade.bounds).empty() || !mayMeet(blade, brick.close());

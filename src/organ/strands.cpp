@@ -3,31 +3,11 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/index_box.h"
 #include "tissue/stencil.h"
 
 namespace resect {
 namespace {
-
-// A box of the grid's nodes, numbered x fastest.
-struct NodeBox {
-  Vec3i low = Vec3i::Zero(), dims = Vec3i::Zero();
-
-  std::size_t count() const { return std::size_t(dims.cast<std::int64_t>().prod()); }
-  bool contains(const Vec3i& node) const {
-    return (node.array() >= low.array()).all() && (node.array() < (low + dims).array()).all();
-  }
-  std::int32_t step(int axis) const {
-    return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y();
-  }
-  std::int32_t index(const Vec3i& node) const {
-    const Vec3i at = node - low;
-    return (at.z() * dims.y() + at.y()) * dims.x() + at.x();
-  }
-  Vec3i node(std::int32_t index) const {
-    const std::int32_t row = index / dims.x();
-    return low + Vec3i(index % dims.x(), row % dims.y(), row / dims.y());
-  }
-};
 
 bool inTissue(const Organ& organ, const Vec3i& node) {
   return (node.array() >= 0).all() && (node.array() < organ.field.nodeDims().array()).all() &&
@@ -41,7 +21,7 @@ class NodeOwners {
   static constexpr int kFar = 6;  // edges
 
   // For the nodes of the box. Cost: five bytes per node of the box and of kFar round it.
-  NodeOwners(const Organ& organ, const NodeBox& box)
+  NodeOwners(const Organ& organ, const IndexBox& box)
       : organ_(organ),
         box_{box.low - Vec3i::Constant(kFar), box.dims + Vec3i::Constant(2 * kFar)},
         ways_(box_.count(), 0),
@@ -56,7 +36,7 @@ class NodeOwners {
       const std::size_t end = queue_.size();
       for (std::size_t k = layer; k < end; ++k)
         if (waysFrom(queue_[k]) & kParticle) {
-          const std::int64_t particle = particleAt(box_.node(queue_[k]));
+          const std::int64_t particle = particleAt(box_.place(queue_[k]));
           if (owner < 0 || particle < owner) owner = particle;
         }
       if (owner >= 0 || steps == kFar) break;
@@ -84,7 +64,7 @@ class NodeOwners {
   unsigned waysFrom(std::int32_t i) {
     std::uint8_t& ways = ways_[std::size_t(i)];
     if (ways != 0) return ways;
-    const Vec3i node = box_.node(i);
+    const Vec3i node = box_.place(i);
     unsigned found = kKnown;
     if (particleAt(node) >= 0) found |= kParticle;
     for (int way = 0; way < 6; ++way) {
@@ -106,7 +86,7 @@ class NodeOwners {
   }
 
   const Organ& organ_;
-  NodeBox box_;
+  IndexBox box_;
   std::vector<std::uint8_t> ways_;  // per node; 0: not looked at
   std::uint32_t search_ = 0;
   std::vector<std::uint32_t> seenIn_;  // per node: the last search that saw it
@@ -141,14 +121,14 @@ class NodeSet {
     number_.assign(wanted.size(), -1);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       if (wanted[i] == kNone) continue;
-      const Vec3i node = box_.node(std::int32_t(i));
+      const Vec3i node = box_.place(std::int32_t(i));
       if (!take(node, Which(wanted[i]))) continue;
       number_[i] = std::int32_t(nodes_.size());
       nodes_.push_back(node);
     }
   }
 
-  const NodeBox& box() const { return box_; }
+  const IndexBox& box() const { return box_; }
   const std::vector<Vec3i>& all() const { return nodes_; }
   std::int32_t find(const Vec3i& node) const {  // -1 when it is not listed
     return box_.contains(node) ? number_[std::size_t(box_.index(node))] : -1;
@@ -157,7 +137,7 @@ class NodeSet {
  private:
   int reach_;
   std::vector<std::pair<Vec3i, Which>> centres_;
-  NodeBox box_;
+  IndexBox box_;
   std::vector<std::int32_t> number_;
   std::vector<Vec3i> nodes_;
 };

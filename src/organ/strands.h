@@ -14,7 +14,8 @@ namespace resect {
 // which hold each other neither by a bond nor over a third particle is severed. So no strand of
 // surface joins particles that nothing else joins. `parted`: the bonds that went since the last
 // call; `near`: particles near a blade that has cut since; called before the severed edges'
-// update(). Returns the number of edges severed. Cost: some 0.5 us a node.
+// update(). Returns the number of edges severed. Cost: in proportion to the
+// nodes near the cut and round the bonds.
 std::int64_t partStrands(Organ& organ, const TissueModel& tissue,
                          std::span<const TissueBond> parted,
                          std::span<const std::int64_t> near = {});

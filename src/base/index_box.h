@@ -1,0 +1,32 @@
+// A box of a grid's places, numbered densely: where a window of a large grid is looked at often,
+// and the grid itself is too large to keep something for each place of it.
+#pragma once
+
+#include <cstdint>
+
+#include "base/vec.h"
+
+namespace resect {
+
+struct IndexBox {
+  Vec3i low = Vec3i::Zero(), dims = Vec3i::Zero();  // first place; places along each axis, >= 0
+
+  std::size_t count() const { return std::size_t(dims.cast<std::int64_t>().prod()); }
+  bool contains(const Vec3i& place) const {
+    return (place.array() >= low.array()).all() && (place.array() < (low + dims).array()).all();
+  }
+  // Numbers run along x first; the box must hold fewer than 2^31 places.
+  std::int32_t step(int axis) const {
+    return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y();
+  }
+  std::int32_t index(const Vec3i& place) const {
+    const Vec3i at = place - low;
+    return (at.z() * dims.y() + at.y()) * dims.x() + at.x();
+  }
+  Vec3i place(std::int32_t index) const {
+    const std::int32_t row = index / dims.x();
+    return low + Vec3i(index % dims.x(), row % dims.y(), row / dims.y());
+  }
+};
+
+}  // namespace resect
