@@ -6,6 +6,7 @@
 #include <Inventor/events/SoLocation2Event.h>
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <Inventor/manips/SoTransformManip.h>
+#include <doctest/doctest.h>
 
 #include "inventor/model_file.h"
 #include "inventor/operating_session.h"
@@ -86,6 +87,13 @@ struct OperatingBench {
   }
   SbVec2s pixelOf(int tool) const {
     return session->pixelOf(session->middleOfTool(tool), viewport);
+  }
+  // Of its surface, in front of its middle.
+  Vec3 pointOfOrgan() const {
+    Vec3 point;
+    const Vec3 middle = session->cells().lattice.box().centre();
+    REQUIRE(session->pointUnder(session->pixelOf(middle, viewport), viewport, point));
+    return point;
   }
   SbVec2s nowhere() const { return {790, 490}; }  // the room's wall
   bool manipulated(int tool) {
