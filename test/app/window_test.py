@@ -41,11 +41,17 @@ class AtTheWindow(unittest.TestCase):
     def tearDownClass(cls):
         cls.screen.close()
 
-    def test_a_first_operation(self):
-        screen = self.screen
-        window = Window(PROGRAM, screen, "--spacing", "8mm", "--size", "1240x900")
+    def opened(self, spacing="12mm", size="1200x900"):
+        """A window with the built-in liver, ready and with the keys."""
+        window = Window(PROGRAM, self.screen, "--spacing", spacing, "--size", size)
         self.addCleanup(window.quit)
         window.wait("ready")
+        self.screen.focus("^Resect$")
+        return window
+
+    def test_a_first_operation(self):
+        screen = self.screen
+        window = self.opened("8mm", "1240x900")
         organ, scalpel = window.places["organ"], window.places["Scalpel"]
         begin = screen.picture("1_start")
 
@@ -120,10 +126,7 @@ class AtTheWindow(unittest.TestCase):
 
     def test_keys_come_back_from_the_panels(self):
         screen = self.screen
-        window = Window(PROGRAM, screen, "--spacing", "12mm", "--size", "1200x900")
-        self.addCleanup(window.quit)
-        window.wait("ready")
-        screen.focus("^Resect$")
+        window = self.opened()
 
         def places_are_said(*keys):
             window.drain()
@@ -151,10 +154,7 @@ class AtTheWindow(unittest.TestCase):
 
     def test_f1_shows_the_controls_until_the_next_key(self):
         screen = self.screen
-        window = Window(PROGRAM, screen, "--spacing", "12mm", "--size", "1200x900")
-        self.addCleanup(window.quit)
-        window.wait("ready")
-        screen.focus("^Resect$")
+        window = self.opened()
         time.sleep(1.5)
         bare = screen.picture("controls_none")
         middle = (300, 250, 600, 500)
@@ -165,11 +165,33 @@ class AtTheWindow(unittest.TestCase):
         time.sleep(1.0)
         self.assertLess(difference(bare, screen.picture("controls_gone"), middle), 0.05)
 
+    @unittest.skipUnless(shutil.which("ffmpeg") and shutil.which("ffprobe"), "skipped: ffmpeg is not installed")
+    def test_a_film_is_as_long_as_what_was_seen_and_closing_finishes_it(self):
+        screen, file = self.screen, FOLDER / "film.mp4"
+        window = self.opened()
+        screen.key("ctrl+r")
+        screen.focus("^Record video$")
+        screen.key("ctrl+a")
+        screen.type(file)
+        screen.key("Return")
+        begun = time.time()
+        time.sleep(0.5)
+        screen.focus("^Resect$")
+        time.sleep(1.5)
+        screen.drag(window.places["Scalpel"], (500, 300))
+        time.sleep(2)
+        screen.key("ctrl+q")
+        window.process.wait(timeout=60)
+        lasted = time.time() - begun
+        self.assertIn("filmed", window.said + [window.lines.get() for _ in range(window.lines.qsize())])
+        seconds = float(subprocess.run(["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of", "csv=p=0", file],
+                                       capture_output=True, text=True, timeout=60, check=True).stdout)
+        self.assertLess(seconds, lasted + 1)
+        self.assertGreater(seconds, 0.6 * lasted)
+
     def test_files_are_opened_and_saved_through_their_dialogs(self):
         screen = self.screen
-        window = Window(PROGRAM, screen, "--spacing", "12mm", "--size", "1200x900")
-        self.addCleanup(window.quit)
-        window.wait("ready")
+        window = self.opened()
         scene = FOLDER / "by_dialog.iv"
         screen.click(*window.places["organ"])
         screen.focus("^Resect$")
