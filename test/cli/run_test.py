@@ -164,6 +164,7 @@ class Complaints(unittest.TestCase):
         self.assertEqual((mesh.read_bytes(), cells.read_bytes()), before)
 
     def test_a_target_that_cannot_be_written_is_told_before_anything_is(self):
+        FOLDER.mkdir(parents=True, exist_ok=True)
         done = resect("run", "cut-120", "--surface", FOLDER / "early.obj", "--frames", FOLDER / "early", "--json", FOLDER)
         self.assertEqual(done.returncode, 1)
         self.assertIn("folder", done.stderr)
