@@ -22,12 +22,13 @@ void MainWindow::writeScene(const std::string& file) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+  const auto urls = event->mimeData()->urls();
+  if (!urls.isEmpty() && urls.front().isLocalFile()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const auto urls = event->mimeData()->urls();
-  if (!urls.isEmpty()) openFile(urls.front().toLocalFile());
+  event->acceptProposedAction();
+  openFile(event->mimeData()->urls().front().toLocalFile());
 }
 
 // Organ, scenario or saved scene: told by what is in it.

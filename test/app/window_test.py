@@ -23,11 +23,13 @@ from screen import Screen, Window, difference
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 arguments.add_argument("program", metavar="PROGRAM", type=lambda text: str(Path(text).resolve()))
 arguments.add_argument("folder", metavar="FOLDER", type=lambda text: Path(text).resolve())
+arguments.add_argument("--drag-source", metavar="PROGRAM", help="a window that files are dragged from; else beside PROGRAM")
 arguments.add_argument("--measure", action="store_true")
 arguments.add_argument("--random", type=float, metavar="SECONDS")
 arguments.add_argument("--seed", type=int, default=1)
 OPTIONS = arguments.parse_args()
 PROGRAM, FOLDER = OPTIONS.program, OPTIONS.folder
+DRAG_SOURCE = OPTIONS.drag_source or str(Path(PROGRAM).parent / "drag_source")
 
 
 class AtTheWindow(unittest.TestCase):
@@ -48,6 +50,11 @@ class AtTheWindow(unittest.TestCase):
         window.wait("ready")
         self.screen.focus("^Resect$")
         return window
+
+    def another_organ(self, name):
+        file = FOLDER / name
+        subprocess.run([PROGRAM, "liver", "-o", str(file), "--edge", "5mm"], check=True, capture_output=True)
+        return file
 
     def test_a_first_operation(self):
         screen = self.screen
@@ -209,12 +216,7 @@ class AtTheWindow(unittest.TestCase):
 
         name("Save scene", "ctrl+s", scene)
         window.wait(f"written {scene}")
-        # Another organ: what Resect itself writes, in millimetres as other programs would.
-        other = FOLDER / "other.stl"
-        subprocess.run([PROGRAM, "liver", "-o", str(other), "--dims", "12"], check=False, capture_output=True)
-        if not other.exists():
-            window.tell(f"save-surface {other}")
-            window.wait(f"written {other}")
+        other = self.another_organ("other.stl")
         name("Open", "ctrl+o", other)
         window.wait("report ")
         screen.focus("^Open organ$")
@@ -229,6 +231,34 @@ class AtTheWindow(unittest.TestCase):
         window.wait("organ by_dialog.iv")
         time.sleep(1)
         screen.picture("dialog_scene_again")
+
+    def test_what_is_dropped_on_the_window_is_opened(self):
+        """From a window of another program, as from a file manager."""
+        dropped = self.another_organ("dropped.stl")
+        window = self.opened(size="1100x800")
+
+        def drop(what, answer):
+            source = subprocess.Popen([DRAG_SOURCE, str(what), "1150", "850"], env=self.screen.environment,
+                                      stdout=subprocess.PIPE, text=True)
+            try:
+                self.screen.focus("^drag source$")
+                self.screen.drag((1200, 880), window.places["organ"])
+                self.assertEqual(source.stdout.readline().strip(), answer)
+            finally:
+                source.terminate()
+                source.wait(timeout=20)
+                source.stdout.close()
+
+        drop(dropped, "taken")
+        window.wait("report ")
+        self.screen.focus("^Open organ$")
+        self.screen.key("Return")
+        window.wait("organ dropped.stl")
+        drop(FOLDER / "no such file.stl", "taken")
+        self.assertIn("there is no such file", window.wait("report "))
+        self.screen.focus("^Open organ$")
+        self.screen.key("Escape")
+        drop("https://resect.example/liver.stl", "refused")  # nothing of this machine: nothing can be opened
 
     def test_a_3d_mouse_moves_what_is_in_hand(self):
         """A daemon of our own that speaks its protocol: eight integers per report."""
