@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 
 #include "base/assert.h"
 #include "base/growth.h"
+#include "base/instruction_set.h"
 #include "base/parallel.h"
 #include "sph/kernel.h"
 
@@ -16,11 +18,30 @@ constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that w
 constexpr int kMostBricks = 6;       // that a cell reaches along an axis: 17 nodes at refine 4
 constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
 
-// The four nodes of a brick along x: every machine adds them at once.
+// The four nodes of a brick along x.
 using Row = Eigen::Array4f;
+// Two rows: half a plane of nodes, which machines with eight lanes add at once.
+typedef float Half __attribute__((vector_size(32), may_alias));
+
+template <typename Plane>
+[[gnu::always_inline]] inline const Half* halves(const Plane& plane) {
+  return reinterpret_cast<const Half*>(plane.data());
+}
 
 void andWith(const std::uint8_t* other, std::size_t count, std::uint8_t* bytes) {
   for (std::size_t i = 0; i < count; ++i) bytes[i] &= other[i];
+}
+
+constexpr std::uint8_t kHoldsNone = 1, kHoldsAll = 2;  // what cells hold, as bits
+
+// For each cell of a row: what do the `width` cells from it on all hold? work: count + width bytes.
+RESECT_WIDEST
+void holdAlong(const float* cell, std::size_t count, int width, std::uint8_t* work,
+               std::uint8_t* held) {
+  for (std::size_t x = 0; x < count; ++x)
+    work[x] = std::uint8_t((cell[x] == 0.f ? kHoldsNone : 0) | (cell[x] == 100.f ? kHoldsAll : 0));
+  std::copy_n(work, count, held);
+  for (int step = 1; step < width; ++step) andWith(work + step, count, held);
 }
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
@@ -127,72 +148,83 @@ ColourField::Reach ColourField::reach(const Vec3i& b) const {
 // a brick reaches, is found once for all bricks that the row passes; all else is one AND per row of
 // bytes. Aims at 10 bytes moved per cell.
 void ColourField::classifyBricks() {
-  constexpr std::uint8_t kEmptyBit = 1, kFullBit = 2;
   const std::size_t across = std::size_t(paddedDims_.x());
   const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
   std::vector<std::uint8_t> held(cells_.size());
   parallelFor(held.size() / across, 256, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint8_t> flags(across + std::size_t(width), 0);
-    for (std::size_t row = begin; row < end; ++row) {
-      const float* cell = cells_.data() + row * across;
-      std::uint8_t* all = held.data() + row * across;
-      for (std::size_t x = 0; x < across; ++x)
-        flags[x] =
-            std::uint8_t((cell[x] == 0.f ? kEmptyBit : 0) | (cell[x] == 100.f ? kFullBit : 0));
-      std::copy_n(flags.begin(), across, all);
-      for (int step = 1; step < width; ++step) andWith(flags.data() + step, across, all);
-    }
+    std::vector<std::uint8_t> work(across + std::size_t(width), 0);
+    for (std::size_t row = begin; row < end; ++row)
+      holdAlong(cells_.data() + row * across, across, width, work.data(),
+                held.data() + row * across);
   });
   parallelFor(
       std::size_t(brickDims_.y()) * brickDims_.z(), 16, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint8_t> all(across);
         for (std::size_t i = begin; i < end; ++i) {
           const Vec3i b(0, int(i) % brickDims_.y(), int(i) / brickDims_.y()), low = windowCell(b);
-          std::fill(all.begin(), all.end(), kEmptyBit | kFullBit);
+          std::fill(all.begin(), all.end(), kHoldsNone | kHoldsAll);
           for (int z = low.z(); z <= highestCell(b.z()); ++z)
             for (int y = low.y(); y <= highestCell(b.y()); ++y)
               andWith(held.data() + padded({-kPad, y, z}), across, all.data());
           std::int32_t* slot = slotOf_.data() + brickIndex(b);
           for (int x = 0; x < brickDims_.x(); ++x) {
             const std::uint8_t holds = all[std::size_t(windowCell({x, 0, 0}).x() + kPad)];
-            slot[x] = holds == kEmptyBit ? kEmpty : holds == kFullBit ? kFull : 0;
+            slot[x] = holds == kHoldsNone ? kEmpty : holds == kHoldsAll ? kFull : 0;
           }
         }
       });
 }
 
-// Evaluates the planes of nodes named by the bits of `planes`, all 16 nodes of a plane at a time.
-// Every node adds its cells in the same order whatever its plane or brick; a tap that does not
-// reach it adds an exact zero. Aims at a load, a product and a sum per tap and row of four nodes;
-// the four sums hide each other's latency, so wider vectors would not be faster.
+// Evaluates the planes of nodes named by the bits of `planes`, two planes that lie alike in their cells
+// at a time. Every node adds its cells in the same order whatever its plane or brick; a tap that does
+// not reach it adds an exact zero. Aims at a product and a sum per tap and eight nodes; the four
+// sums of a pair of planes hide each other's latency.
+RESECT_WIDEST
 void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
   const Vec3i low = windowCell(b), first = phase(b);
   int place[3][kBrickNodes];  // of the nodes along each axis: cells on from the first node's
   for (int a = 0; a < 3; ++a)
     for (int i = 0; i < kBrickNodes; ++i) place[a][i] = (first[a] + i) / refine_;
-  const bool apart = refine_ == 1;  // each node along x in a cell of its own
+  // The cells from `cell` on along x as the four nodes of a row see them.
+  const auto alongX = [&](const float* cell) -> Row {
+    if (refine_ == 1) return Row::Map(cell);
+    if (refine_ == 2) return {cell[0], cell[0], cell[1], cell[1]};
+    return {cell[place[0][0]], cell[place[0][1]], cell[place[0][2]], cell[place[0][3]]};
+  };
   CellPlanes cells;
-  for (int z = 0; z < place[2][kBrickNodes - 1] + kReach; ++z)
+  for (int z = 0; z < place[2][kBrickNodes - 1] + kReach; ++z) {
+    Row seen[kWindow][kReach];
     for (int row = 0; row < place[1][kBrickNodes - 1] + kReach; ++row) {
       const float* cell = cells_.data() + padded(low + Vec3i(0, row, z));
-      for (int dx = 0; dx < kReach; ++dx, ++cell) {
-        const Row seen =
-            apart ? Row(Row::Map(cell))
-                  : Row(cell[place[0][0]], cell[place[0][1]], cell[place[0][2]], cell[place[0][3]]);
-        for (int y = 0; y < kBrickNodes; ++y)
-          if (const int dy = row - place[1][y]; dy >= 0 && dy < kReach)
-            Row::Map(&cells[z][dy][dx][y * kBrickNodes]) = seen;
-      }
+      for (int dx = 0; dx < kReach; ++dx) seen[row][dx] = alongX(cell + dx);
     }
-  for (int z = 0; z < kBrickNodes; ++z, out += kBrickNodes * kBrickNodes) {
+    for (int dy = 0; dy < kReach; ++dy)
+      for (int dx = 0; dx < kReach; ++dx)
+        for (int y = 0; y < kBrickNodes; ++y)
+          Row::Map(&cells[z][dy][dx][y * kBrickNodes]) = seen[place[1][y] + dy][dx];
+  }
+  for (int z = 0; z < kBrickNodes; ++z) {
     if (!(planes >> z & 1)) continue;
-    const Plane* own = cells[place[2][z]][0];
-    Row sum[kBrickNodes] = {Row::Zero(), Row::Zero(), Row::Zero(), Row::Zero()};
-    for (const Tap& tap : taps_[phaseIndex({first.x(), first.y(), (first.z() + z) % refine_})])
-      for (int y = 0; y < kBrickNodes; ++y)
-        sum[y] +=
-            Row::Map(&own[tap.offset][y * kBrickNodes]) * Row::Map(&tap.weight[y * kBrickNodes]);
-    for (int y = 0; y < kBrickNodes; ++y) Row::Map(out + y * kBrickNodes) = sum[y];
+    // The next plane that lies alike; where there is none, the plane is its own partner.
+    const int other = z + refine_ < kBrickNodes && (planes >> (z + refine_) & 1) ? z + refine_ : z;
+    planes &= ~(1u << other);
+    const Plane *own = cells[place[2][z]][0], *others = cells[place[2][other]][0];
+    Half sum0 = {}, sum1 = {}, sum2 = {}, sum3 = {};
+    for (const Tap& tap : taps_[phaseIndex({first.x(), first.y(), (first.z() + z) % refine_})]) {
+      const Half *weight = halves(tap.weight), *a = halves(own[tap.offset]),
+                 *c = halves(others[tap.offset]);
+      sum0 += a[0] * weight[0];
+      sum1 += a[1] * weight[1];
+      sum2 += c[0] * weight[0];
+      sum3 += c[1] * weight[1];
+    }
+    const auto store = [&](const Half& sum, int row) {
+      std::memcpy(out + row * kBrickNodes, &sum, sizeof sum);
+    };
+    store(sum0, z * kBrickNodes);
+    store(sum1, z * kBrickNodes + 2);
+    store(sum2, other * kBrickNodes);
+    store(sum3, other * kBrickNodes + 2);
   }
 }
 

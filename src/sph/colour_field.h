@@ -100,7 +100,7 @@ class ColourField {
   // What do the cells hold that the nodes of a brick and the plane of nodes after them reach?
   enum class Reach { Empty, Full, Mixed };
   // Numbers for the 16 nodes of a plane z of a brick, x fastest.
-  using Plane = std::array<float, kBrickNodes * kBrickNodes>;
+  struct alignas(32) Plane : std::array<float, kBrickNodes * kBrickNodes> {};
 
   // The share of a cell in the nodes of a plane of a brick. Neighbouring nodes differ in their
   // place within their cells, so each has its own weight; 0 where it does not reach the cell.
