@@ -144,9 +144,9 @@ ColourField::Reach ColourField::reach(const Vec3i& b) const {
   return first == 0.f ? Reach::Empty : Reach::Full;
 }
 
-// reach() of every brick, into slotOf_. What a row of cells holds from each of its cells on, as far as
-// a brick reaches, is found once for all bricks that the row passes; all else is one AND per row of
-// bytes. Aims at 10 bytes moved per cell.
+// reach() of every brick, into slotOf_. What a row of cells holds from each of its cells on, as far
+// as a brick reaches, is found once for all bricks that the row passes; all else is one AND per row
+// of bytes. Aims at 10 bytes moved per cell.
 void ColourField::classifyBricks() {
   const std::size_t across = std::size_t(paddedDims_.x());
   const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
@@ -175,10 +175,10 @@ void ColourField::classifyBricks() {
       });
 }
 
-// Evaluates the planes of nodes named by the bits of `planes`, two planes that lie alike in their cells
-// at a time. Every node adds its cells in the same order whatever its plane or brick; a tap that does
-// not reach it adds an exact zero. Aims at a product and a sum per tap and eight nodes; the four
-// sums of a pair of planes hide each other's latency.
+// Evaluates the planes of nodes named by the bits of `planes`, two planes that lie alike in their
+// cells at a time. Every node adds its cells in the same order whatever its plane or brick; a tap
+// that does not reach it adds an exact zero. Aims at a product and a sum per tap and eight nodes;
+// the four sums of a pair of planes hide each other's latency.
 RESECT_WIDEST
 void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
   const Vec3i low = windowCell(b), first = phase(b);

@@ -78,6 +78,13 @@ std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& ins
 }
 
 RESECT_WIDEST
+int countTriangles(const std::array<std::uint64_t, 8>& corners, std::uint64_t except) {
+  int count = 0;
+  visitCells(corners, except, [&](int, const CellTriangles& drawn) { count += drawn.count; });
+  return count;
+}
+
+RESECT_WIDEST
 void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSigns& signs, float iso,
                    SurfaceVertex* out) {
   Halo halo;

@@ -13,6 +13,7 @@
 
 #include "base/vec.h"
 #include "sph/colour_field.h"
+#include "surface/marching_cubes_table.h"
 
 namespace resect {
 
@@ -24,16 +25,35 @@ std::uint64_t insideMask(std::span<const float, kBrickSize> nodes, float iso);
 // = cell; corner 0 is the brick's own mask.
 std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& inside);
 
+// visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending,
+// but those in `except`; `corners`: what cornerMasks() gives.
+template <typename Visit>
+[[gnu::always_inline]] inline void visitCells(const std::array<std::uint64_t, 8>& corners,
+                                              std::uint64_t except, Visit visit) {
+  std::uint64_t any = 0, all = ~std::uint64_t(0);
+  for (const std::uint64_t mask : corners) any |= mask, all &= mask;
+  const auto& table = marchingCubesTable();
+  for (std::uint64_t rest = any & ~all & ~except; rest != 0; rest &= rest - 1) {
+    const int cell = std::countr_zero(rest);
+    int kind = 0;
+    for (int c = 0; c < 8; ++c) kind |= int(corners[c] >> cell & 1) << c;
+    visit(cell, table[kind]);
+  }
+}
+
+// How many triangles those are.
+int countTriangles(const std::array<std::uint64_t, 8>& corners, std::uint64_t except);
+
 // Which of the brick's 64 nodes are inside, and which of its 192 edges cross the surface.
 struct BrickSigns {
   std::uint64_t inside = 0;
-  std::array<std::uint64_t, 3> crossing{};  // per axis, bit = lower node
-  std::array<std::int32_t, 4>
-      firstVertex{};  // per axis: number of its first vertex; then the count
+  std::array<std::uint64_t, 3> crossing{};    // per axis, bit = lower node
+  std::array<std::uint8_t, 4> firstVertex{};  // per axis: number of its first one; then the count
 
   void setCrossing(const std::array<std::uint64_t, 3>& edges) {
     crossing = edges;
-    for (int a = 0; a < 3; ++a) firstVertex[a + 1] = firstVertex[a] + std::popcount(edges[a]);
+    for (std::size_t a = 0; a < 3; ++a)
+      firstVertex[a + 1] = std::uint8_t(firstVertex[a] + std::popcount(edges[a]));
   }
   int vertexCount() const { return firstVertex[3]; }
   // Number within the brick of the vertex on the edge from `node` (0..63) along `axis`.

@@ -1,43 +1,16 @@
 #include "surface/surface_tracker.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "base/assert.h"
 #include "base/growth.h"
-#include "base/instruction_set.h"
 #include "base/parallel.h"
-#include "surface/marching_cubes_table.h"
 
 namespace resect {
 namespace {
 
 constexpr std::size_t kGrain = 128;     // bricks that one thread takes: some 50 us
 constexpr std::size_t kWoundGrain = 8;  // the same of bricks that are cut
-
-// visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending,
-// but those in `except`; `inside`: as for cornerMasks().
-template <typename Visit>
-[[gnu::always_inline]] inline void visitCells(const std::array<std::uint64_t, 8>& inside,
-                                              std::uint64_t except, Visit visit) {
-  const auto corners = cornerMasks(inside);
-  std::uint64_t any = 0, all = ~std::uint64_t(0);
-  for (const std::uint64_t mask : corners) any |= mask, all &= mask;
-  const auto& table = marchingCubesTable();
-  for (std::uint64_t rest = any & ~all & ~except; rest != 0; rest &= rest - 1) {
-    const int cell = std::countr_zero(rest);
-    int kind = 0;
-    for (int c = 0; c < 8; ++c) kind |= int(corners[c] >> cell & 1) << c;
-    visit(cell, table[kind]);
-  }
-}
-
-RESECT_WIDEST
-std::int32_t countTriangles(const std::array<std::uint64_t, 8>& inside, std::uint64_t except) {
-  std::int32_t count = 0;
-  visitCells(inside, except, [&](int, const CellTriangles& drawn) { count += drawn.count; });
-  return count;
-}
 
 }  // namespace
 
@@ -176,17 +149,19 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     }
   }
 
-  // 2. Which edges cross the surface? Then each brick gets room for its vertices; its own triangles
-  // and those of the bricks below it, which share its vertices, are drawn again.
+  // 2. Which edges cross the surface, and how many triangles do its cells hold? Then each brick
+  // gets room for its vertices; its own triangles and those of the bricks below it, which share its
+  // vertices, are drawn again.
   parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (recordOf_[bricks[i]] == kNone) continue;
       const auto corners = cornerMasks(above(field, bricks[i]).inside);
       const std::array crossing = {corners[0] ^ corners[1], corners[0] ^ corners[2],
                                    corners[0] ^ corners[4]};
-      BrickSigns& signs = bricks_[recordOf_[bricks[i]]].signs;
-      renumbered_[i] |= signs.crossing != crossing;
-      signs.setCrossing(crossing);
+      BrickMesh& mesh = bricks_[recordOf_[bricks[i]]];
+      renumbered_[i] |= mesh.signs.crossing != crossing;
+      mesh.signs.setCrossing(crossing);
+      mesh.wholeTriangles = std::int16_t(countTriangles(corners, 0));
     }
   });
   woundBricks_.clear();
@@ -264,9 +239,12 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const BrickMesh& mesh = bricks_[recordOf_[retriangulate_[i]]];
-      newTriangles_[i] = countTriangles(above(field, retriangulate_[i]).inside, woundCells(mesh));
-      if (mesh.wound != kNone)
-        newTriangles_[i] += std::int32_t(wounds_[std::size_t(mesh.wound)].triangles.size());
+      newTriangles_[i] = mesh.wholeTriangles;
+      if (mesh.wound == kNone) continue;
+      const BrickWound& cut = wounds_[std::size_t(mesh.wound)];
+      newTriangles_[i] =
+          countTriangles(cornerMasks(above(field, retriangulate_[i]).inside), cut.cells) +
+          std::int32_t(cut.triangles.size());
     }
   });
   for (std::size_t i = 0; i < retriangulate_.size(); ++i) {
@@ -293,78 +271,6 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     for (std::size_t i = begin; i < end; ++i)
       if (newTriangles_[i] > 0) drawTriangles(field, retriangulate_[i]);
   });
-}
-
-// The brick itself and its seven neighbours above, numbered as in cornerMasks(): their meshes, null
-// where there is none.
-SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64_t brick) const {
-  Above result{};
-  const Vec3i at = field.brick(brick);
-  for (int d = 0; d < 8; ++d) {
-    const Vec3i b = at + Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);
-    if ((b.array() >= field.brickDims().array()).any()) continue;
-    const std::int64_t index = field.brickIndex(b);
-    if (recordOf_[index] != kNone) {
-      result.mesh[d] = &bricks_[recordOf_[index]];
-      result.inside[d] = result.mesh[d]->signs.inside;
-    } else if (field.slot(index) == ColourField::kFull) {
-      result.inside[d] = ~std::uint64_t(0);
-    }
-  }
-  return result;
-}
-
-RESECT_WIDEST
-void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick) {
-  const Above around = above(field, brick);
-  const BrickMesh& mesh = bricks_[recordOf_[brick]];
-  Triangle* out = triangles_.data() + mesh.firstTriangle;
-  visitCells(around.inside, woundCells(mesh), [&](int cell, const CellTriangles& drawn) {
-    for (int t = 0; t < drawn.count; ++t, ++out)
-      for (int v = 0; v < 3; ++v) {
-        const CellEdge edge = kCellEdges[drawn.edges[t][v]];
-        // The edge's lower node, 0 to 4 along each axis: 4 lies in the neighbour above.
-        const int x = (cell & 3) + (edge.from & 1), y = (cell >> 2 & 3) + (edge.from >> 1 & 1),
-                  z = (cell >> 4) + (edge.from >> 2);
-        const BrickMesh* owner = around.mesh[x >> 2 | (y >> 2) << 1 | (z >> 2) << 2];
-        const int node = (x & 3) | (y & 3) << 2 | (z & 3) << 4;
-        (*out)[v] = owner->firstVertex + owner->signs.vertex(edge.axis, node);
-      }
-  });
-  if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], out);
-}
-
-// A wound's triangles name their corners by cell; here they get numbers.
-void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound, Triangle* out) const {
-  const auto vertex = [&](const BrickWound::Triangle& t, int corner) {
-    const Vec3i cell(t.cell & 3, t.cell >> 2 & 3, t.cell >> 4);
-    // The brick, among those above, that owns what lies at a node, 0 to 4 along each axis.
-    const auto owner = [&](const Vec3i& n) -> const BrickMesh& {
-      return *around.mesh[n.x() >> 2 | (n.y() >> 2) << 1 | (n.z() >> 2) << 2];
-    };
-    const auto number = [](const Vec3i& n) {
-      return (n.x() & 3) | (n.y() & 3) << 2 | (n.z() & 3) << 4;
-    };
-    const auto ofWound = [&](const BrickMesh& mesh) {
-      return mesh.firstVertex + mesh.signs.vertexCount();
-    };
-    if (corner >= kFirstCellVertex) return ofWound(*around.mesh[0]) + corner - kFirstCellVertex;
-    if (corner >= kFirstFaceVertex) {
-      const int face = (corner - kFirstFaceVertex) / 8, axis = face / 2;
-      const Vec3i n = cell + face % 2 * Vec3i::Unit(axis);
-      const BrickMesh& mesh = owner(n);
-      return ofWound(mesh) + wounds_[std::size_t(mesh.wound)].faceVertex(
-                                 axis, number(n), (corner - kFirstFaceVertex) % 8, t.lip);
-    }
-    const CellEdge edge = kCellEdges[std::size_t(corner / 3)];
-    const Vec3i n = cell + Vec3i(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
-    const BrickMesh& mesh = owner(n);
-    if (corner % 3 == kIsoNode) return mesh.firstVertex + mesh.signs.vertex(edge.axis, number(n));
-    return ofWound(mesh) +
-           wounds_[std::size_t(mesh.wound)].edgeVertex(edge.axis, number(n), corner % 3);
-  };
-  for (const BrickWound::Triangle& t : wound.triangles)
-    *out++ = {vertex(t, t.corners[0]), vertex(t, t.corners[1]), vertex(t, t.corners[2])};
 }
 
 }  // namespace resect

@@ -100,8 +100,9 @@ class SurfaceTracker {
     BrickSigns signs;
     std::int32_t firstVertex = 0, vertices = 0;
     std::int32_t firstTriangle = 0, triangles = 0;
-    bool drawAgain = false;      // in retriangulate_
-    std::int32_t wound = kNone;  // into wounds_
+    std::int16_t wholeTriangles = 0;  // of its cells as if none were cut
+    bool drawAgain = false;           // in retriangulate_
+    std::int32_t wound = kNone;       // into wounds_
   };
   struct Above {
     std::array<const BrickMesh*, 8> mesh;

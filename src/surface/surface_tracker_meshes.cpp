@@ -1,4 +1,5 @@
-// The surface as meshes of their own; following the organ is in surface_tracker.cpp.
+// The surface as meshes of their own; following the organ is in surface_tracker.cpp, drawing a
+// brick in surface_tracker_triangles.cpp.
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -1,0 +1,119 @@
+// How are the triangles of a brick drawn, with vertices that it shares with the bricks above it?
+#include <array>
+#include <bit>
+
+#include "base/instruction_set.h"
+#include "surface/marching_cubes_table.h"
+#include "surface/surface_tracker.h"
+
+namespace resect {
+namespace {
+
+// The nodes 0 to 4 of a brick along each axis, the last of them in the bricks above: x fastest.
+constexpr int kSpan = kBrickNodes + 1, kSpanStep[3] = {1, kSpan, kSpan*kSpan};
+constexpr int spanIndex(int x, int y, int z) { return (z * kSpan + y) * kSpan + x; }
+constexpr int spanIndex(int node) { return spanIndex(node & 3, node >> 2 & 3, node >> 4); }
+
+// The nodes of a brick that its neighbour below along an axis shares with it: those with 0 there.
+constexpr std::uint64_t kFirstNodes[3] = {0x1111111111111111, 0x000f000f000f000f, 0xffff};
+
+// For each edge of a cell: where it stands in a table of edges by axis and lower node, from the
+// place of the cell's own node on.
+constexpr std::array<int, 12> kEdgePlace = [] {
+  std::array<int, 12> places{};
+  for (std::size_t e = 0; e < 12; ++e) {
+    const CellEdge& edge = kCellEdges[e];
+    places[e] = edge.axis * kSpan * kSpan * kSpan +
+                spanIndex(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
+  }
+  return places;
+}();
+
+}  // namespace
+
+// The brick itself and its seven neighbours above, numbered as in cornerMasks(): their meshes, null
+// where there is none.
+SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64_t brick) const {
+  Above result{};
+  const Vec3i at = field.brick(brick);
+  for (int d = 0; d < 8; ++d) {
+    const Vec3i b = at + Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);
+    if ((b.array() >= field.brickDims().array()).any()) continue;
+    const std::int64_t index = field.brickIndex(b);
+    if (recordOf_[index] != kNone) {
+      result.mesh[d] = &bricks_[recordOf_[index]];
+      result.inside[d] = result.mesh[d]->signs.inside;
+    } else if (field.slot(index) == ColourField::kFull) {
+      result.inside[d] = ~std::uint64_t(0);
+    }
+  }
+  return result;
+}
+
+RESECT_WIDEST
+void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick) {
+  const Above around = above(field, brick);
+  const BrickMesh& mesh = bricks_[recordOf_[brick]];
+  // The vertex on each edge that the brick's cells can use: its own, and of the neighbours above
+  // those in the plane, line or corner that they share with it.
+  std::array<std::int32_t, 3 * kSpan * kSpan * kSpan> vertex;
+  for (int d = 0; d < 7; ++d) {
+    if (around.mesh[d] == nullptr) continue;
+    const BrickMesh& owner = *around.mesh[d];
+    std::uint64_t shared = ~std::uint64_t(0);
+    int place = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      if (d >> axis & 1) shared &= kFirstNodes[axis], place += kBrickNodes * kSpanStep[axis];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (d >> axis & 1) continue;  // leads away from the brick
+      std::int32_t* out = vertex.data() + axis * kSpan * kSpan * kSpan + place;
+      for (std::uint64_t rest = owner.signs.crossing[axis] & shared; rest != 0; rest &= rest - 1) {
+        const int node = std::countr_zero(rest);
+        out[spanIndex(node)] = owner.firstVertex + owner.signs.vertex(axis, node);
+      }
+    }
+  }
+  Triangle* out = triangles_.data() + mesh.firstTriangle;
+  visitCells(cornerMasks(around.inside), woundCells(mesh),
+             [&](int cell, const CellTriangles& drawn) {
+               const std::int32_t* at = vertex.data() + spanIndex(cell);
+               for (int t = 0; t < drawn.count; ++t, ++out)
+                 for (int v = 0; v < 3; ++v) (*out)[v] = at[kEdgePlace[drawn.edges[t][v]]];
+             });
+  if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], out);
+}
+
+// A wound's triangles name their corners by cell; here they get numbers.
+void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound, Triangle* out) const {
+  const auto vertex = [&](const BrickWound::Triangle& t, int corner) {
+    const Vec3i cell(t.cell & 3, t.cell >> 2 & 3, t.cell >> 4);
+    // The brick, among those above, that owns what lies at a node, 0 to 4 along each axis.
+    const auto owner = [&](const Vec3i& n) -> const BrickMesh& {
+      return *around.mesh[n.x() >> 2 | (n.y() >> 2) << 1 | (n.z() >> 2) << 2];
+    };
+    const auto number = [](const Vec3i& n) {
+      return (n.x() & 3) | (n.y() & 3) << 2 | (n.z() & 3) << 4;
+    };
+    const auto ofWound = [&](const BrickMesh& mesh) {
+      return mesh.firstVertex + mesh.signs.vertexCount();
+    };
+    if (corner >= kFirstCellVertex) return ofWound(*around.mesh[0]) + corner - kFirstCellVertex;
+    if (corner >= kFirstFaceVertex) {
+      const int face = (corner - kFirstFaceVertex) / 8, axis = face / 2;
+      const Vec3i n = cell + face % 2 * Vec3i::Unit(axis);
+      const BrickMesh& mesh = owner(n);
+      return ofWound(mesh) + wounds_[std::size_t(mesh.wound)].faceVertex(
+                                 axis, number(n), (corner - kFirstFaceVertex) % 8, t.lip);
+    }
+    const CellEdge edge = kCellEdges[std::size_t(corner / 3)];
+    const Vec3i n = cell + Vec3i(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
+    const BrickMesh& mesh = owner(n);
+    if (corner % 3 == kIsoNode) return mesh.firstVertex + mesh.signs.vertex(edge.axis, number(n));
+    return ofWound(mesh) +
+           wounds_[std::size_t(mesh.wound)].edgeVertex(edge.axis, number(n), corner % 3);
+  };
+  for (const BrickWound::Triangle& t : wound.triangles)
+    *out++ = {vertex(t, t.corners[0]), vertex(t, t.corners[1]), vertex(t, t.corners[2])};
+}
+
+}  // namespace resect
