@@ -38,7 +38,13 @@ RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std:
                            const Strains& strains) {
   const Lanes kappa = load(s.kappa + i), perLength = all(c.inverseSpacing);
   const Lanes bondStiffness = (perLength * perLength) * (kappa + kappa);
-  for (int a = 0; a < 3; ++a) store(s.bondForce[a] + i, strains.difference[a] * bondStiffness);
+  IntLanes there = {};
+  if constexpr (!Full) there = load(s.inverseMass + i) > Lanes{};
+  // Zero where no cell is: the force sums rely on it.
+  const auto put = [&](float* to, const Lanes& value) {
+    store(to + i, Full ? value : masked(value, there));
+  };
+  for (int a = 0; a < 3; ++a) put(s.bondForce[a], strains.difference[a] * bondStiffness);
   const Lanes* g = strains.gradient;
   const InverseMoment<Full> moment(s, i);
   Lanes h[9];  // H = G L
@@ -72,7 +78,7 @@ RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std:
     Lanes p[3], pl[3];
     for (int b = 0; b < 3; ++b) p[b] = mu * shear[3 * a + b] + pressure * cof[3 * a + b];
     moment.multiply(p, pl);
-    for (int b = 0; b < 3; ++b) store(s.stress[3 * a + b] + i, pl[b] - kappa * h[3 * a + b]);
+    for (int b = 0; b < 3; ++b) put(s.stress[3 * a + b], pl[b] - kappa * h[3 * a + b]);
   }
 }
 
@@ -121,19 +127,16 @@ struct NoDenormals {
 // Chunks that lie behind each other in memory and can be summed by planes.
 struct PlaneRun {
   int chunks;          // 0 when the first cannot
-  std::int32_t first;  // cell before the first that matters
-  int cells;           // to the one after the last that matters
+  std::int32_t first;  // cell before the first
+  int begin, end;  // planes that matter, from `first` on: of the solid cells and one more each way
 };
 static PlaneRun planeRun(const TissueChunk* chunk, const TissueChunk* end) {
   int n = 0;
   while (n < kRunChunks && chunk + n < end && chunk[n].whole &&
          chunk[n].start == chunk[0].start + n * kChunk)
     ++n;
-  if (n == 0) return {0, 0, 0};
-  constexpr int kHalf = kChunk / 2;
-  const int lead = kLanes <= kHalf && chunk[0].empty[0] ? kHalf : 0;
-  const int tail = kLanes <= kHalf && chunk[n - 1].empty[1] ? kHalf : 0;
-  return {n, chunk[0].start + lead - 1, n * kChunk - lead - tail + 2};
+  if (n == 0) return {0, 0, 0, 0};
+  return {n, chunk[0].start - 1, chunk[0].first, (n - 1) * kChunk + chunk[n - 1].last + 3};
 }
 
 // The vectors of a chunk that hold a cell.
@@ -149,11 +152,11 @@ static void stressPass(const ElasticView& s, const SubstepConstants& c, std::siz
                        std::size_t end) {
   const NoDenormals guard;
   const PlaneSteps step = planeSteps(s);
-  StrainPlanes planes;
+  StrainPlanes planes = {};  // planes beyond solid cells are read, and count for nothing
   Strains strains;
   for (const TissueChunk *chunk = s.chunks + begin, *last = s.chunks + end; chunk < last;) {
     if (const PlaneRun run = planeRun(chunk, last); run.chunks > 0) {
-      sumStrainPlanes(s, c, step, run.first, run.cells, planes);
+      sumStrainPlanes(s, c, step, run.first, run.begin, run.end, planes);
       for (const TissueChunk* after = chunk + run.chunks; chunk < after; ++chunk)
         for (int at = 0; at < kChunk; at += kLanes) {
           const Part part = partOf(*chunk, at);
@@ -184,11 +187,11 @@ static bool motionPass(const ElasticView& s, const SubstepConstants& c, std::siz
   const NoDenormals guard;
   const PlaneSteps step = planeSteps(s);
   IntLanes exploded = {};
-  ForcePlanes planes;
+  ForcePlanes planes = {};
   Lanes force[3];
   for (const TissueChunk *chunk = s.chunks + begin, *last = s.chunks + end; chunk < last;) {
     if (const PlaneRun run = planeRun(chunk, last); run.chunks > 0) {
-      sumForcePlanes(s, c, step, run.first, run.cells, planes);
+      sumForcePlanes(s, c, step, run.first, run.begin, run.end, planes);
       for (const TissueChunk* after = chunk + run.chunks; chunk < after; ++chunk)
         for (int at = 0; at < kChunk; at += kLanes) {
           const Part part = partOf(*chunk, at);

@@ -29,22 +29,24 @@ struct StrainPlanes {
 };
 
 RESECT_INLINE void sumStrainPlanes(const ElasticView& s, const SubstepConstants& c,
-                                   const PlaneSteps& step, std::int32_t first, int cells,
+                                   const PlaneSteps& step, std::int32_t first, int begin, int end,
                                    StrainPlanes& planes) {
   const Lanes face = all(c.faceShare), corner = all(c.cornerShare);
-  for (int at = 0; at < cells; at += kLanes) {
-    const std::int32_t p = first + at;
+  for (int at = begin; at < end; at += kLanes) {
+    const std::int64_t p = first + at;
+    std::int64_t to[8];
+    for (int k = 0; k < 8; ++k) to[k] = p + step.to[k];
     IntLanes there[8];
-    for (int k = 0; k < 8; ++k) there[k] = load(s.inverseMass + p + step.to[k]) > Lanes{};
+    for (int k = 0; k < 8; ++k) there[k] = load(s.inverseMass + to[k]) > Lanes{};
     const IntLanes here = load(s.inverseMass + p) > Lanes{};
     const IntLanes before = load(s.inverseMass + p - 1) > Lanes{};
     for (int a = 0; a < 3; ++a) {
-      const float* u = s.ahead[a] + p;
+      const float* u = s.ahead[a];
       // Where no cell is, its neighbour in the row stands in.
-      const Lanes own = load(u), left = load(u - 1), right = load(u + 1);
+      const Lanes own = load(u + p), left = load(u + p - 1), right = load(u + p + 1);
       const Lanes middle = here ? own : before ? left : right;
       Lanes d[8];
-      for (int k = 0; k < 8; ++k) d[k] = masked(load(u + step.to[k]) - middle, there[k]);
+      for (int k = 0; k < 8; ++k) d[k] = masked(load(u + to[k]) - middle, there[k]);
       const Lanes up = d[kUpFore] + d[kUpAft], down = d[kDownFore] + d[kDownAft];
       const Lanes faces[3] = {(d[kUp] + d[kDown]) + (d[kFore] + d[kAft]), d[kUp] - d[kDown],
                               d[kFore] - d[kAft]};
@@ -101,25 +103,26 @@ struct ForcePlanes {
 };
 
 RESECT_INLINE void sumForcePlanes(const ElasticView& s, const SubstepConstants& c,
-                                  const PlaneSteps& step, std::int32_t first, int cells,
+                                  const PlaneSteps& step, std::int32_t first, int begin, int end,
                                   ForcePlanes& planes) {
   const Lanes face = all(c.faceShare), corner = all(c.cornerShare);
-  for (int at = 0; at < cells; at += kLanes) {
-    const std::int32_t p = first + at;
+  for (int at = begin; at < end; at += kLanes) {
+    const std::int64_t p = first + at;
+    std::int64_t to[8];
+    for (int k = 0; k < 8; ++k) to[k] = p + step.to[k];
     for (int a = 0; a < 3; ++a) {
-      const float *x = s.stress[3 * a] + p, *y = s.stress[3 * a + 1] + p,
-                  *z = s.stress[3 * a + 2] + p;
-      const Lanes faces = (load(x + step.to[kUp]) + load(x + step.to[kDown])) +
-                          (load(x + step.to[kFore]) + load(x + step.to[kAft]));
-      const Lanes corners = (load(x + step.to[kUpFore]) + load(x + step.to[kUpAft])) +
-                            (load(x + step.to[kDownFore]) + load(x + step.to[kDownAft]));
-      const Lanes along = face * load(x) + faces + corner * corners;
-      const Lanes facesAcross = (load(y + step.to[kUp]) - load(y + step.to[kDown])) +
-                                (load(z + step.to[kFore]) - load(z + step.to[kAft]));
-      const Lanes cornersAcross = ((load(y + step.to[kUpFore]) + load(y + step.to[kUpAft])) -
-                                   (load(y + step.to[kDownFore]) + load(y + step.to[kDownAft]))) +
-                                  ((load(z + step.to[kUpFore]) + load(z + step.to[kDownFore])) -
-                                   (load(z + step.to[kUpAft]) + load(z + step.to[kDownAft])));
+      const float *x = s.stress[3 * a], *y = s.stress[3 * a + 1], *z = s.stress[3 * a + 2];
+      const Lanes faces =
+          (load(x + to[kUp]) + load(x + to[kDown])) + (load(x + to[kFore]) + load(x + to[kAft]));
+      const Lanes corners = (load(x + to[kUpFore]) + load(x + to[kUpAft])) +
+                            (load(x + to[kDownFore]) + load(x + to[kDownAft]));
+      const Lanes along = face * load(x + p) + faces + corner * corners;
+      const Lanes facesAcross =
+          (load(y + to[kUp]) - load(y + to[kDown])) + (load(z + to[kFore]) - load(z + to[kAft]));
+      const Lanes cornersAcross = ((load(y + to[kUpFore]) + load(y + to[kUpAft])) -
+                                   (load(y + to[kDownFore]) + load(y + to[kDownAft]))) +
+                                  ((load(z + to[kUpFore]) + load(z + to[kDownFore])) -
+                                   (load(z + to[kUpAft]) + load(z + to[kDownAft])));
       const Lanes across = facesAcross + corner * cornersAcross;
       store(planes.own[a] + at, face * facesAcross + cornersAcross);
       store(planes.after[a] + at, across + along);

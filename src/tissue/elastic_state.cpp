@@ -173,6 +173,8 @@ void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells) {
         chunk.full[half] &= s.bonds[i] == kAllBonds;
         if (!s.solid[i]) continue;
         chunk.empty[half] = false;
+        chunk.first = std::min(chunk.first, std::int8_t(i - start));
+        chunk.last = std::int8_t(i - start);
         chunk.steered |= s.held[i] || s.loaded[i];
         chunk.uneven |= uneven(s, i);
         chunk.whole &= uncut(s, i);
