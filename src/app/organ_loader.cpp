@@ -39,6 +39,13 @@ Model readOwnFile(const std::filesystem::path& path) {
   return readAssimpFile(path, path, bytes);
 }
 
+// Leaves half of the machine to the drawing where the scenario does not say how many threads.
+TissueSetup beside(TissueSetup setup) {
+  if (setup.settings.threads == 0)
+    setup.settings.threads = std::max(1, int(std::thread::hardware_concurrency()) / 2);
+  return setup;
+}
+
 bool isModelFile(const std::string& file) {
   return !file.empty() && std::filesystem::path(file).extension() != ".dis";
 }
@@ -93,7 +100,7 @@ struct OrganLoader::Job {
           &notes);
       share = -1;  // surface and tissue take their time too
       organ.emplace(makeOrgan(std::move(cells), source.settings));
-      if (!cancelled) tissue = makeTissue(scenario.tissue, *organ);
+      if (!cancelled) tissue = makeTissue(beside(scenario.tissue), *organ);
     } catch (const Cancelled&) {
       problem = "cancelled";
     } catch (const std::exception& e) {

@@ -82,7 +82,7 @@ TissueSetup readTissue(const TomlTable& t) {
   tissue.settings.gravity = {0, -t.number("gravity", -1000, 1000, 9.81), 0};
   tissue.settings.damping = t.number("damping", 0, 0.5, tissue.settings.damping);
   tissue.settings.drag = t.number("drag", 0, 1e4, 3);
-  tissue.settings.threads = t.integer("threads", 1, 64, 1);
+  tissue.settings.threads = t.integer("threads", 0, 64, 0);
   for (const TomlTable& attachment : t.tables("attachment"))
     tissue.attachments.push_back(readAttachment(attachment));
   t.refuseUnknownKeys();

@@ -61,15 +61,18 @@ void ElasticTissue::place(std::span<const std::int64_t> cells,
     for (std::size_t n = begin; n < end; ++n) {
       const std::int32_t i = s.box.fromLattice(cells[n]);
       const Vec3f u(s.u[0][i], s.u[1][i], s.u[2][i]);
-      Eigen::Matrix3f sum = Eigen::Matrix3f::Zero();
+      Vec3f along[3] = {Vec3f::Zero(), Vec3f::Zero(), Vec3f::Zero()};
+      const std::uint32_t bonds = s.bonds[i];
       forEachDirection([&]<int D>() {
-        if (!(s.bonds[i] >> D & 1)) return;
+        if (!(bonds >> D & 1)) return;
         const std::int32_t j = i + s.box.step[D];
         const Vec3f wu = weight[neighbourKind(D)] * (Vec3f(s.u[0][j], s.u[1][j], s.u[2][j]) - u);
-        if constexpr (offsetAlong(D, 0) != 0) sum.col(0) += float(offsetAlong(D, 0)) * wu;
-        if constexpr (offsetAlong(D, 1) != 0) sum.col(1) += float(offsetAlong(D, 1)) * wu;
-        if constexpr (offsetAlong(D, 2) != 0) sum.col(2) += float(offsetAlong(D, 2)) * wu;
+        if constexpr (offsetAlong(D, 0) != 0) along[0] += float(offsetAlong(D, 0)) * wu;
+        if constexpr (offsetAlong(D, 1) != 0) along[1] += float(offsetAlong(D, 1)) * wu;
+        if constexpr (offsetAlong(D, 2) != 0) along[2] += float(offsetAlong(D, 2)) * wu;
       });
+      Eigen::Matrix3f sum;
+      sum << along[0], along[1], along[2];
       places[n] = {u, sum * inverseMoment(s, i).cast<float>()};
     }
   });

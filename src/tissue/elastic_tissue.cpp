@@ -67,25 +67,25 @@ SubstepConstants ElasticTissue::constants(double dt) const {
   return c;
 }
 
+// pass(begin, end) over all chunks. Blocks are as large as keeps it to the threads wished for.
+void ElasticTissue::forChunks(const RangeBody& pass) const {
+  const std::size_t chunks = state_.chunks.size();
+  if (settings_.threads == 1) return pass(0, chunks);
+  const std::size_t most = std::size_t(std::max(0, settings_.threads));
+  parallelFor(chunks, most == 0 ? kGrain : std::max(kGrain, (chunks + most - 1) / most), pass);
+}
+
 void ElasticTissue::stressPass(const SubstepConstants& c) {
   const ElasticView view = viewOf(state_);
-  const std::size_t chunks = state_.chunks.size();
-  if (settings_.threads <= 1)
-    kernel_->stressPass(view, c, 0, chunks);
-  else
-    parallelFor(chunks, kGrain, [&](std::size_t begin, std::size_t end) {
-      kernel_->stressPass(view, c, begin, end);
-    });
+  forChunks([&](std::size_t begin, std::size_t end) { kernel_->stressPass(view, c, begin, end); });
   pullUnevenBonds(uneven_, state_);
   pullThreads(threads_, state_);
 }
 
 bool ElasticTissue::motionPass(const SubstepConstants& c) {
   const ElasticView view = viewOf(state_);
-  const std::size_t chunks = state_.chunks.size();
-  if (settings_.threads <= 1) return kernel_->motionPass(view, c, 0, chunks);
   std::atomic<bool> calm = true;
-  parallelFor(chunks, kGrain, [&](std::size_t begin, std::size_t end) {
+  forChunks([&](std::size_t begin, std::size_t end) {
     if (!kernel_->motionPass(view, c, begin, end)) calm = false;
   });
   return calm;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/parallel.h"
 #include "tissue/attachment.h"
 #include "tissue/contact.h"
 #include "tissue/elastic_kernel.h"
@@ -37,7 +38,8 @@ struct TissueSettings {
   // Substep as a share of the time of a pressure wave from cell to cell; beyond 0.5 tissue that is
   // sheared or stretched as a whole may blow up (docs/methods/tissue.md).
   double stepShare = 0.5;
-  // Threads for the two passes, >= 1; more than there are idle cores is slower than one.
+  // Threads for the two passes: at most so many, or, with 0, all that the program may use. More
+  // than there are idle cores is slower than one.
   int threads = 1;
 };
 
@@ -113,6 +115,7 @@ class ElasticTissue final : public TissueModel {
   bool substeps(double duration, const TissueSurroundings& surroundings, std::int32_t& count);
   void loosen(std::span<const std::int32_t> cells);
   void tear(std::vector<TissueBond>& torn);
+  void forChunks(const RangeBody& pass) const;
   void stressPass(const SubstepConstants& constants);
   bool motionPass(const SubstepConstants& constants);
   SubstepConstants constants(double dt) const;
