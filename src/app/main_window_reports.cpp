@@ -83,9 +83,10 @@ void MainWindow::reportPace() {
   for (const double force : session_->state().forces) forceSaid_ = std::max(forceSaid_, force);
   const auto pace = viewer_->pace().take();
   if (!pace) return;
-  say("rate {:.1f} drawing {:.1f} ms latency {:.0f} ms most {:.0f} ms pictures {} removal {}",
+  say("rate {:.1f} drawing {:.1f} ms latency {:.0f} ms most {:.0f} ms pictures {} late {} of {} "
+      "removal {}",
       pace->rate, pace->drawing * 1e3, pace->latency * 1e3, pace->most * 1e3, pace->pictures,
-      pace->removal);
+      pace->late, pace->inputs, pace->removal);
   const SoOrganShape& organ = *session_->room().organ();
   say("uploaded {} of {} vertices", organ.uploadedVertices() - uploadedSaid_, organ.vertexCount());
   uploadedSaid_ = organ.uploadedVertices();

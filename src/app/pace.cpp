@@ -46,7 +46,9 @@ void Pace::pictureShown() {
   for (const Input& input : waiting_) {
     if (!input.inPicture) continue;
     latencies_.push_back(now - input.at);
-    pictures_ = std::max(pictures_, countAfter(shown_, input.at));
+    const int pictures = countAfter(shown_, input.at);
+    pictures_ = std::max(pictures_, pictures);
+    late_ += pictures > 2;
   }
   std::erase_if(waiting_, [](const Input& input) { return input.inPicture; });
 }
@@ -62,10 +64,12 @@ std::optional<Pace::Second> Pace::take() {
               latencies_.empty() ? 0 : latencies_[latencies_.size() / 2],
               latencies_.empty() ? 0 : latencies_.back(),
               pictures_,
+              int(latencies_.size()),
+              late_,
               removal_};
   }
   since_ = now;
-  count_ = pictures_ = removal_ = 0;
+  count_ = pictures_ = late_ = removal_ = 0;
   drawing_ = 0;
   latencies_.clear();
   return second;

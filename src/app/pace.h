@@ -26,8 +26,9 @@ class Pace {
     double rate = 0;               // pictures per second
     double drawing = 0;            // s per picture, on average
     double latency = 0, most = 0;  // input to picture: median, longest; s
-    int pictures = 0;  // that came to the screen from an input until it was shown, at most
-    int removal = 0;   // pictures begun after particles were taken until they were gone, at most
+    int pictures = 0;          // that came to the screen from an input until it was shown, at most
+    int inputs = 0, late = 0;  // shown, and of these with the third picture or later
+    int removal = 0;  // pictures begun after particles were taken until they were gone, at most
   };
   // Once a second in which a picture was drawn; without input there is no latency: 0.
   std::optional<Second> take();
@@ -40,7 +41,7 @@ class Pace {
   std::vector<Input> waiting_;
   std::vector<double> begun_, shown_;  // lately
   std::vector<double> latencies_;
-  int pictures_ = 0, removal_ = 0, count_ = 0;
+  int pictures_ = 0, late_ = 0, removal_ = 0, count_ = 0;
   double seenRemoval_ = 0, since_ = 0, drawing_ = 0;
 };
 

@@ -5,7 +5,8 @@ import time
 
 from screen import Screen, Window
 
-RATE = re.compile(r"rate ([\d.]+) drawing ([\d.]+) ms latency (\d+) ms most (\d+) ms pictures (\d+) removal (\d+)")
+RATE = re.compile(r"rate ([\d.]+) drawing ([\d.]+) ms latency (\d+) ms most (\d+) ms pictures (\d+) late (\d+) of (\d+) "
+                  r"removal (\d+)")
 UPLOADED = re.compile(r"uploaded (\d+) of (\d+) vertices")
 
 
@@ -53,17 +54,18 @@ def row(what, said):
     uploads = [tuple(map(int, UPLOADED.match(line).groups())) for line in said if line.startswith("uploaded ")]
     rates, uploads = rates[1:], uploads[1:]  # the first second began before
     if not rates:
-        return f"| {what} | no picture | | | | | | | |"
+        return f"| {what} | no picture | | | | | | | | |"
     removed = [line for line in said if line.startswith("removed ")]
-    rate, drawing, latency, most, pictures, removal = zip(*rates)
+    rate, drawing, latency, most, pictures, late, inputs, removal = zip(*rates)
     sent = sum(n for n, _ in uploads) / max(1.0, sum(rate))
     return (f"| {what} | {statistics.median(rate):.1f} ({min(rate):.1f}) | {statistics.median(drawing):.0f} ms | {statistics.median(latency):.0f} ms | "
-            f"{max(most):.0f} ms | {max(pictures):.0f} | {max(removal):.0f} | {sent:.0f} of {uploads[-1][1]} | "
+            f"{max(most):.0f} ms | {max(pictures):.0f} | {sum(late):.0f} of {sum(inputs):.0f} | {max(removal):.0f} | {sent:.0f} of {uploads[-1][1]} | "
             f"{removed[-1].split()[1] if removed else 0} | {strongest(said):.1f} N |")
 
 
 HEAD = ("| {} | pictures/s: median (least) | drawing one | input to picture: median | longest | in pictures, at most | "
-        "removed particles gone in picture | vertices sent per picture | particles removed | largest force |\n" + "|---" * 10 + "|")
+        "later than two pictures | "
+        "removed particles gone in picture | vertices sent per picture | particles removed | largest force |\n" + "|---" * 11 + "|")
 
 
 def measure(program, folder, seconds=8):
