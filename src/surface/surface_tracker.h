@@ -121,7 +121,8 @@ class SurfaceTracker {
   void dropRecord(std::int64_t brick);
   Above above(const ColourField& field, std::int64_t brick) const;
   void drawTriangles(const ColourField& field, std::int64_t brick);
-  void drawWound(const Above& around, const BrickWound& wound, Triangle* out) const;
+  void drawWound(const Above& around, const BrickWound& wound, const std::int32_t* onEdge,
+                 Triangle* out) const;
   std::uint64_t woundCells(const BrickMesh& mesh) const {
     return mesh.wound == kNone ? 0 : wounds_[std::size_t(mesh.wound)].cells;
   }

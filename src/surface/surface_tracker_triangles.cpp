@@ -80,11 +80,13 @@ void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick)
                for (int t = 0; t < drawn.count; ++t, ++out)
                  for (int v = 0; v < 3; ++v) (*out)[v] = at[kEdgePlace[drawn.edges[t][v]]];
              });
-  if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], out);
+  if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], vertex.data(), out);
 }
 
-// A wound's triangles name their corners by cell; here they get numbers.
-void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound, Triangle* out) const {
+// A wound's triangles name their corners by cell; here they get numbers. onEdge: the table of
+// drawTriangles().
+void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound,
+                               const std::int32_t* onEdge, Triangle* out) const {
   const auto vertex = [&](const BrickWound::Triangle& t, int corner) {
     const Vec3i cell(t.cell & 3, t.cell >> 2 & 3, t.cell >> 4);
     // The brick, among those above, that owns what lies at a node, 0 to 4 along each axis.
@@ -105,10 +107,11 @@ void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound, Tri
       return ofWound(mesh) + wounds_[std::size_t(mesh.wound)].faceVertex(
                                  axis, number(n), (corner - kFirstFaceVertex) % 8, t.lip);
     }
+    if (corner % 3 == kIsoNode)
+      return onEdge[spanIndex(t.cell) + kEdgePlace[std::size_t(corner / 3)]];
     const CellEdge edge = kCellEdges[std::size_t(corner / 3)];
     const Vec3i n = cell + Vec3i(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
     const BrickMesh& mesh = owner(n);
-    if (corner % 3 == kIsoNode) return mesh.firstVertex + mesh.signs.vertex(edge.axis, number(n));
     return ofWound(mesh) +
            wounds_[std::size_t(mesh.wound)].edgeVertex(edge.axis, number(n), corner % 3);
   };

@@ -139,13 +139,13 @@ static PlaneRun planeRun(const TissueChunk* chunk, const TissueChunk* end) {
   return {n, chunk[0].start - 1, chunk[0].first, (n - 1) * kChunk + chunk[n - 1].last + 3};
 }
 
-// The vectors of a chunk that hold a cell.
+// A vector of a chunk: can it be passed over, and are all its cells solid with all their bonds?
 struct Part {
   bool empty, full;
 };
 RESECT_INLINE Part partOf(const TissueChunk& chunk, int at) {
-  if constexpr (kLanes > 8) return {false, chunk.full[0] && chunk.full[1]};
-  return {chunk.empty[at / 8], chunk.full[at / 8]};
+  const bool full = kLanes > 8 ? chunk.full[0] && chunk.full[1] : chunk.full[at / 8];
+  return {chunk.last < at || chunk.first >= at + kLanes, full};
 }
 
 static void stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,

@@ -168,11 +168,10 @@ void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells) {
     TissueChunk chunk;
     chunk.start = start;
     for (int half = 0; half < 2; ++half) {
-      chunk.full[half] = chunk.empty[half] = true;
+      chunk.full[half] = true;
       for (std::int32_t i = start + half * kChunk / 2; i < start + (half + 1) * kChunk / 2; ++i) {
         chunk.full[half] &= s.bonds[i] == kAllBonds;
         if (!s.solid[i]) continue;
-        chunk.empty[half] = false;
         chunk.first = std::min(chunk.first, std::int8_t(i - start));
         chunk.last = std::int8_t(i - start);
         chunk.steered |= s.held[i] || s.loaded[i];
@@ -180,7 +179,7 @@ void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells) {
         chunk.whole &= uncut(s, i);
       }
     }
-    if (!chunk.empty[0] || !chunk.empty[1]) fresh.push_back(chunk);
+    if (chunk.last >= 0) fresh.push_back(chunk);
   }
   // Merge: a chunk looked at again replaces the old one, or drops out.
   std::vector<TissueChunk> merged;

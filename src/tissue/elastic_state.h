@@ -31,7 +31,6 @@ struct TissueChunk {
   bool whole = true;
   // All cells of the half are solid and have all their bonds.
   bool full[2] = {false, false};
-  bool empty[2] = {false, false};         // no cell of the half is solid
   std::int8_t first = kChunk, last = -1;  // first and last solid cell
 };
 
