@@ -135,10 +135,7 @@ std::vector<std::uint8_t> sweptInside(const TriangleMesh& tool, const Pose& from
   Aabb swept;
   for (int i = 0; i <= steps; ++i) {
     const Pose pose = i == 0 ? from : i == steps ? to : interpolate(from, to, double(i) / steps);
-    for (int corner = 0; corner < 8; ++corner)
-      swept.grow(pose * Vec3(corner & 1 ? toolBox.max.x() : toolBox.min.x(),
-                             corner & 2 ? toolBox.max.y() : toolBox.min.y(),
-                             corner & 4 ? toolBox.max.z() : toolBox.min.z()));
+    for (int corner = 0; corner < 8; ++corner) swept.grow(pose * toolBox.corner(corner));
     back.push_back(pose.inverse());
   }
   swept = swept.padded(turns ? 2 * kChordError * diagonal : 1e-9 * (diagonal + way));

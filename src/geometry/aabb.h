@@ -16,6 +16,11 @@ struct Aabb {
   bool empty() const { return (min.array() > max.array()).any(); }
   Vec3 size() const { return empty() ? Vec3(Vec3::Zero()) : Vec3(max - min); }
   Vec3 centre() const { return 0.5 * (min + max); }
+  // Bit a of the number, 0 to 7: the upper end along axis a.
+  Vec3 corner(int number) const {
+    return {(number & 1 ? max : min).x(), (number & 2 ? max : min).y(),
+            (number & 4 ? max : min).z()};
+  }
   void grow(const Vec3& p) {
     min = min.cwiseMin(p);
     max = max.cwiseMax(p);

@@ -7,10 +7,7 @@ namespace resect {
 
 TriangleMesh boxMesh(const Aabb& box) {
   TriangleMesh mesh;
-  for (int corner = 0; corner < 8; ++corner)
-    mesh.points.emplace_back(corner & 1 ? box.max.x() : box.min.x(),
-                             corner & 2 ? box.max.y() : box.min.y(),
-                             corner & 4 ? box.max.z() : box.min.z());
+  for (int corner = 0; corner < 8; ++corner) mesh.points.push_back(box.corner(corner));
   const int quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                            {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (const auto& q : quads) {

@@ -227,9 +227,7 @@ PixelRect SoShadowMaps::gridPart(const Aabb& changed, std::int32_t texels) const
   const SbVec3f lamp = lampPosition.getValue(), centre = focus.getValue();
   Aabb reach = changed.padded(kNear);
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p(corner & 1 ? changed.max.x() : changed.min.x(),
-                 corner & 2 ? changed.max.y() : changed.min.y(),
-                 corner & 4 ? changed.max.z() : changed.min.z());
+    const Vec3 p = changed.corner(corner);
     const double fall = std::max(lamp[1] - p.y(), 0.01), share = std::max(p.y(), 0.0) / fall;
     const Vec3 foot = p + share * (p - Vec3(lamp[0], lamp[1], lamp[2]));
     reach.grow(Aabb{foot, foot}.padded(kSoft));

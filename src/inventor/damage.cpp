@@ -16,11 +16,6 @@ constexpr double kFurniture = 0.03;  // m: height of the tool box
 constexpr int kMargin = 3;           // pixels
 constexpr int kTile = 16;            // pixels
 
-Vec3 cornerOf(const Aabb& box, int corner) {
-  return {corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
-          corner & 4 ? box.max.z() : box.min.z()};
-}
-
 // The tiles that the rectangles touch, as rectangles that do not overlap.
 std::vector<PixelRect> withoutOverlap(const std::vector<PixelRect>& parts, int width, int height) {
   const int columns = (width + kTile - 1) / kTile, rows = (height + kTile - 1) / kTile;
@@ -80,7 +75,7 @@ void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, const Aabb
                  high = layer ? low + step : kFurniture;
     Aabb beam;
     for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 p = cornerOf(box, corner);
+      const Vec3 p = box.corner(corner);
       for (const double height : {low, high})
         beam.grow(Vec3(p + std::max(0.0, p.y() - height) / (lamp.y() - p.y()) * (p - lamp)));
     }
@@ -111,7 +106,7 @@ std::vector<PixelRect> pixelsOf(const Damage& damage, const SoPerspectiveCamera&
   for (const Aabb& box : boxes) {
     PixelRect rect{size[0], size[1], 0, 0};
     for (int corner = 0; corner < 8; ++corner) {
-      const Vec3f p = cornerOf(box, corner).cast<float>();
+      const Vec3f p = box.corner(corner).cast<float>();
       const SbVec3f world(p.x(), p.y(), p.z());
       if ((world - eye).dot(ahead) < camera.nearDistance.getValue()) return all;
       SbVec3f screen;

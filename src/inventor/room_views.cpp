@@ -46,10 +46,7 @@ double distanceToFit(const Aabb& box, const ViewAxes& axes, double heightAngle, 
   const double tanX = narrow * std::max(1.0, aspect), tanY = narrow * std::max(1.0, 1 / aspect);
   double distance = 0;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p =
-        Vec3(corner & 1 ? box.max.x() : box.min.x(), corner & 2 ? box.max.y() : box.min.y(),
-             corner & 4 ? box.max.z() : box.min.z()) -
-        box.centre();
+    const Vec3 p = box.corner(corner) - box.centre();
     const double nearer = p.dot(axes.back);
     distance = std::max({distance, nearer + std::abs(p.dot(axes.right)) / tanX,
                          nearer + std::abs(p.dot(axes.up)) / tanY});

@@ -21,10 +21,9 @@ std::int32_t SurfaceSkin::placeOf(std::int64_t cell) {
   return place;
 }
 
-void SurfaceSkin::bind(const Vec3f& vertex, const Lattice& lattice, const TissueModel& tissue,
-                       Binding& to) {
-  to.place.fill(-1);
-  to.weight.fill(0);
+SurfaceSkin::Binding SurfaceSkin::bind(const Vec3f& vertex, const Lattice& lattice,
+                                       const TissueModel& tissue) {
+  Binding to;
   const Vec3 at = lattice.toCellSpace(vertex.cast<double>());
   struct Candidate {
     Vec3i cell;
@@ -55,13 +54,63 @@ void SurfaceSkin::bind(const Vec3f& vertex, const Lattice& lattice, const Tissue
           candidates[0] = {cell, 1};
           count = 1;
         }
-    if (count == 0) return;
+    if (count == 0) return to;
   }
   double sum = 0;
   for (int i = 0; i < count; ++i) sum += candidates[i].weight;
   for (int i = 0; i < count; ++i) {
     to.place[i] = placeOf(lattice.index(candidates[i].cell));
     to.weight[i] = float(candidates[i].weight / sum);
+  }
+  return to;
+}
+
+void SurfaceSkin::findMotions(const Lattice& lattice, const TissueModel& tissue) {
+  for (std::size_t i = restOfCell_.size(); i < cells_.size(); ++i)
+    restOfCell_.push_back(lattice.centre(lattice.cell(cells_[i])).cast<float>());
+  placements_.resize(cells_.size());
+  motions_.resize(
+      std::max<std::size_t>(1, cells_.size()));  // vertices on nothing look at the first
+  tissue.place(cells_, placements_);
+  const auto column = [](const Vec3f& v) { return Column{v.x(), v.y(), v.z(), 0}; };
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const auto& [displacement, gradient] = placements_[i];
+    motions_[i] = {column(displacement - gradient * restOfCell_[i]),
+                   {column(gradient.col(0)), column(gradient.col(1)), column(gradient.col(2))}};
+  }
+}
+
+// Motions are blended first and applied once: four products of a column per particle.
+void SurfaceSkin::moveVertices(const SurfaceTracker& surface, std::size_t begin, std::size_t end) {
+  typedef std::int32_t Order __attribute__((vector_size(16)));
+  constexpr Order kTurned = {1, 2, 0, 3};
+  const std::span<const Vec3f> rest = surface.points(), restNormals = surface.normals();
+  for (std::size_t v = begin; v < end; ++v) {
+    const Binding& binding = bindings_[v];
+    Column shift{}, g0{}, g1{}, g2{};
+    for (std::size_t k = 0; k < 8; ++k) {
+      const Motion& motion = motions_[std::size_t(binding.place[k])];
+      const Column weight = binding.weight[k] - Column{};
+      shift += weight * motion.shift;
+      g0 += weight * motion.gradient[0];
+      g1 += weight * motion.gradient[1];
+      g2 += weight * motion.gradient[2];
+    }
+    const Vec3f& x = rest[v];
+    const Column moved = shift + (g0 * x.x() + g1 * x.y() + g2 * x.z());
+    points_[v] = x + Vec3f(moved[0], moved[1], moved[2]);
+    // The columns of cof F are the cross products of F's.
+    g0 += Column{1, 0, 0, 0};
+    g1 += Column{0, 1, 0, 0};
+    g2 += Column{0, 0, 1, 0};
+    const Column t0 = __builtin_shuffle(g0, kTurned), t1 = __builtin_shuffle(g1, kTurned),
+                 t2 = __builtin_shuffle(g2, kTurned);
+    const Vec3f& n = restNormals[v];
+    const Column turned =
+        n.x() * (g1 * t2 - t1 * g2) + n.y() * (g2 * t0 - t2 * g0) + n.z() * (g0 * t1 - t0 * g1);
+    const Vec3f normal(turned[1], turned[2], turned[0]);
+    const float length = normal.norm();
+    normals_[v] = length > 1e-20f ? Vec3f(normal / length) : n;
   }
 }
 
@@ -79,18 +128,18 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
     for (const std::int64_t cell : changedCells)
       if (placeOfCell_[cell] >= 0) changed_[placeOfCell_[cell]] = 1;
     for (std::size_t v = 0; v < before; ++v)
-      for (const std::int32_t place : bindings_[v].place)
-        if (place >= 0 && place < std::int32_t(changed_.size()) && changed_[place]) {
-          bind(rest[v], lattice, tissue, bindings_[v]);
+      for (std::size_t k = 0; k < 8; ++k)
+        if (bindings_[v].weight[k] > 0 && changed_[bindings_[v].place[k]]) {
+          bindings_[v] = bind(rest[v], lattice, tissue);
           break;
         }
   }
   if (surface.changes().everything || before == 0) {
-    for (std::size_t v = 0; v < rest.size(); ++v) bind(rest[v], lattice, tissue, bindings_[v]);
+    for (std::size_t v = 0; v < rest.size(); ++v) bindings_[v] = bind(rest[v], lattice, tissue);
   } else {
     for (const IndexRange& range : surface.changes().vertices)
       for (std::int32_t v = range.first; v < range.first + range.count; ++v)
-        bind(rest[v], lattice, tissue, bindings_[v]);
+        bindings_[v] = bind(rest[v], lattice, tissue);
   }
   // Beside a wound the tracker knows which particles are on a vertex's side.
   if (surface.changes().everything || !surface.changes().vertices.empty())
@@ -98,8 +147,7 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
       for (std::size_t v = 0; v < bindings.size(); ++v) {
         Binding& to = bindings_[std::size_t(first) + v];
         if (bindings[v].count == 0) continue;
-        to.place.fill(-1);
-        to.weight.fill(0);
+        to = {};
         for (int k = 0; k < bindings[v].count; ++k) {
           if (!tissue.solid(bindings[v].cell[k])) continue;
           to.place[k] = placeOf(bindings[v].cell[k]);
@@ -108,41 +156,17 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
       }
     });
 
-  for (std::size_t i = restOfCell_.size(); i < cells_.size(); ++i)
-    restOfCell_.push_back(lattice.centre(lattice.cell(cells_[i])).cast<float>());
-  placements_.resize(cells_.size());
-  tissue.place(cells_, placements_);
-  const std::span<const Vec3f> restNormals = surface.normals();
-  parallelFor(rest.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      const Binding& binding = bindings_[v];
-      Vec3f u = Vec3f::Zero();
-      Eigen::Matrix3f gradient = Eigen::Matrix3f::Zero();
-      for (int k = 0; k < 8; ++k) {
-        if (binding.place[k] < 0) continue;
-        const CellPlacement& cell = placements_[binding.place[k]];
-        const float w = binding.weight[k];
-        u += w * (cell.displacement + cell.gradient * (rest[v] - restOfCell_[binding.place[k]]));
-        gradient += w * cell.gradient;
-      }
-      points_[v] = rest[v] + u;
-      const Eigen::Matrix3f f = gradient + Eigen::Matrix3f::Identity();
-      Eigen::Matrix3f cofactor;
-      cofactor.row(0) = f.row(1).cross(f.row(2));
-      cofactor.row(1) = f.row(2).cross(f.row(0));
-      cofactor.row(2) = f.row(0).cross(f.row(1));
-      const Vec3f normal = cofactor * restNormals[v];
-      const float length = normal.norm();
-      normals_[v] = length > 1e-20f ? Vec3f(normal / length) : restNormals[v];
-    }
-  });
+  findMotions(lattice, tissue);
+  parallelFor(rest.size(), kGrain,
+              [&](std::size_t begin, std::size_t end) { moveVertices(surface, begin, end); });
 }
 
 std::size_t SurfaceSkin::bytes() const {
   return bindings_.capacity() * sizeof(Binding) + cells_.capacity() * sizeof(std::int64_t) +
          placeOfCell_.capacity() * sizeof(std::int32_t) +
          (restOfCell_.capacity() + points_.capacity() + normals_.capacity()) * sizeof(Vec3f) +
-         placements_.capacity() * sizeof(CellPlacement) + changed_.capacity();
+         placements_.capacity() * sizeof(CellPlacement) + motions_.capacity() * sizeof(Motion) +
+         changed_.capacity();
 }
 
 }  // namespace resect

@@ -37,20 +37,20 @@ Vec3 pushOut(ElasticState& s, std::int32_t i, double depth, const Vec3& outwards
 
 }  // namespace
 
-Vec3 TissueContacts::restPosition(const ElasticState& s, std::int32_t i) const {
-  return origin_ + s.spacing * s.box.cell(i).cast<double>();
-}
-
 void TissueContacts::list(const ElasticState& s, const Vec3& origin, double duration,
                           const TissueSurroundings& surroundings,
                           std::span<const std::int32_t> gripper) {
-  origin_ = origin;
   forgetImpulses();
   onTable_.clear();
   bodyCount_ = surroundings.tools.size();
   if (bodies_.size() < bodyCount_) bodies_.resize(bodyCount_);
   toolImpulse_.assign(bodyCount_, Vec3::Zero());
-  std::vector<std::pair<Pose, Aabb>> reach(bodyCount_);
+  struct Reach {
+    Pose back;   // from the world to the tool
+    Aabb box;    // in the tool's frame
+    Aabb world;  // bounds of the box
+  };
+  std::vector<Reach> reach(bodyCount_);
   for (std::size_t b = 0; b < bodyCount_; ++b) {
     Body& body = bodies_[b];
     const TissueTool& tool = body.tool = surroundings.tools[b];
@@ -65,25 +65,31 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     Aabb box = tool.shape->box();
     const Aabb still = box;
     const Pose back = tool.to.inverse();
-    for (int corner = 0; corner < 8; ++corner)
-      box.grow(back * (tool.from * Vec3(corner & 1 ? still.max.x() : still.min.x(),
-                                        corner & 2 ? still.max.y() : still.min.y(),
-                                        corner & 4 ? still.max.z() : still.min.z())));
-    reach[b] = {back, box.padded(tool.standOff + s.spacing)};
+    for (int corner = 0; corner < 8; ++corner) box.grow(back * (tool.from * still.corner(corner)));
+    box = box.padded(tool.standOff + s.spacing);
+    reach[b] = {back, box, {}};
+    for (int corner = 0; corner < 8; ++corner) reach[b].world.grow(tool.to * box.corner(corner));
   }
   if (bodyCount_ == 0 && !surroundings.table) return;
-  for (const TissueChunk& chunk : s.chunks)
-    for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i) {
+  for (const TissueChunk& chunk : s.chunks) {
+    const Vec3i row = s.box.cell(chunk.start);
+    for (int k = chunk.first; k <= chunk.last; ++k) {
+      const std::int32_t i = chunk.start + k;
       if (!s.solid[i]) continue;
-      const Vec3 x = restPosition(s, i) + at(s.u, i);
+      const Vec3 rest = origin + s.spacing * (row + Vec3i(k, 0, 0)).cast<double>();
+      const Vec3 x = rest + at(s.u, i);
       const double way = at(s.v, i).norm() * duration;
-      if (surroundings.table && x.y() < 1.5 * s.spacing + way) onTable_.push_back(i);
+      if (surroundings.table && x.y() < 1.5 * s.spacing + way) onTable_.push_back({i, rest});
       for (std::size_t b = 0; b < bodyCount_; ++b) {
         if (!bodies_[b].tool.shape) continue;
         if (!gripper.empty() && gripper[i] == bodies_[b].tool.tool) continue;
-        if (reach[b].second.padded(way).contains(reach[b].first * x)) bodies_[b].cells.push_back(i);
+        constexpr double kDiagonal = 1.75;  // of a cube, at most
+        if (!reach[b].world.padded(kDiagonal * way).contains(x)) continue;
+        if (reach[b].box.padded(way).contains(reach[b].back * x))
+          bodies_[b].cells.push_back({i, rest});
       }
     }
+  }
 }
 
 void TissueContacts::push(ElasticState& s, double share, double lookAhead) {
@@ -93,8 +99,8 @@ void TissueContacts::push(ElasticState& s, double share, double lookAhead) {
     if (body.cells.empty()) continue;
     const Pose pose = interpolate(body.tool.from, body.tool.to, share);
     const Eigen::Matrix3d turn = pose.rotation.toRotationMatrix();
-    for (const std::int32_t i : body.cells) {
-      const Vec3 fromTip = restPosition(s, i) + at(s.u, i) - pose.position;
+    for (const auto& [i, rest] : body.cells) {
+      const Vec3 fromTip = rest + at(s.u, i) - pose.position;
       const auto sample = (*body.tool.shape)(turn.transpose() * fromTip);
       const double depth = body.tool.standOff - sample.distance;
       if (depth <= 0) continue;
@@ -103,8 +109,8 @@ void TissueContacts::push(ElasticState& s, double share, double lookAhead) {
                   body.tool.friction, lookAhead);
     }
   }
-  for (const std::int32_t i : onTable_) {
-    const double y = origin_.y() + s.spacing * s.box.cell(i).y() + s.u[1][i];
+  for (const auto& [i, rest] : onTable_) {
+    const double y = rest.y() + s.u[1][i];
     const double depth = 0.5 * s.spacing - y;
     if (depth > 0)
       tableImpulse_ -= pushOut(s, i, depth, Vec3::UnitY(), Vec3::Zero(), kTableFriction, lookAhead);

@@ -38,10 +38,14 @@ class TissueContacts {
   void forgetImpulses();
 
  private:
+  struct Near {
+    std::int32_t cell;
+    Vec3 rest;  // where it was, world, m
+  };
   struct Body {
     TissueTool tool;
     Vec3 velocity, spin;  // world, m/s and 1/s
-    std::vector<std::int32_t> cells;
+    std::vector<Near> cells;
   };
   struct CutPair {
     std::int32_t a, b;
@@ -49,12 +53,9 @@ class TissueContacts {
     Vec3f rest;      // from a to b at rest, m
   };
   void pushCutFaces(ElasticState& state, double lookAhead);
-  Vec3 restPosition(const ElasticState& state, std::int32_t cell) const;
-
-  Vec3 origin_ = Vec3::Zero();
   std::vector<Body> bodies_;
   std::size_t bodyCount_ = 0;
-  std::vector<std::int32_t> onTable_;
+  std::vector<Near> onTable_;
   std::vector<CutPair> cut_;
   std::vector<Vec3> toolImpulse_;
   Vec3 tableImpulse_ = Vec3::Zero();

@@ -56,27 +56,26 @@ RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std:
   const Lanes trace = h[0] + h[4] + h[8];
   const Lanes growth = trace + (cof[0] + cof[4] + cof[8]) +
                        (h[0] * cof[0] + h[1] * cof[1] + h[2] * cof[2]);  // J - 1
-  Lanes shear[9];  // F - cof F = H + H^T - tr H I - cof H
+  // With d = H^T - cof H: cof F = (1 + tr H) I - d and F - cof F = H + d - tr H I.
   Lanes squares = {};
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {
-      const int k = 3 * a + b;
-      shear[k] = h[k] + h[3 * b + a] - cof[k];
-      cof[k] -= h[3 * b + a];
-      if (a == b) {
-        shear[k] -= trace;
-        cof[k] += 1.0f + trace;
-      }
-      squares += cof[k] * cof[k];
+      Lanes& d = cof[3 * a + b];
+      d = h[3 * b + a] - d;
+      const Lanes ofF = a == b ? (1.0f + trace) - d : d;
+      squares += ofF * ofF;
     }
   // See kMostStiffening; without this a cut at stretch 2 explodes.
   const Lanes most = all(kMostStiffening);
-  const Lanes limit = squares > most ? most / squares : all(1.0f);
+  Lanes pressure = load(s.lameVolume + i) * growth;
+  if (const IntLanes stiff = squares > most; any(stiff))
+    pressure = (stiff ? most / squares : all(1.0f)) * pressure;
   const Lanes mu = load(s.shearVolume + i);
-  const Lanes pressure = limit * load(s.lameVolume + i) * growth;
+  const Lanes diagonal = pressure * (1.0f + trace) - mu * trace, both = mu - pressure;
   for (int a = 0; a < 3; ++a) {
     Lanes p[3], pl[3];
-    for (int b = 0; b < 3; ++b) p[b] = mu * shear[3 * a + b] + pressure * cof[3 * a + b];
+    for (int b = 0; b < 3; ++b) p[b] = mu * h[3 * a + b] + both * cof[3 * a + b];
+    p[a] += diagonal;
     moment.multiply(p, pl);
     for (int b = 0; b < 3; ++b) put(s.stress[3 * a + b], pl[b] - kappa * h[3 * a + b]);
   }

@@ -51,6 +51,8 @@ Mat3 ElasticTissue::deformation(std::int64_t cell) const {
   return Mat3::Identity() + gradient(state_, state_.box.fromLattice(cell));
 }
 
+typedef float Four __attribute__((vector_size(16)));  // a vector of three
+
 void ElasticTissue::place(std::span<const std::int64_t> cells,
                           std::span<CellPlacement> places) const {
   const ElasticState& s = state_;
@@ -60,20 +62,23 @@ void ElasticTissue::place(std::span<const std::int64_t> cells,
   parallelFor(cells.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end; ++n) {
       const std::int32_t i = s.box.fromLattice(cells[n]);
-      const Vec3f u(s.u[0][i], s.u[1][i], s.u[2][i]);
-      Vec3f along[3] = {Vec3f::Zero(), Vec3f::Zero(), Vec3f::Zero()};
+      const Four u = {s.u[0][i], s.u[1][i], s.u[2][i], 0};
+      Four along[3] = {};
       const std::uint32_t bonds = s.bonds[i];
       forEachDirection([&]<int D>() {
         if (!(bonds >> D & 1)) return;
         const std::int32_t j = i + s.box.step[D];
-        const Vec3f wu = weight[neighbourKind(D)] * (Vec3f(s.u[0][j], s.u[1][j], s.u[2][j]) - u);
-        if constexpr (offsetAlong(D, 0) != 0) along[0] += float(offsetAlong(D, 0)) * wu;
-        if constexpr (offsetAlong(D, 1) != 0) along[1] += float(offsetAlong(D, 1)) * wu;
-        if constexpr (offsetAlong(D, 2) != 0) along[2] += float(offsetAlong(D, 2)) * wu;
+        const Four wu = weight[neighbourKind(D)] * (Four{s.u[0][j], s.u[1][j], s.u[2][j], 0} - u);
+        for (int a = 0; a < 3; ++a) {
+          if (offsetAlong(D, a) > 0) along[a] += wu;
+          if (offsetAlong(D, a) < 0) along[a] -= wu;
+        }
       });
       Eigen::Matrix3f sum;
-      sum << along[0], along[1], along[2];
-      places[n] = {u, sum * inverseMoment(s, i).cast<float>()};
+      sum << Vec3f(along[0][0], along[0][1], along[0][2]),
+          Vec3f(along[1][0], along[1][1], along[1][2]),
+          Vec3f(along[2][0], along[2][1], along[2][2]);
+      places[n] = {Vec3f(u[0], u[1], u[2]), sum * inverseMoment(s, i).cast<float>()};
     }
   });
 }

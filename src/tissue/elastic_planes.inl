@@ -6,7 +6,7 @@
 // middle of their plane, never from zero: large displacements cost no digits. In units of an edge
 // neighbour's weight; a face neighbour has `faceShare`, a corner neighbour `cornerShare` of it.
 
-constexpr int kRunChunks = 4;  // so that the sums of a run stay in the first-level cache
+constexpr int kRunChunks = 3;  // so that the sums of a run stay in the first-level cache
 constexpr int kRunCells = kRunChunks * kChunk + 2 + kChunk;  // one before, one after, a vector more
 
 // The eight cells round the middle of a plane.
@@ -106,23 +106,24 @@ RESECT_INLINE void sumForcePlanes(const ElasticView& s, const SubstepConstants& 
                                   const PlaneSteps& step, std::int32_t first, int begin, int end,
                                   ForcePlanes& planes) {
   const Lanes face = all(c.faceShare), corner = all(c.cornerShare);
-  for (int at = begin; at < end; at += kLanes) {
-    const std::int64_t p = first + at;
-    std::int64_t to[8];
-    for (int k = 0; k < 8; ++k) to[k] = p + step.to[k];
-    for (int a = 0; a < 3; ++a) {
-      const float *x = s.stress[3 * a], *y = s.stress[3 * a + 1], *z = s.stress[3 * a + 2];
+  const std::int64_t up = step.to[kUp], fore = step.to[kFore];
+  // Row after row: the addresses of three arrays stay in registers.
+  for (int a = 0; a < 3; ++a) {
+    const float *x = s.stress[3 * a] + first, *y = s.stress[3 * a + 1] + first,
+                *z = s.stress[3 * a + 2] + first;
+    for (std::int64_t at = begin; at < end; at += kLanes) {
+      const std::int64_t upper = at + up, lower = at - up;
       const Lanes faces =
-          (load(x + to[kUp]) + load(x + to[kDown])) + (load(x + to[kFore]) + load(x + to[kAft]));
-      const Lanes corners = (load(x + to[kUpFore]) + load(x + to[kUpAft])) +
-                            (load(x + to[kDownFore]) + load(x + to[kDownAft]));
-      const Lanes along = face * load(x + p) + faces + corner * corners;
+          (load(x + upper) + load(x + lower)) + (load(x + at + fore) + load(x + at - fore));
+      const Lanes corners = (load(x + upper + fore) + load(x + upper - fore)) +
+                            (load(x + lower + fore) + load(x + lower - fore));
+      const Lanes along = face * load(x + at) + faces + corner * corners;
       const Lanes facesAcross =
-          (load(y + to[kUp]) - load(y + to[kDown])) + (load(z + to[kFore]) - load(z + to[kAft]));
-      const Lanes cornersAcross = ((load(y + to[kUpFore]) + load(y + to[kUpAft])) -
-                                   (load(y + to[kDownFore]) + load(y + to[kDownAft]))) +
-                                  ((load(z + to[kUpFore]) + load(z + to[kDownFore])) -
-                                   (load(z + to[kUpAft]) + load(z + to[kDownAft])));
+          (load(y + upper) - load(y + lower)) + (load(z + at + fore) - load(z + at - fore));
+      const Lanes cornersAcross = ((load(y + upper + fore) + load(y + upper - fore)) -
+                                   (load(y + lower + fore) + load(y + lower - fore))) +
+                                  ((load(z + upper + fore) + load(z + lower + fore)) -
+                                   (load(z + upper - fore) + load(z + lower - fore)));
       const Lanes across = facesAcross + corner * cornersAcross;
       store(planes.own[a] + at, face * facesAcross + cornersAcross);
       store(planes.after[a] + at, across + along);

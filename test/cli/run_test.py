@@ -25,14 +25,14 @@ STILL = {
 }
 # On tissue that moves: the same with and without vector instructions.
 ELASTIC = {
-    "press": "0b0e572b9d51bf5f",
-    "lift": "8ad04a47812e8ec8",
-    "incise": "a24ffa72d5bf017f",
-    "incise-under-traction": "1e97b27f7989c6f4",
-    "snip": "acd787c2a74fc724",
-    "resect-segment-elastic": "bde23abf75ed0879",
-    "hang": "12c5e13ff74fbead",
-    "drop": "9da209bfcce4a0e1",
+    "press": "ff7aded954d5fb7e",
+    "lift": "da9413e21016a353",
+    "incise": "a230a4d56a9fb866",
+    "incise-under-traction": "ca88810e08c80fbf",
+    "snip": "0a1a5c988466ce83",
+    "resect-segment-elastic": "3fe826684a6eaf13",
+    "hang": "dff9cb5ea2ed70ec",
+    "drop": "b9fcec22752f1eb7",
 }
 
 PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2])
