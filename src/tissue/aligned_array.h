@@ -1,33 +1,25 @@
-// Arrays over the cells of a tissue, laid out for loops that read some forty of them at one index.
-//
-// They start on a cache line, as wide vector instructions like it, and lie in a few large blocks of
-// memory: the system may give those large pages, so that forty arrays need few entries of the
-// address cache. No two neighbours in a block start at the same place of a page; else the same
-// index of all of them would fall into one set of the first-level cache, which holds eight.
+// Arrays that start on a cache line, as wide vector instructions like it.
 #pragma once
 
 #include <cstddef>
+#include <new>
 #include <vector>
 
 namespace resect {
 
-// Memory for one array, on a cache line; throws std::bad_alloc. A block goes back to the system
-// with the last array in it. Any thread.
-void* takeArray(std::size_t bytes);
-void giveArray(void* array);
-
 template <typename T>
-struct ArrayAllocator {
+struct LineAllocator {
   using value_type = T;
-  ArrayAllocator() = default;
+  static constexpr std::align_val_t kLine{64};
+  LineAllocator() = default;
   template <typename U>
-  ArrayAllocator(const ArrayAllocator<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(takeArray(n * sizeof(T))); }
-  void deallocate(T* p, std::size_t) { giveArray(p); }
-  friend bool operator==(const ArrayAllocator&, const ArrayAllocator&) { return true; }
+  LineAllocator(const LineAllocator<U>&) {}
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), kLine)); }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, kLine); }
+  friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
 
 template <typename T>
-using AlignedArray = std::vector<T, ArrayAllocator<T>>;
+using AlignedArray = std::vector<T, LineAllocator<T>>;
 
 }  // namespace resect
