@@ -66,6 +66,10 @@ SweptBlade ruledBlade(std::span<const Vec3> before, std::span<const Vec3> after)
 
 std::optional<BladeCrossing> crossing(const SweptBlade& blade, const Vec3& p, const Vec3& q) {
   std::optional<BladeCrossing> first;
+  const Vec3 reach = 2 * kBladeReach * blade.bounds.size() + Vec3::Constant(kOnPlane);
+  if ((p.cwiseMax(q).array() < (blade.bounds.min - reach).array()).any() ||
+      (p.cwiseMin(q).array() > (blade.bounds.max + reach).array()).any())
+    return first;
   for (std::size_t i = 0; i < blade.triangles.size(); ++i) {
     const BladeTriangle& t = blade.triangles[i];
     const double heightP = t.normal.dot(p - t.corner), heightQ = t.normal.dot(q - t.corner);

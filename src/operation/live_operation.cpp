@@ -27,7 +27,7 @@ double median(std::vector<double> values) {
 }
 
 // Looks at one corner of every triangle, at all of those that can be near; only for the tool in
-// hand.
+// hand. Of a still organ only at the bricks in the column that the tip is in.
 TipPlace placeOf(const Simulation& simulation, const Vec3& tip) {
   const auto points = simulation.surfacePoints(), normals = simulation.surfaceNormals();
   const Vec3f p = tip.cast<float>();
@@ -36,10 +36,10 @@ TipPlace placeOf(const Simulation& simulation, const Vec3& tip) {
   // No side of a triangle is longer than this, also where tissue is stretched.
   const double longest = 4 * simulation.organ().rest.lattice.spacing.maxCoeff();
   const float reach = float(kTipReach + longest);
-  for (const Triangle& t : simulation.organ().surface.triangles()) {
+  const auto look = [&](const Triangle& t) {
     const Vec3f& corner = points[std::size_t(t[0])];
-    if (std::abs(corner.x() - p.x()) > reach || std::abs(corner.z() - p.z()) > reach) continue;
-    if (t[0] == t[1]) continue;  // a hole
+    if (std::abs(corner.x() - p.x()) > reach || std::abs(corner.z() - p.z()) > reach) return;
+    if (t[0] == t[1]) return;  // a hole
     for (const std::int32_t v : t) {
       const Vec3f away = p - points[std::size_t(v)];
       if (away.squaredNorm() >= nearest) continue;
@@ -55,9 +55,16 @@ TipPlace placeOf(const Simulation& simulation, const Vec3& tip) {
     const float ab = side(a, b), bc = side(b, c), ca = side(c, a), area = ab + bc + ca;
     const bool meets =
         area != 0 && ((ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0));
-    if (!meets) continue;
+    if (!meets) return;
     const float height = (bc * a.y() + ca * b.y() + ab * c.y()) / area;
     if (height <= p.y()) under = std::max(under, height);
+  };
+  const SurfaceTracker& surface = simulation.organ().surface;
+  if (simulation.tissue().moves()) {
+    for (const Triangle& t : surface.triangles()) look(t);
+  } else {  // the column over and under the tip
+    const Vec3 half(reach, std::numeric_limits<double>::infinity(), reach);
+    surface.visitTriangles(simulation.organ().field, {tip - half, tip + half}, look);
   }
   if (inside) return {tip.y(), 0};
   return {under, std::sqrt(double(nearest))};

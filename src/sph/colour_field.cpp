@@ -228,6 +228,18 @@ void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
   }
 }
 
+IndexBox ColourField::bricksIn(const Aabb& box) const {
+  const Vec3 origin = nodePosition(Vec3::Zero());
+  const Vec3 side = lattice_.spacing * (double(kBrickNodes) / refine_);
+  const Vec3 last = (brickDims_ - Vec3i::Ones()).cast<double>();
+  const auto brickAt = [&](const Vec3& p) {
+    return Vec3((p - origin).cwiseQuotient(side).array().floor().matrix());
+  };
+  const Vec3i low = brickAt(box.min).cwiseMax(0).cwiseMin(last + Vec3::Ones()).cast<int>();
+  const Vec3i high = brickAt(box.max).cwiseMin(last).cwiseMax(-1).cast<int>();
+  return {low, (high - low + Vec3i::Ones()).cwiseMax(0)};
+}
+
 float ColourField::node(const Vec3i& n) const {
   if ((n.array() < 0).any() || (n.array() >= nodeDims().array()).any()) return 0;
   return nodes(n / kBrickNodes)[(n.z() % 4 * 4 + n.y() % 4) * 4 + n.x() % 4];

@@ -20,6 +20,8 @@
 #include <span>
 #include <vector>
 
+#include "base/index_box.h"
+#include "geometry/aabb.h"
 #include "sph/discretization.h"
 
 namespace resect {
@@ -71,6 +73,8 @@ class ColourField {
   Vec3 nodePosition(const Vec3& node) const {  // rest space, m; fractional nodes allowed
     return lattice_.origin + lattice_.spacing.cwiseProduct(node / refine_ - Vec3::Constant(2));
   }
+  // The bricks whose cells a box meets (rest space, m; it may be endless).
+  IndexBox bricksIn(const Aabb& box) const;
 
   float cellValue(std::int64_t cell) const { return cells_[padded(lattice_.cell(cell))]; }
   // Sets a cell's colour value, in [0, 100]; the field follows at the next update().

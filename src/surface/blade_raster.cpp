@@ -179,22 +179,7 @@ std::int64_t severAlong(SeveredEdges& severed, const ColourField& field, const S
 
 std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade) {
   if (blade.empty()) return 0;
-  const Vec3 brickSize = field.lattice().spacing * (double(kBrickNodes) / field.refine());
-  const Vec3 origin = field.nodePosition(Vec3::Zero());
-  const Vec3i low = (blade.bounds.min - origin)
-                        .cwiseQuotient(brickSize)
-                        .array()
-                        .floor()
-                        .cwiseMax(0)
-                        .matrix()
-                        .cast<int>();
-  const Vec3i high = (blade.bounds.max - origin)
-                         .cwiseQuotient(brickSize)
-                         .array()
-                         .floor()
-                         .cwiseMin((field.brickDims() - Vec3i::Ones()).cast<double>().array())
-                         .matrix()
-                         .cast<int>();
+  const IndexBox within = field.bricksIn(blade.bounds);
   // A brick's edges and faces matter where its nodes, or those of a brick below, are not all empty.
   const auto matters = [&](const Vec3i& b) {
     for (int d = 0; d < 8; ++d) {
@@ -205,10 +190,8 @@ std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const 
     return false;
   };
   std::vector<std::int64_t> bricks;
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x)
-        if (matters({x, y, z})) bricks.push_back(field.brickIndex({x, y, z}));
+  for (std::int32_t i = 0; i < std::int32_t(within.count()); ++i)
+    if (matters(within.place(i))) bricks.push_back(field.brickIndex(within.place(i)));
   return severAlong(severed, field, blade, bricks,
                     [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
                       const Vec3 first = (kBrickNodes * brick).cast<double>();

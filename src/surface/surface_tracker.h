@@ -64,6 +64,20 @@ class SurfaceTracker {
       }
   }
 
+  // visit(triangle) for each of the bricks that the box meets (rest space, m; it may be endless);
+  // holes too.
+  template <typename Visit>
+  void visitTriangles(const ColourField& field, const Aabb& box, Visit visit) const {
+    const IndexBox bricks = field.bricksIn(box);
+    for (std::int32_t i = 0; i < std::int32_t(bricks.count()); ++i) {
+      const std::int32_t record = recordOf_[std::size_t(field.brickIndex(bricks.place(i)))];
+      if (record == kNone) continue;
+      const BrickMesh& mesh = bricks_[std::size_t(record)];
+      for (std::int32_t t = 0; t < mesh.triangles; ++t)
+        visit(triangles_[std::size_t(mesh.firstTriangle + t)]);
+    }
+  }
+
   // What the last update or setIso wrote: ranges of vertices and of triangles.
   struct Changes {
     std::vector<IndexRange> vertices, triangles;

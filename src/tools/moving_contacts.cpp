@@ -130,17 +130,20 @@ ToolContacts findMovingContacts(const Organ& organ, const TissueModel& tissue, c
   // The tool's box on its way, in its frame at the end.
   Aabb box = tool.bounds();
   for (int corner = 0; corner < 8; ++corner)
-    box.grow(toTool * (from * Vec3(corner & 1 ? tool.bounds().max.x() : tool.bounds().min.x(),
-                                   corner & 2 ? tool.bounds().max.y() : tool.bounds().min.y(),
-                                   corner & 4 ? tool.bounds().max.z() : tool.bounds().min.z())));
+    box.grow(toTool * (from * tool.bounds().corner(corner)));
   for (const Vec3& p : model.hook) box.grow(p);
   box = box.padded((model.hook.empty() ? 0.5 : 1.5) * spacing);
+  Aabb boxInWorld;
+  for (int corner = 0; corner < 8; ++corner) boxInWorld.grow(to * box.corner(corner));
+  boxInWorld = boxInWorld.padded(1e-6 * spacing);  // rounding
 
   std::vector<std::int64_t> near;
   std::vector<Vec3> positions;
   for (std::int64_t c = 0; c < lattice.cellCount(); ++c) {
     if (!organ.alive[c] || !tissue.solid(c)) continue;
     const Vec3 x = lattice.centre(lattice.cell(c)) + tissue.displacement(c);
+    const bool atBlade = !blade.empty() && nearBlade.contains(x);
+    if (!atBlade && !boxInWorld.contains(x)) continue;
     const Vec3 local = toTool * x;
     if (box.contains(local)) {
       near.push_back(c);
@@ -149,7 +152,7 @@ ToolContacts findMovingContacts(const Organ& organ, const TissueModel& tissue, c
       if (!model.hook.empty() && contacts.pulls && inBend(model, local, spacing))
         contacts.caught.push_back(c);
     }
-    if (blade.empty() || !nearBlade.contains(x)) continue;
+    if (!atBlade) continue;
     contacts.nearBlade.push_back(c);
     const Vec3i at = lattice.cell(c);
     for (int d = kFirstForward; d < kDirections; ++d) {

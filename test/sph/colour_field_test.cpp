@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "base/parallel.h"
@@ -146,6 +147,32 @@ TEST_CASE("the field has the same bits at 1, 2 and 3 threads") {
   for (int threads : {2, 3}) {
     const ThreadLimit limit(threads);
     CHECK(sameField(one, ColourField(d, 2)));
+  }
+}
+
+TEST_CASE("the bricks that a box meets are those whose cells it meets") {
+  const ColourField field(test::fullBlock({9, 6, 12}), 2);
+  const auto cellsOf = [&](const Vec3i& brick) {
+    return Aabb{field.nodePosition((kBrickNodes * brick).cast<double>()),
+                field.nodePosition((kBrickNodes * (brick + Vec3i::Ones())).cast<double>())};
+  };
+  const Aabb all{field.nodePosition(Vec3::Zero()),
+                 field.nodePosition(field.nodeDims().cast<double>())};
+  CHECK(field.bricksIn(all.padded(1)).count() == std::size_t(field.brickCount()));
+  const Vec3 endless = Vec3::Constant(std::numeric_limits<double>::infinity());
+  CHECK(field.bricksIn({-endless, endless}).count() == std::size_t(field.brickCount()));
+  CHECK(field.bricksIn({all.max + Vec3::Ones(), endless}).count() == 0);
+  CHECK(field.bricksIn({-endless, all.min - Vec3::Ones()}).count() == 0);
+  Random random(5);
+  for (int i = 0; i < 200; ++i) {
+    Aabb box;
+    for (int k = 0; k < 2; ++k)
+      box.grow(Vec3(all.min + 1.5 * Vec3(random.uniform(-0.2, 1), random.uniform(-0.2, 1),
+                                         random.uniform(-0.2, 1))
+                                        .cwiseProduct(all.size())));
+    const IndexBox found = field.bricksIn(box);
+    for (std::int64_t b = 0; b < field.brickCount(); ++b)
+      CHECK(found.contains(field.brick(b)) == !intersection(cellsOf(field.brick(b)), box).empty());
   }
 }
 

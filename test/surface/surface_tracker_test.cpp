@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "base/parallel.h"
@@ -51,6 +52,36 @@ TEST_CASE("no diagonal of the marching-cubes table lies in a face of the cell") 
           inFace |= coordinate(e, a) == coordinate(f, a) && coordinate(e, a) != 1;
         CHECK(uses == (inFace ? 1 : 2));
       }
+}
+
+TEST_CASE("a box finds every triangle that it meets, and few others") {
+  const ColourField field(test::fullBlock({20, 16, 12}), 2);
+  const SurfaceTracker surface(field, 50);
+  const Aabb all = bounds(surface.mesh().points);
+  const double brick = kBrickNodes * field.lattice().spacing.x() / 2;
+  Random random(8);
+  for (int i = 0; i < 50; ++i) {
+    Aabb box;
+    for (int k = 0; k < 2; ++k)
+      box.grow(Vec3(all.min + Vec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1))
+                                  .cwiseProduct(all.size())));
+    if (i % 2 == 0) {  // an endless column
+      box.min.y() = -std::numeric_limits<double>::infinity();
+      box.max.y() = -box.min.y();
+    }
+    const auto boundsOf = [&](const Triangle& t) {
+      Aabb of;
+      for (const std::int32_t v : t) of.grow(Vec3(surface.points()[std::size_t(v)].cast<double>()));
+      return of;
+    };
+    std::multiset<Triangle> found;
+    surface.visitTriangles(field, box, [&](const Triangle& t) {
+      found.insert(t);
+      CHECK_FALSE(intersection(boundsOf(t), box.padded(1.001 * brick)).empty());
+    });
+    for (const Triangle& t : surface.triangles())
+      if (t[0] != t[1] && !intersection(boundsOf(t), box).empty()) CHECK(found.count(t) == 1);
+  }
 }
 
 TEST_CASE(
