@@ -26,19 +26,14 @@ double median(std::vector<double> values) {
   return values.empty() ? 0 : summarise(std::move(values)).median;
 }
 
-// Looks at one corner of every triangle, at all of those that can be near; only for the tool in
-// hand. Of a still organ only at the bricks in the column that the tip is in.
+// Only for the tool in hand. Of a still organ the bricks round the tip and under it are looked at,
+// of one that moves all triangles: its bricks are at rest.
 TipPlace placeOf(const Simulation& simulation, const Vec3& tip) {
   const auto points = simulation.surfacePoints(), normals = simulation.surfaceNormals();
   const Vec3f p = tip.cast<float>();
   float nearest = float(kTipReach * kTipReach), under = 0;
   bool inside = false;
-  // No side of a triangle is longer than this, also where tissue is stretched.
-  const double longest = 4 * simulation.organ().rest.lattice.spacing.maxCoeff();
-  const float reach = float(kTipReach + longest);
-  const auto look = [&](const Triangle& t) {
-    const Vec3f& corner = points[std::size_t(t[0])];
-    if (std::abs(corner.x() - p.x()) > reach || std::abs(corner.z() - p.z()) > reach) return;
+  const auto lookRound = [&](const Triangle& t) {
     if (t[0] == t[1]) return;  // a hole
     for (const std::int32_t v : t) {
       const Vec3f away = p - points[std::size_t(v)];
@@ -46,7 +41,9 @@ TipPlace placeOf(const Simulation& simulation, const Vec3& tip) {
       nearest = away.squaredNorm();
       inside = away.dot(normals[std::size_t(v)]) < 0;
     }
-    // Seen from above: does the plumb line through the tip meet the triangle?
+  };
+  // Seen from above: does the plumb line through the tip meet the triangle?
+  const auto lookUnder = [&](const Triangle& t) {
     const Vec3f &a = points[std::size_t(t[0])], &b = points[std::size_t(t[1])],
                 &c = points[std::size_t(t[2])];
     const auto side = [&](const Vec3f& u, const Vec3f& v) {
@@ -59,12 +56,25 @@ TipPlace placeOf(const Simulation& simulation, const Vec3& tip) {
     const float height = (bc * a.y() + ca * b.y() + ab * c.y()) / area;
     if (height <= p.y()) under = std::max(under, height);
   };
-  const SurfaceTracker& surface = simulation.organ().surface;
+
+  const Organ& organ = simulation.organ();
+  const double spacing = organ.rest.lattice.spacing.maxCoeff();
   if (simulation.tissue().moves()) {
-    for (const Triangle& t : surface.triangles()) look(t);
-  } else {  // the column over and under the tip
-    const Vec3 half(reach, std::numeric_limits<double>::infinity(), reach);
-    surface.visitTriangles(simulation.organ().field, {tip - half, tip + half}, look);
+    // No side of a triangle is longer than this, also where tissue is stretched.
+    const float reach = float(kTipReach + 4 * spacing);
+    for (const Triangle& t : organ.surface.triangles()) {
+      const Vec3f& corner = points[std::size_t(t[0])];
+      if (std::abs(corner.x() - p.x()) > reach || std::abs(corner.z() - p.z()) > reach) continue;
+      lookRound(t);
+      lookUnder(t);
+    }
+  } else {
+    const Vec3 upDown(0, std::numeric_limits<double>::infinity(), 0);
+    organ.surface.visitTriangles(organ.field, {tip - upDown, tip + upDown}, lookUnder);
+    for (double reach = std::min(2 * spacing, kTipReach);; reach = std::min(2 * reach, kTipReach)) {
+      organ.surface.visitTriangles(organ.field, Aabb{tip, tip}.padded(reach), lookRound);
+      if (nearest <= reach * reach || reach == kTipReach) break;
+    }
   }
   if (inside) return {tip.y(), 0};
   return {under, std::sqrt(double(nearest))};
