@@ -82,8 +82,7 @@ void SurfaceSkin::findMotions(const Lattice& lattice, const TissueModel& tissue)
 
 // Motions are blended first and applied once: four products of a column per particle.
 void SurfaceSkin::moveVertices(const SurfaceTracker& surface, std::size_t begin, std::size_t end) {
-  typedef std::int32_t Order __attribute__((vector_size(16)));
-  constexpr Order kTurned = {1, 2, 0, 3};
+  const auto turn = [](Column v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); };  // y z x
   const std::span<const Vec3f> rest = surface.points(), restNormals = surface.normals();
   for (std::size_t v = begin; v < end; ++v) {
     const Binding& binding = bindings_[v];
@@ -103,8 +102,7 @@ void SurfaceSkin::moveVertices(const SurfaceTracker& surface, std::size_t begin,
     g0 += Column{1, 0, 0, 0};
     g1 += Column{0, 1, 0, 0};
     g2 += Column{0, 0, 1, 0};
-    const Column t0 = __builtin_shuffle(g0, kTurned), t1 = __builtin_shuffle(g1, kTurned),
-                 t2 = __builtin_shuffle(g2, kTurned);
+    const Column t0 = turn(g0), t1 = turn(g1), t2 = turn(g2);
     const Vec3f& n = restNormals[v];
     const Column turned =
         n.x() * (g1 * t2 - t1 * g2) + n.y() * (g2 * t0 - t2 * g0) + n.z() * (g0 * t1 - t0 * g1);
