@@ -67,9 +67,8 @@ RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std:
     }
   // See kMostStiffening; without this a cut at stretch 2 explodes.
   const Lanes most = all(kMostStiffening);
-  Lanes pressure = load(s.lameVolume + i) * growth;
-  if (const IntLanes stiff = squares > most; any(stiff))
-    pressure = (stiff ? most / squares : all(1.0f)) * pressure;
+  const Lanes limit = squares > most ? most / squares : all(1.0f);
+  const Lanes pressure = limit * (load(s.lameVolume + i) * growth);
   const Lanes mu = load(s.shearVolume + i);
   const Lanes diagonal = pressure * (1.0f + trace) - mu * trace, both = mu - pressure;
   for (int a = 0; a < 3; ++a) {

@@ -16,9 +16,3 @@ RESECT_INLINE void store(float* p, Lanes v) { __builtin_memcpy(p, &v, sizeof v);
 RESECT_INLINE Lanes all(float x) { return x - Lanes{}; }
 
 RESECT_INLINE Lanes masked(Lanes value, IntLanes mask) { return (Lanes)((IntLanes)value & mask); }
-RESECT_INLINE bool any(IntLanes mask) {
-  std::uint64_t words[kLanes / 2], some = 0;
-  __builtin_memcpy(words, &mask, sizeof mask);
-  for (const std::uint64_t word : words) some |= word;
-  return some != 0;
-}
