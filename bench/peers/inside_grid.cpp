@@ -1,7 +1,6 @@
 #include "peers/inside_grid.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/parallel.h"
 
@@ -20,21 +19,35 @@ InsideGrid gridRound(const TriangleMesh& mesh, int n) {
   return {box.min + 0.5 * pitch, pitch, n};
 }
 
-std::vector<std::uint8_t> insideFlags(const TriangleMesh& mesh, const InsideGrid& grid) {
-  const Crossings columns = castColumns(snapToRaster(mesh), columnsOf(grid));
-  std::vector<std::uint8_t> flags(std::size_t(grid.n) * grid.n * grid.n, 0);
-  parallelFor(columns.columnCount(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c)
-      forEachInside(columns[c], [&](double entered, double left) {
+InsideStretches insideStretches(const TriangleMesh& mesh, const InsideGrid& grid) {
+  const Crossings crossings = castColumns(snapToRaster(mesh), columnsOf(grid));
+  InsideStretches inside;
+  inside.columns.resize(crossings.columnCount());
+  inside.stretches.resize(crossings.all.size() / 2);  // a stretch needs two crossings
+  const double perPitch = 1 / grid.pitch.z(), first = grid.first.z();
+  parallelFor(crossings.columnCount(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      InsideStretches::Column& column = inside.columns[c];
+      column.begin = column.end = std::uint32_t(crossings.offsets[c] / 2);
+      forEachInside(crossings[c], [&](double entered, double left) {
         const auto firstAbove = [&](double z) {
-          const double place = (z - grid.first.z()) / grid.pitch.z();
-          return std::size_t(std::clamp(std::floor(place) + 1, 0.0, double(grid.n)));
+          return std::int32_t(std::clamp((z - first) * perPitch + 1, 0.0, double(grid.n)));
         };
-        const std::size_t from = firstAbove(entered), to = firstAbove(left);
-        std::fill(flags.begin() + std::ptrdiff_t(c * grid.n + from),
-                  flags.begin() + std::ptrdiff_t(c * grid.n + to), std::uint8_t(1));
+        inside.stretches[column.end++] = {firstAbove(entered), firstAbove(left)};
       });
+    }
   });
+  return inside;
+}
+
+std::vector<std::uint8_t> flagsOf(const InsideStretches& inside, const InsideGrid& grid) {
+  std::vector<std::uint8_t> flags(std::size_t(grid.n) * grid.n * grid.n, 0);
+  for (std::size_t c = 0; c < inside.columns.size(); ++c)
+    for (std::uint32_t s = inside.columns[c].begin; s < inside.columns[c].end; ++s) {
+      const auto column = flags.begin() + std::ptrdiff_t(c * grid.n);
+      std::fill(column + inside.stretches[s].first, column + inside.stretches[s].last,
+                std::uint8_t(1));
+    }
   return flags;
 }
 

@@ -30,9 +30,10 @@ Findings compareSampling(const Effort& effort, const SamplingPeer& peer,
       line.threads = threads;
       line.goal = goal(size);
       peer.prepare(mesh, grid, threads);
-      std::vector<std::uint8_t> ours;
-      timeBoth([&] { ours = insideFlags(mesh, grid); }, peer.sample, effort, line);
-      const FlagDifference d = compareFlags(mesh, grid, ours, peer.flags(), peer.tolerance);
+      InsideStretches ours;
+      timeBoth([&] { ours = insideStretches(mesh, grid); }, peer.sample, effort, line);
+      const FlagDifference d =
+          compareFlags(mesh, grid, flagsOf(ours, grid), peer.flags(), peer.tolerance);
       line.agreement = fmt::format("{} points differ, {} of them off the surface; {} odd columns",
                                    d.points, d.offSurface, oddColumns(mesh, grid));
       findings.comparisons.push_back(std::move(line));

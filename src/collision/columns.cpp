@@ -2,13 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/assert.h"
 #include "base/parallel.h"
+#include "collision/column_order.h"
 #include "collision/footprint.h"
 
 namespace resect {
+
+SnappedMesh snapToRaster(const TriangleMesh& mesh) {
+  SnappedMesh snapped;
+  snapped.triangles = mesh.triangles;
+  snapped.box = bounds(mesh);
+  if (mesh.points.empty()) return snapped;
+  const Aabb& box = snapped.box;
+  RESECT_ASSERT(box.min.allFinite() && box.max.allFinite());
+  snapped.origin = box.min.head<2>();
+  const double extent = box.size().head<2>().maxCoeff();
+  if (extent > 0) snapped.step = extent / kRaster;
+  snapped.points.resize(mesh.points.size());
+  parallelFor(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3& p = mesh.points[i];
+      snapped.points[i] = {snapColumn(p.x() - box.min.x(), snapped.step),
+                           snapColumn(p.y() - box.min.y(), snapped.step), p.z()};
+      // The highest point may round to one step beyond the raster; it stays on it.
+      snapped.points[i].x = std::clamp(snapped.points[i].x, 0, kAbove - 1);
+      snapped.points[i].y = std::clamp(snapped.points[i].y, 0, kAbove - 1);
+    }
+  });
+  return snapped;
+}
+
 namespace {
 
 // Half-open ranges of columns or cells that a triangle may cover.
@@ -61,155 +86,6 @@ struct Bands {
     for (int band = reach.rows.first / rowsPerBand; band <= last; ++band) visit(band);
   }
 };
-
-bool before(const Crossing& a, const Crossing& b) {
-  return a.depth < b.depth || (a.depth == b.depth && a.sign > b.sign);
-}
-
-void sortColumn(Crossing* first, Crossing* last) {
-  if (last - first > 32) {
-    std::sort(first, last, before);
-    return;
-  }
-  for (Crossing* i = first; i < last; ++i) {
-    const Crossing moved = *i;
-    Crossing* j = i;
-    for (; j > first && before(moved, j[-1]); --j) *j = j[-1];
-    *j = moved;
-  }
-}
-
-constexpr std::size_t kBlock = 8192;  // triangles that are looked at together
-
-struct Hit {
-  std::uint32_t column;
-  std::int32_t sign;
-  double depth;
-};
-
-// Counting sort of the hits, in the order of the blocks, into the columns.
-void sortHits(const std::vector<std::vector<Hit>>& blocks, Crossings& result) {
-  // offsets[c + 1] counts, then is where column c goes on, and at last where it ends.
-  for (const auto& hits : blocks)
-    for (const Hit& hit : hits) ++result.offsets[hit.column + 1];
-  std::size_t sum = 0;
-  for (std::size_t c = 1; c < result.offsets.size(); ++c)
-    result.offsets[c] = std::exchange(sum, sum + result.offsets[c]);
-  result.all.resize(sum);
-  for (const auto& hits : blocks)
-    for (const Hit& hit : hits)
-      result.all[result.offsets[hit.column + 1]++] = {hit.depth, hit.sign};
-  for (std::size_t c = 0; c + 1 < result.offsets.size(); ++c)
-    if (result.offsets[c + 1] - result.offsets[c] > 1)
-      sortColumn(result.all.data() + result.offsets[c], result.all.data() + result.offsets[c + 1]);
-}
-
-// Raster places of the lines of one axis of a grid, and the first line at or beyond a place.
-struct GridLines {
-  std::vector<std::int32_t> at;
-  double linesPerStep, first;
-
-  GridLines(double origin, double pitch, int count, double meshOrigin, double step)
-      : at(count), linesPerStep(step / pitch), first((meshOrigin - origin) / pitch) {
-    for (int i = 0; i < count; ++i) at[i] = snapColumn(origin + i * pitch - meshOrigin, step);
-  }
-  double estimate(double place) const { return first + place * linesPerStep; }
-  std::int32_t lowerBound(std::int32_t place) const {
-    const int count = int(at.size());
-    const double about = estimate(place);
-    int i = !(about > 0) ? 0 : about < count ? int(about) + 1 : count;
-    while (i > 0 && at[i - 1] >= place) --i;
-    while (i < count && at[i] < place) ++i;
-    return i;
-  }
-};
-
-}  // namespace
-
-SnappedMesh snapToRaster(const TriangleMesh& mesh) {
-  SnappedMesh snapped;
-  snapped.triangles = mesh.triangles;
-  snapped.box = bounds(mesh);
-  if (mesh.points.empty()) return snapped;
-  const Aabb& box = snapped.box;
-  RESECT_ASSERT(box.min.allFinite() && box.max.allFinite());
-  snapped.origin = box.min.head<2>();
-  const double extent = box.size().head<2>().maxCoeff();
-  if (extent > 0) snapped.step = extent / kRaster;
-  snapped.points.resize(mesh.points.size());
-  parallelFor(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3& p = mesh.points[i];
-      snapped.points[i] = {snapColumn(p.x() - box.min.x(), snapped.step),
-                           snapColumn(p.y() - box.min.y(), snapped.step), p.z()};
-      // The highest point may round to one step beyond the raster; it stays on it.
-      snapped.points[i].x = std::clamp(snapped.points[i].x, 0, kAbove - 1);
-      snapped.points[i].y = std::clamp(snapped.points[i].y, 0, kAbove - 1);
-    }
-  });
-  return snapped;
-}
-
-Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
-  Crossings result;
-  result.offsets.assign(grid.count() + 1, 0);
-  if (grid.count() == 0 || mesh.points.empty()) return result;
-  RESECT_ASSERT(grid.pitch.x() > 0 && grid.pitch.y() > 0);
-  const GridLines linesX(grid.origin.x(), grid.pitch.x(), grid.countX, mesh.origin.x(), mesh.step);
-  const GridLines linesY(grid.origin.y(), grid.pitch.y(), grid.countY, mesh.origin.y(), mesh.step);
-
-  // A line at a triangle's lowest place may be covered, one at its highest is not (it counts as
-  // moved upwards), so the first line at or beyond each corner gives half-open ranges.
-  struct Cell {
-    std::int32_t column, row;
-  };
-  std::vector<Cell> cells(mesh.points.size());
-  parallelFor(cells.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      cells[i] = {linesX.lowerBound(mesh.points[i].x), linesY.lowerBound(mesh.points[i].y)};
-  });
-  const double slack = 2 + std::ceil(linesX.linesPerStep);
-  std::vector<std::vector<Hit>> blocks((mesh.triangles.size() + kBlock - 1) / kBlock);
-  parallelFor(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    std::vector<Hit>& hits = blocks[begin / kBlock];
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto& [ia, ib, ic] = mesh.triangles[t];
-      const Cell &a = cells[ia], &b = cells[ib], &c = cells[ic];
-      // Most triangles of a fine mesh lie between two lines.
-      if ((a.row == b.row && b.row == c.row) || (a.column == b.column && b.column == c.column))
-        continue;
-      const Range rows = rangeOf(a.row, b.row, c.row), all = rangeOf(a.column, b.column, c.column);
-      const Footprint footprint(mesh.points[ia], mesh.points[ib], mesh.points[ic]);
-      if (footprint.area == 0) continue;
-      for (int row = rows.first; row < rows.last; ++row) {
-        const std::int64_t y = linesY.at[row];
-        Range columns = all;
-        if (columns.last - columns.first > 8) {
-          // Where the row crosses the edges, by floating point; the exact test decides.
-          double low = all.first, high = all.last;
-          for (const Footprint::Edge& e : footprint.edge) {
-            if (e.dy == 0) continue;
-            const double rise = double(e.start) + double(e.dx) * double(y - footprint.y0);
-            const double at = linesX.estimate(double(footprint.x0) + rise / double(e.dy));
-            if (e.dy < 0) low = std::max(low, at - slack);
-            if (e.dy > 0) high = std::min(high, at + slack);
-          }
-          columns = {int(std::min(low, double(all.last))),
-                     int(std::ceil(std::max(high, double(all.first))))};
-        }
-        for (int column = columns.first; column < columns.last; ++column)
-          footprint.test(linesX.at[column], y, [&](double depth) {
-            hits.push_back({std::uint32_t(row) * std::uint32_t(grid.countX) + std::uint32_t(column),
-                            footprint.sign, depth});
-          });
-      }
-    }
-  });
-  sortHits(blocks, result);
-  return result;
-}
-
-namespace {
 
 // Columns at any places, in the cells of a coarse grid over them.
 struct Buckets {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "geometry/farthest_point.h"
 #include "geometry/measures.h"
 
 namespace resect {
@@ -24,17 +24,9 @@ std::vector<Vec3> directions(int count) {
 // Points that stick out farthest in many directions: nearly all corners of the hull that a table
 // can touch.
 std::vector<Vec3> outermostPoints(const TriangleMesh& mesh, const Vec3& centre) {
+  const FarthestPoint farthest(mesh.points);
   std::vector<Vec3> result;
-  for (const Vec3& d : directions(1500)) {
-    double farthest = -std::numeric_limits<double>::infinity();
-    Vec3 best = Vec3::Zero();
-    for (const Vec3& p : mesh.points)
-      if (const double reach = d.dot(p); reach > farthest) {
-        farthest = reach;
-        best = p;
-      }
-    result.push_back(best - centre);
-  }
+  for (const Vec3& d : directions(1500)) result.push_back(mesh.points[farthest.along(d)] - centre);
   return result;
 }
 

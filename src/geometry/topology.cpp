@@ -7,15 +7,22 @@ namespace resect {
 namespace {
 
 // An undirected edge as one sortable word, with the direction it was used in as the lowest bit.
+// Ascending: counted by their lower corners, then the few of each corner sorted.
 std::vector<std::uint64_t> sortedEdges(const TriangleMesh& mesh) {
-  std::vector<std::uint64_t> edges;
-  edges.reserve(3 * mesh.triangles.size());
-  for (const Triangle& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i) {
-      const auto a = std::uint64_t(t[i]), b = std::uint64_t(t[(i + 1) % 3]);
-      edges.push_back(a < b ? a << 33 | b << 1 : b << 33 | a << 1 | 1);
-    }
-  std::sort(edges.begin(), edges.end());
+  std::vector<std::uint32_t> next(mesh.points.size() + 1, 0);
+  const auto forEachEdge = [&](auto&& visit) {
+    for (const Triangle& t : mesh.triangles)
+      for (int i = 0; i < 3; ++i) visit(std::uint64_t(t[i]), std::uint64_t(t[(i + 1) % 3]));
+  };
+  forEachEdge([&](std::uint64_t a, std::uint64_t b) { ++next[std::min(a, b) + 1]; });
+  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  std::vector<std::uint64_t> edges(3 * mesh.triangles.size());
+  forEachEdge([&](std::uint64_t a, std::uint64_t b) {
+    edges[next[std::min(a, b)]++] = a < b ? a << 33 | b << 1 : b << 33 | a << 1 | 1;
+  });
+  std::size_t first = 0;
+  for (std::size_t i = 0; i + 1 < next.size(); first = next[i++])
+    std::sort(edges.begin() + std::ptrdiff_t(first), edges.begin() + next[i]);
   return edges;
 }
 

@@ -1,0 +1,217 @@
+// The columns of a regular grid: every triangle looks up the lines it may cover.
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "base/assert.h"
+#include "base/parallel.h"
+#include "collision/column_order.h"
+#include "collision/footprint.h"
+
+namespace resect {
+namespace {
+
+constexpr std::size_t kBlock = 8192;  // triangles that are looked at together
+constexpr std::size_t kRun = 1024;    // of them sorted at a time: the lists stay in the first cache
+
+struct Hit {
+  std::uint32_t column;
+  std::int32_t sign;
+  double depth;
+};
+
+// Hits are written without asking first whether they count, and kept by counting them: a branch
+// that goes one way as often as the other costs more than a hit.
+class HitList {
+ public:
+  // Where the next hits go; `more` of them may be written.
+  Hit* room(std::size_t more) {
+    if (count_ + more > hits_.size()) hits_.resize(2 * (count_ + more));
+    return hits_.data() + count_;
+  }
+  void keepUpTo(const Hit* end) { count_ = std::size_t(end - hits_.data()); }
+  std::span<const Hit> hits() const { return {hits_.data(), count_}; }
+
+ private:
+  std::vector<Hit> hits_;
+  std::size_t count_ = 0;
+};
+
+// Counting sort of the hits, in the order of the blocks, into the columns.
+void sortHits(const std::vector<HitList>& blocks, Crossings& result) {
+  // offsets[c + 1] counts, then is where column c goes on, and at last where it ends.
+  for (const HitList& block : blocks)
+    for (const Hit& hit : block.hits()) ++result.offsets[hit.column + 1];
+  std::size_t sum = 0;
+  for (std::size_t c = 1; c < result.offsets.size(); ++c)
+    result.offsets[c] = std::exchange(sum, sum + result.offsets[c]);
+  result.all.resize(sum);
+  for (const HitList& block : blocks)
+    for (const Hit& hit : block.hits())
+      result.all[result.offsets[hit.column + 1]++] = {hit.depth, hit.sign};
+  for (std::size_t c = 0; c + 1 < result.offsets.size(); ++c)
+    if (result.offsets[c + 1] - result.offsets[c] > 1)
+      sortColumn(result.all.data() + result.offsets[c], result.all.data() + result.offsets[c + 1]);
+}
+
+struct GridLines {
+  std::vector<std::int32_t> at;
+  double linesPerStep, first;
+
+  GridLines(double origin, double pitch, int count, double meshOrigin, double step)
+      : at(count), linesPerStep(step / pitch), first((meshOrigin - origin) / pitch) {
+    for (int i = 0; i < count; ++i) at[i] = snapColumn(origin + i * pitch - meshOrigin, step);
+  }
+  double estimate(double place) const { return first + place * linesPerStep; }
+  std::int32_t lowerBound(std::int32_t place) const {
+    const int count = int(at.size());
+    const double about = estimate(place);
+    int i = !(about > 0) ? 0 : about < count ? int(about) + 1 : count;
+    while (i > 0 && at[i - 1] >= place) --i;
+    while (i < count && at[i] < place) ++i;
+    return i;
+  }
+};
+
+// Between which lines a point lies: the first column and row at or beyond it.
+struct Cell {
+  std::int32_t column, row;
+};
+
+// Half-open range of lines between three points.
+struct Range {
+  std::int32_t first, last;
+  Range(std::int32_t a, std::int32_t b, std::int32_t c)
+      : first(std::min({a, b, c})), last(std::max({a, b, c})) {}
+  std::int32_t size() const { return last - first; }
+};
+
+class GridCaster {
+ public:
+  GridCaster(const SnappedMesh& mesh, const ColumnGrid& grid)
+      : mesh_(mesh),
+        linesX_(grid.origin.x(), grid.pitch.x(), grid.countX, mesh.origin.x(), mesh.step),
+        linesY_(grid.origin.y(), grid.pitch.y(), grid.countY, mesh.origin.y(), mesh.step),
+        slack_(1e-6 + 2 * linesX_.linesPerStep),
+        cells_(std::make_unique_for_overwrite<Cell[]>(mesh.points.size())) {
+    parallelFor(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        cells_[i] = {linesX_.lowerBound(mesh.points[i].x), linesY_.lowerBound(mesh.points[i].y)};
+    });
+  }
+
+  // Adds what triangles [begin, end) hit, at most kRun of them.
+  void cast(std::size_t begin, std::size_t end, HitList& hits) const {
+    // A line at a triangle's lowest place may be covered, one at its highest is not (it counts as
+    // moved upwards): the first line at or beyond each corner gives half-open ranges. Most
+    // triangles of a fine mesh lie between two lines; of the others most meet one row and one
+    // column. Sorting them out first leaves no branch that goes either way.
+    std::uint32_t meets[kRun];
+    std::size_t count = 0;
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [ia, ib, ic] = mesh_.triangles[t];
+      const Cell &a = cells_[ia], &b = cells_[ib], &c = cells_[ic];
+      meets[count] = std::uint32_t(t);
+      count += (((a.column ^ b.column) | (b.column ^ c.column)) != 0) &
+               (((a.row ^ b.row) | (b.row ^ c.row)) != 0);
+    }
+    struct Small {
+      std::uint32_t triangle;
+      int column, row;
+    } small[kRun];
+    std::uint32_t large[kRun];
+    std::size_t smalls = 0, larges = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto [columns, rows] = reach(meets[k]);
+      const bool single = (columns.size() == 1) & (rows.size() == 1);
+      small[smalls] = {meets[k], columns.first, rows.first};
+      large[larges] = meets[k];
+      smalls += single;
+      larges += !single;
+    }
+    Hit* to = hits.room(smalls);
+    for (std::size_t k = 0; k < smalls; ++k) {
+      const auto& [t, x, y] = small[k];
+      const Footprint footprint = footprintOf(t);
+      const auto place = footprint.row(linesY_.at[y]).place(linesX_.at[x]);
+      *to = {column(x, y), footprint.sign, footprint.depth(place)};
+      to += place.covered() & (footprint.area > 0);
+    }
+    hits.keepUpTo(to);
+    for (std::size_t k = 0; k < larges; ++k) castLarge(large[k], hits);
+  }
+
+ private:
+  std::pair<Range, Range> reach(std::size_t t) const {
+    const auto& [ia, ib, ic] = mesh_.triangles[t];
+    const Cell &a = cells_[ia], &b = cells_[ib], &c = cells_[ic];
+    return {Range(a.column, b.column, c.column), Range(a.row, b.row, c.row)};
+  }
+  Footprint footprintOf(std::size_t t) const {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    return Footprint(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
+  }
+
+  std::uint32_t column(int x, int y) const {
+    return std::uint32_t(y) * std::uint32_t(linesX_.at.size()) + std::uint32_t(x);
+  }
+
+  void castLarge(std::size_t t, HitList& hits) const {
+    const auto [columns, rows] = reach(t);
+    const Footprint footprint = footprintOf(t);
+    if (footprint.area == 0) return;
+    for (int y = rows.first; y < rows.last; ++y) {
+      const Footprint::Row row = footprint.row(linesY_.at[y]);
+      const auto [first, last] = columns.size() > 8 ? narrowed(footprint, row, columns) : columns;
+      if (first >= last) continue;
+      Hit* to = hits.room(std::size_t(last - first));
+      for (int x = first; x < last; ++x) {
+        const auto place = row.place(linesX_.at[x]);
+        *to = {column(x, y), footprint.sign, footprint.depth(place)};
+        to += place.covered();
+      }
+      hits.keepUpTo(to);
+    }
+  }
+
+  // Where the row crosses the edges, by floating point; the exact test decides.
+  Range narrowed(const Footprint& footprint, const Footprint::Row& row, const Range& all) const {
+    double low = all.first, high = all.last;
+    for (int e = 0; e < 3; ++e) {
+      const double dy = double(footprint.edge[e].dy);
+      if (dy == 0) continue;
+      const double at = linesX_.estimate(double(footprint.x0) + double(row.start[e]) / dy);
+      if (dy < 0) low = std::max(low, at - slack_);
+      if (dy > 0) high = std::min(high, at + slack_);
+    }
+    Range range = all;
+    range.first = int(std::min(low, double(all.last)));
+    range.last = int(std::max(high, double(all.first))) + 1;
+    range.last = std::min(range.last, all.last);
+    return range;
+  }
+
+  const SnappedMesh& mesh_;
+  GridLines linesX_, linesY_;
+  double slack_;  // columns that an estimate may be wrong by
+  std::unique_ptr<Cell[]> cells_;
+};
+
+}  // namespace
+
+Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
+  Crossings result;
+  result.offsets.assign(grid.count() + 1, 0);
+  if (grid.count() == 0 || mesh.points.empty()) return result;
+  RESECT_ASSERT(grid.pitch.x() > 0 && grid.pitch.y() > 0);
+  const GridCaster caster(mesh, grid);
+  std::vector<HitList> blocks((mesh.triangles.size() + kBlock - 1) / kBlock);
+  parallelFor(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; t += kRun)
+      caster.cast(t, std::min(end, t + kRun), blocks[begin / kBlock]);
+  });
+  sortHits(blocks, result);
+  return result;
+}
+
+}  // namespace resect
