@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 
 #include "base/assert.h"
 #include "base/growth.h"
@@ -18,9 +19,9 @@ constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that w
 constexpr int kMostBricks = 6;       // that a cell reaches along an axis: 17 nodes at refine 4
 constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
 
-// The four nodes of a brick along x.
-using Row = Eigen::Array4f;
-// Two rows: half a plane of nodes, which machines with eight lanes add at once.
+// The four nodes of a row of a brick, and two rows, half a plane, which machines with eight lanes
+// add at once.
+typedef float Row __attribute__((vector_size(16), may_alias));
 typedef float Half __attribute__((vector_size(32), may_alias));
 
 template <typename Plane>
@@ -34,14 +35,18 @@ void andWith(const std::uint8_t* other, std::size_t count, std::uint8_t* bytes) 
 
 constexpr std::uint8_t kHoldsNone = 1, kHoldsAll = 2;  // what cells hold, as bits
 
-// For each cell of a row: what do the `width` cells from it on all hold? work: count + width bytes.
+// For each cell of a row: what do the `width` cells from it on all hold? The last width - 1 answers
+// stand for fewer cells.
 RESECT_WIDEST
-void holdAlong(const float* cell, std::size_t count, int width, std::uint8_t* work,
-               std::uint8_t* held) {
+void holdAlong(const float* cell, std::size_t count, int width, std::uint8_t* held) {
   for (std::size_t x = 0; x < count; ++x)
-    work[x] = std::uint8_t((cell[x] == 0.f ? kHoldsNone : 0) | (cell[x] == 100.f ? kHoldsAll : 0));
-  std::copy_n(work, count, held);
-  for (int step = 1; step < width; ++step) andWith(work + step, count, held);
+    held[x] = std::uint8_t((cell[x] == 0.f ? kHoldsNone : 0) | (cell[x] == 100.f ? kHoldsAll : 0));
+  // After each pass an answer stands for `cells` of them; it doubles until the rest is less.
+  for (int cells = 1; cells < width;) {
+    const auto step = std::size_t(std::min(cells, width - cells));
+    for (std::size_t x = 0; x + step < count; ++x) held[x] &= held[x + step];
+    cells += int(step);
+  }
 }
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
@@ -58,11 +63,16 @@ ColourField::ColourField(const Discretization& cells, int refine)
     brickDims_[a] = ((lattice_.dims[a] + 3) * refine + kBrickNodes) / kBrickNodes;
   paddedDims_ = lattice_.dims + Vec3i::Constant(2 * kPad);
 
-  cells_.assign(std::size_t(paddedDims_.x()) * paddedDims_.y() * paddedDims_.z(), 0.f);
+  // Row after row between zeros, so that each is written once.
+  const std::size_t cellCount = std::size_t(paddedDims_.x()) * paddedDims_.y() * paddedDims_.z();
+  cells_.reserve(cellCount);
   for (int z = 0; z < lattice_.dims.z(); ++z)
-    for (int y = 0; y < lattice_.dims.y(); ++y)
-      std::copy_n(cells.value.begin() + lattice_.index({0, y, z}), lattice_.dims.x(),
-                  cells_.begin() + padded({0, y, z}));
+    for (int y = 0; y < lattice_.dims.y(); ++y) {
+      cells_.resize(std::size_t(padded({0, y, z})), 0.f);
+      const auto row = cells.value.begin() + lattice_.index({0, y, z});
+      cells_.insert(cells_.end(), row, row + lattice_.dims.x());
+    }
+  cells_.resize(cellCount, 0.f);
   makeTaps();
 
   slotOf_.assign(std::size_t(brickCount()), kEmpty);
@@ -93,7 +103,7 @@ void ColourField::makeTaps() {
         for (int dz = 0; dz < kReach; ++dz)
           for (int dy = 0; dy < kReach; ++dy)
             for (int dx = 0; dx < kReach; ++dx) {
-              Tap tap{{}, (dz * kReach + dy) * kReach + dx};
+              Tap tap{{}, (dz * kWindow + dy) * kReach + dx};
               bool reached = false;
               for (int y = 0; y < kBrickNodes; ++y)
                 for (int x = 0; x < kBrickNodes; ++x) {
@@ -150,12 +160,10 @@ ColourField::Reach ColourField::reach(const Vec3i& b) const {
 void ColourField::classifyBricks() {
   const std::size_t across = std::size_t(paddedDims_.x());
   const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
-  std::vector<std::uint8_t> held(cells_.size());
-  parallelFor(held.size() / across, 256, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint8_t> work(across + std::size_t(width), 0);
+  const auto held = std::make_unique_for_overwrite<std::uint8_t[]>(cells_.size());
+  parallelFor(cells_.size() / across, 256, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
-      holdAlong(cells_.data() + row * across, across, width, work.data(),
-                held.data() + row * across);
+      holdAlong(cells_.data() + row * across, across, width, held.get() + row * across);
   });
   parallelFor(
       std::size_t(brickDims_.y()) * brickDims_.z(), 16, [&](std::size_t begin, std::size_t end) {
@@ -165,7 +173,7 @@ void ColourField::classifyBricks() {
           std::fill(all.begin(), all.end(), kHoldsNone | kHoldsAll);
           for (int z = low.z(); z <= highestCell(b.z()); ++z)
             for (int y = low.y(); y <= highestCell(b.y()); ++y)
-              andWith(held.data() + padded({-kPad, y, z}), across, all.data());
+              andWith(held.get() + padded({-kPad, y, z}), across, all.data());
           std::int32_t* slot = slotOf_.data() + brickIndex(b);
           for (int x = 0; x < brickDims_.x(); ++x) {
             const std::uint8_t holds = all[std::size_t(windowCell({x, 0, 0}).x() + kPad)];
@@ -175,48 +183,102 @@ void ColourField::classifyBricks() {
       });
 }
 
+namespace {
+
+// Cells round a brick as two rows of its nodes see them: at [z][y][dx] the cells dx on from where
+// the nodes of the first row begin in row y of plane z; for the second row of nodes in row y, or y
+// + 1.
+constexpr int kAcross = 4, kMostRows = 7;
+using CellTable = Half[kMostRows][kMostRows][kAcross];
+
+// Places of a brick's nodes along the axes: cells on from the first node's.
+using NodePlaces = int[3][kBrickNodes];
+
+// Fills the tables that the brick's pairs of rows use: [0] where both rows of nodes see the same
+// row of cells, [1] where the second one sees the next. kRefine: 1, 2, 4, or 0 for any.
+template <int kRefine>
+[[gnu::always_inline]] inline void gatherCells(const float* low, std::ptrdiff_t alongY,
+                                               std::ptrdiff_t alongZ, const NodePlaces& place,
+                                               CellTable* tables) {
+  // A node on its cell's centre reaches one cell on, others two.
+  constexpr int kCells = kRefine == 1 ? 3 : kAcross;
+  const int planes = place[2][kBrickNodes - 1] + kCells;
+  const int rows = place[1][kBrickNodes - 1] + kCells;
+  const bool unused[2] = {place[1][1] != place[1][0] && place[1][3] != place[1][2],
+                          place[1][1] == place[1][0] && place[1][3] == place[1][2]};
+  for (int z = 0; z < planes; ++z) {
+    Row seen[kMostRows + 1][kAcross];
+    for (int y = 0; y < rows; ++y)
+      for (int dx = 0; dx < kCells; ++dx) {
+        const float* cell = low + z * alongZ + y * alongY + dx;
+        Row& row = seen[y][dx];
+        if constexpr (kRefine == 1)
+          std::memcpy(&row, cell, sizeof row);
+        else if constexpr (kRefine == 2)
+          row = Row{cell[0], cell[0], cell[1], cell[1]};
+        else if constexpr (kRefine == 4)
+          row = Row{cell[0], cell[0], cell[0], cell[0]};
+        else
+          row = Row{cell[place[0][0]], cell[place[0][1]], cell[place[0][2]], cell[place[0][3]]};
+      }
+    for (int step = 0; step < 2; ++step) {
+      if (unused[step]) continue;
+      for (int y = 0; y + step < rows; ++y)
+        for (int dx = 0; dx < kCells; ++dx)
+          tables[step][z][y][dx] =
+              __builtin_shufflevector(seen[y][dx], seen[y + step][dx], 0, 1, 2, 3, 4, 5, 6, 7);
+    }
+  }
+}
+
+}  // namespace
+
 // Evaluates the planes of nodes named by the bits of `planes`, two planes that lie alike in their
 // cells at a time. Every node adds its cells in the same order whatever its plane or brick; a tap
 // that does not reach it adds an exact zero. Aims at a product and a sum per tap and eight nodes;
 // the four sums of a pair of planes hide each other's latency.
 RESECT_WIDEST
 void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
-  const Vec3i low = windowCell(b), first = phase(b);
-  int place[3][kBrickNodes];  // of the nodes along each axis: cells on from the first node's
+  const Vec3i first = phase(b);
+  NodePlaces place;
   for (int a = 0; a < 3; ++a)
     for (int i = 0; i < kBrickNodes; ++i) place[a][i] = (first[a] + i) / refine_;
-  // The cells from `cell` on along x as the four nodes of a row see them.
-  const auto alongX = [&](const float* cell) -> Row {
-    if (refine_ == 1) return Row::Map(cell);
-    if (refine_ == 2) return {cell[0], cell[0], cell[1], cell[1]};
-    return {cell[place[0][0]], cell[place[0][1]], cell[place[0][2]], cell[place[0][3]]};
-  };
-  CellPlanes cells;
-  for (int z = 0; z < place[2][kBrickNodes - 1] + kReach; ++z) {
-    Row seen[kWindow][kReach];
-    for (int row = 0; row < place[1][kBrickNodes - 1] + kReach; ++row) {
-      const float* cell = cells_.data() + padded(low + Vec3i(0, row, z));
-      for (int dx = 0; dx < kReach; ++dx) seen[row][dx] = alongX(cell + dx);
-    }
-    for (int dy = 0; dy < kReach; ++dy)
-      for (int dx = 0; dx < kReach; ++dx)
-        for (int y = 0; y < kBrickNodes; ++y)
-          Row::Map(&cells[z][dy][dx][y * kBrickNodes]) = seen[place[1][y] + dy][dx];
+  static_assert(kWindow == kMostRows && kReach == kAcross);
+  CellTable tables[2];
+  const float* low = cells_.data() + padded(windowCell(b));
+  const std::ptrdiff_t alongY = paddedDims_.x(), alongZ = alongY * paddedDims_.y();
+  switch (refine_) {
+    case 1:
+      gatherCells<1>(low, alongY, alongZ, place, tables);
+      break;
+    case 2:
+      gatherCells<2>(low, alongY, alongZ, place, tables);
+      break;
+    case 4:
+      gatherCells<4>(low, alongY, alongZ, place, tables);
+      break;
+    default:
+      gatherCells<0>(low, alongY, alongZ, place, tables);
   }
+  // What the two halves of plane z see.
+  const auto seenBy = [&](int z, int half) {
+    const int y = place[1][2 * half], step = place[1][2 * half + 1] - y;
+    return &tables[step][place[2][z]][y][0];
+  };
   for (int z = 0; z < kBrickNodes; ++z) {
     if (!(planes >> z & 1)) continue;
     // The next plane that lies alike; where there is none, the plane is its own partner.
     const int other = z + refine_ < kBrickNodes && (planes >> (z + refine_) & 1) ? z + refine_ : z;
     planes &= ~(1u << other);
-    const Plane *own = cells[place[2][z]][0], *others = cells[place[2][other]][0];
+    const Half *cells0 = seenBy(z, 0), *cells1 = seenBy(z, 1);
+    const Half *cells2 = seenBy(other, 0), *cells3 = seenBy(other, 1);
     Half sum0 = {}, sum1 = {}, sum2 = {}, sum3 = {};
     for (const Tap& tap : taps_[phaseIndex({first.x(), first.y(), (first.z() + z) % refine_})]) {
-      const Half *weight = halves(tap.weight), *a = halves(own[tap.offset]),
-                 *c = halves(others[tap.offset]);
-      sum0 += a[0] * weight[0];
-      sum1 += a[1] * weight[1];
-      sum2 += c[0] * weight[0];
-      sum3 += c[1] * weight[1];
+      const Half* weight = halves(tap.weight);
+      sum0 += cells0[tap.offset] * weight[0];
+      sum1 += cells1[tap.offset] * weight[1];
+      sum2 += cells2[tap.offset] * weight[0];
+      sum3 += cells3[tap.offset] * weight[1];
     }
     const auto store = [&](const Half& sum, int row) {
       std::memcpy(out + row * kBrickNodes, &sum, sizeof sum);

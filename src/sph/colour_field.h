@@ -110,11 +110,8 @@ class ColourField {
   // place within their cells, so each has its own weight; 0 where it does not reach the cell.
   struct Tap {
     Plane weight;
-    int offset;  // into CellPlanes, from the plane of the node's own cell less one
+    int offset;  // into a brick's table of cells (evaluate()), from the node's own cell less one
   };
-  // The cells round a brick as seen by its nodes: in plane z of cells, for each of the 16 nodes of
-  // a plane the cell that lies (dy, dx), each 0 to 3, on from its own less one.
-  using CellPlanes = Plane[kWindow][kReach][kReach];
 
   std::int64_t padded(const Vec3i& cell) const {
     return (std::int64_t(cell.z() + kPad) * paddedDims_.y() + cell.y() + kPad) * paddedDims_.x() +
