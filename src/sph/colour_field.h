@@ -71,7 +71,10 @@ class ColourField {
   }
   float node(const Vec3i& node) const;         // 0 outside the grid
   Vec3 nodePosition(const Vec3& node) const {  // rest space, m; fractional nodes allowed
-    return lattice_.origin + lattice_.spacing.cwiseProduct(node / refine_ - Vec3::Constant(2));
+    return {nodePlace(0, node.x()), nodePlace(1, node.y()), nodePlace(2, node.z())};
+  }
+  double nodePlace(int axis, double node) const {  // one coordinate of nodePosition()
+    return lattice_.origin[axis] + lattice_.spacing[axis] * (node / refine_ - 2);
   }
   // The bricks whose cells a box meets (rest space, m; it may be endless).
   IndexBox bricksIn(const Aabb& box) const;

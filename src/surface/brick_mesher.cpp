@@ -1,8 +1,10 @@
 #include "surface/brick_mesher.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/instruction_set.h"
+#include "surface/marching_cubes_table.h"
 
 namespace resect {
 namespace {
@@ -20,11 +22,13 @@ constexpr int at(int x, int y, int z) { return ((z + 1) * kHalo + y + 1) * kHalo
 void gatherHalo(const ColourField& field, const Vec3i& brick, Halo& halo) {
   static constexpr float kOutside[kBrickSize] = {};
   const float* around[3][3][3];  // the nodes of the brick and of its 26 neighbours
+  const Vec3i last = field.brickDims() - Vec3i::Ones();
+  const bool within = (brick.array() > 0).all() && (brick.array() < last.array()).all();
   for (int z = 0; z < 3; ++z)
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 3; ++x) {
         const Vec3i b = brick + Vec3i(x - 1, y - 1, z - 1);
-        const bool exists = (b.array() >= 0).all() && (b.array() < field.brickDims().array()).all();
+        const bool exists = within || ((b.array() >= 0).all() && (b.array() <= last.array()).all());
         around[z][y][x] = exists ? field.nodes(b) : kOutside;
       }
   for (int z = -1; z <= 5; ++z)
@@ -46,11 +50,55 @@ constexpr float kEndMargin = 1e-3f;
 // parenchyma.
 constexpr float kCutRange = 15;
 
-Vec3f gradient(const Halo& halo, int node) {
-  return {halo[node + kStep[0]] - halo[node - kStep[0]],
-          halo[node + kStep[1]] - halo[node - kStep[1]],
-          halo[node + kStep[2]] - halo[node - kStep[2]]};
-}
+// The crossed edges of a brick, number by number: values and differences of values at both ends,
+// and what comes of them.
+struct CrossedEdges {
+  template <typename T>
+  using List = std::array<T, 3 * kBrickSize>;
+  int count = 0;
+  List<std::uint8_t> axis, node;                             // node: the lower end, 0 to 63
+  List<float> low, high;                                     // values at the ends
+  std::array<List<float>, 3> lowDifference, highDifference;  // per axis, of the nodes on both sides
+  List<float> way;                                           // of the vertex along the edge, 0 to 1
+  List<float> length;                                        // of the slope
+  std::array<List<float>, 3> normal;
+
+  void add(const Halo& halo, int axis_, int node_) {
+    const int a = at(node_ & 3, node_ >> 2 & 3, node_ >> 4), b = a + kStep[axis_];
+    axis[count] = std::uint8_t(axis_);
+    node[count] = std::uint8_t(node_);
+    low[count] = halo[a];
+    high[count] = halo[b];
+    for (int k = 0; k < 3; ++k) {
+      lowDifference[k][count] = halo[a + kStep[k]] - halo[a - kStep[k]];
+      highDifference[k][count] = halo[b + kStep[k]] - halo[b - kStep[k]];
+    }
+    ++count;
+  }
+
+  // Fills `way` and `normal`: plain loops over arrays, which the compiler turns into vectors.
+  [[gnu::always_inline]] void interpolate(float iso, const Vec3f& spacing) {
+    const float sx = spacing.x(), sy = spacing.y(), sz = spacing.z();
+    for (int i = 0; i < count; ++i) {
+      const float t = (iso - low[i]) / (high[i] - low[i]);
+      way[i] = t < kEndMargin ? kEndMargin : t > 1 - kEndMargin ? 1 - kEndMargin : t;
+    }
+    for (int i = 0; i < count; ++i) {
+      const float t = way[i], rest = 1 - t;
+      // Node differences are per node spacing; a stretched lattice turns them into slopes by its
+      // own spacing.
+      const float x = (rest * lowDifference[0][i] + t * highDifference[0][i]) / sx;
+      const float y = (rest * lowDifference[1][i] + t * highDifference[1][i]) / sy;
+      const float z = (rest * lowDifference[2][i] + t * highDifference[2][i]) / sz;
+      length[i] = std::sqrt(x * x + (y * y + z * z));
+      normal[0][i] = x / -length[i];
+      normal[1][i] = y / -length[i];
+      normal[2][i] = z / -length[i];
+    }
+    for (int i = 0; i < count; ++i)
+      if (!(length[i] > 0)) normal[0][i] = 0, normal[1][i] = 1, normal[2][i] = 0;
+  }
+};
 
 }  // namespace
 
@@ -79,8 +127,9 @@ std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& ins
 
 RESECT_WIDEST
 int countTriangles(const std::array<std::uint64_t, 8>& corners, std::uint64_t except) {
+  const auto& table = marchingCubesTable();
   int count = 0;
-  visitCells(corners, except, [&](int, const CellTriangles& drawn) { count += drawn.count; });
+  visitCells(corners, except, [&](int, int kind) { count += table[std::size_t(kind)].count; });
   return count;
 }
 
@@ -89,32 +138,33 @@ void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSign
                    SurfaceVertex* out) {
   Halo halo;
   gatherHalo(field, brick, halo);
+  CrossedEdges edges;
+  for (int axis = 0; axis < 3; ++axis)
+    for (std::uint64_t rest = signs.crossing[axis]; rest != 0; rest &= rest - 1)
+      edges.add(halo, axis, std::countr_zero(rest));
+  edges.interpolate(iso, field.lattice().spacing.cast<float>());
+
   const Vec3i first = kBrickNodes * brick;
   const bool edited = field.edited(field.brickIndex(brick));
-  for (int axis = 0; axis < 3; ++axis)
-    for (std::uint64_t rest = signs.crossing[axis]; rest != 0; rest &= rest - 1) {
-      const int node = std::countr_zero(rest);
-      const Vec3i local(node & 3, node >> 2 & 3, node >> 4);
-      const int a = at(local.x(), local.y(), local.z()), b = a + kStep[axis];
-      const float t = std::clamp((iso - halo[a]) / (halo[b] - halo[a]), kEndMargin, 1 - kEndMargin);
-      Vec3 where = (first + local).cast<double>();
-      where[axis] += t;
-      out->position = field.nodePosition(where).cast<float>();
-      // Node differences are per node spacing; a stretched lattice turns them into slopes by its
-      // own spacing.
-      const Vec3f slope = ((1 - t) * gradient(halo, a) + t * gradient(halo, b))
-                              .cwiseQuotient(field.lattice().spacing.cast<float>());
-      const float length = slope.norm();
-      out->normal = length > 0 ? Vec3f(slope / -length) : Vec3f(0, 1, 0);
-      out->cut = 0;
-      if (edited) {
-        const Vec3i from = first + local;
-        const float before =
-            (1 - t) * field.originalNode(from) + t * field.originalNode(from + Vec3i::Unit(axis));
-        out->cut = std::clamp((before - iso) / kCutRange, 0.f, 1.f);
-      }
-      ++out;
+  Vec3f nodes[kBrickNodes];  // where the nodes lie: x of those with that number along x, ...
+  for (int n = 0; n < kBrickNodes; ++n)
+    nodes[n] = field.nodePosition((first + Vec3i::Constant(n)).cast<double>()).cast<float>();
+  for (int i = 0; i < edges.count; ++i, ++out) {
+    const int axis = edges.axis[i], node = edges.node[i];
+    const Vec3i local(node & 3, node >> 2 & 3, node >> 4);
+    out->position = {nodes[local.x()].x(), nodes[local.y()].y(), nodes[local.z()].z()};
+    out->position[axis] =
+        float(field.nodePlace(axis, first[axis] + local[axis] + double(edges.way[i])));
+    out->normal = {edges.normal[0][i], edges.normal[1][i], edges.normal[2][i]};
+    out->cut = 0;
+    if (edited) {
+      const Vec3i from = first + local;
+      const float t = edges.way[i];
+      const float before =
+          (1 - t) * field.originalNode(from) + t * field.originalNode(from + Vec3i::Unit(axis));
+      out->cut = std::clamp((before - iso) / kCutRange, 0.f, 1.f);
     }
+  }
 }
 
 }  // namespace resect

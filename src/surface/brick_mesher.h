@@ -13,7 +13,6 @@
 
 #include "base/vec.h"
 #include "sph/colour_field.h"
-#include "surface/marching_cubes_table.h"
 
 namespace resect {
 
@@ -25,19 +24,18 @@ std::uint64_t insideMask(std::span<const float, kBrickSize> nodes, float iso);
 // = cell; corner 0 is the brick's own mask.
 std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& inside);
 
-// visit(cell, its triangles) for each of a brick's cells that the surface runs through, ascending,
-// but those in `except`; `corners`: what cornerMasks() gives.
+// visit(cell, kind: its eight corner bits) for each of a brick's cells that the surface runs
+// through, ascending, but those in `except`; `corners`: what cornerMasks() gives.
 template <typename Visit>
 [[gnu::always_inline]] inline void visitCells(const std::array<std::uint64_t, 8>& corners,
                                               std::uint64_t except, Visit visit) {
   std::uint64_t any = 0, all = ~std::uint64_t(0);
   for (const std::uint64_t mask : corners) any |= mask, all &= mask;
-  const auto& table = marchingCubesTable();
   for (std::uint64_t rest = any & ~all & ~except; rest != 0; rest &= rest - 1) {
     const int cell = std::countr_zero(rest);
     int kind = 0;
     for (int c = 0; c < 8; ++c) kind |= int(corners[c] >> cell & 1) << c;
-    visit(cell, table[kind]);
+    visit(cell, kind);
   }
 }
 

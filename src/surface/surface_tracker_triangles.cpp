@@ -1,4 +1,5 @@
 // How are the triangles of a brick drawn, with vertices that it shares with the bricks above it?
+#include <algorithm>
 #include <array>
 #include <bit>
 
@@ -29,17 +30,43 @@ constexpr std::array<int, 12> kEdgePlace = [] {
   return places;
 }();
 
+// marchingCubesTable() with those places instead of numbers of edges.
+constexpr int kMostDrawn = 5, kMostlyDrawn = 3;  // triangles of a cell
+struct DrawnCell {
+  int count = 0;
+  // Beyond `count` the first one again, so that it may be read.
+  std::array<std::array<std::uint16_t, 3>, kMostDrawn> places{};
+};
+
+const std::array<DrawnCell, 256>& drawnCells() {
+  static const auto cells = [] {
+    std::array<DrawnCell, 256> all;
+    for (std::size_t kind = 0; kind < 256; ++kind) {
+      const CellTriangles& drawn = marchingCubesTable()[kind];
+      all[kind].count = drawn.count;
+      for (std::size_t t = 0; t < kMostDrawn; ++t)
+        for (std::size_t v = 0; v < 3; ++v)
+          all[kind].places[t][v] =
+              std::uint16_t(kEdgePlace[drawn.edges[t < drawn.count ? t : 0][v]]);
+    }
+    return all;
+  }();
+  return cells;
+}
+
 }  // namespace
 
 // The brick itself and its seven neighbours above, numbered as in cornerMasks(): their meshes, null
 // where there is none.
 SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64_t brick) const {
   Above result{};
-  const Vec3i at = field.brick(brick);
+  const Vec3i at = field.brick(brick), dims = field.brickDims();
+  const std::int64_t alongY = dims.x(), alongZ = alongY * dims.y();
+  const bool beyond[3] = {at.x() + 1 == dims.x(), at.y() + 1 == dims.y(), at.z() + 1 == dims.z()};
+  const int outside = beyond[0] | beyond[1] << 1 | beyond[2] << 2;
   for (int d = 0; d < 8; ++d) {
-    const Vec3i b = at + Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);
-    if ((b.array() >= field.brickDims().array()).any()) continue;
-    const std::int64_t index = field.brickIndex(b);
+    if (d & outside) continue;
+    const std::int64_t index = brick + (d & 1) + (d >> 1 & 1) * alongY + (d >> 2) * alongZ;
     if (recordOf_[index] != kNone) {
       result.mesh[d] = &bricks_[recordOf_[index]];
       result.inside[d] = result.mesh[d]->signs.inside;
@@ -73,13 +100,22 @@ void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick)
       }
     }
   }
-  Triangle* out = triangles_.data() + mesh.firstTriangle;
-  visitCells(cornerMasks(around.inside), woundCells(mesh),
-             [&](int cell, const CellTriangles& drawn) {
-               const std::int32_t* at = vertex.data() + spanIndex(cell);
-               for (int t = 0; t < drawn.count; ++t, ++out)
-                 for (int v = 0; v < 3; ++v) (*out)[v] = at[kEdgePlace[drawn.edges[t][v]]];
-             });
+  // How many triangles a cell has cannot be guessed: some are written always, and the next cell
+  // writes over the surplus. Aside, for beyond the brick's range lies another's.
+  std::array<Triangle, kMostDrawn * kBrickSize> drawn;
+  Triangle* end = drawn.data();
+  const auto& cells = drawnCells();
+  visitCells(cornerMasks(around.inside), woundCells(mesh), [&](int cell, int kind) {
+    const std::int32_t* at = vertex.data() + spanIndex(cell);
+    const DrawnCell& own = cells[std::size_t(kind)];
+    const auto draw = [&](int t) {
+      for (std::size_t v = 0; v < 3; ++v) end[t][v] = at[own.places[std::size_t(t)][v]];
+    };
+    for (int t = 0; t < kMostlyDrawn; ++t) draw(t);
+    for (int t = kMostlyDrawn; t < own.count; ++t) draw(t);
+    end += own.count;
+  });
+  Triangle* out = std::copy(drawn.data(), end, triangles_.data() + mesh.firstTriangle);
   if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], vertex.data(), out);
 }
 
