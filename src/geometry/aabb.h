@@ -37,6 +37,11 @@ struct Aabb {
   }
 };
 
+// Have the boxes a point in common?
+inline bool meets(const Aabb& a, const Aabb& b) {
+  return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
+}
+
 // The common part; empty when the boxes do not meet.
 inline Aabb intersection(const Aabb& a, const Aabb& b) {
   return {a.min.cwiseMax(b.min), a.max.cwiseMin(b.max)};

@@ -1,6 +1,7 @@
 #include "organ/moved_incision.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/index_box.h"
 #include "surface/node_places.h"
@@ -8,28 +9,28 @@
 namespace resect {
 namespace {
 
-// The bricks that hold a node beside one of the cells, ascending.
+// The bricks that hold a node beside one of the cells, ascending. cells: not none.
 std::vector<std::int64_t> bricksRound(const Organ& organ, std::span<const std::int64_t> cells) {
   const ColourField& field = organ.field;
   const Lattice& lattice = organ.rest.lattice;
-  const Vec3 first = field.nodePosition(Vec3::Zero());
-  const Vec3 step = field.nodePosition(Vec3::Ones()) - first;
-  std::vector<std::int64_t> bricks;
+  const Vec3 reach = 1.01 * lattice.spacing;
+  std::vector<IndexBox> boxes;
+  Vec3i low = field.brickDims(), high = Vec3i::Zero();  // of all of them
   for (const std::int64_t cell : cells) {
     const Vec3 centre = lattice.centre(lattice.cell(cell));
-    Vec3i low, high;
-    for (int a = 0; a < 3; ++a) {
-      const double reach = 1.01 * lattice.spacing[a];
-      low[a] = std::max(0, int((centre[a] - reach - first[a]) / step[a]) / kBrickNodes);
-      high[a] = std::min(field.brickDims()[a] - 1,
-                         int((centre[a] + reach - first[a]) / step[a]) / kBrickNodes);
-    }
-    for (int z = low.z(); z <= high.z(); ++z)
-      for (int y = low.y(); y <= high.y(); ++y)
-        for (int x = low.x(); x <= high.x(); ++x) bricks.push_back(field.brickIndex({x, y, z}));
+    boxes.push_back(field.bricksIn({centre - reach, centre + reach}));
+    low = low.cwiseMin(boxes.back().low);
+    high = high.cwiseMax(boxes.back().low + boxes.back().dims);
   }
-  std::sort(bricks.begin(), bricks.end());
-  bricks.erase(std::unique(bricks.begin(), bricks.end()), bricks.end());
+  const IndexBox all{low, (high - low).cwiseMax(0)};
+  std::vector<std::uint8_t> wanted(all.count(), 0);
+  for (const IndexBox& box : boxes)
+    for (int z = 0; z < box.dims.z(); ++z)
+      for (int y = 0; y < box.dims.y(); ++y)
+        std::fill_n(wanted.begin() + all.index(box.low + Vec3i(0, y, z)), box.dims.x(), 1);
+  std::vector<std::int64_t> bricks;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (wanted[i]) bricks.push_back(field.brickIndex(all.place(std::int32_t(i))));
   return bricks;
 }
 
@@ -52,41 +53,83 @@ IndexBox cellsRound(const Organ& organ, std::span<const std::int64_t> bricks) {
 class Motions {
  public:
   Motions(const Organ& organ, const TissueModel& tissue, const IndexBox& cells)
-      : lattice_(organ.rest.lattice),
+      : organ_(organ),
+        lattice_(organ.rest.lattice),
         tissue_(tissue),
         cells_(cells),
-        placeOf_(cells.count(), -1),
-        motionOf_(cells.count(), -1) {}
+        perRow_(1.0 / lattice_.dims.x()),
+        perPlane_(1.0 / lattice_.dims.y()),
+        placeOf_(cells.count(), kUnknown),
+        motionOf_(cells.count(), kUnknown) {}
 
-  const Vec3& place(const Vec3i& cell) {
-    std::int32_t& known = placeOf_[std::size_t(cells_.index(cell))];
-    if (known < 0) {
+  // visit(number in the box, lattice index) for the particles in cells low to high, both included.
+  template <typename Visit>
+  void visitParticles(const Vec3i& low, const Vec3i& high, Visit visit) const {
+    for (int z = low.z(); z <= high.z(); ++z)
+      for (int y = low.y(); y <= high.y(); ++y) {
+        std::int64_t cell = lattice_.index({low.x(), y, z});
+        std::int32_t i = cells_.index({low.x(), y, z});
+        for (int x = low.x(); x <= high.x(); ++x, ++cell, ++i)
+          if (organ_.alive[std::size_t(cell)] && organ_.rest.inside[std::size_t(cell)])
+            visit(i, cell);
+      }
+  }
+
+  const Vec3& place(std::int32_t i, std::int64_t cell) {
+    std::int32_t& known = placeOf_[std::size_t(i)];
+    if (known == kUnknown) {
       known = std::int32_t(places_.size());
-      places_.push_back(lattice_.centre(cell) + tissue_.displacement(lattice_.index(cell)));
+      places_.push_back(lattice_.centre(cells_.place(i)) + tissue_.displacement(cell));
     }
     return places_[std::size_t(known)];
   }
-  const ParticleMotion& of(const Vec3i& cell) {
-    std::int32_t& known = motionOf_[std::size_t(cells_.index(cell))];
-    if (known < 0) {
-      CellPlacement place;
-      const std::int64_t index = lattice_.index(cell);
-      tissue_.place({&index, 1}, {&place, 1});
-      known = std::int32_t(motions_.size());
-      const Vec3 rest = lattice_.centre(cell);
-      motions_.push_back({rest, rest + place.displacement.cast<double>(),
-                          Mat3::Identity() + place.gradient.cast<double>()});
+  // Asks for the motions of the particles in cells low to high at the next answer(): all at once
+  // costs far less than one by one.
+  void ask(const Vec3i& low, const Vec3i& high) {
+    visitParticles(low, high, [&](std::int32_t i, std::int64_t cell) {
+      if (motionOf_[std::size_t(i)] != kUnknown) return;
+      motionOf_[std::size_t(i)] = std::int32_t(motions_.size() + asked_.size());
+      asked_.push_back(cell);
+    });
+  }
+  void answer() {
+    std::vector<CellPlacement> placements(asked_.size());
+    tissue_.place(asked_, placements);
+    for (std::size_t k = 0; k < asked_.size(); ++k) {
+      const Vec3 rest = lattice_.centre(lattice_.cell(asked_[k]));
+      motions_.push_back({rest, rest + placements[k].displacement.cast<double>(),
+                          Mat3::Identity() + placements[k].gradient.cast<double>()});
     }
-    return motions_[std::size_t(known)];
+    asked_.clear();
+  }
+  const ParticleMotion& of(std::int32_t i, std::int64_t cell) {
+    if (motionOf_[std::size_t(i)] == kUnknown) {
+      motionOf_[std::size_t(i)] = std::int32_t(motions_.size());
+      asked_.push_back(cell);
+      answer();
+    }
+    return motions_[std::size_t(motionOf_[std::size_t(i)])];
+  }
+  const ParticleMotion& of(std::int64_t cell) {
+    // Without dividing integers, which would cost more than all else: half a cell on, a quotient is
+    // never so near a whole number that rounding matters.
+    const int row = int((double(cell) + 0.5) * perRow_), z = int((row + 0.5) * perPlane_);
+    const Vec3i at(int(cell - std::int64_t(row) * lattice_.dims.x()), row - z * lattice_.dims.y(),
+                   z);
+    return of(cells_.index(at), cell);
   }
 
  private:
+  static constexpr std::int32_t kUnknown = -1;
+  const Organ& organ_;
   const Lattice& lattice_;
   const TissueModel& tissue_;
   IndexBox cells_;
+  double perRow_, perPlane_;
   std::vector<std::int32_t> placeOf_, motionOf_;
   std::vector<Vec3> places_;
   std::vector<ParticleMotion> motions_;
+  std::vector<std::int64_t> asked_;  // cells
 };
 
 // Bounds of where the nodes of a brick are now. A node lies among the places that the particles of
@@ -95,48 +138,63 @@ class BrickPlaces {
  public:
   BrickPlaces(const Organ& organ, Motions& motions, const Vec3i& brick)
       : organ_(organ), motions_(motions), brick_(brick) {
-    list(organ.severed.near(organ.field.brickIndex(brick)) ? 1 : 0);
-    if (particles_.empty()) list(1);
+    reach(organ.severed.near(organ.field.brickIndex(brick)) ? 1 : 0);
+    if (rough_.empty()) reach(1);
   }
 
+  Vec3i brick() const { return brick_; }
+  void askMotions() const { motions_.ask(low_, high_); }
   // From the particles' places alone: however stretched, no node strays two spacings from them.
-  Aabb rough() const {
-    Aabb box;
-    for (const Vec3i& p : particles_) box.grow(motions_.place(p));
-    return widened(box, 2.0);
-  }
+  Aabb rough() const { return widened(rough_, 2.0); }
   // From where each particle takes the whole brick.
   Aabb close() const {
-    const ColourField& field = organ_.field;
-    const Vec3 first = field.nodePosition((kBrickNodes * brick_).cast<double>());
-    const Vec3 half = 0.5 * kBrickNodes * field.lattice().spacing / field.refine();
     Aabb box;
-    for (const Vec3i& p : particles_) {
-      const ParticleMotion& motion = motions_.of(p);
-      const Vec3 middle = motion.position + motion.gradient * (first + half - motion.rest);
-      const Vec3 reach = motion.gradient.cwiseAbs() * half;
-      box.grow(Vec3(middle - reach));
-      box.grow(Vec3(middle + reach));
-    }
+    visitTaken([&](const Vec3& middle, const Mat3& half) {
+      const Vec3 reach = half.cwiseAbs().rowwise().sum();
+      box.grow(Aabb{middle - reach, middle + reach});
+    });
     return widened(box, 0.25);
+  }
+  // The same of its eighths (number: 1 for the upper half along x, 2 along y, 4 along z).
+  std::array<Aabb, 8> eighths() const {
+    std::array<Aabb, 8> boxes;
+    visitTaken([&](const Vec3& middle, const Mat3& half) {
+      const Vec3 reach = 0.5 * half.cwiseAbs().rowwise().sum();
+      for (unsigned e = 0; e < 8; ++e) {
+        const Vec3 at = middle + (e & 1 ? 0.5 : -0.5) * half.col(0) +
+                        (e & 2 ? 0.5 : -0.5) * half.col(1) + (e & 4 ? 0.5 : -0.5) * half.col(2);
+        boxes[e].grow(Aabb{at - reach, at + reach});
+      }
+    });
+    for (Aabb& box : boxes) box = widened(box, 0.25);
+    return boxes;
   }
 
  private:
-  // At the corners of the cubes that hold the brick's nodes, and `more` beyond.
-  void list(int more) {
+  // Particles at the corners of the cubes that hold the brick's nodes, and `more` beyond.
+  void reach(int more) {
     const int refine = organ_.field.refine();
-    const Lattice& lattice = organ_.rest.lattice;
     const Vec3i end = kBrickNodes * (brick_ + Vec3i::Ones()) + Vec3i::Constant(refine - 1);
     // Cell c lies at node refine * (c + 2).
-    const Vec3i low = (kBrickNodes * brick_ / refine - Vec3i::Constant(2 + more)).cwiseMax(0);
-    const Vec3i high =
-        (end / refine - Vec3i::Constant(2 - more)).cwiseMin(lattice.dims - Vec3i::Ones());
-    for (int z = low.z(); z <= high.z(); ++z)
-      for (int y = low.y(); y <= high.y(); ++y)
-        for (int x = low.x(); x <= high.x(); ++x) {
-          const std::int64_t cell = lattice.index({x, y, z});
-          if (organ_.alive[cell] && organ_.rest.inside[cell]) particles_.push_back({x, y, z});
-        }
+    low_ = (kBrickNodes * brick_ / refine - Vec3i::Constant(2 + more)).cwiseMax(0);
+    high_ = (end / refine - Vec3i::Constant(2 - more))
+                .cwiseMin(organ_.rest.lattice.dims - Vec3i::Ones());
+    rough_ = {};
+    motions_.visitParticles(low_, high_, [&](std::int32_t i, std::int64_t cell) {
+      rough_.grow(motions_.place(i, cell));
+    });
+  }
+  // visit(middle, half): where a particle takes the brick's middle, and its half sides as columns.
+  template <typename Visit>
+  void visitTaken(Visit visit) const {
+    const ColourField& field = organ_.field;
+    const Vec3 half = 0.5 * kBrickNodes * field.lattice().spacing / field.refine();
+    const Vec3 middle = field.nodePosition((kBrickNodes * brick_).cast<double>()) + half;
+    motions_.visitParticles(low_, high_, [&](std::int32_t i, std::int64_t cell) {
+      const ParticleMotion& motion = motions_.of(i, cell);
+      visit(Vec3(motion.position + motion.gradient * (middle - motion.rest)),
+            Mat3(motion.gradient * half.asDiagonal()));
+    });
   }
   Aabb widened(const Aabb& box, double spacings) const {
     const Vec3 slack = Vec3::Constant(spacings * organ_.rest.lattice.spacing.maxCoeff());
@@ -146,16 +204,43 @@ class BrickPlaces {
   const Organ& organ_;
   Motions& motions_;
   Vec3i brick_;
-  std::vector<Vec3i> particles_;  // cells
+  Vec3i low_, high_;  // cells
+  Aabb rough_;        // of their particles
 };
 
-// Can the blade meet something in the box?
-bool mayMeet(const SweptBlade& blade, const Aabb& box) {
-  return std::ranges::any_of(blade.triangles, [&](const BladeTriangle& t) {
-    Aabb bounds;
-    for (const Vec3& p : {t.corner, t.otherU, t.otherV}) bounds.grow(p);
-    return !intersection(bounds, box).empty();
-  });
+// The blade as boxes of its triangles.
+struct BladeBoxes {
+  Aabb all;
+  std::vector<Aabb> triangles;
+
+  explicit BladeBoxes(const SweptBlade& blade) : all(blade.bounds) {
+    for (const BladeTriangle& t : blade.triangles) {
+      Aabb& box = triangles.emplace_back();
+      for (const Vec3& p : {t.corner, t.otherU, t.otherV}) box.grow(p);
+    }
+  }
+  // Can the blade meet something in the box?
+  bool mayMeet(const Aabb& box) const {
+    return meets(all, box) &&
+           std::ranges::any_of(triangles, [&](const Aabb& t) { return meets(t, box); });
+  }
+};
+
+// The nodes of the eighths of a brick that the blade may meet: no other one's edges can be severed.
+PlacedNodes nodesToPlace(const BladeBoxes& blade, const BrickPlaces& brick) {
+  PlacedNodes nodes;
+  if (!blade.mayMeet(brick.close())) return nodes;
+  const std::array<Aabb, 8> eighths = brick.eighths();
+  constexpr int kHalf = kBrickNodes / 2;
+  for (int e = 0; e < 8; ++e) {
+    if (!blade.mayMeet(eighths[std::size_t(e)])) continue;
+    const Vec3i first = kHalf * Vec3i(e & 1, e >> 1 & 1, e >> 2);
+    for (int z = 0; z <= kHalf; ++z)
+      for (int y = 0; y <= kHalf; ++y)
+        for (int x = 0; x <= kHalf; ++x)
+          nodes.set(std::size_t(((first.z() + z) * 5 + first.y() + y) * 5 + first.x() + x));
+  }
+  return nodes;
 }
 
 }  // namespace
@@ -166,18 +251,32 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
   std::vector<std::int64_t> bricks = bricksRound(organ, nearCells);
   if (bricks.empty()) return 0;
   Motions motions(organ, tissue, cellsRound(organ, bricks));
-  std::erase_if(bricks, [&](std::int64_t index) {
+  std::vector<BrickPlaces> candidates;
+  for (const std::int64_t index : bricks) {
     const BrickPlaces brick(organ, motions, organ.field.brick(index));
-    return intersection(brick.rough(), blade.bounds).empty() || !mayMeet(blade, brick.close());
-  });
+    if (!meets(brick.rough(), blade.bounds)) continue;
+    brick.askMotions();
+    candidates.push_back(brick);
+  }
+  motions.answer();
+  bricks.clear();
+  const BladeBoxes boxes(blade);
+  std::vector<PlacedNodes> wanted;  // of each brick
+  for (const BrickPlaces& brick : candidates) {
+    const PlacedNodes nodes = nodesToPlace(boxes, brick);
+    if (nodes.none()) continue;
+    bricks.push_back(organ.field.brickIndex(brick.brick()));
+    wanted.push_back(nodes);
+  }
   const auto motionOf = [&](std::int64_t cell) -> const ParticleMotion& {
-    return motions.of(organ.rest.lattice.cell(cell));
+    return motions.of(cell);
   };
   const Wound wound{organ.severed, organ.alive};
-  return incise(organ, blade, bricks,
-                [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
-                  placeNodes(organ.field, wound, organ.surface.iso(), brick, motionOf, places);
-                });
+  auto nodes = wanted.begin();
+  return incise(
+      organ, blade, bricks, [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
+        placeNodes(organ.field, wound, organ.surface.iso(), brick, *nodes++, motionOf, places);
+      });
 }
 
 }  // namespace resect

@@ -1,18 +1,88 @@
 #include "organ/strands.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <limits>
 
 #include "base/index_box.h"
+#include "surface/brick_mesher.h"
 #include "tissue/stencil.h"
 
 namespace resect {
 namespace {
 
-bool inTissue(const Organ& organ, const Vec3i& node) {
-  return (node.array() >= 0).all() && (node.array() < organ.field.nodeDims().array()).all() &&
-         organ.field.node(node) >= organ.surface.iso();
-}
+// Which nodes of a box lie in tissue, and which whole edges lead from one to the next? Found brick
+// by brick, 64 nodes at a time, where asked.
+class TissueGrid {
+ public:
+  // Bit 2 axis + up of ways().
+  static constexpr unsigned kAllWays = 0x3f;
+
+  // For the nodes of the box and those beside it, which may lie outside the field.
+  TissueGrid(const Organ& organ, const IndexBox& nodes) : organ_(organ) {
+    const Vec3i low = brickOf(nodes.low - Vec3i::Ones());
+    const Vec3i high = brickOf(nodes.low + nodes.dims);
+    box_ = {low,
+            high - low + Vec3i::Constant(2)};  // and the brick above, for edges that lead there
+    bricks_.resize(box_.count());
+  }
+
+  bool inTissue(const Vec3i& node) { return inside(brickOf(node)) >> bitOf(node) & 1; }
+  // The whole edges from a node in tissue to others in tissue.
+  unsigned ways(const Vec3i& node) {
+    const Brick& own = brick(brickOf(node));
+    const int bit = bitOf(node);
+    unsigned found = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      found |= unsigned(own.whole[axis] >> bit & 1) << (2 * axis + 1);
+      const Vec3i below = node - Vec3i::Unit(axis);
+      const Brick& lower = (node[axis] & 3) != 0 ? own : brick(brickOf(below));
+      found |= unsigned(lower.whole[axis] >> bitOf(below) & 1) << (2 * axis);
+    }
+    return found;
+  }
+
+ private:
+  struct Brick {
+    bool insideKnown = false, wholeKnown = false;
+    std::uint64_t inside = 0, whole[3] = {};  // whole: per axis, bit = lower node
+  };
+
+  static Vec3i brickOf(const Vec3i& n) { return {n.x() >> 2, n.y() >> 2, n.z() >> 2}; }
+  static int bitOf(const Vec3i& n) { return (n.x() & 3) | (n.y() & 3) << 2 | (n.z() & 3) << 4; }
+
+  std::uint64_t inside(const Vec3i& b) {
+    Brick& made = bricks_[std::size_t(box_.index(b))];
+    if (made.insideKnown) return made.inside;
+    made.insideKnown = true;
+    const ColourField& field = organ_.field;
+    if ((b.array() >= 0).all() && (b.array() < field.brickDims().array()).all()) {
+      const std::int32_t slot = field.slot(field.brickIndex(b));
+      if (slot >= 0) made.inside = insideMask(field.values(slot), organ_.surface.iso());
+      if (slot == ColourField::kFull) made.inside = ~std::uint64_t(0);
+    }
+    return made.inside;
+  }
+  const Brick& brick(const Vec3i& b) {
+    Brick& made = bricks_[std::size_t(box_.index(b))];
+    if (made.wholeKnown) return made;
+    made.wholeKnown = true;
+    if (inside(b) == 0) return made;
+    std::array<std::uint64_t, 8> around{};  // the bricks above along one axis suffice
+    around[0] = made.inside;
+    for (int axis = 0; axis < 3; ++axis) around[1u << axis] = inside(b + Vec3i::Unit(axis));
+    const auto corners = cornerMasks(around);
+    for (int axis = 0; axis < 3; ++axis)
+      made.whole[axis] = made.inside & corners[1u << axis] &
+                         ~organ_.severed.mask(organ_.field.brickIndex(b), axis);
+    return made;
+  }
+
+  const Organ& organ_;
+  IndexBox box_;
+  std::vector<Brick> bricks_;
+};
 
 // The particle that a node of the grid goes with: the one fewest whole edges away through tissue;
 // of several the first. -1 when none is within kFar.
@@ -20,60 +90,48 @@ class NodeOwners {
  public:
   static constexpr int kFar = 6;  // edges
 
-  // For the nodes of the box. Cost: five bytes per node of the box and of kFar round it.
+  // For the nodes of the box. Cost: some bytes per node of the box and of kFar round it.
   NodeOwners(const Organ& organ, const IndexBox& box)
       : organ_(organ),
         box_{box.low - Vec3i::Constant(kFar), box.dims + Vec3i::Constant(2 * kFar)},
-        ways_(box_.count(), 0),
-        seenIn_(box_.count(), 0) {}
+        grid_(organ, box_),
+        ways_(box_.count(), 0) {}
 
+  // node: in tissue.
   std::int64_t operator()(const Vec3i& node) {
-    ++search_;
-    queue_.clear();
-    enqueue(box_.index(node));
-    std::int64_t owner = -1;
-    for (std::size_t layer = 0, steps = 0; layer < queue_.size(); ++steps) {
-      const std::size_t end = queue_.size();
-      for (std::size_t k = layer; k < end; ++k)
-        if (waysFrom(queue_[k]) & kParticle) {
-          const std::int64_t particle = particleAt(box_.place(queue_[k]));
-          if (owner < 0 || particle < owner) owner = particle;
-        }
-      if (owner >= 0 || steps == kFar) break;
-      for (; layer < end; ++layer) {
-        const std::int32_t from = queue_[layer];
-        for (unsigned ways = waysFrom(from) & kAllWays; ways != 0; ways &= ways - 1) {
-          const int way = std::countr_zero(ways), step = box_.step(way / 2);
-          const std::int32_t to = way % 2 ? from + step : from - step;
-          if (seenIn_[std::size_t(to)] != search_) enqueue(to);
-        }
-      }
-    }
-    return owner;
+    const std::int32_t i = box_.index(node);
+    for (int edges = 0; edges <= kFar; ++edges)
+      if (const std::int32_t owner = firstWithin(edges, i); owner != kNobody) return owner;
+    return -1;
   }
 
  private:
-  // Bit 2 axis + up: a whole edge leads to a node in tissue.
-  static constexpr unsigned kAllWays = 0x3f, kParticle = 0x40, kKnown = 0x80;
+  static constexpr std::uint8_t kKnown = 0x80;  // beside the ways
+  static constexpr std::int32_t kNobody = std::numeric_limits<std::int32_t>::max(), kUnknown = -1;
 
-  void enqueue(std::int32_t i) {
-    seenIn_[std::size_t(i)] = search_;
-    queue_.push_back(i);
+  // The first of all particles within so many edges of a node: of its neighbours' and its own
+  // within one edge less, each asked once.
+  std::int32_t firstWithin(int edges, std::int32_t i) {
+    std::vector<std::int32_t>& known = firstWithin_[std::size_t(edges)];
+    if (known.empty()) known.assign(box_.count(), kUnknown);
+    if (known[std::size_t(i)] != kUnknown) return known[std::size_t(i)];
+    std::int32_t first = kNobody;
+    if (edges == 0) {
+      if (const std::int64_t p = particleAt(box_.place(i)); p >= 0) first = std::int32_t(p);
+    } else {
+      first = firstWithin(edges - 1, i);
+      for (unsigned ways = waysFrom(i) & TissueGrid::kAllWays; ways != 0; ways &= ways - 1) {
+        const int way = std::countr_zero(ways), step = box_.step(way / 2);
+        first = std::min(first, firstWithin(edges - 1, way % 2 ? i + step : i - step));
+      }
+    }
+    return known[std::size_t(i)] = first;
   }
 
   unsigned waysFrom(std::int32_t i) {
     std::uint8_t& ways = ways_[std::size_t(i)];
-    if (ways != 0) return ways;
-    const Vec3i node = box_.place(i);
-    unsigned found = kKnown;
-    if (particleAt(node) >= 0) found |= kParticle;
-    for (int way = 0; way < 6; ++way) {
-      const Vec3i to = node + (way % 2 ? 1 : -1) * Vec3i::Unit(way / 2);
-      if (inTissue(organ_, to) && organ_.severed.at(way % 2 ? node : to, way / 2) == kWhole)
-        found |= 1u << way;
-    }
-    ways = std::uint8_t(found);
-    return found;
+    if (ways == 0) ways = std::uint8_t(kKnown | grid_.ways(box_.place(i)));
+    return ways;
   }
 
   std::int64_t particleAt(const Vec3i& node) const {
@@ -87,10 +145,9 @@ class NodeOwners {
 
   const Organ& organ_;
   IndexBox box_;
+  TissueGrid grid_;
   std::vector<std::uint8_t> ways_;  // per node; 0: not looked at
-  std::uint32_t search_ = 0;
-  std::vector<std::uint32_t> seenIn_;  // per node: the last search that saw it
-  std::vector<std::int32_t> queue_;
+  std::array<std::vector<std::int32_t>, kFar + 1> firstWithin_;
 };
 
 // The nodes round some particles, each once, in ascending order.
@@ -101,9 +158,9 @@ class NodeSet {
 
   void add(const Vec3i& centre, Which which) { centres_.push_back({centre, which}); }
 
-  // Lists those that `take(node, which)` is true for. Cost: a byte per node of the box round all.
-  template <typename Take>
-  void list(const Take& take) {
+  // Lists those that lie in tissue, of kBesideCuts those in bricks near a cut. Cost: a byte per
+  // node of the box round all.
+  void list(const Organ& organ) {
     if (centres_.empty()) return;
     Vec3i low = centres_[0].first, high = low;
     for (const auto& [centre, which] : centres_) {
@@ -119,13 +176,21 @@ class NodeSet {
           for (int x = 0; x <= 2 * reach_; ++x) row[x] = std::max(row[x], std::uint8_t(which));
         }
     number_.assign(wanted.size(), -1);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      if (wanted[i] == kNone) continue;
-      const Vec3i node = box_.place(std::int32_t(i));
-      if (!take(node, Which(wanted[i]))) continue;
-      number_[i] = std::int32_t(nodes_.size());
-      nodes_.push_back(node);
-    }
+    TissueGrid grid(organ, box_);
+    const Vec3i end = box_.low + box_.dims;
+    std::size_t i = 0;
+    for (int z = box_.low.z(); z < end.z(); ++z)
+      for (int y = box_.low.y(); y < end.y(); ++y)
+        for (int x = box_.low.x(); x < end.x(); ++x, ++i) {
+          if (wanted[i] == kNone) continue;
+          const Vec3i node(x, y, z);
+          if (!grid.inTissue(node)) continue;
+          if (wanted[i] == kBesideCuts &&
+              !organ.severed.near(organ.field.brickIndex(node / kBrickNodes)))
+            continue;
+          number_[i] = std::int32_t(nodes_.size());
+          nodes_.push_back(node);
+        }
   }
 
   const IndexBox& box() const { return box_; }
@@ -189,10 +254,7 @@ std::int64_t partStrands(Organ& organ, const TissueModel& tissue,
     nodes.add(centreOf(lattice.index(lattice.cell(bond.cell) + offsetOf(bond.direction))),
               NodeSet::kAll);
   }
-  nodes.list([&](const Vec3i& n, NodeSet::Which which) {
-    return inTissue(organ, n) &&
-           (which == NodeSet::kAll || organ.severed.near(organ.field.brickIndex(n / kBrickNodes)));
-  });
+  nodes.list(organ);
   NodeOwners ownerOf(organ, nodes.box());
   std::vector<std::int64_t> owners;
   for (const Vec3i& n : nodes.all()) owners.push_back(ownerOf(n));

@@ -139,7 +139,7 @@ void findBounds(PlacedBrick& b) {
 void severBrick(SeveredEdges& severed, PlacedBrick& b, const BladeTriangle& t, const Aabb& reach) {
   bool heightsKnown = false;
   visitCells([&](std::size_t cell, const Vec3i& n) {
-    if (intersection(b.cells[cell], reach).empty()) return;
+    if (!meets(b.cells[cell], reach)) return;
     if (!heightsKnown)
       for (std::size_t i = 0; i < kPlacedNodes; ++i)
         b.height[i] = t.normal.dot(b.place[i] - t.corner);
@@ -171,8 +171,7 @@ std::int64_t severAlong(SeveredEdges& severed, const ColourField& field, const S
     place(brick, b.place);
     findBounds(b);
     for (std::size_t t = 0; t < blade.triangles.size(); ++t)
-      if (!intersection(b.bounds, reach[t]).empty())
-        severBrick(severed, b, blade.triangles[t], reach[t]);
+      if (meets(b.bounds, reach[t])) severBrick(severed, b, blade.triangles[t], reach[t]);
   }
   return severed.count() - before;
 }

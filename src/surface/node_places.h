@@ -6,6 +6,8 @@
 // its lattice cube; one with none has no place. Cost: some 40 us per brick.
 #pragma once
 
+#include <bitset>
+
 #include "surface/blade_raster.h"
 #include "surface/wound_brick.h"
 
@@ -31,16 +33,21 @@ Vec3 followed(const VertexBinding& binding, const Vec3& X, const MotionOf& motio
   return x;
 }
 
-// What each of the brick's 5 x 5 x 5 nodes follows; count 0 where nothing is near.
-void bindNodes(const ColourField& field, const Wound& wound, float iso, const Vec3i& brick,
-               std::span<VertexBinding, kPlacedNodes> bindings);
+// Some of a brick's 5 x 5 x 5 nodes, x fastest.
+using PlacedNodes = std::bitset<kPlacedNodes>;
 
-// The places of a brick's nodes, as severAlong() asks for them.
+// What each of the `wanted` nodes of a brick follows; count 0 where nothing is near, and for
+// others.
+void bindNodes(const ColourField& field, const Wound& wound, float iso, const Vec3i& brick,
+               const PlacedNodes& wanted, std::span<VertexBinding, kPlacedNodes> bindings);
+
+// The places of a brick's nodes, as severAlong() asks for them; none for those not wanted.
 template <typename MotionOf>
 void placeNodes(const ColourField& field, const Wound& wound, float iso, const Vec3i& brick,
-                const MotionOf& motionOf, std::span<Vec3, kPlacedNodes> places) {
+                const PlacedNodes& wanted, const MotionOf& motionOf,
+                std::span<Vec3, kPlacedNodes> places) {
   std::array<VertexBinding, kPlacedNodes> bindings;
-  bindNodes(field, wound, iso, brick, bindings);
+  bindNodes(field, wound, iso, brick, wanted, bindings);
   for (int i = 0; i < kPlacedNodes; ++i) {
     const Vec3 node = (kBrickNodes * brick + Vec3i(i % 5, i / 5 % 5, i / 25)).cast<double>();
     places[std::size_t(i)] =

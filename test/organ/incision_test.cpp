@@ -209,7 +209,8 @@ TEST_CASE("in moved tissue a blade finds every edge that a search of the whole o
       const Wound wound{whole.severed, whole.alive};
       const std::int64_t there = incise(
           whole, blade, bricks, [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
-            placeNodes(whole.field, wound, whole.surface.iso(), brick, motionOf, places);
+            placeNodes(whole.field, wound, whole.surface.iso(), brick, PlacedNodes().set(),
+                       motionOf, places);
           });
       CHECK(found == there);
       severed += there;

@@ -266,7 +266,8 @@ TEST_CASE("a blade through moved tissue severs what the same blade severs at res
       };
       severAlong(bent.severed, bent.field, inWorld, bricks,
                  [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
-                   placeNodes(bent.field, bent.wound(), 50, brick, motionOf, places);
+                   placeNodes(bent.field, bent.wound(), 50, brick, PlacedNodes().set(), motionOf,
+                              places);
                  });
       still.follow();
       bent.follow();
