@@ -56,17 +56,17 @@ struct CrossedEdges {
   template <typename T>
   using List = std::array<T, 3 * kBrickSize>;
   int count = 0;
-  List<std::uint8_t> axis, node;                             // node: the lower end, 0 to 63
+  List<std::uint8_t> axes, nodes;                            // nodes: the lower ends, 0 to 63
   List<float> low, high;                                     // values at the ends
   std::array<List<float>, 3> lowDifference, highDifference;  // per axis, of the nodes on both sides
   List<float> way;                                           // of the vertex along the edge, 0 to 1
   List<float> length;                                        // of the slope
   std::array<List<float>, 3> normal;
 
-  void add(const Halo& halo, int axis_, int node_) {
-    const int a = at(node_ & 3, node_ >> 2 & 3, node_ >> 4), b = a + kStep[axis_];
-    axis[count] = std::uint8_t(axis_);
-    node[count] = std::uint8_t(node_);
+  void add(const Halo& halo, int axis, int node) {
+    const int a = at(node & 3, node >> 2 & 3, node >> 4), b = a + kStep[axis];
+    axes[count] = std::uint8_t(axis);
+    nodes[count] = std::uint8_t(node);
     low[count] = halo[a];
     high[count] = halo[b];
     for (int k = 0; k < 3; ++k) {
@@ -150,7 +150,7 @@ void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSign
   for (int n = 0; n < kBrickNodes; ++n)
     nodes[n] = field.nodePosition((first + Vec3i::Constant(n)).cast<double>()).cast<float>();
   for (int i = 0; i < edges.count; ++i, ++out) {
-    const int axis = edges.axis[i], node = edges.node[i];
+    const int axis = edges.axes[i], node = edges.nodes[i];
     const Vec3i local(node & 3, node >> 2 & 3, node >> 4);
     out->position = {nodes[local.x()].x(), nodes[local.y()].y(), nodes[local.z()].z()};
     out->position[axis] =

@@ -25,6 +25,7 @@ TEST_CASE("the farthest point is the one that a loop over all points finds first
   Random random(5);
   for (const double away : {0.0, 1e6}) {
     std::vector<Vec3> points;
+    points.reserve(5040);
     for (int i = 0; i < 5000; ++i) points.push_back(Vec3::Constant(away) + randomVector(random));
     // Corners of a box, each several times: along an axis many are equally far.
     for (int i = 0; i < 40; ++i)
