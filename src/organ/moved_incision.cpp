@@ -83,8 +83,7 @@ class Motions {
     }
     return places_[std::size_t(known)];
   }
-  // Asks for the motions of the particles in cells low to high at the next answer(): all at once
-  // costs far less than one by one.
+  // Asks for the motions of the particles in cells low to high, all at once at the next answer().
   void ask(const Vec3i& low, const Vec3i& high) {
     visitParticles(low, high, [&](std::int32_t i, std::int64_t cell) {
       if (motionOf_[std::size_t(i)] != kUnknown) return;
