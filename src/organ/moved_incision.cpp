@@ -83,31 +83,17 @@ class Motions {
     }
     return places_[std::size_t(known)];
   }
-  // Asks for the motions of the particles in cells low to high, all at once at the next answer().
-  void ask(const Vec3i& low, const Vec3i& high) {
-    visitParticles(low, high, [&](std::int32_t i, std::int64_t cell) {
-      if (motionOf_[std::size_t(i)] != kUnknown) return;
-      motionOf_[std::size_t(i)] = std::int32_t(motions_.size() + asked_.size());
-      asked_.push_back(cell);
-    });
-  }
-  void answer() {
-    std::vector<CellPlacement> placements(asked_.size());
-    tissue_.place(asked_, placements);
-    for (std::size_t k = 0; k < asked_.size(); ++k) {
-      const Vec3 rest = lattice_.centre(lattice_.cell(asked_[k]));
-      motions_.push_back({rest, rest + placements[k].displacement.cast<double>(),
-                          Mat3::Identity() + placements[k].gradient.cast<double>()});
-    }
-    asked_.clear();
-  }
   const ParticleMotion& of(std::int32_t i, std::int64_t cell) {
-    if (motionOf_[std::size_t(i)] == kUnknown) {
-      motionOf_[std::size_t(i)] = std::int32_t(motions_.size());
-      asked_.push_back(cell);
-      answer();
+    std::int32_t& known = motionOf_[std::size_t(i)];
+    if (known == kUnknown) {
+      CellPlacement place;
+      tissue_.place({&cell, 1}, {&place, 1});
+      known = std::int32_t(motions_.size());
+      const Vec3 rest = lattice_.centre(cells_.place(i));
+      motions_.push_back({rest, rest + place.displacement.cast<double>(),
+                          Mat3::Identity() + place.gradient.cast<double>()});
     }
-    return motions_[std::size_t(motionOf_[std::size_t(i)])];
+    return motions_[std::size_t(known)];
   }
   const ParticleMotion& of(std::int64_t cell) {
     // Without dividing integers, which would cost more than all else: half a cell on, a quotient is
@@ -128,7 +114,6 @@ class Motions {
   std::vector<std::int32_t> placeOf_, motionOf_;
   std::vector<Vec3> places_;
   std::vector<ParticleMotion> motions_;
-  std::vector<std::int64_t> asked_;  // cells
 };
 
 // Bounds of where the nodes of a brick are now. A node lies among the places that the particles of
@@ -141,8 +126,6 @@ class BrickPlaces {
     if (rough_.empty()) reach(1);
   }
 
-  Vec3i brick() const { return brick_; }
-  void askMotions() const { motions_.ask(low_, high_); }
   // From the particles' places alone: however stretched, no node strays two spacings from them.
   Aabb rough() const { return widened(rough_, 2.0); }
   // From where each particle takes the whole brick.
@@ -228,7 +211,7 @@ struct BladeBoxes {
 // The nodes of the eighths of a brick that the blade may meet: no other one's edges can be severed.
 PlacedNodes nodesToPlace(const BladeBoxes& blade, const BrickPlaces& brick) {
   PlacedNodes nodes;
-  if (!blade.mayMeet(brick.close())) return nodes;
+  if (!meets(blade.all, brick.rough()) || !blade.mayMeet(brick.close())) return nodes;
   const std::array<Aabb, 8> eighths = brick.eighths();
   constexpr int kHalf = kBrickNodes / 2;
   for (int e = 0; e < 8; ++e) {
@@ -250,23 +233,14 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
   std::vector<std::int64_t> bricks = bricksRound(organ, nearCells);
   if (bricks.empty()) return 0;
   Motions motions(organ, tissue, cellsRound(organ, bricks));
-  std::vector<BrickPlaces> candidates;
-  for (const std::int64_t index : bricks) {
-    const BrickPlaces brick(organ, motions, organ.field.brick(index));
-    if (!meets(brick.rough(), blade.bounds)) continue;
-    brick.askMotions();
-    candidates.push_back(brick);
-  }
-  motions.answer();
-  bricks.clear();
   const BladeBoxes boxes(blade);
-  std::vector<PlacedNodes> wanted;  // of each brick
-  for (const BrickPlaces& brick : candidates) {
-    const PlacedNodes nodes = nodesToPlace(boxes, brick);
-    if (nodes.none()) continue;
-    bricks.push_back(organ.field.brickIndex(brick.brick()));
-    wanted.push_back(nodes);
-  }
+  std::vector<PlacedNodes> wanted;  // of the bricks that stay
+  std::erase_if(bricks, [&](std::int64_t index) {
+    const PlacedNodes nodes =
+        nodesToPlace(boxes, BrickPlaces(organ, motions, organ.field.brick(index)));
+    if (nodes.any()) wanted.push_back(nodes);
+    return nodes.none();
+  });
   const auto motionOf = [&](std::int64_t cell) -> const ParticleMotion& {
     return motions.of(cell);
   };

@@ -90,7 +90,8 @@ class NodeOwners {
  public:
   static constexpr int kFar = 6;  // edges
 
-  // For the nodes of the box. Cost: some bytes per node of the box and of kFar round it.
+  // For the nodes of the box. Cost: a byte per node of the box and of kFar round it, and
+  // four for each number of edges that some node's owner is away.
   NodeOwners(const Organ& organ, const IndexBox& box)
       : organ_(organ),
         box_{box.low - Vec3i::Constant(kFar), box.dims + Vec3i::Constant(2 * kFar)},
