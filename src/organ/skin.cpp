@@ -87,14 +87,18 @@ void SurfaceSkin::moveVertices(const SurfaceTracker& surface, std::size_t begin,
   for (std::size_t v = begin; v < end; ++v) {
     const Binding& binding = bindings_[v];
     Column shift{}, g0{}, g1{}, g2{};
-    for (std::size_t k = 0; k < 8; ++k) {
-      const Motion& motion = motions_[std::size_t(binding.place[k])];
-      const Column weight = binding.weight[k] - Column{};
-      shift += weight * motion.shift;
-      g0 += weight * motion.gradient[0];
-      g1 += weight * motion.gradient[1];
-      g2 += weight * motion.gradient[2];
-    }
+    const auto blend = [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) {
+        const Motion& motion = motions_[std::size_t(binding.place[k])];
+        const Column weight = binding.weight[k] - Column{};
+        shift += weight * motion.shift;
+        g0 += weight * motion.gradient[0];
+        g1 += weight * motion.gradient[1];
+        g2 += weight * motion.gradient[2];
+      }
+    };
+    blend(0, 4);
+    if (binding.weight[4] > 0) blend(4, 8);
     const Vec3f& x = rest[v];
     const Column moved = shift + (g0 * x.x() + g1 * x.y() + g2 * x.z());
     points_[v] = x + Vec3f(moved[0], moved[1], moved[2]);
@@ -146,10 +150,10 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
         Binding& to = bindings_[std::size_t(first) + v];
         if (bindings[v].count == 0) continue;
         to = {};
-        for (int k = 0; k < bindings[v].count; ++k) {
+        for (int k = 0, count = 0; k < bindings[v].count; ++k) {
           if (!tissue.solid(bindings[v].cell[k])) continue;
-          to.place[k] = placeOf(bindings[v].cell[k]);
-          to.weight[k] = bindings[v].weight[k];
+          to.place[count] = placeOf(bindings[v].cell[k]);
+          to.weight[count++] = bindings[v].weight[k];
         }
       }
     });

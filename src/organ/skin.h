@@ -32,7 +32,7 @@ class SurfaceSkin {
  private:
   struct Binding {
     std::array<std::int32_t, 8> place{};  // into cells_
-    std::array<float, 8> weight{};        // 0: that place does not count
+    std::array<float, 8> weight{};        // 0: this place and those after it do not count
   };
   // Takes X near a particle to X + shift + gradient X. Columns of three, and a number unused.
   typedef float Column __attribute__((vector_size(16)));

@@ -1,21 +1,57 @@
-// Arrays that start on a cache line, as wide vector instructions like it.
+// Arrays that start on a cache line, as wide vector instructions like it, and large ones each on
+// another line of its page.
+//
+// What the passes over tissue read and write of a cell lies in some fifty arrays. Were all of them
+// to start at the same place of a page, as large blocks from the system do, the same cell would
+// fall into the same few lines of the first-level cache in every one of them, and each would push
+// out the others: a substep would take twice as long (docs/methods/tissue.md).
 #pragma once
 
+#include <atomic>
 #include <cstddef>
+#include <cstring>
 #include <new>
 #include <vector>
 
 namespace resect {
 
+inline constexpr std::size_t kCacheLine = 64, kPage = 4096;
+
+// Bytes, one place after the other, by which large arrays are shifted in their pages.
+inline std::size_t nextShift() {
+  static std::atomic<std::size_t> next = 0;
+  constexpr std::size_t kStep = 5 * kCacheLine;  // comes to every line of a page before it repeats
+  return next.fetch_add(kStep, std::memory_order_relaxed) % kPage;
+}
+
 template <typename T>
 struct LineAllocator {
   using value_type = T;
-  static constexpr std::align_val_t kLine{64};
+  static constexpr std::align_val_t kAlignment{kCacheLine};
+  static bool large(std::size_t n) { return n * sizeof(T) >= 16 * kPage; }
+
   LineAllocator() = default;
   template <typename U>
   LineAllocator(const LineAllocator<U>&) {}
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), kLine)); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, kLine); }
+
+  // Of a large array, the line before it tells how far it was shifted.
+  T* allocate(std::size_t n) {
+    if (!large(n)) return static_cast<T*>(::operator new(n * sizeof(T), kAlignment));
+    const std::size_t shift = nextShift() + kCacheLine;
+    auto* block =
+        static_cast<std::byte*>(::operator new(n * sizeof(T) + kPage + kCacheLine, kAlignment));
+    std::memcpy(block + shift - kCacheLine, &shift, sizeof shift);
+    return reinterpret_cast<T*>(block + shift);
+  }
+  void deallocate(T* p, std::size_t n) {
+    auto* start = reinterpret_cast<std::byte*>(p);
+    if (large(n)) {
+      std::size_t shift = 0;
+      std::memcpy(&shift, start - kCacheLine, sizeof shift);
+      start -= shift;
+    }
+    ::operator delete(start, kAlignment);
+  }
   friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
 

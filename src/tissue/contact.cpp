@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tissue/chunk_bounds.h"
+
 namespace resect {
 namespace {
 
@@ -71,7 +73,14 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     for (int corner = 0; corner < 8; ++corner) reach[b].world.grow(tool.to * box.corner(corner));
   }
   if (bodyCount_ == 0 && !surroundings.table) return;
+  constexpr double kDiagonal = 1.75;  // of a cube, at most
   for (const TissueChunk& chunk : s.chunks) {
+    const Aabb bounds = chunkBounds(s, chunk, origin);
+    const double mostWay = chunkSpeed(s, chunk) * duration;
+    bool near = surroundings.table && bounds.min.y() < 1.5 * s.spacing + mostWay;
+    for (std::size_t b = 0; b < bodyCount_ && !near; ++b)
+      near = bodies_[b].tool.shape && meets(reach[b].world.padded(kDiagonal * mostWay), bounds);
+    if (!near) continue;
     const Vec3i row = s.box.cell(chunk.start);
     for (int k = chunk.first; k <= chunk.last; ++k) {
       const std::int32_t i = chunk.start + k;
@@ -83,7 +92,6 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
       for (std::size_t b = 0; b < bodyCount_; ++b) {
         if (!bodies_[b].tool.shape) continue;
         if (!gripper.empty() && gripper[i] == bodies_[b].tool.tool) continue;
-        constexpr double kDiagonal = 1.75;  // of a cube, at most
         if (!reach[b].world.padded(kDiagonal * way).contains(x)) continue;
         if (reach[b].box.padded(way).contains(reach[b].back * x))
           bodies_[b].cells.push_back({i, rest});

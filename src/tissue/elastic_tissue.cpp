@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/state_hash.h"
+#include "tissue/chunk_bounds.h"
 #include "tissue/elastic_setup.h"
 
 namespace resect {
@@ -341,6 +342,20 @@ void ElasticTissue::setVelocity(std::int64_t cell, const Vec3& v) {
 Vec3 ElasticTissue::displacement(std::int64_t cell) const {
   const std::int32_t i = state_.box.fromLattice(cell);
   return {state_.u[0][i], state_.u[1][i], state_.u[2][i]};
+}
+
+std::vector<std::int64_t> ElasticTissue::cellsIn(const Aabb& box) const {
+  std::vector<std::int64_t> cells;
+  for (const TissueChunk& chunk : state_.chunks) {
+    if (!meets(chunkBounds(state_, chunk, lattice_.origin), box)) continue;
+    for (std::int32_t i = chunk.start + chunk.first; i <= chunk.start + chunk.last; ++i) {
+      if (!state_.solid[i]) continue;
+      const std::int64_t cell = state_.box.toLattice(i);
+      if (box.contains(lattice_.centre(lattice_.cell(cell)) + displacement(cell)))
+        cells.push_back(cell);
+    }
+  }
+  return cells;
 }
 
 Vec3 ElasticTissue::velocity(std::int64_t cell) const {

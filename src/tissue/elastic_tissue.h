@@ -84,6 +84,7 @@ class ElasticTissue final : public TissueModel {
 
   bool moves() const override { return true; }
   Vec3 displacement(std::int64_t cell) const override;
+  std::vector<std::int64_t> cellsIn(const Aabb& box) const override;
   Vec3 velocity(std::int64_t cell) const;
   bool solid(std::int64_t cell) const override {
     return state_.solid[state_.box.fromLattice(cell)];

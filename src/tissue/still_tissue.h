@@ -17,6 +17,7 @@ class StillTissue : public TissueModel {
   bool solid(std::int64_t) const override { return true; }
   std::uint32_t bonds(std::int64_t) const override { return 0; }
   Vec3 displacement(std::int64_t) const override { return Vec3::Zero(); }
+  std::vector<std::int64_t> cellsIn(const Aabb&) const override { return {}; }
   Mat3 deformation(std::int64_t) const override { return Mat3::Identity(); }
   void place(std::span<const std::int64_t>, std::span<CellPlacement> places) const override {
     for (CellPlacement& p : places) p = {Vec3f::Zero(), Eigen::Matrix3f::Zero()};

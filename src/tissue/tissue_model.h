@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "collision/signed_distance.h"
+#include "geometry/aabb.h"
 #include "geometry/pose.h"
 
 namespace resect {
@@ -74,7 +75,9 @@ class TissueModel {
   virtual bool solid(std::int64_t cell) const = 0;
   virtual std::uint32_t bonds(std::int64_t cell) const = 0;  // bit d: bonded in direction d
   virtual Vec3 displacement(std::int64_t cell) const = 0;    // m
-  virtual Mat3 deformation(std::int64_t cell) const = 0;     // F
+  // The cells whose centres are now in a closed box of the world, ascending.
+  virtual std::vector<std::int64_t> cellsIn(const Aabb& box) const = 0;
+  virtual Mat3 deformation(std::int64_t cell) const = 0;  // F
   // The same for many cells at once; places.size() = cells.size().
   virtual void place(std::span<const std::int64_t> cells,
                      std::span<CellPlacement> places) const = 0;

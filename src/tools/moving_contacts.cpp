@@ -139,8 +139,10 @@ ToolContacts findMovingContacts(const Organ& organ, const TissueModel& tissue, c
 
   std::vector<std::int64_t> near;
   std::vector<Vec3> positions;
-  for (std::int64_t c = 0; c < lattice.cellCount(); ++c) {
-    if (!organ.alive[c] || !tissue.solid(c)) continue;
+  Aabb around = boxInWorld;
+  if (!blade.empty()) around.grow(nearBlade);
+  for (const std::int64_t c : tissue.cellsIn(around)) {
+    if (!organ.alive[c]) continue;
     const Vec3 x = lattice.centre(lattice.cell(c)) + tissue.displacement(c);
     const bool atBlade = !blade.empty() && nearBlade.contains(x);
     if (!atBlade && !boxInWorld.contains(x)) continue;
