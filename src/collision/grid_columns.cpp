@@ -7,33 +7,32 @@
 #include "base/parallel.h"
 #include "collision/column_order.h"
 #include "collision/footprint.h"
+#include "collision/lone_columns.h"
 
 namespace resect {
 namespace {
 
+// x and y of a point.
+typedef double Pair __attribute__((vector_size(16)));
+typedef std::int32_t IntPair __attribute__((vector_size(8)));
+
 constexpr std::size_t kBlock = 8192;  // triangles that are looked at together
 constexpr std::size_t kRun = 1024;    // of them sorted at a time: the lists stay in the first cache
-
-struct Hit {
-  std::uint32_t column;
-  std::int32_t sign;
-  double depth;
-};
 
 // Hits are written without asking first whether they count, and kept by counting them: a branch
 // that goes one way as often as the other costs more than a hit.
 class HitList {
  public:
   // Where the next hits go; `more` of them may be written.
-  Hit* room(std::size_t more) {
+  GridHit* room(std::size_t more) {
     if (count_ + more > hits_.size()) hits_.resize(2 * (count_ + more));
     return hits_.data() + count_;
   }
-  void keepUpTo(const Hit* end) { count_ = std::size_t(end - hits_.data()); }
-  std::span<const Hit> hits() const { return {hits_.data(), count_}; }
+  void keepUpTo(const GridHit* end) { count_ = std::size_t(end - hits_.data()); }
+  std::span<const GridHit> hits() const { return {hits_.data(), count_}; }
 
  private:
-  std::vector<Hit> hits_;
+  std::vector<GridHit> hits_;
   std::size_t count_ = 0;
 };
 
@@ -41,13 +40,13 @@ class HitList {
 void sortHits(const std::vector<HitList>& blocks, Crossings& result) {
   // offsets[c + 1] counts, then is where column c goes on, and at last where it ends.
   for (const HitList& block : blocks)
-    for (const Hit& hit : block.hits()) ++result.offsets[hit.column + 1];
+    for (const GridHit& hit : block.hits()) ++result.offsets[hit.column + 1];
   std::size_t sum = 0;
   for (std::size_t c = 1; c < result.offsets.size(); ++c)
     result.offsets[c] = std::exchange(sum, sum + result.offsets[c]);
   result.all.resize(sum);
   for (const HitList& block : blocks)
-    for (const Hit& hit : block.hits())
+    for (const GridHit& hit : block.hits())
       result.all[result.offsets[hit.column + 1]++] = {hit.depth, hit.sign};
   for (std::size_t c = 0; c + 1 < result.offsets.size(); ++c)
     if (result.offsets[c + 1] - result.offsets[c] > 1)
@@ -73,11 +72,6 @@ struct GridLines {
   }
 };
 
-// Between which lines a point lies: the first column and row at or beyond it.
-struct Cell {
-  std::int32_t column, row;
-};
-
 // Half-open range of lines between three points.
 struct Range {
   std::int32_t first, last;
@@ -93,58 +87,44 @@ class GridCaster {
         linesX_(grid.origin.x(), grid.pitch.x(), grid.countX, mesh.origin.x(), mesh.step),
         linesY_(grid.origin.y(), grid.pitch.y(), grid.countY, mesh.origin.y(), mesh.step),
         slack_(1e-6 + 2 * linesX_.linesPerStep),
-        cells_(std::make_unique_for_overwrite<Cell[]>(mesh.points.size())) {
-    parallelFor(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        cells_[i] = {linesX_.lowerBound(mesh.points[i].x), linesY_.lowerBound(mesh.points[i].y)};
-    });
+        cells_(std::make_unique_for_overwrite<GridCell[]>(mesh.points.size())) {
+    parallelFor(mesh.points.size(), 1 << 14,
+                [&](std::size_t begin, std::size_t end) { findCells(begin, end); });
   }
 
   // Adds what triangles [begin, end) hit, at most kRun of them.
   void cast(std::size_t begin, std::size_t end, HitList& hits) const {
-    // A line at a triangle's lowest place may be covered, one at its highest is not (it counts as
-    // moved upwards): the first line at or beyond each corner gives half-open ranges. Most
-    // triangles of a fine mesh lie between two lines; of the others most meet one row and one
-    // column. Sorting them out first leaves no branch that goes either way.
-    std::uint32_t meets[kRun];
-    std::size_t count = 0;
-    for (std::size_t t = begin; t < end; ++t) {
-      const auto& [ia, ib, ic] = mesh_.triangles[t];
-      const Cell &a = cells_[ia], &b = cells_[ib], &c = cells_[ic];
-      meets[count] = std::uint32_t(t);
-      count += (((a.column ^ b.column) | (b.column ^ c.column)) != 0) &
-               (((a.row ^ b.row) | (b.row ^ c.row)) != 0);
-    }
-    struct Small {
-      std::uint32_t triangle;
-      int column, row;
-    } small[kRun];
-    std::uint32_t large[kRun];
-    std::size_t smalls = 0, larges = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const auto [columns, rows] = reach(meets[k]);
-      const bool single = (columns.size() == 1) & (rows.size() == 1);
-      small[smalls] = {meets[k], columns.first, rows.first};
-      large[larges] = meets[k];
-      smalls += single;
-      larges += !single;
-    }
-    Hit* to = hits.room(smalls);
-    for (std::size_t k = 0; k < smalls; ++k) {
-      const auto& [t, x, y] = small[k];
-      const Footprint footprint = footprintOf(t);
-      const auto place = footprint.row(linesY_.at[y]).place(linesX_.at[x]);
-      *to = {column(x, y), footprint.sign, footprint.depth(place)};
-      to += place.covered() & (footprint.area > 0);
-    }
-    hits.keepUpTo(to);
-    for (std::size_t k = 0; k < larges; ++k) castLarge(large[k], hits);
+    LoneColumn lone[kRun];
+    std::uint32_t others[kRun];
+    const SortedOut count = sortOut(mesh_.triangles, cells_.get(), begin, end, lone, others);
+    const GridRaster raster{linesX_.at.data(), linesY_.at.data(), std::uint32_t(linesX_.at.size())};
+    hits.keepUpTo(castLone(mesh_, raster, lone, count.lone, hits.room(count.lone + 1)));
+    for (std::size_t k = 0; k < count.others; ++k) castLarge(others[k], hits);
   }
 
  private:
+  // By estimate, which is out by less than the slack: only near a line the lines are asked.
+  void findCells(std::size_t begin, std::size_t end) {
+    const Pair first{linesX_.first, linesY_.first};
+    const Pair perStep{linesX_.linesPerStep, linesY_.linesPerStep};
+    const Pair most{double(linesX_.at.size()) + 0.5, double(linesY_.at.size()) + 0.5};
+    const double slack = std::max(slack_, 1e-6 + 2 * linesY_.linesPerStep);
+    for (std::size_t i = begin; i < end; ++i) {
+      const SnappedMesh::Point& p = mesh_.points[i];
+      Pair line = first + Pair{double(p.x), double(p.y)} * perStep + 1.0;
+      line = line > 0.5 ? line : Pair{0.5, 0.5};  // all before the first line are alike,
+      line = line < most ? line : most;           // and all behind the last
+      const IntPair at = __builtin_convertvector(line, IntPair);
+      const Pair behind = line - __builtin_convertvector(at, Pair);
+      const auto sure = (behind > slack) & (behind < 1 - slack);
+      cells_[i] = {at[0], at[1]};
+      if (!(sure[0] & sure[1])) cells_[i] = {linesX_.lowerBound(p.x), linesY_.lowerBound(p.y)};
+    }
+  }
+
   std::pair<Range, Range> reach(std::size_t t) const {
     const auto& [ia, ib, ic] = mesh_.triangles[t];
-    const Cell &a = cells_[ia], &b = cells_[ib], &c = cells_[ic];
+    const GridCell &a = cells_[ia], &b = cells_[ib], &c = cells_[ic];
     return {Range(a.column, b.column, c.column), Range(a.row, b.row, c.row)};
   }
   Footprint footprintOf(std::size_t t) const {
@@ -164,7 +144,7 @@ class GridCaster {
       const Footprint::Row row = footprint.row(linesY_.at[y]);
       const auto [first, last] = columns.size() > 8 ? narrowed(footprint, row, columns) : columns;
       if (first >= last) continue;
-      Hit* to = hits.room(std::size_t(last - first));
+      GridHit* to = hits.room(std::size_t(last - first));
       for (int x = first; x < last; ++x) {
         const auto place = row.place(linesX_.at[x]);
         *to = {column(x, y), footprint.sign, footprint.depth(place)};
@@ -194,7 +174,7 @@ class GridCaster {
   const SnappedMesh& mesh_;
   GridLines linesX_, linesY_;
   double slack_;  // columns that an estimate may be wrong by
-  std::unique_ptr<Cell[]> cells_;
+  std::unique_ptr<GridCell[]> cells_;
 };
 
 }  // namespace

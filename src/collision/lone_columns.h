@@ -1,0 +1,56 @@
+// Most triangles of a fine mesh reach no column of the grid, or a single one: which are they, and
+// where does the column cross those that cover it? For collision/grid_columns.cpp alone; the test
+// is that of collision/footprint.h, bit for bit.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "collision/columns.h"
+
+namespace resect {
+
+// Between which lines of the grid a point lies: the first column and row at or beyond it.
+struct GridCell {
+  std::int32_t column, row;
+};
+
+// A triangle and the only column that it may cover.
+struct LoneColumn {
+  std::uint32_t triangle;
+  GridCell at;
+};
+
+struct GridHit {
+  std::uint32_t column;
+  std::int32_t sign;  // as of a Crossing
+  double depth;
+};
+
+struct SortedOut {
+  std::size_t lone = 0, others = 0;
+};
+// Of triangles [begin, end): those that reach one column into `lone`, those that reach more into
+// `others`; both have room for all. cells: of the mesh's points. A line at a triangle's lowest
+// place may be covered, one at its highest is not (it counts as moved upwards).
+SortedOut sortOut(std::span<const Triangle> triangles, const GridCell* cells, std::size_t begin,
+                  std::size_t end, LoneColumn* lone, std::uint32_t* others);
+
+// The grid's lines in steps of the mesh's raster.
+struct GridRaster {
+  const std::int32_t *columns, *rows;
+  std::uint32_t columnCount;
+
+  std::uint32_t column(const GridCell& at) const {
+    return std::uint32_t(at.row) * columnCount + std::uint32_t(at.column);
+  }
+};
+
+// Writes the hits of those that cover their column, in order, and returns where they end; one more
+// than `count` may be written. Four at a time on machines with AVX2; the plain one for comparison.
+GridHit* castLone(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
+                  std::size_t count, GridHit* to);
+GridHit* castLonePlainly(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
+                         std::size_t count, GridHit* to);
+
+}  // namespace resect
