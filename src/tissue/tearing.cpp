@@ -1,9 +1,26 @@
 // Where does tissue tear?
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "tissue/elastic_tissue.h"
 
 namespace resect {
+namespace {
+
+// Per direction, the directions to that side: bit e for those that have a part along it.
+constexpr std::array<std::uint32_t, kDirections> kSide = [] {
+  std::array<std::uint32_t, kDirections> side{};
+  for (int d = 0; d < kDirections; ++d)
+    for (int e = 0; e < kDirections; ++e) {
+      int dot = 0;
+      for (int axis = 0; axis < 3; ++axis) dot += offsetAlong(d, axis) * offsetAlong(e, axis);
+      if (dot > 0) side[std::size_t(d)] |= 1u << e;
+    }
+  return side;
+}();
+
+}  // namespace
 
 // Tissue tears where a tool pulls at it, and where cuts have left a strand: bonds that are
 // stretched beyond their material's limit, within some cells of a gripped one, or beyond
@@ -44,13 +61,12 @@ void ElasticTissue::tear(std::vector<TissueBond>& torn) {
   cut_.erase(std::unique(cut_.begin(), cut_.end()), cut_.end());
   for (std::size_t k = 0, count = cut_.size(); k < count; ++k) {
     const std::int32_t i = cut_[k];
+    std::uint32_t solid = 0;  // bit d: there is a cell in direction d
+    for (int d = 0; d < kDirections; ++d)
+      solid |= std::uint32_t(state_.solid[i + state_.box.step[d]]) << d;
     for (int d = 0; d < kDirections; ++d) {
-      int neighbours = 0, bonds = 0;
-      for (int e = 0; e < kDirections; ++e)
-        if (offsetOf(d).dot(offsetOf(e)) > 0) {
-          neighbours += state_.solid[i + state_.box.step[e]];
-          bonds += state_.bonds[i] >> e & 1;
-        }
+      const int bonds = std::popcount(state_.bonds[i] & kSide[std::size_t(d)]);
+      const int neighbours = std::popcount(solid & kSide[std::size_t(d)]);
       if (3 * bonds <= neighbours) tearBond(i, d, kStrand);
     }
   }

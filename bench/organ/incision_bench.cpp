@@ -1,0 +1,108 @@
+// A blade that advances through a liver that has sagged under its weight: what one advance costs in
+// tissue that moves. Beside it advanceBlade of bench_surface, in tissue at rest.
+
+#include <benchmark/benchmark.h>
+
+#include "organ/moved_incision.h"
+#include "organ/strands.h"
+#include "support/bench_organs.h"
+#include "tissue/elastic_tissue.h"
+#include "tissue/stencil.h"
+
+using namespace resect;
+
+namespace {
+
+// The built-in liver in cells of 5 mm after half a second on the table, and a blade held upright in
+// it, its edge `depth` under the top; drawn along +X.
+struct Operation {
+  Organ organ;
+  ElasticTissue tissue;
+  Vec3 top;
+
+  static Discretization cells() {
+    TriangleMesh mesh = bench::liver();
+    const double lowest = bounds(mesh).min.y();
+    for (Vec3& p : mesh.points) p.y() -= lowest;
+    return discretize(mesh, latticeForSpacing(bounds(mesh), 0.005));
+  }
+  Operation()
+      : organ(makeOrgan(cells(), {})),
+        tissue({organ.rest.lattice, organ.alive, {liverTissue()}, {}}, {}) {
+    TissueStep step;
+    for (int frame = 0; frame < 30; ++frame) tissue.move(1.0 / 60, {{}, true}, step);
+    top = organ.rest.lattice.box().centre();
+    top.y() = 0;
+    for (std::int64_t c = 0; c < organ.rest.lattice.cellCount(); ++c) {
+      if (!tissue.solid(c)) continue;
+      const Vec3 x = place(c);
+      if (std::abs(x.x() - top.x()) < 0.004 && std::abs(x.z() - top.z()) < 0.004)
+        top.y() = std::max(top.y(), x.y() + 0.0025);
+    }
+  }
+  Vec3 place(std::int64_t cell) const {
+    return organ.rest.lattice.centre(organ.rest.lattice.cell(cell)) + tissue.displacement(cell);
+  }
+  std::vector<Vec3> edge(double x, double depth) const {
+    return {top + Vec3(x, -depth, 0.1 * x + 0.0003), top + Vec3(x, 0.02, 0.1 * x + 0.0003)};
+  }
+};
+
+struct Advance {
+  SweptBlade blade;
+  std::vector<std::int64_t> near;
+  std::vector<TissueBond> bonds;
+};
+
+// What a tool finds (tools/moving_contacts.h): the particles near the blade, and the bonds that it
+// crosses.
+Advance find(const Operation& operation, double x, double depth) {
+  Advance found;
+  found.blade = ruledBlade(operation.edge(x, depth), operation.edge(x + 0.005, depth));
+  const Lattice& lattice = operation.organ.rest.lattice;
+  found.near = operation.tissue.cellsIn(found.blade.bounds.padded(2 * lattice.spacing.x()));
+  for (const std::int64_t c : found.near)
+    for (int d = kFirstForward; d < kDirections; ++d) {
+      if (!(operation.tissue.bonds(c) >> d & 1)) continue;
+      const std::int64_t other = lattice.index(lattice.cell(c) + offsetOf(d));
+      if (crossing(found.blade, operation.place(c), operation.place(other)))
+        found.bonds.push_back({c, d});
+    }
+  return found;
+}
+
+// One advance of 5 mm: grid edges and bonds severed, strands parted, bricks meshed. The argument is
+// the depth in mm.
+void advanceBlade(benchmark::State& state) {
+  static const Operation fresh;
+  const double depth = 1e-3 * double(state.range(0));
+  Operation operation = fresh;
+  double x = -0.04, edges = 0, bonds = 0, steps = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    if (x > 0.035) {
+      operation = fresh;
+      x = -0.04;
+    }
+    const Advance advance = find(operation, x, depth);
+    state.ResumeTiming();
+    edges += double(inciseMoved(operation.organ, operation.tissue, advance.blade, advance.near));
+    for (const TissueBond& bond : advance.bonds) operation.tissue.sever(bond.cell, bond.direction);
+    partStrands(operation.organ, operation.tissue, advance.bonds, advance.near);
+    updateSurface(operation.organ, updateField(operation.organ));
+    bonds += double(advance.bonds.size());
+    x += 0.005;
+    ++steps;
+  }
+  state.counters["edges"] = edges / steps;
+  state.counters["bonds"] = bonds / steps;
+}
+
+BENCHMARK(advanceBlade)
+    ->ArgName("depth_mm")
+    ->Arg(10)
+    ->Arg(20)
+    ->Arg(40)
+    ->Unit(benchmark::kMicrosecond);
+
+}  // namespace
