@@ -70,17 +70,39 @@ void VertexBinder::addCorners(VertexBinding& binding, const Cube& cube, const Ve
           cube.particle[std::size_t(c)]);
 }
 
-// Is every node of the cube inside, and every edge between them whole?
-bool VertexBinder::unbroken(const Vec3i& low) const {
-  const Vec3i high = low + Vec3i::Constant(refine_);
-  if (!grid_.contains(low) || !grid_.contains(high)) return false;
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(), i = grid_.index({x, y, z}); x <= high.x(); ++x, ++i)
-        if (!grid_.inside(i) || (x < high.x() && !grid_.whole(i, 0)) ||
-            (y < high.y() && !grid_.whole(i, 1)) || (z < high.z() && !grid_.whole(i, 2)))
-          return false;
-  return true;
+// The nodes of a cube as bits, x fastest; room for the 125 of a cube of four edges a side.
+__extension__ typedef unsigned __int128 CubeNodes;
+
+// Which nodes of the cube are inside, and from which does a whole edge lead to the next in the
+// cube?
+struct VertexBinder::CubeEdges {
+  CubeNodes inside = 0;
+  std::array<CubeNodes, 3> whole{};  // per axis
+  bool unbroken = true;              // all are, all do
+};
+
+VertexBinder::CubeEdges VertexBinder::edgesOf(const Vec3i& low) const {
+  CubeEdges edges;
+  const Vec3i end = low + Vec3i::Constant(refine_ + 1);
+  CubeNodes bit = 1;
+  for (int z = low.z(); z < end.z(); ++z)
+    for (int y = low.y(); y < end.y(); ++y)
+      for (int x = low.x(); x < end.x(); ++x, bit <<= 1) {
+        const Vec3i n(x, y, z);
+        if (!grid_.contains(n) || !grid_.inside(grid_.index(n))) {
+          edges.unbroken = false;
+          continue;
+        }
+        edges.inside |= bit;
+        for (int a = 0; a < 3; ++a) {
+          if (n[a] + 1 == end[a]) continue;
+          if (grid_.whole(grid_.index(n), a))
+            edges.whole[std::size_t(a)] |= bit;
+          else
+            edges.unbroken = false;
+        }
+      }
+  return edges;
 }
 
 const VertexBinder::Cube& VertexBinder::cube(const Vec3i& low) {
@@ -95,43 +117,32 @@ const VertexBinder::Cube& VertexBinder::cube(const Vec3i& low) {
                      Vec3i::Constant(2);
   for (int c = 0; c < 8; ++c)
     made.particle[std::size_t(c)] = particleOf(cell + Vec3i(c & 1, c >> 1 & 1, c >> 2));
-  if (unbroken(low))
+  const CubeEdges edges = edgesOf(low);
+  if (edges.unbroken)
     made.part.fill(0);
   else
-    findParts(made);
+    findParts(edges, made);
   return made;
 }
 
-void VertexBinder::findParts(Cube& made) const {
-  const Vec3i low = made.low;
+// Parts grow from their first nodes by an edge in all directions at a time.
+void VertexBinder::findParts(const CubeEdges& edges, Cube& made) const {
   const int side = refine_ + 1;
-  const auto at = [&](const Vec3i& d) { return (d.z() * side + d.y()) * side + d.x(); };
+  const std::array<int, 3> step = {1, side, side * side};
+  std::array<CubeNodes, 3> edge = edges.whole;  // in tissue from end to end
+  for (std::size_t a = 0; a < 3; ++a) edge[a] &= edges.inside >> step[a];
   made.part.fill(kOutside);
   std::uint8_t parts = 0;
-  std::array<Vec3i, 125> stack;
-  for (int i = 0; i < side * side * side; ++i) {
-    const Vec3i first(i % side, i / side % side, i / side / side);
-    const auto inside = [&](const Vec3i& d) {
-      return grid_.contains(low + d) && grid_.inside(grid_.index(low + d));
-    };
-    if (made.part[std::size_t(i)] != kOutside || !inside(first)) continue;
-    int count = 0;
-    stack[std::size_t(count++)] = first;
-    made.part[std::size_t(i)] = parts;
-    while (count > 0) {
-      const Vec3i d = stack[std::size_t(--count)];
-      const int node = grid_.index(low + d);
-      const auto visit = [&](const Vec3i& to) {
-        if (made.part[std::size_t(at(to))] != kOutside || !inside(to)) return;
-        made.part[std::size_t(at(to))] = parts;
-        stack[std::size_t(count++)] = to;
-      };
-      for (int a = 0; a < 3; ++a) {
-        if (d[a] + 1 < side && grid_.whole(node, a)) visit(d + Vec3i::Unit(a));
-        if (d[a] > 0 && grid_.whole(node - grid_.stride(a), a)) visit(d - Vec3i::Unit(a));
-      }
+  for (CubeNodes left = edges.inside; left != 0; ++parts) {
+    CubeNodes part = left & -left, before = 0;
+    while (part != before) {
+      before = part;
+      for (std::size_t a = 0; a < 3; ++a)
+        part |= (part & edge[a]) << step[a] | (part >> step[a] & edge[a]);
     }
-    ++parts;
+    left &= ~part;
+    for (std::size_t i = 0; part != 0; ++i, part >>= 1)
+      if (part & 1) made.part[i] = parts;
   }
 }
 

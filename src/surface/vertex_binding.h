@@ -44,8 +44,9 @@ class VertexBinder {
   const Cube& cube(const Vec3i& low);
   VertexBinding bindWidely(const Vec3& p, const Vec3i& place, NearbyNodes anchors) const;
   VertexBinding bindToNearest(const Vec3& p) const;
-  bool unbroken(const Vec3i& low) const;
-  void findParts(Cube& made) const;
+  struct CubeEdges;
+  CubeEdges edgesOf(const Vec3i& low) const;
+  void findParts(const CubeEdges& edges, Cube& made) const;
   // The lattice cell at a node of the window, or -1 where there is no particle.
   std::int64_t particleAt(const Vec3i& node) const;
   std::int64_t particleOf(const Vec3i& cell) const;
