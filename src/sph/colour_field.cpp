@@ -59,7 +59,7 @@ ColourField::ColourField(const Discretization& cells, int refine)
 
   // Row after row between zeros, so that each is written once.
   const std::size_t cellCount = std::size_t(paddedDims_.x()) * paddedDims_.y() * paddedDims_.z();
-  cells_.reserve(cellCount);
+  reserveFor(cells_, cellCount);
   for (int z = 0; z < lattice_.dims.z(); ++z)
     for (int y = 0; y < lattice_.dims.y(); ++y) {
       cells_.resize(std::size_t(padded({0, y, z})), 0.f);

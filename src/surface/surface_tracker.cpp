@@ -26,7 +26,7 @@ void SurfaceTracker::setIso(const ColourField& field, float iso, const Wound* wo
   std::vector<std::int64_t> stored;
   for (std::int64_t b = 0; b < field.brickCount(); ++b)
     if (field.slot(b) >= 0 || (wound && wound->severed.near(b))) stored.push_back(b);
-  bricks_.reserve(stored.size());
+  reserveFor(bricks_, stored.size());
   remesh(field, stored, wound);
   changes_.everything = true;
 }
