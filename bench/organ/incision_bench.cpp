@@ -43,9 +43,7 @@ struct Operation {
   Vec3 place(std::int64_t cell) const {
     return organ.rest.lattice.centre(organ.rest.lattice.cell(cell)) + tissue.displacement(cell);
   }
-  std::vector<Vec3> edge(double x, double depth) const {
-    return {top + Vec3(x, -depth, 0.1 * x + 0.0003), top + Vec3(x, 0.02, 0.1 * x + 0.0003)};
-  }
+  std::vector<Vec3> edge(double x, double depth) const { return bench::uprightEdge(top, x, depth); }
 };
 
 struct Advance {
@@ -98,11 +96,6 @@ void advanceBlade(benchmark::State& state) {
   state.counters["bonds"] = bonds / steps;
 }
 
-BENCHMARK(advanceBlade)
-    ->ArgName("depth_mm")
-    ->Arg(10)
-    ->Arg(20)
-    ->Arg(40)
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(advanceBlade)->Apply(bench::atDepths);
 
 }  // namespace

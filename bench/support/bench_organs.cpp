@@ -51,6 +51,15 @@ std::vector<std::int64_t> bite(const Discretization& cells, int count) {
   return found;
 }
 
+std::vector<Vec3> uprightEdge(const Vec3& top, double x, double depth) {
+  const double z = 0.1 * x + 0.0003;
+  return {top + Vec3(x, -depth, z), top + Vec3(x, 0.02, z)};
+}
+
+void atDepths(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgName("depth_mm")->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMicrosecond);
+}
+
 void upToAMillion(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgName("particles")->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->UseRealTime();
 }

@@ -22,6 +22,13 @@ double particlesFor(double triangles);
 // of the same shape in cells at every spacing.
 std::vector<std::int64_t> bite(const Discretization& cells, int count);
 
+// Edge of a blade held upright in tissue, `depth` under its top, that is drawn along +X and a
+// little askew, so that it meets no node of the grid.
+std::vector<Vec3> uprightEdge(const Vec3& top, double x, double depth);
+
+// ->Apply(bench::atDepths): argument "depth_mm" of 10, 20 and 40, microseconds.
+void atDepths(benchmark::internal::Benchmark* benchmark);
+
 // ->Apply(bench::upToAMillion): argument "particles" of 10^4, 10^5 and 10^6, wall time.
 void upToAMillion(benchmark::internal::Benchmark* benchmark);
 

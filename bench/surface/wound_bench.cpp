@@ -27,9 +27,7 @@ struct Operation {
       if ((p - top).head<1>().norm() < 0.004 && std::abs(p.z() - top.z()) < 0.004)
         top.y() = std::max(top.y(), p.y());
   }
-  std::vector<Vec3> edge(double x, double depth) const {
-    return {top + Vec3(x, -depth, 0.1 * x + 0.0003), top + Vec3(x, 0.02, 0.1 * x + 0.0003)};
-  }
+  std::vector<Vec3> edge(double x, double depth) const { return bench::uprightEdge(top, x, depth); }
 };
 
 // One advance of 5 mm: grid edges severed, bricks meshed. The argument is the depth in mm.
@@ -82,12 +80,7 @@ void drawWound(benchmark::State& state) {
       cells, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert};
 }
 
-BENCHMARK(advanceBlade)
-    ->ArgName("depth_mm")
-    ->Arg(10)
-    ->Arg(20)
-    ->Arg(40)
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(advanceBlade)->Apply(bench::atDepths);
 BENCHMARK(drawWound)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
