@@ -11,10 +11,6 @@
 namespace resect {
 namespace {
 
-// x and y of a point.
-typedef double Pair __attribute__((vector_size(16)));
-typedef std::int32_t IntPair __attribute__((vector_size(8)));
-
 // Two points are six numbers in three pairs, x y, z x and y z: twice as fast as point by point.
 // Bounds that are not finite when a coordinate is not.
 Aabb boundsOf(std::span<const Vec3> points) {

@@ -12,10 +12,6 @@
 namespace resect {
 namespace {
 
-// x and y of a point.
-typedef double Pair __attribute__((vector_size(16)));
-typedef std::int32_t IntPair __attribute__((vector_size(8)));
-
 constexpr std::size_t kBlock = 8192;  // triangles that are looked at together
 constexpr std::size_t kRun = 1024;    // of them sorted at a time: the lists stay in the first cache
 

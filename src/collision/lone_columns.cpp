@@ -10,11 +10,9 @@
 namespace resect {
 namespace {
 
-// Column and row of a cell.
-typedef std::int32_t Both __attribute__((vector_size(8)));
-
-Both load(const GridCell& cell) {
-  Both both;
+// Column and row.
+IntPair load(const GridCell& cell) {
+  IntPair both;
   __builtin_memcpy(&both, &cell, sizeof both);
   return both;
 }
@@ -29,11 +27,11 @@ RESECT_WIDEST SortedOut sortOut(std::span<const Triangle> triangles, const GridC
   SortedOut count;
   for (std::size_t t = begin; t < end; ++t) {
     const auto& [ia, ib, ic] = triangles[t];
-    const Both a = load(cells[ia]), b = load(cells[ib]), c = load(cells[ic]);
-    Both low = a < b ? a : b, high = a > b ? a : b;
+    const IntPair a = load(cells[ia]), b = load(cells[ib]), c = load(cells[ic]);
+    IntPair low = a < b ? a : b, high = a > b ? a : b;
     low = low < c ? low : c;
     high = high > c ? high : c;
-    const Both size = high - low;
+    const IntPair size = high - low;
     std::uint64_t sizes;  // of columns in the lower half, of rows in the upper
     __builtin_memcpy(&sizes, &size, sizeof sizes);
     const bool single = sizes == 0x1'0000'0001;
