@@ -4,7 +4,7 @@
 // What the passes over tissue read and write of a cell lies in some fifty arrays. Were all of them
 // to start at the same place of a page, as large blocks from the system do, the same cell would
 // fall into the same few lines of the first-level cache in every one of them, and each would push
-// out the others: a substep would take twice as long (docs/methods/tissue.md).
+// out the others: a substep would wait for memory instead of working (docs/methods/tissue.md).
 #pragma once
 
 #include <atomic>
