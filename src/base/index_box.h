@@ -15,6 +15,9 @@ struct IndexBox {
   bool contains(const Vec3i& place) const {
     return (place.array() >= low.array()).all() && (place.array() < (low + dims).array()).all();
   }
+  IndexBox widened(int places) const {  // each way
+    return {low - Vec3i::Constant(places), dims + Vec3i::Constant(2 * places)};
+  }
   // Numbers run along x first; the box must hold fewer than 2^31 places.
   std::int32_t step(int axis) const {
     return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y();

@@ -9,220 +9,249 @@
 namespace resect {
 namespace {
 
-// The bricks that hold a node beside one of the cells, ascending. cells: not none.
-std::vector<std::int64_t> bricksRound(const Organ& organ, std::span<const std::int64_t> cells) {
-  const ColourField& field = organ.field;
-  const Lattice& lattice = organ.rest.lattice;
-  const Vec3 reach = 1.01 * lattice.spacing;
-  std::vector<IndexBox> boxes;
-  Vec3i low = field.brickDims(), high = Vec3i::Zero();  // of all of them
+IndexBox boxOf(const Lattice& lattice, std::span<const std::int64_t> cells) {
+  Vec3i low = lattice.cell(cells[0]), high = low;
   for (const std::int64_t cell : cells) {
-    const Vec3 centre = lattice.centre(lattice.cell(cell));
-    boxes.push_back(field.bricksIn({centre - reach, centre + reach}));
-    low = low.cwiseMin(boxes.back().low);
-    high = high.cwiseMax(boxes.back().low + boxes.back().dims);
+    low = low.cwiseMin(lattice.cell(cell));
+    high = high.cwiseMax(lattice.cell(cell));
   }
-  const IndexBox all{low, (high - low).cwiseMax(0)};
-  std::vector<std::uint8_t> wanted(all.count(), 0);
-  for (const IndexBox& box : boxes)
-    for (int z = 0; z < box.dims.z(); ++z)
-      for (int y = 0; y < box.dims.y(); ++y)
-        std::fill_n(wanted.begin() + all.index(box.low + Vec3i(0, y, z)), box.dims.x(), 1);
-  std::vector<std::int64_t> bricks;
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-    if (wanted[i]) bricks.push_back(field.brickIndex(all.place(std::int32_t(i))));
-  return bricks;
+  return {low, high - low + Vec3i::Ones()};
 }
 
-// The cells whose particles the nodes of some bricks may follow. bricks: not none.
-IndexBox cellsRound(const Organ& organ, std::span<const std::int64_t> bricks) {
-  Vec3i first = organ.field.brick(bricks[0]), last = first;
-  for (const std::int64_t index : bricks) {
-    first = first.cwiseMin(organ.field.brick(index));
-    last = last.cwiseMax(organ.field.brick(index));
-  }
-  constexpr int kFar = 4;  // cells beside a brick: a search along a cut stays in its window
-  const int refine = organ.field.refine();
-  const Vec3i& end = organ.rest.lattice.dims;
-  const Vec3i low = (kBrickNodes * first / refine - Vec3i::Constant(2 + kFar)).cwiseMax(0);
-  const Vec3i high = kBrickNodes * (last + Vec3i::Ones()) / refine + Vec3i::Constant(kFar - 1);
-  return {low.cwiseMin(end), (high.cwiseMin(end) - low.cwiseMin(end)).cwiseMax(0)};
-}
-
-// How the particles of some cells have moved; each is asked once.
+// How the particles in a box of cells have moved.
 class Motions {
  public:
-  Motions(const Organ& organ, const TissueModel& tissue, const IndexBox& cells)
-      : organ_(organ),
-        lattice_(organ.rest.lattice),
-        tissue_(tissue),
-        cells_(cells),
-        perRow_(1.0 / lattice_.dims.x()),
-        perPlane_(1.0 / lattice_.dims.y()),
-        placeOf_(cells.count(), kUnknown),
-        motionOf_(cells.count(), kUnknown) {}
+  struct Motion : ParticleMotion {
+    Column reach;  // half extents of the box round a cell that the particle takes
+  };
 
-  // visit(number in the box, lattice index) for the particles in cells low to high, both included.
-  template <typename Visit>
-  void visitParticles(const Vec3i& low, const Vec3i& high, Visit visit) const {
-    for (int z = low.z(); z <= high.z(); ++z)
-      for (int y = low.y(); y <= high.y(); ++y) {
+  // `wanted`: per cell of the box; others are asked one by one.
+  Motions(const Organ& organ, const TissueModel& tissue, const IndexBox& box,
+          std::span<const std::uint8_t> wanted)
+      : lattice_(organ.rest.lattice), tissue_(tissue), box_(box), number_(box.count(), -1) {
+    std::vector<std::int64_t> cells;
+    std::vector<Vec3f> rest;
+    const Vec3i low = box.low.cwiseMax(0), high = (box.low + box.dims).cwiseMin(lattice_.dims);
+    for (int z = low.z(); z < high.z(); ++z)
+      for (int y = low.y(); y < high.y(); ++y) {
         std::int64_t cell = lattice_.index({low.x(), y, z});
-        std::int32_t i = cells_.index({low.x(), y, z});
-        for (int x = low.x(); x <= high.x(); ++x, ++cell, ++i)
-          if (organ_.alive[std::size_t(cell)] && organ_.rest.inside[std::size_t(cell)])
-            visit(i, cell);
+        std::size_t i = std::size_t(box.index({low.x(), y, z}));
+        for (int x = low.x(); x < high.x(); ++x, ++cell, ++i)
+          if (wanted[i] && organ.alive[std::size_t(cell)] && organ.rest.inside[std::size_t(cell)]) {
+            number_[i] = std::int32_t(cells.size());
+            cells.push_back(cell);
+            rest.push_back(lattice_.centre({x, y, z}).cast<float>());
+          }
       }
+    std::vector<CellPlacement> placements(cells.size());
+    tissue.place(cells, placements);
+    const Vec3f half = 0.5f * lattice_.spacing.cast<float>();
+    motions_.resize(cells.size());
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto& [displacement, gradient] = placements[i];
+      static_cast<ParticleMotion&>(motions_[i]) = particleMotion(rest[i], displacement, gradient);
+      const auto reach = (gradient + Eigen::Matrix3f::Identity()).cwiseAbs() * half;
+      motions_[i].reach = column(reach);
+    }
   }
 
-  const Vec3& place(std::int32_t i, std::int64_t cell) {
-    std::int32_t& known = placeOf_[std::size_t(i)];
-    if (known == kUnknown) {
-      known = std::int32_t(places_.size());
-      places_.push_back(lattice_.centre(cells_.place(i)) + tissue_.displacement(cell));
-    }
-    return places_[std::size_t(known)];
+  const Motion* at(const Vec3i& cell) const {  // null where no particle is
+    const std::int32_t n = number_[std::size_t(box_.index(cell))];
+    return n < 0 ? nullptr : &motions_[std::size_t(n)];
   }
-  const ParticleMotion& of(std::int32_t i, std::int64_t cell) {
-    std::int32_t& known = motionOf_[std::size_t(i)];
-    if (known == kUnknown) {
-      CellPlacement place;
-      tissue_.place({&cell, 1}, {&place, 1});
-      known = std::int32_t(motions_.size());
-      const Vec3 rest = lattice_.centre(cells_.place(i));
-      motions_.push_back({rest, rest + place.displacement.cast<double>(),
-                          Mat3::Identity() + place.gradient.cast<double>()});
-    }
-    return motions_[std::size_t(known)];
-  }
-  const ParticleMotion& of(std::int64_t cell) {
-    // Without dividing integers, which would cost more than all else: half a cell on, a quotient is
-    // never so near a whole number that rounding matters.
-    const int row = int((double(cell) + 0.5) * perRow_), z = int((row + 0.5) * perPlane_);
-    const Vec3i at(int(cell - std::int64_t(row) * lattice_.dims.x()), row - z * lattice_.dims.y(),
-                   z);
-    return of(cells_.index(at), cell);
+  // Of a particle by its lattice index, wherever it lies. Valid until the next call. Many nodes
+  // follow the same particles: what was found is kept where it is found again without dividing.
+  const ParticleMotion& of(std::int32_t cell) {
+    Found& found = found_[std::size_t(cell) % kFound];
+    if (found.cell != cell) found = {cell, numberOf(cell)};
+    if (found.number >= 0) return motions_[std::size_t(found.number)];
+    const std::int64_t index = cell;
+    CellPlacement place;
+    tissue_.place({&index, 1}, {&place, 1});
+    return far_ = particleMotion(lattice_.centre(lattice_.cell(cell)).cast<float>(),
+                                 place.displacement, place.gradient);
   }
 
  private:
-  static constexpr std::int32_t kUnknown = -1;
-  const Organ& organ_;
   const Lattice& lattice_;
   const TissueModel& tissue_;
-  IndexBox cells_;
-  double perRow_, perPlane_;
-  std::vector<std::int32_t> placeOf_, motionOf_;
-  std::vector<Vec3> places_;
-  std::vector<ParticleMotion> motions_;
-};
-
-// Bounds of where the nodes of a brick are now. A node lies among the places that the particles of
-// its lattice cube take it to; beside a cut some follow particles farther away.
-class BrickPlaces {
- public:
-  BrickPlaces(const Organ& organ, Motions& motions, const Vec3i& brick)
-      : organ_(organ), motions_(motions), brick_(brick) {
-    reach(organ.severed.near(organ.field.brickIndex(brick)) ? 1 : 0);
-    if (rough_.empty()) reach(1);
+  IndexBox box_;
+  std::int32_t numberOf(std::int32_t cell) const {
+    const Vec3i at = lattice_.cell(cell);
+    return box_.contains(at) ? number_[std::size_t(box_.index(at))] : -1;
   }
 
-  // From the particles' places alone: however stretched, no node strays two spacings from them.
-  Aabb rough() const { return widened(rough_, 2.0); }
-  // From where each particle takes the whole brick.
-  Aabb close() const {
-    Aabb box;
-    visitTaken([&](const Vec3& middle, const Mat3& half) {
-      const Vec3 reach = half.cwiseAbs().rowwise().sum();
-      box.grow(Aabb{middle - reach, middle + reach});
-    });
-    return widened(box, 0.25);
-  }
-  // The same of its eighths (number: 1 for the upper half along x, 2 along y, 4 along z).
-  std::array<Aabb, 8> eighths() const {
-    std::array<Aabb, 8> boxes;
-    visitTaken([&](const Vec3& middle, const Mat3& half) {
-      const Vec3 reach = 0.5 * half.cwiseAbs().rowwise().sum();
-      for (unsigned e = 0; e < 8; ++e) {
-        const Vec3 at = middle + (e & 1 ? 0.5 : -0.5) * half.col(0) +
-                        (e & 2 ? 0.5 : -0.5) * half.col(1) + (e & 4 ? 0.5 : -0.5) * half.col(2);
-        boxes[e].grow(Aabb{at - reach, at + reach});
-      }
-    });
-    for (Aabb& box : boxes) box = widened(box, 0.25);
-    return boxes;
-  }
-
- private:
-  // Particles at the corners of the cubes that hold the brick's nodes, and `more` beyond.
-  void reach(int more) {
-    const int refine = organ_.field.refine();
-    const Vec3i end = kBrickNodes * (brick_ + Vec3i::Ones()) + Vec3i::Constant(refine - 1);
-    // Cell c lies at node refine * (c + 2).
-    low_ = (kBrickNodes * brick_ / refine - Vec3i::Constant(2 + more)).cwiseMax(0);
-    high_ = (end / refine - Vec3i::Constant(2 - more))
-                .cwiseMin(organ_.rest.lattice.dims - Vec3i::Ones());
-    rough_ = {};
-    motions_.visitParticles(low_, high_, [&](std::int32_t i, std::int64_t cell) {
-      rough_.grow(motions_.place(i, cell));
-    });
-  }
-  // visit(middle, half): where a particle takes the brick's middle, and its half sides as columns.
-  template <typename Visit>
-  void visitTaken(Visit visit) const {
-    const ColourField& field = organ_.field;
-    const Vec3 half = 0.5 * kBrickNodes * field.lattice().spacing / field.refine();
-    const Vec3 middle = field.nodePosition((kBrickNodes * brick_).cast<double>()) + half;
-    motions_.visitParticles(low_, high_, [&](std::int32_t i, std::int64_t cell) {
-      const ParticleMotion& motion = motions_.of(i, cell);
-      visit(Vec3(motion.position + motion.gradient * (middle - motion.rest)),
-            Mat3(motion.gradient * half.asDiagonal()));
-    });
-  }
-  Aabb widened(const Aabb& box, double spacings) const {
-    const Vec3 slack = Vec3::Constant(spacings * organ_.rest.lattice.spacing.maxCoeff());
-    return {box.min - slack, box.max + slack};
-  }
-
-  const Organ& organ_;
-  Motions& motions_;
-  Vec3i brick_;
-  Vec3i low_, high_;  // cells
-  Aabb rough_;        // of their particles
+  std::vector<std::int32_t> number_;  // per cell of the box, -1 where not asked
+  std::vector<Motion> motions_;
+  struct Found {
+    std::int32_t cell = -1, number = -1;
+  };
+  static constexpr std::size_t kFound = 512;
+  std::array<Found, kFound> found_;
+  ParticleMotion far_;
 };
 
 // The blade as boxes of its triangles.
-struct BladeBoxes {
-  Aabb all;
-  std::vector<Aabb> triangles;
-
-  explicit BladeBoxes(const SweptBlade& blade) : all(blade.bounds) {
+class BladeBoxes {
+ public:
+  explicit BladeBoxes(const SweptBlade& blade) : all_(boxOf(blade.bounds)) {
     for (const BladeTriangle& t : blade.triangles) {
-      Aabb& box = triangles.emplace_back();
+      Aabb box;
       for (const Vec3& p : {t.corner, t.otherU, t.otherV}) box.grow(p);
+      triangles_.push_back(boxOf(box));
     }
   }
   // Can the blade meet something in the box?
-  bool mayMeet(const Aabb& box) const {
-    return meets(all, box) &&
-           std::ranges::any_of(triangles, [&](const Aabb& t) { return meets(t, box); });
+  bool mayMeet(const Column& low, const Column& high) const {
+    return meets(all_, low, high) &&
+           std::ranges::any_of(triangles_, [&](const Box& t) { return meets(t, low, high); });
   }
+
+ private:
+  struct Box {
+    Column low, high;
+  };
+  static Box boxOf(const Aabb& box) {
+    return {column(box.min.cast<float>()), column(box.max.cast<float>())};
+  }
+  static bool meets(const Box& a, const Column& low, const Column& high) {
+    const auto apart = (a.low > high) | (a.high < low);
+    return !(apart[0] | apart[1] | apart[2]);
+  }
+  Box all_;
+  std::vector<Box> triangles_;
 };
 
-// The nodes of the eighths of a brick that the blade may meet: no other one's edges can be severed.
-PlacedNodes nodesToPlace(const BladeBoxes& blade, const BrickPlaces& brick) {
-  PlacedNodes nodes;
-  if (!meets(blade.all, brick.rough()) || !blade.mayMeet(brick.close())) return nodes;
-  const std::array<Aabb, 8> eighths = brick.eighths();
-  constexpr int kHalf = kBrickNodes / 2;
-  for (int e = 0; e < 8; ++e) {
-    if (!blade.mayMeet(eighths[std::size_t(e)])) continue;
-    const Vec3i first = kHalf * Vec3i(e & 1, e >> 1 & 1, e >> 2);
-    for (int z = 0; z <= kHalf; ++z)
-      for (int y = 0; y <= kHalf; ++y)
-        for (int x = 0; x <= kHalf; ++x)
-          nodes.set(std::size_t(((first.z() + z) * 5 + first.y() + y) * 5 + first.x() + x));
+// Lattice cubes, by the cell at their lowest corner: a node lies among the places that the
+// particles of its cube take it to; beside a cut some follow particles farther away. So the blade
+// can meet a cube only where it meets the box of all that they take it to. A fine grid's cubes are
+// looked at in halves along each axis.
+class Cubes {
+ public:
+  Cubes(const Organ& organ, const Motions& motions, const BladeBoxes& blade)
+      : organ_(organ),
+        motions_(motions),
+        blade_(blade),
+        refine_(organ.field.refine()),
+        halves_(refine_ == 4 ? 2 : 1),
+        spacing_(float(organ.rest.lattice.spacing.maxCoeff())) {}
+
+  // visit(first node, nodes along an axis up to the next) for the parts that the blade may meet.
+  template <typename Visit>
+  void visitMet(const Vec3i& cube, Visit visit) const {
+    const Vec3i first = refine_ * (cube + Vec3i::Constant(2));
+    const bool cut = nearCut(first);
+    const int side = refine_ / halves_;
+    for (int z = 0; z < halves_; ++z)
+      for (int y = 0; y < halves_; ++y)
+        for (int x = 0; x < halves_; ++x)
+          if (mayMeet(cube, Vec3i(x, y, z), cut)) visit(first + side * Vec3i(x, y, z), side);
   }
-  return nodes;
+
+ private:
+  bool nearCut(const Vec3i& first) const {
+    if (organ_.severed.empty()) return false;
+    const Vec3i low = first / kBrickNodes;
+    const Vec3i high = (first + Vec3i::Constant(refine_ - 1)) / kBrickNodes;
+    for (int z = low.z(); z <= high.z(); ++z)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int x = low.x(); x <= high.x(); ++x)
+          if (organ_.severed.near(organ_.field.brickIndex({x, y, z}))) return true;
+    return false;
+  }
+  bool mayMeet(const Vec3i& cube, const Vec3i& part, bool cut) const {
+    constexpr float kFar = 1e30f, kRounding = 1e-3f, kBesideCut = 0.25f;  // the last in spacings
+    const float share = 1 / float(halves_);
+    const Lattice& lattice = organ_.rest.lattice;
+    // Cells are half a spacing off the cubes between them.
+    const Vec3 inCube = share * (part.cast<double>() + Vec3::Constant(0.5));
+    const Vec3f middle =
+        (lattice.centre(cube) + lattice.spacing.cwiseProduct(inCube)).cast<float>();
+    Column low = {kFar, kFar, kFar, 0}, high = {-kFar, -kFar, -kFar, 0};
+    const int more = cut ? 1 : 0;
+    for (int z = -more; z <= 1 + more; ++z)
+      for (int y = -more; y <= 1 + more; ++y)
+        for (int x = -more; x <= 1 + more; ++x) {
+          const Motions::Motion* motion = motions_.at(cube + Vec3i(x, y, z));
+          if (!motion) continue;
+          const Column moved = displacementAt(*motion, middle), reach = share * motion->reach;
+          const Column least = moved - reach, most = moved + reach;
+          low = least < low ? least : low;
+          high = most > high ? most : high;
+        }
+    const float slack = spacing_ * (cut ? kBesideCut : kRounding);
+    return blade_.mayMeet(low + column(middle) - slack, high + column(middle) + slack);
+  }
+
+  const Organ& organ_;
+  const Motions& motions_;
+  const BladeBoxes& blade_;
+  int refine_, halves_;
+  float spacing_;
+};
+
+// Nodes, each once, and the bricks whose cells they belong to.
+class NodeList {
+ public:
+  // nodes: all that will be added lie in it.
+  explicit NodeList(const IndexBox& nodes) : box_(nodes), number_(nodes.count(), -1) {
+    const Vec3i low = nodes.low / kBrickNodes, high = (nodes.low + nodes.dims) / kBrickNodes;
+    bricks_ = {low, high - low + Vec3i::Ones()};
+    holdsCells_.assign(bricks_.count(), 0);
+  }
+  // Those of `side` cells of the grid along each axis.
+  void add(const Vec3i& first, int side) {
+    for (int z = 0; z <= side; ++z)
+      for (int y = 0; y <= side; ++y)
+        for (int x = 0; x <= side; ++x) {
+          const Vec3i node = first + Vec3i(x, y, z);
+          std::int32_t& number = number_[std::size_t(box_.index(node))];
+          if (number >= 0) continue;
+          number = std::int32_t(nodes_.size());
+          nodes_.push_back(node);
+        }
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3i end = (side - 1) * Vec3i(corner & 1, corner >> 1 & 1, corner >> 2);
+      holdsCells_[std::size_t(bricks_.index((first + end) / kBrickNodes))] = 1;
+    }
+  }
+  const std::vector<Vec3i>& nodes() const { return nodes_; }
+  std::vector<std::int64_t> bricks(const ColourField& field) const {  // ascending
+    std::vector<std::int64_t> found;
+    for (std::size_t i = 0; i < holdsCells_.size(); ++i)
+      if (holdsCells_[i]) found.push_back(field.brickIndex(bricks_.place(std::int32_t(i))));
+    return found;
+  }
+  // Those of a brick among `places`, which are in the order of nodes().
+  void copyPlaces(const Vec3i& brick, std::span<const Vec3> places,
+                  std::span<Vec3, kPlacedNodes> out) const {
+    for (int i = 0; i < kPlacedNodes; ++i) {
+      const Vec3i node = kBrickNodes * brick + Vec3i(i % 5, i / 5 % 5, i / 25);
+      const std::int32_t n = box_.contains(node) ? number_[std::size_t(box_.index(node))] : -1;
+      out[std::size_t(i)] = n >= 0 ? places[std::size_t(n)]
+                                   : Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+
+ private:
+  IndexBox box_, bricks_;
+  std::vector<std::int32_t> number_;  // per node of the box
+  std::vector<Vec3i> nodes_;
+  std::vector<std::uint8_t> holdsCells_;
+};
+
+// Per place of the box: 1 within `low` to `high` of a marked one, both in [-1, 1] along each axis.
+std::vector<std::uint8_t> spread(std::vector<std::uint8_t> marks, const IndexBox& box, int low,
+                                 int high) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<std::uint8_t> before = marks;
+    const std::size_t step = std::size_t(box.step(axis)), n = marks.size();
+    if (low < 0)
+      for (std::size_t i = 0; i + step < n; ++i) marks[i] |= before[i + step];
+    if (high > 0)
+      for (std::size_t i = step; i < n; ++i) marks[i] |= before[i - step];
+  }
+  return marks;
 }
 
 }  // namespace
@@ -230,26 +259,34 @@ PlacedNodes nodesToPlace(const BladeBoxes& blade, const BrickPlaces& brick) {
 std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
                          std::span<const std::int64_t> nearCells) {
   if (blade.empty() || nearCells.empty()) return 0;
-  std::vector<std::int64_t> bricks = bricksRound(organ, nearCells);
-  if (bricks.empty()) return 0;
-  Motions motions(organ, tissue, cellsRound(organ, bricks));
+  const Lattice& lattice = organ.rest.lattice;
+  // Cubes round the near cells, and the cells that are asked where the nodes of those are: their
+  // corners, beside a cut one more each way.
+  const IndexBox box = boxOf(lattice, nearCells).widened(3);
+  std::vector<std::uint8_t> near(box.count(), 0);
+  for (const std::int64_t cell : nearCells) near[std::size_t(box.index(lattice.cell(cell)))] = 1;
+  const std::vector<std::uint8_t> cubes = spread(near, box, -1, 0);
+  std::vector<std::uint8_t> asked = spread(cubes, box, 0, 1);
+  if (!organ.severed.empty()) asked = spread(std::move(asked), box, -1, 1);
+  Motions motions(organ, tissue, box, asked);
+
   const BladeBoxes boxes(blade);
-  std::vector<PlacedNodes> wanted;  // of the bricks that stay
-  std::erase_if(bricks, [&](std::int64_t index) {
-    const PlacedNodes nodes =
-        nodesToPlace(boxes, BrickPlaces(organ, motions, organ.field.brick(index)));
-    if (nodes.any()) wanted.push_back(nodes);
-    return nodes.none();
-  });
-  const auto motionOf = [&](std::int64_t cell) -> const ParticleMotion& {
-    return motions.of(cell);
-  };
+  const Cubes bounds(organ, motions, boxes);
+  const int refine = organ.field.refine();
+  NodeList list({refine * (box.low + Vec3i::Constant(2)), refine * box.dims});
+  for (std::size_t i = 0; i < cubes.size(); ++i)
+    if (cubes[i])
+      bounds.visitMet(box.place(std::int32_t(i)),
+                      [&](const Vec3i& first, int side) { list.add(first, side); });
+
   const Wound wound{organ.severed, organ.alive};
-  auto nodes = wanted.begin();
-  return incise(
-      organ, blade, bricks, [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
-        placeNodes(organ.field, wound, organ.surface.iso(), brick, *nodes++, motionOf, places);
-      });
+  const std::vector<Vec3> places =
+      placeNodes(organ.field, wound, organ.surface.iso(), list.nodes(),
+                 [&](std::int32_t cell) -> const ParticleMotion& { return motions.of(cell); });
+  return incise(organ, blade, list.bricks(organ.field),
+                [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> out) {
+                  list.copyPlaces(brick, places, out);
+                });
 }
 
 }  // namespace resect

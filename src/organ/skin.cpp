@@ -72,11 +72,9 @@ void SurfaceSkin::findMotions(const Lattice& lattice, const TissueModel& tissue)
   motions_.resize(
       std::max<std::size_t>(1, cells_.size()));  // vertices on nothing look at the first
   tissue.place(cells_, placements_);
-  const auto column = [](const Vec3f& v) { return Column{v.x(), v.y(), v.z(), 0}; };
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const auto& [displacement, gradient] = placements_[i];
-    motions_[i] = {column(displacement - gradient * restOfCell_[i]),
-                   {column(gradient.col(0)), column(gradient.col(1)), column(gradient.col(2))}};
+    motions_[i] = particleMotion(restOfCell_[i], displacement, gradient);
   }
 }
 
@@ -86,26 +84,20 @@ void SurfaceSkin::moveVertices(const SurfaceTracker& surface, std::size_t begin,
   const std::span<const Vec3f> rest = surface.points(), restNormals = surface.normals();
   for (std::size_t v = begin; v < end; ++v) {
     const Binding& binding = bindings_[v];
-    Column shift{}, g0{}, g1{}, g2{};
+    ParticleMotion mean;
     const auto blend = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        const Motion& motion = motions_[std::size_t(binding.place[k])];
-        const Column weight = binding.weight[k] - Column{};
-        shift += weight * motion.shift;
-        g0 += weight * motion.gradient[0];
-        g1 += weight * motion.gradient[1];
-        g2 += weight * motion.gradient[2];
-      }
+      for (std::size_t k = begin; k < end; ++k)
+        add(mean, binding.weight[k], motions_[std::size_t(binding.place[k])]);
     };
     blend(0, 4);
     if (binding.weight[4] > 0) blend(4, 8);
     const Vec3f& x = rest[v];
-    const Column moved = shift + (g0 * x.x() + g1 * x.y() + g2 * x.z());
+    const Column moved = displacementAt(mean, x);
     points_[v] = x + Vec3f(moved[0], moved[1], moved[2]);
     // The columns of cof F are the cross products of F's.
-    g0 += Column{1, 0, 0, 0};
-    g1 += Column{0, 1, 0, 0};
-    g2 += Column{0, 0, 1, 0};
+    const Column g0 = mean.gradient[0] + Column{1, 0, 0, 0};
+    const Column g1 = mean.gradient[1] + Column{0, 1, 0, 0};
+    const Column g2 = mean.gradient[2] + Column{0, 0, 1, 0};
     const Column t0 = turn(g0), t1 = turn(g1), t2 = turn(g2);
     const Vec3f& n = restNormals[v];
     const Column turned =
@@ -167,8 +159,8 @@ std::size_t SurfaceSkin::bytes() const {
   return bindings_.capacity() * sizeof(Binding) + cells_.capacity() * sizeof(std::int64_t) +
          placeOfCell_.capacity() * sizeof(std::int32_t) +
          (restOfCell_.capacity() + points_.capacity() + normals_.capacity()) * sizeof(Vec3f) +
-         placements_.capacity() * sizeof(CellPlacement) + motions_.capacity() * sizeof(Motion) +
-         changed_.capacity();
+         placements_.capacity() * sizeof(CellPlacement) +
+         motions_.capacity() * sizeof(ParticleMotion) + changed_.capacity();
 }
 
 }  // namespace resect

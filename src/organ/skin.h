@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sph/lattice.h"
+#include "surface/particle_motion.h"
 #include "surface/surface_tracker.h"
 #include "tissue/tissue_model.h"
 
@@ -34,11 +35,6 @@ class SurfaceSkin {
     std::array<std::int32_t, 8> place{};  // into cells_
     std::array<float, 8> weight{};        // 0: this place and those after it do not count
   };
-  // Takes X near a particle to X + shift + gradient X. Columns of three, and a number unused.
-  typedef float Column __attribute__((vector_size(16)));
-  struct Motion {
-    Column shift, gradient[3];
-  };
   Binding bind(const Vec3f& vertex, const Lattice& lattice, const TissueModel& tissue);
   void findMotions(const Lattice& lattice, const TissueModel& tissue);
   void moveVertices(const SurfaceTracker& surface, std::size_t begin, std::size_t end);
@@ -49,7 +45,7 @@ class SurfaceSkin {
   std::vector<std::int32_t> placeOfCell_;  // per lattice cell: into cells_, or -1
   std::vector<Vec3f> restOfCell_;
   std::vector<CellPlacement> placements_;
-  std::vector<Motion> motions_;
+  std::vector<ParticleMotion> motions_;
   std::vector<Vec3f> points_, normals_;
   std::vector<std::uint8_t> changed_;  // per place in cells_
 };

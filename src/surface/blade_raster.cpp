@@ -122,14 +122,20 @@ void visitCells(Visit visit) {
       for (int x = 0; x < kBrickNodes; ++x) visit(std::size_t(cell++), Vec3i(x, y, z));
 }
 
+// Of the cells, from bounds of neighbouring nodes along x, of those along y, of those along z. What
+// is not known is left out.
 void findBounds(PlacedBrick& b) {
+  std::array<Aabb, kPlacedNodes> box;
+  for (std::size_t i = 0; i < kPlacedNodes; ++i) {
+    box[i] = {};
+    if (!std::isnan(b.place[i].x())) box[i].grow(b.place[i]);
+  }
+  for (const int step : kStep)
+    for (std::size_t i = 0; i + std::size_t(step) < kPlacedNodes; ++i)
+      box[i].grow(box[i + std::size_t(step)]);
   b.bounds = {};
   visitCells([&](std::size_t cell, const Vec3i& n) {
-    b.cells[cell] = {};
-    for (int c = 0; c < 8; ++c) {
-      const Vec3& p = b.place[std::size_t(cornerOf(n, c))];
-      if (!std::isnan(p.x())) b.cells[cell].grow(p);
-    }
+    b.cells[cell] = box[std::size_t(at(n))];
     b.bounds.grow(b.cells[cell]);
   });
 }

@@ -1,5 +1,7 @@
 #include "surface/brick_window.h"
 
+#include <algorithm>
+
 namespace resect {
 namespace {
 
@@ -33,6 +35,38 @@ BrickWindow::BrickWindow(const ColourField& field, const SeveredEdges& wound, co
   }
   grid = {kBrickNodes * brick - Vec3i::Constant(kHalo),
           Vec3i::Constant(kSide),
+          iso,
+          value.data(),
+          {severed[0].data(), severed[1].data(), severed[2].data()},
+          &wound};
+}
+
+BoxWindow::BoxWindow(const ColourField& field, const SeveredEdges& wound, const IndexBox& nodes,
+                     float iso)
+    : value(nodes.count(), 0) {
+  for (auto& along : severed) along.assign(nodes.count(), kWhole);
+  const Vec3i end = (nodes.low + nodes.dims).cwiseMin(kBrickNodes * field.brickDims());
+  const Vec3i first = nodes.low.cwiseMax(0) / kBrickNodes;
+  const Vec3i last = (end + Vec3i::Constant(kBrickNodes - 1)) / kBrickNodes;
+  for (int z = first.z(); z < last.z(); ++z)
+    for (int y = first.y(); y < last.y(); ++y)
+      for (int x = first.x(); x < last.x(); ++x) {
+        const Vec3i brick(x, y, z), at = kBrickNodes * brick;
+        const Vec3i low = (nodes.low - at).cwiseMax(0);
+        const Vec3i high = (end - at).cwiseMin(kBrickNodes);
+        const auto copyRows = [&](const float* from, std::vector<float>& to) {
+          for (int k = low.z(); k < high.z(); ++k)
+            for (int j = low.y(); j < high.y(); ++j)
+              std::copy_n(from + (k * kBrickNodes + j) * kBrickNodes + low.x(), high.x() - low.x(),
+                          to.begin() + nodes.index(at + Vec3i(low.x(), j, k)));
+        };
+        copyRows(field.nodes(brick), value);
+        const std::int64_t index = field.brickIndex(brick);
+        for (int a = 0; a < 3; ++a)
+          if (wound.mask(index, a) != 0) copyRows(wound.shares(index, a), severed[std::size_t(a)]);
+      }
+  grid = {nodes.low,
+          nodes.dims,
           iso,
           value.data(),
           {severed[0].data(), severed[1].data(), severed[2].data()},

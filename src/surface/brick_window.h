@@ -1,6 +1,7 @@
 // What lies in and round a brick of the colour field, side by side, for the rules of the wound?
 #pragma once
 
+#include "base/index_box.h"
 #include "sph/colour_field.h"
 #include "surface/cut_grid.h"
 
@@ -23,6 +24,17 @@ struct BrickWindow {
   static int index(const Vec3i& n) {
     return ((n.z() + kHalo) * kSide + n.y() + kHalo) * kSide + n.x() + kHalo;
   }
+};
+
+// The same of any box of nodes.
+struct BoxWindow {
+  std::vector<float> value;
+  std::array<std::vector<float>, 3> severed;
+  CutGrid grid;
+
+  BoxWindow(const ColourField& field, const SeveredEdges& wound, const IndexBox& nodes, float iso);
+  BoxWindow(const BoxWindow&) = delete;
+  BoxWindow& operator=(const BoxWindow&) = delete;
 };
 
 }  // namespace resect

@@ -16,8 +16,8 @@ int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
 void normalise(VertexBinding& binding) {
   float sum = 0;
-  for (int i = 0; i < binding.count; ++i) sum += binding.weight[std::size_t(i)];
-  for (int i = 0; i < binding.count; ++i) binding.weight[std::size_t(i)] /= sum;
+  for (const float weight : binding.weight) sum += weight;  // those that do not count are 0
+  for (float& weight : binding.weight) weight /= sum;
 }
 
 }  // namespace
@@ -25,7 +25,17 @@ void normalise(VertexBinding& binding) {
 VertexBinder::VertexBinder(const CutGrid& grid, const Lattice& lattice, int refine,
                            std::span<const std::uint8_t> particles)
     : grid_(grid), lattice_(lattice), refine_(refine), particles_(particles) {
+  const Vec3i low = cubeAt(grid.first), high = cubeAt(grid.first + grid.dims);
+  cubesInWindow_ = {low, high - low + Vec3i::Ones()};
+  numberOfCube_.assign(cubesInWindow_.count(), -1);
   cubes_.reserve(27);
+}
+
+// By its lowest cell: that of the last particle's place at or before the organ's node.
+Vec3i VertexBinder::cubeAt(const Vec3i& node) const {
+  return Vec3i(floorDiv(node.x(), refine_), floorDiv(node.y(), refine_),
+               floorDiv(node.z(), refine_)) -
+         Vec3i::Constant(2);
 }
 
 // Lattice cell k lies at the organ's node refine (k + 2).
@@ -64,10 +74,13 @@ void VertexBinder::addCorners(VertexBinding& binding, const Cube& cube, const Ve
   double weight[3][2];
   for (int a = 0; a < 3; ++a)
     for (const int end : {0, 1}) weight[a][end] = weightAlong(p[a], cube.low[a] + end * refine_);
-  for (int c = 0; c < 8; ++c)
-    if (cube.particle[std::size_t(c)] >= 0 && counts(c))
-      add(binding, weight[0][c & 1] * weight[1][c >> 1 & 1] * weight[2][c >> 2],
-          cube.particle[std::size_t(c)]);
+  static_assert(VertexBinding::kMost == 8);
+  for (int c = 0; c < 8; ++c) {
+    if (cube.particle[std::size_t(c)] < 0 || !counts(c)) continue;
+    const auto next = std::size_t(binding.count++);
+    binding.cell[next] = std::int32_t(cube.particle[std::size_t(c)]);
+    binding.weight[next] = float(weight[0][c & 1] * weight[1][c >> 1 & 1] * weight[2][c >> 2]);
+  }
 }
 
 // The nodes of a cube as bits, x fastest; room for the 125 of a cube of four edges a side.
@@ -105,23 +118,24 @@ VertexBinder::CubeEdges VertexBinder::edgesOf(const Vec3i& low) const {
   return edges;
 }
 
-const VertexBinder::Cube& VertexBinder::cube(const Vec3i& low) {
-  if (lastCube_ < cubes_.size() && cubes_[lastCube_].low == low) return cubes_[lastCube_];
-  for (lastCube_ = 0; lastCube_ < cubes_.size(); ++lastCube_)
-    if (cubes_[lastCube_].low == low) return cubes_[lastCube_];
+const VertexBinder::Cube& VertexBinder::cubeOf(const Vec3& p) {
+  const Vec3i cell = cubeAt(grid_.first + p.array().floor().matrix().cast<int>());
+  std::int32_t& number = numberOfCube_[std::size_t(cubesInWindow_.index(cell))];
+  if (number >= 0) return cubes_[std::size_t(number)];
+  number = std::int32_t(cubes_.size());
   Cube& made = cubes_.emplace_back();
-  made.low = low;
-  const Vec3i first = grid_.first + low;
-  const Vec3i cell = Vec3i(floorDiv(first.x(), refine_), floorDiv(first.y(), refine_),
-                           floorDiv(first.z(), refine_)) -
-                     Vec3i::Constant(2);
+  made.low = refine_ * (cell + Vec3i::Constant(2)) - grid_.first;
   for (int c = 0; c < 8; ++c)
     made.particle[std::size_t(c)] = particleOf(cell + Vec3i(c & 1, c >> 1 & 1, c >> 2));
-  const CubeEdges edges = edgesOf(low);
+  const CubeEdges edges = edgesOf(made.low);
   if (edges.unbroken)
     made.part.fill(0);
   else
     findParts(edges, made);
+  const int side = refine_ + 1;
+  for (int c = 0; c < 8; ++c)
+    made.partOfCorner[std::size_t(c)] =
+        made.part[std::size_t(refine_ * (((c >> 2) * side + (c >> 1 & 1)) * side + (c & 1)))];
   return made;
 }
 
@@ -146,25 +160,16 @@ void VertexBinder::findParts(const CubeEdges& edges, Cube& made) const {
   }
 }
 
-Vec3i VertexBinder::cubeOf(const Vec3& p) const {
-  Vec3i low;
-  for (int a = 0; a < 3; ++a) {
-    const int node = grid_.first[a] + int(std::floor(p[a]));
-    low[a] = floorDiv(node, refine_) * refine_ - grid_.first[a];
-  }
-  return low;
-}
-
 VertexBinding VertexBinder::bindAll(const Vec3& p) {
   VertexBinding binding;
-  addCorners(binding, cube(cubeOf(p)), p, [](int) { return true; });
+  addCorners(binding, cubeOf(p), p, [](int) { return true; });
   if (binding.count > 0) normalise(binding);
   return binding;
 }
 
-VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors) {
-  const Vec3i low = cubeOf(p);
-  const Cube& within = cube(low);
+VertexBinding VertexBinder::bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors) {
+  const Cube& within = cubeOf(p);
+  const Vec3i& low = within.low;
   const int side = refine_ + 1;
   std::bitset<kOutside + 1> wanted;  // parts of the cube
   visitNearby(anchors, [&](const Vec3i& offset) {
@@ -174,14 +179,17 @@ VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes 
   });
   wanted.reset(kOutside);
   VertexBinding binding;
-  addCorners(binding, within, p, [&](int c) {
-    const Vec3i d = refine_ * Vec3i(c & 1, c >> 1 & 1, c >> 2);
-    return wanted[within.part[std::size_t((d.z() * side + d.y()) * side + d.x())]];
-  });
-  if (binding.count == 0) {
-    lookedFar_ = true;
-    binding = bindWidely(p, place, anchors);
-  }
+  addCorners(binding, within, p,
+             [&](int c) { return wanted[within.partOfCorner[std::size_t(c)]]; });
+  if (binding.count > 0) normalise(binding);
+  return binding;
+}
+
+VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors) {
+  VertexBinding binding = bindWithin(p, place, anchors);
+  if (binding.count > 0) return binding;
+  lookedFar_ = true;
+  binding = bindWidely(p, place, anchors);
   if (binding.count == 0) binding = bindToNearest(p);
   if (binding.count > 0) normalise(binding);
   return binding;

@@ -9,6 +9,7 @@
 
 #include <span>
 
+#include "base/index_box.h"
 #include "sph/lattice.h"
 #include "surface/cut_grid.h"
 
@@ -22,17 +23,19 @@ struct VertexBinding {
   std::array<float, kMost> weight{};
 };
 
-// Binds the vertices of one brick after the other.
+// Binds the vertices that lie in a window of the grid.
 class VertexBinder {
  public:
-  // grid: the window of a brick, whose node (0, 0, 0) is the window's node (2, 2, 2). particles:
-  // per lattice cell, 1 where there is a particle.
+  // particles: per lattice cell, 1 where there is a particle.
   VertexBinder(const CutGrid& grid, const Lattice& lattice, int refine,
                std::span<const std::uint8_t> particles);
 
-  // p: in the window, within the brick; anchors: round `place`, a node of the window. Cells by the
-  // same weight come in lattice order. No particle within two cells: count is 0.
+  // p: in the window; anchors: round `place`, a node of the window. Cells by the same weight come
+  // in lattice order. No particle within two cells: count is 0. The window is that of a brick.
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
+  // The same without a search beyond the lattice cube that p lies in, in any window that holds the
+  // cube: count is 0 where that finds nothing.
+  VertexBinding bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
   // Did any search go beyond the cube so far?
   bool lookedFar() const { return lookedFar_; }
   // All particles of the lattice cube that p lies in.
@@ -40,8 +43,8 @@ class VertexBinder {
 
  private:
   struct Cube;
-  Vec3i cubeOf(const Vec3& p) const;
-  const Cube& cube(const Vec3i& low);
+  const Cube& cubeOf(const Vec3& p);
+  Vec3i cubeAt(const Vec3i& node) const;
   VertexBinding bindWidely(const Vec3& p, const Vec3i& place, NearbyNodes anchors) const;
   VertexBinding bindToNearest(const Vec3& p) const;
   struct CubeEdges;
@@ -53,7 +56,7 @@ class VertexBinder {
   // What a coordinate of p gives to the weight of a particle at the node.
   double weightAlong(double p, int node) const;
   static void add(VertexBinding& binding, double weight, std::int64_t cell);
-  // Those of the cube's particles whose corner c counts(c).
+  // Those of the cube's particles whose corner c counts(c); there are none yet.
   template <typename Counts>
   void addCorners(VertexBinding& binding, const Cube& cube, const Vec3& p,
                   const Counts& counts) const;
@@ -62,6 +65,7 @@ class VertexBinder {
     Vec3i low;
     std::array<std::uint8_t, 125> part;    // per node: number of its connected part, or kOutside
     std::array<std::int64_t, 8> particle;  // per corner
+    std::array<std::uint8_t, 8> partOfCorner;
   };
   static constexpr std::uint8_t kOutside = 127;  // more than a cube's nodes
 
@@ -69,8 +73,9 @@ class VertexBinder {
   const Lattice& lattice_;
   int refine_;
   std::span<const std::uint8_t> particles_;
+  IndexBox cubesInWindow_;  // by the lattice cell at their lowest corner
+  std::vector<std::int32_t> numberOfCube_;
   std::vector<Cube> cubes_;
-  std::size_t lastCube_ = 0;
   bool lookedFar_ = false;
 };
 

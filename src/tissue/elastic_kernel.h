@@ -1,5 +1,5 @@
 // How do forces and motion of one substep come about? Two passes over the cells, each in the widest
-// vector instructions that the machine has.
+// vector instructions that the machine has; and a third for those who look at the result.
 //
 // Total-Lagrangian SPH with corrected gradient and bond penalty (Ganzenmueller 2015 in the energy
 // form of docs/methods/tissue.md). Each cell only gathers, and every lane does the same operations
@@ -50,6 +50,11 @@ struct ElasticKernel {
   // Then v, u and `ahead` from them; false when a speed is beyond the most or not a number.
   bool (*motionPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                      std::size_t end);
+  // Displacement (rows 0 to 2 of `out`) and gradient of displacement (then, row by row) of the
+  // `wanted` of kChunk cells from `start` on, a multiple of kChunk; bit n: cell start + n. Others
+  // may be written. weight: by kind of neighbour, over the spacing, 1/m.
+  void (*placements)(const ElasticView& s, const float weight[4], std::int32_t start,
+                     std::uint32_t wanted, float (*out)[kChunk]);
 };
 
 // The fastest for this machine, and each by itself ("baseline", "avx2", "avx512"; those the machine

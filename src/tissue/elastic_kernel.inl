@@ -221,4 +221,6 @@ static bool motionPass(const ElasticView& s, const SubstepConstants& c, std::siz
   return any == 0;
 }
 
+#include "tissue/elastic_placements.inl"
+
 #undef RESECT_INLINE

@@ -13,7 +13,8 @@ constexpr int kLanes = 8;
 namespace resect {
 
 const ElasticKernel& avx2Kernel() {
-  static constexpr ElasticKernel kKernel = {"avx2", avx2::stressPass, avx2::motionPass};
+  static constexpr ElasticKernel kKernel = {"avx2", avx2::stressPass, avx2::motionPass,
+                                            avx2::placements};
   return kKernel;
 }
 

@@ -13,7 +13,8 @@ constexpr int kLanes = 16;
 namespace resect {
 
 const ElasticKernel& avx512Kernel() {
-  static constexpr ElasticKernel kKernel = {"avx512", avx512::stressPass, avx512::motionPass};
+  static constexpr ElasticKernel kKernel = {"avx512", avx512::stressPass, avx512::motionPass,
+                                            avx512::placements};
   return kKernel;
 }
 

@@ -12,7 +12,8 @@ constexpr int kLanes = 4;
 namespace resect {
 
 const ElasticKernel& baselineKernel() {
-  static constexpr ElasticKernel kKernel = {"baseline", baseline::stressPass, baseline::motionPass};
+  static constexpr ElasticKernel kKernel = {"baseline", baseline::stressPass, baseline::motionPass,
+                                            baseline::placements};
   return kKernel;
 }
 

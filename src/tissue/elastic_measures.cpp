@@ -1,6 +1,5 @@
 // What can be read off elastic tissue: deformation, stress, force and energy, in double precision.
 #include <cmath>
-#include <utility>
 
 #include "base/parallel.h"
 #include "tissue/elastic_tissue.h"
@@ -30,13 +29,6 @@ Mat3 gradient(const ElasticState& s, std::int32_t i) {
   return sum * inverseMoment(s, i) / s.spacing;
 }
 
-// visit.operator()<D>() for every direction, so that its offsets are known when compiling.
-template <typename Visit>
-void forEachDirection(const Visit& visit) {
-  [&]<int... D>(std::integer_sequence<int, D...>) { (visit.template operator()<D>(), ...); }
-  (std::make_integer_sequence<int, kDirections>{});
-}
-
 Mat3 cofactors(const Mat3& f) {
   Mat3 c;
   c.row(0) = f.row(1).cross(f.row(2));
@@ -51,34 +43,34 @@ Mat3 ElasticTissue::deformation(std::int64_t cell) const {
   return Mat3::Identity() + gradient(state_, state_.box.fromLattice(cell));
 }
 
-typedef float Four __attribute__((vector_size(16)));  // a vector of three
-
+// Cells in one chunk that stand beside each other in the list are looked at together.
 void ElasticTissue::place(std::span<const std::int64_t> cells,
                           std::span<CellPlacement> places) const {
-  const ElasticState& s = state_;
+  ElasticState& state = const_cast<ElasticState&>(state_);  // a view serves writers too
+  const ElasticView view = viewOf(state);
   const std::array<double, 4> weights = bondWeights();
-  std::array<float, 4> weight{};
-  for (int kind = 1; kind <= 3; ++kind) weight[kind] = float(weights[kind] / s.spacing);
+  float weight[4] = {};
+  for (int kind = 1; kind <= 3; ++kind) weight[kind] = float(weights[kind] / state_.spacing);
   parallelFor(cells.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t n = begin; n < end; ++n) {
-      const std::int32_t i = s.box.fromLattice(cells[n]);
-      const Four u = {s.u[0][i], s.u[1][i], s.u[2][i], 0};
-      Four along[3] = {};
-      const std::uint32_t bonds = s.bonds[i];
-      forEachDirection([&]<int D>() {
-        if (!(bonds >> D & 1)) return;
-        const std::int32_t j = i + s.box.step[D];
-        const Four wu = weight[neighbourKind(D)] * (Four{s.u[0][j], s.u[1][j], s.u[2][j], 0} - u);
-        for (int a = 0; a < 3; ++a) {
-          if (offsetAlong(D, a) > 0) along[a] += wu;
-          if (offsetAlong(D, a) < 0) along[a] -= wu;
-        }
-      });
-      Eigen::Matrix3f sum;
-      sum << Vec3f(along[0][0], along[0][1], along[0][2]),
-          Vec3f(along[1][0], along[1][1], along[1][2]),
-          Vec3f(along[2][0], along[2][1], along[2][2]);
-      places[n] = {Vec3f(u[0], u[1], u[2]), sum * inverseMoment(s, i).cast<float>()};
+    for (std::size_t n = begin; n < end;) {
+      const std::int32_t start = state_.box.fromLattice(cells[n]) / kChunk * kChunk;
+      std::int32_t lane[kChunk];
+      std::uint32_t wanted = 0;
+      std::size_t last = n;
+      for (; last < end && last - n < kChunk; ++last) {
+        const std::int32_t at = state_.box.fromLattice(cells[last]) - start;
+        if (at < 0 || at >= kChunk) break;
+        lane[last - n] = at;
+        wanted |= 1u << at;
+      }
+      float found[12][kChunk];
+      kernel_->placements(view, weight, start, wanted, found);
+      for (std::size_t first = n; n < last; ++n) {
+        const std::int32_t at = lane[n - first];
+        CellPlacement& to = places[n];
+        to.displacement = {found[0][at], found[1][at], found[2][at]};
+        for (int k = 0; k < 9; ++k) to.gradient(k / 3, k % 3) = found[3 + k][at];
+      }
     }
   });
 }

@@ -27,10 +27,10 @@ STILL = {
 ELASTIC = {
     "press": "ff7aded954d5fb7e",
     "lift": "da9413e21016a353",
-    "incise": "a230a4d56a9fb866",
-    "incise-under-traction": "ca88810e08c80fbf",
-    "snip": "0a1a5c988466ce83",
-    "resect-segment-elastic": "3fe826684a6eaf13",
+    "incise": "384625e7ddc1a950",
+    "incise-under-traction": "677049319722d946",
+    "snip": "a0620476947a2c7e",
+    "resect-segment-elastic": "db93d23b4518bd83",
     "hang": "dff9cb5ea2ed70ec",
     "drop": "b9fcec22752f1eb7",
 }

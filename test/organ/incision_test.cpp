@@ -203,14 +203,17 @@ TEST_CASE("in moved tissue a blade finds every edge that a search of the whole o
         CellPlacement place;
         tissue.place({&cell, 1}, {&place, 1});
         const Vec3 rest = whole.rest.lattice.centre(whole.rest.lattice.cell(cell));
-        return ParticleMotion{rest, rest + place.displacement.cast<double>(),
-                              Mat3::Identity() + place.gradient.cast<double>()};
+        return particleMotion(rest.cast<float>(), place.displacement, place.gradient);
       };
       const Wound wound{whole.severed, whole.alive};
-      const std::int64_t there = incise(
-          whole, blade, bricks, [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
-            placeNodes(whole.field, wound, whole.surface.iso(), brick, PlacedNodes().set(),
-                       motionOf, places);
+      std::vector<std::array<Vec3, kPlacedNodes>> places(bricks.size());
+      for (const std::int64_t brick : bricks)
+        std::ranges::copy(placeNodes(whole.field, wound, whole.surface.iso(),
+                                     test::nodesOf(whole.field.brick(brick)), motionOf),
+                          places[std::size_t(brick)].begin());
+      const std::int64_t there =
+          incise(whole, blade, bricks, [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> out) {
+            std::ranges::copy(places[std::size_t(whole.field.brickIndex(brick))], out.begin());
           });
       CHECK(found == there);
       severed += there;

@@ -7,6 +7,7 @@
 #include "base/random.h"
 #include "collision/swept_blade.h"
 #include "support/block_organ.h"
+#include "surface/blade_raster.h"
 
 namespace resect::test {
 
@@ -81,6 +82,14 @@ inline Discretization blob(int cells, double s = 0.005) {
     const double radius = 0.5 * cells * (0.82 + 0.1 * lumps);
     return 100 * std::clamp(radius - d.norm() + 0.5, 0.0, 1.0);
   });
+}
+
+// The nodes on which a brick's edges and faces lie, as severAlong() asks for their places.
+inline std::vector<Vec3i> nodesOf(const Vec3i& brick) {
+  std::vector<Vec3i> nodes;
+  for (int i = 0; i < kPlacedNodes; ++i)
+    nodes.push_back(kBrickNodes * brick + Vec3i(i % 5, i / 5 % 5, i / 25));
+  return nodes;
 }
 
 }  // namespace resect::test

@@ -10,7 +10,8 @@ constexpr int kLanes = 16;
 namespace resect::test {
 
 const ElasticKernel& wideKernel() {
-  static constexpr ElasticKernel kKernel = {"wide", wide::stressPass, wide::motionPass};
+  static constexpr ElasticKernel kKernel = {"wide", wide::stressPass, wide::motionPass,
+                                            wide::placements};
   return kKernel;
 }
 

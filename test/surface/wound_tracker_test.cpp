@@ -262,12 +262,14 @@ TEST_CASE("a blade through moved tissue severs what the same blade severs at res
       const Lattice& lattice = bent.field.lattice();
       const auto motionOf = [&](std::int64_t cell) {
         const Vec3 rest = lattice.centre(lattice.cell(cell));
-        return ParticleMotion{rest, moved(rest), stretch};
+        return particleMotion(rest.cast<float>(), (moved(rest) - rest).cast<float>(),
+                              (stretch - Mat3::Identity()).cast<float>());
       };
       severAlong(bent.severed, bent.field, inWorld, bricks,
                  [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
-                   placeNodes(bent.field, bent.wound(), 50, brick, PlacedNodes().set(), motionOf,
-                              places);
+                   std::ranges::copy(
+                       placeNodes(bent.field, bent.wound(), 50, test::nodesOf(brick), motionOf),
+                       places.begin());
                  });
       still.follow();
       bent.follow();

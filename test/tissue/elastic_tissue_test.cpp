@@ -129,6 +129,40 @@ TEST_CASE("every instruction set and every number of threads gives the same bits
   for (const int threads : {1, 2, 3}) CHECK(run(fastestKernel(), threads) == first);
 }
 
+TEST_CASE("cells are placed many at a time as one by one, whatever the instruction set") {
+  ElasticTissue tissue(raggedBlock(6), {});
+  test::severBetween(tissue, [](const Vec3i& c) { return c.x() + c.y() > 14; });
+  Random random(6);
+  std::vector<std::int64_t> cells;
+  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+    cells.push_back(c);
+    tissue.setDisplacement(c, wobble(at, random));
+  });
+  for (std::size_t i = 0; i < cells.size() / 4; ++i)  // some stand alone in the list
+    std::swap(cells[i], cells[std::size_t(random.below(int(cells.size())))]);
+  std::vector<CellPlacement> first;
+  for (const ElasticKernel* kernel :
+       {kernelNamed("baseline"), &test::wideKernel(), kernelNamed("avx2"), kernelNamed("avx512")}) {
+    if (!kernel) continue;
+    tissue.useKernel(*kernel);
+    std::vector<CellPlacement> places(cells.size());
+    tissue.place(cells, places);
+    if (first.empty()) first = places;
+    double worst = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      REQUIRE(places[i].displacement == first[i].displacement);
+      REQUIRE(places[i].gradient == first[i].gradient);
+      REQUIRE(places[i].displacement.cast<double>() == tissue.displacement(cells[i]));
+      const Mat3 f = Mat3::Identity() + places[i].gradient.cast<double>();
+      worst = std::max(worst, (f - tissue.deformation(cells[i])).norm());
+    }
+    CHECK(worst < 1e-5);
+  }
+  double most = 0;
+  for (const CellPlacement& place : first) most = std::max(most, double(place.gradient.norm()));
+  CHECK(most > 0.01);
+}
+
 TEST_CASE("cells without a gradient, isolated cells and lone pairs fall freely and stay finite") {
   TissueCells cells = solidBlock({12, 3, 3}, 0.005, liverTissue());
   std::fill(cells.solid.begin(), cells.solid.end(), 0);

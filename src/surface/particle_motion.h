@@ -1,0 +1,31 @@
+// Where does a particle take the tissue round it? To X + shift + gradient X, with X at rest; what
+// follows several particles goes where the mean of their motions takes it.
+#pragma once
+
+#include "base/vec.h"
+
+namespace resect {
+
+struct ParticleMotion {
+  Column shift{}, gradient[3]{};  // m; columns of F - I
+};
+
+inline ParticleMotion particleMotion(const Vec3f& rest, const Vec3f& displacement,
+                                     const Eigen::Matrix3f& gradient) {
+  return {column(displacement - gradient * rest),
+          {column(gradient.col(0)), column(gradient.col(1)), column(gradient.col(2))}};
+}
+
+inline void add(ParticleMotion& sum, float share, const ParticleMotion& motion) {
+  const Column weight = share - Column{};
+  sum.shift += weight * motion.shift;
+  for (int a = 0; a < 3; ++a) sum.gradient[a] += weight * motion.gradient[a];
+}
+
+// How far X is moved.
+inline Column displacementAt(const ParticleMotion& motion, const Vec3f& X) {
+  const Column* g = motion.gradient;
+  return motion.shift + (g[0] * X.x() + g[1] * X.y() + g[2] * X.z());
+}
+
+}  // namespace resect
