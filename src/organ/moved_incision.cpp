@@ -122,6 +122,19 @@ class BladeBoxes {
   std::vector<Box> triangles_;
 };
 
+bool nearCut(const Organ& organ, const Vec3i& cube) {
+  if (organ.severed.empty()) return false;
+  const int refine = organ.field.refine();
+  const Vec3i first = refine * (cube + Vec3i::Constant(2));
+  const Vec3i low = first / kBrickNodes;
+  const Vec3i high = (first + Vec3i::Constant(refine - 1)) / kBrickNodes;
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x)
+        if (organ.severed.near(organ.field.brickIndex({x, y, z}))) return true;
+  return false;
+}
+
 // Lattice cubes, by the cell at their lowest corner: a node lies among the places that the
 // particles of its cube take it to; beside a cut some follow particles farther away. So the blade
 // can meet a cube only where it meets the box of all that they take it to. A fine grid's cubes are
@@ -137,10 +150,10 @@ class Cubes {
         spacing_(float(organ.rest.lattice.spacing.maxCoeff())) {}
 
   // visit(first node, nodes along an axis up to the next) for the parts that the blade may meet.
+  // cut: is there a cut near the cube?
   template <typename Visit>
-  void visitMet(const Vec3i& cube, Visit visit) const {
+  void visitMet(const Vec3i& cube, bool cut, Visit visit) const {
     const Vec3i first = refine_ * (cube + Vec3i::Constant(2));
-    const bool cut = nearCut(first);
     const int side = refine_ / halves_;
     for (int z = 0; z < halves_; ++z)
       for (int y = 0; y < halves_; ++y)
@@ -149,16 +162,6 @@ class Cubes {
   }
 
  private:
-  bool nearCut(const Vec3i& first) const {
-    if (organ_.severed.empty()) return false;
-    const Vec3i low = first / kBrickNodes;
-    const Vec3i high = (first + Vec3i::Constant(refine_ - 1)) / kBrickNodes;
-    for (int z = low.z(); z <= high.z(); ++z)
-      for (int y = low.y(); y <= high.y(); ++y)
-        for (int x = low.x(); x <= high.x(); ++x)
-          if (organ_.severed.near(organ_.field.brickIndex({x, y, z}))) return true;
-    return false;
-  }
   bool mayMeet(const Vec3i& cube, const Vec3i& part, bool cut) const {
     constexpr float kFar = 1e30f, kRounding = 1e-3f, kBesideCut = 0.25f;  // the last in spacings
     const float share = 1 / float(halves_);
@@ -225,12 +228,17 @@ class NodeList {
   // Those of a brick among `places`, which are in the order of nodes().
   void copyPlaces(const Vec3i& brick, std::span<const Vec3> places,
                   std::span<Vec3, kPlacedNodes> out) const {
-    for (int i = 0; i < kPlacedNodes; ++i) {
-      const Vec3i node = kBrickNodes * brick + Vec3i(i % 5, i / 5 % 5, i / 25);
-      const std::int32_t n = box_.contains(node) ? number_[std::size_t(box_.index(node))] : -1;
-      out[std::size_t(i)] = n >= 0 ? places[std::size_t(n)]
-                                   : Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
-    }
+    const Vec3 none = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    const Vec3i first = kBrickNodes * brick;
+    for (int i = 0; i < kPlacedNodes; ++i) out[std::size_t(i)] = none;
+    const Vec3i low = (box_.low - first).cwiseMax(0);
+    const Vec3i high = (box_.low + box_.dims - first).cwiseMin(kBrickNodes + 1);
+    for (int z = low.z(); z < high.z(); ++z)
+      for (int y = low.y(); y < high.y(); ++y) {
+        const std::int32_t* row = number_.data() + box_.index(first + Vec3i(0, y, z));
+        for (int x = low.x(); x < high.x(); ++x)
+          if (row[x] >= 0) out[std::size_t((z * 5 + y) * 5 + x)] = places[std::size_t(row[x])];
+      }
   }
 
  private:
@@ -240,18 +248,15 @@ class NodeList {
   std::vector<std::uint8_t> holdsCells_;
 };
 
-// Per place of the box: 1 within `low` to `high` of a marked one, both in [-1, 1] along each axis.
-std::vector<std::uint8_t> spread(std::vector<std::uint8_t> marks, const IndexBox& box, int low,
-                                 int high) {
+// Marks what lies within `low` to `high` of a mark, both in [-1, 1], along each axis.
+void spread(std::vector<std::uint8_t>& marks, const IndexBox& box, int low, int high) {
   for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<std::uint8_t> before = marks;
     const std::size_t step = std::size_t(box.step(axis)), n = marks.size();
     if (low < 0)
-      for (std::size_t i = 0; i + step < n; ++i) marks[i] |= before[i + step];
+      for (std::size_t i = 0; i + step < n; ++i) marks[i] |= marks[i + step];
     if (high > 0)
-      for (std::size_t i = step; i < n; ++i) marks[i] |= before[i - step];
+      for (std::size_t i = n; i-- > step;) marks[i] |= marks[i - step];
   }
-  return marks;
 }
 
 }  // namespace
@@ -263,11 +268,15 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
   // Cubes round the near cells, and the cells that are asked where the nodes of those are: their
   // corners, beside a cut one more each way.
   const IndexBox box = boxOf(lattice, nearCells).widened(3);
-  std::vector<std::uint8_t> near(box.count(), 0);
-  for (const std::int64_t cell : nearCells) near[std::size_t(box.index(lattice.cell(cell)))] = 1;
-  const std::vector<std::uint8_t> cubes = spread(near, box, -1, 0);
-  std::vector<std::uint8_t> asked = spread(cubes, box, 0, 1);
-  if (!organ.severed.empty()) asked = spread(std::move(asked), box, -1, 1);
+  std::vector<std::uint8_t> cubes(box.count(), 0), cut(box.count(), 0);
+  for (const std::int64_t cell : nearCells) cubes[std::size_t(box.index(lattice.cell(cell)))] = 1;
+  spread(cubes, box, -1, 0);
+  for (std::size_t i = 0; i < cubes.size(); ++i)
+    cut[i] = cubes[i] && nearCut(organ, box.place(std::int32_t(i)));
+  std::vector<std::uint8_t> asked = cut;
+  spread(asked, box, -1, 1);
+  for (std::size_t i = 0; i < cubes.size(); ++i) asked[i] |= cubes[i];
+  spread(asked, box, 0, 1);
   Motions motions(organ, tissue, box, asked);
 
   const BladeBoxes boxes(blade);
@@ -276,7 +285,7 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
   NodeList list({refine * (box.low + Vec3i::Constant(2)), refine * box.dims});
   for (std::size_t i = 0; i < cubes.size(); ++i)
     if (cubes[i])
-      bounds.visitMet(box.place(std::int32_t(i)),
+      bounds.visitMet(box.place(std::int32_t(i)), cut[i],
                       [&](const Vec3i& first, int side) { list.add(first, side); });
 
   const Wound wound{organ.severed, organ.alive};

@@ -1,4 +1,5 @@
-// Strands of surface are found as by a plain search: every node of the grid asked, every search from the beginning.
+// Strands of surface are found as by a plain search: every node of the grid asked, every search
+// from the beginning.
 #include "organ/strands.h"
 
 #include <doctest/doctest.h>
