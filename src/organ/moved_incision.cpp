@@ -250,12 +250,13 @@ class NodeList {
 
 // Marks what lies within `low` to `high` of a mark, both in [-1, 1], along each axis.
 void spread(std::vector<std::uint8_t>& marks, const IndexBox& box, int low, int high) {
+  std::uint8_t* mark = marks.data();  // not asked for again after each byte
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t step = std::size_t(box.step(axis)), n = marks.size();
     if (low < 0)
-      for (std::size_t i = 0; i + step < n; ++i) marks[i] |= marks[i + step];
+      for (std::size_t i = 0; i + step < n; ++i) mark[i] |= mark[i + step];
     if (high > 0)
-      for (std::size_t i = n; i-- > step;) marks[i] |= marks[i - step];
+      for (std::size_t i = n; i-- > step;) mark[i] |= mark[i - step];
   }
 }
 
