@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "base/vec.h"
 
@@ -31,5 +32,15 @@ struct IndexBox {
     return low + Vec3i(index % dims.x(), row % dims.y(), row / dims.y());
   }
 };
+
+// The smallest that holds all of the places, which are not none.
+inline IndexBox boxRound(std::span<const Vec3i> places) {
+  Vec3i low = places[0], high = low;
+  for (const Vec3i& place : places) {
+    low = low.cwiseMin(place);
+    high = high.cwiseMax(place);
+  }
+  return {low, high - low + Vec3i::Ones()};
+}
 
 }  // namespace resect

@@ -9,15 +9,6 @@
 namespace resect {
 namespace {
 
-IndexBox boxOf(const Lattice& lattice, std::span<const std::int64_t> cells) {
-  Vec3i low = lattice.cell(cells[0]), high = low;
-  for (const std::int64_t cell : cells) {
-    low = low.cwiseMin(lattice.cell(cell));
-    high = high.cwiseMax(lattice.cell(cell));
-  }
-  return {low, high - low + Vec3i::Ones()};
-}
-
 // How the particles in a box of cells have moved.
 class Motions {
  public:
@@ -50,7 +41,7 @@ class Motions {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto& [displacement, gradient] = placements[i];
       static_cast<ParticleMotion&>(motions_[i]) = particleMotion(rest[i], displacement, gradient);
-      const auto reach = (gradient + Eigen::Matrix3f::Identity()).cwiseAbs() * half;
+      const Vec3f reach = (gradient + Eigen::Matrix3f::Identity()).cwiseAbs() * half;
       motions_[i].reach = column(reach);
     }
   }
@@ -73,20 +64,21 @@ class Motions {
   }
 
  private:
-  const Lattice& lattice_;
-  const TissueModel& tissue_;
-  IndexBox box_;
+  struct Found {
+    std::int32_t cell = -1, number = -1;
+  };
+  static constexpr std::size_t kFound = 512;
+
   std::int32_t numberOf(std::int32_t cell) const {
     const Vec3i at = lattice_.cell(cell);
     return box_.contains(at) ? number_[std::size_t(box_.index(at))] : -1;
   }
 
+  const Lattice& lattice_;
+  const TissueModel& tissue_;
+  IndexBox box_;
   std::vector<std::int32_t> number_;  // per cell of the box, -1 where not asked
   std::vector<Motion> motions_;
-  struct Found {
-    std::int32_t cell = -1, number = -1;
-  };
-  static constexpr std::size_t kFound = 512;
   std::array<Found, kFound> found_;
   ParticleMotion far_;
 };
@@ -265,12 +257,13 @@ void spread(std::vector<std::uint8_t>& marks, const IndexBox& box, int low, int 
 std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
                          std::span<const std::int64_t> nearCells) {
   if (blade.empty() || nearCells.empty()) return 0;
-  const Lattice& lattice = organ.rest.lattice;
   // Cubes round the near cells, and the cells that are asked where the nodes of those are: their
   // corners, beside a cut one more each way.
-  const IndexBox box = boxOf(lattice, nearCells).widened(3);
+  std::vector<Vec3i> near;
+  for (const std::int64_t cell : nearCells) near.push_back(organ.rest.lattice.cell(cell));
+  const IndexBox box = boxRound(near).widened(3);
   std::vector<std::uint8_t> cubes(box.count(), 0), cut(box.count(), 0);
-  for (const std::int64_t cell : nearCells) cubes[std::size_t(box.index(lattice.cell(cell)))] = 1;
+  for (const Vec3i& cell : near) cubes[std::size_t(box.index(cell))] = 1;
   spread(cubes, box, -1, 0);
   for (std::size_t i = 0; i < cubes.size(); ++i)
     cut[i] = cubes[i] && nearCut(organ, box.place(std::int32_t(i)));

@@ -70,12 +70,10 @@ struct Parting {
 class PartingCubes {
  public:
   explicit PartingCubes(std::span<const Parting> partings) {  // not none
-    Vec3i low = partings[0].cell, high = low;
-    for (const Parting& p : partings) {
-      low = low.cwiseMin(p.cell);
-      high = high.cwiseMax(p.cell);
-    }
-    box_ = {low - Vec3i::Ones(), high - low + Vec3i::Constant(2)};
+    std::vector<Vec3i> cells;
+    for (const Parting& p : partings)
+      for (const int step : {-1, 0}) cells.push_back(p.cell + Vec3i::Constant(step));
+    box_ = boxRound(cells);
     marks_.assign(box_.count(), 0);
     for (const Parting& p : partings)
       for (int o = 0; o < 8; ++o) {

@@ -7,15 +7,6 @@
 namespace resect {
 namespace {
 
-IndexBox boxOf(std::span<const Vec3i> nodes) {
-  Vec3i low = nodes[0], high = low;
-  for (const Vec3i& n : nodes) {
-    low = low.cwiseMin(n);
-    high = high.cwiseMax(n);
-  }
-  return {low, high - low + Vec3i::Ones()};
-}
-
 // A search beyond a node's cube stays in the window of its brick, whoever else is asked for.
 struct FarSearch {
   Vec3i brick;
@@ -36,7 +27,7 @@ std::vector<VertexBinding> bindNodes(const ColourField& field, const Wound& woun
   if (nodes.empty()) return bindings;
   bindings.reserve(nodes.size());
   const int refine = field.refine();
-  const IndexBox box = boxOf(nodes).widened(refine);  // the lattice cubes that they lie in
+  const IndexBox box = boxRound(nodes).widened(refine);  // the lattice cubes that they lie in
   const BoxWindow window(field, wound.severed, box, iso);
   VertexBinder binder(window.grid, field.lattice(), refine, wound.particles);
   std::optional<FarSearch> far;
