@@ -8,8 +8,8 @@
 namespace resect {
 
 // Cuts along the blade, in world space as the tissue is; `nearCells`: particles near the blade. The
-// surface follows with updateSurface(). Returns the number of grid edges severed. Cost: some 100 ns
-// per particle near the blade, and 3 us per lattice cube that it may meet.
+// surface follows with updateSurface(). Returns the number of grid edges severed. Cost: in
+// proportion to the particles near the blade, and to the nodes of the cubes that it may meet.
 std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
                          std::span<const std::int64_t> nearCells);
 

@@ -50,7 +50,7 @@ class NodeOwners {
   static constexpr int kFar = 6;  // edges
 
   // For the nodes of a box; grid: for it and kFar nodes round it. Cost: four bytes per node of
-  // both, and some 50 ns for each that a search comes by.
+  // both, and work in proportion to those that a search comes by.
   NodeOwners(const Organ& organ, TissueGrid& grid, const IndexBox& box);
 
   // node: in tissue.

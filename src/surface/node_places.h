@@ -3,8 +3,8 @@
 // A blade meets tissue where it is, not where it was at rest: before edges are severed
 // (surface/blade_raster.h), the nodes near the blade follow their particles as the surface's
 // vertices do (surface/vertex_binding.h). A node outside tissue follows all particles of its
-// lattice cube; one with none has no place. Cost: some 100 ns per node, and a pass over the box
-// round all of them.
+// lattice cube; one with none has no place. Cost: in proportion to the nodes, and a pass over the
+// box round all of them.
 #pragma once
 
 #include <limits>
