@@ -19,10 +19,10 @@ inline constexpr float kMostStiffening = 6;
 
 // What both passes read besides the state.
 struct SubstepConstants {
-  float weight[4] = {};        // by kind of neighbour: tissue/stencil.h
-  float faceShare = 0;         // weight of a face neighbour over that of an edge neighbour
+  float faceShare = 0;         // weight of a face neighbour (tissue/stencil.h) over an edge one's
   float cornerShare = 0;       // the same of a corner neighbour
-  float inverseSpacing = 0;    // 1/m
+  float edgePerLength = 0;     // an edge neighbour's weight over the spacing, 1/m
+  float bondStiffness = 0;     // twice that weight over the spacing squared, 1/m^2
   float dt = 0;                // s
   float lookAhead = 0;         // beta dt, s
   float keep = 1;              // share of the velocity that drag leaves per substep
@@ -52,7 +52,7 @@ struct ElasticKernel {
                      std::size_t end);
   // Displacement (rows 0 to 2 of `out`) and gradient of displacement (then, row by row) of the
   // `wanted` of kChunk cells from `start` on, a multiple of kChunk; bit n: cell start + n. Others
-  // may be written. weight: by kind of neighbour, over the spacing, 1/m.
+  // may be written. weight: by kind of neighbour, over that of an edge neighbour.
   void (*placements)(const ElasticView& s, const float weight[4], std::int32_t start,
                      std::uint32_t wanted, float (*out)[kChunk]);
 };

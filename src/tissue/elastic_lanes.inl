@@ -1,18 +1,36 @@
-// Vectors of kLanes floats, for the files included after it in elastic_kernel.inl.
+// Vectors of N floats, for the files included after it in elastic_kernel.inl.
 
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-typedef float Lanes __attribute__((vector_size(4 * kLanes)));
-typedef std::int32_t IntLanes __attribute__((vector_size(4 * kLanes)));
+template <int N>
+struct VectorsOf {
+  typedef float Floats __attribute__((vector_size(4 * N)));
+  typedef std::int32_t Ints __attribute__((vector_size(4 * N)));
+};
+template <int N>
+using Lanes = typename VectorsOf<N>::Floats;
+template <int N>
+using IntLanes = typename VectorsOf<N>::Ints;
 
 #define RESECT_INLINE static inline __attribute__((always_inline))
 
-RESECT_INLINE Lanes load(const float* p) {
-  Lanes v;
+template <int N>
+RESECT_INLINE Lanes<N> load(const float* p) {
+  Lanes<N> v;
   __builtin_memcpy(&v, p, sizeof v);
   return v;
 }
-RESECT_INLINE void store(float* p, Lanes v) { __builtin_memcpy(p, &v, sizeof v); }
-RESECT_INLINE Lanes all(float x) { return x - Lanes{}; }
+template <typename V>
+RESECT_INLINE void store(float* p, V v) {
+  __builtin_memcpy(p, &v, sizeof v);
+}
+template <int N>
+RESECT_INLINE Lanes<N> all(float x) {
+  return x - Lanes<N>{};
+}
 
-RESECT_INLINE Lanes masked(Lanes value, IntLanes mask) { return (Lanes)((IntLanes)value & mask); }
+// `value` where all bits of `mask` are set, else zero.
+template <typename V, typename Mask>
+RESECT_INLINE V masked(V value, Mask mask) {
+  return mask ? value : V{};
+}

@@ -11,6 +11,13 @@ Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
   return {field[0][i], field[1][i], field[2][i]};
 }
 
+// Weights of neighbours by kind, as the arrays of an ElasticState count them.
+std::array<double, 4> edgeWeights() {
+  std::array<double, 4> weights = bondWeights();
+  for (const double edge = weights[2]; double& weight : weights) weight /= edge;
+  return weights;
+}
+
 Mat3 inverseMoment(const ElasticState& s, std::int32_t i) {
   const auto& l = s.inverseMoment;
   Mat3 m;
@@ -20,13 +27,13 @@ Mat3 inverseMoment(const ElasticState& s, std::int32_t i) {
 
 // H = F - I.
 Mat3 gradient(const ElasticState& s, std::int32_t i) {
-  const std::array<double, 4> weights = bondWeights();
+  const std::array<double, 4> weights = edgeWeights();
   Mat3 sum = Mat3::Zero();
   for (int d = 0; d < kDirections; ++d)
     if (s.bonds[i] >> d & 1)
       sum += weights[neighbourKind(d)] * (at(s.u, i + s.box.step[d]) - at(s.u, i)) *
              offsetOf(d).cast<double>().transpose();
-  return sum * inverseMoment(s, i) / s.spacing;
+  return sum * inverseMoment(s, i);
 }
 
 Mat3 cofactors(const Mat3& f) {
@@ -48,9 +55,8 @@ void ElasticTissue::place(std::span<const std::int64_t> cells,
                           std::span<CellPlacement> places) const {
   ElasticState& state = const_cast<ElasticState&>(state_);  // a view serves writers too
   const ElasticView view = viewOf(state);
-  const std::array<double, 4> weights = bondWeights();
-  float weight[4] = {};
-  for (int kind = 1; kind <= 3; ++kind) weight[kind] = float(weights[kind] / state_.spacing);
+  const std::array<double, 4> weights = edgeWeights();
+  const float weight[4] = {0, float(weights[1]), float(weights[2]), float(weights[3])};
   parallelFor(cells.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t n = begin; n < end;) {
       const std::int32_t start = state_.box.fromLattice(cells[n]) / kChunk * kChunk;
@@ -86,7 +92,7 @@ Mat3 ElasticTissue::stress(std::int64_t cell) const {
 
 Vec3 ElasticTissue::elasticForce(std::int64_t cell) const {
   const std::int32_t i = state_.box.fromLattice(cell);
-  const std::array<double, 4> weights = bondWeights();
+  const std::array<double, 4> weights = edgeWeights();
   const auto stressAt = [&](std::int32_t j) {
     Mat3 a;
     for (int k = 0; k < 9; ++k) a(k / 3, k % 3) = state_.stress[k][j];
@@ -97,7 +103,7 @@ Vec3 ElasticTissue::elasticForce(std::int64_t cell) const {
     if (state_.bonds[i] >> d & 1)
       force +=
           weights[neighbourKind(d)] * stressAt(i + state_.box.step[d]) * offsetOf(d).cast<double>();
-  return force / state_.spacing + at(state_.bondForce, i);
+  return force + at(state_.bondForce, i);
 }
 
 TissueEnergy ElasticTissue::energy() {

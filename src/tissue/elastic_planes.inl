@@ -7,7 +7,7 @@
 // neighbour's weight; a face neighbour has `faceShare`, a corner neighbour `cornerShare` of it.
 
 constexpr int kRunChunks = 3;  // so that the sums of a run stay in the first-level cache
-constexpr int kRunCells = kRunChunks * kChunk + 2 + kChunk;  // one before, one after, a vector more
+constexpr int kRunCells = (kRunChunks + 2) * kChunk;  // a chunk more before and after
 
 // The eight cells round the middle of a plane.
 enum Round { kUp, kDown, kFore, kAft, kUpFore, kUpAft, kDownFore, kDownAft };
@@ -22,119 +22,124 @@ RESECT_INLINE PlaneSteps planeSteps(const ElasticView& s) {
 
 // Of a plane, for each component of u: what it gives to the sums of its own middle cell (own), and
 // to those of the cells before and behind in the row (next), as seen from its middle cell.
-struct StrainPlanes {
+struct alignas(kCacheLine) StrainPlanes {
   float middle[3][kRunCells];
   float own[3][3][kRunCells];  // [component of u][0: sum of w u_ij, 1: times d_y, 2: times d_z]
   float next[3][3][kRunCells];
 };
 
+// For the N planes from `at` on; `first`: cell that has plane 0.
+template <int N>
 RESECT_INLINE void sumStrainPlanes(const ElasticView& s, const SubstepConstants& c,
-                                   const PlaneSteps& step, std::int32_t first, int begin, int end,
+                                   const PlaneSteps& step, std::int32_t first, int at,
                                    StrainPlanes& planes) {
-  const Lanes face = all(c.faceShare), corner = all(c.cornerShare);
-  for (int at = begin; at < end; at += kLanes) {
-    const std::int64_t p = first + at;
-    std::int64_t to[8];
-    for (int k = 0; k < 8; ++k) to[k] = p + step.to[k];
-    IntLanes there[8];
-    for (int k = 0; k < 8; ++k) there[k] = load(s.inverseMass + to[k]) > Lanes{};
-    const IntLanes here = load(s.inverseMass + p) > Lanes{};
-    const IntLanes before = load(s.inverseMass + p - 1) > Lanes{};
-    for (int a = 0; a < 3; ++a) {
-      const float* u = s.ahead[a];
-      // Where no cell is, its neighbour in the row stands in.
-      const Lanes own = load(u + p), left = load(u + p - 1), right = load(u + p + 1);
-      const Lanes middle = here ? own : before ? left : right;
-      Lanes d[8];
-      for (int k = 0; k < 8; ++k) d[k] = masked(load(u + to[k]) - middle, there[k]);
-      const Lanes up = d[kUpFore] + d[kUpAft], down = d[kDownFore] + d[kDownAft];
-      const Lanes faces[3] = {(d[kUp] + d[kDown]) + (d[kFore] + d[kAft]), d[kUp] - d[kDown],
-                              d[kFore] - d[kAft]};
-      const Lanes corners[3] = {up + down, up - down,
-                                (d[kUpFore] - d[kUpAft]) + (d[kDownFore] - d[kDownAft])};
-      store(planes.middle[a] + at, middle);
-      for (int k = 0; k < 3; ++k) {
-        store(planes.own[a][k] + at, face * faces[k] + corners[k]);
-        store(planes.next[a][k] + at, faces[k] + corner * corners[k]);
-      }
+  const Lanes<N> face = all<N>(c.faceShare), corner = all<N>(c.cornerShare);
+  const std::int64_t p = first + at;
+  std::int64_t to[8];
+  for (int k = 0; k < 8; ++k) to[k] = p + step.to[k];
+  // Where no cell is in the middle, its neighbour in the row stands in.
+  const IntLanes<N> here = load<N>(s.inverseMass + p) > Lanes<N>{};
+  const IntLanes<N> before = load<N>(s.inverseMass + p - 1) > Lanes<N>{};
+  Lanes<N> middles[3];
+  for (int a = 0; a < 3; ++a) {
+    const float* u = s.ahead[a] + p;
+    const Lanes<N> own = load<N>(u), left = load<N>(u - 1), right = load<N>(u + 1);
+    middles[a] = here ? own : before ? left : right;
+    store(planes.middle[a] + at, middles[a]);
+  }
+  IntLanes<N> there[8];
+  for (int k = 0; k < 8; ++k) there[k] = load<N>(s.inverseMass + to[k]) > Lanes<N>{};
+  for (int a = 0; a < 3; ++a) {
+    const float* u = s.ahead[a];
+    const Lanes<N> middle = middles[a];
+    Lanes<N> d[8];
+    for (int k = 0; k < 8; ++k) d[k] = masked(load<N>(u + to[k]) - middle, there[k]);
+    const Lanes<N> up = d[kUpFore] + d[kUpAft], down = d[kDownFore] + d[kDownAft];
+    const Lanes<N> faces[3] = {(d[kUp] + d[kDown]) + (d[kFore] + d[kAft]), d[kUp] - d[kDown],
+                               d[kFore] - d[kAft]};
+    const Lanes<N> corners[3] = {up + down, up - down,
+                                 (d[kUpFore] - d[kUpAft]) + (d[kDownFore] - d[kDownAft])};
+    for (int k = 0; k < 3; ++k) {
+      store(planes.own[a][k] + at, face * faces[k] + corners[k]);
+      store(planes.next[a][k] + at, faces[k] + corner * corners[k]);
     }
   }
 }
 
 // What the planes after and before the cells give to their k-th sum, seen from the cells
 // themselves.
+template <int N>
 struct NextPlanes {
-  Lanes after, before;
+  Lanes<N> after, before;
 };
-template <bool Full>
-RESECT_INLINE NextPlanes nextPlanes(const ElasticView& s, const StrainPlanes& planes, int a, int k,
+template <bool Full, int N>
+RESECT_INLINE NextPlanes<N> nextPlanes(const ElasticView& s, const StrainPlanes& planes, int a, int k,
                                     std::int32_t i, int at) {
-  NextPlanes next = {load(planes.next[a][k] + at + 1), load(planes.next[a][k] + at - 1)};
+  NextPlanes<N> next = {load<N>(planes.next[a][k] + at + 1), load<N>(planes.next[a][k] + at - 1)};
   if (Full && k > 0) return next;  // both sides of a whole plane cancel
   const float* middle = planes.middle[a] + at;
   const float* weight = s.planeWeight[k] + i;
-  next.after += (load(middle + 1) - load(middle)) * load(weight + 1);
-  next.before += (load(middle - 1) - load(middle)) * load(weight - 1);
+  next.after += (load<N>(middle + 1) - load<N>(middle)) * load<N>(weight + 1);
+  next.before += (load<N>(middle - 1) - load<N>(middle)) * load<N>(weight - 1);
   return next;
 }
 
 // Of the cells from i on, which are `at` cells into the planes. Full: all neighbours are there.
-template <bool Full>
-RESECT_INLINE void strainsFromPlanes(const ElasticView& s, const SubstepConstants& c,
-                                     const StrainPlanes& planes, std::int32_t i, int at,
-                                     Strains& strains) {
-  const Lanes weight = all(c.weight[2]), perLength = all(c.weight[2] * c.inverseSpacing);
+template <bool Full, int N>
+RESECT_INLINE Strains<N> strainsFromPlanes(const ElasticView& s, const StrainPlanes& planes,
+                                           std::int32_t i, int at) {
+  Strains<N> strains;
   for (int a = 0; a < 3; ++a) {
-    const NextPlanes sum = nextPlanes<Full>(s, planes, a, 0, i, at);
-    strains.gradient[3 * a] = perLength * (sum.after - sum.before);
-    strains.difference[a] = weight * (load(planes.own[a][0] + at) + (sum.after + sum.before));
+    const NextPlanes<N> sum = nextPlanes<Full, N>(s, planes, a, 0, i, at);
+    strains.gradient[3 * a] = sum.after - sum.before;
+    strains.difference[a] = load<N>(planes.own[a][0] + at) + (sum.after + sum.before);
     for (int k = 1; k < 3; ++k) {
-      const NextPlanes across = nextPlanes<Full>(s, planes, a, k, i, at);
+      const NextPlanes<N> across = nextPlanes<Full, N>(s, planes, a, k, i, at);
       strains.gradient[3 * a + k] =
-          perLength * (load(planes.own[a][k] + at) + (across.after + across.before));
+          load<N>(planes.own[a][k] + at) + (across.after + across.before);
     }
   }
+  return strains;
 }
 
 // The same for A, which is zero where no cell is: row a of sum w A_j d_ij is own at the cell plus
 // `after` of the plane after it and `before` of the plane before it.
-struct ForcePlanes {
+struct alignas(kCacheLine) ForcePlanes {
   float own[3][kRunCells], after[3][kRunCells], before[3][kRunCells];
 };
 
+template <int N>
 RESECT_INLINE void sumForcePlanes(const ElasticView& s, const SubstepConstants& c,
-                                  const PlaneSteps& step, std::int32_t first, int begin, int end,
+                                  const PlaneSteps& step, std::int32_t first, int at,
                                   ForcePlanes& planes) {
-  const Lanes face = all(c.faceShare), corner = all(c.cornerShare);
-  const std::int64_t up = step.to[kUp], fore = step.to[kFore];
-  // Row after row: the addresses of three arrays stay in registers.
+  const Lanes<N> face = all<N>(c.faceShare), corner = all<N>(c.cornerShare);
+  const std::int64_t p = first + at;
+  std::int64_t to[8];
+  for (int k = 0; k < 8; ++k) to[k] = p + step.to[k];
   for (int a = 0; a < 3; ++a) {
-    const float *x = s.stress[3 * a] + first, *y = s.stress[3 * a + 1] + first,
-                *z = s.stress[3 * a + 2] + first;
-    for (std::int64_t at = begin; at < end; at += kLanes) {
-      const std::int64_t upper = at + up, lower = at - up;
-      const Lanes faces =
-          (load(x + upper) + load(x + lower)) + (load(x + at + fore) + load(x + at - fore));
-      const Lanes corners = (load(x + upper + fore) + load(x + upper - fore)) +
-                            (load(x + lower + fore) + load(x + lower - fore));
-      const Lanes along = face * load(x + at) + faces + corner * corners;
-      const Lanes facesAcross =
-          (load(y + upper) - load(y + lower)) + (load(z + at + fore) - load(z + at - fore));
-      const Lanes cornersAcross = ((load(y + upper + fore) + load(y + upper - fore)) -
-                                   (load(y + lower + fore) + load(y + lower - fore))) +
-                                  ((load(z + upper + fore) + load(z + lower + fore)) -
-                                   (load(z + upper - fore) + load(z + lower - fore)));
-      const Lanes across = facesAcross + corner * cornersAcross;
-      store(planes.own[a] + at, face * facesAcross + cornersAcross);
-      store(planes.after[a] + at, across + along);
-      store(planes.before[a] + at, across - along);
-    }
+    const float *x = s.stress[3 * a], *y = s.stress[3 * a + 1], *z = s.stress[3 * a + 2];
+    const auto from = [&](const float* row, Round k) { return load<N>(row + to[k]); };
+    const Lanes<N> faces = (from(x, kUp) + from(x, kDown)) + (from(x, kFore) + from(x, kAft));
+    const Lanes<N> corners = (from(x, kUpFore) + from(x, kUpAft)) +
+                             (from(x, kDownFore) + from(x, kDownAft));
+    const Lanes<N> along = face * load<N>(x + p) + faces + corner * corners;
+    const Lanes<N> facesAcross = (from(y, kUp) - from(y, kDown)) + (from(z, kFore) - from(z, kAft));
+    const Lanes<N> cornersAcross = ((from(y, kUpFore) + from(y, kUpAft)) -
+                                    (from(y, kDownFore) + from(y, kDownAft))) +
+                                   ((from(z, kUpFore) + from(z, kDownFore)) -
+                                    (from(z, kUpAft) + from(z, kDownAft)));
+    const Lanes<N> across = facesAcross + corner * cornersAcross;
+    store(planes.own[a] + at, face * facesAcross + cornersAcross);
+    store(planes.after[a] + at, across + along);
+    store(planes.before[a] + at, across - along);
   }
 }
 
-RESECT_INLINE void forcesFromPlanes(const SubstepConstants& c, const ForcePlanes& planes, int at,
-                                    Lanes* force) {
+template <int N>
+RESECT_INLINE Forces<N> forcesFromPlanes(const ForcePlanes& planes, int at) {
+  Forces<N> sum;
   for (int a = 0; a < 3; ++a)
-    force[a] = all(c.weight[2]) * (load(planes.own[a] + at) + (load(planes.after[a] + at + 1) +
-                                                               load(planes.before[a] + at - 1)));
+    sum.along[a] = load<N>(planes.own[a] + at) +
+                   (load<N>(planes.after[a] + at + 1) + load<N>(planes.before[a] + at - 1));
+  return sum;
 }

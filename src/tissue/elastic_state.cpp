@@ -38,8 +38,9 @@ void putMoment(ElasticState& s, std::int32_t i, const std::array<double, 4>& wei
   if (deforms) inverse = moment.inverse();
   const std::array<double, 6> packed = {inverse(0, 0), inverse(1, 1), inverse(2, 2),
                                         inverse(0, 1), inverse(0, 2), inverse(1, 2)};
-  for (int k = 0; k < 6; ++k) s.inverseMoment[k][i] = float(packed[k]);
-  for (int a = 0; a < 3; ++a) s.skew[a][i] = float(skew[a]);
+  const double edge = weights[2];
+  for (int k = 0; k < 6; ++k) s.inverseMoment[k][i] = float(packed[k] * edge / s.spacing);
+  for (int a = 0; a < 3; ++a) s.skew[a][i] = float(skew[a] / edge);
   s.kappa[i] = deforms ? kappa : 0;
 }
 

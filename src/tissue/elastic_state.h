@@ -2,7 +2,9 @@
 // padded box.
 //
 // Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 5) + 4 = 180. Lengths in m, masses in kg;
-// the moment matrix is free of units, because offsets are counted in spacings.
+// offsets to neighbours are counted in spacings. With L, S, A and q as in docs/methods/tissue.md
+// and w the weight of an edge neighbour (bondWeights()): weights in sums are counted in w, and what
+// that leaves out is in the arrays, where it costs nothing.
 #pragma once
 
 #include <array>
@@ -40,10 +42,10 @@ struct ElasticState {
   double penalty = 0;  // alpha
   std::vector<TissueMaterial> materials;
   std::array<FloatArray, 3> u, ahead, v;    // displacement; u + beta dt v; velocity
-  std::array<FloatArray, 9> stress;         // A of pass 1, row by row, N
-  std::array<FloatArray, 3> bondForce;      // q of pass 1, N
-  std::array<FloatArray, 6> inverseMoment;  // L: xx yy zz xy xz yz
-  std::array<FloatArray, 3> skew;           // S: sum of w X, in spacings
+  std::array<FloatArray, 9> stress;         // A w / spacing, row by row, N
+  std::array<FloatArray, 3> bondForce;      // q, N
+  std::array<FloatArray, 6> inverseMoment;  // L w / spacing: xx yy zz xy xz yz, 1/m
+  std::array<FloatArray, 3> skew;           // S / w, in spacings
   // What the cells of a plane across the row weigh together, round their middle cell, over the
   // weight of an edge neighbour: sum, and the sums times offsets along y and z. The cell may be
   // missing.

@@ -55,10 +55,10 @@ ElasticTissue::ElasticTissue(const TissueCells& cells, const TissueSettings& set
 SubstepConstants ElasticTissue::constants(double dt) const {
   SubstepConstants c;
   const std::array<double, 4> weights = bondWeights();
-  for (int kind = 1; kind <= 3; ++kind) c.weight[kind] = float(weights[kind]);
   c.faceShare = float(weights[1] / weights[2]);
   c.cornerShare = float(weights[3] / weights[2]);
-  c.inverseSpacing = float(1 / state_.spacing);
+  c.edgePerLength = float(weights[2] / state_.spacing);
+  c.bondStiffness = float(2 * weights[2] / (state_.spacing * state_.spacing));
   c.dt = float(dt);
   c.lookAhead = float(settings_.damping * dt);
   c.keep = float(std::exp(-settings_.drag * dt));
@@ -169,16 +169,25 @@ void ElasticTissue::stopMotion() {
 }
 
 void ElasticTissue::keepState() {
-  keptU_ = state_.u;
-  keptV_ = state_.v;
+  kept_.resize(state_.chunks.size() * 6 * kChunk);
+  float* to = kept_.data();
+  for (const TissueChunk& chunk : state_.chunks)
+    for (const auto* field : {&state_.u, &state_.v})
+      for (const FloatArray& component : *field)
+        to = std::copy_n(component.data() + chunk.start, kChunk, to);
 }
 
 // `ahead` of the next substep is that of the kept velocity at the coming substep's length; that of
 // a length twice as long does no harm.
 void ElasticTissue::restoreState() {
-  state_.u = keptU_;
-  state_.v = keptV_;
-  state_.ahead = keptU_;
+  const float* from = kept_.data();
+  for (const TissueChunk& chunk : state_.chunks)
+    for (auto* field : {&state_.u, &state_.v})
+      for (FloatArray& component : *field) {
+        std::copy_n(from, kChunk, component.data() + chunk.start);
+        from += kChunk;
+      }
+  state_.ahead = state_.u;
 }
 
 void ElasticTissue::settleEdits() {
@@ -296,14 +305,14 @@ std::size_t ElasticTissue::bytes() const {
   const auto addEach = [&](const auto& arrays) {
     for (const auto& array : arrays) add(array);
   };
-  for (const auto* three :
-       {&s.u, &s.ahead, &s.v, &s.bondForce, &s.skew, &s.planeWeight, &s.load, &keptU_, &keptV_})
+  for (const auto* three : {&s.u, &s.ahead, &s.v, &s.bondForce, &s.skew, &s.planeWeight, &s.load})
     addEach(*three);
   addEach(s.stress);
   addEach(s.inverseMoment);
   for (const FloatArray* one : {&s.inverseMass, &s.shearVolume, &s.lameVolume, &s.kappa}) add(*one);
   for (const auto* one : {&s.solid, &s.material, &s.held, &s.loaded}) add(*one);
   add(s.bonds);
+  add(kept_);
   add(s.chunks);
   add(gripper_);
   add(threads_);

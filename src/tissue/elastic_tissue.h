@@ -138,7 +138,7 @@ class ElasticTissue final : public TissueModel {
   std::vector<std::int32_t> gripper_;  // per cell of the box: tool that holds it, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;
   std::vector<std::int32_t> cut_;  // cells at which a bond was severed
-  std::array<FloatArray, 3> keptU_, keptV_;
+  FloatArray kept_;                // u and v of the chunks at the frame's beginning
 };
 
 }  // namespace resect

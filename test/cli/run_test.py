@@ -25,14 +25,14 @@ STILL = {
 }
 # On tissue that moves: the same with and without vector instructions.
 ELASTIC = {
-    "press": "ff7aded954d5fb7e",
-    "lift": "da9413e21016a353",
-    "incise": "384625e7ddc1a950",
-    "incise-under-traction": "677049319722d946",
-    "snip": "a0620476947a2c7e",
-    "resect-segment-elastic": "db93d23b4518bd83",
-    "hang": "dff9cb5ea2ed70ec",
-    "drop": "b9fcec22752f1eb7",
+    "press": "754634dbed38cd23",
+    "lift": "b89f22ae5fd9ab45",
+    "incise": "15846703c7ad9d57",
+    "incise-under-traction": "8a6eab7de473daa1",
+    "snip": "9728b54f3718ae53",
+    "resect-segment-elastic": "7cbb946af16c851b",
+    "hang": "1274f49dfcb85f7f",
+    "drop": "e9d8e0a9ffbe7981",
 }
 
 PROGRAM, FOLDER = sys.argv[1], Path(sys.argv[2])
