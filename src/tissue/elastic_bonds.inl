@@ -31,8 +31,8 @@ struct Gathered {
 };
 
 template <int D, int N>
-RESECT_INLINE void gatherStrain(Gathered<N>& sum, const float* u, const Lanes<N>& own, const std::int32_t* step,
-                                const IntLanes<N>* bonded) {
+RESECT_INLINE void gatherStrain(Gathered<N>& sum, const float* u, const Lanes<N>& own,
+                                const std::int32_t* step, const IntLanes<N>* bonded) {
   const Lanes<N> difference = masked(load<N>(u + step[D]) - own, bonded[D]);
   sum.q += difference;
   accumulate<offsetAlong(D, 0)>(sum.x, difference);
@@ -42,7 +42,8 @@ RESECT_INLINE void gatherStrain(Gathered<N>& sum, const float* u, const Lanes<N>
 
 template <int N, int... D>
 RESECT_INLINE void gatherStrains(Gathered<N>& total, float weight, Directions<D...>, const float* u,
-                                 const Lanes<N>& own, const std::int32_t* step, const IntLanes<N>* bonded) {
+                                 const Lanes<N>& own, const std::int32_t* step,
+                                 const IntLanes<N>* bonded) {
   Gathered<N> sum;
   (gatherStrain<D, N>(sum, u, own, step, bonded), ...);
   const Lanes<N> w = all<N>(weight);

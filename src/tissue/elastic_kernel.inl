@@ -60,12 +60,13 @@ RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std:
   Lanes<N> h[9];  // H = G L
   for (int a = 0; a < 9; a += 3) moment.multiply(g + a, h + a);
   // Cofactors of H; those of F = I + H are (1 + tr H) I - H^T + cof H.
-  Lanes<N> cof[9] = {h[4] * h[8] - h[5] * h[7], h[5] * h[6] - h[3] * h[8], h[3] * h[7] - h[4] * h[6],
-                  h[2] * h[7] - h[1] * h[8], h[0] * h[8] - h[2] * h[6], h[1] * h[6] - h[0] * h[7],
-                  h[1] * h[5] - h[2] * h[4], h[2] * h[3] - h[0] * h[5], h[0] * h[4] - h[1] * h[3]};
+  Lanes<N> cof[9] = {
+      h[4] * h[8] - h[5] * h[7], h[5] * h[6] - h[3] * h[8], h[3] * h[7] - h[4] * h[6],
+      h[2] * h[7] - h[1] * h[8], h[0] * h[8] - h[2] * h[6], h[1] * h[6] - h[0] * h[7],
+      h[1] * h[5] - h[2] * h[4], h[2] * h[3] - h[0] * h[5], h[0] * h[4] - h[1] * h[3]};
   const Lanes<N> trace = h[0] + h[4] + h[8];
   const Lanes<N> growth = trace + (cof[0] + cof[4] + cof[8]) +
-                       (h[0] * cof[0] + h[1] * cof[1] + h[2] * cof[2]);  // J - 1
+                          (h[0] * cof[0] + h[1] * cof[1] + h[2] * cof[2]);  // J - 1
   // With d = H^T - cof H: cof F = (1 + tr H) I - d and F - cof F = H + d - tr H I.
   Lanes<N> squares[3];
   for (int a = 0; a < 3; ++a) {
@@ -108,7 +109,8 @@ RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::in
   for (int a = 0; a < 3; ++a) {
     Lanes<N> force = neighbours.along[a];
     if constexpr (!Full)
-      for (int b = 0; b < 3; ++b) force += load<N>(s.stress[3 * a + b] + i) * load<N>(s.skew[b] + i);
+      for (int b = 0; b < 3; ++b)
+        force += load<N>(s.stress[3 * a + b] + i) * load<N>(s.skew[b] + i);
     force += load<N>(s.bondForce[a] + i);
     if constexpr (Steered) force += load<N>(s.load[a] + i);
     const Lanes<N> pull = force * inverseMass + all<N>(c.gravity[a]);
@@ -181,22 +183,24 @@ RESECT_INLINE void forVectors(const TissueChunk& chunk, Visit visit) {
 // A chunk with a cut. Not inlined: there are few of them, and the loops over the others stay short.
 static __attribute__((noinline)) void stressByBonds(const ElasticView& s, const SubstepConstants& c,
                                                     const TissueChunk& chunk) {
-  forVectors(chunk, [&]<int N>(int at, bool) __attribute__((always_inline)) {
-    const std::int32_t i = chunk.start + at;
-    respond<false>(s, c, i, strainsFromBonds<N>(s, c, i));
-  });
+  forVectors(
+      chunk, [&]<int N>(int at, bool) __attribute__((always_inline)) {
+        const std::int32_t i = chunk.start + at;
+        respond<false>(s, c, i, strainsFromBonds<N>(s, c, i));
+      });
 }
 static __attribute__((noinline)) void moveByBonds(const ElasticView& s, const SubstepConstants& c,
                                                   const TissueChunk& chunk,
                                                   std::int32_t* exploded) {
-  forVectors(chunk, [&]<int N>(int at, bool) __attribute__((always_inline)) {
-    const std::int32_t i = chunk.start + at;
-    const Forces<N> force = forcesFromBonds<N>(s, c, i);
-    if (chunk.steered)
-      move<false, true>(s, c, i, force, exploded);
-    else
-      move<false, false>(s, c, i, force, exploded);
-  });
+  forVectors(
+      chunk, [&]<int N>(int at, bool) __attribute__((always_inline)) {
+        const std::int32_t i = chunk.start + at;
+        const Forces<N> force = forcesFromBonds<N>(s, c, i);
+        if (chunk.steered)
+          move<false, true>(s, c, i, force, exploded);
+        else
+          move<false, false>(s, c, i, force, exploded);
+      });
 }
 
 static void stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
@@ -207,17 +211,19 @@ static void stressPass(const ElasticView& s, const SubstepConstants& c, std::siz
   for (const TissueChunk *chunk = s.chunks + begin, *last = s.chunks + end; chunk < last;) {
     const PlaneRun run = planeRun(chunk, last);
     if (run.chunks > 0) {
-      forPlanes(run.begin, run.end, [&]<int N>(int at) __attribute__((always_inline)) {
-        sumStrainPlanes<N>(s, c, step, run.first, at, planes);
-      });
+      forPlanes(
+          run.begin, run.end, [&]<int N>(int at) __attribute__((always_inline)) {
+            sumStrainPlanes<N>(s, c, step, run.first, at, planes);
+          });
       for (const TissueChunk* after = chunk + run.chunks; chunk < after; ++chunk)
-        forVectors(*chunk, [&]<int N>(int at, bool full) __attribute__((always_inline)) {
-          const std::int32_t i = chunk->start + at;
-          if (full)
-            respond<true>(s, c, i, strainsFromPlanes<true, N>(s, planes, i, i - run.first));
-          else
-            respond<false>(s, c, i, strainsFromPlanes<false, N>(s, planes, i, i - run.first));
-        });
+        forVectors(
+            *chunk, [&]<int N>(int at, bool full) __attribute__((always_inline)) {
+              const std::int32_t i = chunk->start + at;
+              if (full)
+                respond<true>(s, c, i, strainsFromPlanes<true, N>(s, planes, i, i - run.first));
+              else
+                respond<false>(s, c, i, strainsFromPlanes<false, N>(s, planes, i, i - run.first));
+            });
       continue;
     }
     stressByBonds(s, c, *chunk++);
@@ -233,20 +239,22 @@ static bool motionPass(const ElasticView& s, const SubstepConstants& c, std::siz
   for (const TissueChunk *chunk = s.chunks + begin, *last = s.chunks + end; chunk < last;) {
     const PlaneRun run = planeRun(chunk, last);
     if (run.chunks > 0) {
-      forPlanes(run.begin, run.end, [&]<int N>(int at) __attribute__((always_inline)) {
-        sumForcePlanes<N>(s, c, step, run.first, at, planes);
-      });
+      forPlanes(
+          run.begin, run.end, [&]<int N>(int at) __attribute__((always_inline)) {
+            sumForcePlanes<N>(s, c, step, run.first, at, planes);
+          });
       for (const TissueChunk* after = chunk + run.chunks; chunk < after; ++chunk)
-        forVectors(*chunk, [&]<int N>(int at, bool full) __attribute__((always_inline)) {
-          const std::int32_t i = chunk->start + at;
-          const Forces<N> force = forcesFromPlanes<N>(planes, i - run.first);
-          if (chunk->steered)
-            move<false, true>(s, c, i, force, exploded);
-          else if (full)
-            move<true, false>(s, c, i, force, exploded);
-          else
-            move<false, false>(s, c, i, force, exploded);
-        });
+        forVectors(
+            *chunk, [&]<int N>(int at, bool full) __attribute__((always_inline)) {
+              const std::int32_t i = chunk->start + at;
+              const Forces<N> force = forcesFromPlanes<N>(planes, i - run.first);
+              if (chunk->steered)
+                move<false, true>(s, c, i, force, exploded);
+              else if (full)
+                move<true, false>(s, c, i, force, exploded);
+              else
+                move<false, false>(s, c, i, force, exploded);
+            });
       continue;
     }
     moveByBonds(s, c, *chunk++, exploded);

@@ -6,8 +6,9 @@ constexpr Directions<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 1
     kEveryDirection;
 
 template <int D, int N>
-RESECT_INLINE void addStretch(Lanes<N>* along, const float weight[4], const float* u, const Lanes<N>& own,
-                              const std::int32_t* step, const IntLanes<N>* bonded) {
+RESECT_INLINE void addStretch(Lanes<N>* along, const float weight[4], const float* u,
+                              const Lanes<N>& own, const std::int32_t* step,
+                              const IntLanes<N>* bonded) {
   const Lanes<N> difference =
       masked(all<N>(weight[neighbourKind(D)]) * (load<N>(u + step[D]) - own), bonded[D]);
   accumulate<offsetAlong(D, 0)>(along[0], difference);
@@ -35,7 +36,8 @@ static void placements(const ElasticView& s, const float weight[4], std::int32_t
       const float* u = s.u[a] + i;
       Lanes<kLanes> along[3] = {}, row[3];
       addStretches<kLanes>(along, weight, kEveryDirection, u, s.step, bonded);
-      const Lanes<kLanes>* l = moment.l;  // sums in the order that written states of scenarios rest on
+      // Sums in the order that written states of scenarios rest on.
+      const Lanes<kLanes>* l = moment.l;
       row[0] = along[0] * l[0] + (along[1] * l[3] + along[2] * l[4]);
       row[1] = along[0] * l[3] + (along[1] * l[1] + along[2] * l[5]);
       row[2] = along[0] * l[4] + (along[1] * l[5] + along[2] * l[2]);

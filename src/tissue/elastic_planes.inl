@@ -73,8 +73,8 @@ struct NextPlanes {
   Lanes<N> after, before;
 };
 template <bool Full, int N>
-RESECT_INLINE NextPlanes<N> nextPlanes(const ElasticView& s, const StrainPlanes& planes, int a, int k,
-                                    std::int32_t i, int at) {
+RESECT_INLINE NextPlanes<N> nextPlanes(const ElasticView& s, const StrainPlanes& planes, int a,
+                                       int k, std::int32_t i, int at) {
   NextPlanes<N> next = {load<N>(planes.next[a][k] + at + 1), load<N>(planes.next[a][k] + at - 1)};
   if (Full && k > 0) return next;  // both sides of a whole plane cancel
   const float* middle = planes.middle[a] + at;
@@ -95,8 +95,7 @@ RESECT_INLINE Strains<N> strainsFromPlanes(const ElasticView& s, const StrainPla
     strains.difference[a] = load<N>(planes.own[a][0] + at) + (sum.after + sum.before);
     for (int k = 1; k < 3; ++k) {
       const NextPlanes<N> across = nextPlanes<Full, N>(s, planes, a, k, i, at);
-      strains.gradient[3 * a + k] =
-          load<N>(planes.own[a][k] + at) + (across.after + across.before);
+      strains.gradient[3 * a + k] = load<N>(planes.own[a][k] + at) + (across.after + across.before);
     }
   }
   return strains;
@@ -120,14 +119,13 @@ RESECT_INLINE void sumForcePlanes(const ElasticView& s, const SubstepConstants& 
     const float *x = s.stress[3 * a], *y = s.stress[3 * a + 1], *z = s.stress[3 * a + 2];
     const auto from = [&](const float* row, Round k) { return load<N>(row + to[k]); };
     const Lanes<N> faces = (from(x, kUp) + from(x, kDown)) + (from(x, kFore) + from(x, kAft));
-    const Lanes<N> corners = (from(x, kUpFore) + from(x, kUpAft)) +
-                             (from(x, kDownFore) + from(x, kDownAft));
+    const Lanes<N> corners =
+        (from(x, kUpFore) + from(x, kUpAft)) + (from(x, kDownFore) + from(x, kDownAft));
     const Lanes<N> along = face * load<N>(x + p) + faces + corner * corners;
     const Lanes<N> facesAcross = (from(y, kUp) - from(y, kDown)) + (from(z, kFore) - from(z, kAft));
-    const Lanes<N> cornersAcross = ((from(y, kUpFore) + from(y, kUpAft)) -
-                                    (from(y, kDownFore) + from(y, kDownAft))) +
-                                   ((from(z, kUpFore) + from(z, kDownFore)) -
-                                    (from(z, kUpAft) + from(z, kDownAft)));
+    const Lanes<N> cornersAcross =
+        ((from(y, kUpFore) + from(y, kUpAft)) - (from(y, kDownFore) + from(y, kDownAft))) +
+        ((from(z, kUpFore) + from(z, kDownFore)) - (from(z, kUpAft) + from(z, kDownAft)));
     const Lanes<N> across = facesAcross + corner * cornersAcross;
     store(planes.own[a] + at, face * facesAcross + cornersAcross);
     store(planes.after[a] + at, across + along);
