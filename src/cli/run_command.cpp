@@ -76,7 +76,10 @@ void run(const Options& options, const OrganOptions& organOptions) {
 
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
   if (!options.organ.empty()) scenario.organ.file = options.organ == "liver" ? "" : options.organ;
-  if (!options.view.empty()) scenario.view = options.view;
+  if (!options.view.empty()) {
+    scenario.view = options.view;
+    scenario.closeUp.reset();  // of the scenario's own view
+  }
   organOptions.applyTo(scenario.organ);
   if (!options.plot.empty() && !scenario.tissue.elastic)
     throw usageError(

@@ -42,7 +42,10 @@ OperationView::OperationView(const Scenario& scenario, const Simulation& simulat
   // What hangs or falls is seen down to the table that it may come to.
   if (scenario.table) box.min.y() = std::min(box.min.y(), 0.0);
   room_.lightUp(box);
-  room_.look(*view, box, aspect);
+  if (scenario.closeUp)
+    room_.frame(*view, *scenario.closeUp, aspect);
+  else
+    room_.look(*view, box, aspect);
 }
 
 void OperationView::setOrgan(const Simulation& simulation) {

@@ -21,9 +21,9 @@ SoNode* readSceneFile(const std::filesystem::path& path);
 
 class OperationView {
  public:
-  // Sets up room, tools and organ and aims lamps and camera at the organ. `aspect` = width / height
-  // of the picture. The view named by scenario.view must be one of roomView()'s; an Error lists
-  // them.
+  // Sets up room, tools and organ, aims lamps at the organ and the camera at it or at
+  // scenario.closeUp. `aspect` = width / height of the picture. The view named by scenario.view
+  // must be one of roomView()'s; an Error lists them.
   OperationView(const Scenario& scenario, const Simulation& simulation, double aspect);
 
   // After every step: moves the tools and hands on the changed ranges of the surface.

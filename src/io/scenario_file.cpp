@@ -46,6 +46,13 @@ std::string readResponse(const TomlTable& t) {
   return response == "own" ? "" : response;
 }
 
+// key = [[x, y, z], [x, y, z]]: any two corners that face each other.
+Aabb readBox(const TomlTable& t, const std::string& key, const std::string& advice) {
+  const std::vector<Vec3> corners = t.points(key);
+  if (corners.size() != 2) t.complain(key, "is missing or not two corners; give " + advice);
+  return {corners[0].cwiseMin(corners[1]), corners[0].cwiseMax(corners[1])};
+}
+
 TissueAttachment readAttachment(const TomlTable& t) {
   TissueAttachment attachment;
   const std::string kind = t.text("kind", "pin");
@@ -57,12 +64,7 @@ TissueAttachment readAttachment(const TomlTable& t) {
     attachment.centre = t.vec3("centre");
     attachment.radius = t.number("radius", 1e-6, 10);
   } else {
-    const std::vector<Vec3> corners = t.points("box");
-    if (corners.size() != 2)
-      t.complain(
-          "box",
-          "is missing or not two corners; give box = [[x, y, z], [x, y, z]], or centre and radius");
-    attachment.box = {corners[0].cwiseMin(corners[1]), corners[0].cwiseMax(corners[1])};
+    attachment.box = readBox(t, "box", "box = [[x, y, z], [x, y, z]], or centre and radius");
   }
   attachment.stiffness = t.number("stiffness", 0, 1e6, attachment.stiffness);
   t.refuseUnknownKeys();
@@ -117,6 +119,10 @@ Scenario toScenario(const TomlTable& t) {
   scenario.frameRate = t.number("frame_rate", 1, 1000, 60);
   scenario.duration = t.number("duration", 1e-3, 3600);
   scenario.view = t.text("view", "surgeon");
+  if (t.has("close_up")) {
+    scenario.closeUp = readBox(t, "close_up", "close_up = [[x, y, z], [x, y, z]]");
+    if (!(scenario.closeUp->size().maxCoeff() > 0)) t.complain("close_up", "has no size");
+  }
   if (const auto organ = t.table("organ"))
     scenario.organ = readOrgan(*organ);
   else

@@ -62,6 +62,7 @@ struct Scenario {
   double duration = 1;                // s
   bool table = true, toolBox = true;  // what stands in the room
   std::string view = "surgeon";       // camera
+  std::optional<Aabb> closeUp;        // what pictures show, room space; without it the organ
 };
 
 // Where a scenario's tool is, and whether it is in hand, at a time.

@@ -27,8 +27,8 @@ STILL = {
 ELASTIC = {
     "press": "754634dbed38cd23",
     "lift": "b89f22ae5fd9ab45",
-    "incise": "15846703c7ad9d57",
-    "incise-under-traction": "8a6eab7de473daa1",
+    "incise": "6b6273bb419998b5",
+    "incise-under-traction": "cf36b2023c168ed5",
     "snip": "9728b54f3718ae53",
     "resect-segment-elastic": "7cbb946af16c851b",
     "hang": "1274f49dfcb85f7f",

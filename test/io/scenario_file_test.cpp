@@ -14,6 +14,7 @@ namespace {
 const char* kGood = R"(title = "A cut"
 duration = 2.5
 frame_rate = 30
+close_up = [[0.1, 0, -0.1], [0, 0.2, 0.1]]
 [organ]
 source = "liver"
 spacing = "4mm"
@@ -48,6 +49,9 @@ TEST_CASE("a scenario file says what it says") {
   CHECK(s.title == "A cut");
   CHECK(s.duration == 2.5);
   CHECK(s.frameRate == 30);
+  REQUIRE(s.closeUp);
+  CHECK(s.closeUp->min == Vec3(0, 0, -0.1));
+  CHECK(s.closeUp->max == Vec3(0.1, 0.2, 0.1));
   CHECK(*s.organ.spacing == 0.004);
   CHECK(s.organ.settings.iso == 45);
   REQUIRE(s.tools.size() == 1);
@@ -64,10 +68,10 @@ TEST_CASE("a wrong scenario file is refused with file, line and key") {
   CHECK(complaint(replaced(kGood, "duration = 2.5", "duration = -1")) ==
         "x.toml:2: duration is no number from 0.001 to 3600");
   CHECK(complaint(replaced(kGood, "iso = 45", "iso = 200"))
-            .find("x.toml:7: organ.iso is no number") == 0);
+            .find("x.toml:8: organ.iso is no number") == 0);
   CHECK(complaint(replaced(kGood, "iso = 45", "isso = 45"))
-            .find("x.toml:7: organ.isso is not known here") == 0);
-  CHECK(complaint(replaced(kGood, "\"4mm\"", "\"4 parsec\"")).find("x.toml:6: organ.spacing is") ==
+            .find("x.toml:8: organ.isso is not known here") == 0);
+  CHECK(complaint(replaced(kGood, "\"4mm\"", "\"4 parsec\"")).find("x.toml:7: organ.spacing is") ==
         0);
   CHECK(complaint(replaced(kGood, "time = 1.5", "time = 0.5")).find("is not later") !=
         std::string::npos);
@@ -79,6 +83,10 @@ TEST_CASE("a wrong scenario file is refused with file, line and key") {
             .find("different directions") != std::string::npos);
   CHECK(complaint(replaced(kGood, "title = \"A cut\"", "")).find("title is missing") !=
         std::string::npos);
+  CHECK(complaint(replaced(kGood, ", [0, 0.2, 0.1]]", "]"))
+            .find("x.toml:4: close_up is missing or") == 0);
+  CHECK(complaint(replaced(kGood, "[0, 0.2, 0.1]", "[0.1, 0, -0.1]")) ==
+        "x.toml:4: close_up has no size");
   CHECK(complaint("title = ").find("x.toml:1:") == 0);
   CHECK(complaint(std::string(100000, '[')).find("nested") != std::string::npos);
 }

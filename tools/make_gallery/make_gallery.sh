@@ -47,11 +47,11 @@ done
 for scenario in perforate deform resect-segment; do large "$scenario"; done
 shown press 30
 shown lift 40
-shown incise 34
-shown incise-under-traction 62
+shown incise 44
+shown incise-under-traction 64
 shown snip 70
 shown resect-segment-elastic 78
 shown hang 12
 shown drop 20
-strip incise-under-traction 640x420+120+110 14 26 34 46 54 last
+strip incise-under-traction 960x540+0+0 24 42 48 56 64 last
 strip resect-segment-elastic 640x430+120+110 26 38 56 66 78 last

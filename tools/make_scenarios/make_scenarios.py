@@ -156,31 +156,40 @@ def lift():
 
 
 def incise():
-    """One long cut over the dome, towards the surgeon, two centimetres deep."""
+    """One long cut over the dome, towards the surgeon, some two centimetres deep."""
     path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
     path.wait(0.9)
-    path.to(-0.03, 0.2, -0.06).to(-0.03, 0.1, -0.065)
-    for y, z in ((0.082, -0.05), (0.078, -0.02), (0.07, 0.01), (0.058, 0.035), (0.045, 0.055)):
-        path.to(-0.03, y, z, speed=0.05)
-    path.to(-0.03, 0.14, 0.12).to(0.05, 0.24, 0.14, speed=0.3)
+    x = -0.02  # the dome, once it has sagged, is 0.098 m high here and slopes down from z = 0.01 on
+    path.to(x, 0.2, -0.06).to(x, 0.12, -0.065)
+    for z, y in ((-0.05, 0.076), (-0.03, 0.079), (-0.01, 0.078), (0.01, 0.072), (0.02, 0.066), (0.03, 0.057),
+                 (0.04, 0.047), (0.05, 0.036), (0.058, 0.028)):
+        path.to(x, y, z, speed=0.05)
+    path.to(x, 0.14, 0.12, speed=0.3).to(0.05, 0.24, 0.14, speed=0.3)
     return [("scalpel", path), ("hook", None), ("baton", None)]
 
 
 def incise_under_traction():
-    """The hook takes the left lobe and pulls it aside; the scalpel cuts across the pull, and the wound opens."""
+    """The hook pulls the left lobe aside, the scalpel is drawn over it across the pull, and the wound opens."""
+    caught, pulled, opened = (0.051, 0.022, 0.03), (0.061, 0.029, 0.03), (0.067, 0.033, 0.03)
     hook = Path3(handle=(0.8, 0.6, 0), edge=(0.6, -0.8, 0), speed=0.12)
-    hook.wait(0.9)
-    hook.to(0.16, 0.11, 0.02).to(0.062, 0.026, 0.02)
+    hook.wait(0.6)
+    hook.to(0.125, 0.12, 0.03).to(*caught)
     hook.wait(0.1)
-    hook.to(0.062, 0.026, 0.02).to(0.076, 0.0365, 0.02, speed=0.03)
-    hook.wait(4.5)
-    hook.to(0.076, 0.0365, 0.02)
+    hook.to(*caught).to(*pulled, speed=0.03)
+    # The lobe's top along the cut, after it has sagged: the blade's edge must reach out of the tissue, or it tunnels.
+    top = ((-0.005, 0.047), (0.005, 0.048), (0.015, 0.048), (0.025, 0.047), (0.035, 0.045), (0.045, 0.043),
+           (0.055, 0.041), (0.065, 0.038), (0.075, 0.033))
+    x, depth = 0.03, 0.014
     scalpel = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.15)
-    scalpel.wait(3)
-    scalpel.to(0.045, 0.2, -0.03).to(0.045, 0.09, -0.035)
-    for y, z in ((0.03, -0.025), (0.018, -0.005), (0.012, 0.02), (0.012, 0.045), (0.012, 0.06)):
-        scalpel.to(0.045, y, z, speed=0.06)
-    scalpel.to(0.045, 0.14, 0.12).to(0.05, 0.24, 0.14, speed=0.3)
+    scalpel.wait(2.2)
+    scalpel.to(x, 0.2, -0.03).to(x, top[0][1] + 0.03, top[0][0] - 0.01)
+    for z, y in top:
+        scalpel.to(x, y - depth, z, speed=0.05)
+    scalpel.to(x, 0.093, 0.135, speed=0.3).to(0.05, 0.24, 0.16, speed=0.4)
+    hook.wait(scalpel.time - 0.6 - hook.time)
+    hook.to(*pulled).to(*opened, speed=0.03)
+    hook.wait(1.2)
+    hook.to(*opened)
     return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
 
 
@@ -217,9 +226,11 @@ def no_tools():
     return [("scalpel", None), ("hook", None), ("baton", None)]
 
 
-def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ=""):
+def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None):
     """A scenario whose tissue moves."""
     text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration)
+    if close_up:
+        text = text.replace('view = "surgeon"\n', f'view = "surgeon"\nclose_up = {close_up}\n', 1)
     settings = f'[tissue]\nmodel = "elastic"\n{tissue}\n{extra}'
     return text.replace("[[tool]]", settings.rstrip("\n") + "\n\n[[tool]]", 1).replace(
         'source = "liver"\n', 'source = "liver"\n' + organ, 1)
@@ -263,10 +274,12 @@ def all_scenarios():
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, lift(),
                           LIGAMENTS)
     yield "incise", elastic("An incision over the dome", "The blade is drawn towards the surgeon; nothing is lost",
-                            8.0, incise(), LIGAMENTS)
+                            8.0, incise(), LIGAMENTS, close_up="[[-0.06, 0.05, -0.05], [0.02, 0.1, 0.06]]")
     yield "incise-under-traction", elastic(
         "An incision under traction", "The hook pulls, the scalpel cuts across the pull, and the wound opens", 6.0,
-        incise_under_traction(), LIGAMENTS)
+        incise_under_traction(), LIGAMENTS.replace("-0.05, 0.05", "-0.085, 0.05").replace("0.05, 0.13", "0.015, 0.13"),
+        organ="position = [-0.035, 0, 0]  # so that the lobe does not come to lie on the tray\n",
+        close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]")
     yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
                           snip(), LIGAMENTS)
     yield "resect-segment-elastic", elastic(
