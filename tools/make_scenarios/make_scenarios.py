@@ -117,12 +117,16 @@ def resect_segment(spacing):
     return [("scalpel", path), ("hook", None), ("baton", None)]
 
 
-# Where a living liver is held, at rest, m: a ligament at the back and the vessels from below.
-LIGAMENTS = """[[tissue.attachment]]
+def ligaments(x=0.0):
+    """Where a living liver is held, at rest: behind the dome; x: where its middle lies, m."""
+    return f"""[[tissue.attachment]]
 kind = "ligament"
-box = [[-0.05, 0.05, -0.11], [0.05, 0.13, -0.07]]
+box = [[{x - 0.05:g}, 0.05, -0.11], [{x + 0.05:g}, 0.13, -0.07]]
 stiffness = 300
 """
+
+
+LIGAMENTS = ligaments()
 PINNED_TOP = """[[tissue.attachment]]
 kind = "pin"
 box = [[-0.08, 0.19, -0.08], [0.06, 0.25, 0.05]]
@@ -277,7 +281,7 @@ def all_scenarios():
                             8.0, incise(), LIGAMENTS, close_up="[[-0.06, 0.05, -0.05], [0.02, 0.1, 0.06]]")
     yield "incise-under-traction", elastic(
         "An incision under traction", "The hook pulls, the scalpel cuts across the pull, and the wound opens", 6.0,
-        incise_under_traction(), LIGAMENTS.replace("-0.05, 0.05", "-0.085, 0.05").replace("0.05, 0.13", "0.015, 0.13"),
+        incise_under_traction(), ligaments(-0.035),
         organ="position = [-0.035, 0, 0]  # so that the lobe does not come to lie on the tray\n",
         close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]")
     yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
