@@ -6,26 +6,25 @@
 #include <vector>
 
 #include "base/large_pages.h"
+#include "base/raw_array.h"
 
 namespace resect {
 
 // reserve(size), on large pages where the system has them.
-template <typename T>
-void reserveFor(std::vector<T>& array, std::size_t size) {
+template <typename T, typename Allocator>
+void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
   if (size <= array.capacity()) return;
   array.reserve(size);
   wantLargePages(array.data() + array.size(), (size - array.size()) * sizeof(T));
 }
 
-// resize(size, value) with room for a thirty-second more, from the first time on: an organ that is
-// cut gets some more surface, and copying tens of megabytes would cost it a frame.
+// resize(size) with room for a thirty-second more, from the first time on: an organ that is cut
+// gets some more surface, and copying tens of megabytes would cost it a frame. The caller writes
+// what is new.
 template <typename T>
-void growTo(std::vector<T>& array, std::size_t size, const T& value) {
-  const std::size_t before = array.size();
+void growTo(RawArray<T>& array, std::size_t size) {
   if (size > array.capacity()) reserveFor(array, size + size / 32);
   array.resize(size);
-  // Not by resize(size, value): for a type of three numbers that is many times slower.
-  if (size > before) std::fill(array.begin() + std::ptrdiff_t(before), array.end(), value);
 }
 
 }  // namespace resect

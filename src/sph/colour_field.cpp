@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <memory>
 
 #include "base/assert.h"
+#include "base/flag_bits.h"
 #include "base/growth.h"
 #include "base/instruction_set.h"
 #include "base/parallel.h"
@@ -18,28 +18,39 @@ constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that w
 constexpr int kMostBricks = 6;       // that a cell reaches along an axis: 17 nodes at refine 4
 constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
 
-void andWith(const std::uint8_t* other, std::size_t count, std::uint8_t* bytes) {
-  for (std::size_t i = 0; i < count; ++i) bytes[i] &= other[i];
+// What each cell of the padded lattice holds, as bits: anything, and all it can? Row after row,
+// each from the start of a word on.
+struct HeldBits {
+  std::size_t words;  // of a row, one of them beyond its end
+  RawArray<std::uint64_t> some, full;
+
+  HeldBits(std::size_t rows, std::size_t cells)
+      : words(cells / kWord + 2), some(rows * words), full(rows * words) {}
+  static constexpr std::size_t kWord = 64;
+};
+
+// Bits beyond the row's end tell of what lies behind it: they are not asked for.
+RESECT_WIDEST
+void holdOfRow(const float* cells, std::size_t count, std::uint64_t* some, std::uint64_t* full) {
+  alignas(32) std::uint8_t isSome[HeldBits::kWord], isFull[HeldBits::kWord];
+  for (std::size_t first = 0; first < count; first += HeldBits::kWord) {
+    for (std::size_t i = 0; i < HeldBits::kWord; ++i) {
+      isSome[i] = cells[first + i] != 0.f ? 255 : 0;
+      isFull[i] = cells[first + i] == 100.f ? 255 : 0;
+    }
+    *some++ = flagBits(isSome);
+    *full++ = flagBits(isFull);
+  }
 }
 
-constexpr std::uint8_t kHoldsNone = 1, kHoldsAll = 2;  // what cells hold, as bits
-
-// For each cell of a row: what do the `width` cells from it on all hold? work: count + width + 32
-// bytes.
-RESECT_WIDEST
-void holdAlong(const float* cell, std::size_t count, int width, std::uint8_t* work,
-               std::uint8_t* held) {
-  for (std::size_t x = 0; x < count; ++x)
-    work[x] = std::uint8_t((cell[x] == 0.f ? kHoldsNone : 0) | (cell[x] == 100.f ? kHoldsAll : 0));
-  typedef std::uint8_t Bytes __attribute__((vector_size(32)));
-  for (std::size_t x = 0; x < count; x += sizeof(Bytes)) {
-    Bytes all, other;
-    std::memcpy(&all, work + x, sizeof all);
+// What do `width` cells hold from each cell of a row on: anything, or all of them all they can?
+void holdAlong(std::size_t words, int width, std::uint64_t* some, std::uint64_t* full) {
+  for (std::size_t w = 0; w + 1 < words; ++w) {
+    const std::uint64_t someHere = some[w], fullHere = full[w];
     for (int k = 1; k < width; ++k) {
-      std::memcpy(&other, work + x + k, sizeof other);
-      all &= other;
+      some[w] |= someHere >> k | some[w + 1] << (64 - k);
+      full[w] &= fullHere >> k | full[w + 1] << (64 - k);
     }
-    std::memcpy(held + x, &all, std::min(sizeof all, count - x));
   }
 }
 
@@ -48,42 +59,46 @@ int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 }  // namespace
 
 ColourField::ColourField(const Discretization& cells, int refine)
-    : lattice_(cells.lattice), refine_(refine), phases_(refine == 3 ? 3 : 1) {
-  RESECT_ASSERT(refine >= 1 && refine <= 4);
+    : lattice_(cells.lattice), refine_(refine), stencil_(&fieldStencil(refine)) {
   RESECT_ASSERT(std::int64_t(cells.value.size()) == lattice_.cellCount());
   // Nodes reach from cell -2 to cell dims + 1: there the kernel of the outermost cell has just
   // vanished.
   for (int a = 0; a < 3; ++a)
     brickDims_[a] = ((lattice_.dims[a] + 3) * refine + kBrickNodes) / kBrickNodes;
-  paddedDims_ = lattice_.dims + Vec3i::Constant(2 * kPad);
+  paddedDims_ = lattice_.dims + Vec3i::Constant(kPadBelow + kPadAbove);
 
-  // Row after row between zeros, so that each is written once.
-  const std::size_t cellCount = std::size_t(paddedDims_.x()) * paddedDims_.y() * paddedDims_.z();
-  reserveFor(cells_, cellCount);
-  for (int z = 0; z < lattice_.dims.z(); ++z)
-    for (int y = 0; y < lattice_.dims.y(); ++y) {
-      cells_.resize(std::size_t(padded({0, y, z})), 0.f);
-      const auto row = cells.value.begin() + lattice_.index({0, y, z});
-      cells_.insert(cells_.end(), row, row + lattice_.dims.x());
-    }
-  cells_.resize(cellCount, 0.f);
-  makeTaps();
-
+  // The last cells are read 64 at a time.
+  const std::size_t rows = std::size_t(paddedDims_.y()) * std::size_t(paddedDims_.z());
+  growTo(cells_, rows * std::size_t(paddedDims_.x()) + HeldBits::kWord);
+  std::fill(cells_.end() - HeldBits::kWord, cells_.end(), 0.f);
   slotOf_.assign(std::size_t(brickCount()), kEmpty);
   originalOf_.assign(slotOf_.size(), kUnedited);
   pendingOf_.assign(slotOf_.size(), 0);
-  classifyBricks();
+  classifyBricks(cells);
   std::vector<std::int64_t> stored;
   for (std::size_t b = 0; b < slotOf_.size(); ++b)
     if (slotOf_[b] == 0) {
       slotOf_[b] = std::int32_t(stored.size());
       stored.push_back(std::int64_t(b));
     }
-  growTo(values_, stored.size() * kBrickSize, 0.f);
+  putFullAndEmpty(originals_);
+  growTo(values_, place(std::int32_t(stored.size())));
+  putFullAndEmpty(values_);
   parallelFor(stored.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      evaluate(brick(stored[i]), kAllPlanes, values_.data() + i * kBrickSize);
+      evaluate(brick(stored[i]), kAllPlanes, values_.data() + place(std::int32_t(i)));
   });
+}
+
+void ColourField::putFullAndEmpty(RawArray<float>& bricks) const {
+  bricks.resize(std::max(bricks.size(), place(0)));
+  std::copy_n(stencil_->full.begin(), kBrickSize, bricks.begin() + std::ptrdiff_t(place(kFull)));
+  std::fill_n(bricks.begin() + std::ptrdiff_t(place(kEmpty)), kBrickSize, 0.f);
+}
+
+void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
+  const std::ptrdiff_t alongY = paddedDims_.x(), alongZ = alongY * paddedDims_.y();
+  sumBrick(*stencil_, phase(b), cells_.data() + padded(windowCell(b)), alongY, alongZ, planes, out);
 }
 
 // The lowest cell that the brick's nodes reach.
@@ -113,32 +128,57 @@ ColourField::Reach ColourField::reach(const Vec3i& b) const {
   return first == 0.f ? Reach::Empty : Reach::Full;
 }
 
-// reach() of every brick, into slotOf_. What a row of cells holds from each of its cells on, as far
-// as a brick reaches, is found once for all bricks that the row passes; all else is one AND per row
-// of bytes. Aims at 10 bytes moved per cell.
-void ColourField::classifyBricks() {
-  const std::size_t across = std::size_t(paddedDims_.x());
-  const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
-  const auto held = std::make_unique_for_overwrite<std::uint8_t[]>(cells_.size());
-  parallelFor(cells_.size() / across, 256, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint8_t> work(across + std::size_t(width) + 32, 0);
-    for (std::size_t row = begin; row < end; ++row)
-      holdAlong(cells_.data() + row * across, across, width, work.data(),
-                held.get() + row * across);
+// Copies the cells and finds reach() of every brick, into slotOf_. What the cells of a row hold
+// becomes two bits a cell; the rows that a row of bricks reaches are combined as words, 64 cells at
+// a time. Aims at one pass over the cells.
+void ColourField::classifyBricks(const Discretization& cells) {
+  const Vec3i dims = lattice_.dims;
+  const std::size_t across = std::size_t(paddedDims_.x()), down = std::size_t(paddedDims_.y());
+  HeldBits held(down * std::size_t(paddedDims_.z()), across);
+  parallelFor(std::size_t(paddedDims_.z()), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin * down; row < end * down; ++row) {
+      const int y = int(row % down) - kPadBelow, z = int(row / down) - kPadBelow;
+      float* to = cells_.data() + row * across;
+      std::uint64_t *some = held.some.data() + row * held.words,
+                    *full = held.full.data() + row * held.words;
+      if (y < 0 || y >= dims.y() || z < 0 || z >= dims.z()) {
+        std::fill_n(to, across, 0.f);
+        std::fill_n(some, held.words, 0);
+        std::fill_n(full, held.words, 0);
+        continue;
+      }
+      std::fill_n(to, kPadBelow, 0.f);
+      std::copy_n(cells.value.data() + lattice_.index({0, y, z}), dims.x(), to + kPadBelow);
+      std::fill_n(to + kPadBelow + dims.x(), kPadAbove, 0.f);
+      some[held.words - 1] = some[held.words - 2] = full[held.words - 1] = full[held.words - 2] = 0;
+      holdOfRow(to, across, some, full);
+    }
   });
+  const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
   parallelFor(
-      std::size_t(brickDims_.y()) * brickDims_.z(), 16, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::uint8_t> all(across);
+      std::size_t(brickDims_.y()) * brickDims_.z(), 64, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint64_t> some(held.words), full(held.words);
         for (std::size_t i = begin; i < end; ++i) {
           const Vec3i b(0, int(i) % brickDims_.y(), int(i) / brickDims_.y()), low = windowCell(b);
-          std::fill(all.begin(), all.end(), kHoldsNone | kHoldsAll);
-          for (int z = low.z(); z <= highestCell(b.z()); ++z)
-            for (int y = low.y(); y <= highestCell(b.y()); ++y)
-              andWith(held.get() + padded({-kPad, y, z}), across, all.data());
+          const Vec3i end(0, highestCell(b.y()) + 1, highestCell(b.z()) + 1);
+          for (std::size_t w = 0; w < held.words; ++w) {
+            std::uint64_t any = 0, all = ~std::uint64_t(0);
+            for (int z = low.z(); z < end.z(); ++z) {
+              std::size_t at = held.words * (std::size_t(z + kPadBelow) * down +
+                                             std::size_t(low.y() + kPadBelow)) +
+                               w;
+              for (int y = low.y(); y < end.y(); ++y, at += held.words)
+                any |= held.some[at], all &= held.full[at];
+            }
+            some[w] = any, full[w] = all;
+          }
+          holdAlong(held.words, width, some.data(), full.data());
           std::int32_t* slot = slotOf_.data() + brickIndex(b);
           for (int x = 0; x < brickDims_.x(); ++x) {
-            const std::uint8_t holds = all[std::size_t(windowCell({x, 0, 0}).x() + kPad)];
-            slot[x] = holds == kHoldsNone ? kEmpty : holds == kHoldsAll ? kFull : 0;
+            const unsigned bit = unsigned(windowCell({x, 0, 0}).x() + kPadBelow);
+            slot[x] = !(some[bit / 64] >> bit % 64 & 1) ? kEmpty
+                      : full[bit / 64] >> bit % 64 & 1  ? kFull
+                                                        : 0;
           }
         }
       });
@@ -199,7 +239,7 @@ void ColourField::setCellValue(std::int64_t cell, float value) {
 
 std::int32_t ColourField::takeSlot() {
   if (freeSlots_.empty()) {
-    growTo(values_, values_.size() + kBrickSize, 0.f);
+    growTo(values_, values_.size() + kBrickSize);
     return slotCount() - 1;
   }
   const std::int32_t s = freeSlots_.back();
@@ -214,7 +254,7 @@ std::span<const std::int64_t> ColourField::update() {
   for (const std::int64_t b : touched_) {
     std::int32_t& s = slotOf_[b];
     if (!edited(b)) {
-      originalOf_[b] = s < 0 ? s : std::int32_t(originals_.size() / kBrickSize);
+      originalOf_[b] = s < 0 ? s : slotsOf(originals_);
       if (s >= 0) originals_.insert(originals_.end(), values(s).begin(), values(s).end());
     }
     const Reach r = reach(brick(b));
@@ -234,7 +274,7 @@ std::span<const std::int64_t> ColourField::update() {
       const unsigned planes = pendingOf_[b] & kAllPlanes;
       pendingOf_[b] = 0;
       if (slotOf_[b] >= 0 && planes != 0)
-        evaluate(brick(b), planes, values_.data() + std::size_t(slotOf_[b]) * kBrickSize);
+        evaluate(brick(b), planes, values_.data() + place(slotOf_[b]));
     }
   });
   return touched_;

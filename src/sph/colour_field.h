@@ -21,14 +21,13 @@
 #include <vector>
 
 #include "base/index_box.h"
+#include "base/raw_array.h"
 #include "geometry/aabb.h"
 #include "sph/discretization.h"
+#include "sph/field_stencil.h"
 
 namespace resect {
 
-constexpr int kBrickNodes = 4;                // along each axis
-constexpr int kBrickSize = 64;                // nodes of a brick
-constexpr double kSmoothingPerSpacing = 0.8;  // h / spacing: support of exactly two cells
 // Between these iso levels a surface never runs through the inside of solid tissue, where c is 99.1
 // to 100.9.
 constexpr float kMinIso = 1, kMaxIso = 98;
@@ -59,16 +58,14 @@ class ColourField {
 
   // kEmpty, kFull or a slot >= 0. Slots are reused; their number is slotCount().
   std::int32_t slot(std::int64_t brick) const { return slotOf_[brick]; }
-  std::int32_t slotCount() const { return std::int32_t(values_.size() / kBrickSize); }
+  std::int32_t slotCount() const { return slotsOf(values_); }
   // The 64 nodes of a stored brick, x fastest.
   std::span<const float, kBrickSize> values(std::int32_t slot) const {
-    return std::span<const float, kBrickSize>(values_.data() + std::size_t(slot) * kBrickSize,
-                                              kBrickSize);
+    return std::span<const float, kBrickSize>(values_.data() + place(slot), kBrickSize);
   }
   // The 64 nodes of any brick of the grid, stored or not.
-  const float* nodes(const Vec3i& brick) const {
-    return nodesOf(brick, slotOf_[brickIndex(brick)], values_);
-  }
+  const float* nodes(std::int64_t brick) const { return nodesOf(brick, slotOf_[brick], values_); }
+  const float* nodes(const Vec3i& brick) const { return nodes(brickIndex(brick)); }
   float node(const Vec3i& node) const;         // 0 outside the grid
   Vec3 nodePosition(const Vec3& node) const {  // rest space, m; fractional nodes allowed
     return {nodePlace(0, node.x()), nodePlace(1, node.y()), nodePlace(2, node.z())};
@@ -92,7 +89,7 @@ class ColourField {
   // nodes() and node() when the field was built: what was tissue before any edit.
   const float* originalNodes(const Vec3i& brick) const {
     const std::int64_t b = brickIndex(brick);
-    return edited(b) ? nodesOf(brick, originalOf_[b], originals_) : nodes(brick);
+    return edited(b) ? nodesOf(b, originalOf_[b], originals_) : nodes(b);
   }
   float originalNode(const Vec3i& node) const;  // inside the grid
 
@@ -100,44 +97,36 @@ class ColourField {
 
  private:
   static constexpr std::int32_t kUnedited = -3;
-  // Cells of zero round the lattice: the windows of the outermost bricks need no bounds test.
-  static constexpr int kPad = 7;
-  static constexpr int kReach = 4;  // cells that a node reaches along an axis
-  static constexpr int kWindow = kBrickNodes + kReach - 1;  // cells that a brick reaches
+  // Cells of zero below and above the lattice: the windows of the outermost bricks need no bounds
+  // test.
+  static constexpr int kPadBelow = 3, kPadAbove = 7;
   // What do the cells hold that the nodes of a brick and the plane of nodes after them reach?
   enum class Reach { Empty, Full, Mixed };
-  // Numbers for the 16 nodes of a plane z of a brick, x fastest.
-  struct alignas(32) Plane : std::array<float, kBrickNodes * kBrickNodes> {};
-
-  // The share of a cell in the nodes of a plane of a brick. Neighbouring nodes differ in their
-  // place within their cells, so each has its own weight; 0 where it does not reach the cell.
-  struct Tap {
-    Plane weight;
-    int offset;  // into a brick's table of cells (evaluate()), from the node's own cell less one
-  };
 
   std::int64_t padded(const Vec3i& cell) const {
-    return (std::int64_t(cell.z() + kPad) * paddedDims_.y() + cell.y() + kPad) * paddedDims_.x() +
-           cell.x() + kPad;
+    const Vec3i c = cell + Vec3i::Constant(kPadBelow);
+    return (std::int64_t(c.z()) * paddedDims_.y() + c.y()) * paddedDims_.x() + c.x();
   }
   // Place of a brick's first node within its cell, 0 to refine - 1, per axis: always 0 but for
-  // refine 3, whose bricks come in phases_ = 3 kinds per axis.
+  // refine 3.
   Vec3i phase(const Vec3i& brick) const {
-    const auto along = [&](int b) { return phases_ == 1 ? 0 : kBrickNodes * b % refine_; };
+    if (stencil_->phases == 1) return Vec3i::Zero();
+    const auto along = [&](int b) { return kBrickNodes * b % refine_; };
     return {along(brick.x()), along(brick.y()), along(brick.z())};
   }
-  std::size_t phaseIndex(const Vec3i& phase) const {
-    const int index = (phase.z() * phases_ + phase.y()) * phases_ + phase.x();
-    return std::size_t(index);
+  // Where the nodes of a slot begin in an array of bricks, whose first two are one in solid tissue
+  // (kFull) and an empty one (kEmpty): so any brick is found without asking which kind it is.
+  static std::size_t place(std::int32_t slot) { return std::size_t(slot - kFull) * kBrickSize; }
+  static std::int32_t slotsOf(const RawArray<float>& bricks) {
+    return std::int32_t(bricks.size() / kBrickSize) + kFull;
   }
-  const float* nodesOf(const Vec3i& brick, std::int32_t slot,
-                       const std::vector<float>& stored) const {
-    return slot >= 0       ? stored.data() + std::size_t(slot) * kBrickSize
-           : slot == kFull ? full_.data() + phaseIndex(phase(brick)) * kBrickSize
-                           : empty_.data();
+  void putFullAndEmpty(RawArray<float>& bricks) const;
+  const float* nodesOf(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const {
+    if (stencil_->phases > 1 && slot == kFull)
+      return stencil_->full.data() + stencil_->phaseIndex(phase(brick(b))) * kBrickSize;
+    return bricks.data() + place(slot);
   }
-  void makeTaps();
-  void classifyBricks();
+  void classifyBricks(const Discretization& cells);
   Vec3i windowCell(const Vec3i& brick) const;
   int highestCell(int brick) const;
   Reach reach(const Vec3i& brick) const;
@@ -145,16 +134,15 @@ class ColourField {
   std::int32_t takeSlot();
 
   Lattice lattice_;
-  int refine_, phases_;
+  int refine_;
+  const FieldStencil* stencil_;
   Vec3i brickDims_, paddedDims_;
-  std::vector<std::vector<Tap>> taps_;  // per place z of the plane, then phase y, phase x
-  std::vector<float> empty_, full_;     // the nodes of an empty brick, and of a full one per phase
-  std::vector<float> cells_;            // padded colour values now
-  std::vector<std::int32_t> slotOf_;    // per brick
-  std::vector<float> values_;           // kBrickSize per slot
+  RawArray<float> cells_;             // padded colour values now
+  std::vector<std::int32_t> slotOf_;  // per brick
+  RawArray<float> values_;            // the nodes of stored bricks, by place()
   std::vector<std::int32_t> freeSlots_;
   std::vector<std::int32_t> originalOf_;  // per brick: what slotOf_ was, into originals_
-  std::vector<float> originals_;          // values_ of the bricks edited since, before
+  RawArray<float> originals_;             // values_ of the bricks edited since, before
   std::vector<std::uint8_t> pendingOf_;   // per brick: kPending and the planes of nodes to evaluate
   std::vector<std::int64_t> pending_;     // bricks in reach of cells set since the last update
   std::vector<std::int64_t> touched_;     // what the last update gave out

@@ -2,46 +2,80 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "base/instruction_set.h"
-#include "surface/marching_cubes_table.h"
 
 namespace resect {
 namespace {
 
 // Nodes -1 to 5 of a brick along each axis, x fastest: all that its vertices and their normals
-// depend on.
-constexpr int kHalo = 7;
-using Halo = std::array<float, kHalo * kHalo * kHalo>;
-constexpr int kStep[3] = {1, kHalo, kHalo* kHalo};
+// depend on. A row takes eight places, so that it starts where a vector may.
+constexpr int kHalo = 7, kHaloRow = 8;
+using Halo = std::array<float, kHalo * kHalo * kHaloRow>;
+constexpr int kStep[3] = {1, kHaloRow, kHalo* kHaloRow};
 
 // Place in the halo of the brick's node (x, y, z), each -1 to 5.
-constexpr int at(int x, int y, int z) { return ((z + 1) * kHalo + y + 1) * kHalo + x + 1; }
+constexpr int at(int x, int y, int z) { return ((z + 1) * kHalo + y + 1) * kHaloRow + x + 1; }
 
-// The values of all nodes of the halo; 0 outside the grid.
+// The same of its 64 nodes by number.
+constexpr std::array<std::int32_t, kBrickSize> kPlaceOf = [] {
+  std::array<std::int32_t, kBrickSize> places{};
+  for (int n = 0; n < kBrickSize; ++n) places[std::size_t(n)] = at(n & 3, n >> 2 & 3, n >> 4);
+  return places;
+}();
+
+// Nodes of the bricks beside a brick along x, and of itself.
+struct BrickRow {
+  const float *left, *middle, *right;
+};
+
+// The rows of the halo that lie in the bricks kY, kZ (-1 to 1) from the middle: of each the last
+// node of the brick to the left, all four of the middle, the first two of the brick to the right.
+template <int kY, int kZ>
+[[gnu::always_inline]] inline void copyRows(const BrickRow& bricks, Halo& halo) {
+  // Along an axis the neighbour below gives its last node, the one above its first two.
+  constexpr int kFirst[3] = {kBrickNodes - 1, 0, 0}, kEnd[3] = {kBrickNodes, kBrickNodes, 2};
+#pragma GCC unroll 4
+  for (int z = kFirst[kZ + 1]; z < kEnd[kZ + 1]; ++z)
+#pragma GCC unroll 4
+    for (int y = kFirst[kY + 1]; y < kEnd[kY + 1]; ++y) {
+      const int row = (z * kBrickNodes + y) * kBrickNodes;
+      float* out = &halo[at(0, kBrickNodes * kY + y, kBrickNodes * kZ + z)];
+      std::memcpy(out, bricks.middle + row, kBrickNodes * sizeof(float));
+      if (kY != 0 && kZ != 0) continue;  // no vertex and no normal depends on a corner
+      out[-1] = bricks.left[row + kBrickNodes - 1];
+      std::memcpy(out + kBrickNodes, bricks.right + row, 2 * sizeof(float));
+    }
+}
+
+// The values of the nodes of the halo; 0 outside the grid. Nodes that differ from the brick along
+// all three axes are left out.
 void gatherHalo(const ColourField& field, const Vec3i& brick, Halo& halo) {
   static constexpr float kOutside[kBrickSize] = {};
-  const float* around[3][3][3];  // the nodes of the brick and of its 26 neighbours
-  const Vec3i last = field.brickDims() - Vec3i::Ones();
+  const Vec3i dims = field.brickDims(), last = dims - Vec3i::Ones();
   const bool within = (brick.array() > 0).all() && (brick.array() < last.array()).all();
-  for (int z = 0; z < 3; ++z)
-    for (int y = 0; y < 3; ++y)
-      for (int x = 0; x < 3; ++x) {
-        const Vec3i b = brick + Vec3i(x - 1, y - 1, z - 1);
-        const bool exists = within || ((b.array() >= 0).all() && (b.array() <= last.array()).all());
-        around[z][y][x] = exists ? field.nodes(b) : kOutside;
-      }
-  for (int z = -1; z <= 5; ++z)
-    for (int y = -1; y <= 5; ++y) {
-      // Row (y, z) of the halo: the last node of the brick to the left, all four of the middle, the
-      // first two of the brick to the right.
-      const auto& bricks = around[(z >> 2) + 1][(y >> 2) + 1];
-      const int row = ((z & 3) * 4 + (y & 3)) * 4;
-      float* out = &halo[at(-1, y, z)];
-      out[0] = bricks[0][row + 3];
-      std::copy_n(bricks[1] + row, 4, out + 1);
-      std::copy_n(bricks[2] + row, 2, out + 5);
-    }
+  const std::int64_t index = field.brickIndex(brick), alongY = dims.x(), alongZ = alongY * dims.y();
+  const auto nodesOf = [&](int x, int y, int z) {
+    const Vec3i b = brick + Vec3i(x, y, z);
+    const bool exists = within || ((b.array() >= 0).all() && (b.array() <= last.array()).all());
+    return exists ? field.nodes(index + x + y * alongY + z * alongZ) : kOutside;
+  };
+  const auto row = [&](int y, int z) {
+    const bool corner = y != 0 && z != 0;
+    const float* middle = nodesOf(0, y, z);
+    return BrickRow{corner ? middle : nodesOf(-1, y, z), middle,
+                    corner ? middle : nodesOf(1, y, z)};
+  };
+  copyRows<-1, -1>(row(-1, -1), halo);
+  copyRows<0, -1>(row(0, -1), halo);
+  copyRows<1, -1>(row(1, -1), halo);
+  copyRows<-1, 0>(row(-1, 0), halo);
+  copyRows<0, 0>(row(0, 0), halo);
+  copyRows<1, 0>(row(1, 0), halo);
+  copyRows<-1, 1>(row(-1, 1), halo);
+  copyRows<0, 1>(row(0, 1), halo);
+  copyRows<1, 1>(row(1, 1), halo);
 }
 
 // Vertices keep this share of an edge away from its ends, so that no two of them fall together.
@@ -50,121 +84,124 @@ constexpr float kEndMargin = 1e-3f;
 // parenchyma.
 constexpr float kCutRange = 15;
 
-// The crossed edges of a brick, number by number: values and differences of values at both ends,
-// and what comes of them.
+// Numbers of four vertices.
+typedef float Four __attribute__((vector_size(16)));
+typedef float Two __attribute__((vector_size(8)));
+
+// The crossed edges of a brick, number by number; up to the next multiple of four, edges that count
+// for nothing.
 struct CrossedEdges {
-  template <typename T>
-  using List = std::array<T, 3 * kBrickSize>;
+  static constexpr int kMost = 3 * kBrickSize;
   int count = 0;
-  List<std::uint8_t> axes, nodes;                            // nodes: the lower ends, 0 to 63
-  List<float> low, high;                                     // values at the ends
-  std::array<List<float>, 3> lowDifference, highDifference;  // per axis, of the nodes on both sides
-  List<float> way;                                           // of the vertex along the edge, 0 to 1
-  List<float> length;                                        // of the slope
-  std::array<List<float>, 3> normal;
+  std::array<std::uint8_t, kMost> node;       // the lower end, 0 to 63
+  std::array<std::int32_t, kMost> low, high;  // places of both ends in the halo
+  std::array<float, kMost> way;               // of the vertex along the edge, 0 to 1
 
-  void add(const Halo& halo, int axis, int node) {
-    const int a = at(node & 3, node >> 2 & 3, node >> 4), b = a + kStep[axis];
-    axes[count] = std::uint8_t(axis);
-    nodes[count] = std::uint8_t(node);
-    low[count] = halo[a];
-    high[count] = halo[b];
-    for (int k = 0; k < 3; ++k) {
-      lowDifference[k][count] = halo[a + kStep[k]] - halo[a - kStep[k]];
-      highDifference[k][count] = halo[b + kStep[k]] - halo[b - kStep[k]];
+  template <int kAxis>
+  [[gnu::always_inline]] void add(std::uint64_t crossing) {
+    for (; crossing != 0; crossing &= crossing - 1) {
+      const int n = std::countr_zero(crossing);
+      const auto i = std::size_t(count++);
+      node[i] = std::uint8_t(n);
+      low[i] = kPlaceOf[std::size_t(n)];
+      high[i] = kPlaceOf[std::size_t(n)] + kStep[kAxis];
     }
-    ++count;
   }
-
-  // Fills `way` and `normal`: plain loops over arrays, which the compiler turns into vectors.
-  [[gnu::always_inline]] void interpolate(float iso, const Vec3f& spacing) {
-    const float sx = spacing.x(), sy = spacing.y(), sz = spacing.z();
-    for (int i = 0; i < count; ++i) {
-      const float t = (iso - low[i]) / (high[i] - low[i]);
-      way[i] = t < kEndMargin ? kEndMargin : t > 1 - kEndMargin ? 1 - kEndMargin : t;
-    }
-    for (int i = 0; i < count; ++i) {
-      const float t = way[i], rest = 1 - t;
-      // Node differences are per node spacing; a stretched lattice turns them into slopes by its
-      // own spacing.
-      const float x = (rest * lowDifference[0][i] + t * highDifference[0][i]) / sx;
-      const float y = (rest * lowDifference[1][i] + t * highDifference[1][i]) / sy;
-      const float z = (rest * lowDifference[2][i] + t * highDifference[2][i]) / sz;
-      length[i] = std::sqrt(x * x + (y * y + z * z));
-      normal[0][i] = x / -length[i];
-      normal[1][i] = y / -length[i];
-      normal[2][i] = z / -length[i];
-    }
-    for (int i = 0; i < count; ++i)
-      if (!(length[i] > 0)) normal[0][i] = 0, normal[1][i] = 1, normal[2][i] = 0;
+  void fillUp() {
+    for (auto i = std::size_t(count); i % 4 != 0; ++i) low[i] = high[i] = at(0, 0, 0);
   }
 };
+
+// Where four edges cross the iso level, and the normals there. The differences of neighbouring
+// nodes are per node spacing; a stretched lattice turns them into slopes by its own. Aims at 30
+// instructions a vertex.
+[[gnu::always_inline]] inline void interpolateFour(const Halo& halo, const Vec3f& perSpacing,
+                                                   float iso, std::size_t i, CrossedEdges& edges,
+                                                   Vec3f* normals) {
+  struct Ends {
+    const float* node[4];
+    explicit Ends(const Halo& halo, const std::int32_t* place)
+        : node{&halo[std::size_t(place[0])], &halo[std::size_t(place[1])],
+               &halo[std::size_t(place[2])], &halo[std::size_t(place[3])]} {}
+    // The values a step on from them.
+    Four operator[](int step) const {
+      return Four{node[0][step], node[1][step], node[2][step], node[3][step]};
+    }
+  };
+  const Ends low(halo, &edges.low[i]), high(halo, &edges.high[i]);
+  const Four crossing = (iso - low[0]) / (high[0] - low[0]);
+  const Four least = Four{} + kEndMargin, most = 1 - least;
+  Four way = crossing > least ? crossing : least;
+  way = way < most ? way : most;
+  std::memcpy(&edges.way[i], &way, sizeof way);
+
+  Four slope[3];
+  for (int k = 0; k < 3; ++k) {
+    const Four below = low[kStep[k]] - low[-kStep[k]], above = high[kStep[k]] - high[-kStep[k]];
+    slope[k] = ((1 - way) * below + way * above) * perSpacing[k];
+  }
+  const Four square = slope[0] * slope[0] + (slope[1] * slope[1] + slope[2] * slope[2]);
+  Four root;
+  for (int lane = 0; lane < 4; ++lane) root[lane] = std::sqrt(square[lane]);
+  // The root and the quotient do not wait for each other.
+  const Four outwards = -root * (1 / square), none{};
+  const Four x = square > none ? slope[0] * outwards : none,
+             y = square > none ? slope[1] * outwards : none + 1,
+             z = square > none ? slope[2] * outwards : none;
+  const Four first = __builtin_shufflevector(x, y, 0, 4, 1, 5),
+             second = __builtin_shufflevector(x, y, 2, 6, 3, 7);
+  const Two xy[4] = {
+      __builtin_shufflevector(first, first, 0, 1), __builtin_shufflevector(first, first, 2, 3),
+      __builtin_shufflevector(second, second, 0, 1), __builtin_shufflevector(second, second, 2, 3)};
+  for (int lane = 0; lane < 4; ++lane) {
+    std::memcpy(normals[lane].data(), &xy[lane], sizeof xy[lane]);
+    normals[lane].z() = z[lane];
+  }
+}
 
 }  // namespace
 
 RESECT_WIDEST
-std::uint64_t insideMask(std::span<const float, kBrickSize> nodes, float iso) {
-  std::uint64_t mask = 0;
-  for (int node = 0; node < kBrickSize; ++node) mask |= std::uint64_t(nodes[node] >= iso) << node;
-  return mask;
-}
-
-std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& inside) {
-  // The masks one node further along an axis: bits move down, those of the neighbour come in.
-  const auto alongX = [](std::uint64_t own, std::uint64_t next) {
-    return (own >> 1 & 0x7777777777777777) | (next & 0x1111111111111111) << 3;
-  };
-  const auto alongY = [](std::uint64_t own, std::uint64_t next) {
-    return (own >> 4 & 0x0fff0fff0fff0fff) | (next & 0x000f000f000f000f) << 12;
-  };
-  const auto alongZ = [](std::uint64_t own, std::uint64_t next) { return own >> 16 | next << 48; };
-  std::array<std::uint64_t, 8> mask = inside;
-  for (const int d : {0, 2, 4, 6}) mask[d + 1] = alongX(inside[d], inside[d + 1]);
-  for (const int d : {0, 1, 4, 5}) mask[d + 2] = alongY(mask[d], mask[d + 2]);
-  for (const int d : {0, 1, 2, 3}) mask[d + 4] = alongZ(mask[d], mask[d + 4]);
-  return mask;
-}
-
-RESECT_WIDEST
-int countTriangles(const std::array<std::uint64_t, 8>& corners, std::uint64_t except) {
-  const auto& table = marchingCubesTable();
-  int count = 0;
-  visitCells(corners, except, [&](int, int kind) { count += table[std::size_t(kind)].count; });
-  return count;
-}
-
-RESECT_WIDEST
 void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSigns& signs, float iso,
-                   SurfaceVertex* out) {
+                   Vec3f* points, Vec3f* normals, float* cut) {
   Halo halo;
   gatherHalo(field, brick, halo);
   CrossedEdges edges;
-  for (int axis = 0; axis < 3; ++axis)
-    for (std::uint64_t rest = signs.crossing[axis]; rest != 0; rest &= rest - 1)
-      edges.add(halo, axis, std::countr_zero(rest));
-  edges.interpolate(iso, field.lattice().spacing.cast<float>());
+  edges.add<0>(signs.crossing[0]);
+  edges.add<1>(signs.crossing[1]);
+  edges.add<2>(signs.crossing[2]);
+  edges.fillUp();
+  const Vec3 step = field.lattice().spacing / field.refine();
+  const Vec3f spacing = step.cast<float>(), perSpacing = spacing.cwiseInverse();
+  for (std::size_t i = 0; i < std::size_t(edges.count); i += 4)
+    interpolateFour(halo, perSpacing, iso, i, edges, normals + i);
 
   const Vec3i first = kBrickNodes * brick;
-  const bool edited = field.edited(field.brickIndex(brick));
+  const Vec3 origin = field.nodePosition(first.cast<double>());
   Vec3f nodes[kBrickNodes];  // where the nodes lie: x of those with that number along x, ...
-  for (int n = 0; n < kBrickNodes; ++n)
-    nodes[n] = field.nodePosition((first + Vec3i::Constant(n)).cast<double>()).cast<float>();
-  for (int i = 0; i < edges.count; ++i, ++out) {
-    const int axis = edges.axes[i], node = edges.nodes[i];
-    const Vec3i local(node & 3, node >> 2 & 3, node >> 4);
-    out->position = {nodes[local.x()].x(), nodes[local.y()].y(), nodes[local.z()].z()};
-    out->position[axis] =
-        float(field.nodePlace(axis, first[axis] + local[axis] + double(edges.way[i])));
-    out->normal = {edges.normal[0][i], edges.normal[1][i], edges.normal[2][i]};
-    out->cut = 0;
-    if (edited) {
-      const Vec3i from = first + local;
+  for (int n = 0; n < kBrickNodes; ++n) nodes[n] = Vec3(origin + n * step).cast<float>();
+  const auto place = [&]<int kAxis>() {
+    for (int i = signs.firstVertex[kAxis]; i < signs.firstVertex[kAxis + 1]; ++i) {
+      const int node = edges.node[std::size_t(i)];
+      Vec3f p(nodes[node & 3].x(), nodes[node >> 2 & 3].y(), nodes[node >> 4].z());
+      p[kAxis] += edges.way[std::size_t(i)] * spacing[kAxis];
+      points[i] = p;
+    }
+  };
+  place.operator()<0>();
+  place.operator()<1>();
+  place.operator()<2>();
+  std::fill_n(cut, edges.count, 0.f);
+  if (!field.edited(field.brickIndex(brick))) return;
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = signs.firstVertex[axis]; i < signs.firstVertex[axis + 1]; ++i) {
+      const int node = edges.node[i];
+      const Vec3i from = first + Vec3i(node & 3, node >> 2 & 3, node >> 4);
       const float t = edges.way[i];
       const float before =
           (1 - t) * field.originalNode(from) + t * field.originalNode(from + Vec3i::Unit(axis));
-      out->cut = std::clamp((before - iso) / kCutRange, 0.f, 1.f);
+      cut[i] = std::clamp((before - iso) / kCutRange, 0.f, 1.f);
     }
-  }
 }
 
 }  // namespace resect

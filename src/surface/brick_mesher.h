@@ -9,38 +9,12 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <span>
 
 #include "base/vec.h"
 #include "sph/colour_field.h"
+#include "surface/cell_kinds.h"
 
 namespace resect {
-
-// Which of a brick's 64 nodes are inside (value >= iso)? Bit = node, x fastest.
-std::uint64_t insideMask(std::span<const float, kBrickSize> nodes, float iso);
-
-// Which corners of its 64 cells are inside, given the inside masks of the brick and of its seven
-// neighbours above (number: 1 for a step along x, 2 along y, 4 along z)? Mask c holds corner c, bit
-// = cell; corner 0 is the brick's own mask.
-std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& inside);
-
-// visit(cell, kind: its eight corner bits) for each of a brick's cells that the surface runs
-// through, ascending, but those in `except`; `corners`: what cornerMasks() gives.
-template <typename Visit>
-[[gnu::always_inline]] inline void visitCells(const std::array<std::uint64_t, 8>& corners,
-                                              std::uint64_t except, Visit visit) {
-  std::uint64_t any = 0, all = ~std::uint64_t(0);
-  for (const std::uint64_t mask : corners) any |= mask, all &= mask;
-  for (std::uint64_t rest = any & ~all & ~except; rest != 0; rest &= rest - 1) {
-    const int cell = std::countr_zero(rest);
-    int kind = 0;
-    for (int c = 0; c < 8; ++c) kind |= int(corners[c] >> cell & 1) << c;
-    visit(cell, kind);
-  }
-}
-
-// How many triangles those are.
-int countTriangles(const std::array<std::uint64_t, 8>& corners, std::uint64_t except);
 
 // Which of the brick's 64 nodes are inside, and which of its 192 edges cross the surface.
 struct BrickSigns {
@@ -67,8 +41,8 @@ struct SurfaceVertex {
   float cut;       // 0 on the original skin ... 1 well inside what was tissue before any cut
 };
 
-// Writes signs.vertexCount() vertices.
+// Writes signs.vertexCount() vertices, each part of them into an array of its own.
 void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSigns& signs, float iso,
-                   SurfaceVertex* out);
+                   Vec3f* points, Vec3f* normals, float* cut);
 
 }  // namespace resect

@@ -12,6 +12,10 @@ namespace {
 constexpr std::size_t kGrain = 128;     // bricks that one thread takes: some 50 us
 constexpr std::size_t kWoundGrain = 8;  // the same of bricks that are cut
 
+int trianglesIn(const std::array<std::uint64_t, 8>& corners, std::uint64_t cells) {
+  return cells == 0 ? 0 : countTriangles(cellKinds(corners), cells);
+}
+
 }  // namespace
 
 SurfaceTracker::SurfaceTracker(const ColourField& field, float iso, const Wound* wound)
@@ -26,14 +30,16 @@ void SurfaceTracker::setIso(const ColourField& field, float iso, const Wound* wo
   std::vector<std::int64_t> stored;
   for (std::int64_t b = 0; b < field.brickCount(); ++b)
     if (field.slot(b) >= 0 || (wound && wound->severed.near(b))) stored.push_back(b);
-  reserveFor(bricks_, stored.size());
-  remesh(field, stored, wound);
+  reserveFor(bricks_, stored.size() + kFirstOwn);
   changes_.everything = true;
+  remesh(field, stored, wound);
 }
 
 void SurfaceTracker::clear(const ColourField& field) {
-  recordOf_.assign(std::size_t(field.brickCount()), kNone);
-  bricks_.clear();
+  recordOf_.resize(std::size_t(field.brickCount()));
+  for (std::int64_t b = 0; b < field.brickCount(); ++b) recordOf_[b] = recordWithoutMesh(field, b);
+  bricks_.assign(kFirstOwn, {});
+  bricks_[kInside].signs.inside = ~std::uint64_t(0);
   freeRecords_.clear();
   wounds_.clear();
   freeWounds_.clear();
@@ -47,6 +53,7 @@ void SurfaceTracker::clear(const ColourField& field) {
 }
 
 void SurfaceTracker::update(const ColourField& field, std::span<const std::int64_t> touched) {
+  changes_.everything = false;
   remesh(field, touched, nullptr);
 }
 
@@ -71,6 +78,7 @@ void SurfaceTracker::update(const ColourField& field, std::span<const std::int64
     }
   std::sort(withWound_.begin(), withWound_.end());
   withWound_.erase(std::unique(withWound_.begin(), withWound_.end()), withWound_.end());
+  changes_.everything = false;
   remesh(field, withWound_, &wound);
 }
 
@@ -93,14 +101,13 @@ void SurfaceTracker::takeRecord(std::int64_t brick) {
   } else {
     recordOf_[brick] = freeRecords_.back();
     freeRecords_.pop_back();
-    bricks_[recordOf_[brick]] = {};
+    meshOf(brick) = {};
   }
 }
 
 void SurfaceTracker::dropRecord(std::int64_t brick) {
-  std::int32_t& record = recordOf_[brick];
-  if (record == kNone) return;
-  BrickMesh& mesh = bricks_[record];
+  if (!hasMesh(brick)) return;
+  BrickMesh& mesh = meshOf(brick);
   if (mesh.vertices > 0) vertexSpace_.release(mesh.firstVertex, mesh.vertices);
   if (mesh.triangles > 0) {
     std::fill_n(triangles_.begin() + mesh.firstTriangle, mesh.triangles, Triangle{0, 0, 0});
@@ -109,8 +116,7 @@ void SurfaceTracker::dropRecord(std::int64_t brick) {
     triangleCount_ -= mesh.triangles;
   }
   if (mesh.wound != kNone) freeWounds_.push_back(mesh.wound);
-  freeRecords_.push_back(record);
-  record = kNone;
+  freeRecords_.push_back(recordOf_[brick]);
 }
 
 // `bricks`: ascending, each once.
@@ -119,7 +125,7 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   const auto nearWound = [&](std::int64_t b) { return wound && wound->severed.near(b); };
   changes_.vertices.clear();
   changes_.triangles.clear();
-  changes_.everything = false;
+  const bool everything = changes_.everything;
   changes_.bricks = std::int64_t(bricks.size());
 
   // 1. Which nodes are inside?
@@ -135,17 +141,18 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const std::int64_t b = bricks[i];
     const bool stored = field.slot(b) >= 0 || (field.slot(b) == ColourField::kFull && nearWound(b));
-    renumbered_[i] = stored != (recordOf_[b] != kNone);
+    renumbered_[i] = stored != hasMesh(b);
     if (!stored) {
       dropRecord(b);
+      recordOf_[b] = recordWithoutMesh(field, b);
       continue;
     }
-    if (recordOf_[b] == kNone) takeRecord(b);
-    BrickSigns& signs = bricks_[recordOf_[b]].signs;
+    if (!hasMesh(b)) takeRecord(b);
+    BrickSigns& signs = meshOf(b).signs;
     renumbered_[i] |= signs.inside != newInside_[i];
     signs.inside = newInside_[i];
     if (nearWound(b)) {
-      takeWound(bricks_[recordOf_[b]]);
+      takeWound(meshOf(b));
     }
   }
 
@@ -154,23 +161,23 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   // vertices, are drawn again.
   parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (recordOf_[bricks[i]] == kNone) continue;
+      if (!hasMesh(bricks[i])) continue;
       const auto corners = cornerMasks(above(field, bricks[i]).inside);
       const std::array crossing = {corners[0] ^ corners[1], corners[0] ^ corners[2],
                                    corners[0] ^ corners[4]};
-      BrickMesh& mesh = bricks_[recordOf_[bricks[i]]];
+      BrickMesh& mesh = meshOf(bricks[i]);
       renumbered_[i] |= mesh.signs.crossing != crossing;
       mesh.signs.setCrossing(crossing);
-      mesh.wholeTriangles = std::int16_t(countTriangles(corners, 0));
+      mesh.wholeTriangles = std::int16_t(trianglesIn(corners, crossedCells(corners)));
     }
   });
   woundBricks_.clear();
   if (wound)
     for (const std::int64_t b : bricks)
-      if (recordOf_[b] != kNone && bricks_[recordOf_[b]].wound != kNone) woundBricks_.push_back(b);
+      if (meshOf(b).wound != kNone) woundBricks_.push_back(b);
   parallelFor(woundBricks_.size(), kWoundGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const BrickMesh& mesh = bricks_[recordOf_[woundBricks_[i]]];
+      const BrickMesh& mesh = meshOf(woundBricks_[i]);
       makeBrickWound(field, *wound, field.brick(woundBricks_[i]), mesh.signs, iso_,
                      wounds_[std::size_t(mesh.wound)]);
     }
@@ -179,8 +186,8 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const std::int64_t b = bricks[i];
     bool drawOwn = false;
-    if (recordOf_[b] != kNone) {
-      BrickMesh& mesh = bricks_[recordOf_[b]];
+    if (hasMesh(b)) {
+      BrickMesh& mesh = meshOf(b);
       const std::int32_t count =
           mesh.signs.vertexCount() +
           (mesh.wound == kNone ? 0
@@ -191,46 +198,50 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
         renumbered_[i] = true;
       }
       mesh.vertices = count;
-      if (count > 0) changes_.vertices.push_back({mesh.firstVertex, count});
+      if (count > 0 && !everything)
+        changes_.vertices.push_back({mesh.firstVertex, RangeAllocator::roundedUp(count)});
       if (mesh.wound != kNone) {
         drawOwn = true;
         renumbered_[i] |= wounds_[std::size_t(mesh.wound)].renumbered;
       }
     }
-    if (!renumbered_[i] && !drawOwn) continue;
+    if (everything && hasMesh(b)) retriangulate_.push_back(b);
+    if (everything || (!renumbered_[i] && !drawOwn)) continue;
     const Vec3i at = field.brick(b);
     for (int d = 0; d < (renumbered_[i] ? 8 : 1); ++d) {
       const Vec3i n = at - Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);
       if ((n.array() < 0).any()) continue;
       const std::int64_t below = field.brickIndex(n);
-      if (recordOf_[below] == kNone || bricks_[recordOf_[below]].drawAgain) continue;
-      bricks_[recordOf_[below]].drawAgain = true;
+      if (!hasMesh(below) || meshOf(below).drawAgain) continue;
+      meshOf(below).drawAgain = true;
       retriangulate_.push_back(below);
     }
   }
 
   // 3. Write the vertices.
   const auto vertexCount = std::size_t(vertexSpace_.end());
-  growTo(points_, vertexCount, Vec3f(Vec3f::Zero()));
-  growTo(normals_, vertexCount, Vec3f(Vec3f::UnitY()));
-  growTo(cut_, vertexCount, 0.f);
+  growTo(points_, vertexCount);
+  growTo(normals_, vertexCount);
+  growTo(cut_, vertexCount);
   parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    std::array<SurfaceVertex, 3 * kBrickSize> vertices;
     for (std::size_t i = begin; i < end; ++i) {
       const std::int64_t b = bricks[i];
-      if (recordOf_[b] == kNone || bricks_[recordOf_[b]].vertices == 0) continue;
-      const BrickMesh& mesh = bricks_[recordOf_[b]];
-      if (mesh.signs.vertexCount() > 0)
-        brickVertices(field, field.brick(b), mesh.signs, iso_, vertices.data());
+      const BrickMesh& mesh = meshOf(b);
+      if (mesh.vertices == 0) continue;
       std::int32_t at = mesh.firstVertex;
+      if (mesh.signs.vertexCount() > 0)
+        brickVertices(field, field.brick(b), mesh.signs, iso_, points_.data() + at,
+                      normals_.data() + at, cut_.data() + at);
+      at += mesh.signs.vertexCount();
       const auto write = [&](const SurfaceVertex& v) {
         points_[at] = v.position;
         normals_[at] = v.normal;
         cut_[at++] = v.cut;
       };
-      for (int v = 0; v < mesh.signs.vertexCount(); ++v) write(vertices[v]);
       if (mesh.wound != kNone)
         for (const BrickWound::Vertex& v : wounds_[std::size_t(mesh.wound)].vertices) write(v.at);
+      const std::int32_t end = mesh.firstVertex + RangeAllocator::roundedUp(mesh.vertices);
+      while (at < end) write({Vec3f::Zero(), Vec3f::UnitY(), 0});  // room to grow
     }
   });
 
@@ -238,17 +249,17 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   newTriangles_.assign(retriangulate_.size(), 0);
   parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const BrickMesh& mesh = bricks_[recordOf_[retriangulate_[i]]];
+      const BrickMesh& mesh = meshOf(retriangulate_[i]);
       newTriangles_[i] = mesh.wholeTriangles;
       if (mesh.wound == kNone) continue;
       const BrickWound& cut = wounds_[std::size_t(mesh.wound)];
-      newTriangles_[i] =
-          countTriangles(cornerMasks(above(field, retriangulate_[i]).inside), cut.cells) +
-          std::int32_t(cut.triangles.size());
+      const auto corners = cornerMasks(above(field, retriangulate_[i]).inside);
+      newTriangles_[i] = trianglesIn(corners, crossedCells(corners) & ~cut.cells) +
+                         std::int32_t(cut.triangles.size());
     }
   });
   for (std::size_t i = 0; i < retriangulate_.size(); ++i) {
-    BrickMesh& mesh = bricks_[recordOf_[retriangulate_[i]]];
+    BrickMesh& mesh = meshOf(retriangulate_[i]);
     mesh.drawAgain = false;
     const std::int32_t count = newTriangles_[i];
     if (mesh.triangles > 0) changes_.triangles.push_back({mesh.firstTriangle, mesh.triangles});
@@ -258,18 +269,15 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
         triangleSpace_.release(mesh.firstTriangle, mesh.triangles);
       }
       mesh.firstTriangle = count > 0 ? triangleSpace_.take(count) : 0;
-    } else if (mesh.triangles > count) {
-      std::fill_n(triangles_.begin() + mesh.firstTriangle + count, mesh.triangles - count,
-                  Triangle{0, 0, 0});
     }
     triangleCount_ += count - mesh.triangles;
     mesh.triangles = count;
-    if (count > 0) changes_.triangles.push_back({mesh.firstTriangle, count});
+    if (count > 0 && !everything) changes_.triangles.push_back({mesh.firstTriangle, count});
   }
-  growTo(triangles_, std::size_t(triangleSpace_.end()), Triangle{0, 0, 0});
+  growTo(triangles_, std::size_t(triangleSpace_.end()));
   parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (newTriangles_[i] > 0) drawTriangles(field, retriangulate_[i]);
+      if (meshOf(retriangulate_[i]).triangles > 0) drawTriangles(field, retriangulate_[i]);
   });
 }
 

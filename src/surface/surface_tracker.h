@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "base/raw_array.h"
 #include "collision/columns.h"
 #include "geometry/triangle_mesh.h"
 #include "sph/colour_field.h"
@@ -57,7 +58,7 @@ class SurfaceTracker {
   template <typename Visit>
   void visitBindings(Visit visit) const {
     for (const std::int32_t record : recordOf_)
-      if (record != kNone && bricks_[std::size_t(record)].wound != kNone) {
+      if (bricks_[std::size_t(record)].wound != kNone) {
         const BrickMesh& mesh = bricks_[std::size_t(record)];
         visit(mesh.firstVertex,
               std::span<const VertexBinding>(wounds_[std::size_t(mesh.wound)].bindings));
@@ -70,9 +71,7 @@ class SurfaceTracker {
   void visitTriangles(const ColourField& field, const Aabb& box, Visit visit) const {
     const IndexBox bricks = field.bricksIn(box);
     for (std::int32_t i = 0; i < std::int32_t(bricks.count()); ++i) {
-      const std::int32_t record = recordOf_[std::size_t(field.brickIndex(bricks.place(i)))];
-      if (record == kNone) continue;
-      const BrickMesh& mesh = bricks_[std::size_t(record)];
+      const BrickMesh& mesh = meshOf(field.brickIndex(bricks.place(i)));
       for (std::int32_t t = 0; t < mesh.triangles; ++t)
         visit(triangles_[std::size_t(mesh.firstTriangle + t)]);
     }
@@ -110,6 +109,9 @@ class SurfaceTracker {
 
  private:
   static constexpr std::int32_t kNone = -1;
+  // The first two records stand for all bricks that hold no surface, outside and inside tissue: so
+  // whether a neighbour's nodes are inside is read without asking which kind it is.
+  static constexpr std::int32_t kOutside = 0, kInside = 1, kFirstOwn = 2;
   struct BrickMesh {
     BrickSigns signs;
     std::int32_t firstVertex = 0, vertices = 0;
@@ -123,13 +125,22 @@ class SurfaceTracker {
     std::array<std::uint64_t, 8> inside;
   };
 
+  bool hasMesh(std::int64_t brick) const { return recordOf_[std::size_t(brick)] >= kFirstOwn; }
+  const BrickMesh& meshOf(std::int64_t brick) const {
+    return bricks_[std::size_t(recordOf_[std::size_t(brick)])];
+  }
+  BrickMesh& meshOf(std::int64_t brick) {
+    return bricks_[std::size_t(recordOf_[std::size_t(brick)])];
+  }
+  static std::int32_t recordWithoutMesh(const ColourField& field, std::int64_t brick) {
+    return field.slot(brick) == ColourField::kFull ? kInside : kOutside;
+  }
   void clear(const ColourField& field);
   void remesh(const ColourField& field, std::span<const std::int64_t> bricks, const Wound* wound);
   void takeRecord(std::int64_t brick);
   void takeWound(BrickMesh& mesh);
   bool looksFar(std::int64_t brick) const {
-    const std::int32_t wound =
-        recordOf_[std::size_t(brick)] == kNone ? kNone : bricks_[recordOf_[brick]].wound;
+    const std::int32_t wound = meshOf(brick).wound;
     return wound == kNone || wounds_[std::size_t(wound)].looksFar;
   }
   void dropRecord(std::int64_t brick);
@@ -142,15 +153,15 @@ class SurfaceTracker {
   }
 
   float iso_;
-  std::vector<std::int32_t> recordOf_;  // per brick: into bricks_, or kNone
+  std::vector<std::int32_t> recordOf_;  // per brick: into bricks_
   std::vector<BrickMesh> bricks_;
   std::vector<std::int32_t> freeRecords_;
   std::vector<BrickWound> wounds_;
   std::vector<std::int32_t> freeWounds_;
   RangeAllocator vertexSpace_, triangleSpace_;
-  std::vector<Vec3f> points_, normals_;
-  std::vector<float> cut_;
-  std::vector<Triangle> triangles_;
+  RawArray<Vec3f> points_, normals_;
+  RawArray<float> cut_;
+  RawArray<Triangle> triangles_;
   std::int64_t triangleCount_ = 0;
   Changes changes_;
   // Working lists, kept so that a steady update allocates nothing.

@@ -42,7 +42,6 @@ SurfaceTracker::Compact SurfaceTracker::compact(std::span<const Vec3f> points,
   Compact result;
   std::vector<std::int32_t> newIndex(points.size(), -1);
   for (const std::int32_t record : recordOf_) {
-    if (record == kNone) continue;
     const BrickMesh& mesh = bricks_[record];
     const std::int32_t firstOfWound = mesh.firstVertex + mesh.signs.vertexCount();
     for (int v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertices; ++v) {
@@ -59,7 +58,6 @@ SurfaceTracker::Compact SurfaceTracker::compact(std::span<const Vec3f> points,
   }
   result.mesh.triangles.reserve(std::size_t(triangleCount_));
   for (const std::int32_t record : recordOf_) {
-    if (record == kNone) continue;
     const BrickMesh& mesh = bricks_[record];
     for (int i = mesh.firstTriangle; i < mesh.firstTriangle + mesh.triangles; ++i) {
       const Triangle& t = triangles_[i];
@@ -72,8 +70,8 @@ SurfaceTracker::Compact SurfaceTracker::compact(std::span<const Vec3f> points,
 std::vector<Vec3i> SurfaceTracker::anchorNodes(const ColourField& field) const {
   std::vector<Vec3i> nodes;
   for (std::int64_t b = 0; b < std::int64_t(recordOf_.size()); ++b) {
-    if (recordOf_[b] == kNone) continue;
-    const BrickMesh& mesh = bricks_[recordOf_[b]];
+    if (!hasMesh(b)) continue;
+    const BrickMesh& mesh = meshOf(b);
     const Vec3i first = kBrickNodes * field.brick(b);
     if (mesh.wound != kNone) {
       const BrickWound& wound = wounds_[std::size_t(mesh.wound)];
@@ -119,9 +117,7 @@ TriangleMesh SurfaceTracker::meshOver(const ColourField& field, const ColumnGrid
 
   for (int z = 0; z < dims.z(); ++z)
     for (const Vec3i& b : over) {
-      const std::int32_t record = recordOf_[field.brickIndex({b.x(), b.y(), z})];
-      if (record == kNone) continue;
-      const BrickMesh& brick = bricks_[record];
+      const BrickMesh& brick = meshOf(field.brickIndex({b.x(), b.y(), z}));
       for (int i = brick.firstTriangle; i < brick.firstTriangle + brick.triangles; ++i) {
         const Vec3f &p = points_[triangles_[i][0]], &q = points_[triangles_[i][1]],
                     &r = points_[triangles_[i][2]];

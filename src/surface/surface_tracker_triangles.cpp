@@ -56,23 +56,17 @@ const std::array<DrawnCell, 256>& drawnCells() {
 
 }  // namespace
 
-// The brick itself and its seven neighbours above, numbered as in cornerMasks(): their meshes, null
-// where there is none.
+// The brick itself and its seven neighbours above, numbered as in cornerMasks().
 SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64_t brick) const {
-  Above result{};
+  Above result;
   const Vec3i at = field.brick(brick), dims = field.brickDims();
   const std::int64_t alongY = dims.x(), alongZ = alongY * dims.y();
   const bool beyond[3] = {at.x() + 1 == dims.x(), at.y() + 1 == dims.y(), at.z() + 1 == dims.z()};
   const int outside = beyond[0] | beyond[1] << 1 | beyond[2] << 2;
   for (int d = 0; d < 8; ++d) {
-    if (d & outside) continue;
     const std::int64_t index = brick + (d & 1) + (d >> 1 & 1) * alongY + (d >> 2) * alongZ;
-    if (recordOf_[index] != kNone) {
-      result.mesh[d] = &bricks_[recordOf_[index]];
-      result.inside[d] = result.mesh[d]->signs.inside;
-    } else if (field.slot(index) == ColourField::kFull) {
-      result.inside[d] = ~std::uint64_t(0);
-    }
+    result.mesh[d] = d & outside ? &bricks_[kOutside] : &meshOf(index);
+    result.inside[d] = result.mesh[d]->signs.inside;
   }
   return result;
 }
@@ -80,43 +74,68 @@ SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64
 RESECT_WIDEST
 void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick) {
   const Above around = above(field, brick);
-  const BrickMesh& mesh = bricks_[recordOf_[brick]];
+  const BrickMesh& mesh = meshOf(brick);
   // The vertex on each edge that the brick's cells can use: its own, and of the neighbours above
   // those in the plane, line or corner that they share with it.
   std::array<std::int32_t, 3 * kSpan * kSpan * kSpan> vertex;
-  for (int d = 0; d < 7; ++d) {
-    if (around.mesh[d] == nullptr) continue;
-    const BrickMesh& owner = *around.mesh[d];
-    std::uint64_t shared = ~std::uint64_t(0);
-    int place = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      if (d >> axis & 1) shared &= kFirstNodes[axis], place += kBrickNodes * kSpanStep[axis];
-    for (int axis = 0; axis < 3; ++axis) {
-      if (d >> axis & 1) continue;  // leads away from the brick
-      std::int32_t* out = vertex.data() + axis * kSpan * kSpan * kSpan + place;
-      for (std::uint64_t rest = owner.signs.crossing[axis] & shared; rest != 0; rest &= rest - 1) {
-        const int node = std::countr_zero(rest);
-        out[spanIndex(node)] = owner.firstVertex + owner.signs.vertex(axis, node);
-      }
+  const auto onAxis = [&](int axis) { return vertex.data() + axis * kSpan * kSpan * kSpan; };
+  for (int axis = 0; axis < 3; ++axis) {
+    std::int32_t next = mesh.firstVertex + mesh.signs.firstVertex[std::size_t(axis)];
+    for (std::uint64_t rest = mesh.signs.crossing[std::size_t(axis)]; rest != 0; rest &= rest - 1)
+      onAxis(axis)[spanIndex(std::countr_zero(rest))] = next++;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    // The neighbour along an axis shares the edges along both others. Its nodes there have 0 along
+    // the axis, so that the lower of that number's two bits may tell which of the two is meant.
+    const BrickMesh& owner = *around.mesh[std::size_t(1) << axis];
+    const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2, bit = 2 * axis;
+    std::uint64_t rest = (owner.signs.crossing[std::size_t(u)] & kFirstNodes[axis]) |
+                         (owner.signs.crossing[std::size_t(v)] & kFirstNodes[axis]) << (1 << bit);
+    for (; rest != 0; rest &= rest - 1) {
+      const int both = std::countr_zero(rest), second = both >> bit & 1;
+      const int node = both - (second << bit), along = second ? v : u;
+      onAxis(along)[spanIndex(node) + kBrickNodes * kSpanStep[axis]] =
+          owner.firstVertex + owner.signs.vertex(along, node);
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    // The neighbour across an edge shares the edges along it.
+    const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+    const BrickMesh& owner = *around.mesh[std::size_t(1 << u | 1 << v)];
+    for (std::uint64_t rest =
+             owner.signs.crossing[std::size_t(axis)] & kFirstNodes[u] & kFirstNodes[v];
+         rest != 0; rest &= rest - 1) {
+      const int node = std::countr_zero(rest);
+      onAxis(axis)[spanIndex(node) + kBrickNodes * (kSpanStep[u] + kSpanStep[v])] =
+          owner.firstVertex + owner.signs.vertex(axis, node);
     }
   }
   // How many triangles a cell has cannot be guessed: some are written always, and the next cell
-  // writes over the surplus. Aside, for beyond the brick's range lies another's.
-  std::array<Triangle, kMostDrawn * kBrickSize> drawn;
-  Triangle* end = drawn.data();
+  // writes over the surplus; not where the brick's range ends, for beyond lies another's.
+  Triangle* end = triangles_.data() + mesh.firstTriangle;
+  Triangle* const limit = end + RangeAllocator::roundedUp(mesh.triangles);
   const auto& cells = drawnCells();
-  visitCells(cornerMasks(around.inside), woundCells(mesh), [&](int cell, int kind) {
+  const auto corners = cornerMasks(around.inside);
+  const CellKinds kinds = cellKinds(corners);
+  for (std::uint64_t rest = crossedCells(corners) & ~woundCells(mesh); rest != 0;
+       rest &= rest - 1) {
+    const int cell = std::countr_zero(rest);
     const std::int32_t* at = vertex.data() + spanIndex(cell);
-    const DrawnCell& own = cells[std::size_t(kind)];
+    const DrawnCell& own = cells[kinds[std::size_t(cell)]];
     const auto draw = [&](int t) {
       for (std::size_t v = 0; v < 3; ++v) end[t][v] = at[own.places[std::size_t(t)][v]];
     };
-    for (int t = 0; t < kMostlyDrawn; ++t) draw(t);
-    for (int t = kMostlyDrawn; t < own.count; ++t) draw(t);
+    int done = 0;
+    if (limit - end >= kMostlyDrawn) {
+      for (int t = 0; t < kMostlyDrawn; ++t) draw(t);
+      done = kMostlyDrawn;
+    }
+    for (int t = done; t < own.count; ++t) draw(t);
     end += own.count;
-  });
-  Triangle* out = std::copy(drawn.data(), end, triangles_.data() + mesh.firstTriangle);
-  if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], vertex.data(), out);
+  }
+  if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], vertex.data(), end);
+  end = triangles_.data() + mesh.firstTriangle + mesh.triangles;
+  while (end < limit) *end++ = {0, 0, 0};
 }
 
 // A wound's triangles name their corners by cell; here they get numbers. onEdge: the table of

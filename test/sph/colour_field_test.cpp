@@ -118,6 +118,28 @@ TEST_CASE("after any edits the field is bit for bit the one built from the edite
   }
 }
 
+TEST_CASE(
+    "a field built at once is the one whose cells were set one by one, in rows of any length") {
+  for (int refine : {1, 2, 3, 4})
+    for (const Vec3i& dims : {Vec3i(3, 4, 5), Vec3i(54, 9, 7), Vec3i(64, 6, 5), Vec3i(131, 8, 9)}) {
+      Discretization d = test::fullBlock(dims);
+      Random random(dims.x());
+      for (int hole = 0; hole < 6; ++hole) {  // some empty, some partly filled
+        const std::int64_t middle = random.below(int(d.value.size()));
+        for (std::int64_t i = 0; i < std::int64_t(d.value.size()); ++i)
+          if ((d.lattice.cell(i) - d.lattice.cell(middle)).cwiseAbs().maxCoeff() < 3)
+            d.value[std::size_t(i)] = hole < 4 ? 0.f : 30.f;
+      }
+      Discretization nothing = d;
+      std::fill(nothing.value.begin(), nothing.value.end(), 0.f);
+      ColourField field(nothing, refine);
+      for (std::int64_t i = 0; i < std::int64_t(d.value.size()); ++i)
+        field.setCellValue(i, d.value[std::size_t(i)]);
+      field.update();
+      CHECK(sameField(field, ColourField(d, refine)));
+    }
+}
+
 TEST_CASE("the original field is remembered through edits") {
   const Discretization d = test::ball(12);
   const ColourField before(d, 2);

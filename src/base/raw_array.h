@@ -1,0 +1,33 @@
+// An array whose new elements are left as they are in memory, for data that is written at once.
+#pragma once
+
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace resect {
+
+// Makes an element without writing it where nothing is said of its value: what `new T` does.
+template <typename T>
+struct UnwrittenAllocator : std::allocator<T> {
+  template <typename U>
+  struct rebind {
+    using other = UnwrittenAllocator<U>;
+  };
+  template <typename U>
+  void construct(U* element) noexcept(std::is_nothrow_default_constructible_v<U>) {
+    ::new (static_cast<void*>(element)) U;
+  }
+  template <typename U, typename... Args>
+  void construct(U* element, Args&&... args) {
+    ::new (static_cast<void*>(element)) U(std::forward<Args>(args)...);
+  }
+};
+
+// resize(n) writes nothing; resize(n, value), assign() and the rest do as ever.
+template <typename T>
+using RawArray = std::vector<T, UnwrittenAllocator<T>>;
+
+}  // namespace resect

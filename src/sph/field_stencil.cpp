@@ -1,0 +1,267 @@
+#include "sph/field_stencil.h"
+
+#include <cstring>
+
+#include "base/assert.h"
+#include "base/instruction_set.h"
+#include "sph/kernel.h"
+
+// Every function that gives such vectors is inlined: how they would be passed does not matter.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace resect {
+namespace {
+
+// The four nodes of a row of a brick, and two rows, which machines with eight lanes add at once.
+typedef float Row __attribute__((vector_size(16)));
+typedef float Half __attribute__((vector_size(32)));
+
+[[gnu::always_inline]] inline Row rowAt(const float* values) {
+  Row row;
+  std::memcpy(&row, values, sizeof row);
+  return row;
+}
+[[gnu::always_inline]] inline Half join(const Row& first, const Row& second) {
+  return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+[[gnu::always_inline]] inline Half half(const FieldStencil::HalfPlane& numbers) {
+  Half half;
+  std::memcpy(&half, numbers.data(), sizeof half);
+  return half;
+}
+
+float weightAt(const Vec3& cells) { return float(kernel(cells.norm(), kSmoothingPerSpacing)); }
+
+// ---- one or two nodes a cell: cells in mirror places are added first ----
+
+// The sums of cells in mirror places round a node along an axis: the nearest (its own cell, or the
+// two that it lies between) and those one further.
+template <typename T>
+struct Mirrored {
+  T near, far;
+};
+
+// For node i of a brick along an axis, from the cells (or sums of cells) along it.
+template <int kRefine, typename At>
+[[gnu::always_inline]] inline auto mirrored(int i, At at) {
+  using T = std::decay_t<decltype(at(0))>;
+  if constexpr (kRefine == 1) return Mirrored<T>{at(i + 1), at(i) + at(i + 2)};
+  const int h = i / 2;
+  if (i % 2 == 0) return Mirrored<T>{at(h + 1), at(h) + at(h + 2)};
+  return Mirrored<T>{at(h + 1) + at(h + 2), at(h) + at(h + 3)};
+}
+
+// The same for the four nodes of a row, along x.
+template <int kRefine>
+[[gnu::always_inline]] inline Mirrored<Row> mirroredAlongX(const float* cell) {
+  const Row a = rowAt(cell), b = rowAt(cell + 1);
+  if constexpr (kRefine == 1) return {b, a + rowAt(cell + 2)};
+  const Row both = a + b;
+  return {__builtin_shufflevector(a, both, 1, 5, 2, 6),
+          __builtin_shufflevector(a, a, 0, 0, 1, 1) + __builtin_shufflevector(b, b, 1, 2, 2, 3)};
+}
+
+// The halves of a plane are the pairs of rows whose nodes lie alike in neighbouring rows of cells:
+// rows 0 and 1, 2 and 3 with one node a cell, 0 and 2, 1 and 3 with two. Aims at 28 sums and
+// products for two rows of four nodes.
+template <int kRefine>
+[[gnu::always_inline]] inline void sumMirrored(const FieldStencil& stencil, const float* low,
+                                               std::ptrdiff_t alongY, std::ptrdiff_t alongZ,
+                                               unsigned planes, float* out) {
+  constexpr int kCells = kRefine == 1 ? 6 : 5;  // that a brick reaches along an axis
+  Mirrored<Half> rows[kCells][kCells - 1];      // [z][y]: of the rows of cells y and y + 1
+  for (int z = 0; z < kCells; ++z) {
+    Mirrored<Row> last = mirroredAlongX<kRefine>(low + z * alongZ);
+    for (int y = 0; y + 1 < kCells; ++y) {
+      const Mirrored<Row> next = mirroredAlongX<kRefine>(low + z * alongZ + (y + 1) * alongY);
+      rows[z][y] = {join(last.near, next.near), join(last.far, next.far)};
+      last = next;
+    }
+  }
+  for (int pair = 0; pair < 2; ++pair) {
+    const int node = kRefine == 1 ? 2 * pair : pair;  // of the first of the two rows
+    Half sums[kCells][4];                             // of a plane of cells, x fastest
+    for (int z = 0; z < kCells; ++z) {
+      const auto near = mirrored<kRefine>(node, [&](int y) { return rows[z][y].near; });
+      const auto far = mirrored<kRefine>(node, [&](int y) { return rows[z][y].far; });
+      sums[z][0] = near.near, sums[z][1] = far.near, sums[z][2] = near.far, sums[z][3] = far.far;
+    }
+    for (int plane = 0; plane < kBrickNodes; ++plane) {
+      if (!(planes >> plane & 1)) continue;
+      const auto& weight = stencil.mirrored[kRefine == 1 ? 0 : pair][plane % kRefine];
+      Half sum = {};
+      for (int k = 0; k < 4; ++k) {
+        const auto both = mirrored<kRefine>(plane, [&](int z) { return sums[z][k]; });
+        sum += both.near * half(weight[k]) + both.far * half(weight[4 + k]);
+      }
+      float* to = out + (plane * kBrickNodes + node) * kBrickNodes;
+      if constexpr (kRefine == 1) {
+        std::memcpy(to, &sum, sizeof sum);
+      } else {
+        const Row first = __builtin_shufflevector(sum, sum, 0, 1, 2, 3),
+                  second = __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
+        std::memcpy(to, &first, sizeof first);
+        std::memcpy(to + 2 * kBrickNodes, &second, sizeof second);
+      }
+    }
+  }
+}
+
+void makeMirrored(FieldStencil& stencil) {
+  for (int y = 0; y < stencil.refine; ++y)
+    for (int z = 0; z < stencil.refine; ++z)
+      for (int k = 0; k < 8; ++k)
+        for (int lane = 0; lane < 8; ++lane) {
+          const Vec3 place = Vec3(lane % stencil.refine, y, z) / 2;
+          stencil.mirrored[y][z][k][lane] = weightAt(place + Vec3(k & 1, k >> 1 & 1, k >> 2 & 1));
+        }
+}
+
+// ---- three or four nodes a cell: the plain sum ----
+
+constexpr int kReach = 4;     // cells that a node reaches along an axis
+constexpr int kMostRows = 5;  // that a brick reaches
+
+// Cells round a brick as two rows of its nodes see them: at [z][y][dx] the cells dx on from where
+// the nodes of the first row begin in row y of plane z. The second row of nodes sees row y as well,
+// or the next.
+using CellTable = Half[kMostRows][kMostRows][kReach];
+
+// Places of a brick's nodes along the axes: cells on from the first node's.
+using NodePlaces = int[3][kBrickNodes];
+
+// Fills the tables that the brick's pairs of rows use: [0] where both rows of nodes see the same
+// row of cells, [1] where the second one sees the next.
+[[gnu::always_inline]] inline void gatherCells(const float* low, std::ptrdiff_t alongY,
+                                               std::ptrdiff_t alongZ, const NodePlaces& place,
+                                               CellTable* tables) {
+  const int planes = place[2][kBrickNodes - 1] + kReach;
+  const int rows = place[1][kBrickNodes - 1] + kReach;
+  const bool unused[2] = {place[1][1] != place[1][0] && place[1][3] != place[1][2],
+                          place[1][1] == place[1][0] && place[1][3] == place[1][2]};
+  for (int z = 0; z < planes; ++z) {
+    Row seen[kMostRows][kReach];
+    for (int y = 0; y < rows; ++y)
+      for (int dx = 0; dx < kReach; ++dx) {
+        const float* cell = low + z * alongZ + y * alongY + dx;
+        seen[y][dx] =
+            Row{cell[place[0][0]], cell[place[0][1]], cell[place[0][2]], cell[place[0][3]]};
+      }
+    for (int step = 0; step < 2; ++step) {
+      if (unused[step]) continue;
+      for (int y = 0; y + step < rows; ++y)
+        for (int dx = 0; dx < kReach; ++dx)
+          tables[step][z][y][dx] = join(seen[y][dx], seen[y + step][dx]);
+    }
+  }
+}
+
+// Two planes that lie alike in their cells at a time, so that a weight is read once for both. Every
+// node adds its cells in the same order whatever its plane or brick; a tap that does not reach it
+// adds an exact zero. Aims at a product and a sum per tap and eight nodes; the four sums of a pair
+// of planes hide each other's latency.
+[[gnu::always_inline]] inline void sumTaps(const FieldStencil& stencil, const Vec3i& phase,
+                                           const float* low, std::ptrdiff_t alongY,
+                                           std::ptrdiff_t alongZ, unsigned planes, float* out) {
+  const int refine = stencil.refine;
+  NodePlaces place;
+  for (int a = 0; a < 3; ++a)
+    for (int i = 0; i < kBrickNodes; ++i) place[a][i] = (phase[a] + i) / refine;
+  CellTable tables[2];
+  gatherCells(low, alongY, alongZ, place, tables);
+  // What the two halves of plane z see.
+  const auto seenBy = [&](int z, int half) {
+    const int y = place[1][2 * half], step = place[1][2 * half + 1] - y;
+    return &tables[step][place[2][z]][y][0];
+  };
+  for (int z = 0; z < kBrickNodes; ++z) {
+    if (!(planes >> z & 1)) continue;
+    // The next plane that lies alike; where there is none, the plane is its own partner.
+    const int other = z + refine < kBrickNodes && (planes >> (z + refine) & 1) ? z + refine : z;
+    planes &= ~(1u << other);
+    const Half *cells0 = seenBy(z, 0), *cells1 = seenBy(z, 1);
+    const Half *cells2 = seenBy(other, 0), *cells3 = seenBy(other, 1);
+    Half sum0 = {}, sum1 = {}, sum2 = {}, sum3 = {};
+    const std::size_t kind = stencil.phaseIndex({phase.x(), phase.y(), (phase.z() + z) % refine});
+    for (const FieldStencil::Tap& tap : stencil.taps[kind]) {
+      const Half weight0 = half(tap.weight[0]), weight1 = half(tap.weight[1]);
+      sum0 += cells0[tap.offset] * weight0;
+      sum1 += cells1[tap.offset] * weight1;
+      sum2 += cells2[tap.offset] * weight0;
+      sum3 += cells3[tap.offset] * weight1;
+    }
+    const auto store = [&](const Half& sum, int row) {
+      std::memcpy(out + row * kBrickNodes, &sum, sizeof sum);
+    };
+    store(sum0, z * kBrickNodes);
+    store(sum1, z * kBrickNodes + 2);
+    store(sum2, other * kBrickNodes);
+    store(sum3, other * kBrickNodes + 2);
+  }
+}
+
+// A node reaches the cells nearer than the kernel's support of two cells.
+void makeTaps(FieldStencil& stencil) {
+  const int refine = stencil.refine;
+  for (int z = 0; z < refine; ++z)
+    for (int phaseY = 0; phaseY < stencil.phases; ++phaseY)
+      for (int phaseX = 0; phaseX < stencil.phases; ++phaseX) {
+        std::vector<FieldStencil::Tap>& taps = stencil.taps.emplace_back();
+        for (int dz = 0; dz < kReach; ++dz)
+          for (int dy = 0; dy < kReach; ++dy)
+            for (int dx = 0; dx < kReach; ++dx) {
+              FieldStencil::Tap tap{{}, (dz * kMostRows + dy) * kReach + dx};
+              bool reached = false;
+              for (int y = 0; y < kBrickNodes; ++y)
+                for (int x = 0; x < kBrickNodes; ++x) {
+                  const Vec3 place((phaseX + x) % refine, (phaseY + y) % refine, z);
+                  const float weight = weightAt(Vec3(dx - 1, dy - 1, dz - 1) - place / refine);
+                  tap.weight[y / 2][y % 2 * kBrickNodes + x] = weight;
+                  reached = reached || weight > 0;
+                }
+              if (reached) taps.push_back(tap);
+            }
+      }
+}
+
+FieldStencil makeStencil(int refine) {
+  FieldStencil stencil{refine, refine == 3 ? 3 : 1, {}, {}, {}};
+  if (refine <= 2)
+    makeMirrored(stencil);
+  else
+    makeTaps(stencil);
+  constexpr int kSide = 8;  // cells round any brick
+  const std::vector<float> solid(kSide * kSide * kSide, 100.f);
+  stencil.full.assign(std::size_t(stencil.phases * stencil.phases * stencil.phases) * kBrickSize,
+                      0.f);
+  for (int z = 0; z < stencil.phases; ++z)
+    for (int y = 0; y < stencil.phases; ++y)
+      for (int x = 0; x < stencil.phases; ++x)
+        sumBrick(stencil, {x, y, z}, solid.data(), kSide, kSide * kSide, 0xf,
+                 stencil.full.data() + stencil.phaseIndex({x, y, z}) * kBrickSize);
+  return stencil;
+}
+
+}  // namespace
+
+const FieldStencil& fieldStencil(int refine) {
+  RESECT_ASSERT(refine >= 1 && refine <= 4);
+  static const std::array<FieldStencil, 4> stencils = {makeStencil(1), makeStencil(2),
+                                                       makeStencil(3), makeStencil(4)};
+  return stencils[std::size_t(refine - 1)];
+}
+
+RESECT_WIDEST
+void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
+              std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out) {
+  switch (stencil.refine) {
+    case 1:
+      return sumMirrored<1>(stencil, low, alongY, alongZ, planes, out);
+    case 2:
+      return sumMirrored<2>(stencil, low, alongY, alongZ, planes, out);
+    default:
+      return sumTaps(stencil, phase, low, alongY, alongZ, planes, out);
+  }
+}
+
+}  // namespace resect

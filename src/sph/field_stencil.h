@@ -1,0 +1,54 @@
+// How much of each cell round a node is in the node's sum?
+//
+// The rest lattice is regular, so nodes at the same place within their cells have the same weights.
+// With one or two nodes a cell every node lies midway between cells or on one, and cells in mirror
+// places weigh the same along each axis: their values are added first, axis by axis, and what is
+// left of up to 36 products a node are eight. Other refinements take the plain sum.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace resect {
+
+constexpr int kBrickNodes = 4;                // along each axis
+constexpr int kBrickSize = 64;                // nodes of a brick
+constexpr double kSmoothingPerSpacing = 0.8;  // h / spacing: support of exactly two cells
+
+struct FieldStencil {
+  // Numbers for half a plane of a brick's nodes, two rows of four.
+  struct alignas(32) HalfPlane : std::array<float, 8> {};
+  // The share of a cell in the nodes of a plane. Neighbouring nodes differ in their place within
+  // their cells, so each has its own weight; 0 where it does not reach the cell.
+  struct Tap {
+    std::array<HalfPlane, 2> weight;
+    int offset;  // into a table of cells, from the node's own cell less one
+  };
+
+  int refine;  // nodes per cell and axis, 1 to 4
+  int phases;  // kinds of bricks per axis: 3 for refine 3, whose bricks begin anywhere in a cell
+  // refine 1 and 2: [node's place in y, half a cell][in z][which of the sums along z, y and x: 0
+  // the nearest cells, 1 those one further, x fastest].
+  std::array<std::array<std::array<HalfPlane, 8>, 2>, 2> mirrored;
+  std::vector<std::vector<Tap>> taps;  // refine 3 and 4: per place z of the plane, phase y, phase x
+  std::vector<float> full;             // the nodes of a brick in solid tissue, per phase
+
+  std::size_t phaseIndex(const Vec3i& phase) const {
+    return std::size_t((phase.z() * phases + phase.y()) * phases + phase.x());
+  }
+};
+
+// Made at first use. refine: 1 to 4.
+const FieldStencil& fieldStencil(int refine);
+
+// Evaluates the planes of a brick's 64 nodes named by the low four bits of `planes`, into out. low:
+// the lowest cell that the brick's nodes reach, one below that in which its first node lies;
+// strides in floats. Reads up to 7 cells from there along x, 6 along y and z. The same bits
+// whichever planes are asked for, with any instruction set.
+void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
+              std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
+
+}  // namespace resect
