@@ -227,7 +227,7 @@ Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns) {
   for (std::size_t c = 1; c < result.offsets.size(); ++c)
     result.offsets[c] += result.offsets[c - 1];
   result.all.resize(result.offsets.back());
-  std::vector<std::size_t> cursor(result.offsets.begin(), result.offsets.end() - 1);
+  std::vector<std::uint32_t> cursor(result.offsets.begin(), result.offsets.end() - 1);
   visitCrossings(mesh, buckets, [&](std::uint32_t column, double depth, std::int32_t sign) {
     result.all[cursor[column]++] = {depth, sign};
   });

@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "base/raw_array.h"
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
@@ -32,8 +33,8 @@ struct Crossing {
 
 // The crossings of many columns, each column's sorted by depth (entering first where equal).
 struct Crossings {
-  std::vector<std::size_t> offsets;  // columns + 1 entries
-  std::vector<Crossing> all;
+  std::vector<std::uint32_t> offsets;  // columns + 1 entries: at most 2^32 - 1 crossings
+  RawArray<Crossing> all;
 
   std::size_t columnCount() const { return offsets.empty() ? 0 : offsets.size() - 1; }
   std::span<const Crossing> operator[](std::size_t column) const {

@@ -1,10 +1,13 @@
 // The columns of a regular grid: every triangle looks up the lines it may cover.
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <utility>
 
 #include "base/assert.h"
 #include "base/parallel.h"
+#include "base/raw_array.h"
+#include "collision/column_box.h"
 #include "collision/column_order.h"
 #include "collision/footprint.h"
 #include "collision/lone_columns.h"
@@ -13,12 +16,14 @@ namespace resect {
 namespace {
 
 constexpr std::size_t kBlock = 8192;  // triangles that are looked at together
+constexpr int kWide = 8;              // columns from which on a triangle's rows are narrowed
 constexpr std::size_t kRun = 1024;    // of them sorted at a time: the lists stay in the first cache
 
 // Hits are written without asking first whether they count, and kept by counting them: a branch
 // that goes one way as often as the other costs more than a hit.
 class HitList {
  public:
+  void expect(std::size_t count) { hits_.resize(std::max(count, hits_.size())); }
   // Where the next hits go; `more` of them may be written.
   GridHit* room(std::size_t more) {
     if (count_ + more > hits_.size()) hits_.resize(2 * (count_ + more));
@@ -28,7 +33,7 @@ class HitList {
   std::span<const GridHit> hits() const { return {hits_.data(), count_}; }
 
  private:
-  std::vector<GridHit> hits_;
+  RawArray<GridHit> hits_;
   std::size_t count_ = 0;
 };
 
@@ -37,7 +42,10 @@ void sortHits(const std::vector<HitList>& blocks, Crossings& result) {
   // offsets[c + 1] counts, then is where column c goes on, and at last where it ends.
   for (const HitList& block : blocks)
     for (const GridHit& hit : block.hits()) ++result.offsets[hit.column + 1];
-  std::size_t sum = 0;
+  std::size_t hits = 0;
+  for (const HitList& block : blocks) hits += block.hits().size();
+  RESECT_ASSERT(hits <= std::numeric_limits<std::uint32_t>::max());
+  std::uint32_t sum = 0;
   for (std::size_t c = 1; c < result.offsets.size(); ++c)
     result.offsets[c] = std::exchange(sum, sum + result.offsets[c]);
   result.all.resize(sum);
@@ -50,16 +58,19 @@ void sortHits(const std::vector<HitList>& blocks, Crossings& result) {
 }
 
 struct GridLines {
-  std::vector<std::int32_t> at;
+  int count;
+  std::vector<std::int32_t> at;  // kBoxStep more than there are
   double linesPerStep, first;
 
-  GridLines(double origin, double pitch, int count, double meshOrigin, double step)
-      : at(count), linesPerStep(step / pitch), first((meshOrigin - origin) / pitch) {
+  GridLines(double origin, double pitch, int lines, double meshOrigin, double step)
+      : count(lines),
+        at(std::size_t(lines + kBoxStep), kAbove),
+        linesPerStep(step / pitch),
+        first((meshOrigin - origin) / pitch) {
     for (int i = 0; i < count; ++i) at[i] = snapColumn(origin + i * pitch - meshOrigin, step);
   }
   double estimate(double place) const { return first + place * linesPerStep; }
   std::int32_t lowerBound(std::int32_t place) const {
-    const int count = int(at.size());
     const double about = estimate(place);
     int i = !(about > 0) ? 0 : about < count ? int(about) + 1 : count;
     while (i > 0 && at[i - 1] >= place) --i;
@@ -71,8 +82,9 @@ struct GridLines {
 // Half-open range of lines between three points.
 struct Range {
   std::int32_t first, last;
-  Range(std::int32_t a, std::int32_t b, std::int32_t c)
-      : first(std::min({a, b, c})), last(std::max({a, b, c})) {}
+  static Range round(std::int32_t a, std::int32_t b, std::int32_t c) {
+    return {std::min({a, b, c}), std::max({a, b, c})};
+  }
   std::int32_t size() const { return last - first; }
 };
 
@@ -93,9 +105,9 @@ class GridCaster {
     LoneColumn lone[kRun];
     std::uint32_t others[kRun];
     const SortedOut count = sortOut(mesh_.triangles, cells_.get(), begin, end, lone, others);
-    const GridRaster raster{linesX_.at.data(), linesY_.at.data(), std::uint32_t(linesX_.at.size())};
+    const GridRaster raster{linesX_.at.data(), linesY_.at.data(), std::uint32_t(linesX_.count)};
     hits.keepUpTo(castLone(mesh_, raster, lone, count.lone, hits.room(count.lone + 1)));
-    for (std::size_t k = 0; k < count.others; ++k) castLarge(others[k], hits);
+    for (std::size_t k = 0; k < count.others; ++k) castLarge(others[k], raster, hits);
   }
 
  private:
@@ -103,7 +115,7 @@ class GridCaster {
   void findCells(std::size_t begin, std::size_t end) {
     const Pair first{linesX_.first, linesY_.first};
     const Pair perStep{linesX_.linesPerStep, linesY_.linesPerStep};
-    const Pair most{double(linesX_.at.size()) + 0.5, double(linesY_.at.size()) + 0.5};
+    const Pair most{linesX_.count + 0.5, linesY_.count + 0.5};
     const double slack = std::max(slack_, 1e-6 + 2 * linesY_.linesPerStep);
     for (std::size_t i = begin; i < end; ++i) {
       const SnappedMesh::Point& p = mesh_.points[i];
@@ -121,33 +133,27 @@ class GridCaster {
   std::pair<Range, Range> reach(std::size_t t) const {
     const auto& [ia, ib, ic] = mesh_.triangles[t];
     const GridCell &a = cells_[ia], &b = cells_[ib], &c = cells_[ic];
-    return {Range(a.column, b.column, c.column), Range(a.row, b.row, c.row)};
+    return {Range::round(a.column, b.column, c.column), Range::round(a.row, b.row, c.row)};
   }
   Footprint footprintOf(std::size_t t) const {
     const auto& [a, b, c] = mesh_.triangles[t];
     return Footprint(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
   }
 
-  std::uint32_t column(int x, int y) const {
-    return std::uint32_t(y) * std::uint32_t(linesX_.at.size()) + std::uint32_t(x);
-  }
-
-  void castLarge(std::size_t t, HitList& hits) const {
+  void castLarge(std::size_t t, const GridRaster& raster, HitList& hits) const {
     const auto [columns, rows] = reach(t);
     const Footprint footprint = footprintOf(t);
     if (footprint.area == 0) return;
-    for (int y = rows.first; y < rows.last; ++y) {
-      const Footprint::Row row = footprint.row(linesY_.at[y]);
-      const auto [first, last] = columns.size() > 8 ? narrowed(footprint, row, columns) : columns;
-      if (first >= last) continue;
-      GridHit* to = hits.room(std::size_t(last - first));
-      for (int x = first; x < last; ++x) {
-        const auto place = row.place(linesX_.at[x]);
-        *to = {column(x, y), footprint.sign, footprint.depth(place)};
-        to += place.covered();
-      }
-      hits.keepUpTo(to);
-    }
+    const auto add = [&](const Range& x, const Range& y) {
+      const auto most = std::size_t(x.size()) * std::size_t(y.size()) + kBoxStep;
+      hits.keepUpTo(
+          castBox(footprint, raster, {{x.first, y.first}, {x.last, y.last}}, hits.room(most)));
+    };
+    if (columns.size() <= kWide) return add(columns, rows);
+    // Most of the box round a large triangle is empty: each row is narrowed first.
+    for (int y = rows.first; y < rows.last; ++y)
+      if (const Range x = narrowed(footprint, footprint.row(linesY_.at[y]), columns); x.size() > 0)
+        add(x, Range{y, y + 1});
   }
 
   // Where the row crosses the edges, by floating point; the exact test decides.
@@ -182,9 +188,13 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
   RESECT_ASSERT(grid.pitch.x() > 0 && grid.pitch.y() > 0);
   const GridCaster caster(mesh, grid);
   std::vector<HitList> blocks((mesh.triangles.size() + kBlock - 1) / kBlock);
+  // A guess that saves copying, as if every column went in and out: what is not needed is not
+  // touched.
+  const std::size_t expected = 2 * grid.count() / blocks.size() + kRun;
   parallelFor(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; t += kRun)
-      caster.cast(t, std::min(end, t + kRun), blocks[begin / kBlock]);
+    HitList& hits = blocks[begin / kBlock];
+    hits.expect(expected);
+    for (std::size_t t = begin; t < end; t += kRun) caster.cast(t, std::min(end, t + kRun), hits);
   });
   sortHits(blocks, result);
   return result;

@@ -1,11 +1,8 @@
 #include "collision/lone_columns.h"
 
 #include "base/instruction_set.h"
+#include "collision/avx2_integers.h"
 #include "collision/footprint.h"
-
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
 
 namespace resect {
 namespace {
@@ -58,7 +55,6 @@ GridHit* castLonePlainly(const SnappedMesh& mesh, const GridRaster& raster, cons
 }
 
 #if defined(__x86_64__)
-#define RESECT_AVX2 __attribute__((target("avx2")))
 
 namespace {
 
@@ -80,11 +76,6 @@ RESECT_AVX2 inline __m256i cross(Places a, Places b) {
                           _mm256_mul_epi32(_mm256_srli_epi64(a, 32), b));
 }
 
-// v, or -v where all bits of `turn` are set.
-RESECT_AVX2 inline __m256i turned(__m256i v, __m256i turn) {
-  return _mm256_sub_epi64(_mm256_xor_si256(v, turn), turn);
-}
-
 // Is `v`, the value of an edge (after turning), on the covered side, or zero and the edge owns it
 // (Footprint::makeEdge)?
 RESECT_AVX2 inline __m256i onSide(__m256i v, Places edge, __m256i turn) {
@@ -94,15 +85,6 @@ RESECT_AVX2 inline __m256i onSide(__m256i v, Places edge, __m256i turn) {
                                         _mm256_and_si256(edge, upper));
   const __m256i owned = _mm256_cmpgt_epi64(turned(owns, turn), _mm256_setzero_si256());
   return _mm256_cmpgt_epi64(v, owned);  // > -1 or > 0
-}
-
-// Rounded once, as the processor's own conversion: both halves are exact.
-RESECT_AVX2 inline __m256d toDouble(__m256i v) {
-  const __m256i low = _mm256_blend_epi32(_mm256_set1_epi64x(0x4330'0000'0000'0000), v, 0x55);
-  const __m256i high = _mm256_xor_si256(_mm256_srli_epi64(v, 32),
-                                        _mm256_set1_epi64x(0x4530'0000'8000'0000));  // 2^84 + 2^63
-  const __m256d both = _mm256_castsi256_pd(_mm256_set1_epi64x(0x4530'0000'8010'0000));  // and 2^52
-  return _mm256_add_pd(_mm256_sub_pd(_mm256_castsi256_pd(high), both), _mm256_castsi256_pd(low));
 }
 
 // Edge functions of a column at the origin are cross products of the corners.

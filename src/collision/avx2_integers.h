@@ -1,0 +1,31 @@
+// 64-bit integers of the columns' exact tests, four at a time with AVX2.
+#pragma once
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+
+#include <cstdint>
+
+#define RESECT_AVX2 __attribute__((target("avx2")))
+// Every function that gives such vectors is inlined: how they would be passed does not matter.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+namespace resect {
+
+// v, or -v where all bits of `turn` are set.
+RESECT_AVX2 inline __m256i turned(__m256i v, __m256i turn) {
+  return _mm256_sub_epi64(_mm256_xor_si256(v, turn), turn);
+}
+
+// Rounded once, as the processor's own conversion: both halves are exact.
+RESECT_AVX2 inline __m256d toDouble(__m256i v) {
+  const __m256i low = _mm256_blend_epi32(_mm256_set1_epi64x(0x4330'0000'0000'0000), v, 0x55);
+  const __m256i high = _mm256_xor_si256(_mm256_srli_epi64(v, 32),
+                                        _mm256_set1_epi64x(0x4530'0000'8000'0000));  // 2^84 + 2^63
+  const __m256d both = _mm256_castsi256_pd(_mm256_set1_epi64x(0x4530'0000'8010'0000));  // and 2^52
+  return _mm256_add_pd(_mm256_sub_pd(_mm256_castsi256_pd(high), both), _mm256_castsi256_pd(low));
+}
+
+}  // namespace resect
+
+#endif
