@@ -49,33 +49,46 @@ template <int kY, int kZ>
     }
 }
 
+// The bricks round a brick, by row: [z][y] from -1 on. nodesOf(x, y, z) gives one of them.
+template <typename NodesOf>
+[[gnu::always_inline]] inline void findRows(BrickRow (&rows)[3][3], NodesOf nodesOf) {
+  for (int z = -1; z <= 1; ++z)
+    for (int y = -1; y <= 1; ++y) {
+      BrickRow& row = rows[z + 1][y + 1];
+      row.middle = nodesOf(0, y, z);
+      if (y != 0 && z != 0) continue;
+      row.left = nodesOf(-1, y, z);
+      row.right = nodesOf(1, y, z);
+    }
+}
+
 // The values of the nodes of the halo; 0 outside the grid. Nodes that differ from the brick along
 // all three axes are left out.
 void gatherHalo(const ColourField& field, const Vec3i& brick, Halo& halo) {
   static constexpr float kOutside[kBrickSize] = {};
   const Vec3i dims = field.brickDims(), last = dims - Vec3i::Ones();
-  const bool within = (brick.array() > 0).all() && (brick.array() < last.array()).all();
   const std::int64_t index = field.brickIndex(brick), alongY = dims.x(), alongZ = alongY * dims.y();
-  const auto nodesOf = [&](int x, int y, int z) {
-    const Vec3i b = brick + Vec3i(x, y, z);
-    const bool exists = within || ((b.array() >= 0).all() && (b.array() <= last.array()).all());
-    return exists ? field.nodes(index + x + y * alongY + z * alongZ) : kOutside;
+  const auto nodesAt = [&](int x, int y, int z) {
+    return field.nodes(index + x + y * alongY + z * alongZ);
   };
-  const auto row = [&](int y, int z) {
-    const bool corner = y != 0 && z != 0;
-    const float* middle = nodesOf(0, y, z);
-    return BrickRow{corner ? middle : nodesOf(-1, y, z), middle,
-                    corner ? middle : nodesOf(1, y, z)};
-  };
-  copyRows<-1, -1>(row(-1, -1), halo);
-  copyRows<0, -1>(row(0, -1), halo);
-  copyRows<1, -1>(row(1, -1), halo);
-  copyRows<-1, 0>(row(-1, 0), halo);
-  copyRows<0, 0>(row(0, 0), halo);
-  copyRows<1, 0>(row(1, 0), halo);
-  copyRows<-1, 1>(row(-1, 1), halo);
-  copyRows<0, 1>(row(0, 1), halo);
-  copyRows<1, 1>(row(1, 1), halo);
+  BrickRow around[3][3];
+  if ((brick.array() > 0).all() && (brick.array() < last.array()).all())
+    findRows(around, nodesAt);
+  else
+    findRows(around, [&](int x, int y, int z) {
+      const Vec3i b = brick + Vec3i(x, y, z);
+      const bool exists = (b.array() >= 0).all() && (b.array() <= last.array()).all();
+      return exists ? nodesAt(x, y, z) : kOutside;
+    });
+  copyRows<-1, -1>(around[0][0], halo);
+  copyRows<0, -1>(around[0][1], halo);
+  copyRows<1, -1>(around[0][2], halo);
+  copyRows<-1, 0>(around[1][0], halo);
+  copyRows<0, 0>(around[1][1], halo);
+  copyRows<1, 0>(around[1][2], halo);
+  copyRows<-1, 1>(around[2][0], halo);
+  copyRows<0, 1>(around[2][1], halo);
+  copyRows<1, 1>(around[2][2], halo);
 }
 
 // Vertices keep this share of an edge away from its ends, so that no two of them fall together.

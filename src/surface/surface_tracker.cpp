@@ -94,7 +94,7 @@ void SurfaceTracker::takeWound(BrickMesh& mesh) {
   }
 }
 
-void SurfaceTracker::takeRecord(std::int64_t brick) {
+void SurfaceTracker::takeRecord(const ColourField& field, std::int64_t brick) {
   if (freeRecords_.empty()) {
     recordOf_[brick] = std::int32_t(bricks_.size());
     bricks_.emplace_back();
@@ -103,6 +103,9 @@ void SurfaceTracker::takeRecord(std::int64_t brick) {
     freeRecords_.pop_back();
     meshOf(brick) = {};
   }
+  const Vec3i at = field.brick(brick);
+  for (int axis = 0; axis < 3; ++axis)
+    meshOf(brick).last |= std::uint8_t((at[axis] + 1 == field.brickDims()[axis]) << axis);
 }
 
 void SurfaceTracker::dropRecord(std::int64_t brick) {
@@ -147,7 +150,7 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
       recordOf_[b] = recordWithoutMesh(field, b);
       continue;
     }
-    if (!hasMesh(b)) takeRecord(b);
+    if (!hasMesh(b)) takeRecord(field, b);
     BrickSigns& signs = meshOf(b).signs;
     renumbered_[i] |= signs.inside != newInside_[i];
     signs.inside = newInside_[i];

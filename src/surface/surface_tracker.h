@@ -118,6 +118,7 @@ class SurfaceTracker {
     std::int32_t firstTriangle = 0, triangles = 0;
     std::int16_t wholeTriangles = 0;  // of its cells as if none were cut
     bool drawAgain = false;           // in retriangulate_
+    std::uint8_t last = 0;            // is it the grid's last along x (bit 0), y, z?
     std::int32_t wound = kNone;       // into wounds_
   };
   struct Above {
@@ -137,7 +138,7 @@ class SurfaceTracker {
   }
   void clear(const ColourField& field);
   void remesh(const ColourField& field, std::span<const std::int64_t> bricks, const Wound* wound);
-  void takeRecord(std::int64_t brick);
+  void takeRecord(const ColourField& field, std::int64_t brick);
   void takeWound(BrickMesh& mesh);
   bool looksFar(std::int64_t brick) const {
     const std::int32_t wound = meshOf(brick).wound;

@@ -59,13 +59,12 @@ const std::array<DrawnCell, 256>& drawnCells() {
 // The brick itself and its seven neighbours above, numbered as in cornerMasks().
 SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64_t brick) const {
   Above result;
-  const Vec3i at = field.brick(brick), dims = field.brickDims();
+  const Vec3i dims = field.brickDims();
   const std::int64_t alongY = dims.x(), alongZ = alongY * dims.y();
-  const bool beyond[3] = {at.x() + 1 == dims.x(), at.y() + 1 == dims.y(), at.z() + 1 == dims.z()};
-  const int outside = beyond[0] | beyond[1] << 1 | beyond[2] << 2;
+  const int beyond = meshOf(brick).last;
   for (int d = 0; d < 8; ++d) {
     const std::int64_t index = brick + (d & 1) + (d >> 1 & 1) * alongY + (d >> 2) * alongZ;
-    result.mesh[d] = d & outside ? &bricks_[kOutside] : &meshOf(index);
+    result.mesh[d] = d & beyond ? &bricks_[kOutside] : &meshOf(index);
     result.inside[d] = result.mesh[d]->signs.inside;
   }
   return result;
