@@ -21,7 +21,7 @@ struct Diagram {
   Curve resect, peer;
 };
 
-constexpr double kWidth = 360, kHeight = 240, kLeft = 58, kTop = 44, kRight = 14, kBottom = 40;
+constexpr double kWidth = 430, kHeight = 240, kLeft = 58, kTop = 44, kRight = 14, kBottom = 40;
 
 constexpr const char *kOurs = "#b3261e", *kPeer = "#3b6ea5";
 
