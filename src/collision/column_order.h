@@ -8,16 +8,10 @@
 namespace resect {
 
 inline bool before(const Crossing& a, const Crossing& b) {
-  return (a.depth < b.depth) | ((a.depth == b.depth) & (a.sign > b.sign));
+  return a.depth < b.depth || (a.depth == b.depth && a.sign > b.sign);
 }
 
 inline void sortColumn(Crossing* first, Crossing* last) {
-  if (last - first == 2) {  // most columns: turned round without a branch, which nobody could guess
-    const bool turn = before(first[1], first[0]);
-    const Crossing low = first[turn], high = first[!turn];
-    first[0] = low, first[1] = high;
-    return;
-  }
   if (last - first > 32) {
     std::sort(first, last, before);
     return;
