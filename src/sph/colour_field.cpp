@@ -134,6 +134,9 @@ ColourField::Reach ColourField::reach(const Vec3i& b) const {
 void ColourField::classifyBricks(const Discretization& cells) {
   const Vec3i dims = lattice_.dims;
   const std::size_t across = std::size_t(paddedDims_.x()), down = std::size_t(paddedDims_.y());
+  const auto rowOf = [&](int y, int z) {
+    return std::size_t(z + kPadBelow) * down + std::size_t(y + kPadBelow);
+  };
   HeldBits held(down * std::size_t(paddedDims_.z()), across);
   parallelFor(std::size_t(paddedDims_.z()), 4, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin * down; row < end * down; ++row) {
@@ -160,14 +163,12 @@ void ColourField::classifyBricks(const Discretization& cells) {
         std::vector<std::uint64_t> some(held.words), full(held.words);
         for (std::size_t i = begin; i < end; ++i) {
           const Vec3i b(0, int(i) % brickDims_.y(), int(i) / brickDims_.y()), low = windowCell(b);
-          const Vec3i end(0, highestCell(b.y()) + 1, highestCell(b.z()) + 1);
+          const int rows = highestCell(b.y()) - low.y() + 1;
           for (std::size_t w = 0; w < held.words; ++w) {
             std::uint64_t any = 0, all = ~std::uint64_t(0);
-            for (int z = low.z(); z < end.z(); ++z) {
-              std::size_t at = held.words * (std::size_t(z + kPadBelow) * down +
-                                             std::size_t(low.y() + kPadBelow)) +
-                               w;
-              for (int y = low.y(); y < end.y(); ++y, at += held.words)
+            for (int z = low.z(); z <= highestCell(b.z()); ++z) {
+              std::size_t at = rowOf(low.y(), z) * held.words + w;
+              for (int y = 0; y < rows; ++y, at += held.words)
                 any |= held.some[at], all &= held.full[at];
             }
             some[w] = any, full[w] = all;

@@ -41,7 +41,8 @@ struct SurfaceVertex {
   float cut;       // 0 on the original skin ... 1 well inside what was tissue before any cut
 };
 
-// Writes signs.vertexCount() vertices, each part of them into an array of its own.
+// Writes signs.vertexCount() vertices, each part of them into an array of its own; `normals` has
+// room for up to three more, which are written too.
 void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSigns& signs, float iso,
                    Vec3f* points, Vec3f* normals, float* cut);
 
