@@ -1,4 +1,5 @@
-// The colour field from nothing, at refine 2: all bricks that can hold the surface.
+// The colour field from nothing, with one and two nodes a cell: all bricks that can hold the
+// surface.
 
 #include <benchmark/benchmark.h>
 
@@ -13,7 +14,7 @@ void buildField(benchmark::State& state) {
   const Discretization cells = bench::liverCells(double(state.range(0)));
   double nodes = 0;
   for (auto _ : state) {
-    const ColourField field(cells, 2);
+    const ColourField field(cells, int(state.range(1)));
     nodes = double(field.slotCount()) * kBrickSize;
     benchmark::DoNotOptimize(field.values(0).data());
   }
@@ -21,6 +22,6 @@ void buildField(benchmark::State& state) {
   state.counters["per node"] = benchmark::Counter(
       nodes, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
-BENCHMARK(buildField)->Apply(bench::upToAMillion)->Unit(benchmark::kMillisecond);
+BENCHMARK(buildField)->Apply(bench::upToAMillionOfNodes)->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -60,6 +60,12 @@ void atDepths(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgName("depth_mm")->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMicrosecond);
 }
 
+void upToAMillionOfNodes(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgNames({"particles", "refine"})
+      ->ArgsProduct({{10'000, 100'000, 1'000'000}, {1, 2}})
+      ->UseRealTime();
+}
+
 void upToAMillion(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgName("particles")->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->UseRealTime();
 }

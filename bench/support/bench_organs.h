@@ -31,5 +31,7 @@ void atDepths(benchmark::internal::Benchmark* benchmark);
 
 // ->Apply(bench::upToAMillion): argument "particles" of 10^4, 10^5 and 10^6, wall time.
 void upToAMillion(benchmark::internal::Benchmark* benchmark);
+// The same with a second argument "refine", nodes per cell: 1 and 2.
+void upToAMillionOfNodes(benchmark::internal::Benchmark* benchmark);
 
 }  // namespace resect::bench

@@ -15,7 +15,7 @@ benchmark::Counter timePer(double items) {
 }
 
 void buildSurface(benchmark::State& state) {
-  const ColourField field(bench::liverCells(double(state.range(0))), 2);
+  const ColourField field(bench::liverCells(double(state.range(0))), int(state.range(1)));
   double triangles = 0;
   for (auto _ : state) {
     const SurfaceTracker surface(field, 50);
@@ -44,7 +44,7 @@ void updateAfterBite(benchmark::State& state) {
 void sizes(benchmark::internal::Benchmark* b) {
   b->ArgName("particles")->Arg(1'000)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->UseRealTime();
 }
-BENCHMARK(buildSurface)->Apply(sizes)->Unit(benchmark::kMillisecond);
+BENCHMARK(buildSurface)->Apply(bench::upToAMillionOfNodes)->Unit(benchmark::kMillisecond);
 BENCHMARK(updateAfterBite)->Apply(sizes)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
