@@ -18,39 +18,51 @@ constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that w
 constexpr int kMostBricks = 6;       // that a cell reaches along an axis: 17 nodes at refine 4
 constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
 
-// What each cell of the padded lattice holds, as bits: anything, and all it can? Row after row,
-// each from the start of a word on.
+// What each cell of the padded lattice holds, as bits: anything at all, and less than all it can?
+// Row after row; of each first the words of the one, then those of the other.
 struct HeldBits {
-  std::size_t words;  // of a row, one of them beyond its end
-  RawArray<std::uint64_t> some, full;
+  static constexpr std::size_t kWord = 64, kChunk = 4;  // cells; words that are combined at once
+  std::size_t words, row;                               // of either kind, and of both, rounded up
+  RawArray<std::uint64_t> bits;
 
   HeldBits(std::size_t rows, std::size_t cells)
-      : words(cells / kWord + 2), some(rows * words), full(rows * words) {}
-  static constexpr std::size_t kWord = 64;
+      : words((cells + kWord - 1) / kWord),
+        row((2 * words + kChunk - 1) / kChunk * kChunk),
+        bits(rows * row) {}
 };
 
 // Bits beyond the row's end tell of what lies behind it: they are not asked for.
 RESECT_WIDEST
-void holdOfRow(const float* cells, std::size_t count, std::uint64_t* some, std::uint64_t* full) {
-  alignas(32) std::uint8_t isSome[HeldBits::kWord], isFull[HeldBits::kWord];
-  for (std::size_t first = 0; first < count; first += HeldBits::kWord) {
-    for (std::size_t i = 0; i < HeldBits::kWord; ++i) {
-      isSome[i] = cells[first + i] != 0.f ? 255 : 0;
-      isFull[i] = cells[first + i] == 100.f ? 255 : 0;
-    }
-    *some++ = flagBits(isSome);
-    *full++ = flagBits(isFull);
+void holdOfRow(const float* cells, const HeldBits& held, std::uint64_t* bits) {
+  for (std::size_t w = 0; w < held.words; ++w) {
+    const float* from = cells + w * HeldBits::kWord;
+    bits[w] = compared(from, [](const FourValues& v) -> FourFlags { return v != 0.f; });
+    bits[held.words + w] =
+        compared(from, [](const FourValues& v) -> FourFlags { return v != 100.f; });
   }
 }
 
-// What do `width` cells hold from each cell of a row on: anything, or all of them all they can?
-void holdAlong(std::size_t words, int width, std::uint64_t* some, std::uint64_t* full) {
-  for (std::size_t w = 0; w + 1 < words; ++w) {
-    const std::uint64_t someHere = some[w], fullHere = full[w];
-    for (int k = 1; k < width; ++k) {
-      some[w] |= someHere >> k | some[w + 1] << (64 - k);
-      full[w] &= fullHere >> k | full[w + 1] << (64 - k);
+// What a box of rows holds together, rows x planes of them from `first` on.
+RESECT_WIDEST
+void holdOfRows(const HeldBits& held, std::size_t first, int rows, int planes, std::size_t perPlane,
+                std::uint64_t* bits) {
+  for (std::size_t chunk = 0; chunk < held.row; chunk += HeldBits::kChunk) {
+    std::uint64_t any[HeldBits::kChunk] = {};
+    for (int z = 0; z < planes; ++z) {
+      const std::uint64_t* row =
+          held.bits.data() + (first + std::size_t(z) * perPlane) * held.row + chunk;
+      for (int y = 0; y < rows; ++y, row += held.row)
+        for (std::size_t k = 0; k < HeldBits::kChunk; ++k) any[k] |= row[k];
     }
+    std::memcpy(bits + chunk, any, sizeof any);
+  }
+}
+
+// From each cell of a row on: what `width` cells hold.
+void holdAlong(std::size_t words, int width, std::uint64_t* bits) {
+  for (std::size_t w = 0; w < words; ++w) {
+    const std::uint64_t here = bits[w], next = w + 1 < words ? bits[w + 1] : 0;
+    for (int k = 1; k < width; ++k) bits[w] |= here >> k | next << (64 - k);
   }
 }
 
@@ -75,12 +87,15 @@ ColourField::ColourField(const Discretization& cells, int refine)
   originalOf_.assign(slotOf_.size(), kUnedited);
   pendingOf_.assign(slotOf_.size(), 0);
   classifyBricks(cells);
-  std::vector<std::int64_t> stored;
-  for (std::size_t b = 0; b < slotOf_.size(); ++b)
-    if (slotOf_[b] == 0) {
-      slotOf_[b] = std::int32_t(stored.size());
-      stored.push_back(std::int64_t(b));
-    }
+  std::vector<std::int64_t> stored(slotOf_.size());
+  std::size_t count = 0;
+  for (std::size_t b = 0; b < slotOf_.size(); ++b) {
+    const bool mixed = slotOf_[b] == 0;
+    if (mixed) slotOf_[b] = std::int32_t(count);
+    stored[count] = std::int64_t(b);
+    count += mixed;
+  }
+  stored.resize(count);
   putFullAndEmpty(originals_);
   growTo(values_, place(std::int32_t(stored.size())));
   putFullAndEmpty(values_);
@@ -139,47 +154,39 @@ void ColourField::classifyBricks(const Discretization& cells) {
   };
   HeldBits held(down * std::size_t(paddedDims_.z()), across);
   parallelFor(std::size_t(paddedDims_.z()), 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin * down; row < end * down; ++row) {
-      const int y = int(row % down) - kPadBelow, z = int(row / down) - kPadBelow;
-      float* to = cells_.data() + row * across;
-      std::uint64_t *some = held.some.data() + row * held.words,
-                    *full = held.full.data() + row * held.words;
-      if (y < 0 || y >= dims.y() || z < 0 || z >= dims.z()) {
-        std::fill_n(to, across, 0.f);
-        std::fill_n(some, held.words, 0);
-        std::fill_n(full, held.words, 0);
-        continue;
+    for (int z = int(begin) - kPadBelow; z < int(end) - kPadBelow; ++z)
+      for (int y = -kPadBelow; y < dims.y() + kPadAbove; ++y) {
+        float* to = cells_.data() + rowOf(y, z) * across;
+        std::uint64_t* bits = held.bits.data() + rowOf(y, z) * held.row;
+        if (y < 0 || y >= dims.y() || z < 0 || z >= dims.z()) {
+          std::fill_n(to, across, 0.f);
+          std::fill_n(bits, held.words, 0);
+          std::fill_n(bits + held.words, held.words, ~std::uint64_t(0));
+          continue;
+        }
+        std::fill_n(to, kPadBelow, 0.f);
+        std::copy_n(cells.value.data() + lattice_.index({0, y, z}), dims.x(), to + kPadBelow);
+        std::fill_n(to + kPadBelow + dims.x(), kPadAbove, 0.f);
+        holdOfRow(to, held, bits);
       }
-      std::fill_n(to, kPadBelow, 0.f);
-      std::copy_n(cells.value.data() + lattice_.index({0, y, z}), dims.x(), to + kPadBelow);
-      std::fill_n(to + kPadBelow + dims.x(), kPadAbove, 0.f);
-      some[held.words - 1] = some[held.words - 2] = full[held.words - 1] = full[held.words - 2] = 0;
-      holdOfRow(to, across, some, full);
-    }
   });
   const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
   parallelFor(
       std::size_t(brickDims_.y()) * brickDims_.z(), 64, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::uint64_t> some(held.words), full(held.words);
+        std::vector<std::uint64_t> bits(held.row);
         for (std::size_t i = begin; i < end; ++i) {
           const Vec3i b(0, int(i) % brickDims_.y(), int(i) / brickDims_.y()), low = windowCell(b);
-          const int rows = highestCell(b.y()) - low.y() + 1;
-          for (std::size_t w = 0; w < held.words; ++w) {
-            std::uint64_t any = 0, all = ~std::uint64_t(0);
-            for (int z = low.z(); z <= highestCell(b.z()); ++z) {
-              std::size_t at = rowOf(low.y(), z) * held.words + w;
-              for (int y = 0; y < rows; ++y, at += held.words)
-                any |= held.some[at], all &= held.full[at];
-            }
-            some[w] = any, full[w] = all;
-          }
-          holdAlong(held.words, width, some.data(), full.data());
+          holdOfRows(held, rowOf(low.y(), low.z()), highestCell(b.y()) - low.y() + 1,
+                     highestCell(b.z()) - low.z() + 1, down, bits.data());
+          const std::uint64_t *some = bits.data(), *less = some + held.words;
+          holdAlong(held.words, width, bits.data());
+          holdAlong(held.words, width, bits.data() + held.words);
           std::int32_t* slot = slotOf_.data() + brickIndex(b);
           for (int x = 0; x < brickDims_.x(); ++x) {
-            const unsigned bit = unsigned(windowCell({x, 0, 0}).x() + kPadBelow);
-            slot[x] = !(some[bit / 64] >> bit % 64 & 1) ? kEmpty
-                      : full[bit / 64] >> bit % 64 & 1  ? kFull
-                                                        : 0;
+            const unsigned bit = unsigned(kBrickNodes * x / refine_);  // of the padded row
+            slot[x] = !(some[bit / 64] >> bit % 64 & 1)   ? kEmpty
+                      : !(less[bit / 64] >> bit % 64 & 1) ? kFull
+                                                          : 0;
           }
         }
       });

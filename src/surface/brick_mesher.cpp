@@ -18,11 +18,19 @@ constexpr int kStep[3] = {1, kHaloRow, kHalo* kHaloRow};
 // Place in the halo of the brick's node (x, y, z), each -1 to 5.
 constexpr int at(int x, int y, int z) { return ((z + 1) * kHalo + y + 1) * kHaloRow + x + 1; }
 
-// The same of its 64 nodes by number.
-constexpr std::array<std::int32_t, kBrickSize> kPlaceOf = [] {
-  std::array<std::int32_t, kBrickSize> places{};
-  for (int n = 0; n < kBrickSize; ++n) places[std::size_t(n)] = at(n & 3, n >> 2 & 3, n >> 4);
-  return places;
+// For each edge of a brick, by number: the places of its ends.
+struct EdgeEnds {
+  std::array<std::uint16_t, kBrickEdges + 1> low{}, high{};
+};
+constexpr EdgeEnds kEnds = [] {
+  EdgeEnds ends;
+  for (std::size_t edge = 0; edge < kBrickEdges; ++edge) {
+    const int node = int(edge % kBrickSize), low = at(node & 3, node >> 2 & 3, node >> 4);
+    ends.low[edge] = std::uint16_t(low);
+    ends.high[edge] = std::uint16_t(low + kStep[edge / kBrickSize]);
+  }
+  ends.low[kNoEdge] = ends.high[kNoEdge] = std::uint16_t(at(0, 0, 0));
+  return ends;
 }();
 
 // Nodes of the bricks beside a brick along x, and of itself.
@@ -63,22 +71,24 @@ template <typename NodesOf>
 }
 
 // The values of the nodes of the halo; 0 outside the grid. Nodes that differ from the brick along
-// all three axes are left out.
-void gatherHalo(const ColourField& field, const Vec3i& brick, Halo& halo) {
+// all three axes are left out. The brick's place comes as numbers, for a vector would be written to
+// memory and read back in other pieces.
+void gatherHalo(const ColourField& field, std::int64_t index, int x, int y, int z, Halo& halo) {
   static constexpr float kOutside[kBrickSize] = {};
-  const Vec3i dims = field.brickDims(), last = dims - Vec3i::Ones();
-  const std::int64_t index = field.brickIndex(brick), alongY = dims.x(), alongZ = alongY * dims.y();
-  const auto nodesAt = [&](int x, int y, int z) {
-    return field.nodes(index + x + y * alongY + z * alongZ);
+  const int dimX = field.brickDims().x(), dimY = field.brickDims().y(),
+            dimZ = field.brickDims().z();
+  const std::int64_t alongY = dimX, alongZ = alongY * dimY;
+  const auto nodesAt = [&](int dx, int dy, int dz) {
+    return field.nodes(index + dx + dy * alongY + dz * alongZ);
   };
   BrickRow around[3][3];
-  if ((brick.array() > 0).all() && (brick.array() < last.array()).all())
+  if (x > 0 && y > 0 && z > 0 && x + 1 < dimX && y + 1 < dimY && z + 1 < dimZ)
     findRows(around, nodesAt);
   else
-    findRows(around, [&](int x, int y, int z) {
-      const Vec3i b = brick + Vec3i(x, y, z);
-      const bool exists = (b.array() >= 0).all() && (b.array() <= last.array()).all();
-      return exists ? nodesAt(x, y, z) : kOutside;
+    findRows(around, [&](int dx, int dy, int dz) {
+      const bool exists = x + dx >= 0 && y + dy >= 0 && z + dz >= 0 && x + dx < dimX &&
+                          y + dy < dimY && z + dz < dimZ;
+      return exists ? nodesAt(dx, dy, dz) : kOutside;
     });
   copyRows<-1, -1>(around[0][0], halo);
   copyRows<0, -1>(around[0][1], halo);
@@ -99,122 +109,134 @@ constexpr float kCutRange = 15;
 
 // Numbers of four vertices.
 typedef float Four __attribute__((vector_size(16)));
-typedef float Two __attribute__((vector_size(8)));
+typedef std::int32_t FourInts __attribute__((vector_size(16)));
+typedef double FourDoubles __attribute__((vector_size(32)));
 
-// The crossed edges of a brick, number by number; up to the next multiple of four, edges that count
-// for nothing.
-struct CrossedEdges {
-  static constexpr int kMost = 3 * kBrickSize;
-  int count = 0;
-  std::array<std::uint8_t, kMost> node;       // the lower end, 0 to 63
-  std::array<std::int32_t, kMost> low, high;  // places of both ends in the halo
-  std::array<float, kMost> way;               // of the vertex along the edge, 0 to 1
+// Writes four points from their coordinates.
+[[gnu::always_inline]] inline void store(const Four& x, const Four& y, const Four& z, Vec3f* out) {
+  const Four zx = __builtin_shufflevector(z, x, 0, 0, 5, 5),
+             yz = __builtin_shufflevector(y, z, 1, 1, 5, 5),
+             zx3 = __builtin_shufflevector(z, x, 2, 2, 7, 7),
+             yz3 = __builtin_shufflevector(y, z, 3, 3, 7, 7),
+             low = __builtin_shufflevector(x, y, 0, 4, 1, 5),
+             high = __builtin_shufflevector(x, y, 2, 6, 3, 7);
+  const Four first = __builtin_shufflevector(low, zx, 0, 1, 4, 6),
+             second = __builtin_shufflevector(yz, high, 0, 2, 4, 5),
+             third = __builtin_shufflevector(zx3, yz3, 0, 2, 4, 6);
+  float* to = out->data();
+  std::memcpy(to, &first, sizeof first);
+  std::memcpy(to + 4, &second, sizeof second);
+  std::memcpy(to + 8, &third, sizeof third);
+}
 
-  template <int kAxis>
-  [[gnu::always_inline]] void add(std::uint64_t crossing) {
-    for (; crossing != 0; crossing &= crossing - 1) {
-      const int n = std::countr_zero(crossing);
-      const auto i = std::size_t(count++);
-      node[i] = std::uint8_t(n);
-      low[i] = kPlaceOf[std::size_t(n)];
-      high[i] = kPlaceOf[std::size_t(n)] + kStep[kAxis];
-    }
-  }
-  void fillUp() {
-    for (auto i = std::size_t(count); i % 4 != 0; ++i) low[i] = high[i] = at(0, 0, 0);
+// Where a brick's nodes lie (rest space, m).
+struct NodeGrid {
+  Vec3 origin, step;
+  Vec3f spacing, perSpacing;
+
+  NodeGrid(const ColourField& field, int x, int y, int z)
+      : origin(field.nodePlace(0, kBrickNodes * x), field.nodePlace(1, kBrickNodes * y),
+               field.nodePlace(2, kBrickNodes * z)),
+        step(field.lattice().spacing / field.refine()),
+        spacing(step.cast<float>()),
+        perSpacing(spacing.cwiseInverse()) {}
+};
+
+// The lower (or upper) ends of four edges.
+struct Ends {
+  const float* node[4];
+
+  Ends(const Halo& halo, const decltype(kEnds.low)& place, const std::uint8_t* edge)
+      : node{&halo[place[edge[0]]], &halo[place[edge[1]]], &halo[place[edge[2]]],
+             &halo[place[edge[3]]]} {}
+  // The values a step on from them.
+  Four operator[](int step) const {
+    return Four{node[0][step], node[1][step], node[2][step], node[3][step]};
   }
 };
 
-// Where four edges cross the iso level, and the normals there. The differences of neighbouring
-// nodes are per node spacing; a stretched lattice turns them into slopes by its own. Aims at 30
-// instructions a vertex.
-[[gnu::always_inline]] inline void interpolateFour(const Halo& halo, const Vec3f& perSpacing,
-                                                   float iso, std::size_t i, CrossedEdges& edges,
-                                                   Vec3f* normals) {
-  struct Ends {
-    const float* node[4];
-    explicit Ends(const Halo& halo, const std::int32_t* place)
-        : node{&halo[std::size_t(place[0])], &halo[std::size_t(place[1])],
-               &halo[std::size_t(place[2])], &halo[std::size_t(place[3])]} {}
-    // The values a step on from them.
-    Four operator[](int step) const {
-      return Four{node[0][step], node[1][step], node[2][step], node[3][step]};
-    }
-  };
-  const Ends low(halo, &edges.low[i]), high(halo, &edges.high[i]);
-  const Four crossing = (iso - low[0]) / (high[0] - low[0]);
-  const Four least = Four{} + kEndMargin, most = 1 - least;
-  Four way = crossing > least ? crossing : least;
-  way = way < most ? way : most;
-  std::memcpy(&edges.way[i], &way, sizeof way);
+struct Slopes {
+  Four along[3];
+};
 
-  Four slope[3];
+// How far along each of four edges does it cross the iso level, 0 to 1?
+[[gnu::always_inline]] inline Four wayAlong(const Halo& halo, float iso, const std::uint8_t* edge) {
+  const Four low = Ends(halo, kEnds.low, edge)[0], high = Ends(halo, kEnds.high, edge)[0];
+  const Four crossing = (iso - low) / (high - low);
+  const Four least = Four{} + kEndMargin, most = 1 - least;
+  const Four way = crossing > least ? crossing : least;
+  return way < most ? way : most;
+}
+
+// The field's slopes there. The differences of neighbouring nodes are per node spacing; a stretched
+// lattice turns them into slopes by its own.
+[[gnu::always_inline]] inline Slopes slopesAt(const Halo& halo, const Vec3f& perSpacing,
+                                              const std::uint8_t* edge, const Four& way) {
+  const Ends low(halo, kEnds.low, edge), high(halo, kEnds.high, edge);
+  Slopes slopes;
   for (int k = 0; k < 3; ++k) {
     const Four below = low[kStep[k]] - low[-kStep[k]], above = high[kStep[k]] - high[-kStep[k]];
-    slope[k] = ((1 - way) * below + way * above) * perSpacing[k];
+    slopes.along[k] = ((1 - way) * below + way * above) * perSpacing[k];
   }
-  const Four square = slope[0] * slope[0] + (slope[1] * slope[1] + slope[2] * slope[2]);
+  return slopes;
+}
+
+[[gnu::always_inline]] inline void storeNormals(const Slopes& slopes, Vec3f* normals) {
+  const Four *along = slopes.along, none{};
+  const Four square = along[0] * along[0] + (along[1] * along[1] + along[2] * along[2]);
   Four root;
   for (int lane = 0; lane < 4; ++lane) root[lane] = std::sqrt(square[lane]);
   // The root and the quotient do not wait for each other.
-  const Four outwards = -root * (1 / square), none{};
-  const Four x = square > none ? slope[0] * outwards : none,
-             y = square > none ? slope[1] * outwards : none + 1,
-             z = square > none ? slope[2] * outwards : none;
-  const Four first = __builtin_shufflevector(x, y, 0, 4, 1, 5),
-             second = __builtin_shufflevector(x, y, 2, 6, 3, 7);
-  const Two xy[4] = {
-      __builtin_shufflevector(first, first, 0, 1), __builtin_shufflevector(first, first, 2, 3),
-      __builtin_shufflevector(second, second, 0, 1), __builtin_shufflevector(second, second, 2, 3)};
-  for (int lane = 0; lane < 4; ++lane) {
-    std::memcpy(normals[lane].data(), &xy[lane], sizeof xy[lane]);
-    normals[lane].z() = z[lane];
+  const Four outwards = -root * (1 / square);
+  store(square > none ? along[0] * outwards : none, square > none ? along[1] * outwards : none + 1,
+        square > none ? along[2] * outwards : none, normals);
+}
+
+[[gnu::always_inline]] inline void storePoints(const NodeGrid& grid, const std::uint8_t* edge,
+                                               const Four& way, Vec3f* points) {
+  const FourInts number{edge[0], edge[1], edge[2], edge[3]}, axis = number >> 6;
+  Four at[3];
+  for (int k = 0; k < 3; ++k) {
+    const FourDoubles node = __builtin_convertvector(number >> 2 * k & 3, FourDoubles);
+    const Four along = way * grid.spacing[k];
+    at[k] = __builtin_convertvector(grid.origin[k] + node * grid.step[k], Four) +
+            (axis == k ? along : Four{});
   }
+  store(at[0], at[1], at[2], points);
 }
 
 }  // namespace
 
+// Step by step for all vertices, not vertex by vertex: so the divisions and roots of many are under
+// way at once. Aims at 40 instructions a vertex.
 RESECT_WIDEST
-void brickVertices(const ColourField& field, const Vec3i& brick, const BrickSigns& signs, float iso,
+void brickVertices(const ColourField& field, std::int64_t brick, const BrickSigns& signs, float iso,
                    Vec3f* points, Vec3f* normals, float* cut) {
+  const Vec3i place = field.brick(brick);
   Halo halo;
-  gatherHalo(field, brick, halo);
-  CrossedEdges edges;
-  edges.add<0>(signs.crossing[0]);
-  edges.add<1>(signs.crossing[1]);
-  edges.add<2>(signs.crossing[2]);
-  edges.fillUp();
-  const Vec3 step = field.lattice().spacing / field.refine();
-  const Vec3f spacing = step.cast<float>(), perSpacing = spacing.cwiseInverse();
-  for (std::size_t i = 0; i < std::size_t(edges.count); i += 4)
-    interpolateFour(halo, perSpacing, iso, i, edges, normals + i);
-
-  const Vec3i first = kBrickNodes * brick;
-  const Vec3 origin = field.nodePosition(first.cast<double>());
-  Vec3f nodes[kBrickNodes];  // where the nodes lie: x of those with that number along x, ...
-  for (int n = 0; n < kBrickNodes; ++n) nodes[n] = Vec3(origin + n * step).cast<float>();
-  const auto place = [&]<int kAxis>() {
-    for (int i = signs.firstVertex[kAxis]; i < signs.firstVertex[kAxis + 1]; ++i) {
-      const int node = edges.node[std::size_t(i)];
-      Vec3f p(nodes[node & 3].x(), nodes[node >> 2 & 3].y(), nodes[node >> 4].z());
-      p[kAxis] += edges.way[std::size_t(i)] * spacing[kAxis];
-      points[i] = p;
-    }
-  };
-  place.operator()<0>();
-  place.operator()<1>();
-  place.operator()<2>();
-  std::fill_n(cut, edges.count, 0.f);
-  if (!field.edited(field.brickIndex(brick))) return;
-  for (int axis = 0; axis < 3; ++axis)
-    for (int i = signs.firstVertex[axis]; i < signs.firstVertex[axis + 1]; ++i) {
-      const int node = edges.node[i];
-      const Vec3i from = first + Vec3i(node & 3, node >> 2 & 3, node >> 4);
-      const float t = edges.way[i];
-      const float before =
-          (1 - t) * field.originalNode(from) + t * field.originalNode(from + Vec3i::Unit(axis));
-      cut[i] = std::clamp((before - iso) / kCutRange, 0.f, 1.f);
-    }
+  gatherHalo(field, brick, place.x(), place.y(), place.z(), halo);
+  const CrossedEdges edges(signs);
+  const std::uint8_t* edge = edges.number.data();
+  const NodeGrid grid(field, place.x(), place.y(), place.z());
+  constexpr std::size_t kMost = CrossedEdges::kMost / 4;
+  std::array<Four, kMost> way;
+  std::array<Slopes, kMost> slopes;
+  const std::size_t fours = std::size_t(signs.vertexCount() + 3) / 4;
+  for (std::size_t i = 0; i < fours; ++i) way[i] = wayAlong(halo, iso, edge + 4 * i);
+  for (std::size_t i = 0; i < fours; ++i)
+    slopes[i] = slopesAt(halo, grid.perSpacing, edge + 4 * i, way[i]);
+  for (std::size_t i = 0; i < fours; ++i) storeNormals(slopes[i], normals + 4 * i);
+  for (std::size_t i = 0; i < fours; ++i) storePoints(grid, edge + 4 * i, way[i], points + 4 * i);
+  for (std::size_t i = 0; i < fours; ++i) std::memset(cut + 4 * i, 0, sizeof(Four));
+  if (!field.edited(brick)) return;
+  const Vec3i first = kBrickNodes * place;
+  for (int i = 0; i < signs.vertexCount(); ++i) {
+    const Vec3i from = first + Vec3i(edge[i] & 3, edge[i] >> 2 & 3, edge[i] >> 4 & 3);
+    const float t = way[std::size_t(i / 4)][i % 4];
+    const float before = (1 - t) * field.originalNode(from) +
+                         t * field.originalNode(from + Vec3i::Unit(edge[i] / kBrickSize));
+    cut[i] = std::clamp((before - iso) / kCutRange, 0.f, 1.f);
+  }
 }
 
 }  // namespace resect

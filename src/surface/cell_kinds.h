@@ -1,21 +1,44 @@
 // Which corners of a brick's 64 cells are inside? All cells at once, as bits.
+//
+// Inlined, so that they are made for the instruction set of the function that calls them.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
+#include "base/flag_bits.h"
 #include "sph/field_stencil.h"
 
 namespace resect {
 
 // Which of a brick's 64 nodes are inside (value >= iso)? Bit = node, x fastest.
-std::uint64_t insideMask(std::span<const float, kBrickSize> nodes, float iso);
+[[gnu::always_inline]] inline std::uint64_t insideMask(std::span<const float, kBrickSize> nodes,
+                                                       float iso) {
+  return compared(nodes.data(), [iso](const FourValues& v) -> FourFlags { return v >= iso; });
+}
 
 // Which corners of its 64 cells are inside, given the inside masks of the brick and of its seven
 // neighbours above (number: 1 for a step along x, 2 along y, 4 along z)? Mask c holds corner c, bit
 // = cell; corner 0 is the brick's own mask.
-std::array<std::uint64_t, 8> cornerMasks(const std::array<std::uint64_t, 8>& inside);
+[[gnu::always_inline]] inline std::array<std::uint64_t, 8> cornerMasks(
+    const std::array<std::uint64_t, 8>& inside) {
+  // The masks one node further along an axis: bits move down, those of the neighbour come in.
+  const auto alongX = [](std::uint64_t own, std::uint64_t next) {
+    return (own >> 1 & 0x7777777777777777) | (next & 0x1111111111111111) << 3;
+  };
+  const auto alongY = [](std::uint64_t own, std::uint64_t next) {
+    return (own >> 4 & 0x0fff0fff0fff0fff) | (next & 0x000f000f000f000f) << 12;
+  };
+  const auto alongZ = [](std::uint64_t own, std::uint64_t next) { return own >> 16 | next << 48; };
+  std::array<std::uint64_t, 8> mask = inside;
+  for (const int d : {0, 2, 4, 6}) mask[d + 1] = alongX(inside[d], inside[d + 1]);
+  for (const int d : {0, 1, 4, 5}) mask[d + 2] = alongY(mask[d], mask[d + 2]);
+  for (const int d : {0, 1, 2, 3}) mask[d + 4] = alongZ(mask[d], mask[d + 4]);
+  return mask;
+}
 
 // The cells that the surface runs through: those with corners on both sides.
 inline std::uint64_t crossedCells(const std::array<std::uint64_t, 8>& corners) {
@@ -24,11 +47,69 @@ inline std::uint64_t crossedCells(const std::array<std::uint64_t, 8>& corners) {
   return any & ~all;
 }
 
+namespace bits {
+
+typedef std::uint8_t Bytes __attribute__((vector_size(16)));
+typedef std::uint16_t Pairs __attribute__((vector_size(16)));
+typedef std::uint32_t Fours __attribute__((vector_size(16)));
+typedef std::uint64_t Words __attribute__((vector_size(16)));
+
+// Each word as eight rows of eight bits: rows and columns change places, by blocks of one bit, two
+// and four (Knuth, The Art of Computer Programming 4A, 7.1.3).
+[[gnu::always_inline]] inline Words transposeBits(Words w) {
+  const auto swap = [&w](int way, std::uint64_t which) {
+    const Words moved = (w ^ w >> way) & which;
+    w ^= moved ^ moved << way;
+  };
+  swap(7, 0x00aa00aa00aa00aa);
+  swap(14, 0x0000cccc0000cccc);
+  swap(28, 0x00000000f0f0f0f0);
+  return w;
+}
+
+}  // namespace bits
+
 // Per cell its eight corner bits: the same 512 bits, cell by cell.
 using CellKinds = std::array<std::uint8_t, kBrickSize>;
-CellKinds cellKinds(const std::array<std::uint64_t, 8>& corners);
 
-// How many triangles marching cubes draws in `cells`.
-int countTriangles(const CellKinds& kinds, std::uint64_t cells);
+// The bytes of the eight masks are laid side by side, eight cells of all corners to a word; then
+// the bits of each word are turned. Aims at 120 instructions.
+[[gnu::always_inline]] inline CellKinds cellKinds(const std::array<std::uint64_t, 8>& corners) {
+  bits::Pairs two[4];  // corners 2 k and 2 k + 1 of cells 0 to 7, 8 to 15, ...
+  for (std::size_t k = 0; k < 4; ++k) {
+    bits::Bytes b;
+    std::memcpy(&b, &corners[2 * k], sizeof b);
+    two[k] = bits::Pairs(
+        __builtin_shufflevector(b, b, 0, 8, 1, 9, 2, 10, 3, 11, 4, 12, 5, 13, 6, 14, 7, 15));
+  }
+  bits::Fours four[2][2];  // [which corners][which cells]
+  for (int k = 0; k < 2; ++k) {
+    four[k][0] =
+        bits::Fours(__builtin_shufflevector(two[2 * k], two[2 * k + 1], 0, 8, 1, 9, 2, 10, 3, 11));
+    four[k][1] = bits::Fours(
+        __builtin_shufflevector(two[2 * k], two[2 * k + 1], 4, 12, 5, 13, 6, 14, 7, 15));
+  }
+  CellKinds kinds;
+  for (int half = 0; half < 2; ++half) {
+    const bits::Fours &low = four[0][half], &high = four[1][half];
+    const bits::Words all[2] = {
+        bits::transposeBits(bits::Words(__builtin_shufflevector(low, high, 0, 4, 1, 5))),
+        bits::transposeBits(bits::Words(__builtin_shufflevector(low, high, 2, 6, 3, 7)))};
+    std::memcpy(kinds.data() + 32 * half, all, sizeof all);
+  }
+  return kinds;
+}
+
+// Per kind how many triangles marching cubes draws.
+const std::array<std::uint8_t, 256>& triangleCounts();
+
+// How many it draws in `cells`.
+[[gnu::always_inline]] inline int countTriangles(const CellKinds& kinds, std::uint64_t cells) {
+  const auto& counts = triangleCounts();
+  int count = 0;
+  for (; cells != 0; cells &= cells - 1)
+    count += counts[kinds[std::size_t(std::countr_zero(cells))]];
+  return count;
+}
 
 }  // namespace resect

@@ -4,6 +4,7 @@
 
 #include "base/assert.h"
 #include "base/growth.h"
+#include "base/instruction_set.h"
 #include "base/parallel.h"
 
 namespace resect {
@@ -12,8 +13,15 @@ namespace {
 constexpr std::size_t kGrain = 128;     // bricks that one thread takes: some 50 us
 constexpr std::size_t kWoundGrain = 8;  // the same of bricks that are cut
 
-int trianglesIn(const std::array<std::uint64_t, 8>& corners, std::uint64_t cells) {
-  return cells == 0 ? 0 : countTriangles(cellKinds(corners), cells);
+RESECT_WIDEST
+void insideMasks(const ColourField& field, std::span<const std::int64_t> bricks, float iso,
+                 std::uint64_t* masks) {
+  for (const std::int64_t b : bricks) {
+    const std::int32_t slot = field.slot(b);
+    *masks++ = slot >= 0                    ? insideMask(field.values(slot), iso)
+               : slot == ColourField::kFull ? ~std::uint64_t(0)
+                                            : 0;
+  }
 }
 
 }  // namespace
@@ -26,19 +34,32 @@ SurfaceTracker::SurfaceTracker(const ColourField& field, float iso, const Wound*
 void SurfaceTracker::setIso(const ColourField& field, float iso, const Wound* wound) {
   RESECT_ASSERT(iso >= kMinIso && iso <= kMaxIso);
   iso_ = iso;
-  clear(field);
-  std::vector<std::int64_t> stored;
-  for (std::int64_t b = 0; b < field.brickCount(); ++b)
-    if (field.slot(b) >= 0 || (wound && wound->severed.near(b))) stored.push_back(b);
-  reserveFor(bricks_, stored.size() + kFirstOwn);
+  const std::vector<std::int64_t> withMesh = clear(field, wound);
   changes_.everything = true;
-  remesh(field, stored, wound);
+  remesh(field, withMesh, wound);
 }
 
-void SurfaceTracker::clear(const ColourField& field) {
-  recordOf_.resize(std::size_t(field.brickCount()));
-  for (std::int64_t b = 0; b < field.brickCount(); ++b) recordOf_[b] = recordWithoutMesh(field, b);
-  bricks_.assign(kFirstOwn, {});
+// Gives each brick that shall hold a mesh a record, and returns them.
+std::vector<std::int64_t> SurfaceTracker::clear(const ColourField& field, const Wound* wound) {
+  // Beyond the grid's end: see above().
+  const std::size_t bricks = std::size_t(field.brickCount());
+  const std::size_t beyond = std::size_t(field.brickIndex({1, 1, 1}));
+  recordOf_.assign(bricks + beyond, kOutside);
+  std::vector<std::int64_t> withMesh(bricks);
+  std::size_t count = 0;
+  for (std::size_t b = 0; b < bricks; ++b) {
+    const std::int32_t slot = field.slot(std::int64_t(b));
+    const bool has = slot >= 0 || (wound && wound->severed.near(std::int64_t(b)));
+    recordOf_[b] = has                          ? std::int32_t(count) + kFirstOwn
+                   : slot == ColourField::kFull ? kInside
+                                                : kOutside;
+    withMesh[count] = std::int64_t(b);
+    count += has;
+  }
+  withMesh.resize(count);
+  bricks_.clear();
+  reserveFor(bricks_, count + kFirstOwn);
+  bricks_.resize(count + kFirstOwn);
   bricks_[kInside].signs.inside = ~std::uint64_t(0);
   freeRecords_.clear();
   wounds_.clear();
@@ -50,6 +71,7 @@ void SurfaceTracker::clear(const ColourField& field) {
   cut_.clear();
   triangles_.clear();
   triangleCount_ = 0;
+  return withMesh;
 }
 
 void SurfaceTracker::update(const ColourField& field, std::span<const std::int64_t> touched) {
@@ -94,7 +116,7 @@ void SurfaceTracker::takeWound(BrickMesh& mesh) {
   }
 }
 
-void SurfaceTracker::takeRecord(const ColourField& field, std::int64_t brick) {
+void SurfaceTracker::takeRecord(std::int64_t brick) {
   if (freeRecords_.empty()) {
     recordOf_[brick] = std::int32_t(bricks_.size());
     bricks_.emplace_back();
@@ -103,9 +125,6 @@ void SurfaceTracker::takeRecord(const ColourField& field, std::int64_t brick) {
     freeRecords_.pop_back();
     meshOf(brick) = {};
   }
-  const Vec3i at = field.brick(brick);
-  for (int axis = 0; axis < 3; ++axis)
-    meshOf(brick).last |= std::uint8_t((at[axis] + 1 == field.brickDims()[axis]) << axis);
 }
 
 void SurfaceTracker::dropRecord(std::int64_t brick) {
@@ -125,76 +144,85 @@ void SurfaceTracker::dropRecord(std::int64_t brick) {
 // `bricks`: ascending, each once.
 void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64_t> bricks,
                             const Wound* wound) {
-  const auto nearWound = [&](std::int64_t b) { return wound && wound->severed.near(b); };
   changes_.vertices.clear();
   changes_.triangles.clear();
-  const bool everything = changes_.everything;
   changes_.bricks = std::int64_t(bricks.size());
-
-  // 1. Which nodes are inside?
-  newInside_.assign(bricks.size(), 0);
+  findInside(field, bricks, wound);
+  findCrossings(field, bricks);
+  if (wound) meshWounds(field, bricks, *wound);
+  placeVertices(field, bricks);
   parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) writeVertices(field, bricks[i]);
+  });
+  placeTriangles(field);
+  parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (const std::int32_t slot = field.slot(bricks[i]); slot >= 0)
-        newInside_[i] = insideMask(field.values(slot), iso_);
-      else if (slot == ColourField::kFull)
-        newInside_[i] = ~std::uint64_t(0);
+      if (meshOf(retriangulate_[i]).triangles > 0) drawTriangles(field, retriangulate_[i]);
+  });
+}
+
+// Which bricks hold a mesh, and which of their nodes are inside? Marks those that changed.
+void SurfaceTracker::findInside(const ColourField& field, std::span<const std::int64_t> bricks,
+                                const Wound* wound) {
+  newInside_.resize(bricks.size());
+  parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    insideMasks(field, bricks.subspan(begin, end - begin), iso_, newInside_.data() + begin);
   });
   renumbered_.assign(bricks.size(), 0);
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const std::int64_t b = bricks[i];
-    const bool stored = field.slot(b) >= 0 || (field.slot(b) == ColourField::kFull && nearWound(b));
+    const bool cut = wound && wound->severed.near(b);
+    const bool stored = field.slot(b) >= 0 || (field.slot(b) == ColourField::kFull && cut);
     renumbered_[i] = stored != hasMesh(b);
     if (!stored) {
       dropRecord(b);
       recordOf_[b] = recordWithoutMesh(field, b);
       continue;
     }
-    if (!hasMesh(b)) takeRecord(field, b);
-    BrickSigns& signs = meshOf(b).signs;
-    renumbered_[i] |= signs.inside != newInside_[i];
-    signs.inside = newInside_[i];
-    if (nearWound(b)) {
-      takeWound(meshOf(b));
-    }
+    if (!hasMesh(b)) takeRecord(b);
+    BrickMesh& mesh = meshOf(b);
+    renumbered_[i] |= mesh.signs.inside != newInside_[i];
+    mesh.signs.inside = newInside_[i];
+    if (cut) takeWound(mesh);
   }
+}
 
-  // 2. Which edges cross the surface, and how many triangles do its cells hold? Then each brick
-  // gets room for its vertices; its own triangles and those of the bricks below it, which share its
-  // vertices, are drawn again.
+// Which edges cross the surface, and how many triangles do the bricks' cells hold? Marks bricks
+// where that changed.
+void SurfaceTracker::findCrossings(const ColourField& field, std::span<const std::int64_t> bricks) {
   parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (!hasMesh(bricks[i])) continue;
-      const auto corners = cornerMasks(above(field, bricks[i]).inside);
-      const std::array crossing = {corners[0] ^ corners[1], corners[0] ^ corners[2],
-                                   corners[0] ^ corners[4]};
-      BrickMesh& mesh = meshOf(bricks[i]);
-      renumbered_[i] |= mesh.signs.crossing != crossing;
-      mesh.signs.setCrossing(crossing);
-      mesh.wholeTriangles = std::int16_t(trianglesIn(corners, crossedCells(corners)));
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      if (hasMesh(bricks[i])) renumbered_[i] |= findCrossings(field, bricks[i]);
   });
+}
+
+void SurfaceTracker::meshWounds(const ColourField& field, std::span<const std::int64_t> bricks,
+                                const Wound& wound) {
   woundBricks_.clear();
-  if (wound)
-    for (const std::int64_t b : bricks)
-      if (meshOf(b).wound != kNone) woundBricks_.push_back(b);
+  for (const std::int64_t b : bricks)
+    if (meshOf(b).wound != kNone) woundBricks_.push_back(b);
   parallelFor(woundBricks_.size(), kWoundGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const BrickMesh& mesh = meshOf(woundBricks_[i]);
-      makeBrickWound(field, *wound, field.brick(woundBricks_[i]), mesh.signs, iso_,
+      makeBrickWound(field, wound, field.brick(woundBricks_[i]), mesh.signs, iso_,
                      wounds_[std::size_t(mesh.wound)]);
     }
   });
+}
+
+// Gives each brick room for its vertices. Its own triangles and those of the bricks below it, which
+// share its vertices, are to be drawn again if their numbers changed.
+void SurfaceTracker::placeVertices(const ColourField& field, std::span<const std::int64_t> bricks) {
   retriangulate_.clear();
+  const bool everything = changes_.everything;
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const std::int64_t b = bricks[i];
     bool drawOwn = false;
     if (hasMesh(b)) {
       BrickMesh& mesh = meshOf(b);
+      const BrickWound* wound = mesh.wound == kNone ? nullptr : &wounds_[std::size_t(mesh.wound)];
       const std::int32_t count =
-          mesh.signs.vertexCount() +
-          (mesh.wound == kNone ? 0
-                               : std::int32_t(wounds_[std::size_t(mesh.wound)].vertices.size()));
+          mesh.signs.vertexCount() + (wound ? std::int32_t(wound->vertices.size()) : 0);
       if (RangeAllocator::roundedUp(count) != RangeAllocator::roundedUp(mesh.vertices)) {
         if (mesh.vertices > 0) vertexSpace_.release(mesh.firstVertex, mesh.vertices);
         mesh.firstVertex = count > 0 ? vertexSpace_.take(count) : 0;
@@ -203,13 +231,16 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
       mesh.vertices = count;
       if (count > 0 && !everything)
         changes_.vertices.push_back({mesh.firstVertex, RangeAllocator::roundedUp(count)});
-      if (mesh.wound != kNone) {
+      if (wound) {
         drawOwn = true;
-        renumbered_[i] |= wounds_[std::size_t(mesh.wound)].renumbered;
+        renumbered_[i] |= wound->renumbered;
       }
     }
-    if (everything && hasMesh(b)) retriangulate_.push_back(b);
-    if (everything || (!renumbered_[i] && !drawOwn)) continue;
+    if (everything) {
+      if (hasMesh(b)) retriangulate_.push_back(b);
+      continue;
+    }
+    if (!renumbered_[i] && !drawOwn) continue;
     const Vec3i at = field.brick(b);
     for (int d = 0; d < (renumbered_[i] ? 8 : 1); ++d) {
       const Vec3i n = at - Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);
@@ -220,51 +251,43 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
       retriangulate_.push_back(below);
     }
   }
-
-  // 3. Write the vertices.
   const auto vertexCount = std::size_t(vertexSpace_.end());
   growTo(points_, vertexCount);
   growTo(normals_, vertexCount);
   growTo(cut_, vertexCount);
-  parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::int64_t b = bricks[i];
-      const BrickMesh& mesh = meshOf(b);
-      if (mesh.vertices == 0) continue;
-      std::int32_t at = mesh.firstVertex;
-      if (mesh.signs.vertexCount() > 0)
-        brickVertices(field, field.brick(b), mesh.signs, iso_, points_.data() + at,
-                      normals_.data() + at, cut_.data() + at);
-      at += mesh.signs.vertexCount();
-      const auto write = [&](const SurfaceVertex& v) {
-        points_[at] = v.position;
-        normals_[at] = v.normal;
-        cut_[at++] = v.cut;
-      };
-      if (mesh.wound != kNone)
-        for (const BrickWound::Vertex& v : wounds_[std::size_t(mesh.wound)].vertices) write(v.at);
-      const std::int32_t end = mesh.firstVertex + RangeAllocator::roundedUp(mesh.vertices);
-      while (at < end) write({Vec3f::Zero(), Vec3f::UnitY(), 0});  // room to grow
-    }
-  });
+}
 
-  // 4. Draw the triangles.
-  newTriangles_.assign(retriangulate_.size(), 0);
-  parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const BrickMesh& mesh = meshOf(retriangulate_[i]);
-      newTriangles_[i] = mesh.wholeTriangles;
-      if (mesh.wound == kNone) continue;
-      const BrickWound& cut = wounds_[std::size_t(mesh.wound)];
-      const auto corners = cornerMasks(above(field, retriangulate_[i]).inside);
-      newTriangles_[i] = trianglesIn(corners, crossedCells(corners) & ~cut.cells) +
-                         std::int32_t(cut.triangles.size());
-    }
-  });
-  for (std::size_t i = 0; i < retriangulate_.size(); ++i) {
-    BrickMesh& mesh = meshOf(retriangulate_[i]);
+void SurfaceTracker::writeVertices(const ColourField& field, std::int64_t brick) {
+  const BrickMesh& mesh = meshOf(brick);
+  if (mesh.vertices == 0) return;
+  std::int32_t at = mesh.firstVertex;
+  if (mesh.signs.vertexCount() > 0)
+    brickVertices(field, brick, mesh.signs, iso_, points_.data() + at, normals_.data() + at,
+                  cut_.data() + at);
+  at += mesh.signs.vertexCount();
+  const auto write = [&](const SurfaceVertex& v) {
+    points_[at] = v.position;
+    normals_[at] = v.normal;
+    cut_[at++] = v.cut;
+  };
+  if (mesh.wound != kNone)
+    for (const BrickWound::Vertex& v : wounds_[std::size_t(mesh.wound)].vertices) write(v.at);
+  const std::int32_t end = mesh.firstVertex + RangeAllocator::roundedUp(mesh.vertices);
+  while (at < end) write({Vec3f::Zero(), Vec3f::UnitY(), 0});  // room to grow
+}
+
+// Gives each brick that is to be drawn again room for its triangles.
+void SurfaceTracker::placeTriangles(const ColourField& field) {
+  for (const std::int64_t b : retriangulate_) {
+    BrickMesh& mesh = meshOf(b);
     mesh.drawAgain = false;
-    const std::int32_t count = newTriangles_[i];
+    std::int32_t count = mesh.wholeTriangles;
+    if (mesh.wound != kNone) {
+      const BrickWound& cut = wounds_[std::size_t(mesh.wound)];
+      const auto corners = cornerMasks(above(field, b).inside);
+      count = countTriangles(cellKinds(corners), crossedCells(corners) & ~cut.cells) +
+              std::int32_t(cut.triangles.size());
+    }
     if (mesh.triangles > 0) changes_.triangles.push_back({mesh.firstTriangle, mesh.triangles});
     if (RangeAllocator::roundedUp(count) != RangeAllocator::roundedUp(mesh.triangles)) {
       if (mesh.triangles > 0) {
@@ -275,13 +298,10 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
     }
     triangleCount_ += count - mesh.triangles;
     mesh.triangles = count;
-    if (count > 0 && !everything) changes_.triangles.push_back({mesh.firstTriangle, count});
+    if (count > 0 && !changes_.everything)
+      changes_.triangles.push_back({mesh.firstTriangle, count});
   }
   growTo(triangles_, std::size_t(triangleSpace_.end()));
-  parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (meshOf(retriangulate_[i]).triangles > 0) drawTriangles(field, retriangulate_[i]);
-  });
 }
 
 }  // namespace resect

@@ -23,6 +23,7 @@
 #include "geometry/triangle_mesh.h"
 #include "sph/colour_field.h"
 #include "surface/brick_mesher.h"
+#include "surface/cell_triangles.h"
 #include "surface/range_allocator.h"
 #include "surface/wound_brick.h"
 
@@ -118,7 +119,6 @@ class SurfaceTracker {
     std::int32_t firstTriangle = 0, triangles = 0;
     std::int16_t wholeTriangles = 0;  // of its cells as if none were cut
     bool drawAgain = false;           // in retriangulate_
-    std::uint8_t last = 0;            // is it the grid's last along x (bit 0), y, z?
     std::int32_t wound = kNone;       // into wounds_
   };
   struct Above {
@@ -136,9 +136,20 @@ class SurfaceTracker {
   static std::int32_t recordWithoutMesh(const ColourField& field, std::int64_t brick) {
     return field.slot(brick) == ColourField::kFull ? kInside : kOutside;
   }
-  void clear(const ColourField& field);
+  std::vector<std::int64_t> clear(const ColourField& field, const Wound* wound);
+  // The steps of a remeshing.
   void remesh(const ColourField& field, std::span<const std::int64_t> bricks, const Wound* wound);
-  void takeRecord(const ColourField& field, std::int64_t brick);
+  void findInside(const ColourField& field, std::span<const std::int64_t> bricks,
+                  const Wound* wound);
+  void findCrossings(const ColourField& field, std::span<const std::int64_t> bricks);
+  bool findCrossings(const ColourField& field, std::int64_t brick);
+  void meshWounds(const ColourField& field, std::span<const std::int64_t> bricks,
+                  const Wound& wound);
+  void placeVertices(const ColourField& field, std::span<const std::int64_t> bricks);
+  void writeVertices(const ColourField& field, std::int64_t brick);
+  void placeTriangles(const ColourField& field);
+
+  void takeRecord(std::int64_t brick);
   void takeWound(BrickMesh& mesh);
   bool looksFar(std::int64_t brick) const {
     const std::int32_t wound = meshOf(brick).wound;
@@ -147,14 +158,14 @@ class SurfaceTracker {
   void dropRecord(std::int64_t brick);
   Above above(const ColourField& field, std::int64_t brick) const;
   void drawTriangles(const ColourField& field, std::int64_t brick);
-  void drawWound(const Above& around, const BrickWound& wound, const std::int32_t* onEdge,
+  void drawWound(const Above& around, const BrickWound& wound, const EdgeTable& table,
                  Triangle* out) const;
   std::uint64_t woundCells(const BrickMesh& mesh) const {
     return mesh.wound == kNone ? 0 : wounds_[std::size_t(mesh.wound)].cells;
   }
 
   float iso_;
-  std::vector<std::int32_t> recordOf_;  // per brick: into bricks_
+  std::vector<std::int32_t> recordOf_;  // per brick, and some beyond the last: into bricks_
   std::vector<BrickMesh> bricks_;
   std::vector<std::int32_t> freeRecords_;
   std::vector<BrickWound> wounds_;
@@ -169,7 +180,6 @@ class SurfaceTracker {
   std::vector<std::uint64_t> newInside_;
   std::vector<std::uint8_t> renumbered_;
   std::vector<std::int64_t> retriangulate_, withWound_, woundBricks_;
-  std::vector<std::int32_t> newTriangles_;
 };
 
 }  // namespace resect

@@ -4,143 +4,144 @@
 #include <bit>
 
 #include "base/instruction_set.h"
+#include "surface/cell_triangles.h"
 #include "surface/marching_cubes_table.h"
 #include "surface/surface_tracker.h"
 
 namespace resect {
 namespace {
 
-// The nodes 0 to 4 of a brick along each axis, the last of them in the bricks above: x fastest.
-constexpr int kSpan = kBrickNodes + 1, kSpanStep[3] = {1, kSpan, kSpan*kSpan};
-constexpr int spanIndex(int x, int y, int z) { return (z * kSpan + y) * kSpan + x; }
-constexpr int spanIndex(int node) { return spanIndex(node & 3, node >> 2 & 3, node >> 4); }
-
-// The nodes of a brick that its neighbour below along an axis shares with it: those with 0 there.
-constexpr std::uint64_t kFirstNodes[3] = {0x1111111111111111, 0x000f000f000f000f, 0xffff};
-
-// For each edge of a cell: where it stands in a table of edges by axis and lower node, from the
-// place of the cell's own node on.
-constexpr std::array<int, 12> kEdgePlace = [] {
-  std::array<int, 12> places{};
-  for (std::size_t e = 0; e < 12; ++e) {
-    const CellEdge& edge = kCellEdges[e];
-    places[e] = edge.axis * kSpan * kSpan * kSpan +
-                spanIndex(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
-  }
+// Where a brick's own edges stand in an EdgeTable, by number (surface/crossed_edges.h).
+constexpr std::array<std::uint16_t, kNoEdge + 1> kOwnPlace = [] {
+  std::array<std::uint16_t, kNoEdge + 1> places{};
+  for (int edge = 0; edge < kBrickEdges; ++edge)
+    places[std::size_t(edge)] =
+        std::uint16_t(EdgeTable::place(edge / kBrickSize, edge & 3, edge >> 2 & 3, edge >> 4 & 3));
+  places[kNoEdge] = EdgeTable::kNone;
   return places;
 }();
 
-// marchingCubesTable() with those places instead of numbers of edges.
-constexpr int kMostDrawn = 5, kMostlyDrawn = 3;  // triangles of a cell
-struct DrawnCell {
-  int count = 0;
-  // Beyond `count` the first one again, so that it may be read.
-  std::array<std::array<std::uint16_t, 3>, kMostDrawn> places{};
+// An edge that a brick's cells share with one of the bricks above, to which it belongs.
+struct SharedEdge {
+  std::uint8_t owner, axis, node;  // owner: 1 for a step along x, 2 along y, 4 along z
+  std::uint16_t place;
 };
+constexpr int kSharedEdges = 3 * 32 + 3 * 4;
+using SharedCrossings = std::array<std::uint64_t, 2>;  // which of them are crossed
 
-const std::array<DrawnCell, 256>& drawnCells() {
-  static const auto cells = [] {
-    std::array<DrawnCell, 256> all;
-    for (std::size_t kind = 0; kind < 256; ++kind) {
-      const CellTriangles& drawn = marchingCubesTable()[kind];
-      all[kind].count = drawn.count;
-      for (std::size_t t = 0; t < kMostDrawn; ++t)
-        for (std::size_t v = 0; v < 3; ++v)
-          all[kind].places[t][v] =
-              std::uint16_t(kEdgePlace[drawn.edges[t < drawn.count ? t : 0][v]]);
-    }
-    return all;
-  }();
-  return cells;
-}
+// In the order of sharedCrossings().
+constexpr std::array<SharedEdge, kSharedEdges + 1> kSharedEdge = [] {
+  std::array<SharedEdge, kSharedEdges + 1> edges{};
+  std::size_t n = 0;
+  const auto add = [&](int owner, int axis, int node) {
+    const int place = EdgeTable::place(axis, (node & 3) + kBrickNodes * (owner & 1),
+                                       (node >> 2 & 3) + kBrickNodes * (owner >> 1 & 1),
+                                       (node >> 4) + kBrickNodes * (owner >> 2));
+    edges[n++] = {std::uint8_t(owner), std::uint8_t(axis), std::uint8_t(node),
+                  std::uint16_t(place)};
+  };
+  for (int node = 0; node < kBrickSize; node += 4)
+    for (const int axis : {1, 2}) add(1, axis, node);
+  for (int z = 0; z < kBrickNodes; ++z)
+    for (const int axis : {0, 2})
+      for (int x = 0; x < kBrickNodes; ++x) add(2, axis, 16 * z + x);
+  for (const int axis : {0, 1})
+    for (int node = 0; node < 16; ++node) add(4, axis, node);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < kBrickNodes; ++i) add(7 - (1 << axis), axis, i << 2 * axis);
+  edges[n] = {0, 0, 0, EdgeTable::kNone};
+  return edges;
+}();
 
 }  // namespace
 
-// The brick itself and its seven neighbours above, numbered as in cornerMasks().
+// The brick itself and its seven neighbours above, numbered as in cornerMasks(). Where the grid
+// ends the brick read instead is the first of the next row or plane, or one beyond the last: it
+// holds nothing at its first nodes, and no others are asked for, as the field's outermost nodes are
+// 0.
 SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64_t brick) const {
   Above result;
-  const Vec3i dims = field.brickDims();
-  const std::int64_t alongY = dims.x(), alongZ = alongY * dims.y();
-  const int beyond = meshOf(brick).last;
+  const std::int64_t alongY = field.brickDims().x(), alongZ = alongY * field.brickDims().y();
   for (int d = 0; d < 8; ++d) {
-    const std::int64_t index = brick + (d & 1) + (d >> 1 & 1) * alongY + (d >> 2) * alongZ;
-    result.mesh[d] = d & beyond ? &bricks_[kOutside] : &meshOf(index);
+    result.mesh[d] = &meshOf(brick + (d & 1) + (d >> 1 & 1) * alongY + (d >> 2) * alongZ);
     result.inside[d] = result.mesh[d]->signs.inside;
   }
   return result;
 }
 
 RESECT_WIDEST
+bool SurfaceTracker::findCrossings(const ColourField& field, std::int64_t brick) {
+  const auto corners = cornerMasks(above(field, brick).inside);
+  const std::array crossing = {corners[0] ^ corners[1], corners[0] ^ corners[2],
+                               corners[0] ^ corners[4]};
+  BrickMesh& mesh = meshOf(brick);
+  const auto& before = mesh.signs.crossing;
+  const bool changed =
+      ((crossing[0] ^ before[0]) | (crossing[1] ^ before[1]) | (crossing[2] ^ before[2])) != 0;
+  mesh.signs.setCrossing(crossing);
+  const std::uint64_t cells = crossedCells(corners);
+  mesh.wholeTriangles =
+      cells == 0 ? std::int16_t(0) : std::int16_t(countTriangles(cellKinds(corners), cells));
+  return changed;
+}
+
+// Which of the edges that a brick shares with those above are crossed? The neighbour along an axis
+// shares those in the plane of its first nodes, the neighbour across an edge those on that edge.
+template <typename Meshes>
+[[gnu::always_inline]] inline SharedCrossings sharedCrossings(const Meshes& mesh) {
+  const auto crossing = [&](std::size_t owner, std::size_t axis) {
+    return mesh[owner]->signs.crossing[axis];
+  };
+  // Two sets of edges side by side, their bits pushed together: eight, then the rest.
+  constexpr std::uint64_t kFirstX = 0x1111111111111111, kFirstY = 0x000f000f000f000f;
+  const auto pushBytes = [](std::uint64_t w) {
+    w = (w | w >> 8) & 0x0000ffff0000ffff;
+    return (w | w >> 16) & 0xffffffff;
+  };
+  std::uint64_t x = (crossing(1, 1) & kFirstX) | (crossing(1, 2) & kFirstX) << 1;
+  x = (x | x >> 2) & 0x0f0f0f0f0f0f0f0f;
+  x = pushBytes((x | x >> 4) & 0x00ff00ff00ff00ff);
+  const std::uint64_t y = pushBytes((crossing(2, 0) & kFirstY) | (crossing(2, 2) & kFirstY) << 4);
+  const std::uint64_t z = (crossing(4, 0) & 0xffff) | (crossing(4, 1) & 0xffff) << 16;
+  // The four bits of an edge, brought side by side by one product.
+  const std::uint64_t alongX = crossing(6, 0) & 0xf,
+                      alongY = (crossing(5, 1) & 0x1111) * 0x1248 >> 12 & 0xf,
+                      alongZ =
+                          (crossing(3, 2) & 0x0001000100010001) * 0x0001000200040008 >> 48 & 0xf;
+  return {x | y << 32, z | alongX << 32 | alongY << 36 | alongZ << 40};
+}
+
+RESECT_WIDEST
 void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick) {
   const Above around = above(field, brick);
   const BrickMesh& mesh = meshOf(brick);
-  // The vertex on each edge that the brick's cells can use: its own, and of the neighbours above
-  // those in the plane, line or corner that they share with it.
-  std::array<std::int32_t, 3 * kSpan * kSpan * kSpan> vertex;
-  const auto onAxis = [&](int axis) { return vertex.data() + axis * kSpan * kSpan * kSpan; };
-  for (int axis = 0; axis < 3; ++axis) {
-    std::int32_t next = mesh.firstVertex + mesh.signs.firstVertex[std::size_t(axis)];
-    for (std::uint64_t rest = mesh.signs.crossing[std::size_t(axis)]; rest != 0; rest &= rest - 1)
-      onAxis(axis)[spanIndex(std::countr_zero(rest))] = next++;
+  // The vertex on each edge that the brick's cells can use.
+  EdgeTable table;
+  const CrossedEdges own(mesh.signs);
+  for (int i = 0; i < mesh.signs.vertexCount(); i += CrossedEdges::kStep)
+    for (int k = i; k < i + CrossedEdges::kStep; ++k)
+      table.vertex[kOwnPlace[own.number[std::size_t(k)]]] = mesh.firstVertex + k;
+  const SharedCrossings crossings = sharedCrossings(around.mesh);
+  std::array<std::uint8_t, kSharedEdges + 8> shared;
+  const std::uint8_t* const end =
+      appendSetBits(crossings[1], 64, appendSetBits(crossings[0], 0, shared.data()));
+  for (const std::uint8_t* i = shared.data(); i != end; ++i) {
+    const SharedEdge& edge = kSharedEdge[*i];
+    const BrickMesh& owner = *around.mesh[edge.owner];
+    table.vertex[edge.place] = owner.firstVertex + owner.signs.vertex(edge.axis, edge.node);
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    // The neighbour along an axis shares the edges along both others. Its nodes there have 0 along
-    // the axis, so that the lower of that number's two bits may tell which of the two is meant.
-    const BrickMesh& owner = *around.mesh[std::size_t(1) << axis];
-    const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2, bit = 2 * axis;
-    std::uint64_t rest = (owner.signs.crossing[std::size_t(u)] & kFirstNodes[axis]) |
-                         (owner.signs.crossing[std::size_t(v)] & kFirstNodes[axis]) << (1 << bit);
-    for (; rest != 0; rest &= rest - 1) {
-      const int both = std::countr_zero(rest), second = both >> bit & 1;
-      const int node = both - (second << bit), along = second ? v : u;
-      onAxis(along)[spanIndex(node) + kBrickNodes * kSpanStep[axis]] =
-          owner.firstVertex + owner.signs.vertex(along, node);
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    // The neighbour across an edge shares the edges along it.
-    const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
-    const BrickMesh& owner = *around.mesh[std::size_t(1 << u | 1 << v)];
-    for (std::uint64_t rest =
-             owner.signs.crossing[std::size_t(axis)] & kFirstNodes[u] & kFirstNodes[v];
-         rest != 0; rest &= rest - 1) {
-      const int node = std::countr_zero(rest);
-      onAxis(axis)[spanIndex(node) + kBrickNodes * (kSpanStep[u] + kSpanStep[v])] =
-          owner.firstVertex + owner.signs.vertex(axis, node);
-    }
-  }
-  // How many triangles a cell has cannot be guessed: some are written always, and the next cell
-  // writes over the surplus; not where the brick's range ends, for beyond lies another's.
-  Triangle* end = triangles_.data() + mesh.firstTriangle;
-  Triangle* const limit = end + RangeAllocator::roundedUp(mesh.triangles);
-  const auto& cells = drawnCells();
+  Triangle* out = triangles_.data() + mesh.firstTriangle;
+  const Triangle* const limit = out + RangeAllocator::roundedUp(mesh.triangles);
   const auto corners = cornerMasks(around.inside);
-  const CellKinds kinds = cellKinds(corners);
-  for (std::uint64_t rest = crossedCells(corners) & ~woundCells(mesh); rest != 0;
-       rest &= rest - 1) {
-    const int cell = std::countr_zero(rest);
-    const std::int32_t* at = vertex.data() + spanIndex(cell);
-    const DrawnCell& own = cells[kinds[std::size_t(cell)]];
-    const auto draw = [&](int t) {
-      for (std::size_t v = 0; v < 3; ++v) end[t][v] = at[own.places[std::size_t(t)][v]];
-    };
-    int done = 0;
-    if (limit - end >= kMostlyDrawn) {
-      for (int t = 0; t < kMostlyDrawn; ++t) draw(t);
-      done = kMostlyDrawn;
-    }
-    for (int t = done; t < own.count; ++t) draw(t);
-    end += own.count;
-  }
-  if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], vertex.data(), end);
-  end = triangles_.data() + mesh.firstTriangle + mesh.triangles;
-  while (end < limit) *end++ = {0, 0, 0};
+  out = drawCells(table, cellKinds(corners), crossedCells(corners) & ~woundCells(mesh), out, limit);
+  if (mesh.wound != kNone) drawWound(around, wounds_[std::size_t(mesh.wound)], table, out);
+  out = triangles_.data() + mesh.firstTriangle + mesh.triangles;
+  while (out < limit) *out++ = {0, 0, 0};
 }
 
-// A wound's triangles name their corners by cell; here they get numbers. onEdge: the table of
-// drawTriangles().
-void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound,
-                               const std::int32_t* onEdge, Triangle* out) const {
+// A wound's triangles name their corners by cell; here they get numbers.
+void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound, const EdgeTable& table,
+                               Triangle* out) const {
   const auto vertex = [&](const BrickWound::Triangle& t, int corner) {
     const Vec3i cell(t.cell & 3, t.cell >> 2 & 3, t.cell >> 4);
     // The brick, among those above, that owns what lies at a node, 0 to 4 along each axis.
@@ -162,7 +163,7 @@ void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound,
                                  axis, number(n), (corner - kFirstFaceVertex) % 8, t.lip);
     }
     if (corner % 3 == kIsoNode)
-      return onEdge[spanIndex(t.cell) + kEdgePlace[std::size_t(corner / 3)]];
+      return table.vertex[std::size_t(EdgeTable::ofCell(t.cell, corner / 3))];
     const CellEdge edge = kCellEdges[std::size_t(corner / 3)];
     const Vec3i n = cell + Vec3i(edge.from & 1, edge.from >> 1 & 1, edge.from >> 2);
     const BrickMesh& mesh = owner(n);

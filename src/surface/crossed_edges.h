@@ -1,0 +1,53 @@
+// Which edges of a brick cross the surface, and which vertex lies on each?
+//
+// A vertex belongs to the grid edge that it lies on, and the edge to the brick of its lower node.
+// A brick's edges are numbered 64 axis + lower node; its vertices in the order of those numbers, so
+// that a vertex is found by counting bits below its own in a 64-bit mask, with no search and no
+// table of edges.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "base/bit_list.h"
+#include "sph/field_stencil.h"
+
+namespace resect {
+
+constexpr int kBrickEdges = 3 * kBrickSize;
+constexpr std::uint8_t kNoEdge = kBrickEdges;  // a number for none
+
+// Which of the brick's 64 nodes are inside, and which of its 192 edges cross the surface.
+struct BrickSigns {
+  std::uint64_t inside = 0;
+  std::array<std::uint64_t, 3> crossing{};    // per axis, bit = lower node
+  std::array<std::uint8_t, 4> firstVertex{};  // per axis: number of its first one; then the count
+
+  void setCrossing(const std::array<std::uint64_t, 3>& edges) {
+    crossing = edges;
+    for (std::size_t a = 0; a < 3; ++a)
+      firstVertex[a + 1] = std::uint8_t(firstVertex[a] + std::popcount(edges[a]));
+  }
+  int vertexCount() const { return firstVertex[3]; }
+  // Number within the brick of the vertex on the edge from `node` (0..63) along `axis`.
+  int vertex(int axis, int node) const {
+    return firstVertex[axis] + std::popcount(crossing[axis] & ((std::uint64_t(1) << node) - 1));
+  }
+};
+
+// The numbers of the crossed edges, one per vertex; up to the next multiple of kStep, kNoEdge.
+struct CrossedEdges {
+  static constexpr int kStep = 8, kMost = kBrickEdges + kStep;
+  std::array<std::uint8_t, kMost> number;  // beyond that: not written
+
+  explicit CrossedEdges(const BrickSigns& signs) {
+    std::uint8_t* end = number.data();
+    for (unsigned axis = 0; axis < 3; ++axis)
+      end = appendSetBits(signs.crossing[axis], axis * kBrickSize, end);
+    std::memset(end, kNoEdge, kStep);
+  }
+};
+
+}  // namespace resect
