@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/kept_memory.h"
 #include "io/atomic_file.h"
 #include "peers/rows.h"
 #include "peers/tables.h"
@@ -53,6 +54,7 @@ const Row kRows[] = {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepFreedMemory();
   CLI::App app("Times Resect beside VTK, OpenVDB, Embree, FCL and Coin in one process",
                "resect_peers");
   Effort effort;

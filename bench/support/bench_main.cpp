@@ -9,6 +9,8 @@
 #include <map>
 #include <string>
 
+#include "base/kept_memory.h"
+
 namespace {
 
 class PairReporter : public benchmark::ConsoleReporter {
@@ -48,6 +50,7 @@ class PairReporter : public benchmark::ConsoleReporter {
 }  // namespace
 
 int main(int argc, char** argv) {
+  resect::keepFreedMemory();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   PairReporter reporter;

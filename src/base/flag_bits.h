@@ -1,4 +1,4 @@
-// 64 comparisons of numbers as the bits of one word.
+// Comparisons of numbers as the bits of one word.
 #pragma once
 
 #include <cstdint>
@@ -12,31 +12,26 @@ namespace resect {
 
 #ifdef __SSE2__
 
-// Four numbers in a row, as compared() shows them to its test: a test gives all ones in each lane
+// Four numbers in a row, as compared16() shows them to its test: a test gives all ones in each lane
 // where it holds.
 typedef float FourValues __attribute__((vector_size(16)));
 typedef std::int32_t FourFlags __attribute__((vector_size(16)));
 
-// Bit i of the result: does the test hold for values[i]? test: (FourValues) -> FourFlags, a
-// comparison. Aims at 60 instructions for 64 numbers.
+// Bit i of the result: does the test hold for values[i], i below 16? test: (FourValues) ->
+// FourFlags, a comparison. Aims at 12 instructions.
 template <typename Test>
-[[gnu::always_inline]] inline std::uint64_t compared(const float* values, Test test) {
-  std::uint64_t bits = 0;
+[[gnu::always_inline]] inline std::uint64_t compared16(const float* values, Test test) {
+  __m128i four[4];
 #pragma GCC unroll 4
-  for (int i = 0; i < 4; ++i) {
-    __m128i four[4];
-#pragma GCC unroll 4
-    for (int k = 0; k < 4; ++k) {
-      FourValues v;
-      std::memcpy(&v, values + 16 * i + 4 * k, sizeof v);
-      const FourFlags flags = test(v);
-      std::memcpy(&four[k], &flags, sizeof flags);
-    }
-    const __m128i bytes =
-        _mm_packs_epi16(_mm_packs_epi32(four[0], four[1]), _mm_packs_epi32(four[2], four[3]));
-    bits |= std::uint64_t(std::uint32_t(_mm_movemask_epi8(bytes))) << 16 * i;
+  for (int k = 0; k < 4; ++k) {
+    FourValues v;
+    std::memcpy(&v, values + 4 * k, sizeof v);
+    const FourFlags flags = test(v);
+    std::memcpy(&four[k], &flags, sizeof flags);
   }
-  return bits;
+  const __m128i bytes =
+      _mm_packs_epi16(_mm_packs_epi32(four[0], four[1]), _mm_packs_epi32(four[2], four[3]));
+  return std::uint32_t(_mm_movemask_epi8(bytes));
 }
 
 #else
@@ -45,12 +40,19 @@ typedef float FourValues;
 typedef bool FourFlags;
 
 template <typename Test>
-inline std::uint64_t compared(const float* values, Test test) {
+inline std::uint64_t compared16(const float* values, Test test) {
   std::uint64_t bits = 0;
-  for (int i = 0; i < 64; ++i) bits |= std::uint64_t(test(values[i])) << i;
+  for (int i = 0; i < 16; ++i) bits |= std::uint64_t(test(values[i])) << i;
   return bits;
 }
 
 #endif
+
+// The same for 64 of them.
+template <typename Test>
+[[gnu::always_inline]] inline std::uint64_t compared64(const float* values, Test test) {
+  return compared16(values, test) | compared16(values + 16, test) << 16 |
+         compared16(values + 32, test) << 32 | compared16(values + 48, test) << 48;
+}
 
 }  // namespace resect

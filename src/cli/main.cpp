@@ -7,6 +7,7 @@
 #include <new>
 
 #include "base/error.h"
+#include "base/kept_memory.h"
 #include "base/progress.h"
 #include "cli/commands.h"
 
@@ -64,6 +65,7 @@ int parseAndRun(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  resect::keepFreedMemory();
   try {
     return parseAndRun(argc, argv);
   } catch (const resect::Error& e) {

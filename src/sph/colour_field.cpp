@@ -31,14 +31,19 @@ struct HeldBits {
         bits(rows * row) {}
 };
 
-// Bits beyond the row's end tell of what lies behind it: they are not asked for.
+// Bits beyond the row's end tell of what lies behind it, or of nothing: they are not asked for.
 RESECT_WIDEST
-void holdOfRow(const float* cells, const HeldBits& held, std::uint64_t* bits) {
-  for (std::size_t w = 0; w < held.words; ++w) {
-    const float* from = cells + w * HeldBits::kWord;
-    bits[w] = compared(from, [](const FourValues& v) -> FourFlags { return v != 0.f; });
-    bits[held.words + w] =
-        compared(from, [](const FourValues& v) -> FourFlags { return v != 100.f; });
+void holdOfRow(const float* cells, std::size_t count, std::size_t words, std::uint64_t* bits) {
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t some = 0, less = 0;
+    const std::size_t end = std::min(count - w * HeldBits::kWord, HeldBits::kWord);
+    for (std::size_t i = 0; i < end; i += 16) {
+      const float* from = cells + w * HeldBits::kWord + i;
+      some |= compared16(from, [](const FourValues& v) -> FourFlags { return v != 0.f; }) << i;
+      less |= compared16(from, [](const FourValues& v) -> FourFlags { return v != 100.f; }) << i;
+    }
+    bits[w] = some;
+    bits[words + w] = less;
   }
 }
 
@@ -153,22 +158,27 @@ void ColourField::classifyBricks(const Discretization& cells) {
     return std::size_t(z + kPadBelow) * down + std::size_t(y + kPadBelow);
   };
   HeldBits held(down * std::size_t(paddedDims_.z()), across);
+  // A row without cells.
+  std::vector<std::uint64_t> nothing(held.row, 0);
+  std::fill_n(nothing.begin() + std::ptrdiff_t(held.words), held.words, ~std::uint64_t(0));
   parallelFor(std::size_t(paddedDims_.z()), 4, [&](std::size_t begin, std::size_t end) {
-    for (int z = int(begin) - kPadBelow; z < int(end) - kPadBelow; ++z)
+    for (int z = int(begin) - kPadBelow; z < int(end) - kPadBelow; ++z) {
+      const bool within = z >= 0 && z < dims.z();
+      if (!within) std::fill_n(cells_.data() + rowOf(-kPadBelow, z) * across, down * across, 0.f);
       for (int y = -kPadBelow; y < dims.y() + kPadAbove; ++y) {
         float* to = cells_.data() + rowOf(y, z) * across;
         std::uint64_t* bits = held.bits.data() + rowOf(y, z) * held.row;
-        if (y < 0 || y >= dims.y() || z < 0 || z >= dims.z()) {
-          std::fill_n(to, across, 0.f);
-          std::fill_n(bits, held.words, 0);
-          std::fill_n(bits + held.words, held.words, ~std::uint64_t(0));
-          continue;
+        if (within && y >= 0 && y < dims.y()) {
+          std::fill_n(to, kPadBelow, 0.f);
+          std::copy_n(cells.value.data() + lattice_.index({0, y, z}), dims.x(), to + kPadBelow);
+          std::fill_n(to + kPadBelow + dims.x(), kPadAbove, 0.f);
+          holdOfRow(to, across, held.words, bits);
+        } else {
+          if (within) std::fill_n(to, across, 0.f);
+          std::copy_n(nothing.data(), held.row, bits);
         }
-        std::fill_n(to, kPadBelow, 0.f);
-        std::copy_n(cells.value.data() + lattice_.index({0, y, z}), dims.x(), to + kPadBelow);
-        std::fill_n(to + kPadBelow + dims.x(), kPadAbove, 0.f);
-        holdOfRow(to, held, bits);
       }
+    }
   });
   const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
   parallelFor(

@@ -129,19 +129,6 @@ typedef double FourDoubles __attribute__((vector_size(32)));
   std::memcpy(to + 8, &third, sizeof third);
 }
 
-// Where a brick's nodes lie (rest space, m).
-struct NodeGrid {
-  Vec3 origin, step;
-  Vec3f spacing, perSpacing;
-
-  NodeGrid(const ColourField& field, int x, int y, int z)
-      : origin(field.nodePlace(0, kBrickNodes * x), field.nodePlace(1, kBrickNodes * y),
-               field.nodePlace(2, kBrickNodes * z)),
-        step(field.lattice().spacing / field.refine()),
-        spacing(step.cast<float>()),
-        perSpacing(spacing.cwiseInverse()) {}
-};
-
 // The lower (or upper) ends of four edges.
 struct Ends {
   const float* node[4];
@@ -192,14 +179,16 @@ struct Slopes {
         square > none ? along[2] * outwards : none, normals);
 }
 
-[[gnu::always_inline]] inline void storePoints(const NodeGrid& grid, const std::uint8_t* edge,
-                                               const Four& way, Vec3f* points) {
+// origin: the brick's first node.
+[[gnu::always_inline]] inline void storePoints(const NodeGrid& grid, const double* origin,
+                                               const std::uint8_t* edge, const Four& way,
+                                               Vec3f* points) {
   const FourInts number{edge[0], edge[1], edge[2], edge[3]}, axis = number >> 6;
   Four at[3];
   for (int k = 0; k < 3; ++k) {
     const FourDoubles node = __builtin_convertvector(number >> 2 * k & 3, FourDoubles);
     const Four along = way * grid.spacing[k];
-    at[k] = __builtin_convertvector(grid.origin[k] + node * grid.step[k], Four) +
+    at[k] = __builtin_convertvector(origin[k] + node * grid.step[k], Four) +
             (axis == k ? along : Four{});
   }
   store(at[0], at[1], at[2], points);
@@ -210,24 +199,30 @@ struct Slopes {
 // Step by step for all vertices, not vertex by vertex: so the divisions and roots of many are under
 // way at once. Aims at 40 instructions a vertex.
 RESECT_WIDEST
-void brickVertices(const ColourField& field, std::int64_t brick, const BrickSigns& signs, float iso,
-                   Vec3f* points, Vec3f* normals, float* cut) {
+void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
+                   const BrickSigns& signs, Vec3f* points, Vec3f* normals, float* cut,
+                   std::uint8_t* edges) {
   const Vec3i place = field.brick(brick);
   Halo halo;
   gatherHalo(field, brick, place.x(), place.y(), place.z(), halo);
-  const CrossedEdges edges(signs);
-  const std::uint8_t* edge = edges.number.data();
-  const NodeGrid grid(field, place.x(), place.y(), place.z());
+  const CrossedEdges crossed(signs);
+  const std::uint8_t* edge = crossed.number.data();
+  double origin[3];
+  for (int k = 0; k < 3; ++k) origin[k] = field.nodePlace(k, kBrickNodes * place[k]);
   constexpr std::size_t kMost = CrossedEdges::kMost / 4;
   std::array<Four, kMost> way;
   std::array<Slopes, kMost> slopes;
   const std::size_t fours = std::size_t(signs.vertexCount() + 3) / 4;
-  for (std::size_t i = 0; i < fours; ++i) way[i] = wayAlong(halo, iso, edge + 4 * i);
+  for (std::size_t i = 0; i < fours; ++i) way[i] = wayAlong(halo, grid.iso, edge + 4 * i);
   for (std::size_t i = 0; i < fours; ++i)
     slopes[i] = slopesAt(halo, grid.perSpacing, edge + 4 * i, way[i]);
   for (std::size_t i = 0; i < fours; ++i) storeNormals(slopes[i], normals + 4 * i);
-  for (std::size_t i = 0; i < fours; ++i) storePoints(grid, edge + 4 * i, way[i], points + 4 * i);
-  for (std::size_t i = 0; i < fours; ++i) std::memset(cut + 4 * i, 0, sizeof(Four));
+  for (std::size_t i = 0; i < fours; ++i)
+    storePoints(grid, origin, edge + 4 * i, way[i], points + 4 * i);
+  for (int i = 0; i < signs.vertexCount(); i += CrossedEdges::kStep) {
+    std::memset(cut + i, 0, CrossedEdges::kStep * sizeof(float));
+    std::memcpy(edges + i, edge + i, CrossedEdges::kStep);
+  }
   if (!field.edited(brick)) return;
   const Vec3i first = kBrickNodes * place;
   for (int i = 0; i < signs.vertexCount(); ++i) {
@@ -235,7 +230,7 @@ void brickVertices(const ColourField& field, std::int64_t brick, const BrickSign
     const float t = way[std::size_t(i / 4)][i % 4];
     const float before = (1 - t) * field.originalNode(from) +
                          t * field.originalNode(from + Vec3i::Unit(edge[i] / kBrickSize));
-    cut[i] = std::clamp((before - iso) / kCutRange, 0.f, 1.f);
+    cut[i] = std::clamp((before - grid.iso) / kCutRange, 0.f, 1.f);
   }
 }
 

@@ -18,9 +18,24 @@ struct SurfaceVertex {
   float cut;       // 0 on the original skin ... 1 well inside what was tissue before any cut
 };
 
-// Writes signs.vertexCount() vertices, each part of them into an array of its own, and up to the
-// next multiple of four some that lie in the brick and count for nothing.
-void brickVertices(const ColourField& field, std::int64_t brick, const BrickSigns& signs, float iso,
-                   Vec3f* points, Vec3f* normals, float* cut);
+// Where a field's nodes lie to each other, and at which level the surface runs.
+struct NodeGrid {
+  float iso;
+  Vec3 step;                  // from node to node (rest space, m)
+  Vec3f spacing, perSpacing;  // the same, and 1 over it
+
+  NodeGrid(const ColourField& field, float level)
+      : iso(level),
+        step(field.lattice().spacing / field.refine()),
+        spacing(step.cast<float>()),
+        perSpacing(spacing.cwiseInverse()) {}
+};
+
+// Writes signs.vertexCount() vertices, each part of them into an array of its own; edges: on which
+// edge each lies. What follows them up to the next multiple of CrossedEdges::kStep may be written
+// too, and counts for nothing.
+void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
+                   const BrickSigns& signs, Vec3f* points, Vec3f* normals, float* cut,
+                   std::uint8_t* edges);
 
 }  // namespace resect

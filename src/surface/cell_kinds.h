@@ -17,7 +17,7 @@ namespace resect {
 // Which of a brick's 64 nodes are inside (value >= iso)? Bit = node, x fastest.
 [[gnu::always_inline]] inline std::uint64_t insideMask(std::span<const float, kBrickSize> nodes,
                                                        float iso) {
-  return compared(nodes.data(), [iso](const FourValues& v) -> FourFlags { return v >= iso; });
+  return compared64(nodes.data(), [iso](const FourValues& v) -> FourFlags { return v >= iso; });
 }
 
 // Which corners of its 64 cells are inside, given the inside masks of the brick and of its seven

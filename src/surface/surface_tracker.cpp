@@ -69,6 +69,7 @@ std::vector<std::int64_t> SurfaceTracker::clear(const ColourField& field, const 
   points_.clear();
   normals_.clear();
   cut_.clear();
+  edges_.clear();
   triangles_.clear();
   triangleCount_ = 0;
   return withMesh;
@@ -151,8 +152,9 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   findCrossings(field, bricks);
   if (wound) meshWounds(field, bricks, *wound);
   placeVertices(field, bricks);
+  const NodeGrid grid(field, iso_);
   parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) writeVertices(field, bricks[i]);
+    for (std::size_t i = begin; i < end; ++i) writeVertices(field, grid, bricks[i]);
   });
   placeTriangles(field);
   parallelFor(retriangulate_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -255,15 +257,17 @@ void SurfaceTracker::placeVertices(const ColourField& field, std::span<const std
   growTo(points_, vertexCount);
   growTo(normals_, vertexCount);
   growTo(cut_, vertexCount);
+  growTo(edges_, vertexCount);
 }
 
-void SurfaceTracker::writeVertices(const ColourField& field, std::int64_t brick) {
+void SurfaceTracker::writeVertices(const ColourField& field, const NodeGrid& grid,
+                                   std::int64_t brick) {
   const BrickMesh& mesh = meshOf(brick);
   if (mesh.vertices == 0) return;
   std::int32_t at = mesh.firstVertex;
   if (mesh.signs.vertexCount() > 0)
-    brickVertices(field, brick, mesh.signs, iso_, points_.data() + at, normals_.data() + at,
-                  cut_.data() + at);
+    brickVertices(field, grid, brick, mesh.signs, points_.data() + at, normals_.data() + at,
+                  cut_.data() + at, edges_.data() + at);
   at += mesh.signs.vertexCount();
   const auto write = [&](const SurfaceVertex& v) {
     points_[at] = v.position;

@@ -146,7 +146,7 @@ class SurfaceTracker {
   void meshWounds(const ColourField& field, std::span<const std::int64_t> bricks,
                   const Wound& wound);
   void placeVertices(const ColourField& field, std::span<const std::int64_t> bricks);
-  void writeVertices(const ColourField& field, std::int64_t brick);
+  void writeVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
   void placeTriangles(const ColourField& field);
 
   void takeRecord(std::int64_t brick);
@@ -173,6 +173,7 @@ class SurfaceTracker {
   RangeAllocator vertexSpace_, triangleSpace_;
   RawArray<Vec3f> points_, normals_;
   RawArray<float> cut_;
+  RawArray<std::uint8_t> edges_;  // of each vertex that no wound made, see CrossedEdges
   RawArray<Triangle> triangles_;
   std::int64_t triangleCount_ = 0;
   Changes changes_;

@@ -117,10 +117,10 @@ void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick)
   const BrickMesh& mesh = meshOf(brick);
   // The vertex on each edge that the brick's cells can use.
   EdgeTable table;
-  const CrossedEdges own(mesh.signs);
+  const std::uint8_t* own = edges_.data() + mesh.firstVertex;
   for (int i = 0; i < mesh.signs.vertexCount(); i += CrossedEdges::kStep)
     for (int k = i; k < i + CrossedEdges::kStep; ++k)
-      table.vertex[kOwnPlace[own.number[std::size_t(k)]]] = mesh.firstVertex + k;
+      table.vertex[kOwnPlace[own[k]]] = mesh.firstVertex + k;
   const SharedCrossings crossings = sharedCrossings(around.mesh);
   std::array<std::uint8_t, kSharedEdges + 8> shared;
   const std::uint8_t* const end =

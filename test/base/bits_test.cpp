@@ -36,7 +36,7 @@ TEST_CASE("64 comparisons as bits are those made one by one") {
     }
     const auto least = [](const FourValues& v) -> FourFlags { return v >= 50.f; };
     const auto other = [](const FourValues& v) -> FourFlags { return v != 0.f; };
-    const std::uint64_t a = compared(values.data(), least), b = compared(values.data(), other);
+    const std::uint64_t a = compared64(values.data(), least), b = compared64(values.data(), other);
     for (std::size_t i = 0; i < 64; ++i) {
       CHECK((a >> i & 1) == (values[i] >= 50.f));
       CHECK((b >> i & 1) == (values[i] != 0.f));

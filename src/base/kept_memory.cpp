@@ -1,0 +1,18 @@
+#include "base/kept_memory.h"
+
+#include <cstdlib>  // says which C library this is
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace resect {
+
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that it takes
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
+}
+
+}  // namespace resect
