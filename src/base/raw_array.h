@@ -1,5 +1,4 @@
-// An array whose new elements are left as they are in memory, for data that is written at once. It
-// begins where a cache line does.
+// An array whose new elements are left as they are in memory, for data that is written at once.
 #pragma once
 
 #include <memory>
@@ -17,13 +16,6 @@ struct UnwrittenAllocator : std::allocator<T> {
   struct rebind {
     using other = UnwrittenAllocator<U>;
   };
-  static constexpr std::align_val_t kLine{64};
-  T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), kLine));
-  }
-  void deallocate(T* array, std::size_t count) noexcept {
-    ::operator delete(array, count * sizeof(T), kLine);
-  }
   template <typename U>
   void construct(U* element) noexcept(std::is_nothrow_default_constructible_v<U>) {
     ::new (static_cast<void*>(element)) U;
