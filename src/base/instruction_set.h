@@ -12,3 +12,9 @@
 #else
 #define RESECT_WIDEST
 #endif
+
+// RESECT_AVX2 before a function that is written in AVX2's own operations, beside a plain one: who
+// calls it asks first whether the processor has them.
+#if defined(__x86_64__)
+#define RESECT_AVX2 __attribute__((target("avx2")))
+#endif

@@ -6,7 +6,8 @@
 
 #include <cstdint>
 
-#define RESECT_AVX2 __attribute__((target("avx2")))
+#include "base/instruction_set.h"
+
 // Every function that gives such vectors is inlined: how they would be passed does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 

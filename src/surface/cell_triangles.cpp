@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "base/instruction_set.h"
 #include "surface/marching_cubes_table.h"
 
 #if defined(__x86_64__)
@@ -50,8 +51,6 @@ Triangle* drawCellsPlainly(const EdgeTable& table, const CellKinds& kinds, std::
 
 namespace {
 
-#define RESECT_DRAW __attribute__((target("avx2,bmi,popcnt")))
-
 // Of each cell, where its first edge along x and along y stands; along z: an axis further.
 constexpr auto kFirstEdges = [] {
   std::array<std::array<std::uint16_t, 2>, kBrickSize> places{};
@@ -62,7 +61,7 @@ constexpr auto kFirstEdges = [] {
 }();
 
 // Two numbers and the two that stand a plane or row further.
-RESECT_DRAW inline __m128i fourEdges(const std::int32_t* first, int further) {
+RESECT_AVX2 inline __m128i fourEdges(const std::int32_t* first, int further) {
   const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(first));
   return _mm_castps_si128(
       _mm_loadh_pi(_mm_castsi128_ps(low), reinterpret_cast<const __m64*>(first + further)));
@@ -70,7 +69,7 @@ RESECT_DRAW inline __m128i fourEdges(const std::int32_t* first, int further) {
 
 // A cell has up to five triangles, 15 corners: all are written, and the next cell writes over the
 // surplus. Aims at 32 instructions a cell and no branch that depends on it.
-RESECT_DRAW Triangle* drawCellsWide(const EdgeTable& table, const CellKinds& kinds,
+RESECT_AVX2 Triangle* drawCellsWide(const EdgeTable& table, const CellKinds& kinds,
                                     std::uint64_t cells, Triangle* out, const Triangle* limit) {
   static_assert(sizeof(CellTriangles) == 16 && sizeof(Triangle) == 12);
   constexpr int kRow = EdgeTable::kSpan, kPlane = kRow * kRow, kMost = 5;
@@ -78,15 +77,16 @@ RESECT_DRAW Triangle* drawCellsWide(const EdgeTable& table, const CellKinds& kin
   for (; cells != 0 && limit - out >= kMost; cells &= cells - 1) {
     const auto cell = std::size_t(std::countr_zero(cells));
     const CellTriangles& drawn = drawnIn[kinds[cell]];
+    const auto* corners = reinterpret_cast<const std::uint8_t*>(drawn.edges.data());
     const std::int32_t *alongX = table.vertex.data() + kFirstEdges[cell][0],
                        *alongY = table.vertex.data() + kFirstEdges[cell][1];
     const __m256i xy = _mm256_inserti128_si256(_mm256_castsi128_si256(fourEdges(alongX, kPlane)),
                                                fourEdges(alongY, kPlane), 1),
                   z = _mm256_castsi128_si256(fourEdges(alongY + EdgeTable::kAxis, kRow));
     // Eight corners from `first` on: edges 0 to 7 are those of xy, 8 to 11 those of z.
-    const auto write = [&](int first) RESECT_DRAW {
-      const __m256i edges = _mm256_cvtepu8_epi32(
-          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(drawn.edges.front().data() + first)));
+    const auto write = [&](int first) RESECT_AVX2 {
+      const __m256i edges =
+          _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(corners + first)));
       const __m256i numbers = _mm256_castps_si256(
           _mm256_blendv_ps(_mm256_castsi256_ps(_mm256_permutevar8x32_epi32(xy, edges)),
                            _mm256_castsi256_ps(_mm256_permutevar8x32_epi32(z, edges)),

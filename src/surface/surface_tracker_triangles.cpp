@@ -30,8 +30,8 @@ constexpr int kSharedEdges = 3 * 32 + 3 * 4;
 using SharedCrossings = std::array<std::uint64_t, 2>;  // which of them are crossed
 
 // In the order of sharedCrossings().
-constexpr std::array<SharedEdge, kSharedEdges + 1> kSharedEdge = [] {
-  std::array<SharedEdge, kSharedEdges + 1> edges{};
+constexpr std::array<SharedEdge, kSharedEdges> kSharedEdge = [] {
+  std::array<SharedEdge, kSharedEdges> edges{};
   std::size_t n = 0;
   const auto add = [&](int owner, int axis, int node) {
     const int place = EdgeTable::place(axis, (node & 3) + kBrickNodes * (owner & 1),
@@ -49,7 +49,6 @@ constexpr std::array<SharedEdge, kSharedEdges + 1> kSharedEdge = [] {
     for (int node = 0; node < 16; ++node) add(4, axis, node);
   for (int axis = 0; axis < 3; ++axis)
     for (int i = 0; i < kBrickNodes; ++i) add(7 - (1 << axis), axis, i << 2 * axis);
-  edges[n] = {0, 0, 0, EdgeTable::kNone};
   return edges;
 }();
 
