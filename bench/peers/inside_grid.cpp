@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "base/parallel.h"
-
 namespace resect::bench {
 namespace {
 
@@ -19,35 +17,19 @@ InsideGrid gridRound(const TriangleMesh& mesh, int n) {
   return {box.min + 0.5 * pitch, pitch, n};
 }
 
-InsideStretches insideStretches(const TriangleMesh& mesh, const InsideGrid& grid) {
-  const Crossings crossings = castColumns(snapToRaster(mesh), columnsOf(grid));
-  InsideStretches inside;
-  inside.columns.resize(crossings.columnCount());
-  inside.stretches.resize(crossings.all.size() / 2);  // a stretch needs two crossings
-  const double perPitch = 1 / grid.pitch.z(), first = grid.first.z();
-  parallelFor(crossings.columnCount(), 8192, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t c = begin; c < end; ++c) {
-      InsideStretches::Column& column = inside.columns[c];
-      column.begin = column.end = std::uint32_t(crossings.offsets[c] / 2);
-      forEachInside(crossings[c], [&](double entered, double left) {
-        const auto firstAbove = [&](double z) {
-          return std::int32_t(std::clamp((z - first) * perPitch + 1, 0.0, double(grid.n)));
-        };
-        inside.stretches[column.end++] = {firstAbove(entered), firstAbove(left)};
-      });
-    }
-  });
-  return inside;
+InsideSamples insideSamples(const TriangleMesh& mesh, const InsideGrid& grid) {
+  return insideSamples(snapToRaster(mesh), columnsOf(grid),
+                       {grid.first.z(), grid.pitch.z(), grid.n});
 }
 
-std::vector<std::uint8_t> flagsOf(const InsideStretches& inside, const InsideGrid& grid) {
+std::vector<std::uint8_t> flagsOf(const InsideSamples& inside, const InsideGrid& grid) {
   std::vector<std::uint8_t> flags(std::size_t(grid.n) * grid.n * grid.n, 0);
-  for (std::size_t c = 0; c < inside.columns.size(); ++c)
-    for (std::uint32_t s = inside.columns[c].begin; s < inside.columns[c].end; ++s) {
-      const auto column = flags.begin() + std::ptrdiff_t(c * grid.n);
-      std::fill(column + inside.stretches[s].first, column + inside.stretches[s].last,
-                std::uint8_t(1));
-    }
+  for (int y = 0; y < grid.n; ++y)
+    for (int x = 0; x < grid.n; ++x)
+      for (const InsideStretch& s : inside.column(std::size_t(x), std::size_t(y))) {
+        const auto column = flags.begin() + std::ptrdiff_t(grid.index(x, y, 0));
+        std::fill(column + s.first, column + s.last, std::uint8_t(1));
+      }
   return flags;
 }
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/columns.h"
+#include "collision/inside_samples.h"
 
 namespace resect::bench {
 
@@ -19,22 +19,11 @@ struct InsideGrid {
 // Over the mesh's box with a margin of half a pitch.
 InsideGrid gridRound(const TriangleMesh& mesh, int n);
 
-// Per column of points the stretches of them that lie inside, z in [first, last): what a peer's
-// stencil or list of hits says, too.
-struct InsideStretches {
-  struct Stretch {
-    std::int32_t first, last;
-  };
-  struct Column {
-    std::uint32_t begin = 0, end = 0;  // of its stretches
-  };
-  std::vector<Column> columns;  // number y * n + x
-  std::vector<Stretch> stretches;
-};
-InsideStretches insideStretches(const TriangleMesh& mesh, const InsideGrid& grid);
+// The stretches of points inside: what a peer's stencil or list of hits says, too.
+InsideSamples insideSamples(const TriangleMesh& mesh, const InsideGrid& grid);
 
 // One flag per point, z fastest.
-std::vector<std::uint8_t> flagsOf(const InsideStretches& inside, const InsideGrid& grid);
+std::vector<std::uint8_t> flagsOf(const InsideSamples& inside, const InsideGrid& grid);
 
 // How far `theirs` is from `ours`: points that differ, and how many of those are farther than
 // `tolerance` (m) from the surface.

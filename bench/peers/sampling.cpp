@@ -30,8 +30,8 @@ Findings compareSampling(const Effort& effort, const SamplingPeer& peer,
       line.threads = threads;
       line.goal = goal(size);
       peer.prepare(mesh, grid, threads);
-      InsideStretches ours;
-      timeBoth([&] { ours = insideStretches(mesh, grid); }, peer.sample, effort, line);
+      InsideSamples ours;
+      timeBoth([&] { ours = insideSamples(mesh, grid); }, peer.sample, effort, line);
       const FlagDifference d =
           compareFlags(mesh, grid, flagsOf(ours, grid), peer.flags(), peer.tolerance);
       line.agreement = fmt::format("{} points differ, {} of them off the surface; {} odd columns",

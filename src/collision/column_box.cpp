@@ -3,22 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdlib>
 
 #include "collision/avx2_integers.h"
 
 namespace resect {
 
-GridHit* castBoxPlainly(const Footprint& footprint, const GridRaster& raster, const ColumnBox& box,
-                        GridHit* to) {
+void castBoxPlainly(const Footprint& footprint, const GridRaster& raster, const ColumnBox& box,
+                    RowHits& hits) {
   for (int y = box.first.row; y < box.last.row; ++y) {
     const Footprint::Row row = footprint.row(raster.rows[y]);
+    RowHits::Row& into = hits.rows()[y];
+    GridHit* to = hits.room(into, box.last.column - box.first.column + 1);
     for (int x = box.first.column; x < box.last.column; ++x) {
       const auto place = row.place(raster.columns[x]);
-      *to = {raster.column({x, y}), footprint.sign, footprint.depth(place)};
+      *to = {x, footprint.sign, footprint.depth(place)};
       to += place.covered();
     }
+    into.end = to;
   }
-  return to;
 }
 
 #if defined(__x86_64__)
@@ -39,74 +42,107 @@ constexpr std::array<std::array<std::int32_t, 8>, 16> kPacked = [] {
   return orders;
 }();
 
+// Edge functions as integers: products of 32-bit numbers are exact in 64 bits.
+struct Integers {
+  using Four = __m256i;
+  RESECT_AVX2 static Four all(std::int64_t v) { return _mm256_set1_epi64x(v); }
+  RESECT_AVX2 static Four from(__m128i v) { return _mm256_cvtepi32_epi64(v); }
+  RESECT_AVX2 static Four sum(Four a, Four b) { return _mm256_add_epi64(a, b); }
+  RESECT_AVX2 static Four difference(Four a, Four b) { return _mm256_sub_epi64(a, b); }
+  RESECT_AVX2 static Four product(Four a, Four b) { return _mm256_mul_epi32(a, b); }
+  RESECT_AVX2 static __m256d number(Four v) { return toDouble(v); }
+  RESECT_AVX2 static __m256d signs(Four v) { return _mm256_castsi256_pd(v); }
+};
+
+// The same as floating-point numbers, for triangles so small that all their integers are exact.
+struct SmallIntegers {
+  using Four = __m256d;
+  RESECT_AVX2 static Four all(std::int64_t v) { return _mm256_set1_pd(double(v)); }
+  RESECT_AVX2 static Four from(__m128i v) { return _mm256_cvtepi32_pd(v); }
+  RESECT_AVX2 static Four sum(Four a, Four b) { return _mm256_add_pd(a, b); }
+  RESECT_AVX2 static Four difference(Four a, Four b) { return _mm256_sub_pd(a, b); }
+  RESECT_AVX2 static Four product(Four a, Four b) { return _mm256_mul_pd(a, b); }
+  RESECT_AVX2 static __m256d number(Four v) { return v; }
+  RESECT_AVX2 static __m256d signs(Four v) { return v; }
+};
+
+// With sides from corner 0 below 2^25, products stay below 2^51 and sums of three below 2^53.
+bool isSmall(const Footprint& f) {
+  const auto far = [](const Footprint::Edge& e) { return std::abs(e.dx) | std::abs(e.dy); };
+  return (far(f.edge[1]) | far(f.edge[2])) < 1 << 25;
+}
+
 // The part of the edge functions that the columns of a step decide is worked out once for all rows.
-// Aims at 45 instructions for a row of four columns.
-RESECT_AVX2 GridHit* castBoxFours(const Footprint& footprint, const GridRaster& raster,
-                                  const ColumnBox& box, GridHit* to) {
-  // Products of 32-bit numbers are exact in 64 bits: sides and distances are below 2^31.
-  const auto all = [](std::int64_t v) RESECT_AVX2 { return _mm256_set1_epi64x(v); };
-  const __m256i dx[3] = {all(footprint.edge[0].dx), all(footprint.edge[1].dx),
-                         all(footprint.edge[2].dx)};
-  const __m256i notOwned1 = all(footprint.edge[1].notOwned),
-                notOwned2 = all(footprint.edge[2].notOwned);
+// Aims at 35 instructions for a row of four columns, 45 with integers.
+template <typename N>
+RESECT_AVX2 void castBoxFours(const Footprint& footprint, const GridRaster& raster,
+                              const ColumnBox& box, RowHits& hits) {
+  using Four = typename N::Four;
+  const __m128i x0 = _mm_set1_epi32(std::int32_t(footprint.x0)),
+                y0 = _mm_set1_epi32(std::int32_t(footprint.y0));
+  const Four dx[3] = {N::all(footprint.edge[0].dx), N::all(footprint.edge[1].dx),
+                      N::all(footprint.edge[2].dx)};
+  const Four notOwned1 = N::all(footprint.edge[1].notOwned),
+             notOwned2 = N::all(footprint.edge[2].notOwned);
   const __m256d z = _mm256_set1_pd(footprint.z), rise1 = _mm256_set1_pd(footprint.dz1),
                 rise2 = _mm256_set1_pd(footprint.dz2), area = _mm256_set1_pd(footprint.area);
+  RowHits::Row* const rows = hits.rows();
   for (int x = box.first.column; x < box.last.column; x += kBoxStep) {
-    const __m256i columns =
-        _mm256_sub_epi64(_mm256_cvtepi32_epi64(
-                             _mm_loadu_si128(reinterpret_cast<const __m128i*>(raster.columns + x))),
-                         all(footprint.x0));
-    __m256i start[3];
+    const Four columns = N::from(
+        _mm_sub_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(raster.columns + x)), x0));
+    Four start[3];
     for (int e = 0; e < 3; ++e)
-      start[e] = _mm256_sub_epi64(all(footprint.edge[e].start),
-                                  _mm256_mul_epi32(columns, all(footprint.edge[e].dy)));
+      start[e] = N::difference(N::all(footprint.edge[e].start),
+                               N::product(columns, N::all(footprint.edge[e].dy)));
     const unsigned within = (1u << std::min(kBoxStep, box.last.column - x)) - 1;
     // Column and sign of a hit, as they stand in memory.
-    const std::uint32_t first = raster.column({x, box.first.row});
-    __m256i hit = _mm256_add_epi64(
-        all(std::int64_t(std::uint64_t(std::uint32_t(footprint.sign)) << 32 | first)),
+    const __m256i hit = _mm256_add_epi64(
+        _mm256_set1_epi64x(
+            std::int64_t(std::uint64_t(std::uint32_t(footprint.sign)) << 32 | std::uint32_t(x))),
         _mm256_set_epi64x(3, 2, 1, 0));
     for (int y = box.first.row; y < box.last.row; ++y) {
-      const __m256i row = all(raster.rows[y] - footprint.y0);
-      const auto value = [&](int e) RESECT_AVX2 {
-        return _mm256_add_epi64(start[e], _mm256_mul_epi32(dx[e], row));
-      };
-      const __m256i v0 = value(0), v1 = value(1), v2 = value(2);
-      const __m256i any = _mm256_or_si256(v0, _mm256_or_si256(v1, v2));
-      const unsigned covered = ~unsigned(_mm256_movemask_pd(_mm256_castsi256_pd(any))) & within;
-      const __m256d rise =
-          _mm256_add_pd(_mm256_mul_pd(toDouble(_mm256_add_epi64(v1, notOwned1)), rise1),
-                        _mm256_mul_pd(toDouble(_mm256_add_epi64(v2, notOwned2)), rise2));
+      const Four row = N::from(_mm_sub_epi32(_mm_set1_epi32(raster.rows[y]), y0));
+      const Four v0 = N::sum(start[0], N::product(dx[0], row)),
+                 v1 = N::sum(start[1], N::product(dx[1], row)),
+                 v2 = N::sum(start[2], N::product(dx[2], row));
+      const __m256d any = _mm256_or_pd(N::signs(v0), _mm256_or_pd(N::signs(v1), N::signs(v2)));
+      const unsigned covered = ~unsigned(_mm256_movemask_pd(any)) & within;
+      const __m256d rise = _mm256_add_pd(_mm256_mul_pd(N::number(N::sum(v1, notOwned1)), rise1),
+                                         _mm256_mul_pd(N::number(N::sum(v2, notOwned2)), rise2));
       const __m256i depth = _mm256_castpd_si256(_mm256_add_pd(z, _mm256_div_pd(rise, area)));
       const __m256i order =
           _mm256_loadu_si256(reinterpret_cast<const __m256i*>(kPacked[covered].data()));
-      const __m256i hits = _mm256_permutevar8x32_epi32(hit, order),
+      const __m256i packed = _mm256_permutevar8x32_epi32(hit, order),
                     depths = _mm256_permutevar8x32_epi32(depth, order);
-      const __m256i even = _mm256_unpacklo_epi64(hits, depths),
-                    odd = _mm256_unpackhi_epi64(hits, depths);
-      auto* out = reinterpret_cast<__m256i*>(to);
+      const __m256i even = _mm256_unpacklo_epi64(packed, depths),
+                    odd = _mm256_unpackhi_epi64(packed, depths);
+      RowHits::Row& into = rows[y];
+      auto* out = reinterpret_cast<__m256i*>(hits.room(into, kBoxStep));
       _mm256_storeu_si256(out, _mm256_permute2x128_si256(even, odd, 0x20));
       _mm256_storeu_si256(out + 1, _mm256_permute2x128_si256(even, odd, 0x31));
-      to += std::popcount(covered);
-      hit = _mm256_add_epi64(hit, all(raster.columnCount));
+      into.end += std::popcount(covered);
     }
   }
-  return to;
 }
 
 }  // namespace
 
-GridHit* castBox(const Footprint& footprint, const GridRaster& raster, const ColumnBox& box,
-                 GridHit* to) {
+void castBox(const Footprint& footprint, const GridRaster& raster, const ColumnBox& box,
+             RowHits& hits) {
   static const bool wide = __builtin_cpu_supports("avx2");
-  return (wide ? castBoxFours : castBoxPlainly)(footprint, raster, box, to);
+  if (!wide)
+    castBoxPlainly(footprint, raster, box, hits);
+  else if (isSmall(footprint))
+    castBoxFours<SmallIntegers>(footprint, raster, box, hits);
+  else
+    castBoxFours<Integers>(footprint, raster, box, hits);
 }
 
 #else
 
-GridHit* castBox(const Footprint& footprint, const GridRaster& raster, const ColumnBox& box,
-                 GridHit* to) {
-  return castBoxPlainly(footprint, raster, box, to);
+void castBox(const Footprint& footprint, const GridRaster& raster, const ColumnBox& box,
+             RowHits& hits) {
+  castBoxPlainly(footprint, raster, box, hits);
 }
 
 #endif

@@ -60,7 +60,7 @@ struct SnappedMesh {
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
   Aabb box;                    // of the mesh
-  std::vector<Point> points;
+  RawArray<Point> points;
   std::span<const Triangle> triangles;
 };
 

@@ -1,183 +1,30 @@
-// The columns of a regular grid: every triangle looks up the lines it may cover.
-#include <algorithm>
-#include <limits>
-#include <memory>
+// The crossings of a regular grid's columns: each row's hits, sorted.
 #include <utility>
 
-#include "base/assert.h"
 #include "base/parallel.h"
-#include "base/raw_array.h"
-#include "collision/column_box.h"
 #include "collision/column_order.h"
-#include "collision/footprint.h"
-#include "collision/lone_columns.h"
+#include "collision/columns.h"
+#include "collision/grid_hits.h"
 
 namespace resect {
 namespace {
 
-constexpr std::size_t kBlock = 8192;  // triangles that are looked at together
-constexpr int kWide = 8;              // columns from which on a triangle's rows are narrowed
-constexpr std::size_t kRun = 1024;    // of them sorted at a time: the lists stay in the first cache
-
-// Hits are written without asking first whether they count, and kept by counting them: a branch
-// that goes one way as often as the other costs more than a hit.
-class HitList {
- public:
-  void expect(std::size_t count) { hits_.resize(std::max(count, hits_.size())); }
-  // Where the next hits go; `more` of them may be written.
-  GridHit* room(std::size_t more) {
-    if (count_ + more > hits_.size()) hits_.resize(2 * (count_ + more));
-    return hits_.data() + count_;
+// Counting sort of a row's hits into its columns. end: of each column, 0 until now; gets where in
+// `all` the column ends.
+void sortRow(const GridHits& hits, std::size_t row, std::span<std::uint32_t> end, Crossing* all) {
+  // end[c] counts, then is where column c goes on, and at last where it ends.
+  hits.forEach(row, [&](const GridHit& hit) { ++end[std::size_t(hit.column)]; });
+  std::uint32_t sum = hits.rowBegins[row];
+  for (std::uint32_t& e : end) e = std::exchange(sum, sum + e);
+  hits.forEach(row, [&](const GridHit& hit) {
+    all[end[std::size_t(hit.column)]++] = {hit.depth, hit.sign};
+  });
+  std::uint32_t begin = hits.rowBegins[row];
+  for (const std::uint32_t e : end) {
+    if (e - begin > 1) sortColumn(all + begin, all + e);
+    begin = e;
   }
-  void keepUpTo(const GridHit* end) { count_ = std::size_t(end - hits_.data()); }
-  std::span<const GridHit> hits() const { return {hits_.data(), count_}; }
-
- private:
-  RawArray<GridHit> hits_;
-  std::size_t count_ = 0;
-};
-
-// Counting sort of the hits, in the order of the blocks, into the columns.
-void sortHits(const std::vector<HitList>& blocks, Crossings& result) {
-  // offsets[c + 1] counts, then is where column c goes on, and at last where it ends.
-  for (const HitList& block : blocks)
-    for (const GridHit& hit : block.hits()) ++result.offsets[hit.column + 1];
-  std::size_t hits = 0;
-  for (const HitList& block : blocks) hits += block.hits().size();
-  RESECT_ASSERT(hits <= std::numeric_limits<std::uint32_t>::max());
-  std::uint32_t sum = 0;
-  for (std::size_t c = 1; c < result.offsets.size(); ++c)
-    result.offsets[c] = std::exchange(sum, sum + result.offsets[c]);
-  result.all.resize(sum);
-  for (const HitList& block : blocks)
-    for (const GridHit& hit : block.hits())
-      result.all[result.offsets[hit.column + 1]++] = {hit.depth, hit.sign};
-  for (std::size_t c = 0; c + 1 < result.offsets.size(); ++c)
-    if (result.offsets[c + 1] - result.offsets[c] > 1)
-      sortColumn(result.all.data() + result.offsets[c], result.all.data() + result.offsets[c + 1]);
 }
-
-struct GridLines {
-  int count;
-  std::vector<std::int32_t> at;  // kBoxStep more than there are
-  double linesPerStep, first;
-
-  GridLines(double origin, double pitch, int lines, double meshOrigin, double step)
-      : count(lines),
-        at(std::size_t(lines + kBoxStep), kAbove),
-        linesPerStep(step / pitch),
-        first((meshOrigin - origin) / pitch) {
-    for (int i = 0; i < count; ++i) at[i] = snapColumn(origin + i * pitch - meshOrigin, step);
-  }
-  double estimate(double place) const { return first + place * linesPerStep; }
-  std::int32_t lowerBound(std::int32_t place) const {
-    const double about = estimate(place);
-    int i = !(about > 0) ? 0 : about < count ? int(about) + 1 : count;
-    while (i > 0 && at[i - 1] >= place) --i;
-    while (i < count && at[i] < place) ++i;
-    return i;
-  }
-};
-
-// Half-open range of lines between three points.
-struct Range {
-  std::int32_t first, last;
-  static Range round(std::int32_t a, std::int32_t b, std::int32_t c) {
-    return {std::min({a, b, c}), std::max({a, b, c})};
-  }
-  std::int32_t size() const { return last - first; }
-};
-
-class GridCaster {
- public:
-  GridCaster(const SnappedMesh& mesh, const ColumnGrid& grid)
-      : mesh_(mesh),
-        linesX_(grid.origin.x(), grid.pitch.x(), grid.countX, mesh.origin.x(), mesh.step),
-        linesY_(grid.origin.y(), grid.pitch.y(), grid.countY, mesh.origin.y(), mesh.step),
-        slack_(1e-6 + 2 * linesX_.linesPerStep),
-        cells_(std::make_unique_for_overwrite<GridCell[]>(mesh.points.size())) {
-    parallelFor(mesh.points.size(), 1 << 14,
-                [&](std::size_t begin, std::size_t end) { findCells(begin, end); });
-  }
-
-  // Adds what triangles [begin, end) hit, at most kRun of them.
-  void cast(std::size_t begin, std::size_t end, HitList& hits) const {
-    LoneColumn lone[kRun];
-    std::uint32_t others[kRun];
-    const SortedOut count = sortOut(mesh_.triangles, cells_.get(), begin, end, lone, others);
-    const GridRaster raster{linesX_.at.data(), linesY_.at.data(), std::uint32_t(linesX_.count)};
-    hits.keepUpTo(castLone(mesh_, raster, lone, count.lone, hits.room(count.lone + 1)));
-    for (std::size_t k = 0; k < count.others; ++k) castLarge(others[k], raster, hits);
-  }
-
- private:
-  // By estimate, which is out by less than the slack: only near a line the lines are asked.
-  void findCells(std::size_t begin, std::size_t end) {
-    const Pair first{linesX_.first, linesY_.first};
-    const Pair perStep{linesX_.linesPerStep, linesY_.linesPerStep};
-    const Pair most{linesX_.count + 0.5, linesY_.count + 0.5};
-    const double slack = std::max(slack_, 1e-6 + 2 * linesY_.linesPerStep);
-    for (std::size_t i = begin; i < end; ++i) {
-      const SnappedMesh::Point& p = mesh_.points[i];
-      Pair line = first + Pair{double(p.x), double(p.y)} * perStep + 1.0;
-      line = line > 0.5 ? line : Pair{0.5, 0.5};  // all before the first line are alike,
-      line = line < most ? line : most;           // and all behind the last
-      const IntPair at = __builtin_convertvector(line, IntPair);
-      const Pair behind = line - __builtin_convertvector(at, Pair);
-      const auto sure = (behind > slack) & (behind < 1 - slack);
-      cells_[i] = {at[0], at[1]};
-      if (!(sure[0] & sure[1])) cells_[i] = {linesX_.lowerBound(p.x), linesY_.lowerBound(p.y)};
-    }
-  }
-
-  std::pair<Range, Range> reach(std::size_t t) const {
-    const auto& [ia, ib, ic] = mesh_.triangles[t];
-    const GridCell &a = cells_[ia], &b = cells_[ib], &c = cells_[ic];
-    return {Range::round(a.column, b.column, c.column), Range::round(a.row, b.row, c.row)};
-  }
-  Footprint footprintOf(std::size_t t) const {
-    const auto& [a, b, c] = mesh_.triangles[t];
-    return Footprint(mesh_.points[a], mesh_.points[b], mesh_.points[c]);
-  }
-
-  void castLarge(std::size_t t, const GridRaster& raster, HitList& hits) const {
-    const auto [columns, rows] = reach(t);
-    const Footprint footprint = footprintOf(t);
-    if (footprint.area == 0) return;
-    const auto add = [&](const Range& x, const Range& y) {
-      const auto most = std::size_t(x.size()) * std::size_t(y.size()) + kBoxStep;
-      hits.keepUpTo(
-          castBox(footprint, raster, {{x.first, y.first}, {x.last, y.last}}, hits.room(most)));
-    };
-    if (columns.size() <= kWide) return add(columns, rows);
-    // Most of the box round a large triangle is empty: each row is narrowed first.
-    for (int y = rows.first; y < rows.last; ++y)
-      if (const Range x = narrowed(footprint, footprint.row(linesY_.at[y]), columns); x.size() > 0)
-        add(x, Range{y, y + 1});
-  }
-
-  // Where the row crosses the edges, by floating point; the exact test decides.
-  Range narrowed(const Footprint& footprint, const Footprint::Row& row, const Range& all) const {
-    double low = all.first, high = all.last;
-    for (int e = 0; e < 3; ++e) {
-      const double dy = double(footprint.edge[e].dy);
-      if (dy == 0) continue;
-      const double at = linesX_.estimate(double(footprint.x0) + double(row.start[e]) / dy);
-      if (dy < 0) low = std::max(low, at - slack_);
-      if (dy > 0) high = std::min(high, at + slack_);
-    }
-    Range range = all;
-    range.first = int(std::min(low, double(all.last)));
-    range.last = int(std::max(high, double(all.first))) + 1;
-    range.last = std::min(range.last, all.last);
-    return range;
-  }
-
-  const SnappedMesh& mesh_;
-  GridLines linesX_, linesY_;
-  double slack_;  // columns that an estimate may be wrong by
-  std::unique_ptr<GridCell[]> cells_;
-};
 
 }  // namespace
 
@@ -185,18 +32,14 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
   Crossings result;
   result.offsets.assign(grid.count() + 1, 0);
   if (grid.count() == 0 || mesh.points.empty()) return result;
-  RESECT_ASSERT(grid.pitch.x() > 0 && grid.pitch.y() > 0);
-  const GridCaster caster(mesh, grid);
-  std::vector<HitList> blocks((mesh.triangles.size() + kBlock - 1) / kBlock);
-  // A guess that saves copying, as if every column went in and out: what is not needed is not
-  // touched.
-  const std::size_t expected = 2 * grid.count() / blocks.size() + kRun;
-  parallelFor(mesh.triangles.size(), kBlock, [&](std::size_t begin, std::size_t end) {
-    HitList& hits = blocks[begin / kBlock];
-    hits.expect(expected);
-    for (std::size_t t = begin; t < end; t += kRun) caster.cast(t, std::min(end, t + kRun), hits);
+  const GridHits hits = gatherHits(mesh, grid);
+  result.all.resize(hits.rowBegins.back());
+  const auto columns = std::size_t(grid.countX);
+  parallelFor(std::size_t(grid.countY), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row)
+      sortRow(hits, row, std::span(result.offsets).subspan(row * columns + 1, columns),
+              result.all.data());
   });
-  sortHits(blocks, result);
   return result;
 }
 

@@ -41,14 +41,14 @@ RESECT_WIDEST SortedOut sortOut(std::span<const Triangle> triangles, const GridC
   return count;
 }
 
-GridHit* castLonePlainly(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
-                         std::size_t count, GridHit* to) {
+LoneHit* castLonePlainly(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
+                         std::size_t count, LoneHit* to) {
   for (std::size_t k = 0; k < count; ++k) {
     const auto& [t, at] = lone[k];
     const auto& [a, b, c] = mesh.triangles[t];
     const Footprint footprint(mesh.points[a], mesh.points[b], mesh.points[c]);
     const auto place = footprint.row(raster.rows[at.row]).place(raster.columns[at.column]);
-    *to = {raster.column(at), footprint.sign, footprint.depth(place)};
+    *to = {at.row, {at.column, footprint.sign, footprint.depth(place)}};
     to += place.covered() & (footprint.area > 0);
   }
   return to;
@@ -88,8 +88,8 @@ RESECT_AVX2 inline __m256i onSide(__m256i v, Places edge, __m256i turn) {
 }
 
 // Edge functions of a column at the origin are cross products of the corners.
-RESECT_AVX2 GridHit* castFours(const SnappedMesh& mesh, const GridRaster& raster,
-                               const LoneColumn* lone, std::size_t count, GridHit* to) {
+RESECT_AVX2 LoneHit* castFours(const SnappedMesh& mesh, const GridRaster& raster,
+                               const LoneColumn* lone, std::size_t count, LoneHit* to) {
   const SnappedMesh::Point* points = mesh.points.data();
   for (; count >= 4; count -= 4, lone += 4) {
     const SnappedMesh::Point* corner[3][4];
@@ -125,7 +125,8 @@ RESECT_AVX2 GridHit* castFours(const SnappedMesh& mesh, const GridRaster& raster
     const int hit = _mm256_movemask_pd(_mm256_castsi256_pd(covered));
     const int up = _mm256_movemask_pd(_mm256_castsi256_pd(looksUp));
     for (int k = 0; k < 4; ++k) {
-      *to = {raster.column(lone[k].at), 1 - 2 * (up >> k & 1), depth[k]};
+      const GridCell& at = lone[k].at;
+      *to = {at.row, {at.column, 1 - 2 * (up >> k & 1), depth[k]}};
       to += hit >> k & 1;
     }
   }
@@ -134,16 +135,16 @@ RESECT_AVX2 GridHit* castFours(const SnappedMesh& mesh, const GridRaster& raster
 
 }  // namespace
 
-GridHit* castLone(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
-                  std::size_t count, GridHit* to) {
+LoneHit* castLone(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
+                  std::size_t count, LoneHit* to) {
   static const bool wide = __builtin_cpu_supports("avx2");
   return (wide ? castFours : castLonePlainly)(mesh, raster, lone, count, to);
 }
 
 #else
 
-GridHit* castLone(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
-                  std::size_t count, GridHit* to) {
+LoneHit* castLone(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
+                  std::size_t count, LoneHit* to) {
   return castLonePlainly(mesh, raster, lone, count, to);
 }
 

@@ -1,5 +1,5 @@
 // Most triangles of a fine mesh reach no column of the grid, or a single one: which are they, and
-// where does the column cross those that cover it? For collision/grid_columns.cpp alone; the test
+// where does the column cross those that cover it? For collision/grid_hits.cpp alone; the test
 // is that of collision/footprint.h, bit for bit.
 #pragma once
 
@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "collision/columns.h"
+#include "collision/grid_hits.h"
 
 namespace resect {
 
@@ -21,12 +22,6 @@ struct LoneColumn {
   GridCell at;
 };
 
-struct GridHit {
-  std::uint32_t column;
-  std::int32_t sign;  // as of a Crossing
-  double depth;
-};
-
 struct SortedOut {
   std::size_t lone = 0, others = 0;
 };
@@ -39,18 +34,17 @@ SortedOut sortOut(std::span<const Triangle> triangles, const GridCell* cells, st
 // The grid's lines in steps of the mesh's raster.
 struct GridRaster {
   const std::int32_t *columns, *rows;
-  std::uint32_t columnCount;
-
-  std::uint32_t column(const GridCell& at) const {
-    return std::uint32_t(at.row) * columnCount + std::uint32_t(at.column);
-  }
 };
 
+struct LoneHit {
+  std::int32_t row;
+  GridHit hit;
+};
 // Writes the hits of those that cover their column, in order, and returns where they end; one more
 // than `count` may be written. Four at a time on machines with AVX2; the plain one for comparison.
-GridHit* castLone(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
-                  std::size_t count, GridHit* to);
-GridHit* castLonePlainly(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
-                         std::size_t count, GridHit* to);
+LoneHit* castLone(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
+                  std::size_t count, LoneHit* to);
+LoneHit* castLonePlainly(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
+                         std::size_t count, LoneHit* to);
 
 }  // namespace resect

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "collision/columns.h"
+#include "collision/inside_samples.h"
 #include "sph/lattice_extent.h"
 
 namespace resect {
@@ -25,23 +25,6 @@ Lattice makeLattice(const Vec3& origin, const Vec3& spacing, const Vec3& counts)
 Vec3 cellsOver(const Vec3& extent, double spacing) {
   return (extent / spacing - Vec3::Constant(1e-9)).array().ceil().cwiseMax(1);
 }
-
-// Samples along z in ascending order, and the first one beyond a depth.
-struct Samples {
-  std::vector<double> z;
-  double first, pitch;
-
-  Samples(double start, double step, int count) : z(count), first(start), pitch(step) {
-    for (int i = 0; i < count; ++i) z[i] = start + i * step;
-  }
-  int firstAbove(double depth) const {
-    const int count = int(z.size());
-    int i = int(std::clamp(std::floor((depth - first) / pitch) + 1, 0.0, double(count)));
-    while (i > 0 && z[i - 1] > depth) --i;
-    while (i < count && z[i] <= depth) ++i;
-    return i;
-  }
-};
 
 }  // namespace
 
@@ -84,18 +67,18 @@ Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
   report(progress, 0);
   const SnappedMesh snapped = snapToRaster(mesh);
   const Vec2 origin = lattice.origin.head<2>(), spacing = lattice.spacing.head<2>();
-  const Crossings centres = castColumns(snapped, ColumnGrid{origin, spacing, nx, ny});
+  const InsideSamples centres = insideSamples(snapped, ColumnGrid{origin, spacing, nx, ny},
+                                              {lattice.origin.z(), lattice.spacing.z(), nz});
   report(progress, 0.1);
   // The samples stand at (k + 1/2) / 4 of the cell.
   const double shift = 0.5 / kSamples - 0.5;
-  const Crossings fine = castColumns(
+  const InsideSamples fine = insideSamples(
       snapped,
-      ColumnGrid{origin + shift * spacing, spacing / kSamples, kSamples * nx, kSamples * ny});
+      ColumnGrid{origin + shift * spacing, spacing / kSamples, kSamples * nx, kSamples * ny},
+      {lattice.origin.z() + shift * lattice.spacing.z(), lattice.spacing.z() / kSamples,
+       kSamples * nz});
   report(progress, 0.5);
 
-  const Samples centreZ(lattice.origin.z(), lattice.spacing.z(), nz);
-  const Samples fineZ(lattice.origin.z() + shift * lattice.spacing.z(),
-                      lattice.spacing.z() / kSamples, kSamples * nz);
   const auto fillRow = [&](int j, std::vector<std::uint8_t>& filled,
                            std::vector<std::uint8_t>& inside) {
     // One row of cells, z fastest: samples inside (0..64) and the centre's flag.
@@ -103,23 +86,16 @@ Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
     inside.assign(std::size_t(nx) * nz, 0);
     for (int i = 0; i < nx; ++i) {
       std::uint8_t* const column = filled.data() + std::size_t(i) * nz;
-      for (int sub = 0; sub < kSamples * kSamples; ++sub) {
-        const std::size_t row = std::size_t(kSamples) * j + sub / kSamples;
-        forEachInside(
-            fine[(row * nx + i) * kSamples + sub % kSamples], [&](double entered, double left) {
-              const int begin = fineZ.firstAbove(entered);
-              const int end = fineZ.firstAbove(left);
-              for (int k = begin / kSamples; k * kSamples < end; ++k)
-                column[k] += std::min(end, (k + 1) * kSamples) - std::max(begin, k * kSamples);
-            });
-      }
-      forEachInside(centres[std::size_t(j) * nx + i], [&](double entered, double left) {
-        const int begin = centreZ.firstAbove(entered), end = centreZ.firstAbove(left);
+      for (int sub = 0; sub < kSamples * kSamples; ++sub)
+        for (const auto& [begin, end] :
+             fine.column(kSamples * i + sub % kSamples, kSamples * j + sub / kSamples))
+          for (int k = begin / kSamples; k * kSamples < end; ++k)
+            column[k] += std::min(end, (k + 1) * kSamples) - std::max(begin, k * kSamples);
+      for (const auto& [begin, end] : centres.column(i, j))
         for (int k = begin; k < end; ++k) {
           inside[std::size_t(i) * nz + k] = 1;
           column[k] = std::max<std::uint8_t>(column[k], 1);
         }
-      });
     }
     constexpr float kPerSample = 100.0f / (kSamples * kSamples * kSamples);
     for (int k = 0; k < nz; ++k) {

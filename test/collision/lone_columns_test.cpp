@@ -49,16 +49,18 @@ TEST_CASE("columns of four triangles at a time are those of one, bit for bit") {
   std::size_t covered = 0;
   for (int k = 0; k < 400; ++k) {
     const Case c(random, k % 2 == 0 ? 1 : 1 << 28);
-    const GridRaster raster{c.lines.data(), c.lines.data(), std::uint32_t(c.lines.size())};
+    const GridRaster raster{c.lines.data(), c.lines.data()};
     const std::size_t count = c.lone.size() - std::size_t(k) % 4;
-    std::vector<GridHit> wide(count + 1), plain(count + 1);
+    std::vector<LoneHit> wide(count + 1), plain(count + 1);
     const auto wideEnd = castLone(c.mesh, raster, c.lone.data(), count, wide.data());
     const auto plainEnd = castLonePlainly(c.mesh, raster, c.lone.data(), count, plain.data());
     REQUIRE(wideEnd - wide.data() == plainEnd - plain.data());
-    for (GridHit *a = wide.data(), *b = plain.data(); a < wideEnd; ++a, ++b) {
-      CHECK(a->column == b->column);
-      CHECK(a->sign == b->sign);
-      CHECK(std::bit_cast<std::uint64_t>(a->depth) == std::bit_cast<std::uint64_t>(b->depth));
+    for (LoneHit *w = wide.data(), *p = plain.data(); w < wideEnd; ++w, ++p) {
+      const GridHit &a = w->hit, &b = p->hit;
+      CHECK(w->row == p->row);
+      CHECK(a.column == b.column);
+      CHECK(a.sign == b.sign);
+      CHECK(std::bit_cast<std::uint64_t>(a.depth) == std::bit_cast<std::uint64_t>(b.depth));
       ++covered;
     }
   }
