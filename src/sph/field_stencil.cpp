@@ -41,17 +41,6 @@ struct Mirrored {
   T near, far;
 };
 
-// For node i of a brick along an axis, from the cells (or sums of cells) along it.
-template <int kRefine, typename At>
-[[gnu::always_inline]] inline auto mirrored(int i, At at) {
-  using T = std::decay_t<decltype(at(0))>;
-  if constexpr (kRefine == 1) return Mirrored<T>{at(i + 1), at(i) + at(i + 2)};
-  const int h = i / 2;
-  if (i % 2 == 0) return Mirrored<T>{at(h + 1), at(h) + at(h + 2)};
-  return Mirrored<T>{at(h + 1) + at(h + 2), at(h) + at(h + 3)};
-}
-
-// The same for the four nodes of a row, along x.
 template <int kRefine>
 [[gnu::always_inline]] inline Mirrored<Row> mirroredAlongX(const float* cell) {
   const Row a = rowAt(cell), b = rowAt(cell + 1);
@@ -61,48 +50,107 @@ template <int kRefine>
           __builtin_shufflevector(a, a, 0, 0, 1, 1) + __builtin_shufflevector(b, b, 1, 2, 2, 3)};
 }
 
-// The halves of a plane are the pairs of rows whose nodes lie alike in neighbouring rows of cells:
-// rows 0 and 1, 2 and 3 with one node a cell, 0 and 2, 1 and 3 with two. Aims at 28 sums and
-// products for two rows of four nodes.
-template <int kRefine>
-[[gnu::always_inline]] inline void sumMirrored(const FieldStencil& stencil, const float* low,
-                                               std::ptrdiff_t alongY, std::ptrdiff_t alongZ,
-                                               unsigned planes, float* out) {
-  constexpr int kCells = kRefine == 1 ? 6 : 5;  // that a brick reaches along an axis
-  Mirrored<Half> rows[kCells][kCells - 1];      // [z][y]: of the rows of cells y and y + 1
+// The rows y and y + 1 of a plane of cells, as two rows of nodes see them.
+template <int kRefine, std::size_t kRows>
+[[gnu::always_inline]] inline void pairRows(const float* plane, std::ptrdiff_t alongY,
+                                            Mirrored<Half> (&rows)[kRows]) {
+  Mirrored<Row> last = mirroredAlongX<kRefine>(plane);
+#pragma GCC unroll 8
+  for (std::size_t y = 0; y < kRows; ++y) {
+    const auto next = mirroredAlongX<kRefine>(plane + std::ptrdiff_t(y + 1) * alongY);
+    rows[y] = {join(last.near, next.near), join(last.far, next.far)};
+    last = next;
+  }
+}
+
+// One node a cell: each lies on its cell and reaches the 26 round it; those that as many axes lead
+// to weigh alike. Rows 0 and 1 of the nodes go together, and 2 and 3. Aims at 17 sums and products
+// for two rows of four nodes.
+[[gnu::always_inline]] inline void sumOnCells(const FieldStencil& stencil, const float* low,
+                                              std::ptrdiff_t alongY, std::ptrdiff_t alongZ,
+                                              unsigned planes, float* out) {
+  constexpr int kCells = 6;  // that a brick reaches along an axis
+  // Of each plane of cells: that in line with the node, those beside it and those across.
+  Half own[2][kCells], beside[2][kCells], across[2][kCells];
+#pragma GCC unroll 6
   for (int z = 0; z < kCells; ++z) {
-    Mirrored<Row> last = mirroredAlongX<kRefine>(low + z * alongZ);
-    for (int y = 0; y + 1 < kCells; ++y) {
-      const Mirrored<Row> next = mirroredAlongX<kRefine>(low + z * alongZ + (y + 1) * alongY);
-      rows[z][y] = {join(last.near, next.near), join(last.far, next.far)};
-      last = next;
+    Mirrored<Half> rows[kCells - 1];
+    pairRows<1>(low + z * alongZ, alongY, rows);
+#pragma GCC unroll 2
+    for (int pair = 0; pair < 2; ++pair) {
+      const auto &below = rows[2 * pair], &level = rows[2 * pair + 1], &above = rows[2 * pair + 2];
+      own[pair][z] = level.near;
+      beside[pair][z] = level.far + (below.near + above.near);
+      across[pair][z] = below.far + above.far;
     }
   }
-  for (int pair = 0; pair < 2; ++pair) {
-    const int node = kRefine == 1 ? 2 * pair : pair;  // of the first of the two rows
-    Half sums[kCells][4];                             // of a plane of cells, x fastest
-    for (int z = 0; z < kCells; ++z) {
-      const auto near = mirrored<kRefine>(node, [&](int y) { return rows[z][y].near; });
-      const auto far = mirrored<kRefine>(node, [&](int y) { return rows[z][y].far; });
-      sums[z][0] = near.near, sums[z][1] = far.near, sums[z][2] = near.far, sums[z][3] = far.far;
-    }
+  const auto& weight = stencil.mirrored[0][0];
+  const Half ofOwn = half(weight[0]), ofFaces = half(weight[1]), ofEdges = half(weight[3]),
+             ofCorners = half(weight[7]);
+#pragma GCC unroll 2
+  for (int pair = 0; pair < 2; ++pair)
+#pragma GCC unroll 4
     for (int plane = 0; plane < kBrickNodes; ++plane) {
       if (!(planes >> plane & 1)) continue;
-      const auto& weight = stencil.mirrored[kRefine == 1 ? 0 : pair][plane % kRefine];
+      const Half *o = own[pair] + plane, *b = beside[pair] + plane, *a = across[pair] + plane;
+      const Half faces = b[1] + (o[0] + o[2]), edges = a[1] + (b[0] + b[2]), corners = a[0] + a[2];
+      const Half sum = (o[1] * ofOwn + faces * ofFaces) + (edges * ofEdges + corners * ofCorners);
+      std::memcpy(out + (plane * kBrickNodes + 2 * pair) * kBrickNodes, &sum, sizeof sum);
+    }
+}
+
+// Two nodes a cell. For node i of a brick along an axis, from the cells (or sums of cells) along
+// it.
+template <typename At>
+[[gnu::always_inline]] inline auto mirrored(int i, At at) {
+  using T = std::decay_t<decltype(at(0))>;
+  const int h = i / 2;
+  if (i % 2 == 0) return Mirrored<T>{at(h + 1), at(h) + at(h + 2)};
+  return Mirrored<T>{at(h + 1) + at(h + 2), at(h) + at(h + 3)};
+}
+
+// Does a node at such a place along y and z reach the cells that are one further along the axes
+// named by the bits of k (x, y, z)? Midway between cells it is half a cell nearer to some.
+constexpr bool reaches(int y, int z, int k) {
+  const auto square = [](int node, bool further) {  // in half cells
+    return (node % 2 + 2 * further) * (node % 2 + 2 * further);
+  };
+  return square(0, k & 1) + square(y, k & 2) + square(z, k & 4) < 16;
+}
+
+// Rows 0 and 2 of the nodes lie alike in neighbouring rows of cells, and 1 and 3. Aims at 24 sums
+// and products for two rows of four nodes.
+[[gnu::always_inline]] inline void sumBetweenCells(const FieldStencil& stencil, const float* low,
+                                                   std::ptrdiff_t alongY, std::ptrdiff_t alongZ,
+                                                   unsigned planes, float* out) {
+  constexpr int kCells = 5;  // that a brick reaches along an axis
+  Mirrored<Half> rows[kCells][kCells - 1];
+  for (int z = 0; z < kCells; ++z) pairRows<2>(low + z * alongZ, alongY, rows[z]);
+#pragma GCC unroll 2
+  for (int row = 0; row < 2; ++row) {
+    Half sums[kCells][4];  // of a plane of cells, x fastest
+    for (int z = 0; z < kCells; ++z) {
+      const auto near = mirrored(row, [&](int y) { return rows[z][y].near; });
+      const auto far = mirrored(row, [&](int y) { return rows[z][y].far; });
+      sums[z][0] = near.near, sums[z][1] = far.near, sums[z][2] = near.far, sums[z][3] = far.far;
+    }
+#pragma GCC unroll 4
+    for (int plane = 0; plane < kBrickNodes; ++plane) {
+      if (!(planes >> plane & 1)) continue;
+      const auto& weight = stencil.mirrored[row][plane % 2];
       Half sum = {};
+#pragma GCC unroll 4
       for (int k = 0; k < 4; ++k) {
-        const auto both = mirrored<kRefine>(plane, [&](int z) { return sums[z][k]; });
-        sum += both.near * half(weight[k]) + both.far * half(weight[4 + k]);
+        const auto both = mirrored(plane, [&](int z) { return sums[z][k]; });
+        sum += reaches(row, plane, k + 4)
+                   ? both.near * half(weight[k]) + both.far * half(weight[4 + k])
+                   : both.near * half(weight[k]);
       }
-      float* to = out + (plane * kBrickNodes + node) * kBrickNodes;
-      if constexpr (kRefine == 1) {
-        std::memcpy(to, &sum, sizeof sum);
-      } else {
-        const Row first = __builtin_shufflevector(sum, sum, 0, 1, 2, 3),
-                  second = __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
-        std::memcpy(to, &first, sizeof first);
-        std::memcpy(to + 2 * kBrickNodes, &second, sizeof second);
-      }
+      float* to = out + (plane * kBrickNodes + row) * kBrickNodes;
+      const Row first = __builtin_shufflevector(sum, sum, 0, 1, 2, 3),
+                second = __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
+      std::memcpy(to, &first, sizeof first);
+      std::memcpy(to + 2 * kBrickNodes, &second, sizeof second);
     }
   }
 }
@@ -256,9 +304,9 @@ void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out) {
   switch (stencil.refine) {
     case 1:
-      return sumMirrored<1>(stencil, low, alongY, alongZ, planes, out);
+      return sumOnCells(stencil, low, alongY, alongZ, planes, out);
     case 2:
-      return sumMirrored<2>(stencil, low, alongY, alongZ, planes, out);
+      return sumBetweenCells(stencil, low, alongY, alongZ, planes, out);
     default:
       return sumTaps(stencil, phase, low, alongY, alongZ, planes, out);
   }

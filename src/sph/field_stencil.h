@@ -3,7 +3,7 @@
 // The rest lattice is regular, so nodes at the same place within their cells have the same weights.
 // With one or two nodes a cell every node lies midway between cells or on one, and cells in mirror
 // places weigh the same along each axis: their values are added first, axis by axis, and what is
-// left of up to 36 products a node are eight. Other refinements take the plain sum.
+// left of up to 36 products a node are four to eight. Other refinements take the plain sum.
 #pragma once
 
 #include <array>
