@@ -15,8 +15,9 @@ namespace resect {
 namespace {
 
 constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that waits for update()
-constexpr int kMostBricks = 6;       // that a cell reaches along an axis: 17 nodes at refine 4
-constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
+constexpr int kMostBricks = 6;         // that a cell reaches along an axis: 17 nodes at refine 4
+constexpr std::size_t kGrain = 128;    // bricks that one thread takes: some 50 us
+constexpr std::size_t kRowGrain = 16;  // the same of rows of bricks, few of which are stored
 
 // What each cell of the padded lattice holds, as bits: anything at all, and less than all it can?
 // Row after row; of each first the words of the one, then those of the other.
@@ -92,21 +93,24 @@ ColourField::ColourField(const Discretization& cells, int refine)
   originalOf_.assign(slotOf_.size(), kUnedited);
   pendingOf_.assign(slotOf_.size(), 0);
   classifyBricks(cells);
-  std::vector<std::int64_t> stored(slotOf_.size());
-  std::size_t count = 0;
-  for (std::size_t b = 0; b < slotOf_.size(); ++b) {
-    const bool mixed = slotOf_[b] == 0;
-    if (mixed) slotOf_[b] = std::int32_t(count);
-    stored[count] = std::int64_t(b);
+  std::int32_t count = 0;
+  for (std::int32_t& slot : slotOf_) {
+    const bool mixed = slot == 0;
+    slot = mixed ? count : slot;
     count += mixed;
   }
-  stored.resize(count);
   putFullAndEmpty(originals_);
-  growTo(values_, place(std::int32_t(stored.size())));
+  growTo(values_, place(count));
   putFullAndEmpty(values_);
-  parallelFor(stored.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
-      evaluate(brick(stored[i]), kAllPlanes, values_.data() + place(std::int32_t(i)));
+  // Row by row of bricks.
+  const auto brickRows = std::size_t(brickDims_.y()) * std::size_t(brickDims_.z());
+  parallelFor(brickRows, kRowGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t row = begin; row < end; ++row) {
+      Vec3i b(0, int(row % std::size_t(brickDims_.y())), int(row / std::size_t(brickDims_.y())));
+      const std::int32_t* slot = slotOf_.data() + brickIndex(b);
+      for (; b.x() < brickDims_.x(); ++b.x())
+        if (slot[b.x()] >= 0) evaluate(b, kAllPlanes, values_.data() + place(slot[b.x()]));
+    }
   });
 }
 
@@ -116,6 +120,12 @@ void ColourField::putFullAndEmpty(RawArray<float>& bricks) const {
   std::fill_n(bricks.begin() + std::ptrdiff_t(place(kEmpty)), kBrickSize, 0.f);
 }
 
+const float* ColourField::nodesByPhase(std::int64_t b, std::int32_t slot,
+                                       const RawArray<float>& bricks) const {
+  return slot == kFull ? stencil_->full.data() + stencil_->phaseIndex(phase(brick(b))) * kBrickSize
+                       : bricks.data() + place(slot);
+}
+
 void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
   const std::ptrdiff_t alongY = paddedDims_.x(), alongZ = alongY * paddedDims_.y();
   sumBrick(*stencil_, phase(b), cells_.data() + padded(windowCell(b)), alongY, alongZ, planes, out);
@@ -123,8 +133,8 @@ void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
 
 // The lowest cell that the brick's nodes reach.
 Vec3i ColourField::windowCell(const Vec3i& b) const {
-  return {kBrickNodes * b.x() / refine_ - 3, kBrickNodes * b.y() / refine_ - 3,
-          kBrickNodes * b.z() / refine_ - 3};
+  return {cellOf(kBrickNodes * b.x()) - 3, cellOf(kBrickNodes * b.y()) - 3,
+          cellOf(kBrickNodes * b.z()) - 3};
 }
 
 // The highest cell that the nodes of brick b and the plane of nodes after them reach along an axis:
@@ -193,7 +203,7 @@ void ColourField::classifyBricks(const Discretization& cells) {
           holdAlong(held.words, width, bits.data() + held.words);
           std::int32_t* slot = slotOf_.data() + brickIndex(b);
           for (int x = 0; x < brickDims_.x(); ++x) {
-            const unsigned bit = unsigned(kBrickNodes * x / refine_);  // of the padded row
+            const auto bit = unsigned(cellOf(kBrickNodes * x));  // of the padded row
             slot[x] = !(some[bit / 64] >> bit % 64 & 1)   ? kEmpty
                       : !(less[bit / 64] >> bit % 64 & 1) ? kFull
                                                           : 0;

@@ -109,6 +109,8 @@ class ColourField {
     const Vec3i c = cell + Vec3i::Constant(kPadBelow);
     return (std::int64_t(c.z()) * paddedDims_.y() + c.y()) * paddedDims_.x() + c.x();
   }
+  // node / refine, without waiting for a quotient.
+  int cellOf(int node) const { return refine_ == 3 ? node / 3 : node >> refine_ / 2; }
   // Place of a brick's first node within its cell, 0 to refine - 1, per axis: always 0 but for
   // refine 3.
   Vec3i phase(const Vec3i& brick) const {
@@ -124,10 +126,13 @@ class ColourField {
   }
   void putFullAndEmpty(RawArray<float>& bricks) const;
   const float* nodesOf(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const {
-    if (stencil_->phases > 1 && slot == kFull)
-      return stencil_->full.data() + stencil_->phaseIndex(phase(brick(b))) * kBrickSize;
+    if (stencil_->phases > 1) [[unlikely]]
+      return nodesByPhase(b, slot, bricks);
     return bricks.data() + place(slot);
   }
+  // The same where bricks in solid tissue differ. Apart, so that others are found without a branch
+  // that depends on the slot: which neighbours are full no processor guesses.
+  const float* nodesByPhase(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const;
   void classifyBricks(const Discretization& cells);
   Vec3i windowCell(const Vec3i& brick) const;
   int highestCell(int brick) const;

@@ -60,7 +60,9 @@ template <int kY, int kZ>
 // The bricks round a brick, by row: [z][y] from -1 on. nodesOf(x, y, z) gives one of them.
 template <typename NodesOf>
 [[gnu::always_inline]] inline void findRows(BrickRow (&rows)[3][3], NodesOf nodesOf) {
+#pragma GCC unroll 3
   for (int z = -1; z <= 1; ++z)
+#pragma GCC unroll 3
     for (int y = -1; y <= 1; ++y) {
       BrickRow& row = rows[z + 1][y + 1];
       row.middle = nodesOf(0, y, z);
@@ -111,6 +113,16 @@ constexpr float kCutRange = 15;
 typedef float Four __attribute__((vector_size(16)));
 typedef std::int32_t FourInts __attribute__((vector_size(16)));
 typedef double FourDoubles __attribute__((vector_size(32)));
+
+// Of four numbers those that the last two bits of `which` name.
+[[gnu::always_inline]] inline Four chosen(const Four& numbers, const FourInts& which) {
+#ifdef __clang__
+  return Four{numbers[which[0] & 3], numbers[which[1] & 3], numbers[which[2] & 3],
+              numbers[which[3] & 3]};
+#else
+  return __builtin_shuffle(numbers, which);
+#endif
+}
 
 // Writes four points from their coordinates.
 [[gnu::always_inline]] inline void store(const Four& x, const Four& y, const Four& z, Vec3f* out) {
@@ -179,17 +191,31 @@ struct Slopes {
         square > none ? along[2] * outwards : none, normals);
 }
 
-// origin: the brick's first node.
-[[gnu::always_inline]] inline void storePoints(const NodeGrid& grid, const double* origin,
+// The places of a brick's four nodes along each axis, m.
+using NodePlaces = std::array<Four, 3>;
+
+[[gnu::always_inline]] inline NodePlaces nodePlaces(const ColourField& field, const NodeGrid& grid,
+                                                    const Vec3i& brick) {
+  NodePlaces places;
+  for (int k = 0; k < 3; ++k) {
+    const FourDoubles node{0, 1, 2, 3};
+    places[std::size_t(k)] = __builtin_convertvector(
+        field.nodePlace(k, kBrickNodes * brick[k]) + node * grid.step[k], Four);
+  }
+  return places;
+}
+
+[[gnu::always_inline]] inline void storePoints(const NodeGrid& grid, const NodePlaces& places,
                                                const std::uint8_t* edge, const Four& way,
                                                Vec3f* points) {
-  const FourInts number{edge[0], edge[1], edge[2], edge[3]}, axis = number >> 6;
+  typedef std::uint8_t FourBytes __attribute__((vector_size(4)));
+  FourBytes bytes;
+  std::memcpy(&bytes, edge, sizeof bytes);
+  const FourInts number = __builtin_convertvector(bytes, FourInts), axis = number >> 6;
   Four at[3];
   for (int k = 0; k < 3; ++k) {
-    const FourDoubles node = __builtin_convertvector(number >> 2 * k & 3, FourDoubles);
     const Four along = way * grid.spacing[k];
-    at[k] = __builtin_convertvector(origin[k] + node * grid.step[k], Four) +
-            (axis == k ? along : Four{});
+    at[k] = chosen(places[std::size_t(k)], number >> 2 * k) + (axis == k ? along : Four{});
   }
   store(at[0], at[1], at[2], points);
 }
@@ -207,8 +233,7 @@ void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t 
   gatherHalo(field, brick, place.x(), place.y(), place.z(), halo);
   const CrossedEdges crossed(signs);
   const std::uint8_t* edge = crossed.number.data();
-  double origin[3];
-  for (int k = 0; k < 3; ++k) origin[k] = field.nodePlace(k, kBrickNodes * place[k]);
+  const NodePlaces places = nodePlaces(field, grid, place);
   constexpr std::size_t kMost = CrossedEdges::kMost / 4;
   std::array<Four, kMost> way;
   std::array<Slopes, kMost> slopes;
@@ -218,7 +243,7 @@ void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t 
     slopes[i] = slopesAt(halo, grid.perSpacing, edge + 4 * i, way[i]);
   for (std::size_t i = 0; i < fours; ++i) storeNormals(slopes[i], normals + 4 * i);
   for (std::size_t i = 0; i < fours; ++i)
-    storePoints(grid, origin, edge + 4 * i, way[i], points + 4 * i);
+    storePoints(grid, places, edge + 4 * i, way[i], points + 4 * i);
   for (int i = 0; i < signs.vertexCount(); i += CrossedEdges::kStep) {
     std::memset(cut + i, 0, CrossedEdges::kStep * sizeof(float));
     std::memcpy(edges + i, edge + i, CrossedEdges::kStep);

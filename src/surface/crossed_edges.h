@@ -25,10 +25,14 @@ struct BrickSigns {
   std::array<std::uint64_t, 3> crossing{};    // per axis, bit = lower node
   std::array<std::uint8_t, 4> firstVertex{};  // per axis: number of its first one; then the count
 
-  void setCrossing(const std::array<std::uint64_t, 3>& edges) {
-    crossing = edges;
-    for (std::size_t a = 0; a < 3; ++a)
-      firstVertex[a + 1] = std::uint8_t(firstVertex[a] + std::popcount(edges[a]));
+  // Returns whether that is another set than before.
+  bool setCrossing(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+    const bool changed = ((x ^ crossing[0]) | (y ^ crossing[1]) | (z ^ crossing[2])) != 0;
+    crossing[0] = x, crossing[1] = y, crossing[2] = z;
+    firstVertex[1] = std::uint8_t(std::popcount(x));
+    firstVertex[2] = std::uint8_t(firstVertex[1] + std::popcount(y));
+    firstVertex[3] = std::uint8_t(firstVertex[2] + std::popcount(z));
+    return changed;
   }
   int vertexCount() const { return firstVertex[3]; }
   // Number within the brick of the vertex on the edge from `node` (0..63) along `axis`.

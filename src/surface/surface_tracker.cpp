@@ -34,18 +34,18 @@ SurfaceTracker::SurfaceTracker(const ColourField& field, float iso, const Wound*
 void SurfaceTracker::setIso(const ColourField& field, float iso, const Wound* wound) {
   RESECT_ASSERT(iso >= kMinIso && iso <= kMaxIso);
   iso_ = iso;
-  const std::vector<std::int64_t> withMesh = clear(field, wound);
+  const RawArray<std::int64_t> withMesh = clear(field, wound);
   changes_.everything = true;
   remesh(field, withMesh, wound);
 }
 
 // Gives each brick that shall hold a mesh a record, and returns them.
-std::vector<std::int64_t> SurfaceTracker::clear(const ColourField& field, const Wound* wound) {
+RawArray<std::int64_t> SurfaceTracker::clear(const ColourField& field, const Wound* wound) {
   // Beyond the grid's end: see above().
   const std::size_t bricks = std::size_t(field.brickCount());
   const std::size_t beyond = std::size_t(field.brickIndex({1, 1, 1}));
   recordOf_.assign(bricks + beyond, kOutside);
-  std::vector<std::int64_t> withMesh(bricks);
+  RawArray<std::int64_t> withMesh(bricks);
   std::size_t count = 0;
   for (std::size_t b = 0; b < bricks; ++b) {
     const std::int32_t slot = field.slot(std::int64_t(b));
@@ -289,7 +289,7 @@ void SurfaceTracker::placeTriangles(const ColourField& field) {
     if (mesh.wound != kNone) {
       const BrickWound& cut = wounds_[std::size_t(mesh.wound)];
       const auto corners = cornerMasks(above(field, b).inside);
-      count = countTriangles(cellKinds(corners), crossedCells(corners) & ~cut.cells) +
+      count = countTriangles(corners, crossedCells(corners) & ~cut.cells) +
               std::int32_t(cut.triangles.size());
     }
     if (mesh.triangles > 0) changes_.triangles.push_back({mesh.firstTriangle, mesh.triangles});

@@ -136,7 +136,7 @@ class SurfaceTracker {
   static std::int32_t recordWithoutMesh(const ColourField& field, std::int64_t brick) {
     return field.slot(brick) == ColourField::kFull ? kInside : kOutside;
   }
-  std::vector<std::int64_t> clear(const ColourField& field, const Wound* wound);
+  RawArray<std::int64_t> clear(const ColourField& field, const Wound* wound);
   // The steps of a remeshing.
   void remesh(const ColourField& field, std::span<const std::int64_t> bricks, const Wound* wound);
   void findInside(const ColourField& field, std::span<const std::int64_t> bricks,

@@ -71,16 +71,10 @@ SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64
 RESECT_WIDEST
 bool SurfaceTracker::findCrossings(const ColourField& field, std::int64_t brick) {
   const auto corners = cornerMasks(above(field, brick).inside);
-  const std::array crossing = {corners[0] ^ corners[1], corners[0] ^ corners[2],
-                               corners[0] ^ corners[4]};
   BrickMesh& mesh = meshOf(brick);
-  const auto& before = mesh.signs.crossing;
-  const bool changed =
-      ((crossing[0] ^ before[0]) | (crossing[1] ^ before[1]) | (crossing[2] ^ before[2])) != 0;
-  mesh.signs.setCrossing(crossing);
-  const std::uint64_t cells = crossedCells(corners);
-  mesh.wholeTriangles =
-      cells == 0 ? std::int16_t(0) : std::int16_t(countTriangles(cellKinds(corners), cells));
+  const bool changed = mesh.signs.setCrossing(corners[0] ^ corners[1], corners[0] ^ corners[2],
+                                              corners[0] ^ corners[4]);
+  mesh.wholeTriangles = std::int16_t(countTriangles(corners, crossedCells(corners)));
   return changed;
 }
 

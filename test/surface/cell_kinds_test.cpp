@@ -56,7 +56,19 @@ TEST_CASE("the kinds of a brick's cells are the corners found one by one") {
       triangles += marchingCubesTable()[std::size_t(kind)].count;
     }
     CHECK(crossedCells(corners) == crossed);
-    CHECK(countTriangles(kinds, crossed) == triangles);
-    CHECK(countTriangles(kinds, 0) == 0);
+    CHECK(countTriangles(corners, crossed) == triangles);
+    CHECK(countTriangles(corners, 0) == 0);
+  }
+}
+
+TEST_CASE("triangles of every kind of cell are counted as marching cubes draws them") {
+  for (unsigned first = 0; first < 256; first += 64) {
+    std::array<std::uint64_t, 8> corners{};  // cell c is of kind first + c
+    for (unsigned cell = 0; cell < 64; ++cell)
+      for (unsigned corner = 0; corner < 8; ++corner)
+        corners[corner] |= std::uint64_t((first + cell) >> corner & 1) << cell;
+    for (unsigned cell = 0; cell < 64; ++cell)
+      CHECK(countTriangles(corners, crossedCells(corners) & std::uint64_t(1) << cell) ==
+            marchingCubesTable()[first + cell].count);
   }
 }
