@@ -32,13 +32,15 @@ ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_)
 
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
   const std::size_t blocks = (count + grain - 1) / grain;
-  if (blocks <= 1) {
-    if (count > 0) body(0, count);
-    return;
-  }
-  tbb::parallel_for(std::size_t(0), blocks, [&](std::size_t block) {
+  const auto run = [&](std::size_t block) {
     body(block * grain, std::min(count, (block + 1) * grain));
-  });
+  };
+  // One thread needs nobody to hand out its blocks.
+  if (blocks <= 1 ||
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) <= 1)
+    for (std::size_t block = 0; block < blocks; ++block) run(block);
+  else
+    tbb::parallel_for(std::size_t(0), blocks, run);
 }
 
 #else

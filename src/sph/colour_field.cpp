@@ -19,8 +19,9 @@ constexpr int kMostBricks = 6;         // that a cell reaches along an axis: 17 
 constexpr std::size_t kGrain = 128;    // bricks that one thread takes: some 50 us
 constexpr std::size_t kRowGrain = 16;  // the same of rows of bricks, few of which are stored
 
-// What each cell of the padded lattice holds, as bits: anything at all, and less than all it can?
-// Row after row; of each first the words of the one, then those of the other.
+// What each cell of the padded lattice holds, as bits: anything at all, and all it can? Row after
+// row; of each first the words of the one, then those of the other. Cells that are not there hold
+// nothing: zeros.
 struct HeldBits {
   static constexpr std::size_t kWord = 64, kChunk = 4;  // cells; words that are combined at once
   std::size_t words, row;                               // of either kind, and of both, rounded up
@@ -32,33 +33,52 @@ struct HeldBits {
         bits(rows * row) {}
 };
 
-// Bits beyond the row's end tell of what lies behind it, or of nothing: they are not asked for.
-RESECT_WIDEST
-void holdOfRow(const float* cells, std::size_t count, std::size_t words, std::uint64_t* bits) {
-  for (std::size_t w = 0; w < words; ++w) {
-    std::uint64_t some = 0, less = 0;
-    const std::size_t end = std::min(count - w * HeldBits::kWord, HeldBits::kWord);
-    for (std::size_t i = 0; i < end; i += 16) {
-      const float* from = cells + w * HeldBits::kWord + i;
-      some |= compared16(from, [](const FourValues& v) -> FourFlags { return v != 0.f; }) << i;
-      less |= compared16(from, [](const FourValues& v) -> FourFlags { return v != 100.f; }) << i;
-    }
-    bits[w] = some;
-    bits[words + w] = less;
-  }
+constexpr std::size_t kCopied = 16;  // cells that are copied at once
+
+// Copies them; first: of their bits in the row.
+[[gnu::always_inline]] inline void copyCells(const float* from, float* to, std::size_t first,
+                                             std::size_t words, std::uint64_t* bits) {
+  const std::uint64_t some = compared16(from,
+                                        [](const FourValues&v) -> FourFlags { return v != 0.f; }),
+                      full = compared16(from,
+                                        [](const FourValues&v) -> FourFlags { return v == 100.f; });
+  std::memcpy(to, from, kCopied * sizeof(float));
+  const std::size_t word = first / 64, shift = first % 64;
+  bits[word] |= some << shift;
+  bits[words + word] |= full << shift;
+  if (shift <= 64 - kCopied) return;
+  bits[word + 1] |= some >> (64 - shift);
+  bits[words + word + 1] |= full >> (64 - shift);
 }
 
-// What a box of rows holds together, rows x planes of them from `first` on.
+// Copies a row of cells and finds what they hold, bits: 0 until now. Up to kCopied - 1 cells more
+// may be written.
+RESECT_WIDEST
+void copyRow(const float* from, std::size_t count, float* to, std::size_t first, std::size_t words,
+             std::uint64_t* bits) {
+  if (count < kCopied) {
+    float cells[kCopied] = {};
+    std::copy_n(from, count, cells);
+    return copyCells(cells, to, first, words, bits);
+  }
+  std::size_t i = 0;
+  for (; i + kCopied <= count; i += kCopied) copyCells(from + i, to + i, first + i, words, bits);
+  i = count - kCopied;  // the last ones, some of them again
+  copyCells(from + i, to + i, first + i, words, bits);
+}
+
+// What a box of rows holds together, rows x planes of them from `first` on: anything, and less than
+// all it can? nothing: the words that say so of no cells.
 RESECT_WIDEST
 void holdOfRows(const HeldBits& held, std::size_t first, int rows, int planes, std::size_t perPlane,
-                std::uint64_t* bits) {
+                const std::uint64_t* nothing, std::uint64_t* bits) {
   for (std::size_t chunk = 0; chunk < held.row; chunk += HeldBits::kChunk) {
     std::uint64_t any[HeldBits::kChunk] = {};
     for (int z = 0; z < planes; ++z) {
       const std::uint64_t* row =
           held.bits.data() + (first + std::size_t(z) * perPlane) * held.row + chunk;
       for (int y = 0; y < rows; ++y, row += held.row)
-        for (std::size_t k = 0; k < HeldBits::kChunk; ++k) any[k] |= row[k];
+        for (std::size_t k = 0; k < HeldBits::kChunk; ++k) any[k] |= row[k] ^ nothing[chunk + k];
     }
     std::memcpy(bits + chunk, any, sizeof any);
   }
@@ -85,10 +105,8 @@ ColourField::ColourField(const Discretization& cells, int refine)
     brickDims_[a] = ((lattice_.dims[a] + 3) * refine + kBrickNodes) / kBrickNodes;
   paddedDims_ = lattice_.dims + Vec3i::Constant(kPadBelow + kPadAbove);
 
-  // The last cells are read 64 at a time.
   const std::size_t rows = std::size_t(paddedDims_.y()) * std::size_t(paddedDims_.z());
-  growTo(cells_, rows * std::size_t(paddedDims_.x()) + HeldBits::kWord);
-  std::fill(cells_.end() - HeldBits::kWord, cells_.end(), 0.f);
+  growTo(cells_, rows * std::size_t(paddedDims_.x()));
   slotOf_.assign(std::size_t(brickCount()), kEmpty);
   originalOf_.assign(slotOf_.size(), kUnedited);
   pendingOf_.assign(slotOf_.size(), 0);
@@ -168,28 +186,28 @@ void ColourField::classifyBricks(const Discretization& cells) {
     return std::size_t(z + kPadBelow) * down + std::size_t(y + kPadBelow);
   };
   HeldBits held(down * std::size_t(paddedDims_.z()), across);
-  // A row without cells.
-  std::vector<std::uint64_t> nothing(held.row, 0);
-  std::fill_n(nothing.begin() + std::ptrdiff_t(held.words), held.words, ~std::uint64_t(0));
   parallelFor(std::size_t(paddedDims_.z()), 4, [&](std::size_t begin, std::size_t end) {
     for (int z = int(begin) - kPadBelow; z < int(end) - kPadBelow; ++z) {
-      const bool within = z >= 0 && z < dims.z();
-      if (!within) std::fill_n(cells_.data() + rowOf(-kPadBelow, z) * across, down * across, 0.f);
-      for (int y = -kPadBelow; y < dims.y() + kPadAbove; ++y) {
-        float* to = cells_.data() + rowOf(y, z) * across;
-        std::uint64_t* bits = held.bits.data() + rowOf(y, z) * held.row;
-        if (within && y >= 0 && y < dims.y()) {
-          std::fill_n(to, kPadBelow, 0.f);
-          std::copy_n(cells.value.data() + lattice_.index({0, y, z}), dims.x(), to + kPadBelow);
-          std::fill_n(to + kPadBelow + dims.x(), kPadAbove, 0.f);
-          holdOfRow(to, across, held.words, bits);
-        } else {
-          if (within) std::fill_n(to, across, 0.f);
-          std::copy_n(nothing.data(), held.row, bits);
-        }
+      float* const plane = cells_.data() + rowOf(-kPadBelow, z) * across;
+      std::uint64_t* bits = held.bits.data() + rowOf(-kPadBelow, z) * held.row;
+      std::fill_n(bits, down * held.row, 0);
+      if (z < 0 || z >= dims.z()) {
+        std::fill_n(plane, down * across, 0.f);
+        continue;
       }
+      bits += kPadBelow * held.row;
+      // Up to the first cell, behind each row as far as the next one's first, behind the last.
+      float* to = std::fill_n(plane, kPadBelow * across + kPadBelow, 0.f);
+      for (int y = 0; y < dims.y(); ++y, bits += held.row) {
+        copyRow(cells.value.data() + lattice_.index({0, y, z}), std::size_t(dims.x()), to,
+                kPadBelow, held.words, bits);
+        to = std::fill_n(to + dims.x(), kPadAbove + kPadBelow, 0.f);
+      }
+      std::fill(to, plane + down * across, 0.f);
     }
   });
+  std::vector<std::uint64_t> nothing(held.row, 0);
+  std::fill_n(nothing.begin() + std::ptrdiff_t(held.words), held.words, ~std::uint64_t(0));
   const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
   parallelFor(
       std::size_t(brickDims_.y()) * brickDims_.z(), 64, [&](std::size_t begin, std::size_t end) {
@@ -197,7 +215,7 @@ void ColourField::classifyBricks(const Discretization& cells) {
         for (std::size_t i = begin; i < end; ++i) {
           const Vec3i b(0, int(i) % brickDims_.y(), int(i) / brickDims_.y()), low = windowCell(b);
           holdOfRows(held, rowOf(low.y(), low.z()), highestCell(b.y()) - low.y() + 1,
-                     highestCell(b.z()) - low.z() + 1, down, bits.data());
+                     highestCell(b.z()) - low.z() + 1, down, nothing.data(), bits.data());
           const std::uint64_t *some = bits.data(), *less = some + held.words;
           holdAlong(held.words, width, bits.data());
           holdAlong(held.words, width, bits.data() + held.words);
