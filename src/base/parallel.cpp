@@ -30,14 +30,17 @@ ThreadLimit::ThreadLimit(int threads)
 
 ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }
 
+std::size_t threadsAllowed() {
+  return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+}
+
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
   const std::size_t blocks = (count + grain - 1) / grain;
   const auto run = [&](std::size_t block) {
     body(block * grain, std::min(count, (block + 1) * grain));
   };
   // One thread needs nobody to hand out its blocks.
-  if (blocks <= 1 ||
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) <= 1)
+  if (blocks <= 1 || threadsAllowed() <= 1)
     for (std::size_t block = 0; block < blocks; ++block) run(block);
   else
     tbb::parallel_for(std::size_t(0), blocks, run);
@@ -60,11 +63,14 @@ ThreadLimit::~ThreadLimit() {
   delete before;
 }
 
+// At least two, so that the sanitizer has something to judge on a machine of one core.
+std::size_t threadsAllowed() {
+  return threadLimit ? threadLimit.load() : std::max<std::size_t>(2, threadsMeant(0));
+}
+
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
   const std::size_t blocks = (count + grain - 1) / grain;
-  // At least two, so that the sanitizer has something to judge on a machine of one core.
-  const std::size_t most =
-      threadLimit ? threadLimit.load() : std::max<std::size_t>(2, threadsMeant(0));
+  const std::size_t most = threadsAllowed();
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::exception_ptr error;

@@ -22,6 +22,10 @@ class ThreadLimit {
   void* control_;
 };
 
+// How many threads parallelFor may use now: for deciding how much room to give, never what comes
+// out.
+std::size_t threadsAllowed();
+
 // What parallelFor runs: refers to a callable (begin, end) that lives at least as long as the call.
 // Unlike a std::function it never allocates.
 class RangeBody {

@@ -4,6 +4,7 @@
 #if defined(__x86_64__)
 #include <immintrin.h>
 
+#include <array>
 #include <cstdint>
 
 #include "base/instruction_set.h"
@@ -25,6 +26,25 @@ RESECT_AVX2 inline __m256d toDouble(__m256i v) {
                                         _mm256_set1_epi64x(0x4530'0000'8000'0000));  // 2^84 + 2^63
   const __m256d both = _mm256_castsi256_pd(_mm256_set1_epi64x(0x4530'0000'8010'0000));  // and 2^52
   return _mm256_add_pd(_mm256_sub_pd(_mm256_castsi256_pd(high), both), _mm256_castsi256_pd(low));
+}
+
+// For each set of four lanes of 64 bits: the halves of those in it, one after the other.
+inline constexpr std::array<std::array<std::int32_t, 8>, 16> kPacked = [] {
+  std::array<std::array<std::int32_t, 8>, 16> orders{};
+  for (unsigned set = 0; set < 16; ++set) {
+    std::size_t at = 0;
+    for (int lane = 0; lane < 4; ++lane)
+      if (set >> lane & 1) {
+        orders[set][at++] = 2 * lane;
+        orders[set][at++] = 2 * lane + 1;
+      }
+  }
+  return orders;
+}();
+// The lanes in the set come first.
+RESECT_AVX2 inline __m256i packed(__m256i v, unsigned set) {
+  return _mm256_permutevar8x32_epi32(
+      v, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(kPacked[set].data())));
 }
 
 }  // namespace resect

@@ -1,7 +1,6 @@
 #include "collision/column_box.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdlib>
 
@@ -27,20 +26,6 @@ void castBoxPlainly(const Footprint& footprint, const GridRaster& raster, const 
 #if defined(__x86_64__)
 
 namespace {
-
-// For each set of four lanes: where each of those in it stands, by halves, those first.
-constexpr std::array<std::array<std::int32_t, 8>, 16> kPacked = [] {
-  std::array<std::array<std::int32_t, 8>, 16> orders{};
-  for (unsigned set = 0; set < 16; ++set) {
-    std::size_t at = 0;
-    for (int lane = 0; lane < 4; ++lane)
-      if (set >> lane & 1) {
-        orders[set][at++] = 2 * lane;
-        orders[set][at++] = 2 * lane + 1;
-      }
-  }
-  return orders;
-}();
 
 // Edge functions as integers: products of 32-bit numbers are exact in 64 bits.
 struct Integers {
@@ -110,12 +95,9 @@ RESECT_AVX2 void castBoxFours(const Footprint& footprint, const GridRaster& rast
       const __m256d rise = _mm256_add_pd(_mm256_mul_pd(N::number(N::sum(v1, notOwned1)), rise1),
                                          _mm256_mul_pd(N::number(N::sum(v2, notOwned2)), rise2));
       const __m256i depth = _mm256_castpd_si256(_mm256_add_pd(z, _mm256_div_pd(rise, area)));
-      const __m256i order =
-          _mm256_loadu_si256(reinterpret_cast<const __m256i*>(kPacked[covered].data()));
-      const __m256i packed = _mm256_permutevar8x32_epi32(hit, order),
-                    depths = _mm256_permutevar8x32_epi32(depth, order);
-      const __m256i even = _mm256_unpacklo_epi64(packed, depths),
-                    odd = _mm256_unpackhi_epi64(packed, depths);
+      const __m256i kept = packed(hit, covered), depths = packed(depth, covered);
+      const __m256i even = _mm256_unpacklo_epi64(kept, depths),
+                    odd = _mm256_unpackhi_epi64(kept, depths);
       RowHits::Row& into = rows[y];
       auto* out = reinterpret_cast<__m256i*>(hits.room(into, kBoxStep));
       _mm256_storeu_si256(out, _mm256_permute2x128_si256(even, odd, 0x20));

@@ -11,61 +11,6 @@
 namespace resect {
 namespace {
 
-// Two points are six numbers in three pairs, x y, z x and y z: twice as fast as point by point.
-// Bounds that are not finite when a coordinate is not.
-Aabb boundsOf(std::span<const Vec3> points) {
-  Aabb box;
-  if (points.size() % 2 != 0) box.grow(points.back());
-  const auto pair = [](const Vec3& p) { return Pair{p.x(), p.y()}; };
-  Pair low[3] = {pair(box.min), {box.min.z(), box.min.x()}, {box.min.y(), box.min.z()}};
-  Pair high[3] = {pair(box.max), {box.max.z(), box.max.x()}, {box.max.y(), box.max.z()}};
-  Pair known{};  // stays zero as long as all are finite
-  for (std::size_t i = 0; i + 1 < points.size(); i += 2)
-    for (int k = 0; k < 3; ++k) {
-      Pair v;
-      __builtin_memcpy(&v, points[i].data() + 2 * k, sizeof v);
-      low[k] = v < low[k] ? v : low[k];
-      high[k] = v > high[k] ? v : high[k];
-      known += v - v;
-    }
-  const double unknown = known[0] + known[1];
-  box.min = {std::min(low[0][0], low[1][1]), std::min(low[0][1], low[2][0]),
-             std::min(low[1][0], low[2][1])};
-  box.max = {std::max(high[0][0], high[1][1]), std::max(high[0][1], high[2][0]),
-             std::max(high[1][0], high[2][1])};
-  return {box.min.array() + unknown, box.max.array() + unknown};
-}
-
-}  // namespace
-
-SnappedMesh snapToRaster(const TriangleMesh& mesh) {
-  SnappedMesh snapped;
-  snapped.triangles = mesh.triangles;
-  if (mesh.points.empty()) return snapped;
-  snapped.box = boundsOf(mesh.points);
-  const Aabb& box = snapped.box;
-  RESECT_ASSERT(box.min.allFinite() && box.max.allFinite());
-  snapped.origin = box.min.head<2>();
-  const double extent = box.size().head<2>().maxCoeff();
-  if (extent > 0) snapped.step = extent / kRaster;
-  snapped.points.resize(mesh.points.size());
-  const Pair lowest{box.min.x(), box.min.y()};
-  // The highest point may round to one step beyond the raster; it stays on it.
-  const Pair last{kRaster, kRaster};
-  parallelFor(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3& p = mesh.points[i];
-      Pair steps = (Pair{p.x(), p.y()} - lowest) / snapped.step + 0.5;
-      steps = steps < last ? steps : last;
-      const IntPair at = __builtin_convertvector(steps, IntPair);
-      snapped.points[i] = {at[0], at[1], p.z()};
-    }
-  });
-  return snapped;
-}
-
-namespace {
-
 // Half-open ranges of columns or cells that a triangle may cover.
 struct Range {
   std::int32_t first, last;
@@ -181,8 +126,9 @@ void visitCrossings(const SnappedMesh& mesh, const Buckets& buckets, Visit&& vis
   const int wanted =
       int(std::clamp<std::size_t>((mesh.triangles.size() + buckets.entries.size()) / 4096, 1, 32));
   const Bands bands(buckets.countY, wanted, mesh.triangles.size(), [&](std::uint32_t t) {
-    const auto &a = mesh.points[mesh.triangles[t][0]], &b = mesh.points[mesh.triangles[t][1]],
-               &c = mesh.points[mesh.triangles[t][2]];
+    const auto& [ia, ib, ic] = mesh.triangles[t];
+    const SnappedMesh::Place &a = mesh.places[std::size_t(ia)], &b = mesh.places[std::size_t(ib)],
+                             &c = mesh.places[std::size_t(ic)];
     const Range x = rangeOf(a.x, b.x, c.x), y = rangeOf(a.y, b.y, c.y);
     if (x.empty() || y.empty() || x.first >= endX || y.first >= endY || x.last < buckets.originX ||
         y.last < buckets.originY)
@@ -196,8 +142,7 @@ void visitCrossings(const SnappedMesh& mesh, const Buckets& buckets, Visit&& vis
       const int bandFirst = int(band) * bands.rowsPerBand;
       const int bandLast = std::min(buckets.countY, bandFirst + bands.rowsPerBand);
       for (const Reach& reach : bands[band]) {
-        const auto& [a, b, c] = mesh.triangles[reach.triangle];
-        const Footprint footprint(mesh.points[a], mesh.points[b], mesh.points[c]);
+        const Footprint footprint = footprintOf(mesh, reach.triangle);
         if (footprint.area == 0) continue;
         const int rowLast = std::min(bandLast, reach.rows.last);
         for (int row = std::max(bandFirst, reach.rows.first); row < rowLast; ++row) {
@@ -219,7 +164,7 @@ void visitCrossings(const SnappedMesh& mesh, const Buckets& buckets, Visit&& vis
 Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns) {
   Crossings result;
   result.offsets.assign(columns.size() + 1, 0);
-  if (mesh.points.empty()) return result;
+  if (mesh.places.empty()) return result;
   const Buckets buckets =
       bucketColumns(mesh, columns.size(), [&](std::size_t i) { return columns[i]; });
   visitCrossings(mesh, buckets,
@@ -238,7 +183,7 @@ Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns) {
 
 std::vector<std::int32_t> windingNumbers(const SnappedMesh& mesh, std::span<const Vec3> points) {
   std::vector<std::int32_t> winding(points.size(), 0);
-  if (mesh.points.empty()) return winding;
+  if (mesh.places.empty()) return winding;
   const Buckets buckets =
       bucketColumns(mesh, points.size(), [&](std::size_t i) { return Vec2(points[i].head<2>()); });
   visitCrossings(mesh, buckets, [&](std::uint32_t point, double depth, std::int32_t sign) {

@@ -51,22 +51,33 @@ struct ColumnGrid {
   std::size_t count() const { return std::size_t(countX) * std::size_t(countY); }
 };
 
-// A mesh made ready for casting. It refers to the triangles of `mesh`, which must live longer.
+// A mesh made ready for casting. It refers to the points and triangles of `mesh`, which must live
+// longer.
 struct SnappedMesh {
-  struct Point {
+  struct Place {
     std::int32_t x, y;  // raster steps from `origin`, in [0, 2^30]
-    double z;           // m
+  };
+  struct Point {
+    std::int32_t x, y;
+    double z;  // m
   };
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
   Aabb box;                    // of the mesh
-  RawArray<Point> points;
+  // Apart from the points' depths: most triangles are put aside by their places alone.
+  RawArray<Place> places;
+  std::span<const Vec3> points;
   std::span<const Triangle> triangles;
+
+  Point point(std::int32_t i) const {
+    const auto at = std::size_t(i);
+    return {places[at].x, places[at].y, points[at].z()};
+  }
 };
 
 // The mesh must be closed, oriented, and finite; it looks outwards. An empty mesh is allowed.
 SnappedMesh snapToRaster(const TriangleMesh& mesh);
-SnappedMesh snapToRaster(const TriangleMesh&& mesh) = delete;  // would outlive its triangles
+SnappedMesh snapToRaster(const TriangleMesh&& mesh) = delete;  // would outlive it
 
 // Layered depth image: all crossings of a regular grid of columns.
 Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid);

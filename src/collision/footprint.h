@@ -97,4 +97,9 @@ struct Footprint {
   }
 };
 
+inline Footprint footprintOf(const SnappedMesh& mesh, std::size_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  return Footprint(mesh.point(a), mesh.point(b), mesh.point(c));
+}
+
 }  // namespace resect

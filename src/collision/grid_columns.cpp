@@ -31,7 +31,7 @@ void sortRow(const GridHits& hits, std::size_t row, std::span<std::uint32_t> end
 Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
   Crossings result;
   result.offsets.assign(grid.count() + 1, 0);
-  if (grid.count() == 0 || mesh.points.empty()) return result;
+  if (grid.count() == 0 || mesh.places.empty()) return result;
   const GridHits hits = gatherHits(mesh, grid);
   result.all.resize(hits.rowBegins.back());
   const auto columns = std::size_t(grid.countX);

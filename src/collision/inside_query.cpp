@@ -24,7 +24,7 @@ InsideQuery::InsideQuery(std::shared_ptr<const TriangleMesh> mesh, const Aabb& r
   std::vector<Kept> kept;
   for (std::size_t t = 0; t < mesh_->triangles.size(); ++t) {
     const auto& [ia, ib, ic] = mesh_->triangles[t];
-    const auto &a = snapped_.points[ia], &b = snapped_.points[ib], &c = snapped_.points[ic];
+    const auto a = snapped_.point(ia), b = snapped_.point(ib), c = snapped_.point(ic);
     const auto [lowX, highX] = std::minmax({a.x, b.x, c.x});
     const auto [lowY, highY] = std::minmax({a.y, b.y, c.y});
     if (lowX == highX || lowY == highY || lowX > endX || highX < originX_ || lowY > endY ||
@@ -63,8 +63,7 @@ bool InsideQuery::isInside(const Vec3& p) const {
   const std::size_t cell = std::size_t(cellY(y)) * side_ + cellX(x);
   int winding = 0;
   for (std::uint32_t n = offsets_[cell]; n < offsets_[cell + 1]; ++n) {
-    const auto& [a, b, c] = mesh_->triangles[triangles_[n]];
-    const Footprint footprint(snapped_.points[a], snapped_.points[b], snapped_.points[c]);
+    const Footprint footprint = footprintOf(snapped_, triangles_[n]);
     if (footprint.area != 0)
       footprint.test(x, y, [&](double depth) { winding += depth < p.z() ? footprint.sign : 0; });
   }

@@ -139,7 +139,7 @@ InsideSamples insideSamples(const SnappedMesh& mesh, const ColumnGrid& grid,
   InsideSamples inside;
   inside.countX = std::size_t(grid.countX);
   inside.offsets.assign((inside.countX + 1) * std::size_t(grid.countY), 0);
-  if (grid.count() == 0 || mesh.points.empty()) return inside;
+  if (grid.count() == 0 || mesh.places.empty()) return inside;
   const GridHits hits = gatherHits(mesh, grid);
   inside.all.resize((hits.rowBegins.back() + 1) / 2);  // a stretch needs two crossings
   parallelFor(std::size_t(grid.countY), 16, [&](std::size_t begin, std::size_t end) {

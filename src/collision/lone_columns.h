@@ -1,6 +1,6 @@
 // Most triangles of a fine mesh reach no column of the grid, or a single one: which are they, and
-// where does the column cross those that cover it? For collision/grid_hits.cpp alone; the test
-// is that of collision/footprint.h, bit for bit.
+// which of those does it cross? For collision/grid_hits.cpp alone; the test is that of
+// collision/footprint.h.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct GridCell {
 
 // A triangle and the only column that it may cover.
 struct LoneColumn {
-  std::uint32_t triangle;
+  std::uint64_t triangle;
   GridCell at;
 };
 
@@ -26,25 +26,25 @@ struct SortedOut {
   std::size_t lone = 0, others = 0;
 };
 // Of triangles [begin, end): those that reach one column into `lone`, those that reach more into
-// `others`; both have room for all. cells: of the mesh's points. A line at a triangle's lowest
-// place may be covered, one at its highest is not (it counts as moved upwards).
+// `others`; both have room for all, and three more. cells: of the mesh's points. A line at a
+// triangle's lowest place may be covered, one at its highest is not (it counts as moved upwards).
+// Four at a time on machines with AVX2; the plain one for comparison.
 SortedOut sortOut(std::span<const Triangle> triangles, const GridCell* cells, std::size_t begin,
-                  std::size_t end, LoneColumn* lone, std::uint32_t* others);
+                  std::size_t end, LoneColumn* lone, std::uint64_t* others);
+SortedOut sortOutPlainly(std::span<const Triangle> triangles, const GridCell* cells,
+                         std::size_t begin, std::size_t end, LoneColumn* lone,
+                         std::uint64_t* others);
 
 // The grid's lines in steps of the mesh's raster.
 struct GridRaster {
   const std::int32_t *columns, *rows;
 };
 
-struct LoneHit {
-  std::int32_t row;
-  GridHit hit;
-};
-// Writes the hits of those that cover their column, in order, and returns where they end; one more
-// than `count` may be written. Four at a time on machines with AVX2; the plain one for comparison.
-LoneHit* castLone(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
-                  std::size_t count, LoneHit* to);
-LoneHit* castLonePlainly(const SnappedMesh& mesh, const GridRaster& raster, const LoneColumn* lone,
-                         std::size_t count, LoneHit* to);
+// Keeps those that cover their column, in order, and returns how many. Four at a time on machines
+// with AVX2; the plain one for comparison.
+std::size_t keepCovering(const SnappedMesh& mesh, const GridRaster& raster, LoneColumn* lone,
+                         std::size_t count);
+std::size_t keepCoveringPlainly(const SnappedMesh& mesh, const GridRaster& raster, LoneColumn* lone,
+                                std::size_t count);
 
 }  // namespace resect
