@@ -54,8 +54,10 @@ namespace {
 std::atomic<std::size_t> threadLimit{0};  // 0: none
 }  // namespace
 
-ThreadLimit::ThreadLimit(int threads)
-    : control_(new std::size_t(threadLimit.exchange(threadsMeant(threads)))) {}
+ThreadLimit::ThreadLimit(int threads) : control_(new std::size_t(threadLimit)) {
+  threadLimit =
+      threadLimit ? std::min(threadLimit.load(), threadsMeant(threads)) : threadsMeant(threads);
+}
 
 ThreadLimit::~ThreadLimit() {
   auto* before = static_cast<std::size_t*>(control_);

@@ -11,6 +11,7 @@
 namespace resect {
 
 // Limits how many threads parallelFor uses while it lives; threads >= 1, 0 = all the machine has.
+// Of several that live at once the lowest holds.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);

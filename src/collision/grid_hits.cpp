@@ -20,7 +20,7 @@ namespace resect {
 namespace {
 
 constexpr std::size_t kPart = 1 << 15;  // triangles that one thread takes, at least
-constexpr int kWide = 8;                // columns from which on a triangle's rows are narrowed
+constexpr int kWide = 8;                // columns beyond which a triangle's rows are narrowed
 constexpr std::size_t kAhead = 8;       // triangles whose depths are on their way while one is cast
 constexpr std::size_t kRun = 512;  // of them sorted out at a time: lists stay in the first cache
 
@@ -180,7 +180,7 @@ GridHits gatherHits(const SnappedMesh& mesh, const ColumnGrid& grid) {
   const std::size_t share = std::max(kPart, (mesh.triangles.size() + wanted - 1) / wanted);
   const std::size_t part = (share + kRun - 1) / kRun * kRun;
   const std::size_t parts = (mesh.triangles.size() + part - 1) / part;
-  GridHits result{std::vector<RowHits>(parts, RowHits(0, 0)), {}};
+  GridHits result{std::vector<RowHits>(parts), {}};
   const GridCaster caster(mesh, grid);
   // A guess that saves copying, as if every column went in and out: what is not needed is not
   // touched.

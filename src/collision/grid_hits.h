@@ -25,6 +25,7 @@ struct GridHit {
 // that goes one way as often as the other costs more than a hit.
 class RowHits {
  public:
+  RowHits() = default;
   // expected: hits that a row has room for from the start.
   RowHits(int rows, std::size_t expected)
       : rows_(std::size_t(rows)), start_(std::size_t(rows) * expected), grown_(rows_.size()) {
@@ -32,6 +33,8 @@ class RowHits {
       rows_[r] = {start_.data() + r * expected, start_.data() + r * expected,
                   start_.data() + (r + 1) * expected};
   }
+  RowHits(RowHits&&) = default;  // rows point into their own arrays: never copied
+  RowHits& operator=(RowHits&&) = default;
 
   // Room for the next hits of a row.
   struct Row {

@@ -141,12 +141,12 @@ InsideSamples insideSamples(const SnappedMesh& mesh, const ColumnGrid& grid,
   inside.offsets.assign((inside.countX + 1) * std::size_t(grid.countY), 0);
   if (grid.count() == 0 || mesh.places.empty()) return inside;
   const GridHits hits = gatherHits(mesh, grid);
-  inside.all.resize((hits.rowBegins.back() + 1) / 2);  // a stretch needs two crossings
+  inside.all.resize((std::size_t(hits.rowBegins.back()) + 1) / 2);  // a stretch needs two crossings
   parallelFor(std::size_t(grid.countY), 16, [&](std::size_t begin, std::size_t end) {
     RowSampler sampler(hits, line, grid.countX);
     for (std::size_t row = begin; row < end; ++row) {
       std::uint32_t* const offsets = inside.offsets.data() + row * (inside.countX + 1);
-      offsets[0] = (hits.rowBegins[row] + 1) / 2;
+      offsets[0] = std::uint32_t((std::size_t(hits.rowBegins[row]) + 1) / 2);
       sampler.sample(row, offsets, inside.all.data());
     }
   });

@@ -38,7 +38,8 @@ struct InsideSamples {
   }
 };
 
-// A point is inside where more shells are entered than left below it, as forEachInside() has it.
+// A point is inside where more shells are entered than left below it, as forEachInside() has it for
+// columns whose signs sum to zero: those of a closed mesh.
 // Cost: as castColumns(), but a crossing is kept as the points that it lies between, and two in a
 // column are not sorted.
 InsideSamples insideSamples(const SnappedMesh& mesh, const ColumnGrid& grid,

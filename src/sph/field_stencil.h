@@ -46,7 +46,7 @@ const FieldStencil& fieldStencil(int refine);
 
 // Evaluates the planes of a brick's 64 nodes named by the low four bits of `planes`, into out. low:
 // the lowest cell that the brick's nodes reach, one below that in which its first node lies;
-// strides in floats. Reads up to 7 cells from there along x, 6 along y and z. The same bits
+// strides in floats. Reads up to 6 cells from there along each axis. The same bits
 // whichever planes are asked for, with any instruction set.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);

@@ -41,7 +41,23 @@ TEST_CASE("parallelFor visits every index once at any number of threads") {
 }
 
 TEST_CASE("an exception in a parallel body reaches the caller") {
-  CHECK_THROWS_AS(parallelFor(100, 1, [](std::size_t, std::size_t) { throw error("no"); }), Error);
+  for (const int threads : {0, 1, 2}) {
+    const ThreadLimit limit(threads);
+    CHECK_THROWS_AS(parallelFor(100, 1, [](std::size_t, std::size_t) { throw error("no"); }),
+                    Error);
+  }
+}
+
+TEST_CASE("a thread limit inside another can only lower it, and ends with its life") {
+  const ThreadLimit outer(2);
+  CHECK(threadsAllowed() == 2);
+  {
+    const ThreadLimit lower(1);
+    CHECK(threadsAllowed() == 1);
+    const ThreadLimit higher(3);
+    CHECK(threadsAllowed() == 1);
+  }
+  CHECK(threadsAllowed() == 2);
 }
 
 TEST_CASE("the random generator gives the published numbers of splitmix64") {

@@ -21,7 +21,7 @@ std::vector<GridHit> sorted(std::span<const GridHit> hits) {
   return result;
 }
 
-// Columns and rows of the box between the triangle's corners, or part of it.
+// The lines between the lowest and the highest of a triangle's corners along one axis.
 std::pair<int, int> linesBetween(const std::vector<std::int32_t>& lines, std::int32_t low,
                                  std::int32_t high) {
   return {int(std::lower_bound(lines.begin(), lines.end(), low) - lines.begin()),
@@ -36,12 +36,16 @@ TEST_CASE("a box of columns four at a time is the box one by one, bit for bit") 
   for (int k = 0; k < 6000; ++k) {
     // Corners anywhere on the raster or in a small part of it, or on every n-th step, so that
     // columns meet edges and corners; some without area.
-    const std::int32_t extent = k % 3 == 0 ? 1 << 30 : 1 << 24, grain = k % 2 == 0 ? 1 : extent / 8;
+    // Sides just below and above 2^25, from which on integers are no longer floating-point numbers.
+    const std::int32_t extents[] = {1 << 30, 1 << 24, (1 << 25) - 1, 1 << 25, 1 << 27};
+    const std::int32_t extent = extents[k % 5], grain = k % 2 == 0 ? 1 : extent / 8;
     const auto place = [&] {
       return std::int32_t(random.uniform(0, 1.0 * extent / grain)) * grain;
     };
     SnappedMesh::Point p[3];
-    for (auto& corner : p) corner = {place(), place(), random.uniform(-1, 1)};
+    // Sides as long as they can be, every third time.
+    const auto at = [&] { return k % 3 == 0 ? extent * random.below(2) : place(); };
+    for (auto& corner : p) corner = {at(), at(), random.uniform(-1, 1)};
     const Footprint footprint(p[0], p[1], p[2]);
     if (footprint.area == 0) continue;
     const int count = 3 + random.below(24);
@@ -78,7 +82,7 @@ TEST_CASE("a box of columns four at a time is the box one by one, bit for bit") 
         CHECK(a[i].sign == b[i].sign);
         CHECK(std::bit_cast<std::uint64_t>(a[i].depth) == std::bit_cast<std::uint64_t>(b[i].depth));
       }
-      (extent == 1 << 30 ? ofLarge : ofSmall) += a.size();
+      (extent >= 1 << 25 ? ofLarge : ofSmall) += a.size();
       most = std::max(most, a.size());
     }
   }
