@@ -47,6 +47,15 @@ RESECT_AVX2 inline __m256i packed(__m256i v, unsigned set) {
       v, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(kPacked[set].data())));
 }
 
+// Four pairs, one after the other: 64 bytes.
+RESECT_AVX2 inline void storePairs(__m256i firsts, __m256i seconds, void* to) {
+  const __m256i even = _mm256_unpacklo_epi64(firsts, seconds),
+                odd = _mm256_unpackhi_epi64(firsts, seconds);
+  auto* out = static_cast<__m256i*>(to);
+  _mm256_storeu_si256(out, _mm256_permute2x128_si256(even, odd, 0x20));
+  _mm256_storeu_si256(out + 1, _mm256_permute2x128_si256(even, odd, 0x31));
+}
+
 }  // namespace resect
 
 #endif

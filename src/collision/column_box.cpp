@@ -95,13 +95,8 @@ RESECT_AVX2 void castBoxFours(const Footprint& footprint, const GridRaster& rast
       const __m256d rise = _mm256_add_pd(_mm256_mul_pd(N::number(N::sum(v1, notOwned1)), rise1),
                                          _mm256_mul_pd(N::number(N::sum(v2, notOwned2)), rise2));
       const __m256i depth = _mm256_castpd_si256(_mm256_add_pd(z, _mm256_div_pd(rise, area)));
-      const __m256i kept = packed(hit, covered), depths = packed(depth, covered);
-      const __m256i even = _mm256_unpacklo_epi64(kept, depths),
-                    odd = _mm256_unpackhi_epi64(kept, depths);
       RowHits::Row& into = rows[y];
-      auto* out = reinterpret_cast<__m256i*>(hits.room(into, kBoxStep));
-      _mm256_storeu_si256(out, _mm256_permute2x128_si256(even, odd, 0x20));
-      _mm256_storeu_si256(out + 1, _mm256_permute2x128_si256(even, odd, 0x31));
+      storePairs(packed(hit, covered), packed(depth, covered), hits.room(into, kBoxStep));
       into.end += std::popcount(covered);
     }
   }

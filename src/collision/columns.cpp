@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.h"
 #include "base/parallel.h"
 #include "collision/column_order.h"
 #include "collision/footprint.h"

@@ -14,10 +14,6 @@ inline constexpr double kRaster = 1 << 30;
 // Where columns beside the mesh are put: no triangle reaches them.
 inline constexpr std::int32_t kBelow = -1, kAbove = (1 << 30) + 1;
 
-// x and y of a point, worked on together.
-typedef double Pair __attribute__((vector_size(16)));
-typedef std::int32_t IntPair __attribute__((vector_size(8)));
-
 inline std::int32_t snapColumn(double offset, double step) {
   const double steps = offset / step + 0.5;  // whole steps are counted from 0 on: no floor() needed
   return !(steps >= 0) ? kBelow : steps >= kRaster + 1 ? kAbove : std::int32_t(steps);

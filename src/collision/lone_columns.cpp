@@ -49,11 +49,7 @@ namespace {
 
 // Writes the first ones of four, as many as the set holds.
 RESECT_AVX2 inline LoneColumn* store(__m256i triangles, __m256i at, unsigned set, LoneColumn* to) {
-  const __m256i even = _mm256_unpacklo_epi64(triangles, at),
-                odd = _mm256_unpackhi_epi64(triangles, at);
-  auto* out = reinterpret_cast<__m256i*>(to);
-  _mm256_storeu_si256(out, _mm256_permute2x128_si256(even, odd, 0x20));
-  _mm256_storeu_si256(out + 1, _mm256_permute2x128_si256(even, odd, 0x31));
+  storePairs(triangles, at, to);
   return to + std::popcount(set);
 }
 
