@@ -1,12 +1,13 @@
-// Exact columns: 500 000 triangles at 256 x 256 columns; points asked directly; a tool swept
-// through points; an organ of 20 000 triangles against a tool through the three stages of the
-// collider.
+// Exact columns: 500 000 triangles at 256 x 256 columns; 256^3 points of a grid; points asked
+// directly; a tool swept through points; an organ of 20 000 triangles against a tool through the
+// three stages of the collider.
 #include <benchmark/benchmark.h>
 
 #include "base/random.h"
 #include "collision/collider.h"
 #include "collision/columns.h"
 #include "collision/inside.h"
+#include "collision/inside_samples.h"
 #include "geometry/primitives.h"
 
 namespace resect {
@@ -37,6 +38,17 @@ void castHalfAMillionTriangles(benchmark::State& state) {
   state.counters["triangles"] = double(mesh.triangles.size());
 }
 BENCHMARK(castHalfAMillionTriangles)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+// Snapping included, as row E of docs/performance.md has it.
+void pointsOfAGrid(benchmark::State& state) {
+  const TriangleMesh mesh = ball(int(state.range(0)));
+  const double pitch = 0.2 / 256, first = -0.1 + pitch / 2;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(insideSamples(
+        snapToRaster(mesh), {{first, first}, {pitch, pitch}, 256, 256}, {first, pitch, 256}));
+  state.counters["triangles"] = double(mesh.triangles.size());
+}
+BENCHMARK(pointsOfAGrid)->ArgName("rings")->Arg(50)->Arg(354)->Unit(benchmark::kMillisecond);
 
 void askHundredThousandPoints(benchmark::State& state) {
   const TriangleMesh mesh = ball(70);
