@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "sph/colour_field.h"
 #include "sph/kernel.h"
+#include "sph/levels.h"
 
 namespace resect {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr int kRounds = 6;
 constexpr double kPerCell = 2;  // points for every cell-sized piece of the surface
 constexpr double kStride = 2;   // of the mean misfit; from 3 on it swings
-constexpr float kLeast = 100.0f / 64;
+constexpr float kLeast = 2 * kLevel;
 
 // Points spread evenly over the mesh, in cell space: every triangle gets its share by area, inside
 // it by the additive recurrence of the plastic number (Roberts 2018), which leaves no gaps.
@@ -90,6 +91,8 @@ void fitSurface(const TriangleMesh& mesh, Discretization& cells) {
       cells.value[i] = std::clamp(moved, kLeast, 100 - kLeast);
     }
   }
+  for (std::size_t i = 0; i < fitted.size(); ++i)
+    if (fitted[i]) cells.value[i] = kLevel * std::round(cells.value[i] / kLevel);
   const double after = skin();
   if (after > 0) cells.skinScale *= before / after;
 }

@@ -1,6 +1,7 @@
 #include "sph/colour_field.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -35,36 +36,88 @@ struct HeldBits {
 
 constexpr std::size_t kCopied = 16;  // cells that are copied at once
 
-// Copies them; first: of their bits in the row.
-[[gnu::always_inline]] inline void copyCells(const float* from, float* to, std::size_t first,
-                                             std::size_t words, std::uint64_t* bits) {
-  const std::uint64_t some = compared16(from,
-                                        [](const FourValues&v) -> FourFlags { return v != 0.f; }),
-                      full = compared16(from,
-                                        [](const FourValues&v) -> FourFlags { return v == 100.f; });
+// Copies sixteen and says what they hold. False if they cannot be kept so.
+[[gnu::always_inline]] inline bool copy16(const float* from, float* to, std::uint64_t& some,
+                                          std::uint64_t& full) {
+  some = compared16(from, [](const FourValues& v) -> FourFlags { return v != 0.f; });
+  full = compared16(from, [](const FourValues& v) -> FourFlags { return v == 100.f; });
   std::memcpy(to, from, kCopied * sizeof(float));
-  const std::size_t word = first / 64, shift = first % 64;
-  bits[word] |= some << shift;
-  bits[words + word] |= full << shift;
-  if (shift <= 64 - kCopied) return;
-  bits[word + 1] |= some >> (64 - shift);
-  bits[words + word + 1] |= full >> (64 - shift);
+  return true;
+}
+[[gnu::always_inline]] inline bool copy16(const float* from, std::uint8_t* to, std::uint64_t& some,
+                                          std::uint64_t& full) {
+  return inLevels(from, to, some, full);
 }
 
-// Copies a row of cells and finds what they hold, bits: 0 until now. Up to kCopied - 1 cells more
-// may be written.
-RESECT_WIDEST
-void copyRow(const float* from, std::size_t count, float* to, std::size_t first, std::size_t words,
-             std::uint64_t* bits) {
+// Copies a row of cells and finds what they hold, bits: 0 until now; first: of the row's cells
+// among the bits. Up to kCopied - 1 cells more may be written. False if they cannot be kept so.
+template <typename Cell>
+[[gnu::always_inline]] inline bool copyCells(const float* from, std::size_t count, Cell* to,
+                                             std::size_t first, std::size_t words,
+                                             std::uint64_t* bits) {
+  float few[kCopied] = {};
   if (count < kCopied) {
-    float cells[kCopied] = {};
-    std::copy_n(from, count, cells);
-    return copyCells(cells, to, first, words, bits);
+    std::copy_n(from, count, few);
+    from = few;
+    count = kCopied;
   }
-  std::size_t i = 0;
-  for (; i + kCopied <= count; i += kCopied) copyCells(from + i, to + i, first + i, words, bits);
-  i = count - kCopied;  // the last ones, some of them again
-  copyCells(from + i, to + i, first + i, words, bits);
+  bool kept = true;
+  for (std::size_t done = 0; done < count; done += kCopied) {
+    const std::size_t i = std::min(done, count - kCopied);  // the last ones, some of them again
+    std::uint64_t some, full;
+    kept &= copy16(from + i, to + i, some, full);
+    const std::size_t word = (first + i) / 64, shift = (first + i) % 64;
+    bits[word] |= some << shift;
+    bits[words + word] |= full << shift;
+    if (shift <= 64 - kCopied) continue;
+    bits[word + 1] |= some >> (64 - shift);
+    bits[words + word + 1] |= full >> (64 - shift);
+  }
+  return kept;
+}
+RESECT_WIDEST
+bool copyRow(const float* from, std::size_t count, float* to, std::size_t first, std::size_t words,
+             std::uint64_t* bits) {
+  return copyCells(from, count, to, first, words, bits);
+}
+RESECT_WIDEST
+bool copyRow(const float* from, std::size_t count, std::uint8_t* to, std::size_t first,
+             std::size_t words, std::uint64_t* bits) {
+  return copyCells(from, count, to, first, words, bits);
+}
+
+// Copies all cells, padded by `below` and more above, and finds what they hold. False if they
+// cannot be kept so.
+template <typename Cell>
+bool copyPadded(const Discretization& cells, const Vec3i& paddedDims, int below, HeldBits& held,
+                RawArray<Cell>& padded) {
+  const Vec3i dims = cells.lattice.dims;
+  const auto across = std::size_t(paddedDims.x()), down = std::size_t(paddedDims.y());
+  const auto before = std::size_t(below), after = across - before - std::size_t(dims.x());
+  growTo(padded, across * down * std::size_t(paddedDims.z()));
+  std::atomic<bool> kept = true;
+  parallelFor(std::size_t(paddedDims.z()), 4, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t plane = begin; plane < end; ++plane) {
+      const int z = int(plane) - below;
+      Cell* to = padded.data() + plane * down * across;
+      Cell* const last = to + down * across;
+      std::uint64_t* bits = held.bits.data() + plane * down * held.row;
+      std::fill_n(bits, down * held.row, 0);
+      if (z >= 0 && z < dims.z()) {
+        bits += before * held.row;
+        // Up to the first cell, behind each row as far as the next one's first, behind the last.
+        to = std::fill_n(to, before * across + before, Cell(0));
+        for (int y = 0; y < dims.y(); ++y, bits += held.row) {
+          if (!copyRow(cells.value.data() + cells.lattice.index({0, y, z}), std::size_t(dims.x()),
+                       to, before, held.words, bits))
+            kept = false;
+          to = std::fill_n(to + dims.x(), after + before, Cell(0));
+        }
+      }
+      std::fill(to, last, Cell(0));
+    }
+  });
+  return kept;
 }
 
 // What a box of rows holds together, rows x planes of them from `first` on: anything, and less than
@@ -105,8 +158,6 @@ ColourField::ColourField(const Discretization& cells, int refine)
     brickDims_[a] = ((lattice_.dims[a] + 3) * refine + kBrickNodes) / kBrickNodes;
   paddedDims_ = lattice_.dims + Vec3i::Constant(kPadBelow + kPadAbove);
 
-  const std::size_t rows = std::size_t(paddedDims_.y()) * std::size_t(paddedDims_.z());
-  growTo(cells_, rows * std::size_t(paddedDims_.x()));
   slotOf_.assign(std::size_t(brickCount()), kEmpty);
   originalOf_.assign(slotOf_.size(), kUnedited);
   pendingOf_.assign(slotOf_.size(), 0);
@@ -146,7 +197,11 @@ const float* ColourField::nodesByPhase(std::int64_t b, std::int32_t slot,
 
 void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
   const std::ptrdiff_t alongY = paddedDims_.x(), alongZ = alongY * paddedDims_.y();
-  sumBrick(*stencil_, phase(b), cells_.data() + padded(windowCell(b)), alongY, alongZ, planes, out);
+  const std::int64_t low = padded(windowCell(b));
+  if (byBytes())
+    sumBrick(*stencil_, phase(b), levels_.data() + low, alongY, alongZ, planes, out);
+  else
+    sumBrick(*stencil_, phase(b), cells_.data() + low, alongY, alongZ, planes, out);
 }
 
 // The lowest cell that the brick's nodes reach.
@@ -165,47 +220,33 @@ int ColourField::highestCell(int b) const {
 ColourField::Reach ColourField::reach(const Vec3i& b) const {
   const Vec3i low = windowCell(b);
   const int width = highestCell(b.x()) - low.x() + 1;
-  const float first = cells_[padded(low)];
-  if (first != 0.f && first != 100.f) return Reach::Mixed;
-  for (int z = low.z(); z <= highestCell(b.z()); ++z)
-    for (int y = low.y(); y <= highestCell(b.y()); ++y) {
-      const float* row = cells_.data() + padded({low.x(), y, z});
-      for (int x = 0; x < width; ++x)
-        if (row[x] != first) return Reach::Mixed;
-    }
-  return first == 0.f ? Reach::Empty : Reach::Full;
+  const auto among = [&](const auto& cells, auto all) {
+    const auto first = cells[padded(low)];
+    if (first != 0 && first != all) return Reach::Mixed;
+    for (int z = low.z(); z <= highestCell(b.z()); ++z)
+      for (int y = low.y(); y <= highestCell(b.y()); ++y) {
+        const auto* row = cells.data() + padded({low.x(), y, z});
+        for (int x = 0; x < width; ++x)
+          if (row[x] != first) return Reach::Mixed;
+      }
+    return first == 0 ? Reach::Empty : Reach::Full;
+  };
+  return byBytes() ? among(levels_, kFullLevel) : among(cells_, 100.f);
 }
 
 // Copies the cells and finds reach() of every brick, into slotOf_. What the cells of a row hold
 // becomes two bits a cell; the rows that a row of bricks reaches are combined as words, 64 cells at
 // a time. Aims at one pass over the cells.
 void ColourField::classifyBricks(const Discretization& cells) {
-  const Vec3i dims = lattice_.dims;
   const std::size_t across = std::size_t(paddedDims_.x()), down = std::size_t(paddedDims_.y());
   const auto rowOf = [&](int y, int z) {
     return std::size_t(z + kPadBelow) * down + std::size_t(y + kPadBelow);
   };
   HeldBits held(down * std::size_t(paddedDims_.z()), across);
-  parallelFor(std::size_t(paddedDims_.z()), 4, [&](std::size_t begin, std::size_t end) {
-    for (int z = int(begin) - kPadBelow; z < int(end) - kPadBelow; ++z) {
-      float* const plane = cells_.data() + rowOf(-kPadBelow, z) * across;
-      std::uint64_t* bits = held.bits.data() + rowOf(-kPadBelow, z) * held.row;
-      std::fill_n(bits, down * held.row, 0);
-      if (z < 0 || z >= dims.z()) {
-        std::fill_n(plane, down * across, 0.f);
-        continue;
-      }
-      bits += kPadBelow * held.row;
-      // Up to the first cell, behind each row as far as the next one's first, behind the last.
-      float* to = std::fill_n(plane, kPadBelow * across + kPadBelow, 0.f);
-      for (int y = 0; y < dims.y(); ++y, bits += held.row) {
-        copyRow(cells.value.data() + lattice_.index({0, y, z}), std::size_t(dims.x()), to,
-                kPadBelow, held.words, bits);
-        to = std::fill_n(to + dims.x(), kPadAbove + kPadBelow, 0.f);
-      }
-      std::fill(to, plane + down * across, 0.f);
-    }
-  });
+  if (!copyPadded(cells, paddedDims_, kPadBelow, held, levels_)) {
+    levels_ = {};
+    copyPadded(cells, paddedDims_, kPadBelow, held, cells_);
+  }
   std::vector<std::uint64_t> nothing(held.row, 0);
   std::fill_n(nothing.begin() + std::ptrdiff_t(held.words), held.words, ~std::uint64_t(0));
   const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
@@ -253,9 +294,18 @@ float ColourField::originalNode(const Vec3i& n) const {
 
 void ColourField::setCellValue(std::int64_t cell, float value) {
   const Vec3i c = lattice_.cell(cell);
-  float& stored = cells_[padded(c)];
-  if (stored == value) return;
-  stored = value;
+  if (cellValue(cell) == value) return;
+  std::uint8_t number = 0;
+  if (byBytes() && !inLevels(value, number)) {
+    growTo(cells_, levels_.size());
+    std::transform(levels_.begin(), levels_.end(), cells_.begin(),
+                   [](std::uint8_t held) { return float(held) * kLevel; });
+    levels_ = {};
+  }
+  if (byBytes())
+    levels_[padded(c)] = number;
+  else
+    cells_[padded(c)] = value;
   // Nodes nearer than two cells change; a vertex lies up to one node below them, and its normal
   // reads one node further both ways.
   const int reach = 2 * refine_;
@@ -327,7 +377,8 @@ std::span<const std::int64_t> ColourField::update() {
 }
 
 std::size_t ColourField::bytes() const {
-  return (cells_.capacity() + values_.capacity() + originals_.capacity()) * sizeof(float) +
+  return levels_.capacity() +
+         (cells_.capacity() + values_.capacity() + originals_.capacity()) * sizeof(float) +
          (slotOf_.capacity() + originalOf_.capacity()) * sizeof(std::int32_t) +
          pendingOf_.capacity();
 }

@@ -25,6 +25,7 @@
 #include "geometry/aabb.h"
 #include "sph/discretization.h"
 #include "sph/field_stencil.h"
+#include "sph/levels.h"
 
 namespace resect {
 
@@ -78,8 +79,12 @@ class ColourField {
   // The bricks whose cells a box meets (rest space, m; it may be endless).
   IndexBox bricksIn(const Aabb& box) const;
 
-  float cellValue(std::int64_t cell) const { return cells_[padded(lattice_.cell(cell))]; }
-  // Sets a cell's colour value, in [0, 100]; the field follows at the next update().
+  float cellValue(std::int64_t cell) const {
+    const std::int64_t at = padded(lattice_.cell(cell));
+    return byBytes() ? float(levels_[at]) * kLevel : cells_[at];
+  }
+  // Sets a cell's colour value, in [0, 100]; the field follows at the next update(). The first one
+  // that is no whole number of levels costs a pass over all cells.
   void setCellValue(std::int64_t cell, float value);
   // Evaluates the bricks in reach of the cells set since the last call; returns them, ascending,
   // each once. Includes the bricks that hold no changed node but a vertex or normal that depends on
@@ -133,6 +138,7 @@ class ColourField {
   // The same where bricks in solid tissue differ. Apart, so that others are found without a branch
   // that depends on the slot: which neighbours are full no processor guesses.
   const float* nodesByPhase(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const;
+  bool byBytes() const { return cells_.empty(); }
   void classifyBricks(const Discretization& cells);
   Vec3i windowCell(const Vec3i& brick) const;
   int highestCell(int brick) const;
@@ -144,7 +150,10 @@ class ColourField {
   int refine_;
   const FieldStencil* stencil_;
   Vec3i brickDims_, paddedDims_;
-  RawArray<float> cells_;             // padded colour values now
+  // Padded colour values now: as levels while all are such, for a quarter of the waiting for memory
+  // in large organs; otherwise as numbers.
+  RawArray<std::uint8_t> levels_;
+  RawArray<float> cells_;
   std::vector<std::int32_t> slotOf_;  // per brick
   RawArray<float> values_;            // the nodes of stored bricks, by place()
   std::vector<std::int32_t> freeSlots_;

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "base/vec.h"
@@ -49,6 +50,10 @@ const FieldStencil& fieldStencil(int refine);
 // strides in floats. Reads up to 6 cells from there along each axis. The same bits
 // whichever planes are asked for, with any instruction set.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
+              std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
+
+// The same of cells in levels (sph/levels.h), the same bits. Reads 8 cells along x.
+void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 
 }  // namespace resect

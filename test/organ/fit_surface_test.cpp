@@ -12,6 +12,8 @@
 #include "geometry/topology.h"
 #include "organ/discretize.h"
 #include "organ/organ.h"
+#include "sph/colour_field.h"
+#include "sph/levels.h"
 
 using namespace resect;
 
@@ -76,6 +78,20 @@ TEST_CASE("only cells that the surface passes through change, and the volumes st
     CHECK((after.value[i] < 100) == (before.value[i] < 100));
   }
   CHECK(after.volume() == doctest::Approx(before.volume()).epsilon(1e-12));
+}
+
+TEST_CASE("shares and fitted values are whole levels, so the field of both holds them as bytes") {
+  const Discretization before = shares();
+  Discretization after = before, numbers = before;
+  fitSurface(body(), after);
+  CHECK(after.value != before.value);
+  std::uint8_t level = 0;
+  for (const float value : before.value) REQUIRE(inLevels(value, level));
+  for (const float value : after.value) REQUIRE(inLevels(value, level));
+  numbers.value[0] = 33.3f;
+  const std::size_t asNumbers = ColourField(numbers, 1).bytes();
+  CHECK(ColourField(before, 1).bytes() + 3 * before.value.size() < asNumbers);
+  CHECK(ColourField(after, 1).bytes() + 3 * before.value.size() < asNumbers);
 }
 
 TEST_CASE("a box that fits its lattice is left as it is") {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -137,6 +138,36 @@ TEST_CASE(
         field.setCellValue(i, d.value[std::size_t(i)]);
       field.update();
       CHECK(sameField(field, ColourField(d, refine)));
+    }
+}
+
+TEST_CASE("cells held as levels give the bits that they give as numbers") {
+  Random random(41);
+  for (int refine : {1, 2, 3, 4})
+    for (const int across : {3, 16, 21, 70, 131}) {
+      Discretization d = test::noise({across, 6, 5}, std::uint64_t(across));
+      for (float& value : d.value) value = kLevel * std::floor(value / kLevel);
+      ColourField bytes(d, refine), edited(d, refine);
+      const auto cell = std::int64_t(random.below(int(d.value.size())));
+      Discretization other = d;
+      other.value[std::size_t(cell)] = 33.3f;
+      ColourField numbers(other, refine);
+      edited.setCellValue(cell, 33.3f);
+      edited.update();
+      CHECK(sameField(edited, numbers));
+      for (int k = 0; k < 40; ++k) {
+        const auto at = k == 0 ? cell : std::int64_t(random.below(int(d.value.size())));
+        const float value = kLevel * float(random.below(129));
+        for (ColourField* field : {&bytes, &numbers, &edited}) field->setCellValue(at, value);
+        if (k % 8 != 0) continue;
+        for (ColourField* field : {&bytes, &numbers, &edited}) field->update();
+        CHECK(sameField(bytes, numbers));
+        CHECK(sameField(bytes, edited));
+        CHECK(bytes.cellValue(at) == value);
+        CHECK(numbers.cellValue(at) == value);
+      }
+      // A byte a cell and four: they were held in two ways.
+      CHECK(bytes.bytes() + 2 * d.value.size() < numbers.bytes());
     }
 }
 
