@@ -1,15 +1,10 @@
 #include "sph/colour_field.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <cstdlib>
-#include <cstring>
 
 #include "base/assert.h"
-#include "base/flag_bits.h"
 #include "base/growth.h"
-#include "base/instruction_set.h"
 #include "base/parallel.h"
 
 namespace resect {
@@ -19,131 +14,6 @@ constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that w
 constexpr int kMostBricks = 6;         // that a cell reaches along an axis: 17 nodes at refine 4
 constexpr std::size_t kGrain = 128;    // bricks that one thread takes: some 50 us
 constexpr std::size_t kRowGrain = 16;  // the same of rows of bricks, few of which are stored
-
-// What each cell of the padded lattice holds, as bits: anything at all, and all it can? Row after
-// row; of each first the words of the one, then those of the other. Cells that are not there hold
-// nothing: zeros.
-struct HeldBits {
-  static constexpr std::size_t kWord = 64, kChunk = 4;  // cells; words that are combined at once
-  std::size_t words, row;                               // of either kind, and of both, rounded up
-  RawArray<std::uint64_t> bits;
-
-  HeldBits(std::size_t rows, std::size_t cells)
-      : words((cells + kWord - 1) / kWord),
-        row((2 * words + kChunk - 1) / kChunk * kChunk),
-        bits(rows * row) {}
-};
-
-constexpr std::size_t kCopied = 16;  // cells that are copied at once
-
-// Copies sixteen and says what they hold. False if they cannot be kept so.
-[[gnu::always_inline]] inline bool copy16(const float* from, float* to, std::uint64_t& some,
-                                          std::uint64_t& full) {
-  some = compared16(from, [](const FourValues& v) -> FourFlags { return v != 0.f; });
-  full = compared16(from, [](const FourValues& v) -> FourFlags { return v == 100.f; });
-  std::memcpy(to, from, kCopied * sizeof(float));
-  return true;
-}
-[[gnu::always_inline]] inline bool copy16(const float* from, std::uint8_t* to, std::uint64_t& some,
-                                          std::uint64_t& full) {
-  return inLevels(from, to, some, full);
-}
-
-// Copies a row of cells and finds what they hold, bits: 0 until now; first: of the row's cells
-// among the bits. Up to kCopied - 1 cells more may be written. False if they cannot be kept so.
-template <typename Cell>
-[[gnu::always_inline]] inline bool copyCells(const float* from, std::size_t count, Cell* to,
-                                             std::size_t first, std::size_t words,
-                                             std::uint64_t* bits) {
-  float few[kCopied] = {};
-  if (count < kCopied) {
-    std::copy_n(from, count, few);
-    from = few;
-    count = kCopied;
-  }
-  bool kept = true;
-  for (std::size_t done = 0; done < count; done += kCopied) {
-    const std::size_t i = std::min(done, count - kCopied);  // the last ones, some of them again
-    std::uint64_t some, full;
-    kept &= copy16(from + i, to + i, some, full);
-    const std::size_t word = (first + i) / 64, shift = (first + i) % 64;
-    bits[word] |= some << shift;
-    bits[words + word] |= full << shift;
-    if (shift <= 64 - kCopied) continue;
-    bits[word + 1] |= some >> (64 - shift);
-    bits[words + word + 1] |= full >> (64 - shift);
-  }
-  return kept;
-}
-RESECT_WIDEST
-bool copyRow(const float* from, std::size_t count, float* to, std::size_t first, std::size_t words,
-             std::uint64_t* bits) {
-  return copyCells(from, count, to, first, words, bits);
-}
-RESECT_WIDEST
-bool copyRow(const float* from, std::size_t count, std::uint8_t* to, std::size_t first,
-             std::size_t words, std::uint64_t* bits) {
-  return copyCells(from, count, to, first, words, bits);
-}
-
-// Copies all cells, padded by `below` and more above, and finds what they hold. False if they
-// cannot be kept so.
-template <typename Cell>
-bool copyPadded(const Discretization& cells, const Vec3i& paddedDims, int below, HeldBits& held,
-                RawArray<Cell>& padded) {
-  const Vec3i dims = cells.lattice.dims;
-  const auto across = std::size_t(paddedDims.x()), down = std::size_t(paddedDims.y());
-  const auto before = std::size_t(below), after = across - before - std::size_t(dims.x());
-  growTo(padded, across * down * std::size_t(paddedDims.z()));
-  std::atomic<bool> kept = true;
-  parallelFor(std::size_t(paddedDims.z()), 4, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t plane = begin; plane < end; ++plane) {
-      const int z = int(plane) - below;
-      Cell* to = padded.data() + plane * down * across;
-      Cell* const last = to + down * across;
-      std::uint64_t* bits = held.bits.data() + plane * down * held.row;
-      std::fill_n(bits, down * held.row, 0);
-      if (z >= 0 && z < dims.z()) {
-        bits += before * held.row;
-        // Up to the first cell, behind each row as far as the next one's first, behind the last.
-        to = std::fill_n(to, before * across + before, Cell(0));
-        for (int y = 0; y < dims.y(); ++y, bits += held.row) {
-          if (!copyRow(cells.value.data() + cells.lattice.index({0, y, z}), std::size_t(dims.x()),
-                       to, before, held.words, bits))
-            kept = false;
-          to = std::fill_n(to + dims.x(), after + before, Cell(0));
-        }
-      }
-      std::fill(to, last, Cell(0));
-    }
-  });
-  return kept;
-}
-
-// What a box of rows holds together, rows x planes of them from `first` on: anything, and less than
-// all it can? nothing: the words that say so of no cells.
-RESECT_WIDEST
-void holdOfRows(const HeldBits& held, std::size_t first, int rows, int planes, std::size_t perPlane,
-                const std::uint64_t* nothing, std::uint64_t* bits) {
-  for (std::size_t chunk = 0; chunk < held.row; chunk += HeldBits::kChunk) {
-    std::uint64_t any[HeldBits::kChunk] = {};
-    for (int z = 0; z < planes; ++z) {
-      const std::uint64_t* row =
-          held.bits.data() + (first + std::size_t(z) * perPlane) * held.row + chunk;
-      for (int y = 0; y < rows; ++y, row += held.row)
-        for (std::size_t k = 0; k < HeldBits::kChunk; ++k) any[k] |= row[k] ^ nothing[chunk + k];
-    }
-    std::memcpy(bits + chunk, any, sizeof any);
-  }
-}
-
-// From each cell of a row on: what `width` cells hold.
-void holdAlong(std::size_t words, int width, std::uint64_t* bits) {
-  for (std::size_t w = 0; w < words; ++w) {
-    const std::uint64_t here = bits[w], next = w + 1 < words ? bits[w + 1] : 0;
-    for (int k = 1; k < width; ++k) bits[w] |= here >> k | next << (64 - k);
-  }
-}
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
@@ -156,12 +26,16 @@ ColourField::ColourField(const Discretization& cells, int refine)
   // vanished.
   for (int a = 0; a < 3; ++a)
     brickDims_[a] = ((lattice_.dims[a] + 3) * refine + kBrickNodes) / kBrickNodes;
-  paddedDims_ = lattice_.dims + Vec3i::Constant(kPadBelow + kPadAbove);
 
   slotOf_.assign(std::size_t(brickCount()), kEmpty);
   originalOf_.assign(slotOf_.size(), kUnedited);
   pendingOf_.assign(slotOf_.size(), 0);
-  classifyBricks(cells);
+  {
+    const Vec3i dims = lattice_.dims + Vec3i::Constant(PaddedCells::kBelow + PaddedCells::kAbove);
+    HeldBits held(std::size_t(dims.y()) * std::size_t(dims.z()), std::size_t(dims.x()));
+    cells_ = PaddedCells(cells, held);
+    classifyBricks(held);
+  }
   std::int32_t count = 0;
   for (std::int32_t& slot : slotOf_) {
     const bool mixed = slot == 0;
@@ -196,12 +70,10 @@ const float* ColourField::nodesByPhase(std::int64_t b, std::int32_t slot,
 }
 
 void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
-  const std::ptrdiff_t alongY = paddedDims_.x(), alongZ = alongY * paddedDims_.y();
-  const std::int64_t low = padded(windowCell(b));
-  if (byBytes())
-    sumBrick(*stencil_, phase(b), levels_.data() + low, alongY, alongZ, planes, out);
-  else
-    sumBrick(*stencil_, phase(b), cells_.data() + low, alongY, alongZ, planes, out);
+  const std::ptrdiff_t alongY = cells_.dims().x(), alongZ = alongY * cells_.dims().y();
+  cells_.lookAt(cells_.place(windowCell(b)), [&](const auto* low) {
+    sumBrick(*stencil_, phase(b), low, alongY, alongZ, planes, out);
+  });
 }
 
 // The lowest cell that the brick's nodes reach.
@@ -217,49 +89,28 @@ int ColourField::highestCell(int b) const {
   return last / refine_ - 2 + (last % refine_ == 0 ? 1 : 2);
 }
 
-ColourField::Reach ColourField::reach(const Vec3i& b) const {
-  const Vec3i low = windowCell(b);
-  const int width = highestCell(b.x()) - low.x() + 1;
-  const auto among = [&](const auto& cells, auto all) {
-    const auto first = cells[padded(low)];
-    if (first != 0 && first != all) return Reach::Mixed;
-    for (int z = low.z(); z <= highestCell(b.z()); ++z)
-      for (int y = low.y(); y <= highestCell(b.y()); ++y) {
-        const auto* row = cells.data() + padded({low.x(), y, z});
-        for (int x = 0; x < width; ++x)
-          if (row[x] != first) return Reach::Mixed;
-      }
-    return first == 0 ? Reach::Empty : Reach::Full;
-  };
-  return byBytes() ? among(levels_, kFullLevel) : among(cells_, 100.f);
+// What do the cells hold that the nodes of a brick and the plane of nodes after them reach?
+PaddedCells::Held ColourField::held(const Vec3i& b) const {
+  const Vec3i high(highestCell(b.x()), highestCell(b.y()), highestCell(b.z()));
+  return cells_.heldIn(windowCell(b), high - windowCell(b) + Vec3i::Ones());
 }
 
-// Copies the cells and finds reach() of every brick, into slotOf_. What the cells of a row hold
-// becomes two bits a cell; the rows that a row of bricks reaches are combined as words, 64 cells at
-// a time. Aims at one pass over the cells.
-void ColourField::classifyBricks(const Discretization& cells) {
-  const std::size_t across = std::size_t(paddedDims_.x()), down = std::size_t(paddedDims_.y());
+// Finds held() of every brick, into slotOf_: the rows of cells that a row of bricks reaches are
+// combined as words, 64 cells at a time.
+void ColourField::classifyBricks(const HeldBits& held) {
+  const auto down = std::size_t(cells_.dims().y());
   const auto rowOf = [&](int y, int z) {
-    return std::size_t(z + kPadBelow) * down + std::size_t(y + kPadBelow);
+    return std::size_t(z + PaddedCells::kBelow) * down + std::size_t(y + PaddedCells::kBelow);
   };
-  HeldBits held(down * std::size_t(paddedDims_.z()), across);
-  if (!copyPadded(cells, paddedDims_, kPadBelow, held, levels_)) {
-    levels_ = {};
-    copyPadded(cells, paddedDims_, kPadBelow, held, cells_);
-  }
-  std::vector<std::uint64_t> nothing(held.row, 0);
-  std::fill_n(nothing.begin() + std::ptrdiff_t(held.words), held.words, ~std::uint64_t(0));
   const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
   parallelFor(
       std::size_t(brickDims_.y()) * brickDims_.z(), 64, [&](std::size_t begin, std::size_t end) {
         std::vector<std::uint64_t> bits(held.row);
         for (std::size_t i = begin; i < end; ++i) {
           const Vec3i b(0, int(i) % brickDims_.y(), int(i) / brickDims_.y()), low = windowCell(b);
-          holdOfRows(held, rowOf(low.y(), low.z()), highestCell(b.y()) - low.y() + 1,
-                     highestCell(b.z()) - low.z() + 1, down, nothing.data(), bits.data());
+          holdTogether(held, rowOf(low.y(), low.z()), highestCell(b.y()) - low.y() + 1,
+                       highestCell(b.z()) - low.z() + 1, down, width, bits.data());
           const std::uint64_t *some = bits.data(), *less = some + held.words;
-          holdAlong(held.words, width, bits.data());
-          holdAlong(held.words, width, bits.data() + held.words);
           std::int32_t* slot = slotOf_.data() + brickIndex(b);
           for (int x = 0; x < brickDims_.x(); ++x) {
             const auto bit = unsigned(cellOf(kBrickNodes * x));  // of the padded row
@@ -294,18 +145,9 @@ float ColourField::originalNode(const Vec3i& n) const {
 
 void ColourField::setCellValue(std::int64_t cell, float value) {
   const Vec3i c = lattice_.cell(cell);
-  if (cellValue(cell) == value) return;
-  std::uint8_t number = 0;
-  if (byBytes() && !inLevels(value, number)) {
-    growTo(cells_, levels_.size());
-    std::transform(levels_.begin(), levels_.end(), cells_.begin(),
-                   [](std::uint8_t held) { return float(held) * kLevel; });
-    levels_ = {};
-  }
-  if (byBytes())
-    levels_[padded(c)] = number;
-  else
-    cells_[padded(c)] = value;
+  const std::int64_t at = cells_.place(c);
+  if (cells_.value(at) == value) return;
+  cells_.set(at, value);
   // Nodes nearer than two cells change; a vertex lies up to one node below them, and its normal
   // reads one node further both ways.
   const int reach = 2 * refine_;
@@ -353,15 +195,15 @@ std::span<const std::int64_t> ColourField::update() {
       originalOf_[b] = s < 0 ? s : slotsOf(originals_);
       if (s >= 0) originals_.insert(originals_.end(), values(s).begin(), values(s).end());
     }
-    const Reach r = reach(brick(b));
-    if (r == Reach::Mixed) {
+    const PaddedCells::Held now = held(brick(b));
+    if (now == PaddedCells::Held::Mixed) {
       if (s < 0) {
         s = takeSlot();
         pendingOf_[b] |= kAllPlanes;
       }
     } else {
       if (s >= 0) freeSlots_.push_back(s);
-      s = r == Reach::Empty ? kEmpty : kFull;
+      s = now == PaddedCells::Held::Nothing ? kEmpty : kFull;
     }
   }
   parallelFor(touched_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
@@ -377,8 +219,7 @@ std::span<const std::int64_t> ColourField::update() {
 }
 
 std::size_t ColourField::bytes() const {
-  return levels_.capacity() +
-         (cells_.capacity() + values_.capacity() + originals_.capacity()) * sizeof(float) +
+  return cells_.bytes() + (values_.capacity() + originals_.capacity()) * sizeof(float) +
          (slotOf_.capacity() + originalOf_.capacity()) * sizeof(std::int32_t) +
          pendingOf_.capacity();
 }

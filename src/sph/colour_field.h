@@ -25,7 +25,7 @@
 #include "geometry/aabb.h"
 #include "sph/discretization.h"
 #include "sph/field_stencil.h"
-#include "sph/levels.h"
+#include "sph/padded_cells.h"
 
 namespace resect {
 
@@ -80,11 +80,9 @@ class ColourField {
   IndexBox bricksIn(const Aabb& box) const;
 
   float cellValue(std::int64_t cell) const {
-    const std::int64_t at = padded(lattice_.cell(cell));
-    return byBytes() ? float(levels_[at]) * kLevel : cells_[at];
+    return cells_.value(cells_.place(lattice_.cell(cell)));
   }
-  // Sets a cell's colour value, in [0, 100]; the field follows at the next update(). The first one
-  // that is no whole number of levels costs a pass over all cells.
+  // Sets a cell's colour value, in [0, 100]; the field follows at the next update().
   void setCellValue(std::int64_t cell, float value);
   // Evaluates the bricks in reach of the cells set since the last call; returns them, ascending,
   // each once. Includes the bricks that hold no changed node but a vertex or normal that depends on
@@ -104,16 +102,6 @@ class ColourField {
 
  private:
   static constexpr std::int32_t kUnedited = -3;
-  // Cells of zero below and above the lattice: the windows of the outermost bricks need no bounds
-  // test.
-  static constexpr int kPadBelow = 3, kPadAbove = 7;
-  // What do the cells hold that the nodes of a brick and the plane of nodes after them reach?
-  enum class Reach { Empty, Full, Mixed };
-
-  std::int64_t padded(const Vec3i& cell) const {
-    const Vec3i c = cell + Vec3i::Constant(kPadBelow);
-    return (std::int64_t(c.z()) * paddedDims_.y() + c.y()) * paddedDims_.x() + c.x();
-  }
   // node / refine, without waiting for a quotient.
   int cellOf(int node) const { return refine_ == 3 ? node / 3 : node >> refine_ / 2; }
   // Place of a brick's first node within its cell, 0 to refine - 1, per axis: always 0 but for
@@ -138,22 +126,18 @@ class ColourField {
   // The same where bricks in solid tissue differ. Apart, so that others are found without a branch
   // that depends on the slot: which neighbours are full no processor guesses.
   const float* nodesByPhase(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const;
-  bool byBytes() const { return cells_.empty(); }
-  void classifyBricks(const Discretization& cells);
+  void classifyBricks(const HeldBits& held);
   Vec3i windowCell(const Vec3i& brick) const;
   int highestCell(int brick) const;
-  Reach reach(const Vec3i& brick) const;
+  PaddedCells::Held held(const Vec3i& brick) const;
   void evaluate(const Vec3i& brick, unsigned planes, float* out) const;
   std::int32_t takeSlot();
 
   Lattice lattice_;
   int refine_;
   const FieldStencil* stencil_;
-  Vec3i brickDims_, paddedDims_;
-  // Padded colour values now: as levels while all are such, for a quarter of the waiting for memory
-  // in large organs; otherwise as numbers.
-  RawArray<std::uint8_t> levels_;
-  RawArray<float> cells_;
+  Vec3i brickDims_;
+  PaddedCells cells_;                 // now
   std::vector<std::int32_t> slotOf_;  // per brick
   RawArray<float> values_;            // the nodes of stored bricks, by place()
   std::vector<std::int32_t> freeSlots_;

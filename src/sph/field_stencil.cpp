@@ -2,14 +2,9 @@
 
 #include <cstring>
 
-#if defined(__x86_64__)
-#include <immintrin.h>
-#endif
-
 #include "base/assert.h"
 #include "base/instruction_set.h"
 #include "sph/kernel.h"
-#include "sph/levels.h"
 
 // Every function that gives such vectors is inlined: how they would be passed does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -315,55 +310,6 @@ void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
     default:
       return sumTaps(stencil, phase, low, alongY, alongZ, planes, out);
   }
-}
-
-// ---- cells in levels ----
-
-namespace {
-
-constexpr int kWindow = 6,
-              kWindowRow = 8;  // cells that a brick reaches along an axis, and are read
-
-// The cells round a brick as colour values.
-void widenPlainly(const std::uint8_t* low, std::ptrdiff_t alongY, std::ptrdiff_t alongZ, int side,
-                  float* window) {
-  for (int z = 0; z < side; ++z)
-    for (int y = 0; y < side; ++y)
-      for (int x = 0; x < kWindowRow; ++x)
-        window[(z * kWindow + y) * kWindowRow + x] =
-            float(low[z * alongZ + y * alongY + x]) * kLevel;
-}
-
-#if defined(__x86_64__)
-RESECT_AVX2 void widenRows(const std::uint8_t* low, std::ptrdiff_t alongY, std::ptrdiff_t alongZ,
-                           int side, float* window) {
-  const __m256 unit = _mm256_set1_ps(kLevel);
-  for (int z = 0; z < side; ++z)
-#pragma GCC unroll 6
-    for (int y = 0; y < side; ++y) {
-      const auto* row = reinterpret_cast<const __m128i*>(low + z * alongZ + y * alongY);
-      const __m256 cells = _mm256_cvtepi32_ps(_mm256_cvtepu8_epi32(_mm_loadl_epi64(row)));
-      _mm256_store_ps(window + (z * kWindow + y) * kWindowRow, _mm256_mul_ps(cells, unit));
-    }
-}
-#endif
-
-void widen(const std::uint8_t* low, std::ptrdiff_t alongY, std::ptrdiff_t alongZ, int side,
-           float* window) {
-#if defined(__x86_64__)
-  static const bool wide = __builtin_cpu_supports("avx2");
-  if (wide) return widenRows(low, alongY, alongZ, side, window);
-#endif
-  widenPlainly(low, alongY, alongZ, side, window);
-}
-
-}  // namespace
-
-void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
-              std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out) {
-  alignas(32) float window[kWindow * kWindow * kWindowRow];
-  widen(low, alongY, alongZ, stencil.refine == 1 ? kWindow : kMostRows, window);
-  sumBrick(stencil, phase, window, kWindowRow, kWindow * kWindowRow, planes, out);
 }
 
 }  // namespace resect

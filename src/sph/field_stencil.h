@@ -52,7 +52,7 @@ const FieldStencil& fieldStencil(int refine);
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 
-// The same of cells in levels (sph/levels.h), the same bits. Reads 8 cells along x.
+// The same of cells in levels (sph/levels.h), the same bits. Reads 16 cells along x.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 

@@ -14,6 +14,15 @@
 
 namespace resect {
 
+// A word that the compiler does not join with others to a vector: words that were just written one
+// by one and are read together are waited for, longer than 64 cells are told in.
+[[gnu::always_inline]] inline std::uint64_t keptAlone(std::uint64_t word) {
+#ifdef __GNUC__
+  asm("" : "+r"(word));
+#endif
+  return word;
+}
+
 // Which of a brick's 64 nodes are inside (value >= iso)? Bit = node, x fastest.
 [[gnu::always_inline]] inline std::uint64_t insideMask(std::span<const float, kBrickSize> nodes,
                                                        float iso) {
@@ -33,8 +42,13 @@ namespace resect {
     return (own >> 4 & 0x0fff0fff0fff0fff) | (next & 0x000f000f000f000f) << 12;
   };
   const auto alongZ = [](std::uint64_t own, std::uint64_t next) { return own >> 16 | next << 48; };
-  std::array<std::uint64_t, 8> mask = inside;
-  for (const int d : {0, 2, 4, 6}) mask[d + 1] = alongX(inside[d], inside[d + 1]);
+  // Word by word: copied as a whole, words that were just written one by one would be waited for.
+  std::array<std::uint64_t, 8> mask;
+#pragma GCC unroll 4
+  for (std::size_t d = 0; d < 8; d += 2) {
+    mask[d] = inside[d];
+    mask[d + 1] = alongX(inside[d], inside[d + 1]);
+  }
   for (const int d : {0, 1, 4, 5}) mask[d + 2] = alongY(mask[d], mask[d + 2]);
   for (const int d : {0, 1, 2, 3}) mask[d + 4] = alongZ(mask[d], mask[d + 4]);
   return mask;
@@ -43,7 +57,10 @@ namespace resect {
 // The cells that the surface runs through: those with corners on both sides.
 inline std::uint64_t crossedCells(const std::array<std::uint64_t, 8>& corners) {
   std::uint64_t any = 0, all = ~std::uint64_t(0);
-  for (const std::uint64_t mask : corners) any |= mask, all &= mask;
+  for (const std::uint64_t mask : corners) {
+    const std::uint64_t alone = keptAlone(mask);
+    any |= alone, all &= alone;
+  }
   return any & ~all;
 }
 

@@ -86,8 +86,8 @@ TEST_CASE("shares and fitted values are whole levels, so the field of both holds
   fitSurface(body(), after);
   CHECK(after.value != before.value);
   std::uint8_t level = 0;
-  for (const float value : before.value) REQUIRE(inLevels(value, level));
-  for (const float value : after.value) REQUIRE(inLevels(value, level));
+  for (const float value : before.value) REQUIRE(toLevel(value, level));
+  for (const float value : after.value) REQUIRE(toLevel(value, level));
   numbers.value[0] = 33.3f;
   const std::size_t asNumbers = ColourField(numbers, 1).bytes();
   CHECK(ColourField(before, 1).bytes() + 3 * before.value.size() < asNumbers);

@@ -1,0 +1,59 @@
+// The colour values of a lattice's cells, with empty cells round them, so that who looks beyond the
+// lattice's ends need not ask where they are.
+//
+// As levels (sph/levels.h), a byte each, while all are such: a large organ's cells then take a
+// quarter of the waiting for memory. From the first other value on, as numbers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "base/raw_array.h"
+#include "base/vec.h"
+#include "sph/discretization.h"
+#include "sph/held_bits.h"
+#include "sph/levels.h"
+
+namespace resect {
+
+class PaddedCells {
+ public:
+  static constexpr int kBelow = 3, kAbove = 7;  // cells added before and behind, along each axis
+
+  PaddedCells() = default;
+  // held: what the cells hold, rows of cells along x as rows, the added ones too.
+  PaddedCells(const Discretization& cells, HeldBits& held);
+
+  const Vec3i& dims() const { return dims_; }
+  // Place of a cell of the lattice, from -kBelow on, x fastest.
+  std::int64_t place(const Vec3i& cell) const {
+    const Vec3i c = cell + Vec3i::Constant(kBelow);
+    return (std::int64_t(c.z()) * dims_.y() + c.y()) * dims_.x() + c.x();
+  }
+  float value(std::int64_t at) const {
+    return byBytes() ? float(levels_[std::size_t(at)]) * kLevel : numbers_[std::size_t(at)];
+  }
+  // value: in [0, 100]. The first one that is not a whole number of levels costs a pass over all
+  // cells.
+  void set(std::int64_t at, float value);
+  // Do all cells of a box hold nothing, all they can, or neither? low: the lattice's cell where it
+  // begins.
+  enum class Held { Nothing, All, Mixed };
+  Held heldIn(const Vec3i& low, const Vec3i& dims) const;
+  // look(cells): with the cells from place `at` on, std::uint8_t (levels) or float.
+  template <typename Look>
+  [[gnu::always_inline]] void lookAt(std::int64_t at, Look look) const {
+    byBytes() ? look(levels_.data() + at) : look(numbers_.data() + at);
+  }
+
+  std::size_t bytes() const { return levels_.capacity() + numbers_.capacity() * sizeof(float); }
+
+ private:
+  bool byBytes() const { return numbers_.empty(); }
+
+  Vec3i dims_ = Vec3i::Zero();
+  RawArray<std::uint8_t> levels_;
+  RawArray<float> numbers_;
+};
+
+}  // namespace resect

@@ -1,0 +1,139 @@
+// Do cells keep their values whichever way they are held, and are their bits what they hold?
+#include "sph/padded_cells.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "support/block_organ.h"
+
+using namespace resect;
+
+namespace {
+
+// Random levels, half of them empty or full.
+Discretization randomLevels(const Vec3i& dims, std::uint64_t seed) {
+  Discretization d = test::noise(dims, seed);
+  Random random(seed);
+  for (float& value : d.value) {
+    const int kind = random.below(4);
+    value = kind == 0 ? 0.f : kind == 1 ? 100.f : kLevel * std::floor(value / kLevel);
+  }
+  return d;
+}
+
+HeldBits bitsFor(const Discretization& d) {
+  const Vec3i dims = d.lattice.dims + Vec3i::Constant(PaddedCells::kBelow + PaddedCells::kAbove);
+  return {std::size_t(dims.y()) * std::size_t(dims.z()), std::size_t(dims.x())};
+}
+
+// Of a place beside the lattice too: 0.
+float valueAt(const Discretization& d, const Vec3i& cell) {
+  if ((cell.array() < 0).any() || (cell.array() >= d.lattice.dims.array()).any()) return 0;
+  return d.value[std::size_t(d.lattice.index(cell))];
+}
+
+void checkAll(const Discretization& d) {
+  HeldBits held = bitsFor(d);
+  const PaddedCells cells(d, held);
+  std::int64_t wrong = 0, row = 0;
+  for (int z = 0; z < cells.dims().z(); ++z)
+    for (int y = 0; y < cells.dims().y(); ++y, ++row)
+      for (int x = 0; x < int(held.words * HeldBits::kWord); ++x) {
+        const Vec3i cell = Vec3i(x, y, z) - Vec3i::Constant(PaddedCells::kBelow);
+        const float value = valueAt(d, cell);
+        const std::uint64_t* bits = held.bits.data() + std::size_t(row) * held.row;
+        const auto bit = [&](std::size_t first) {
+          return (bits[first + std::size_t(x) / 64] >> x % 64 & 1) != 0;
+        };
+        if (x < cells.dims().x()) wrong += cells.value(cells.place(cell)) != value;
+        wrong += bit(0) != (value > 0);
+        wrong += bit(held.words) != (value == 100);
+      }
+  CHECK(wrong == 0);
+}
+
+}  // namespace
+
+TEST_CASE("values are levels or not, one by one and many at once") {
+  std::vector<float> values;
+  for (int k = 0; k <= kFullLevel; ++k) values.push_back(kLevel * float(k));
+  std::vector<std::uint8_t> levels(192);
+  std::vector<std::uint64_t> some(3), full(3);
+  const auto all = [&] {
+    return toLevels(values.data(), values.size(), levels.data(), some.data(), full.data());
+  };
+  CHECK(all());
+  for (int k = 0; k <= kFullLevel; ++k) {
+    std::uint8_t level = 0;
+    CHECK(toLevel(values[std::size_t(k)], level));
+    CHECK(level == k);
+    CHECK(levels[std::size_t(k)] == k);
+  }
+  CHECK(some == std::vector<std::uint64_t>{~std::uint64_t(1), ~std::uint64_t(0), 1});
+  CHECK(full == std::vector<std::uint64_t>{0, 0, 1});
+  for (const std::size_t k : {0, 3, 31, 32, 63, 64, 128}) {
+    const float was = values[k];
+    std::uint8_t level = 0;
+    values[k] = 33.3f;
+    CHECK_FALSE(all());
+    CHECK_FALSE(toLevel(values[k], level));
+    values[k] = was;
+  }
+  CHECK(all());
+}
+
+TEST_CASE("cells, the empty ones round them and what they hold, in rows of any length") {
+  for (const int across : {1, 2, 31, 32, 33, 54, 55, 61, 64, 118, 131, 200}) {
+    CAPTURE(across);
+    Discretization d = randomLevels({across, 3, 7}, std::uint64_t(across));
+    for (const int threads : {1, 3}) {
+      const ThreadLimit limit(threads);
+      checkAll(d);
+    }
+    d.value.back() = 33.3f;  // as numbers
+    checkAll(d);
+  }
+}
+
+TEST_CASE("cells that are set hold it, and how they are held changes no value") {
+  Discretization d = randomLevels({9, 5, 6}, 7);
+  HeldBits held = bitsFor(d);
+  PaddedCells cells(d, held);
+  const std::size_t asLevels = cells.bytes();
+  Random random(3);
+  for (int k = 0; k < 100; ++k) {
+    const auto i = std::int64_t(random.below(int(d.value.size())));
+    // From half way on any number.
+    const float value = k < 50 ? kLevel * float(random.below(129)) : float(random.below(1000)) / 10;
+    d.value[std::size_t(i)] = value;
+    cells.set(cells.place(d.lattice.cell(i)), value);
+    if (k == 49) CHECK(cells.bytes() == asLevels);
+  }
+  CHECK(cells.bytes() > 3 * asLevels);
+  for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i)
+    REQUIRE(cells.value(cells.place(d.lattice.cell(i))) == d.value[std::size_t(i)]);
+}
+
+TEST_CASE("a box of cells holds nothing, all it can, or neither") {
+  for (const float other : {kLevel, 33.3f}) {
+    Discretization d = randomLevels({6, 6, 6}, 1);
+    for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i) {
+      const Vec3i c = d.lattice.cell(i);
+      d.value[std::size_t(i)] = c.x() < 3 ? 0.f : 100.f;
+    }
+    d.value[std::size_t(d.lattice.index({5, 5, 5}))] = other;
+    HeldBits held = bitsFor(d);
+    const PaddedCells cells(d, held);
+    using Held = PaddedCells::Held;
+    CHECK(cells.heldIn({0, 0, 0}, {3, 6, 6}) == Held::Nothing);
+    CHECK(cells.heldIn({-3, -3, -3}, {6, 4, 4}) == Held::Nothing);
+    CHECK(cells.heldIn({3, 0, 0}, {3, 6, 5}) == Held::All);
+    CHECK(cells.heldIn({3, 0, 0}, {3, 6, 6}) == Held::Mixed);
+    CHECK(cells.heldIn({2, 0, 0}, {3, 3, 3}) == Held::Mixed);
+    CHECK(cells.heldIn({3, 0, 0}, {4, 3, 3}) == Held::Mixed);
+  }
+}
