@@ -51,10 +51,12 @@ struct SmallIntegers {
   RESECT_AVX2 static __m256d signs(Four v) { return v; }
 };
 
-// With sides from corner 0 below 2^25, products stay below 2^51 and sums of three below 2^53.
+// With sides below 2^26 products stay below 2^52, and so does twice the area. A column of the box
+// lies no further from an edge's end than the sides are long, so what `start` less a product, and
+// the whole edge function, amounts to stays below 2^53.
 bool isSmall(const Footprint& f) {
   const auto far = [](const Footprint::Edge& e) { return std::abs(e.dx) | std::abs(e.dy); };
-  return (far(f.edge[1]) | far(f.edge[2])) < 1 << 25;
+  return (far(f.edge[0]) | far(f.edge[1]) | far(f.edge[2])) < 1 << 26;
 }
 
 // The part of the edge functions that the columns of a step decide is worked out once for all rows.

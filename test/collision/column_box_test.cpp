@@ -36,8 +36,8 @@ TEST_CASE("a box of columns four at a time is the box one by one, bit for bit") 
   for (int k = 0; k < 6000; ++k) {
     // Corners anywhere on the raster or in a small part of it, or on every n-th step, so that
     // columns meet edges and corners; some without area.
-    // Sides just below and above 2^25, from which on integers are no longer floating-point numbers.
-    const std::int32_t extents[] = {1 << 30, 1 << 24, (1 << 25) - 1, 1 << 25, 1 << 27};
+    // Sides just below and above 2^26, from which on integers are no longer floating-point numbers.
+    const std::int32_t extents[] = {1 << 30, 1 << 24, (1 << 26) - 1, 1 << 26, 1 << 28};
     const std::int32_t extent = extents[k % 5], grain = k % 2 == 0 ? 1 : extent / 8;
     const auto place = [&] {
       return std::int32_t(random.uniform(0, 1.0 * extent / grain)) * grain;
@@ -82,7 +82,7 @@ TEST_CASE("a box of columns four at a time is the box one by one, bit for bit") 
         CHECK(a[i].sign == b[i].sign);
         CHECK(std::bit_cast<std::uint64_t>(a[i].depth) == std::bit_cast<std::uint64_t>(b[i].depth));
       }
-      (extent >= 1 << 25 ? ofLarge : ofSmall) += a.size();
+      (extent >= 1 << 26 ? ofLarge : ofSmall) += a.size();
       most = std::max(most, a.size());
     }
   }
