@@ -154,28 +154,54 @@ struct Ends {
   }
 };
 
+// What lies round four nodes along x: the values before them, at them and behind them.
+struct AlongX {
+  Four before, here, behind;
+
+  // Four rows are read, not twelve numbers, and turned.
+  explicit AlongX(const Ends& ends) {
+    Four row[4];
+    for (int i = 0; i < 4; ++i) std::memcpy(&row[i], ends.node[i] - kStep[0], sizeof row[i]);
+    const Four low01 = __builtin_shufflevector(row[0], row[1], 0, 4, 1, 5),
+               low23 = __builtin_shufflevector(row[2], row[3], 0, 4, 1, 5),
+               high01 = __builtin_shufflevector(row[0], row[1], 2, 6, 3, 7),
+               high23 = __builtin_shufflevector(row[2], row[3], 2, 6, 3, 7);
+    before = __builtin_shufflevector(low01, low23, 0, 1, 4, 5);
+    here = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
+    behind = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
+  }
+  Four difference() const { return behind - before; }
+};
+
+// Where four edges cross the iso level.
+struct Crossings {
+  Four way;           // how far along, 0 to 1
+  Four below, above;  // what the field grows by along x round their lower and upper ends
+};
+
+[[gnu::always_inline]] inline Crossings crossingsOf(const Halo& halo, float iso,
+                                                    const std::uint8_t* edge) {
+  const AlongX low(Ends(halo, kEnds.low, edge)), high(Ends(halo, kEnds.high, edge));
+  const Four crossing = (iso - low.here) / (high.here - low.here);
+  const Four least = Four{} + kEndMargin, most = 1 - least;
+  const Four way = crossing > least ? crossing : least;
+  return {way < most ? way : most, low.difference(), high.difference()};
+}
+
 struct Slopes {
   Four along[3];
 };
 
-// How far along each of four edges does it cross the iso level, 0 to 1?
-[[gnu::always_inline]] inline Four wayAlong(const Halo& halo, float iso, const std::uint8_t* edge) {
-  const Four low = Ends(halo, kEnds.low, edge)[0], high = Ends(halo, kEnds.high, edge)[0];
-  const Four crossing = (iso - low) / (high - low);
-  const Four least = Four{} + kEndMargin, most = 1 - least;
-  const Four way = crossing > least ? crossing : least;
-  return way < most ? way : most;
-}
-
 // The field's slopes there. The differences of neighbouring nodes are per node spacing; a stretched
 // lattice turns them into slopes by its own.
 [[gnu::always_inline]] inline Slopes slopesAt(const Halo& halo, const Vec3f& perSpacing,
-                                              const std::uint8_t* edge, const Four& way) {
+                                              const std::uint8_t* edge, const Crossings& at) {
   const Ends low(halo, kEnds.low, edge), high(halo, kEnds.high, edge);
   Slopes slopes;
   for (int k = 0; k < 3; ++k) {
-    const Four below = low[kStep[k]] - low[-kStep[k]], above = high[kStep[k]] - high[-kStep[k]];
-    slopes.along[k] = ((1 - way) * below + way * above) * perSpacing[k];
+    const Four below = k == 0 ? at.below : low[kStep[k]] - low[-kStep[k]],
+               above = k == 0 ? at.above : high[kStep[k]] - high[-kStep[k]];
+    slopes.along[k] = ((1 - at.way) * below + at.way * above) * perSpacing[k];
   }
   return slopes;
 }
@@ -235,15 +261,15 @@ void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t 
   const std::uint8_t* edge = crossed.number.data();
   const NodePlaces places = nodePlaces(field, grid, place);
   constexpr std::size_t kMost = CrossedEdges::kMost / 4;
-  std::array<Four, kMost> way;
+  std::array<Crossings, kMost> crossings;
   std::array<Slopes, kMost> slopes;
   const std::size_t fours = std::size_t(signs.vertexCount() + 3) / 4;
-  for (std::size_t i = 0; i < fours; ++i) way[i] = wayAlong(halo, grid.iso, edge + 4 * i);
+  for (std::size_t i = 0; i < fours; ++i) crossings[i] = crossingsOf(halo, grid.iso, edge + 4 * i);
   for (std::size_t i = 0; i < fours; ++i)
-    slopes[i] = slopesAt(halo, grid.perSpacing, edge + 4 * i, way[i]);
+    slopes[i] = slopesAt(halo, grid.perSpacing, edge + 4 * i, crossings[i]);
   for (std::size_t i = 0; i < fours; ++i) storeNormals(slopes[i], normals + 4 * i);
   for (std::size_t i = 0; i < fours; ++i)
-    storePoints(grid, places, edge + 4 * i, way[i], points + 4 * i);
+    storePoints(grid, places, edge + 4 * i, crossings[i].way, points + 4 * i);
   for (int i = 0; i < signs.vertexCount(); i += CrossedEdges::kStep) {
     std::memset(cut + i, 0, CrossedEdges::kStep * sizeof(float));
     std::memcpy(edges + i, edge + i, CrossedEdges::kStep);
@@ -252,7 +278,7 @@ void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t 
   const Vec3i first = kBrickNodes * place;
   for (int i = 0; i < signs.vertexCount(); ++i) {
     const Vec3i from = first + Vec3i(edge[i] & 3, edge[i] >> 2 & 3, edge[i] >> 4 & 3);
-    const float t = way[std::size_t(i / 4)][i % 4];
+    const float t = crossings[std::size_t(i / 4)].way[i % 4];
     const float before = (1 - t) * field.originalNode(from) +
                          t * field.originalNode(from + Vec3i::Unit(edge[i] / kBrickSize));
     cut[i] = std::clamp((before - grid.iso) / kCutRange, 0.f, 1.f);
