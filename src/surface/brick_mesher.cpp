@@ -170,22 +170,31 @@ struct AlongX {
     here = __builtin_shufflevector(low01, low23, 2, 3, 6, 7);
     behind = __builtin_shufflevector(high01, high23, 0, 1, 4, 5);
   }
-  Four difference() const { return behind - before; }
 };
 
-// Where four edges cross the iso level.
+// What the field grows by along each axis round four nodes, from the nodes before to those behind.
+struct Differences {
+  Four along[3];
+};
+[[gnu::always_inline]] inline Differences differencesAt(const Ends& ends, const AlongX& x) {
+  return {
+      {x.behind - x.before, ends[kStep[1]] - ends[-kStep[1]], ends[kStep[2]] - ends[-kStep[2]]}};
+}
+
+// Where four edges cross the iso level, and what is round their lower and upper ends there.
 struct Crossings {
-  Four way;           // how far along, 0 to 1
-  Four below, above;  // what the field grows by along x round their lower and upper ends
+  Four way;  // how far along, 0 to 1
+  Differences below, above;
 };
 
 [[gnu::always_inline]] inline Crossings crossingsOf(const Halo& halo, float iso,
                                                     const std::uint8_t* edge) {
-  const AlongX low(Ends(halo, kEnds.low, edge)), high(Ends(halo, kEnds.high, edge));
+  const Ends lower(halo, kEnds.low, edge), upper(halo, kEnds.high, edge);
+  const AlongX low(lower), high(upper);
   const Four crossing = (iso - low.here) / (high.here - low.here);
   const Four least = Four{} + kEndMargin, most = 1 - least;
   const Four way = crossing > least ? crossing : least;
-  return {way < most ? way : most, low.difference(), high.difference()};
+  return {way < most ? way : most, differencesAt(lower, low), differencesAt(upper, high)};
 }
 
 struct Slopes {
@@ -194,15 +203,11 @@ struct Slopes {
 
 // The field's slopes there. The differences of neighbouring nodes are per node spacing; a stretched
 // lattice turns them into slopes by its own.
-[[gnu::always_inline]] inline Slopes slopesAt(const Halo& halo, const Vec3f& perSpacing,
-                                              const std::uint8_t* edge, const Crossings& at) {
-  const Ends low(halo, kEnds.low, edge), high(halo, kEnds.high, edge);
+[[gnu::always_inline]] inline Slopes slopesAt(const Crossings& at, const Vec3f& perSpacing) {
   Slopes slopes;
-  for (int k = 0; k < 3; ++k) {
-    const Four below = k == 0 ? at.below : low[kStep[k]] - low[-kStep[k]],
-               above = k == 0 ? at.above : high[kStep[k]] - high[-kStep[k]];
-    slopes.along[k] = ((1 - at.way) * below + at.way * above) * perSpacing[k];
-  }
+  for (int k = 0; k < 3; ++k)
+    slopes.along[k] =
+        ((1 - at.way) * at.below.along[k] + at.way * at.above.along[k]) * perSpacing[k];
   return slopes;
 }
 
@@ -262,12 +267,10 @@ void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t 
   const NodePlaces places = nodePlaces(field, grid, place);
   constexpr std::size_t kMost = CrossedEdges::kMost / 4;
   std::array<Crossings, kMost> crossings;
-  std::array<Slopes, kMost> slopes;
   const std::size_t fours = std::size_t(signs.vertexCount() + 3) / 4;
   for (std::size_t i = 0; i < fours; ++i) crossings[i] = crossingsOf(halo, grid.iso, edge + 4 * i);
   for (std::size_t i = 0; i < fours; ++i)
-    slopes[i] = slopesAt(halo, grid.perSpacing, edge + 4 * i, crossings[i]);
-  for (std::size_t i = 0; i < fours; ++i) storeNormals(slopes[i], normals + 4 * i);
+    storeNormals(slopesAt(crossings[i], grid.perSpacing), normals + 4 * i);
   for (std::size_t i = 0; i < fours; ++i)
     storePoints(grid, places, edge + 4 * i, crossings[i].way, points + 4 * i);
   for (int i = 0; i < signs.vertexCount(); i += CrossedEdges::kStep) {
