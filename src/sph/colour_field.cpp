@@ -31,8 +31,7 @@ ColourField::ColourField(const Discretization& cells, int refine)
   originalOf_.assign(slotOf_.size(), kUnedited);
   pendingOf_.assign(slotOf_.size(), 0);
   {
-    const Vec3i dims = lattice_.dims + Vec3i::Constant(PaddedCells::kBelow + PaddedCells::kAbove);
-    HeldBits held(std::size_t(dims.y()) * std::size_t(dims.z()), std::size_t(dims.x()));
+    HeldBits held;
     cells_ = PaddedCells(cells, held);
     classifyBricks(held);
   }

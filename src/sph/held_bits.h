@@ -17,6 +17,7 @@ struct HeldBits {
   std::size_t words = 0, row = 0;           // words of either kind, and of both, rounded up
   RawArray<std::uint64_t> bits;             // not written yet
 
+  HeldBits() = default;
   HeldBits(std::size_t rows, std::size_t cells)
       : words((cells + kWord - 1) / kWord),
         row((2 * words + kChunk - 1) / kChunk * kChunk),

@@ -10,6 +10,9 @@
 #include <immintrin.h>
 #endif
 
+// Every function that gives such vectors is inlined: how they would be passed does not matter.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace resect {
 namespace {
 
@@ -17,6 +20,7 @@ using Level = std::uint8_t;
 
 // Cells that a brick reaches along an axis, at most, and those of a row that are read.
 constexpr int kWindow = 6, kWindowRow = 8;
+int sideOf(const FieldStencil& stencil) { return stencil.refine == 1 ? kWindow : kWindow - 1; }
 
 // The cells round a brick as colour values.
 void widenPlainly(const Level* low, std::ptrdiff_t alongY, std::ptrdiff_t alongZ, int side,
@@ -77,7 +81,8 @@ RESECT_AVX2 inline __m256 colour(__m256i levels) {
   return _mm256_mul_ps(_mm256_cvtepi32_ps(levels), _mm256_set1_ps(kLevel));
 }
 
-// As sumOnCells() does, cells in mirror places first. Aims at 6 instructions a node.
+// As sumOnCells() in field_stencil.cpp does, cells in mirror places first. Aims at 6 instructions a
+// node.
 RESECT_AVX2 void sumLevels(const FieldStencil& stencil, const Level* low, std::ptrdiff_t alongY,
                            std::ptrdiff_t alongZ, unsigned planes, float* out) {
   const auto& numbers = stencil.mirrored[0][0];
@@ -122,19 +127,25 @@ RESECT_AVX2 void sumLevels(const FieldStencil& stencil, const Level* low, std::p
 
 }  // namespace
 
+void sumBrickPlainly(const FieldStencil& stencil, const Vec3i& phase, const Level* low,
+                     std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out) {
+  float window[kWindow * kWindow * kWindowRow];
+  widenPlainly(low, alongY, alongZ, sideOf(stencil), window);
+  sumBrick(stencil, phase, window, kWindowRow, kWindow * kWindowRow, planes, out);
+}
+
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const Level* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out) {
-  alignas(32) float window[kWindow * kWindow * kWindowRow];
-  const int side = stencil.refine == 1 ? kWindow : kWindow - 1;
 #if defined(__x86_64__)
   static const bool wide = __builtin_cpu_supports("avx2");
   if (wide && stencil.refine == 1) return sumLevels(stencil, low, alongY, alongZ, planes, out);
-  if (wide)
-    widenRows(low, alongY, alongZ, side, window);
-  else
+  if (wide) {
+    alignas(32) float window[kWindow * kWindow * kWindowRow];
+    widenRows(low, alongY, alongZ, sideOf(stencil), window);
+    return sumBrick(stencil, phase, window, kWindowRow, kWindow * kWindowRow, planes, out);
+  }
 #endif
-    widenPlainly(low, alongY, alongZ, side, window);
-  sumBrick(stencil, phase, window, kWindowRow, kWindow * kWindowRow, planes, out);
+  sumBrickPlainly(stencil, phase, low, alongY, alongZ, planes, out);
 }
 
 }  // namespace resect

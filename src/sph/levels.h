@@ -1,8 +1,8 @@
 // Colour values as 128ths of a full cell, a byte each.
 //
 // An organ from a mesh has no others: discretize() gives each cell the share of 4 x 4 x 4 samples
-// inside, fitSurface() corrects these by whole levels, tools empty cells. As numbers they are
-// exact: 100/128 has few digits.
+// inside, fitSurface() rounds what it corrects to whole levels, tools empty cells. As numbers they
+// are exact: 100/128 has few digits.
 #pragma once
 
 #include <cmath>
@@ -22,8 +22,11 @@ inline bool toLevel(float value, std::uint8_t& level) {
 
 // The same of many. some, full: which of them hold anything, and which all they can, a bit each, in
 // words of 64; bits beyond the last are 0. Up to the next multiple of 64 is written. False if one
-// of the values is not a whole number of levels.
+// of the values is not a whole number of levels. With AVX2 where there is; the plain one for
+// comparison.
 bool toLevels(const float* values, std::size_t count, std::uint8_t* levels, std::uint64_t* some,
               std::uint64_t* full);
+bool toLevelsPlainly(const float* values, std::size_t count, std::uint8_t* levels,
+                     std::uint64_t* some, std::uint64_t* full);
 
 }  // namespace resect

@@ -114,7 +114,7 @@ bool copyCells(const Discretization& cells, const Vec3i& paddedDims, HeldBits& h
   std::atomic<bool> kept = true;
   parallelFor(std::size_t(paddedDims.z()), kGrain, [&](std::size_t begin, std::size_t end) {
     ToldPlane<Cell> told(area, held.words);
-    for (std::size_t plane = begin; plane < end; ++plane) {
+    for (std::size_t plane = begin; plane < end && kept; ++plane) {
       Cell* to = padded.data() + plane * down * across;
       Cell* const last = to + down * across;
       std::uint64_t* bits = held.bits.data() + plane * down * held.row;
@@ -148,8 +148,9 @@ PaddedCells::Held heldBy(const Cell* first, const Vec3i& dims, std::ptrdiff_t al
 
 PaddedCells::PaddedCells(const Discretization& cells, HeldBits& held)
     : dims_(cells.lattice.dims + Vec3i::Constant(int(kAdded))) {
+  held = HeldBits(std::size_t(dims_.y()) * std::size_t(dims_.z()), std::size_t(dims_.x()));
   if (copyCells(cells, dims_, held, levels_)) return;
-  levels_ = {};
+  levels_ = RawArray<std::uint8_t>();  // {} would keep its memory
   copyCells(cells, dims_, held, numbers_);
 }
 
@@ -158,8 +159,8 @@ void PaddedCells::set(std::int64_t at, float value) {
   if (byBytes() && !toLevel(value, level)) {
     growTo(numbers_, levels_.size());
     std::transform(levels_.begin(), levels_.end(), numbers_.begin(),
-                   [](std::uint8_t held) { return float(held) * kLevel; });
-    levels_ = {};
+                   [](std::uint8_t number) { return float(number) * kLevel; });
+    levels_ = RawArray<std::uint8_t>();
   }
   if (byBytes())
     levels_[std::size_t(at)] = level;

@@ -21,7 +21,7 @@ class PaddedCells {
   static constexpr int kBelow = 3, kAbove = 7;  // cells added before and behind, along each axis
 
   PaddedCells() = default;
-  // held: what the cells hold, rows of cells along x as rows, the added ones too.
+  // held: becomes what the cells hold, rows of cells along x as rows, the added ones too.
   PaddedCells(const Discretization& cells, HeldBits& held);
 
   const Vec3i& dims() const { return dims_; }

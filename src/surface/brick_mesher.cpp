@@ -158,7 +158,8 @@ struct Ends {
 struct AlongX {
   Four before, here, behind;
 
-  // Four rows are read, not twelve numbers, and turned.
+  // Four rows are read, not twelve numbers, and turned. Their last numbers are not used: they may
+  // lie in a place of the halo that is not written.
   explicit AlongX(const Ends& ends) {
     Four row[4];
     for (int i = 0; i < 4; ++i) std::memcpy(&row[i], ends.node[i] - kStep[0], sizeof row[i]);

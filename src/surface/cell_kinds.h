@@ -14,12 +14,10 @@
 
 namespace resect {
 
-// A word that the compiler does not join with others to a vector: words that were just written one
-// by one and are read together are waited for, longer than 64 cells are told in.
+// Keeps the compiler from reading several words as one vector. Words that were just written one by
+// one cannot be handed on to such a read, and waiting for them takes as long as 64 cells.
 [[gnu::always_inline]] inline std::uint64_t keptAlone(std::uint64_t word) {
-#ifdef __GNUC__
   asm("" : "+r"(word));
-#endif
   return word;
 }
 

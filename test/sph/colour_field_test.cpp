@@ -171,6 +171,27 @@ TEST_CASE("cells held as levels give the bits that they give as numbers") {
     }
 }
 
+TEST_CASE("a brick of levels is the plain one bit for bit, and reads 16 cells along x") {
+  Random random(8);
+  for (int refine : {1, 2, 3, 4}) {
+    const FieldStencil& stencil = fieldStencil(refine);
+    for (int k = 0; k < 200; ++k) {
+      const int alongY = 8 + random.below(9), rows = refine == 1 ? 6 : 5;
+      const int alongZ = alongY * (rows + random.below(3));
+      std::vector<std::uint8_t> cells(std::size_t((rows - 1) * alongZ + (rows - 1) * alongY + 16));
+      for (std::uint8_t& cell : cells)
+        cell = std::uint8_t(k % 2 == 0 ? random.below(129) : 128 * random.below(2));
+      const auto at = [&] { return stencil.phases == 1 ? 0 : random.below(refine); };
+      const Vec3i phase(at(), at(), at());
+      const unsigned planes = unsigned(random.below(16));
+      std::vector<float> wide(kBrickSize, -1.f), plain(kBrickSize, -1.f);
+      sumBrick(stencil, phase, cells.data(), alongY, alongZ, planes, wide.data());
+      sumBrickPlainly(stencil, phase, cells.data(), alongY, alongZ, planes, plain.data());
+      REQUIRE(wide == plain);
+    }
+  }
+}
+
 TEST_CASE("the original field is remembered through edits") {
   const Discretization d = test::ball(12);
   const ColourField before(d, 2);

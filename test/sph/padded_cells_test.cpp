@@ -25,11 +25,6 @@ Discretization randomLevels(const Vec3i& dims, std::uint64_t seed) {
   return d;
 }
 
-HeldBits bitsFor(const Discretization& d) {
-  const Vec3i dims = d.lattice.dims + Vec3i::Constant(PaddedCells::kBelow + PaddedCells::kAbove);
-  return {std::size_t(dims.y()) * std::size_t(dims.z()), std::size_t(dims.x())};
-}
-
 // Of a place beside the lattice too: 0.
 float valueAt(const Discretization& d, const Vec3i& cell) {
   if ((cell.array() < 0).any() || (cell.array() >= d.lattice.dims.array()).any()) return 0;
@@ -37,7 +32,7 @@ float valueAt(const Discretization& d, const Vec3i& cell) {
 }
 
 void checkAll(const Discretization& d) {
-  HeldBits held = bitsFor(d);
+  HeldBits held;
   const PaddedCells cells(d, held);
   std::int64_t wrong = 0, row = 0;
   for (int z = 0; z < cells.dims().z(); ++z)
@@ -64,7 +59,15 @@ TEST_CASE("values are levels or not, one by one and many at once") {
   std::vector<std::uint8_t> levels(192);
   std::vector<std::uint64_t> some(3), full(3);
   const auto all = [&] {
-    return toLevels(values.data(), values.size(), levels.data(), some.data(), full.data());
+    auto plain = levels;
+    auto plainSome = some, plainFull = full;
+    const bool is = toLevels(values.data(), values.size(), levels.data(), some.data(), full.data());
+    CHECK(is == toLevelsPlainly(values.data(), values.size(), plain.data(), plainSome.data(),
+                                plainFull.data()));
+    if (is) CHECK(plain == levels);
+    if (is) CHECK(plainSome == some);
+    if (is) CHECK(plainFull == full);
+    return is;
   };
   CHECK(all());
   for (int k = 0; k <= kFullLevel; ++k) {
@@ -99,9 +102,18 @@ TEST_CASE("cells, the empty ones round them and what they hold, in rows of any l
   }
 }
 
+TEST_CASE("a lattice without cells is all empty ones") {
+  for (const Vec3i& dims : {Vec3i(0, 3, 7), Vec3i(5, 0, 2), Vec3i(5, 4, 0)}) {
+    Discretization d = randomLevels({1, 1, 1}, 1);
+    d.lattice.dims = dims;
+    d.value.clear();
+    checkAll(d);
+  }
+}
+
 TEST_CASE("cells that are set hold it, and how they are held changes no value") {
   Discretization d = randomLevels({9, 5, 6}, 7);
-  HeldBits held = bitsFor(d);
+  HeldBits held;
   PaddedCells cells(d, held);
   const std::size_t asLevels = cells.bytes();
   Random random(3);
@@ -114,6 +126,9 @@ TEST_CASE("cells that are set hold it, and how they are held changes no value") 
     if (k == 49) CHECK(cells.bytes() == asLevels);
   }
   CHECK(cells.bytes() > 3 * asLevels);
+  CHECK(cells.bytes() <= 4 * asLevels + 4);  // what was held as levels is given back
+  HeldBits again;
+  CHECK(PaddedCells(d, again).bytes() <= 4 * asLevels + 4);
   for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i)
     REQUIRE(cells.value(cells.place(d.lattice.cell(i))) == d.value[std::size_t(i)]);
 }
@@ -126,7 +141,7 @@ TEST_CASE("a box of cells holds nothing, all it can, or neither") {
       d.value[std::size_t(i)] = c.x() < 3 ? 0.f : 100.f;
     }
     d.value[std::size_t(d.lattice.index({5, 5, 5}))] = other;
-    HeldBits held = bitsFor(d);
+    HeldBits held;
     const PaddedCells cells(d, held);
     using Held = PaddedCells::Held;
     CHECK(cells.heldIn({0, 0, 0}, {3, 6, 6}) == Held::Nothing);
