@@ -14,7 +14,8 @@ namespace {
 constexpr std::size_t kWord = 64;  // values that are taken at once
 // Values that are fetched ahead where there are many: a large organ's come from memory, and a
 // processor does not fetch beyond a page of its own accord.
-constexpr std::size_t kAhead = 2048, kLine = 16;
+constexpr std::size_t kAhead = 2048;
+constexpr std::size_t kLine = 16;  // values of a cache line
 
 // One word of them.
 struct Told {
