@@ -75,8 +75,8 @@ std::vector<Vec3f> opened(const Organ& organ, const Stroke& stroke) {
   return moved;
 }
 
-void draw(const char* file, const Organ& organ, const std::vector<Vec3f>& points,
-          const Aabb& place) {
+void draw(const char* file, Organ& organ, const std::vector<Vec3f>& points, const Aabb& place) {
+  organ.surface.updateLook(organ.field);
   const auto triangles = organ.surface.triangles();
   TriangleMesh mesh;
   for (const Vec3f& p : points) mesh.points.push_back(p.cast<double>());

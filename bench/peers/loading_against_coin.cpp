@@ -37,8 +37,7 @@ void loadAndDraw(const std::filesystem::path& path, std::int64_t& particles) {
   Scenario scenario;
   scenario.organ.file = path;
   scenario.organ.spacing = 0.005;
-  const Simulation simulation =
-      makeSimulation(scenario, [](const auto& p) { return readModel(p); });
+  Simulation simulation = makeSimulation(scenario, [](const auto& p) { return readModel(p); });
   particles = simulation.organ().particles;
   // One sample per pixel, as in a window's first picture; smooth edges come after it.
   OffscreenView picture(1280, 720, 1);

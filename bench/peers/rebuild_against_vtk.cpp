@@ -33,8 +33,9 @@ Findings rebuildAgainstVtk(const Effort& effort) {
       setVtkThreads(threads);
       Comparison line;
       line.row = "A";
-      line.work = fmt::format("field and surface from nothing, nodes s{} apart",
-                              c.refine == 1 ? "" : fmt::format("/{}", c.refine));
+      const std::string nodes =
+          fmt::format("nodes s{} apart", c.refine == 1 ? "" : fmt::format("/{}", c.refine));
+      line.work = "field and surface from nothing, " + nodes;
       line.peer =
           fmt::format("VTK {} vtkSPHInterpolator + vtkFlyingEdges3D", vtkVersion::GetVTKVersion());
       line.size = double(cells.particleCount());
@@ -51,7 +52,18 @@ Findings rebuildAgainstVtk(const Effort& effort) {
           fmt::format("field to {:.0e}; {} and {} triangles; {} of {} nodes evaluated",
                       vtk.difference(field), triangles, vtk.triangles(),
                       std::int64_t(field.slotCount()) * kBrickSize, field.nodeDims().prod());
-      findings.comparisons.push_back(std::move(line));
+      findings.comparisons.push_back(line);
+      if (threads == 1) {
+        line.work = "the same with normals for a picture, " + nodes;
+        line.goal = 0;
+        timeBoth(
+            [&] {
+              const ColourField fresh(cells, c.refine);
+              SurfaceTracker(fresh, 50).updateLook(fresh);
+            },
+            [&] { vtk.recompute(true); }, effort, line);
+        findings.comparisons.push_back(line);
+      }
       if (threadsOfMachine() == 1) break;
     }
   }

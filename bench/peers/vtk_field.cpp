@@ -35,7 +35,7 @@ VtkField::VtkField(const Discretization& cells, const ColourField& field)
   nodes_->SetSpacing(pitch.data());
 }
 
-void VtkField::recompute() {
+void VtkField::recompute(bool withNormals) {
   vtkNew<vtkSPHQuarticKernel> quartic;
   quartic->SetSpatialStep(h_);
   vtkNew<vtkStaticPointLocator> locator;
@@ -53,7 +53,7 @@ void VtkField::recompute() {
   vtkNew<vtkFlyingEdges3D> edges;
   edges->SetInputData(values_);
   edges->SetValue(0, 0.5);
-  edges->ComputeNormalsOn();
+  edges->SetComputeNormals(withNormals);
   edges->Update();
   surface_ = edges->GetOutput();
 }

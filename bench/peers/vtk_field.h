@@ -16,7 +16,7 @@ class VtkField {
   // The same particles and the same nodes.
   VtkField(const Discretization& cells, const ColourField& field);
 
-  void recompute();  // field and surface, from nothing
+  void recompute(bool withNormals = false);  // field and surface, from nothing
 
   // Largest difference from our field over 100, on the nodes that it stores; after recompute().
   double difference(const ColourField& field) const;

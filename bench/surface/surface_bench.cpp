@@ -25,16 +25,33 @@ void buildSurface(benchmark::State& state) {
   state.counters["per triangle"] = timePer(triangles);
 }
 
+// Normals and shares of cut, for a picture of it.
+void buildLook(benchmark::State& state) {
+  const ColourField field(bench::liverCells(double(state.range(0))), int(state.range(1)));
+  SurfaceTracker surface(field, 50);
+  for (auto _ : state) {
+    state.PauseTiming();
+    surface.setIso(field, 50);
+    state.ResumeTiming();
+    surface.updateLook(field);
+  }
+  state.counters["triangles"] = double(surface.triangleCount());
+  state.counters["per triangle"] = timePer(double(surface.triangleCount()));
+}
+
 void updateAfterBite(benchmark::State& state) {
   const Discretization cells = bench::liverCells(double(state.range(0)));
   const std::vector<std::int64_t> bite = bench::bite(cells, 200);
   ColourField field(cells, 2);
   SurfaceTracker surface(field, 50);
+  const bool look = state.range(1) != 0;
+  if (look) surface.updateLook(field);
   bool removed = false;
   for (auto _ : state) {
     removed = !removed;
     for (const std::int64_t cell : bite) field.setCellValue(cell, removed ? 0 : cells.value[cell]);
     surface.update(field, field.update());
+    if (look) surface.updateLook(field);
   }
   const double bricks = double(surface.changes().bricks);
   state.counters["bricks"] = bricks;
@@ -42,9 +59,11 @@ void updateAfterBite(benchmark::State& state) {
 }
 
 void sizes(benchmark::internal::Benchmark* b) {
-  b->ArgName("particles")->Arg(1'000)->Arg(10'000)->Arg(100'000)->Arg(1'000'000)->UseRealTime();
+  b->ArgNames({"particles", "look"})->ArgsProduct({{1'000, 10'000, 100'000, 1'000'000}, {0, 1}});
+  b->UseRealTime();
 }
 BENCHMARK(buildSurface)->Apply(bench::upToAMillionOfNodes)->Unit(benchmark::kMillisecond);
+BENCHMARK(buildLook)->Apply(bench::upToAMillionOfNodes)->Unit(benchmark::kMillisecond);
 BENCHMARK(updateAfterBite)->Apply(sizes)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -28,6 +28,7 @@ struct Options {
 
 BenchReport measure(const Scenario& scenario, const std::string& title) {
   Simulation simulation = makeSimulation(scenario, modelReader(), progressBar("particles"));
+  simulation.keepLook();  // as in the window
   const Progress progress = progressBar(title);
   const double frames = double(frameCount(scenario));
   return benchScenario(simulation, scenario, [&](const Simulation&, const StepReport& step) {

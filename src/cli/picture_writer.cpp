@@ -27,8 +27,8 @@ void parseSize(const std::string& text, int& width, int& height) {
 }
 
 struct PictureWriter::State {
-  State(const Scenario& scenario, const Simulation& simulation, const PictureSettings& wanted,
-        int width, int height)
+  State(const Scenario& scenario, Simulation& simulation, const PictureSettings& wanted, int width,
+        int height)
       : settings(wanted),
         frameRate(scenario.frameRate),
         frames(frameCount(scenario)),
@@ -55,7 +55,7 @@ struct PictureWriter::State {
   int drawn = 0;
 };
 
-PictureWriter::PictureWriter(const Scenario& scenario, const Simulation& simulation,
+PictureWriter::PictureWriter(const Scenario& scenario, Simulation& simulation,
                              const PictureSettings& settings) {
   int width = 0, height = 0;
   parseSize(settings.size, width, height);

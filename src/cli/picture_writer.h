@@ -21,8 +21,7 @@ class PictureWriter {
  public:
   // Throws before any work when the size is wrong, EGL is missing, or a video is wanted without
   // ffmpeg.
-  PictureWriter(const Scenario& scenario, const Simulation& simulation,
-                const PictureSettings& settings);
+  PictureWriter(const Scenario& scenario, Simulation& simulation, const PictureSettings& settings);
   ~PictureWriter();
   PictureWriter(const PictureWriter&) = delete;
   PictureWriter& operator=(const PictureWriter&) = delete;

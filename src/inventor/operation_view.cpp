@@ -23,8 +23,7 @@ SoNode* readSceneFile(const std::filesystem::path& path) {
   return root;
 }
 
-OperationView::OperationView(const Scenario& scenario, const Simulation& simulation,
-                             double aspect) {
+OperationView::OperationView(const Scenario& scenario, Simulation& simulation, double aspect) {
   const auto view = roomView(scenario.view);
   if (!view)
     throw usageError("there is no view \"{}\"; use surgeon, assistant, top or laparoscope",
@@ -34,6 +33,7 @@ OperationView::OperationView(const Scenario& scenario, const Simulation& simulat
   if (scenario.toolBox) room_.setToolbox(readSceneFile(tools / "toolbox.iv"), toolBoxPose());
   for (const ToolState& state : simulation.tools())
     room_.addTool(readSceneFile(state.tool->model().file));
+  simulation.keepLook();
   setOrgan(simulation);
   follow(simulation);
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)

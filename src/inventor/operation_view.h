@@ -23,8 +23,8 @@ class OperationView {
  public:
   // Sets up room, tools and organ, aims lamps at the organ and the camera at it or at
   // scenario.closeUp. `aspect` = width / height of the picture. The view named by scenario.view
-  // must be one of roomView()'s; an Error lists them.
-  OperationView(const Scenario& scenario, const Simulation& simulation, double aspect);
+  // must be one of roomView()'s; an Error lists them. From then on the simulation keeps its look.
+  OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
 
   // After every step: moves the tools and hands on the changed ranges of the surface.
   void follow(const Simulation& simulation);

@@ -87,6 +87,7 @@ LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::
     : simulation_(std::move(simulation)),
       frameRate_(frameRate),
       wholeVolume_(simulation_->organ().rest.volume()) {
+  simulation_->keepLook();
   input_.duration = 1 / frameRate_;
   for (const Pose& rest : rests) input_.tools.push_back({rest, false, 1});
   update_.everything = true;

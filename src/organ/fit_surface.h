@@ -5,7 +5,7 @@
 // wet tissue's highlights make plain to see. Here the values of the cells that the surface passes
 // through are corrected until the field is 50 on it: simultaneous iterative reconstruction (Gilbert
 // 1972), each cell moved by the mean misfit of the surface points near it, weighed by the kernel.
-// On a ball the ripples and the error of normals fall to half;
+// On a ball the ripples fall to two fifths, the error of normals to two thirds;
 // docs/methods/colour_field_and_surface.md has the figures.
 #pragma once
 

@@ -23,7 +23,7 @@ struct Body {
 // two cuts that holds no particle belongs to the body that it lay on, and moves with it. The
 // meshes' volumes add up to the surface's, the tissue to the organ's. O(grid nodes).
 std::vector<Body> bodies(const Organ& organ);
-// The same where the tissue has moved; surface: organ.surface.compact(points, normals).mesh.
+// The same where the tissue has moved; surface: organ.surface.mesh(points).
 std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface);
 
 // Per node of the field's grid, x fastest: the piece of tissue that it lies in, -1 outside. Pieces

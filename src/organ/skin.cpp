@@ -79,43 +79,56 @@ void SurfaceSkin::findMotions(const Lattice& lattice, const TissueModel& tissue)
 }
 
 // Motions are blended first and applied once: four products of a column per particle.
-void SurfaceSkin::moveVertices(const SurfaceTracker& surface, std::size_t begin, std::size_t end) {
+ParticleMotion SurfaceSkin::motionOf(const Binding& binding) const {
+  ParticleMotion mean;
+  const auto blend = [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k)
+      add(mean, binding.weight[k], motions_[std::size_t(binding.place[k])]);
+  };
+  blend(0, 4);
+  if (binding.weight[4] > 0) blend(4, 8);
+  return mean;
+}
+
+void SurfaceSkin::movePoints(std::span<const Vec3f> rest) {
+  parallelFor(rest.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const Column moved = displacementAt(motionOf(bindings_[v]), rest[v]);
+      points_[v] = rest[v] + Vec3f(moved[0], moved[1], moved[2]);
+    }
+  });
+}
+
+void SurfaceSkin::turnNormals(const SurfaceTracker& surface) {
+  const std::span<const Vec3f> rest = surface.normals();
+  normals_.resize(rest.size());
   const auto turn = [](Column v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); };  // y z x
-  const std::span<const Vec3f> rest = surface.points(), restNormals = surface.normals();
-  for (std::size_t v = begin; v < end; ++v) {
-    const Binding& binding = bindings_[v];
-    ParticleMotion mean;
-    const auto blend = [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k)
-        add(mean, binding.weight[k], motions_[std::size_t(binding.place[k])]);
-    };
-    blend(0, 4);
-    if (binding.weight[4] > 0) blend(4, 8);
-    const Vec3f& x = rest[v];
-    const Column moved = displacementAt(mean, x);
-    points_[v] = x + Vec3f(moved[0], moved[1], moved[2]);
-    // The columns of cof F are the cross products of F's.
-    const Column g0 = mean.gradient[0] + Column{1, 0, 0, 0};
-    const Column g1 = mean.gradient[1] + Column{0, 1, 0, 0};
-    const Column g2 = mean.gradient[2] + Column{0, 0, 1, 0};
-    const Column t0 = turn(g0), t1 = turn(g1), t2 = turn(g2);
-    const Vec3f& n = restNormals[v];
-    const Column turned =
-        n.x() * (g1 * t2 - t1 * g2) + n.y() * (g2 * t0 - t2 * g0) + n.z() * (g0 * t1 - t0 * g1);
-    const Vec3f normal(turned[1], turned[2], turned[0]);
-    const float length = normal.norm();
-    normals_[v] = length > 1e-20f ? Vec3f(normal / length) : n;
-  }
+  parallelFor(rest.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const ParticleMotion mean = motionOf(bindings_[v]);
+      // The columns of cof F are the cross products of F's.
+      const Column g0 = mean.gradient[0] + Column{1, 0, 0, 0};
+      const Column g1 = mean.gradient[1] + Column{0, 1, 0, 0};
+      const Column g2 = mean.gradient[2] + Column{0, 0, 1, 0};
+      const Column t0 = turn(g0), t1 = turn(g1), t2 = turn(g2);
+      const Vec3f& n = rest[v];
+      const Column turned =
+          n.x() * (g1 * t2 - t1 * g2) + n.y() * (g2 * t0 - t2 * g0) + n.z() * (g0 * t1 - t0 * g1);
+      const Vec3f normal(turned[1], turned[2], turned[0]);
+      const float length = normal.norm();
+      normals_[v] = length > 1e-20f ? Vec3f(normal / length) : n;
+    }
+  });
 }
 
 void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
-                         const TissueModel& tissue, std::span<const std::int64_t> changedCells) {
+                         const TissueModel& tissue, std::span<const std::int64_t> changedCells,
+                         bool withLook) {
   if (placeOfCell_.empty()) placeOfCell_.assign(lattice.cellCount(), -1);
   const std::span<const Vec3f> rest = surface.points();
   const std::size_t before = bindings_.size();
   bindings_.resize(rest.size());
   points_.resize(rest.size());
-  normals_.resize(rest.size());
 
   if (!changedCells.empty()) {
     changed_.assign(cells_.size(), 0);
@@ -151,8 +164,8 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
     });
 
   findMotions(lattice, tissue);
-  parallelFor(rest.size(), kGrain,
-              [&](std::size_t begin, std::size_t end) { moveVertices(surface, begin, end); });
+  movePoints(rest);
+  if (withLook) turnNormals(surface);
 }
 
 std::size_t SurfaceSkin::bytes() const {

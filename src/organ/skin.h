@@ -22,12 +22,15 @@ namespace resect {
 class SurfaceSkin {
  public:
   // After surface.update() and tissue.move(). `changedCells`: removed since the last call.
+  // withLook: after surface.updateLook(), normals too.
   void follow(const SurfaceTracker& surface, const Lattice& lattice, const TissueModel& tissue,
-              std::span<const std::int64_t> changedCells);
+              std::span<const std::int64_t> changedCells, bool withLook);
+  // Normals for the surface as it was followed last.
+  void turnNormals(const SurfaceTracker& surface);
 
   // One per vertex of the surface's arrays.
   std::span<const Vec3f> points() const { return points_; }    // world, m
-  std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards
+  std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards; where asked for
   std::size_t bytes() const;                                   // memory held
 
  private:
@@ -37,7 +40,8 @@ class SurfaceSkin {
   };
   Binding bind(const Vec3f& vertex, const Lattice& lattice, const TissueModel& tissue);
   void findMotions(const Lattice& lattice, const TissueModel& tissue);
-  void moveVertices(const SurfaceTracker& surface, std::size_t begin, std::size_t end);
+  ParticleMotion motionOf(const Binding& binding) const;
+  void movePoints(std::span<const Vec3f> rest);
   std::int32_t placeOf(std::int64_t cell);
 
   std::vector<Binding> bindings_;

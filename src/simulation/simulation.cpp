@@ -32,7 +32,7 @@ Simulation::Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
   for (const ToolState& state : tools_)
     shapes_.push_back(std::make_unique<SignedDistance>(state.tool->model().mesh, 2 * spacing,
                                                        std::clamp(spacing / 6, 0.0005, 0.002)));
-  skin_.follow(organ_.surface, organ_.rest.lattice, *tissue_, {});
+  skin_.follow(organ_.surface, organ_.rest.lattice, *tissue_, {}, keepsLook_);
 }
 
 StepReport Simulation::step(const FrameInput& input, StageClock* clock) {
@@ -198,7 +198,15 @@ void Simulation::updateSurface(const FrameInput& input) {
     setIso(organ_, *input.iso);
   else
     resect::updateSurface(organ_, touchedBricks_);
-  if (tissue_->moves()) skin_.follow(organ_.surface, organ_.rest.lattice, *tissue_, changedCells_);
+  if (keepsLook_) organ_.surface.updateLook(organ_.field);
+  if (tissue_->moves())
+    skin_.follow(organ_.surface, organ_.rest.lattice, *tissue_, changedCells_, keepsLook_);
+}
+
+void Simulation::keepLook() {
+  keepsLook_ = true;
+  organ_.surface.updateLook(organ_.field);
+  if (tissue_->moves()) skin_.turnNormals(organ_.surface);
 }
 
 std::span<const Vec3f> Simulation::surfacePoints() const {
@@ -208,6 +216,8 @@ std::span<const Vec3f> Simulation::surfacePoints() const {
 std::span<const Vec3f> Simulation::surfaceNormals() const {
   return tissue_->moves() ? skin_.normals() : organ_.surface.normals();
 }
+
+TriangleMesh Simulation::surfaceMesh() const { return organ_.surface.mesh(surfacePoints()); }
 
 SurfaceTracker::Compact Simulation::surface() const {
   return organ_.surface.compact(surfacePoints(), surfaceNormals());
@@ -232,10 +242,9 @@ std::uint64_t Simulation::stateHash() const {
   for (std::int64_t cell = 0; cell < organ_.rest.lattice.cellCount(); ++cell)
     hash.add(organ_.field.cellValue(cell));
   hash.add(organ_.surface.iso());
-  const auto surface = organ_.surface.compact();
-  hash.addSpan(std::span<const Vec3>(surface.mesh.points));
-  hash.addSpan(std::span<const Triangle>(surface.mesh.triangles));
-  hash.addSpan(std::span<const Vec3f>(surface.normals));
+  const TriangleMesh surface = organ_.surface.mesh();
+  hash.addSpan(std::span<const Vec3>(surface.points));
+  hash.addSpan(std::span<const Triangle>(surface.triangles));
   for (const ToolState& state : tools_) {
     hash.addBytes(state.pose.position.data(), 3 * sizeof(double));
     hash.addBytes(state.pose.rotation.coeffs().data(), 4 * sizeof(double));
@@ -245,7 +254,6 @@ std::uint64_t Simulation::stateHash() const {
   if (tissue_->moves()) {
     hash.add(tissue_->stateHash());
     hash.addSpan(skin_.points());
-    hash.addSpan(skin_.normals());
   }
   return hash.value();
 }

@@ -77,17 +77,23 @@ class Simulation {
   const TissueModel& tissue() const { return *tissue_; }
 
   // The surface where it is now, in world space: that of the organ's tracker, moved with the
-  // tissue. One point and normal per vertex of the tracker's arrays.
+  // tissue. One point per vertex of the tracker's arrays.
   std::span<const Vec3f> surfacePoints() const;
+  TriangleMesh surfaceMesh() const;  // without the arrays' holes
+
+  // From now on each step keeps up how the surface looks, for pictures of it: nothing else of a
+  // step depends on it.
+  void keepLook();
+  // Of a simulation that keeps its look. Normals: one per vertex of the tracker's arrays.
   std::span<const Vec3f> surfaceNormals() const;
-  SurfaceTracker::Compact surface() const;  // without the arrays' holes
-  TriangleMesh surfaceMesh() const { return surface().mesh; }
+  SurfaceTracker::Compact surface() const;  // surfaceMesh() and how it looks
   double time() const { return time_; }
   std::int64_t frame() const { return frame_; }
   // Memory held for the organ, its tissue and its surface where it is now.
   std::size_t bytes() const { return organ_.bytes() + tissue_->bytes() + skin_.bytes(); }
 
-  // Digest of all that decides what comes next: cells, iso level, poses, time; and of the surface.
+  // Digest of all that decides what comes next: cells, iso level, poses, time; and of the surface
+  // (where it is, not how it looks).
   std::uint64_t stateHash() const;
 
  private:
@@ -103,6 +109,7 @@ class Simulation {
   Organ organ_;
   std::unique_ptr<TissueModel> tissue_;
   bool table_;
+  bool keepsLook_ = false;
   std::vector<ToolState> tools_;
   std::vector<std::unique_ptr<SignedDistance>> shapes_;  // of the tools, for tissue that moves
   std::vector<TissueTool> tissueTools_;                  // of this frame

@@ -1,7 +1,7 @@
 // What piece of the iso-surface lies in one brick of the colour field?
 //
-// Its vertices: those on the edges that belong to it (surface/crossed_edges.h). Cost: a few hundred
-// operations for a brick.
+// Its vertices: those on the edges that belong to it (surface/crossed_edges.h). How they look is in
+// surface/brick_look.h. Cost: some hundred operations for a brick, 25 for a vertex.
 #pragma once
 
 #include "base/vec.h"
@@ -11,12 +11,8 @@
 
 namespace resect {
 
-// A vertex of the surface: where, which way is out, how far below the original skin.
-struct SurfaceVertex {
-  Vec3f position;  // rest space, m
-  Vec3f normal;    // unit, towards less tissue
-  float cut;       // 0 on the original skin ... 1 well inside what was tissue before any cut
-};
+// Vertices keep this share of an edge away from its ends, so that no two of them fall together.
+constexpr float kEndMargin = 1e-3f;
 
 // Where a field's nodes lie to each other, and at which level the surface runs.
 struct NodeGrid {
@@ -31,11 +27,10 @@ struct NodeGrid {
         perSpacing(spacing.cwiseInverse()) {}
 };
 
-// Writes signs.vertexCount() vertices, each part of them into an array of its own; edges: on which
-// edge each lies. What follows them up to the next multiple of CrossedEdges::kStep may be written
-// too, and counts for nothing.
+// Writes the places of signs.vertexCount() vertices (rest space, m), and on which edge each lies.
+// What follows them up to the next multiple of CrossedEdges::kStep may be written too, and counts
+// for nothing.
 void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
-                   const BrickSigns& signs, Vec3f* points, Vec3f* normals, float* cut,
-                   std::uint8_t* edges);
+                   const BrickSigns& signs, Vec3f* points, std::uint8_t* edges);
 
 }  // namespace resect

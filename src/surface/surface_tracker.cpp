@@ -67,8 +67,6 @@ RawArray<std::int64_t> SurfaceTracker::clear(const ColourField& field, const Wou
   vertexSpace_ = {};
   triangleSpace_ = {};
   points_.clear();
-  normals_.clear();
-  cut_.clear();
   edges_.clear();
   triangles_.clear();
   triangleCount_ = 0;
@@ -152,6 +150,7 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   findCrossings(field, bricks);
   if (wound) meshWounds(field, bricks, *wound);
   placeVertices(field, bricks);
+  lookIsDue(bricks);
   const NodeGrid grid(field, iso_);
   parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) writeVertices(field, grid, bricks[i]);
@@ -255,8 +254,6 @@ void SurfaceTracker::placeVertices(const ColourField& field, std::span<const std
   }
   const auto vertexCount = std::size_t(vertexSpace_.end());
   growTo(points_, vertexCount);
-  growTo(normals_, vertexCount);
-  growTo(cut_, vertexCount);
   growTo(edges_, vertexCount);
 }
 
@@ -266,18 +263,13 @@ void SurfaceTracker::writeVertices(const ColourField& field, const NodeGrid& gri
   if (mesh.vertices == 0) return;
   std::int32_t at = mesh.firstVertex;
   if (mesh.signs.vertexCount() > 0)
-    brickVertices(field, grid, brick, mesh.signs, points_.data() + at, normals_.data() + at,
-                  cut_.data() + at, edges_.data() + at);
+    brickVertices(field, grid, brick, mesh.signs, points_.data() + at, edges_.data() + at);
   at += mesh.signs.vertexCount();
-  const auto write = [&](const SurfaceVertex& v) {
-    points_[at] = v.position;
-    normals_[at] = v.normal;
-    cut_[at++] = v.cut;
-  };
   if (mesh.wound != kNone)
-    for (const BrickWound::Vertex& v : wounds_[std::size_t(mesh.wound)].vertices) write(v.at);
+    for (const BrickWound::Vertex& v : wounds_[std::size_t(mesh.wound)].vertices)
+      points_[at++] = v.position;
   const std::int32_t end = mesh.firstVertex + RangeAllocator::roundedUp(mesh.vertices);
-  while (at < end) write({Vec3f::Zero(), Vec3f::UnitY(), 0});  // room to grow
+  while (at < end) points_[at++] = Vec3f::Zero();  // room to grow
 }
 
 // Gives each brick that is to be drawn again room for its triangles.

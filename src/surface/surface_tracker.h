@@ -10,7 +10,8 @@
 //
 // points(), normals(), cut() and triangles() are arrays with holes, made for viewers: a brick keeps
 // its ranges while they suffice, unused triangles are (0, 0, 0), and changes() lists what to
-// upload.
+// upload. How the surface looks, normals and shares of cut, is made when somebody asks for it
+// (updateLook()): only pictures need it.
 #pragma once
 
 #include <array>
@@ -48,9 +49,13 @@ class SurfaceTracker {
   void setIso(const ColourField& field, float iso, const Wound* wound = nullptr);
   float iso() const { return iso_; }
 
-  std::span<const Vec3f> points() const { return points_; }    // rest space, m
-  std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards
-  std::span<const float> cut() const { return cut_; }  // 0 original skin ... 1 cut parenchyma
+  // Makes normals() and cut() of what was meshed since the last call.
+  void updateLook(const ColourField& field);
+
+  std::span<const Vec3f> points() const { return points_; }  // rest space, m
+  // After updateLook().
+  std::span<const Vec3f> normals() const;  // unit, outwards
+  std::span<const float> cut() const;      // 0 original skin ... 1 cut parenchyma
   std::span<const Triangle> triangles() const { return triangles_; }
   std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
 
@@ -88,16 +93,18 @@ class SurfaceTracker {
 
   // The surface without holes, in the order of the bricks: the same for the same field, however it
   // came about.
+  TriangleMesh mesh() const { return mesh(points_); }
+  // The same at other places: one point per vertex of the arrays.
+  TriangleMesh mesh(std::span<const Vec3f> points) const;
+  // The mesh and how it looks, by point; after updateLook().
   struct Compact {
     TriangleMesh mesh;
     std::vector<Vec3f> normals;
     std::vector<float> cut;
   };
-  Compact compact() const { return compact(points_, normals_); }
-  // The same at other places: one point and normal per vertex of the arrays.
+  Compact compact() const { return compact(points_, normals()); }
   Compact compact(std::span<const Vec3f> points, std::span<const Vec3f> normals) const;
-  TriangleMesh mesh() const { return compact().mesh; }
-  // For each point of compact(): a node of the field inside the tissue that it is the skin of.
+  // For each point of mesh(): a node of the field inside the tissue that it is the skin of.
   std::vector<Vec3i> anchorNodes(const ColourField& field) const;
 
   // The triangles (rest space) that some of a grid's columns can meet, as a mesh of their own: all
@@ -147,6 +154,11 @@ class SurfaceTracker {
                   const Wound& wound);
   void placeVertices(const ColourField& field, std::span<const std::int64_t> bricks);
   void writeVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
+  void lookIsDue(std::span<const std::int64_t> bricks);
+  void writeLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
+  // visit(vertex, is it one point with the vertex before it?) in the order of mesh().
+  template <typename Visit>
+  void visitVertices(Visit visit) const;
   void placeTriangles(const ColourField& field);
 
   void takeRecord(std::int64_t brick);
@@ -177,6 +189,8 @@ class SurfaceTracker {
   RawArray<Triangle> triangles_;
   std::int64_t triangleCount_ = 0;
   Changes changes_;
+  std::vector<std::int64_t> lookDue_;  // bricks meshed since the last updateLook()
+  bool allLookDue_ = true;             // or all of them
   // Working lists, kept so that a steady update allocates nothing.
   std::vector<std::uint64_t> newInside_;
   std::vector<std::uint8_t> renumbered_;

@@ -37,33 +37,47 @@ class WantedColumns {
 
 }  // namespace
 
+template <typename Visit>
+void SurfaceTracker::visitVertices(Visit visit) const {
+  for (const std::int32_t record : recordOf_) {
+    const BrickMesh& mesh = bricks_[std::size_t(record)];
+    const std::int32_t firstOfWound = mesh.firstVertex + mesh.signs.vertexCount();
+    for (std::int32_t v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertices; ++v)
+      visit(std::size_t(v),
+            v >= firstOfWound &&
+                wounds_[std::size_t(mesh.wound)].vertices[std::size_t(v - firstOfWound)].twin);
+  }
+}
+
+TriangleMesh SurfaceTracker::mesh(std::span<const Vec3f> points) const {
+  TriangleMesh result;
+  std::vector<std::int32_t> newIndex(points.size(), -1);
+  visitVertices([&](std::size_t v, bool twin) {
+    if (!twin) result.points.push_back(points[v].cast<double>());
+    newIndex[v] = std::int32_t(result.points.size()) - 1;
+  });
+  result.triangles.reserve(std::size_t(triangleCount_));
+  for (const std::int32_t record : recordOf_) {
+    const BrickMesh& mesh = bricks_[std::size_t(record)];
+    for (std::int32_t i = mesh.firstTriangle; i < mesh.firstTriangle + mesh.triangles; ++i) {
+      const Triangle& t = triangles_[std::size_t(i)];
+      result.triangles.push_back({newIndex[t[0]], newIndex[t[1]], newIndex[t[2]]});
+    }
+  }
+  return result;
+}
+
 SurfaceTracker::Compact SurfaceTracker::compact(std::span<const Vec3f> points,
                                                 std::span<const Vec3f> normals) const {
-  Compact result;
-  std::vector<std::int32_t> newIndex(points.size(), -1);
-  for (const std::int32_t record : recordOf_) {
-    const BrickMesh& mesh = bricks_[record];
-    const std::int32_t firstOfWound = mesh.firstVertex + mesh.signs.vertexCount();
-    for (int v = mesh.firstVertex; v < mesh.firstVertex + mesh.vertices; ++v) {
-      if (v >= firstOfWound &&
-          wounds_[std::size_t(mesh.wound)].vertices[std::size_t(v - firstOfWound)].twin) {
-        newIndex[v] = newIndex[v - 1];  // one point of the body's skin
-        continue;
-      }
-      newIndex[v] = std::int32_t(result.mesh.points.size());
-      result.mesh.points.push_back(points[v].cast<double>());
-      result.normals.push_back(normals[v]);
-      result.cut.push_back(cut_[v]);
-    }
-  }
-  result.mesh.triangles.reserve(std::size_t(triangleCount_));
-  for (const std::int32_t record : recordOf_) {
-    const BrickMesh& mesh = bricks_[record];
-    for (int i = mesh.firstTriangle; i < mesh.firstTriangle + mesh.triangles; ++i) {
-      const Triangle& t = triangles_[i];
-      result.mesh.triangles.push_back({newIndex[t[0]], newIndex[t[1]], newIndex[t[2]]});
-    }
-  }
+  Compact result{mesh(points), {}, {}};
+  result.normals.reserve(result.mesh.points.size());
+  result.cut.reserve(result.mesh.points.size());
+  const std::span<const float> cutShares = cut();
+  visitVertices([&](std::size_t v, bool twin) {
+    if (twin) return;  // one point of the body's skin
+    result.normals.push_back(normals[v]);
+    result.cut.push_back(cutShares[v]);
+  });
   return result;
 }
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 
+#include "surface/brick_look.h"
 #include "surface/brick_window.h"
 
 namespace resect {
 namespace {
 
 constexpr int kHalo = BrickWindow::kHalo, kSide = BrickWindow::kSide;
-constexpr float kCutRange = 15;  // as in surface/brick_mesher.cpp
 constexpr std::array<std::uint64_t, 3> kNone{};
 
 class BrickCutter {
@@ -222,7 +222,7 @@ class BrickCutter {
 
   void add(const Vec3& p, const Vec3f& normal, float cut, const Vec3i& n, NearbyNodes anchors) {
     const Vec3 where = p + grid().first.cast<double>();
-    out_.vertices.push_back({{field_.nodePosition(where).cast<float>(), normal, cut}, false});
+    out_.vertices.push_back({field_.nodePosition(where).cast<float>(), normal, cut});
     bind(p, n, anchors);
   }
 
@@ -232,6 +232,22 @@ class BrickCutter {
     visitNearby(anchors & -anchors, [&](const Vec3i& offset) { anchor += offset; });
     out_.anchors.push_back(
         {std::int8_t(anchor.x()), std::int8_t(anchor.y()), std::int8_t(anchor.z())});
+  }
+
+  // How much the field grows along an axis at a node of the window: as in surface/brick_look.h.
+  float growth(int i, int axis) const {
+    constexpr int kStep[3] = {1, kSide, kSide * kSide};
+    constexpr float kWeight[3] = {1, 2, 1};
+    const int along = kStep[axis], u = kStep[(axis + 1) % 3], v = kStep[(axis + 2) % 3];
+    float sum = 0;
+    for (int du = -1; du <= 1; ++du)
+      for (int dv = -1; dv <= 1; ++dv) {
+        const int beside = i + du * u + dv * v;
+        sum += kWeight[du + 1] * kWeight[dv + 1] *
+               (window_.value[std::size_t(beside + along)] -
+                window_.value[std::size_t(beside - along)]);
+      }
+    return sum;
   }
 
   // Looks like the skin round it: the field's slope, and how deep in what was tissue.
@@ -245,18 +261,14 @@ class BrickCutter {
       double weight = 1;
       for (int a = 0; a < 3; ++a) weight *= corner[a] ? place[a] : 1 - place[a];
       const int i = grid().index(at);
-      const auto& v = window_.value;
-      slope += float(weight) *
-               Vec3f(v[std::size_t(i + 1)] - v[std::size_t(i - 1)],
-                     v[std::size_t(i + kSide)] - v[std::size_t(i - kSide)],
-                     v[std::size_t(i + kSide * kSide)] - v[std::size_t(i - kSide * kSide)]);
+      slope += float(weight) * Vec3f(growth(i, 0), growth(i, 1), growth(i, 2));
       const Vec3i node = grid().first + at;
       if (edited_ && (node.array() < field_.nodeDims().array()).all())
         before += float(weight) * field_.originalNode(node);
     }
     slope = slope.cwiseQuotient(field_.lattice().spacing.cast<float>());
     const float length = slope.norm();
-    const float cut = edited_ ? std::clamp((before - grid().iso) / kCutRange, 0.f, 1.f) : 0.f;
+    const float cut = edited_ ? cutShare(before, grid().iso) : 0.f;
     add(p, length > 0 ? Vec3f(slope / -length) : Vec3f(0, 1, 0), cut, n, anchors);
   }
 

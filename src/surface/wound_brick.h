@@ -25,7 +25,9 @@ struct Wound {
 
 struct BrickWound {
   struct Vertex {
-    SurfaceVertex at;
+    Vec3f position;     // rest space, m
+    Vec3f normal;       // unit, out of the tissue
+    float cut;          // 0 on the original skin ... 1 well inside what was tissue before any cut
     bool twin = false;  // of the vertex before it
   };
   // Corners below kFirstCellVertex as in wound_cells.h; from there on vertices of this brick's

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "surface/brick_mesher.h"
+
 namespace resect {
 namespace {
 
-constexpr float kEndMargin = 1e-3f;  // of iso nodes: as in surface/brick_mesher.cpp
-constexpr float kThinnest = 0.04f;   // shortest piece between cut and skin that is drawn
+constexpr float kThinnest = 0.04f;  // shortest piece between cut and skin that is drawn
 
 // Are the face's corners alternately inside and outside? There the skin itself parts them, and a
 // piece of an edge could go with either.

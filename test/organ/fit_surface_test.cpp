@@ -14,6 +14,7 @@
 #include "organ/organ.h"
 #include "sph/colour_field.h"
 #include "sph/levels.h"
+#include "support/surface_look.h"
 
 using namespace resect;
 
@@ -35,8 +36,8 @@ struct Misfit {
 };
 
 Misfit misfit(const Discretization& cells) {
-  const Organ organ = makeOrgan(cells, {});
-  const SurfaceTracker::Compact surface = organ.surface.compact();
+  Organ organ = makeOrgan(cells, {});
+  const SurfaceTracker::Compact surface = test::withLook(organ.surface, organ.field);
   Misfit result;
   for (std::size_t i = 0; i < surface.mesh.points.size(); ++i) {
     const Vec3 out = surface.mesh.points[i] - Vec3(0.0013, -0.0027, 0.0041);

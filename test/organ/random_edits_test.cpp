@@ -7,6 +7,7 @@
 #include "geometry/topology.h"
 #include "organ/discretize.h"
 #include "support/random_edits.h"
+#include "support/surface_look.h"
 #include "support/visible_human.h"
 #include "surface/surface_tracker.h"
 
@@ -35,8 +36,8 @@ Outcome editAtRandom(const Discretization& cells, int threads) {
     tracker.update(field, field.update());
     outcome.trianglesAfterEdit.push_back(tracker.triangleCount());
     if (edit % 10 != 9) continue;
-    outcome.surface = tracker.compact();
-    const auto [mesh, normals, cut] = SurfaceTracker(ColourField(now, 2), 50).compact();
+    outcome.surface = test::withLook(tracker, field);
+    const auto [mesh, normals, cut] = test::withLook(ColourField(now, 2), 50);
     REQUIRE(outcome.surface.mesh.points == mesh.points);
     REQUIRE(outcome.surface.mesh.triangles == mesh.triangles);
     REQUIRE(outcome.surface.normals == normals);

@@ -12,6 +12,7 @@
 #include "organ/fit_surface.h"
 #include "support/mesh_reference.h"
 #include "support/nearest_triangle.h"
+#include "support/surface_look.h"
 #include "support/visible_human.h"
 #include "surface/surface_tracker.h"
 
@@ -26,7 +27,7 @@ struct Likeness {
 
 Likeness likeness(const Discretization& cells, const TriangleMesh& original) {
   const ColourField field(cells, 2);
-  const auto surface = SurfaceTracker(field, 50).compact();
+  const auto surface = test::withLook(field, 50);
   return {volume(surface.mesh) / volume(original) - 1,
           test::deviation(surface.mesh, surface.normals, original)};
 }

@@ -9,6 +9,7 @@
 #include "base/random.h"
 #include "geometry/topology.h"
 #include "support/block_organ.h"
+#include "support/surface_look.h"
 #include "support/test_tools.h"
 
 using namespace resect;
@@ -89,11 +90,12 @@ TEST_CASE("the iso level can be changed in any frame; one out of range is a faul
 
 TEST_CASE("an iso change in the frame of a cut loses no update of the surface") {
   Simulation simulation = ballAndTool(test::ballTool(0.012));
+  simulation.keepLook();
   FrameInput input = toolAt(simulation.organ().rest.lattice.box().centre());
   input.iso = 40.f;
   REQUIRE(simulation.step(input).removed > 0);
-  const auto now = simulation.organ().surface.compact();
-  const auto anew = SurfaceTracker(simulation.organ().field, 40).compact();
+  const auto now = simulation.surface();
+  const auto anew = test::withLook(simulation.organ().field, 40);
   CHECK(now.mesh.points == anew.mesh.points);
   CHECK(now.mesh.triangles == anew.mesh.triangles);
 }

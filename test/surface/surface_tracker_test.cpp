@@ -11,6 +11,7 @@
 #include "geometry/measures.h"
 #include "geometry/topology.h"
 #include "support/block_organ.h"
+#include "support/surface_look.h"
 #include "surface/marching_cubes_table.h"
 
 using namespace resect;
@@ -96,7 +97,7 @@ TEST_CASE("a ball's surface is closed, looks outwards and has its volume") {
   for (int refine : {1, 2, 3, 4}) {
     const Discretization d = test::ball(24);
     const ColourField field(d, refine);
-    const auto surface = SurfaceTracker(field, 50).compact();
+    const auto surface = test::withLook(field, 50);
     CHECK(isSkinOfBody(surface.mesh));
     CHECK(topology(surface.mesh).components == 1);
     CHECK(std::abs(volume(surface.mesh) / d.volume() - 1) < 0.02);
@@ -132,12 +133,12 @@ TEST_CASE(
       if (edit % 50 != 49) continue;
       Discretization now = d;
       for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i) now.value[i] = field.cellValue(i);
-      const auto compact = tracker.compact();
-      const auto rebuilt = SurfaceTracker(field, 50).compact();
+      const auto compact = test::withLook(tracker, field);
+      const auto rebuilt = test::withLook(field, 50);
       REQUIRE(same(compact, rebuilt));
       // From the cells alone the mesh is the same too; only what was cut is not known to them.
       const ColourField fresh(now, refine);
-      const auto anew = SurfaceTracker(fresh, 50).compact();
+      const auto anew = test::withLook(fresh, 50);
       REQUIRE(compact.mesh.points == anew.mesh.points);
       REQUIRE(compact.mesh.triangles == anew.mesh.triangles);
       REQUIRE(isSkinOfBody(compact.mesh));
@@ -153,7 +154,7 @@ TEST_CASE("a carved organ shows its cut face as cut and its skin as skin") {
   for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i)
     if (d.lattice.cell(i).x() > 14) field.setCellValue(i, 0);
   tracker.update(field, field.update());
-  const auto surface = tracker.compact();
+  const auto surface = test::withLook(tracker, field);
   const double face = d.lattice.centre({14, 0, 0}).x();
   const Vec3 middle = d.lattice.box().centre();
   int skin = 0, cut = 0;
@@ -177,11 +178,11 @@ TEST_CASE(
     "changing the iso level there and back restores the surface, and a lower level encloses more") {
   const ColourField field(test::ball(16), 2);
   SurfaceTracker tracker(field, 50);
-  const auto before = tracker.compact();
+  const auto before = test::withLook(tracker, field);
   tracker.setIso(field, 30);
   CHECK(volume(tracker.mesh()) > volume(before.mesh));
   tracker.setIso(field, 50);
-  CHECK(same(tracker.compact(), before));
+  CHECK(same(test::withLook(tracker, field), before));
 }
 
 TEST_CASE("the surface has the same bits at 1, 2 and 3 threads, edits included") {
@@ -196,7 +197,7 @@ TEST_CASE("the surface has the same bits at 1, 2 and 3 threads, edits included")
       for (int i = 0; i < 30; ++i) field.setCellValue(random.below(int(d.value.size())), 0);
       tracker.update(field, field.update());
     }
-    results.push_back(tracker.compact());
+    results.push_back(test::withLook(tracker, field));
   }
   CHECK(same(results[0], results[1]));
   CHECK(same(results[0], results[2]));

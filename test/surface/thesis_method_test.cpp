@@ -5,6 +5,7 @@
 #include "geometry/measures.h"
 #include "geometry/topology.h"
 #include "support/block_organ.h"
+#include "support/surface_look.h"
 #include "surface/surface_tracker.h"
 
 using namespace resect;
@@ -32,7 +33,7 @@ test::ThesisGrid gridOf(const ColourField& field) {
 TEST_CASE("on the same nodes the thesis's method draws the same surface") {
   for (const Discretization& d : {test::ball(9), test::noise({6, 5, 7}, 3)}) {
     const ColourField field(d, 2);
-    const auto ours = SurfaceTracker(field, 50).compact();
+    const auto ours = test::withLook(field, 50);
     test::ThesisMethod thesis(gridOf(field), kSmoothingPerSpacing * d.lattice.spacing.x(), 50);
     const auto particles = particlesOf(d);
     const test::ThesisSurface surface = thesis.update(particles);

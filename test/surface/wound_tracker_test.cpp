@@ -9,6 +9,7 @@
 #include "geometry/topology.h"
 #include "support/blades.h"
 #include "support/random_edits.h"
+#include "support/surface_look.h"
 #include "support/wound_reference.h"
 #include "surface/blade_raster.h"
 #include "surface/node_places.h"
@@ -61,8 +62,8 @@ bool same(const VertexBinding& a, const VertexBinding& b) {
   return a.count == b.count && a.cell == b.cell && a.weight == b.weight;
 }
 
-void requireSame(const SurfaceTracker& a, const SurfaceTracker& b) {
-  const auto one = a.compact(), other = b.compact();
+void requireSame(const ColourField& field, SurfaceTracker& a, SurfaceTracker&& b) {
+  const auto one = test::withLook(a, field), other = test::withLook(b, field);
   REQUIRE(one.mesh.points == other.mesh.points);
   REQUIRE(one.mesh.triangles == other.mesh.triangles);
   REQUIRE(one.normals == other.normals);
@@ -122,7 +123,7 @@ TEST_CASE("after any mixture of incisions and removals the surface equals a rebu
       if (step % 6 != 5) continue;
       p.follow();
       const Wound wound = p.wound();
-      requireSame(p.surface, SurfaceTracker(p.field, 50, &wound));
+      requireSame(p.field, p.surface, SurfaceTracker(p.field, 50, &wound));
       REQUIRE(test::wrongWith(p.surface.mesh()) == "");
       REQUIRE(p.surface.triangleCount() == std::int64_t(p.surface.mesh().triangles.size()));
     }
@@ -153,7 +154,7 @@ TEST_CASE("a wound has the same bits at 1, 2 and 3 threads") {
       p.cut(p.someBlade(random));
       p.follow();
     }
-    results.push_back(p.surface.compact());
+    results.push_back(test::withLook(p.surface, p.field));
   }
   for (std::size_t i : {1, 2}) {
     CHECK(results[i].mesh.points == results[0].mesh.points);
@@ -204,6 +205,7 @@ TEST_CASE("vertices at a wound follow particles on their own side, with weights 
     const Vec3 a = normal.unitOrthogonal();
     p.cut(test::flatBlade(on, 0.2 * a, 0.2 * normal.cross(a)));
     p.follow();
+    p.surface.updateLook(p.field);
     int bound = 0, astray = 0, lips = 0, wrong = 0;
     p.surface.visitBindings([&](std::int32_t first, std::span<const VertexBinding> vertices) {
       for (std::size_t v = 0; v < vertices.size(); ++v) {
@@ -301,6 +303,7 @@ TEST_CASE(
     // From the front upwards, out of the organ.
     p.cut(test::flatBlade(front + 0.1 * down, 0.2 * across, 0.1 * down));
     p.follow();
+    p.surface.updateLook(p.field);
     int lips = 0, both = 0, late = 0;
     double farthest = 0;
     p.surface.visitBindings([&](std::int32_t first, std::span<const VertexBinding> vertices) {

@@ -1,0 +1,42 @@
+// Numbers of four vertices at a time, for the loops over a brick's vertices.
+//
+// Inlined, so that they are made for the instruction set of the function that calls them.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+
+#include "base/vec.h"
+
+namespace resect {
+
+typedef float FourFloats __attribute__((vector_size(16)));
+
+// Writes four points from their coordinates.
+[[gnu::always_inline]] inline void storePoints(const FourFloats& x, const FourFloats& y,
+                                               const FourFloats& z, Vec3f* out) {
+  const FourFloats zx = __builtin_shufflevector(z, x, 0, 0, 5, 5),
+                   yz = __builtin_shufflevector(y, z, 1, 1, 5, 5),
+                   zx3 = __builtin_shufflevector(z, x, 2, 2, 7, 7),
+                   yz3 = __builtin_shufflevector(y, z, 3, 3, 7, 7),
+                   low = __builtin_shufflevector(x, y, 0, 4, 1, 5),
+                   high = __builtin_shufflevector(x, y, 2, 6, 3, 7);
+  const FourFloats first = __builtin_shufflevector(low, zx, 0, 1, 4, 6),
+                   second = __builtin_shufflevector(yz, high, 0, 2, 4, 5),
+                   third = __builtin_shufflevector(zx3, yz3, 0, 2, 4, 6);
+  float* to = out->data();
+  std::memcpy(to, &first, sizeof first);
+  std::memcpy(to + 4, &second, sizeof second);
+  std::memcpy(to + 8, &third, sizeof third);
+}
+
+// How far along its edge each of four vertices lies, 0 to 1, between nodes of these values.
+[[gnu::always_inline]] inline FourFloats wayAlong(const FourFloats& lower, const FourFloats& upper,
+                                                  float iso, float margin) {
+  const FourFloats crossing = (iso - lower) / (upper - lower);
+  const FourFloats least = FourFloats{} + margin, most = 1 - least;
+  const FourFloats way = crossing > least ? crossing : least;
+  return way < most ? way : most;
+}
+
+}  // namespace resect
