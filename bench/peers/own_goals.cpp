@@ -19,7 +19,8 @@ Findings memoryOfStillOrgan(const Effort& effort) {
   std::vector<double> sizes = {1e4, 1e5};
   if (!effort.quick) sizes.push_back(1e6);
   for (const double size : sizes) {
-    const Organ organ = makeOrgan(liverCells(size), {});
+    Organ organ = makeOrgan(liverCells(size), {});
+    organ.surface.updateLook(organ.field);  // normals count
     const double n = double(organ.particles);
     findings.figures.push_back(
         {"H", fmt::format("bytes per particle at {}, nodes s/2 apart", organ.particles),

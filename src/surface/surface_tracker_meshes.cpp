@@ -152,8 +152,9 @@ std::size_t SurfaceTracker::bytes() const {
                   w.triangles.capacity() * sizeof(BrickWound::Triangle) +
                   w.bindings.capacity() * sizeof(VertexBinding);
   return recordOf_.capacity() * 4 + bricks_.capacity() * sizeof(BrickMesh) +
-         points_.capacity() * 2 * sizeof(Vec3f) + cut_.capacity() * 4 + edges_.capacity() +
-         triangles_.capacity() * sizeof(Triangle) + woundBytes;
+         (points_.capacity() + normals_.capacity()) * sizeof(Vec3f) + cut_.capacity() * 4 +
+         edges_.capacity() + lookDue_.capacity() * 8 + triangles_.capacity() * sizeof(Triangle) +
+         woundBytes;
 }
 
 }  // namespace resect
