@@ -147,6 +147,27 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a look that is asked for late is the look that was kept up, and costs no memory") {
+  const Discretization d = test::noise({20, 18, 16}, 11);
+  ColourField field(d, 2);
+  SurfaceTracker kept(field, 50), late(field, 50);
+  kept.updateLook(field);
+  late.updateLook(field);
+  const std::size_t before = late.bytes();
+  Random random(5);
+  for (int edit = 0; edit < 4000; ++edit) {
+    const int cell = random.below(int(d.value.size()));
+    field.setCellValue(cell, random.below(2) == 0 ? 0.f : d.value[cell]);
+    const auto touched = field.update();
+    kept.update(field, touched);
+    kept.updateLook(field);
+    late.update(field, touched);
+    // A few edits, and more than there are bricks.
+    if (edit == 3 || edit == 3999) REQUIRE(same(test::withLook(late, field), kept.compact()));
+  }
+  CHECK(late.bytes() < 2 * before);
+}
+
 TEST_CASE("a carved organ shows its cut face as cut and its skin as skin") {
   const Discretization d = test::ball(24);
   ColourField field(d, 2);
