@@ -2,8 +2,9 @@
 //
 // Plain: every node of its grid sums over all particles, marching cubes over all cells
 // (test/support/thesis_method.h). Ours: the cells that a tool removes are set, the bricks in their
-// reach are evaluated and meshed; then the same cells come back, and so on in turn, so that every
-// update does the same work. The tool is a rod straight through the built-in liver.
+// reach are evaluated and meshed, with normals, as the plain method makes them too; then the same
+// cells come back, and so on in turn, so that every update does the same work. The tool is a rod
+// straight through the built-in liver.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -82,6 +83,7 @@ void resectUpdate(benchmark::State& state, Size size) {
     removed = !removed;
     for (const Edit& edit : edits) organ.field.setCellValue(edit.cell, removed ? 0 : edit.value);
     updateSurface(organ, updateField(organ));
+    organ.surface.updateLook(organ.field);
   }
   const double bricks = double(organ.surface.changes().bricks);
   state.counters["per brick"] = benchmark::Counter(
@@ -97,7 +99,8 @@ void resectRebuild(benchmark::State& state, Size size) {
   const Discretization cells = bench::liverCells(size.particles);
   for (auto _ : state) {
     const ColourField field(cells, 2);
-    const SurfaceTracker surface(field, 50);
+    SurfaceTracker surface(field, 50);
+    surface.updateLook(field);
     benchmark::DoNotOptimize(surface.triangleCount());
   }
 }
