@@ -40,9 +40,11 @@ struct InsideSamples {
 
 // A point is inside where more shells are entered than left below it, as forEachInside() has it for
 // columns whose signs sum to zero: those of a closed mesh.
-// Cost: as castColumns(), but a crossing is kept as the points that it lies between, and two in a
-// column are not sorted.
+// Cost: as castColumns() or less: a crossing is kept as the points that it lies between.
 InsideSamples insideSamples(const SnappedMesh& mesh, const ColumnGrid& grid,
                             const SampleLine& line);
+// The same without tiles of columns (collision/tiled_samples.h), as on machines without AVX2.
+InsideSamples insideSamplesPlainly(const SnappedMesh& mesh, const ColumnGrid& grid,
+                                   const SampleLine& line);
 
 }  // namespace resect

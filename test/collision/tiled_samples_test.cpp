@@ -1,0 +1,153 @@
+// Do tiles of columns, tested in single precision, give the same stretches as the plain path?
+#include "collision/tiled_samples.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "base/parallel.h"
+#include "base/random.h"
+#include "support/degenerate_mesh.h"
+
+using namespace resect;
+
+namespace {
+
+// Of all columns: their stretches, one after the other, with the number of the column.
+std::vector<std::int32_t> listed(const InsideSamples& inside, const ColumnGrid& grid) {
+  std::vector<std::int32_t> all;
+  for (int j = 0; j < grid.countY; ++j)
+    for (int i = 0; i < grid.countX; ++i)
+      for (const InsideStretch& s : inside.column(std::size_t(i), std::size_t(j)))
+        all.insert(all.end(), {j * grid.countX + i, s.first, s.last});
+  return all;
+}
+
+// How many stretches there are; the same on both paths, tiled at 1, 2 and 3 threads.
+std::size_t compare(const TriangleMesh& mesh, const ColumnGrid& grid, const SampleLine& line) {
+  const SnappedMesh snapped = snapToRaster(mesh);
+  const auto expected = listed(insideSamplesPlainly(snapped, grid, line), grid);
+  if (!canTile()) return expected.size() / 3;
+  std::vector<std::uint32_t> offsets;
+  for (const int threads : {1, 2, 3}) {
+    const ThreadLimit limit(threads);
+    const InsideSamples inside = insideSamplesByTiles(snapped, grid, line);
+    CHECK(listed(inside, grid) == expected);
+    if (threads == 1) offsets = inside.offsets;
+    CHECK(inside.offsets == offsets);
+  }
+  return expected.size() / 3;
+}
+
+// Every triangle twice, looking either way: closed, whatever it is made of.
+TriangleMesh soup(Random& random, int triangles, double size) {
+  TriangleMesh mesh;
+  for (int k = 0; k < triangles; ++k) {
+    const Vec3 centre(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+    const auto corner = [&] { return random.uniform(-size, size); };
+    const auto first = std::int32_t(mesh.points.size());
+    // The second triangle has its own third corner, so that the two do not cancel.
+    for (int c = 0; c < 4; ++c) mesh.points.push_back(centre + Vec3(corner(), corner(), corner()));
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 3});
+    mesh.triangles.push_back({first, first + 3, first + 1});
+    mesh.triangles.push_back({first + 1, first + 3, first + 2});
+  }
+  return mesh;
+}
+
+ColumnGrid gridOver(double low, double high, int n) {
+  const double pitch = (high - low) / n;
+  return {{low + pitch / 2, low + pitch / 2}, {pitch, pitch}, n, n};
+}
+
+}  // namespace
+
+TEST_CASE("tiles: shells that overlap and touch, faces on the points") {
+  Random random(41);
+  std::size_t stretches = 0;
+  for (int k = 0; k < 150; ++k) {
+    TriangleMesh mesh;
+    for (int n = 0; n <= k % 7; ++n) append(mesh, randomDegenerateMesh(random));
+    const int n = 1 + random.below(60);
+    const ColumnGrid grid{{0, -0.5}, {8.0 / n, 9.0 / n}, n, n + 3};
+    stretches += compare(mesh, grid, {-0.25, k % 3 == 0 ? 0.25 : 8.7 / n, n});
+    // Columns and points on the mesh's own coordinates, where corners, edges and faces lie.
+    stretches += compare(mesh, {{0, 0}, {0.5, 0.5}, 17, 17}, {0, 0.5, 17});
+    stretches += compare(mesh, grid, {3, 0.01, n});
+  }
+  CHECK(stretches > 10000);
+}
+
+TEST_CASE("tiles: a mesh of any size, any number of points, a grid of any width") {
+  Random random(42);
+  const TriangleMesh ball =
+      transformed(sphereMesh({0, 0, 0}, 1, 20),
+                  {{0, 0, 0}, Eigen::Quaterniond(0.8, 0.3, 0.2, 0.1).normalized()});
+  for (const double scale : {1e-6, 1.0, 1e6})
+    for (const std::int32_t count : {1, 2, 1000, 100000, 1 << 20})
+      for (const int n : {1, 2, 3, 4, 5, 7, 8, 33, 61}) {
+        TriangleMesh mesh = ball;
+        for (Vec3& p : mesh.points) p *= scale;
+        const std::size_t stretches =
+            compare(mesh, gridOver(-scale, scale, n), {-0.9 * scale, 1.8 * scale / count, count});
+        if (count >= 1000) CHECK(stretches > 0);
+        // Half of it beside the mesh; then a pitch far above the mesh's size, and far below.
+        compare(mesh, gridOver(0, 2 * scale, n), {-0.9 * scale, 1.8 * scale / count, count});
+        compare(mesh, {{-50 * scale, -3 * scale}, {25 * scale, 3 * scale}, n, n},
+                {0, scale, count});
+        compare(mesh, {{0.1 * scale, 0.2 * scale}, {1e-10 * scale, 1e-9 * scale}, n, n},
+                {-scale, 2 * scale / count, count});
+      }
+}
+
+TEST_CASE("tiles: soups of triangles, tiny, large and both") {
+  Random random(43);
+  std::size_t stretches = 0;
+  for (int k = 0; k < 40; ++k) {
+    TriangleMesh mesh = soup(random, 60, k % 2 ? 0.02 : 0.7);
+    append(mesh, soup(random, 200, 0.01));
+    for (const int n : {9, 64, 130})
+      stretches += compare(mesh, gridOver(0, 1, n), {0, 1.0 / 200, 200});
+  }
+  CHECK(stretches > 100000);
+}
+
+TEST_CASE("tiles: slivers and steep faces") {
+  Random random(44);
+  std::size_t stretches = 0;
+  for (int k = 0; k < 60; ++k) {
+    TriangleMesh mesh = soup(random, 100, 0.5);
+    // All but on a line, seen from above, or all but upright.
+    const double thin = std::pow(10, -random.uniform(0, 9));
+    for (Vec3& p : mesh.points)
+      if (k % 2)
+        p.x() = p.y() * 0.7 + thin * p.x();
+      else
+        p.z() *= 1 / thin;
+    stretches += compare(mesh, gridOver(0, 1, 50), {0, 1.0 / 300, 300});
+  }
+  CHECK(stretches > 10000);
+}
+
+TEST_CASE("tiles: a fine mesh, a box of twelve triangles and a diagonal one round it") {
+  TriangleMesh mesh = sphereMesh({0.5, 0.5, 0.5}, 0.3, 100);
+  const std::size_t alone = compare(mesh, gridOver(0, 1, 150), {0, 1.0 / 256, 256});
+  append(mesh, boxMesh({{0.01, 0.02, 0.03}, {0.97, 0.98, 0.99}}));
+  CHECK(compare(mesh, gridOver(0, 1, 150), {0, 1.0 / 256, 256}) > alone);
+  const TriangleMesh turned =
+      transformed(boxMesh({{-0.01, -2, -0.01}, {0.01, 2, 0.01}}),
+                  {{0.5, 0.5, 0.5}, Eigen::Quaterniond(0.9, 0.1, 0.2, 0.4).normalized()});
+  append(mesh, turned);
+  for (const int n : {150, 257, 512})
+    CHECK(compare(mesh, gridOver(0, 1, n), {0, 1.0 / 256, 256}) > 0);
+}
+
+TEST_CASE("tiles: more steps in a column than a tile holds, at any number of threads") {
+  TriangleMesh mesh;
+  for (int n = 0; n < 9; ++n) append(mesh, sphereMesh({0.5, 0.5, 0.5}, 0.05 * (n + 1), 30 + n));
+  for (int n = 0; n < 9; ++n)  // nine plates above one another: eighteen steps, nine stretches
+    append(mesh, boxMesh({{0, 0, 1 + 0.1 * n}, {1, 1, 1.05 + 0.1 * n}}));
+  CHECK(compare(mesh, gridOver(-0.1, 1.1, 97), {0, 1.0 / 100, 200}) > 9 * 6000);
+}
