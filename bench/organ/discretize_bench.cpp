@@ -11,7 +11,7 @@ namespace {
 void discretizeLiver(benchmark::State& state) {
   const double spacing = bench::spacingFor(double(state.range(0)));
   const Lattice lattice = latticeForSpacing(bounds(bench::liver()), spacing);
-  for (auto _ : state) benchmark::DoNotOptimize(discretize(bench::liver(), lattice).value.data());
+  for (auto _ : state) benchmark::DoNotOptimize(discretize(bench::liver(), lattice).value.size());
   state.counters["per particle"] =
       benchmark::Counter(double(state.range(0)), benchmark::Counter::kIsIterationInvariantRate |
                                                      benchmark::Counter::kInvert);

@@ -137,7 +137,8 @@ Cost costOnBlock(double particles) {
   Discretization block;
   block.lattice.spacing = Vec3::Constant(0.005);
   block.lattice.dims = {width, width, height};
-  block.value.assign(std::size_t(block.lattice.cellCount()), 100);
+  block.value =
+      ColourValues(RawArray<std::uint8_t>(std::size_t(block.lattice.cellCount()), kFullLevel));
   block.inside.assign(std::size_t(block.lattice.cellCount()), 1);
   std::vector<std::vector<Edit>> bites;
   for (const int y : {0, 1})

@@ -1,4 +1,4 @@
-// Comparisons of numbers as the bits of one word.
+// Comparisons of numbers, and of bytes, as the bits of one word.
 #pragma once
 
 #include <cstdint>
@@ -54,5 +54,39 @@ template <typename Test>
   return compared16(values, test) | compared16(values + 16, test) << 16 |
          compared16(values + 32, test) << 32 | compared16(values + 48, test) << 48;
 }
+
+// Bit i: is byte i of 64 other than 0? And: is its upper bit set?
+#ifdef __SSE2__
+
+template <typename Test>
+[[gnu::always_inline]] inline std::uint64_t ofBytes64(const std::uint8_t* bytes, Test test) {
+  std::uint64_t bits = 0;
+  for (int k = 0; k < 4; ++k) {
+    const __m128i v = _mm_loadu_si128(reinterpret_cast<const __m128i*>(bytes + 16 * k));
+    bits |= std::uint64_t(std::uint32_t(_mm_movemask_epi8(test(v)))) << 16 * k;
+  }
+  return bits;
+}
+[[gnu::always_inline]] inline std::uint64_t nonZero64(const std::uint8_t* bytes) {
+  return ~ofBytes64(bytes, [](__m128i v) { return _mm_cmpeq_epi8(v, _mm_setzero_si128()); });
+}
+[[gnu::always_inline]] inline std::uint64_t upperBits64(const std::uint8_t* bytes) {
+  return ofBytes64(bytes, [](__m128i v) { return v; });
+}
+
+#else
+
+inline std::uint64_t nonZero64(const std::uint8_t* bytes) {
+  std::uint64_t bits = 0;
+  for (int i = 0; i < 64; ++i) bits |= std::uint64_t(bytes[i] != 0) << i;
+  return bits;
+}
+inline std::uint64_t upperBits64(const std::uint8_t* bytes) {
+  std::uint64_t bits = 0;
+  for (int i = 0; i < 64; ++i) bits |= std::uint64_t(bytes[i] >> 7) << i;
+  return bits;
+}
+
+#endif
 
 }  // namespace resect

@@ -223,7 +223,7 @@ Discretization parseDiscretization(std::string_view text, const std::string& nam
   const Grid& grid = takeCubic ? cubic : perAxis;
   Discretization result;
   result.lattice = grid.lattice;
-  result.value.assign(grid.lattice.cellCount(), 0);
+  result.value = ColourValues(std::size_t(grid.lattice.cellCount()));
   constexpr std::uint8_t kUnlisted = 2;
   result.inside.assign(grid.lattice.cellCount(), kUnlisted);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -237,7 +237,7 @@ Discretization parseDiscretization(std::string_view text, const std::string& nam
       throw lines.complaintAt(
           line, "a particle inside the object needs a LevelSet above 0; line 3 announces {} inside",
           insideCount);
-    result.value[cell] = rows[i].value > 0 ? rows[i].value : 0;
+    result.value.set(cell, rows[i].value > 0 ? rows[i].value : 0);
     result.inside[cell] = inside;
   }
   std::replace(result.inside.begin(), result.inside.end(), kUnlisted, std::uint8_t(0));

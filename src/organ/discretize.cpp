@@ -60,7 +60,7 @@ Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
   const int nx = lattice.dims.x(), ny = lattice.dims.y(), nz = lattice.dims.z();
   Discretization result;
   result.lattice = lattice;
-  result.value.assign(lattice.cellCount(), 0);
+  RawArray<std::uint8_t> levels(std::size_t(lattice.cellCount()), 0);
   result.inside.assign(lattice.cellCount(), 0);
   if (lattice.cellCount() == 0) return result;
 
@@ -97,11 +97,12 @@ Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
           column[k] = std::max<std::uint8_t>(column[k], 1);
         }
     }
-    constexpr float kPerSample = 100.0f / (kSamples * kSamples * kSamples);
+    constexpr int kPerSample = kFullLevel / (kSamples * kSamples * kSamples);
+    static_assert(kPerSample * kSamples * kSamples * kSamples == kFullLevel);
     for (int k = 0; k < nz; ++k) {
       const std::int64_t first = lattice.index({0, j, k});
       for (int i = 0; i < nx; ++i) {
-        result.value[first + i] = kPerSample * filled[std::size_t(i) * nz + k];
+        levels[first + i] = std::uint8_t(kPerSample * filled[std::size_t(i) * nz + k]);
         result.inside[first + i] = inside[std::size_t(i) * nz + k];
       }
     }
@@ -117,6 +118,7 @@ Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
     });
     report(progress, 0.5 + 0.5 * (part + 1) / kReports);
   }
+  result.value = ColourValues(std::move(levels));
   return result;
 }
 

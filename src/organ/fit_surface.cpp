@@ -5,8 +5,8 @@
 
 #include "base/parallel.h"
 #include "sph/colour_field.h"
+#include "sph/colour_values.h"
 #include "sph/kernel.h"
-#include "sph/levels.h"
 
 namespace resect {
 namespace {
@@ -56,22 +56,26 @@ void visitReach(const Lattice& lattice, const Vec3& p, Visit visit) {
 void fitSurface(const TriangleMesh& mesh, Discretization& cells) {
   const std::vector<Vec3> points = spread(mesh, cells.lattice);
   const auto fits = [&](float value) { return value > 0 && value < 100; };
-  std::vector<std::uint8_t> fitted(cells.value.size());
-  for (std::size_t i = 0; i < fitted.size(); ++i) fitted[i] = fits(cells.value[i]);
+  std::vector<float> value(cells.value.size());
+  std::vector<std::uint8_t> fitted(value.size());
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    value[i] = cells.value[i];
+    fitted[i] = fits(value[i]);
+  }
   const auto skin = [&] {
     double sum = 0;
-    for (std::size_t i = 0; i < fitted.size(); ++i) sum += fitted[i] ? cells.value[i] : 0;
+    for (std::size_t i = 0; i < fitted.size(); ++i) sum += fitted[i] ? value[i] : 0;
     return sum;
   };
   const double before = skin();
   std::vector<double> misfit(points.size());
-  std::vector<float> change(cells.value.size()), weight(cells.value.size());
+  std::vector<float> change(value.size()), weight(value.size());
   for (int round = 0; round < kRounds; ++round) {
     parallelFor(points.size(), 256, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) {
         double field = 0;
         visitReach(cells.lattice, points[k],
-                   [&](std::int64_t cell, double w) { field += w * cells.value[cell]; });
+                   [&](std::int64_t cell, double w) { field += w * value[cell]; });
         misfit[k] = 50 - field;
       }
     });
@@ -87,12 +91,15 @@ void fitSurface(const TriangleMesh& mesh, Discretization& cells) {
       if (!(weight[i] > 0)) continue;
       // Where few points are near, their mean says little.
       const double trust = std::min(1.0, double(weight[i]) / (0.3 * kPerCell));
-      const float moved = cells.value[i] + float(kStride * trust * change[i] / weight[i]);
-      cells.value[i] = std::clamp(moved, kLeast, 100 - kLeast);
+      const float moved = value[i] + float(kStride * trust * change[i] / weight[i]);
+      value[i] = std::clamp(moved, kLeast, 100 - kLeast);
     }
   }
   for (std::size_t i = 0; i < fitted.size(); ++i)
-    if (fitted[i]) cells.value[i] = kLevel * std::round(cells.value[i] / kLevel);
+    if (fitted[i]) {
+      value[i] = kLevel * std::round(value[i] / kLevel);
+      cells.value.set(i, value[i]);
+    }
   const double after = skin();
   if (after > 0) cells.skinScale *= before / after;
 }

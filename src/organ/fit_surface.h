@@ -16,9 +16,9 @@ namespace resect {
 
 // Changes only values strictly between 0 and 100, and keeps them there, so no cell becomes or stops
 // being tissue; skinScale keeps the sum of the cells' volumes. At last values are rounded to whole
-// levels (sph/levels.h), which moves the surface by about a thousandth of a cell. `mesh`: what
-// `cells` were made from. Same bits at any number of threads. Cost: 12 evaluations of the field for
-// every cell-sized piece of the surface, twice.
+// levels (sph/colour_values.h), which moves the surface by about a thousandth of a cell. `mesh`:
+// what `cells` were made from. Same bits at any number of threads. Cost: 12 evaluations of the
+// field for every cell-sized piece of the surface, twice.
 void fitSurface(const TriangleMesh& mesh, Discretization& cells);
 
 }  // namespace resect

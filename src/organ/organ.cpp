@@ -81,8 +81,8 @@ double particleVolume(const Discretization& rest, std::int64_t cell) {
 }
 
 std::size_t Organ::bytes() const {
-  return rest.value.capacity() * sizeof(float) + rest.inside.capacity() + field.bytes() +
-         surface.bytes() + severed.bytes() + alive.capacity();
+  return rest.value.bytes() + rest.inside.capacity() + field.bytes() + surface.bytes() +
+         severed.bytes() + alive.capacity();
 }
 
 EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits) {

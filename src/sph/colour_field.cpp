@@ -1,59 +1,80 @@
 #include "sph/colour_field.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
+#include <limits>
+#include <numeric>
 
 #include "base/assert.h"
 #include "base/growth.h"
+#include "base/instruction_set.h"
 #include "base/parallel.h"
 
 namespace resect {
 namespace {
 
 constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that waits for update()
-constexpr int kMostBricks = 6;         // that a cell reaches along an axis: 17 nodes at refine 4
-constexpr std::size_t kGrain = 128;    // bricks that one thread takes: some 50 us
-constexpr std::size_t kRowGrain = 16;  // the same of rows of bricks, few of which are stored
+constexpr int kMostBricks = 6;       // that a cell reaches along an axis: 17 nodes at refine 4
+constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 20 us
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+
+// Of a word of cells, along x, those in which bricks begin, one bit after the other: every fourth
+// where there is one node a cell, and so on.
+std::uint64_t bitsOfBricks(std::uint64_t cells, int refine) {
+  constexpr std::uint64_t kFirst = 0x1111111111111111;
+  std::uint64_t bits = refine == 2   ? (cells & kFirst) | (cells >> 1 & kFirst << 1)
+                       : refine == 1 ? cells & kFirst
+                       : refine == 3 ? cells & 7 * kFirst
+                                     : cells;
+  // Of neighbouring fields of bits the upper one moves down.
+  const int gap = kBrickNodes - refine;
+  constexpr std::uint64_t kLower[] = {0x0f0f0f0f0f0f0f0f, 0x00ff00ff00ff00ff, 0x0000ffff0000ffff,
+                                      0x00000000ffffffff};
+  for (int k = 0; k < 4; ++k) bits = (bits & kLower[k]) | (bits & ~kLower[k]) >> (gap << k);
+  return bits;
+}
+
+// Writes kFull for each of `count` bricks whose bit is set, kEmpty for others.
+RESECT_WIDEST
+void markFull(std::uint64_t full, int count, std::int32_t* slots) {
+  static_assert(ColourField::kFull == ColourField::kEmpty - 1);
+  for (int first = 0; first < count; first += 32) {
+    const auto bits = std::uint32_t(full >> first);
+    const int here = std::min(32, count - first);
+    for (int i = 0; i < here; ++i)
+      slots[first + i] = ColourField::kEmpty - std::int32_t(bits >> i & 1);
+  }
+}
 
 }  // namespace
 
 ColourField::ColourField(const Discretization& cells, int refine)
+    : ColourField(cells, refine, NodesLater()) {
+  parallelFor(builtBricks_.size(), kGrain,
+              [&](std::size_t begin, std::size_t end) { evaluateBuilt(begin, end); });
+}
+
+ColourField::ColourField(const Discretization& cells, int refine, NodesLater)
     : lattice_(cells.lattice), refine_(refine), stencil_(&fieldStencil(refine)) {
   RESECT_ASSERT(std::int64_t(cells.value.size()) == lattice_.cellCount());
   // Nodes reach from cell -2 to cell dims + 1: there the kernel of the outermost cell has just
   // vanished.
   for (int a = 0; a < 3; ++a)
     brickDims_[a] = ((lattice_.dims[a] + 3) * refine + kBrickNodes) / kBrickNodes;
-
-  slotOf_.assign(std::size_t(brickCount()), kEmpty);
-  originalOf_.assign(slotOf_.size(), kUnedited);
-  pendingOf_.assign(slotOf_.size(), 0);
-  {
-    HeldBits held;
-    cells_ = PaddedCells(cells, held);
-    classifyBricks(held);
-  }
-  std::int32_t count = 0;
-  for (std::int32_t& slot : slotOf_) {
-    const bool mixed = slot == 0;
-    slot = mixed ? count : slot;
-    count += mixed;
-  }
+  RESECT_ASSERT(brickCount() < std::numeric_limits<std::int32_t>::max());
+  HeldBits held;
+  cells_ = PaddedCells(cells, held);
+  classifyBricks(held);
   putFullAndEmpty(originals_);
-  growTo(values_, place(count));
+  growTo(values_, place(std::int32_t(builtBricks_.size())));
   putFullAndEmpty(values_);
-  // Row by row of bricks.
-  const auto brickRows = std::size_t(brickDims_.y()) * std::size_t(brickDims_.z());
-  parallelFor(brickRows, kRowGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      Vec3i b(0, int(row % std::size_t(brickDims_.y())), int(row / std::size_t(brickDims_.y())));
-      const std::int32_t* slot = slotOf_.data() + brickIndex(b);
-      for (; b.x() < brickDims_.x(); ++b.x())
-        if (slot[b.x()] >= 0) evaluate(b, kAllPlanes, values_.data() + place(slot[b.x()]));
-    }
-  });
+}
+
+void ColourField::evaluateBuilt(std::size_t begin, std::size_t end) {
+  for (std::size_t slot = begin; slot < end; ++slot)
+    evaluate(brick(builtBricks_[slot]), kAllPlanes, values_.data() + place(std::int32_t(slot)));
 }
 
 void ColourField::putFullAndEmpty(RawArray<float>& bricks) const {
@@ -94,31 +115,55 @@ PaddedCells::Held ColourField::held(const Vec3i& b) const {
   return cells_.heldIn(windowCell(b), high - windowCell(b) + Vec3i::Ones());
 }
 
-// Finds held() of every brick, into slotOf_: the rows of cells that a row of bricks reaches are
-// combined as words, 64 cells at a time.
+// Finds held() of every brick: slotOf_ and builtBricks_.
 void ColourField::classifyBricks(const HeldBits& held) {
+  slotOf_.resize(std::size_t(brickCount()));
+  const auto across = std::size_t(brickDims_.x()),
+             rows = std::size_t(brickDims_.y()) * std::size_t(brickDims_.z());
+  RawArray<std::int32_t> mixed(rows * across);  // of each row, one after the other
+  RawArray<std::int32_t> mixedOf(rows);
+  parallelFor(rows, 64, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint64_t> bits(held.row);
+    for (std::size_t row = begin; row < end; ++row)
+      mixedOf[row] = classifyRow(held, row, bits.data(), mixed.data() + row * across);
+  });
+  builtBricks_.resize(
+      std::size_t(std::accumulate(mixedOf.begin(), mixedOf.end(), std::int64_t(0))));
+  std::int32_t slot = 0;
+  for (std::size_t row = 0; row < rows; ++row)
+    for (std::int32_t i = 0; i < mixedOf[row]; ++i, ++slot) {
+      const std::int32_t b = mixed[row * across + std::size_t(i)];
+      builtBricks_[std::size_t(slot)] = b;
+      slotOf_[std::size_t(b)] = slot;
+    }
+}
+
+// The same of a row of bricks: the rows of cells that it reaches are combined as words, 64 cells at
+// a time. bits: room for held.row words. Writes the mixed bricks, whose slots are still to be
+// given, and returns how many they are.
+std::int32_t ColourField::classifyRow(const HeldBits& held, std::size_t row, std::uint64_t* bits,
+                                      std::int32_t* mixed) {
   const auto down = std::size_t(cells_.dims().y());
-  const auto rowOf = [&](int y, int z) {
-    return std::size_t(z + PaddedCells::kBelow) * down + std::size_t(y + PaddedCells::kBelow);
-  };
+  const Vec3i first(0, int(row) % brickDims_.y(), int(row) / brickDims_.y()),
+      low = windowCell(first);
+  const std::size_t lowest = std::size_t(low.z() + PaddedCells::kBelow) * down +
+                             std::size_t(low.y() + PaddedCells::kBelow);
   const int width = highestCell(0) - windowCell(Vec3i::Zero()).x() + 1;  // the same for all bricks
-  parallelFor(
-      std::size_t(brickDims_.y()) * brickDims_.z(), 64, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::uint64_t> bits(held.row);
-        for (std::size_t i = begin; i < end; ++i) {
-          const Vec3i b(0, int(i) % brickDims_.y(), int(i) / brickDims_.y()), low = windowCell(b);
-          holdTogether(held, rowOf(low.y(), low.z()), highestCell(b.y()) - low.y() + 1,
-                       highestCell(b.z()) - low.z() + 1, down, width, bits.data());
-          const std::uint64_t *some = bits.data(), *less = some + held.words;
-          std::int32_t* slot = slotOf_.data() + brickIndex(b);
-          for (int x = 0; x < brickDims_.x(); ++x) {
-            const auto bit = unsigned(cellOf(kBrickNodes * x));  // of the padded row
-            slot[x] = !(some[bit / 64] >> bit % 64 & 1)   ? kEmpty
-                      : !(less[bit / 64] >> bit % 64 & 1) ? kFull
-                                                          : 0;
-          }
-        }
-      });
+  holdTogether(held, lowest, highestCell(first.y()) - low.y() + 1,
+               highestCell(first.z()) - low.z() + 1, down, width, bits);
+  const std::uint64_t *some = bits, *less = some + held.words;
+  const auto index = std::int32_t(brickIndex(first));
+  const int perWord = int(HeldBits::kWord) / kBrickNodes * refine_;
+  std::int32_t count = 0;
+  for (int x = 0; x < brickDims_.x(); x += perWord, ++some, ++less) {
+    const std::uint64_t holds = bitsOfBricks(*some, refine_), lacks = bitsOfBricks(*less, refine_);
+    const int here = std::min(perWord, brickDims_.x() - x);
+    markFull(holds & ~lacks, here, slotOf_.data() + index + x);
+    std::uint64_t both = holds & lacks;
+    if (here < int(HeldBits::kWord)) both &= (std::uint64_t(1) << here) - 1;
+    for (; both != 0; both &= both - 1) mixed[count++] = index + x + std::countr_zero(both);
+  }
+  return count;
 }
 
 IndexBox ColourField::bricksIn(const Aabb& box) const {
@@ -147,6 +192,7 @@ void ColourField::setCellValue(std::int64_t cell, float value) {
   const std::int64_t at = cells_.place(c);
   if (cells_.value(at) == value) return;
   cells_.set(at, value);
+  if (pendingOf_.empty()) pendingOf_.assign(slotOf_.size(), 0);
   // Nodes nearer than two cells change; a vertex lies up to one node below them, and its normal
   // reads one node further both ways.
   const int reach = 2 * refine_;
@@ -188,6 +234,10 @@ std::span<const std::int64_t> ColourField::update() {
   touched_.swap(pending_);
   pending_.clear();
   std::sort(touched_.begin(), touched_.end());
+  if (originalOf_.empty() && !touched_.empty()) {
+    originalOf_.assign(slotOf_.size(), kUnedited);
+    builtBricks_ = RawArray<std::int32_t>();
+  }
   for (const std::int64_t b : touched_) {
     std::int32_t& s = slotOf_[b];
     if (!edited(b)) {
@@ -219,7 +269,8 @@ std::span<const std::int64_t> ColourField::update() {
 
 std::size_t ColourField::bytes() const {
   return cells_.bytes() + (values_.capacity() + originals_.capacity()) * sizeof(float) +
-         (slotOf_.capacity() + originalOf_.capacity()) * sizeof(std::int32_t) +
+         (slotOf_.capacity() + builtBricks_.capacity() + originalOf_.capacity()) *
+             sizeof(std::int32_t) +
          pendingOf_.capacity();
 }
 

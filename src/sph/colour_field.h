@@ -41,6 +41,14 @@ class ColourField {
 
   // refine: nodes per cell, 1 to 4. Evaluates all bricks.
   ColourField(const Discretization& cells, int refine);
+  // The same without the nodes of stored bricks, which are left to evaluateBuilt(): for who reads
+  // them as they come, while they are still in the cache.
+  struct NodesLater {};
+  ColourField(const Discretization& cells, int refine, NodesLater);
+  // The bricks that were stored when the field was built, ascending; the i-th has slot i. Known
+  // until the first edit.
+  std::span<const std::int32_t> builtBricks() const { return builtBricks_; }
+  void evaluateBuilt(std::size_t begin, std::size_t end);  // a part of them
 
   const Lattice& lattice() const { return lattice_; }
   int refine() const { return refine_; }
@@ -90,7 +98,9 @@ class ColourField {
   std::span<const std::int64_t> update();
 
   // Was a cell in reach of the brick's nodes changed since the field was built?
-  bool edited(std::int64_t brick) const { return originalOf_[brick] != kUnedited; }
+  bool edited(std::int64_t brick) const {
+    return !originalOf_.empty() && originalOf_[brick] != kUnedited;
+  }
   // nodes() and node() when the field was built: what was tissue before any edit.
   const float* originalNodes(const Vec3i& brick) const {
     const std::int64_t b = brickIndex(brick);
@@ -127,6 +137,8 @@ class ColourField {
   // that depends on the slot: which neighbours are full no processor guesses.
   const float* nodesByPhase(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const;
   void classifyBricks(const HeldBits& held);
+  std::int32_t classifyRow(const HeldBits& held, std::size_t row, std::uint64_t* bits,
+                           std::int32_t* mixed);
   Vec3i windowCell(const Vec3i& brick) const;
   int highestCell(int brick) const;
   PaddedCells::Held held(const Vec3i& brick) const;
@@ -137,15 +149,18 @@ class ColourField {
   int refine_;
   const FieldStencil* stencil_;
   Vec3i brickDims_;
-  PaddedCells cells_;                 // now
-  std::vector<std::int32_t> slotOf_;  // per brick
-  RawArray<float> values_;            // the nodes of stored bricks, by place()
+  PaddedCells cells_;              // now
+  RawArray<std::int32_t> slotOf_;  // per brick
+  RawArray<std::int32_t> builtBricks_;
+  RawArray<float> values_;  // the nodes of stored bricks, by place()
   std::vector<std::int32_t> freeSlots_;
-  std::vector<std::int32_t> originalOf_;  // per brick: what slotOf_ was, into originals_
-  RawArray<float> originals_;             // values_ of the bricks edited since, before
-  std::vector<std::uint8_t> pendingOf_;   // per brick: kPending and the planes of nodes to evaluate
-  std::vector<std::int64_t> pending_;     // bricks in reach of cells set since the last update
-  std::vector<std::int64_t> touched_;     // what the last update gave out
+  // Per brick, from the first edit on: what slotOf_ was, into originals_.
+  std::vector<std::int32_t> originalOf_;
+  RawArray<float> originals_;  // values_ of the bricks edited since, before
+  // Per brick, from the first edit on: kPending and the planes of nodes to evaluate.
+  std::vector<std::uint8_t> pendingOf_;
+  std::vector<std::int64_t> pending_;  // bricks in reach of cells set since the last update
+  std::vector<std::int64_t> touched_;  // what the last update gave out
 };
 
 }  // namespace resect

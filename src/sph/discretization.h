@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sph/colour_values.h"
 #include "sph/lattice.h"
 
 namespace resect {
@@ -12,9 +13,8 @@ namespace resect {
 // Arrays have one entry per lattice cell, x fastest.
 struct Discretization {
   Lattice lattice;
-  // Colour value in [0, 100]: per cent of the cell inside the organ (0 or 100 in the thesis's
-  // files).
-  std::vector<float> value;
+  // Per cent of the cell inside the organ (0 or 100 in the thesis's files).
+  ColourValues value;
   // 1 where the cell's centre is inside: these cells are the particles. Cells with value > 0 that
   // are no particle are the skin's share outside; each belongs to a particle beside it.
   std::vector<std::uint8_t> inside;

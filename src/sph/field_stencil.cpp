@@ -5,6 +5,7 @@
 #include "base/assert.h"
 #include "base/instruction_set.h"
 #include "sph/kernel.h"
+#include "sph/mirrored_sums.h"
 
 // Every function that gives such vectors is inlined: how they would be passed does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -12,34 +13,9 @@
 namespace resect {
 namespace {
 
-// The four nodes of a row of a brick, and two rows, which machines with eight lanes add at once.
-typedef float Row __attribute__((vector_size(16)));
-typedef float Half __attribute__((vector_size(32)));
-
-[[gnu::always_inline]] inline Row rowAt(const float* values) {
-  Row row;
-  std::memcpy(&row, values, sizeof row);
-  return row;
-}
-[[gnu::always_inline]] inline Half join(const Row& first, const Row& second) {
-  return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-[[gnu::always_inline]] inline Half half(const FieldStencil::HalfPlane& numbers) {
-  Half half;
-  std::memcpy(&half, numbers.data(), sizeof half);
-  return half;
-}
-
 float weightAt(const Vec3& cells) { return float(kernel(cells.norm(), kSmoothingPerSpacing)); }
 
 // ---- one or two nodes a cell: cells in mirror places are added first ----
-
-// The sums of cells in mirror places round a node along an axis: the nearest (its own cell, or the
-// two that it lies between) and those one further.
-template <typename T>
-struct Mirrored {
-  T near, far;
-};
 
 template <int kRefine>
 [[gnu::always_inline]] inline Mirrored<Row> mirroredAlongX(const float* cell) {
@@ -99,60 +75,23 @@ template <int kRefine, std::size_t kRows>
     }
 }
 
-// Two nodes a cell. For node i of a brick along an axis, from the cells (or sums of cells) along
-// it.
-template <typename At>
-[[gnu::always_inline]] inline auto mirrored(int i, At at) {
-  using T = std::decay_t<decltype(at(0))>;
-  const int h = i / 2;
-  if (i % 2 == 0) return Mirrored<T>{at(h + 1), at(h) + at(h + 2)};
-  return Mirrored<T>{at(h + 1) + at(h + 2), at(h) + at(h + 3)};
-}
-
-// Does a node at such a place along y and z reach the cells that are one further along the axes
-// named by the bits of k (x, y, z)? Midway between cells it is half a cell nearer to some.
-constexpr bool reaches(int y, int z, int k) {
-  const auto square = [](int node, bool further) {  // in half cells
-    return (node % 2 + 2 * further) * (node % 2 + 2 * further);
-  };
-  return square(0, k & 1) + square(y, k & 2) + square(z, k & 4) < 16;
-}
-
-// Rows 0 and 2 of the nodes lie alike in neighbouring rows of cells, and 1 and 3. Aims at 27 sums
-// and products a node, eight nodes at a time.
+// Two nodes a cell.
 [[gnu::always_inline]] inline void sumBetweenCells(const FieldStencil& stencil, const float* low,
                                                    std::ptrdiff_t alongY, std::ptrdiff_t alongZ,
                                                    unsigned planes, float* out) {
-  constexpr int kCells = 5;  // that a brick reaches along an axis
-  Mirrored<Half> rows[kCells][kCells - 1];
-  for (int z = 0; z < kCells; ++z) pairRows<2>(low + z * alongZ, alongY, rows[z]);
+  SumsBetween sums;
+  for (int z = 0; z < kCellsBetween; ++z) {
+    Mirrored<Half> rows[kCellsBetween - 1];
+    pairRows<2>(low + z * alongZ, alongY, rows);
 #pragma GCC unroll 2
-  for (int row = 0; row < 2; ++row) {
-    Half sums[kCells][4];  // of a plane of cells, x fastest
-    for (int z = 0; z < kCells; ++z) {
-      const auto near = mirrored(row, [&](int y) { return rows[z][y].near; });
-      const auto far = mirrored(row, [&](int y) { return rows[z][y].far; });
-      sums[z][0] = near.near, sums[z][1] = far.near, sums[z][2] = near.far, sums[z][3] = far.far;
-    }
-#pragma GCC unroll 4
-    for (int plane = 0; plane < kBrickNodes; ++plane) {
-      if (!(planes >> plane & 1)) continue;
-      const auto& weight = stencil.mirrored[row][plane % 2];
-      Half sum = {};
-#pragma GCC unroll 4
-      for (int k = 0; k < 4; ++k) {
-        const auto both = mirrored(plane, [&](int z) { return sums[z][k]; });
-        sum += reaches(row, plane, k + 4)
-                   ? both.near * half(weight[k]) + both.far * half(weight[4 + k])
-                   : both.near * half(weight[k]);
-      }
-      float* to = out + (plane * kBrickNodes + row) * kBrickNodes;
-      const Row first = __builtin_shufflevector(sum, sum, 0, 1, 2, 3),
-                second = __builtin_shufflevector(sum, sum, 4, 5, 6, 7);
-      std::memcpy(to, &first, sizeof first);
-      std::memcpy(to + 2 * kBrickNodes, &second, sizeof second);
+    for (int row = 0; row < 2; ++row) {
+      const auto near = mirrored(row, [&](int y) { return rows[y].near; });
+      const auto far = mirrored(row, [&](int y) { return rows[y].far; });
+      sums[row][z][0] = near.near, sums[row][z][1] = far.near;
+      sums[row][z][2] = near.far, sums[row][z][3] = far.far;
     }
   }
+  weighBetween(stencil, sums, planes, out);
 }
 
 void makeMirrored(FieldStencil& stencil) {

@@ -52,8 +52,8 @@ const FieldStencil& fieldStencil(int refine);
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 
-// The same of cells in levels (sph/levels.h), the same bits; strides in cells. Reads up to 16 cells
-// along x. With AVX2 where there is; the plain one for comparison.
+// The same of cells in levels (sph/colour_values.h), the same bits; strides in cells. Reads up to
+// 16 cells along x. With AVX2 where there is; the plain one for comparison.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 

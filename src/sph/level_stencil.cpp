@@ -1,10 +1,12 @@
-// How is a brick summed from cells in levels? With one node a cell and AVX2 as whole numbers, which
-// are half as wide; otherwise as colour values, like any other cells.
+// How is a brick summed from cells in levels? With one or two nodes a cell and AVX2 cells in mirror
+// places are added as whole numbers, which are half as wide; otherwise levels become colour values,
+// like any other cells.
 //
 // The same bits both ways: sums of levels have so few digits that they are exact as numbers too.
 #include "base/instruction_set.h"
+#include "sph/colour_values.h"
 #include "sph/field_stencil.h"
-#include "sph/levels.h"
+#include "sph/mirrored_sums.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -46,24 +48,33 @@ RESECT_AVX2 void widenRows(const Level* low, std::ptrdiff_t alongY, std::ptrdiff
     }
 }
 
+RESECT_AVX2 inline __m128i rowAt(const Level* from) {
+  return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
+}
+// Two rows of cells as four nodes of each see them: in either half of the vector eight sums along
+// x, 16 bits each, of the pairs of cells that `pairs` names; -1: none.
+RESECT_AVX2 inline __m256i alongX(__m128i first, __m128i second, __m128i pairs) {
+  const __m256i cells = _mm256_inserti128_si256(_mm256_castsi128_si256(first), second, 1);
+  return _mm256_maddubs_epi16(_mm256_shuffle_epi8(cells, _mm256_broadcastsi128_si256(pairs)),
+                              _mm256_set1_epi8(1));
+}
+
+RESECT_AVX2 inline __m256 colour(__m256i levels) {
+  return _mm256_mul_ps(_mm256_cvtepi32_ps(levels), _mm256_set1_ps(kLevel));
+}
+
+// ---- one node a cell ----
+
 // Of a plane of cells, for each of a brick's 16 nodes: the cell in line with it, those four beside
 // that and those four across. 16 bits each.
 struct PlaneSums {
   __m256i own, beside, across;
 };
 
-// Two rows of cells, the second two rows further, as four nodes of each see them: in either half of
-// the vector the four cells in line, then the sums of the two beside each along x.
+// Rows of cells two apart: the four cells in line, then the sums of the two beside each along x.
 RESECT_AVX2 inline __m256i twoRows(const Level* row, std::ptrdiff_t alongY) {
-  const auto load = [](const Level* from) RESECT_AVX2 {
-    return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
-  };
-  const __m256i cells =
-      _mm256_inserti128_si256(_mm256_castsi128_si256(load(row)), load(row + 2 * alongY), 1);
-  // In pairs whose sums are wanted; none: the upper bit.
-  const __m128i one = _mm_setr_epi8(1, -1, 2, -1, 3, -1, 4, -1, 0, 2, 1, 3, 2, 4, 3, 5);
-  return _mm256_maddubs_epi16(_mm256_shuffle_epi8(cells, _mm256_broadcastsi128_si256(one)),
-                              _mm256_set1_epi8(1));
+  return alongX(rowAt(row), rowAt(row + 2 * alongY),
+                _mm_setr_epi8(1, -1, 2, -1, 3, -1, 4, -1, 0, 2, 1, 3, 2, 4, 3, 5));
 }
 
 RESECT_AVX2 inline PlaneSums planeSums(const Level* plane, std::ptrdiff_t alongY) {
@@ -75,10 +86,6 @@ RESECT_AVX2 inline PlaneSums planeSums(const Level* plane, std::ptrdiff_t alongY
   return {_mm256_unpacklo_epi64(second, third),
           _mm256_add_epi16(_mm256_unpackhi_epi64(second, third), _mm256_unpacklo_epi64(even, odd)),
           _mm256_unpackhi_epi64(even, odd)};
-}
-
-RESECT_AVX2 inline __m256 colour(__m256i levels) {
-  return _mm256_mul_ps(_mm256_cvtepi32_ps(levels), _mm256_set1_ps(kLevel));
 }
 
 // As sumOnCells() in field_stencil.cpp does, cells in mirror places first. Aims at 6 instructions a
@@ -123,6 +130,40 @@ RESECT_AVX2 void sumLevels(const FieldStencil& stencil, const Level* low, std::p
   }
 }
 
+// ---- two nodes a cell ----
+
+// Neighbouring rows of cells: of each node the nearest along x, then those one further.
+RESECT_AVX2 inline __m256i pairOfRows(__m128i first, __m128i second) {
+  return alongX(first, second, _mm_setr_epi8(1, -1, 1, 2, 2, -1, 2, 3, 0, 2, 0, 3, 1, 3, 1, 4));
+}
+
+// Sums of the nearest and further rows along y become colour values, as weighBetween() takes them.
+RESECT_AVX2 inline void widen(__m256i near, __m256i far, Half* to) {
+  const __m256i zero = _mm256_setzero_si256();
+  to[0] = colour(_mm256_unpacklo_epi16(near, zero));
+  to[1] = colour(_mm256_unpackhi_epi16(near, zero));
+  to[2] = colour(_mm256_unpacklo_epi16(far, zero));
+  to[3] = colour(_mm256_unpackhi_epi16(far, zero));
+}
+
+// As sumBetweenCells() in field_stencil.cpp; what is added along x and y are whole numbers.
+RESECT_AVX2 void sumLevelsBetween(const FieldStencil& stencil, const Level* low,
+                                  std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes,
+                                  float* out) {
+  SumsBetween sums;
+#pragma GCC unroll 5
+  for (int z = 0; z < kCellsBetween; ++z, low += alongZ) {
+    const __m128i third = rowAt(low + 3 * alongY);
+    const __m256i rows01 = pairOfRows(rowAt(low), rowAt(low + alongY)),
+                  rows23 = pairOfRows(rowAt(low + 2 * alongY), third),
+                  rows34 = pairOfRows(third, rowAt(low + 4 * alongY)),
+                  rows12 = _mm256_permute2x128_si256(rows01, rows23, 0x21);
+    widen(rows12, _mm256_add_epi16(rows01, rows23), sums[0][z]);
+    widen(_mm256_add_epi16(rows12, rows23), _mm256_add_epi16(rows01, rows34), sums[1][z]);
+  }
+  weighBetween(stencil, sums, planes, out);
+}
+
 #endif
 
 }  // namespace
@@ -139,6 +180,8 @@ void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const Level* low,
 #if defined(__x86_64__)
   static const bool wide = __builtin_cpu_supports("avx2");
   if (wide && stencil.refine == 1) return sumLevels(stencil, low, alongY, alongZ, planes, out);
+  if (wide && stencil.refine == 2)
+    return sumLevelsBetween(stencil, low, alongY, alongZ, planes, out);
   if (wide) {
     alignas(32) float window[kWindow * kWindow * kWindowRow];
     widenRows(low, alongY, alongZ, sideOf(stencil), window);

@@ -1,134 +1,117 @@
 #include "sph/padded_cells.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstring>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/flag_bits.h"
 #include "base/growth.h"
-#include "base/instruction_set.h"
 #include "base/parallel.h"
 
 namespace resect {
 namespace {
 
-constexpr std::size_t kGrain = 4;    // planes that one thread takes
-constexpr std::size_t kStep = 32;    // bytes that are copied at once
+constexpr std::size_t kGrain = 4;  // planes that one thread takes
+// Bytes that are fetched ahead: a large organ's cells come from memory, and rows are short.
+constexpr std::size_t kAhead = 2048, kLine = 64;
+constexpr std::size_t kStep = 32;  // bytes that are copied at once
+constexpr std::size_t kWord = HeldBits::kWord;
 constexpr std::size_t kBehind = 16;  // cells after the last one that may be read
 constexpr std::size_t kAdded = PaddedCells::kBelow + PaddedCells::kAbove;
 
-// A plane of cells, without those that are added: as they will be kept, one after the other, and
-// what they hold. Cells are told in one go, not row by row: rows of small organs are short.
-template <typename Cell>
-struct ToldPlane {
-  RawArray<Cell> cells;
-  // One word before the first cell's and some behind, so that a row with the added cells may be
-  // read.
-  std::vector<std::uint64_t> some, full;
-
-  ToldPlane(std::size_t area, std::size_t wordsOfRow)
-      : cells(area + HeldBits::kWord),
-        some(area / HeldBits::kWord + wordsOfRow + 3),
-        full(some.size()) {}
+// Which of 64 cells hold anything, and which all they can? Bit = cell.
+struct HeldBy64 {
+  std::uint64_t some, full;
 };
 
-bool tell(const float* from, std::size_t count, ToldPlane<std::uint8_t>& told) {
-  return toLevels(from, count, told.cells.data(), told.some.data() + 1, told.full.data() + 1);
+[[gnu::always_inline]] inline HeldBy64 heldBy64(const std::uint8_t* levels) {
+  static_assert(kFullLevel == 0x80);  // no other level has its upper bit set
+  return {nonZero64(levels), upperBits64(levels)};
 }
-
-bool tell(const float* from, std::size_t count, ToldPlane<float>& told) {
-  std::copy_n(from, count, told.cells.begin());
-  std::fill_n(told.cells.begin() + std::ptrdiff_t(count), HeldBits::kWord, 0.f);
-  for (std::size_t i = 0; i < count; i += HeldBits::kWord) {
-    const float* of = told.cells.data() + i;
-    const std::size_t word = 1 + i / HeldBits::kWord;
-    told.some[word] = compared64(of, [](const FourValues& v) -> FourFlags { return v != 0.f; });
-    told.full[word] = compared64(of, [](const FourValues& v) -> FourFlags { return v == 100.f; });
-  }
-  return true;
+[[gnu::always_inline]] inline HeldBy64 heldBy64(const float* numbers) {
+  return {compared64(numbers, [](const FourValues& v) -> FourFlags { return v != 0.f; }),
+          compared64(numbers, [](const FourValues& v) -> FourFlags { return v == 100.f; })};
 }
 
 // The words of a row of `count` cells and of the added ones, with the bits of the former set.
-RawArray<std::uint64_t> bitsOfCells(std::size_t count, std::size_t words) {
-  RawArray<std::uint64_t> bits(words, 0);
+std::vector<std::uint64_t> bitsOfCells(std::size_t count, std::size_t words) {
+  std::vector<std::uint64_t> bits(words, 0);
   for (std::size_t i = PaddedCells::kBelow; i < PaddedCells::kBelow + count; ++i)
-    bits[i / HeldBits::kWord] |= std::uint64_t(1) << i % HeldBits::kWord;
+    bits[i / kWord] |= std::uint64_t(1) << i % kWord;
   return bits;
 }
 
-// Lays out a plane's rows of `width` cells and of their bits, `across` cells and `row` words apart.
-// The added cells behind each row and before the next one become empty; up to kStep bytes more may
-// be written. ofCells: bitsOfCells(). Aims at 40 instructions a short row.
+// Copies a row of cells, with empty ones behind it that reach into the next row, and tells what
+// they hold. Up to kStep bytes more may be written; `from` can be read from kBelow cells before the
+// row on, ofCells.size() words of them. What was just written is not read: such a read would wait.
+// Aims at 40 instructions for 64 cells.
 template <typename Cell>
-[[gnu::always_inline]] inline void layRows(const ToldPlane<Cell>& told, std::size_t width,
-                                           std::size_t rows, std::span<const std::uint64_t> ofCells,
-                                           std::size_t across, std::size_t row, Cell* to,
-                                           std::uint64_t* bits) {
-  const Cell* from = told.cells.data();
-  std::size_t start = HeldBits::kWord - PaddedCells::kBelow;  // bit of the first added cell
-  for (std::size_t y = 0; y < rows; ++y) {
-    for (std::size_t i = 0; i < width; i += kStep / sizeof(Cell))
-      std::memcpy(to + i, from + i, kStep);
-    std::memset(to + width, 0, kAdded * sizeof(Cell));
-    for (std::size_t w = 0; w < ofCells.size(); ++w) {
-      const std::size_t word = start / HeldBits::kWord + w, shift = start % HeldBits::kWord;
-      const auto from64 = [&](const std::vector<std::uint64_t>& words) {
-        return words[word] >> shift | words[word + 1] << 1 << (HeldBits::kWord - 1 - shift);
-      };
-      bits[w] = from64(told.some) & ofCells[w];
-      bits[ofCells.size() + w] = from64(told.full) & ofCells[w];
-    }
-    from += width;
-    start += width;
-    to += across;
-    bits += row;
+[[gnu::always_inline]] inline void layRow(const Cell* from, std::size_t width,
+                                          std::span<const std::uint64_t> ofCells, Cell* to,
+                                          std::uint64_t* bits) {
+  for (std::size_t i = 0; i < width; i += kLine / sizeof(Cell)) {
+    __builtin_prefetch(from + i + kAhead / sizeof(Cell));
+    __builtin_prefetch(to + i + kAhead / sizeof(Cell), 1);
+  }
+  for (std::size_t i = 0; i < width; i += kStep / sizeof(Cell))
+    std::memcpy(to + i, from + i, kStep);
+  std::memset(to + width, 0, kAdded * sizeof(Cell));
+  for (std::size_t w = 0; w < ofCells.size(); ++w) {
+    const HeldBy64 held = heldBy64(from - PaddedCells::kBelow + w * kWord);
+    bits[w] = held.some & ofCells[w];
+    bits[ofCells.size() + w] = held.full & ofCells[w];
   }
 }
-RESECT_WIDEST
-void layPlane(const ToldPlane<std::uint8_t>& told, std::size_t width, std::size_t rows,
-              std::span<const std::uint64_t> ofCells, std::size_t across, std::size_t row,
-              std::uint8_t* to, std::uint64_t* bits) {
-  layRows(told, width, rows, ofCells, across, row, to, bits);
-}
-RESECT_WIDEST
-void layPlane(const ToldPlane<float>& told, std::size_t width, std::size_t rows,
-              std::span<const std::uint64_t> ofCells, std::size_t across, std::size_t row,
-              float* to, std::uint64_t* bits) {
-  layRows(told, width, rows, ofCells, across, row, to, bits);
+
+// The rows of a plane of cells, `across` cells and `row` words apart, the first at `to`.
+// Rows so near the ends of `all` that more would be read than there is are copied first.
+template <typename Cell>
+void layRows(std::span<const Cell> all, std::size_t first, std::size_t width, std::size_t rows,
+             std::span<const std::uint64_t> ofCells, std::size_t across, std::size_t row, Cell* to,
+             std::uint64_t* bits) {
+  constexpr std::size_t kBelow = PaddedCells::kBelow;
+  const std::size_t read = std::max(ofCells.size() * kWord, kBelow + width + kStep);
+  std::vector<Cell> apart(kBelow + read);
+  for (std::size_t y = 0; y < rows; ++y, first += width, to += across, bits += row) {
+    const Cell* from = all.data() + first;
+    if (first < kBelow || first + read > all.size()) [[unlikely]] {
+      std::copy_n(from, width, apart.begin() + kBelow);
+      from = apart.data() + kBelow;
+    }
+    layRow(from, width, ofCells, to, bits);
+  }
 }
 
-// Copies all cells and finds what they hold. False if they cannot be kept so.
+// Copies all cells and finds what they hold.
 template <typename Cell>
-bool copyCells(const Discretization& cells, const Vec3i& paddedDims, HeldBits& held,
-               RawArray<Cell>& padded) {
+ColourValues padded(std::span<const Cell> cells, const Vec3i& dims, const Vec3i& paddedDims,
+                    HeldBits& held) {
   constexpr std::size_t kFirst = PaddedCells::kBelow;
-  const auto width = std::size_t(cells.lattice.dims.x()),
-             rows = std::size_t(cells.lattice.dims.y()), area = width * rows;
+  const auto width = std::size_t(dims.x()), rows = std::size_t(dims.y());
   const auto across = std::size_t(paddedDims.x()), down = std::size_t(paddedDims.y());
   const std::size_t count = across * down * std::size_t(paddedDims.z());
-  growTo(padded, count + kBehind);
-  std::fill_n(padded.begin() + std::ptrdiff_t(count), kBehind, Cell(0));
-  const RawArray<std::uint64_t> ofCells = bitsOfCells(width, held.words);
-  std::atomic<bool> kept = true;
+  RawArray<Cell> all;
+  growTo(all, count + kBehind);
+  std::fill_n(all.begin() + std::ptrdiff_t(count), kBehind, Cell(0));
+  const std::vector<std::uint64_t> ofCells = bitsOfCells(width, held.words);
   parallelFor(std::size_t(paddedDims.z()), kGrain, [&](std::size_t begin, std::size_t end) {
-    ToldPlane<Cell> told(area, held.words);
-    for (std::size_t plane = begin; plane < end && kept; ++plane) {
-      Cell* to = padded.data() + plane * down * across;
+    for (std::size_t plane = begin; plane < end; ++plane) {
+      Cell* to = all.data() + plane * down * across;
       Cell* const last = to + down * across;
       std::uint64_t* bits = held.bits.data() + plane * down * held.row;
       std::fill_n(bits, down * held.row, 0);
-      if (plane >= kFirst && plane < kFirst + std::size_t(cells.lattice.dims.z())) {
-        if (!tell(cells.value.data() + (plane - kFirst) * area, area, told)) kept = false;
+      if (plane >= kFirst && plane < kFirst + std::size_t(dims.z())) {
         to = std::fill_n(to, kFirst * across + kFirst, Cell(0));
-        layPlane(told, width, rows, ofCells, across, held.row, to, bits + kFirst * held.row);
+        layRows(cells, (plane - kFirst) * width * rows, width, rows, ofCells, across, held.row, to,
+                bits + kFirst * held.row);
         to += rows * across;
       }
       std::fill(to, last, Cell(0));
     }
   });
-  return kept;
+  return ColourValues(std::move(all));
 }
 
 template <typename Cell>
@@ -149,30 +132,17 @@ PaddedCells::Held heldBy(const Cell* first, const Vec3i& dims, std::ptrdiff_t al
 PaddedCells::PaddedCells(const Discretization& cells, HeldBits& held)
     : dims_(cells.lattice.dims + Vec3i::Constant(int(kAdded))) {
   held = HeldBits(std::size_t(dims_.y()) * std::size_t(dims_.z()), std::size_t(dims_.x()));
-  if (copyCells(cells, dims_, held, levels_)) return;
-  levels_ = RawArray<std::uint8_t>();  // {} would keep its memory
-  copyCells(cells, dims_, held, numbers_);
-}
-
-void PaddedCells::set(std::int64_t at, float value) {
-  std::uint8_t level = 0;
-  if (byBytes() && !toLevel(value, level)) {
-    growTo(numbers_, levels_.size());
-    std::transform(levels_.begin(), levels_.end(), numbers_.begin(),
-                   [](std::uint8_t number) { return float(number) * kLevel; });
-    levels_ = RawArray<std::uint8_t>();
-  }
-  if (byBytes())
-    levels_[std::size_t(at)] = level;
-  else
-    numbers_[std::size_t(at)] = value;
+  const ColourValues& values = cells.value;
+  values_ = values.areLevels() ? padded(values.levels(), cells.lattice.dims, dims_, held)
+                               : padded(values.numbers(), cells.lattice.dims, dims_, held);
 }
 
 PaddedCells::Held PaddedCells::heldIn(const Vec3i& low, const Vec3i& dims) const {
   const std::ptrdiff_t alongY = dims_.x(), alongZ = alongY * dims_.y();
   const auto at = place(low);
-  return byBytes() ? heldBy(levels_.data() + at, dims, alongY, alongZ, kFullLevel)
-                   : heldBy(numbers_.data() + at, dims, alongY, alongZ, 100.f);
+  return values_.areLevels()
+             ? heldBy(values_.levels().data() + at, dims, alongY, alongZ, kFullLevel)
+             : heldBy(values_.numbers().data() + at, dims, alongY, alongZ, 100.f);
 }
 
 }  // namespace resect

@@ -1,18 +1,13 @@
 // The colour values of a lattice's cells, with empty cells round them, so that who looks beyond the
 // lattice's ends need not ask where they are.
-//
-// As levels (sph/levels.h), a byte each, while all are such: a large organ's cells then take a
-// quarter of the waiting for memory. From the first other value on, as numbers.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
-#include "base/raw_array.h"
 #include "base/vec.h"
 #include "sph/discretization.h"
 #include "sph/held_bits.h"
-#include "sph/levels.h"
 
 namespace resect {
 
@@ -30,12 +25,9 @@ class PaddedCells {
     const Vec3i c = cell + Vec3i::Constant(kBelow);
     return (std::int64_t(c.z()) * dims_.y() + c.y()) * dims_.x() + c.x();
   }
-  float value(std::int64_t at) const {
-    return byBytes() ? float(levels_[std::size_t(at)]) * kLevel : numbers_[std::size_t(at)];
-  }
-  // value: in [0, 100]. The first one that is not a whole number of levels costs a pass over all
-  // cells.
-  void set(std::int64_t at, float value);
+  float value(std::int64_t at) const { return values_[std::size_t(at)]; }
+  // value: in [0, 100]. See ColourValues::set().
+  void set(std::int64_t at, float value) { values_.set(std::size_t(at), value); }
   // Do all cells of a box hold nothing, all they can, or neither? low: the lattice's cell where it
   // begins.
   enum class Held { Nothing, All, Mixed };
@@ -43,17 +35,14 @@ class PaddedCells {
   // look(cells): with the cells from place `at` on, std::uint8_t (levels) or float.
   template <typename Look>
   [[gnu::always_inline]] void lookAt(std::int64_t at, Look look) const {
-    byBytes() ? look(levels_.data() + at) : look(numbers_.data() + at);
+    values_.areLevels() ? look(values_.levels().data() + at) : look(values_.numbers().data() + at);
   }
 
-  std::size_t bytes() const { return levels_.capacity() + numbers_.capacity() * sizeof(float); }
+  std::size_t bytes() const { return values_.bytes(); }
 
  private:
-  bool byBytes() const { return numbers_.empty(); }
-
   Vec3i dims_ = Vec3i::Zero();
-  RawArray<std::uint8_t> levels_;
-  RawArray<float> numbers_;
+  ColourValues values_;
 };
 
 }  // namespace resect

@@ -130,7 +130,7 @@ TEST_CASE("inside rows are those above 0 if their number fits, else the first on
 TEST_CASE("an organ without particles is a file without rows") {
   Discretization d;
   d.lattice = settled({{0.1, 0.2, 0.3}, {0.1, 0.1, 0.1}, {2, 2, 2}});
-  d.value.assign(8, 0);
+  d.value = ColourValues(8);
   d.inside.assign(8, 0);
   CHECK(sameBits(d, parseDiscretization(formatDiscretization(d), "empty")));
 }

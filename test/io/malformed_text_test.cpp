@@ -47,7 +47,8 @@ TEST_CASE("malformed discretisation files end in a sentence or in a valid organ"
     const Discretization cells = readDiscretization(path);
     const auto count = cells.lattice.dims.cast<std::int64_t>().prod();
     CHECK(std::int64_t(cells.value.size()) == count);
-    for (const float value : cells.value) CHECK((value >= 0 && value <= 100));
+    for (std::size_t i = 0; i < cells.value.size(); ++i)
+      CHECK((cells.value[i] >= 0 && cells.value[i] <= 100));
   });
 }
 

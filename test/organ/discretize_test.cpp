@@ -65,7 +65,7 @@ TEST_CASE("a box that fits its lattice fills its cells completely") {
   const Aabb box{{0, 0, 0}, {0.05, 0.03, 0.02}};
   const Discretization d = discretize(boxMesh(box), latticeForSpacing(box, 0.01));
   CHECK(d.particleCount() == 30);
-  for (const float v : d.value) CHECK(v == 100);
+  for (std::size_t i = 0; i < d.value.size(); ++i) CHECK(d.value[i] == 100);
   CHECK(d.volume() == doctest::Approx(volume(boxMesh(box))));
 }
 

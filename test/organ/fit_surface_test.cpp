@@ -13,7 +13,7 @@
 #include "organ/discretize.h"
 #include "organ/organ.h"
 #include "sph/colour_field.h"
-#include "sph/levels.h"
+#include "sph/colour_values.h"
 #include "support/surface_look.h"
 
 using namespace resect;
@@ -89,10 +89,9 @@ TEST_CASE("shares and fitted values are whole levels, so the field of both holds
   Discretization after = before, numbers = before;
   fitSurface(body(), after);
   CHECK(after.value != before.value);
-  std::uint8_t level = 0;
-  for (const float value : before.value) REQUIRE(toLevel(value, level));
-  for (const float value : after.value) REQUIRE(toLevel(value, level));
-  numbers.value[0] = 33.3f;
+  CHECK(before.value.areLevels());
+  CHECK(after.value.areLevels());
+  numbers.value.set(0, 33.3f);
   const std::size_t asNumbers = ColourField(numbers, 1).bytes();
   CHECK(ColourField(before, 1).bytes() + 3 * before.value.size() < asNumbers);
   CHECK(ColourField(after, 1).bytes() + 3 * before.value.size() < asNumbers);
@@ -101,19 +100,19 @@ TEST_CASE("shares and fitted values are whole levels, so the field of both holds
 TEST_CASE("a box that fits its lattice is left as it is") {
   const Aabb box{{0, 0, 0}, {0.05, 0.03, 0.02}};
   Discretization cells = discretize(boxMesh(box), latticeForSpacing(box, 0.01));
-  const std::vector<float> before = cells.value;
+  const ColourValues before = cells.value;
   fitSurface(boxMesh(box), cells);
   CHECK(cells.value == before);
 }
 
 TEST_CASE("fitting gives the same bits at 1, 2 and 3 threads") {
   const Discretization start = shares();
-  std::vector<float> first;
+  ColourValues first;
   for (const int threads : {1, 2, 3}) {
     const ThreadLimit limit(threads);
     Discretization cells = start;
     fitSurface(body(), cells);
-    if (first.empty()) first = cells.value;
+    if (first.size() == 0) first = cells.value;
     CHECK(cells.value == first);
   }
 }

@@ -31,7 +31,7 @@ Outcome editAtRandom(const Discretization& cells, int threads) {
   for (int edit = 0; edit < 1000; ++edit) {
     for (const auto& [cell, value] : test::randomEdit(cells, random)) {
       field.setCellValue(cell, value);
-      now.value[cell] = value;
+      now.value.set(cell, value);
     }
     tracker.update(field, field.update());
     outcome.trianglesAfterEdit.push_back(tracker.triangleCount());

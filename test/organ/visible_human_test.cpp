@@ -72,7 +72,8 @@ TEST_CASE("the Visible Human liver at 5 mm keeps its volume, its place and its n
   CHECK(fit.deviation.shadingAngle < 0.85 * fractional.deviation.shadingAngle);
 
   // Values of 0 or 100, as in the thesis, show stairs.
-  for (std::size_t i = 0; i < cells.value.size(); ++i) cells.value[i] = cells.inside[i] ? 100 : 0;
+  for (std::size_t i = 0; i < cells.value.size(); ++i)
+    cells.value.set(i, cells.inside[i] ? 100 : 0);
   const Likeness stairs = likeness(cells, *liver);
   CHECK(stairs.deviation.distance > 2 * fractional.deviation.distance);
   CHECK(stairs.deviation.faceAngle > 2 * fractional.deviation.faceAngle);

@@ -22,7 +22,9 @@ struct Reference {
   explicit Reference(const Discretization& d)
       : sums(positions(d), std::vector<double>(d.value.size(), d.lattice.cellVolume()),
              kSmoothingPerSpacing * d.lattice.spacing.x()),
-        attribute(d.value.begin(), d.value.end()) {}
+        attribute(d.value.size()) {
+    for (std::size_t i = 0; i < attribute.size(); ++i) attribute[i] = d.value[i];
+  }
   static std::vector<Vec3> positions(const Discretization& d) {
     std::vector<Vec3> p;
     for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i)
@@ -110,7 +112,7 @@ TEST_CASE("after any edits the field is bit for bit the one built from the edite
       for (int i = 0; i < 20; ++i) {
         const int cell = random.below(int(d.value.size()));
         const float v = random.below(4) == 0 ? 100.f : 0.f;
-        d.value[cell] = v;
+        d.value.set(cell, v);
         field.setCellValue(cell, v);
       }
       field.update();
@@ -129,10 +131,10 @@ TEST_CASE(
         const std::int64_t middle = random.below(int(d.value.size()));
         for (std::int64_t i = 0; i < std::int64_t(d.value.size()); ++i)
           if ((d.lattice.cell(i) - d.lattice.cell(middle)).cwiseAbs().maxCoeff() < 3)
-            d.value[std::size_t(i)] = hole < 4 ? 0.f : 30.f;
+            d.value.set(std::size_t(i), hole < 4 ? 0.f : 30.f);
       }
       Discretization nothing = d;
-      std::fill(nothing.value.begin(), nothing.value.end(), 0.f);
+      nothing.value = ColourValues(d.value.size());
       ColourField field(nothing, refine);
       for (std::int64_t i = 0; i < std::int64_t(d.value.size()); ++i)
         field.setCellValue(i, d.value[std::size_t(i)]);
@@ -146,11 +148,14 @@ TEST_CASE("cells held as levels give the bits that they give as numbers") {
   for (int refine : {1, 2, 3, 4})
     for (const int across : {3, 16, 21, 70, 131}) {
       Discretization d = test::noise({across, 6, 5}, std::uint64_t(across));
-      for (float& value : d.value) value = kLevel * std::floor(value / kLevel);
+      ColourValues levels(d.value.size());
+      for (std::size_t i = 0; i < levels.size(); ++i)
+        levels.set(i, kLevel * std::floor(d.value[i] / kLevel));
+      d.value = levels;
       ColourField bytes(d, refine), edited(d, refine);
       const auto cell = std::int64_t(random.below(int(d.value.size())));
       Discretization other = d;
-      other.value[std::size_t(cell)] = 33.3f;
+      other.value.set(std::size_t(cell), 33.3f);
       ColourField numbers(other, refine);
       edited.setCellValue(cell, 33.3f);
       edited.update();

@@ -16,9 +16,10 @@ Discretization fill(const Vec3i& dims, double s, Value value) {
   d.lattice.origin = Vec3(0.01, -0.02, 0.03);
   d.lattice.spacing = Vec3::Constant(s);
   d.lattice.dims = dims;
+  d.value = ColourValues(std::size_t(d.lattice.cellCount()));
   for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i) {
     const float v = float(value(d.lattice.cell(i)));
-    d.value.push_back(v);
+    d.value.set(std::size_t(i), v);
     d.inside.push_back(v >= 50);
   }
   return d;

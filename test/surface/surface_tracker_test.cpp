@@ -132,7 +132,7 @@ TEST_CASE(
       tracker.update(field, field.update());
       if (edit % 50 != 49) continue;
       Discretization now = d;
-      for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i) now.value[i] = field.cellValue(i);
+      for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i) now.value.set(i, field.cellValue(i));
       const auto compact = test::withLook(tracker, field);
       const auto rebuilt = test::withLook(field, 50);
       REQUIRE(same(compact, rebuilt));
