@@ -90,18 +90,13 @@ Findings rebuildAgainstOpenVdb(const Effort& effort) {
       line.goal = c.goal;
       VdbSurface theirs;
       double ours = 0;
-      timeBoth(
-          [&] {
-            const ColourField field(cells, c.refine);
-            SurfaceTracker surface(field, 50);
-          },
-          [&] { theirs = rasterize(*points, spacing, c.refine); }, effort, line);
-      const ColourField field(cells, c.refine);
-      ours = volume(SurfaceTracker(field, 50).mesh());
-      line.agreement =
-          fmt::format("another function: encloses {:+.1f} %, {} and {} triangles",
-                      100 * (theirs.volume() / ours - 1), SurfaceTracker(field, 50).triangleCount(),
-                      theirs.triangles.size() + 2 * theirs.quads.size());
+      timeBoth([&] { buildFieldAndSurface(cells, c.refine, 50); },
+               [&] { theirs = rasterize(*points, spacing, c.refine); }, effort, line);
+      const SurfaceTracker surface = buildFieldAndSurface(cells, c.refine, 50).surface;
+      ours = volume(surface.mesh());
+      line.agreement = fmt::format("another function: encloses {:+.1f} %, {} and {} triangles",
+                                   100 * (theirs.volume() / ours - 1), surface.triangleCount(),
+                                   theirs.triangles.size() + 2 * theirs.quads.size());
       findings.comparisons.push_back(std::move(line));
     }
   }

@@ -43,10 +43,7 @@ Findings rebuildAgainstVtk(const Effort& effort) {
       line.threads = threads;
       line.goal = c.goal;
       timeBoth(
-          [&] {
-            const ColourField fresh(cells, c.refine);
-            triangles = SurfaceTracker(fresh, 50).triangleCount();
-          },
+          [&] { triangles = buildFieldAndSurface(cells, c.refine, 50).surface.triangleCount(); },
           [&] { vtk.recompute(); }, effort, line);
       line.agreement =
           fmt::format("field to {:.0e}; {} and {} triangles; {} of {} nodes evaluated",
@@ -58,8 +55,8 @@ Findings rebuildAgainstVtk(const Effort& effort) {
         line.goal = 0;
         timeBoth(
             [&] {
-              const ColourField fresh(cells, c.refine);
-              SurfaceTracker(fresh, 50).updateLook(fresh);
+              auto [fresh, surface] = buildFieldAndSurface(cells, c.refine, 50);
+              surface.updateLook(fresh);
             },
             [&] { vtk.recompute(true); }, effort, line);
         findings.comparisons.push_back(line);

@@ -25,6 +25,16 @@ void buildSurface(benchmark::State& state) {
   state.counters["per triangle"] = timePer(triangles);
 }
 
+void buildBoth(benchmark::State& state) {
+  const Discretization cells = bench::liverCells(double(state.range(0)));
+  double triangles = 0;
+  for (auto _ : state)
+    triangles =
+        double(buildFieldAndSurface(cells, int(state.range(1)), 50).surface.triangleCount());
+  state.counters["triangles"] = triangles;
+  state.counters["per triangle"] = timePer(triangles);
+}
+
 // Normals and shares of cut, for a picture of it.
 void buildLook(benchmark::State& state) {
   const ColourField field(bench::liverCells(double(state.range(0))), int(state.range(1)));
@@ -63,6 +73,7 @@ void sizes(benchmark::internal::Benchmark* b) {
   b->UseRealTime();
 }
 BENCHMARK(buildSurface)->Apply(bench::upToAMillionOfNodes)->Unit(benchmark::kMillisecond);
+BENCHMARK(buildBoth)->Apply(bench::upToAMillionOfNodes)->Unit(benchmark::kMillisecond);
 BENCHMARK(buildLook)->Apply(bench::upToAMillionOfNodes)->Unit(benchmark::kMillisecond);
 BENCHMARK(updateAfterBite)->Apply(sizes)->Unit(benchmark::kMicrosecond);
 

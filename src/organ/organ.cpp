@@ -42,8 +42,7 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
         "the organ has no particle at a spacing of {:.3g} mm: no cell centre lies inside; use a "
         "smaller spacing",
         1e3 * cells.lattice.spacing.maxCoeff());
-  ColourField field(cells, settings.refine);
-  SurfaceTracker surface(field, settings.iso);
+  auto [field, surface] = buildFieldAndSurface(cells, settings.refine, settings.iso);
   std::vector<std::uint8_t> alive = cells.inside;
   for (std::size_t i = 0; i < alive.size(); ++i)
     if (!alive[i] && cells.value[i] > 0 && ownerCell(cells, std::int64_t(i)) == std::int64_t(i))

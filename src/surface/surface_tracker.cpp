@@ -32,45 +32,8 @@ SurfaceTracker::SurfaceTracker(const ColourField& field, float iso, const Wound*
 }
 
 void SurfaceTracker::setIso(const ColourField& field, float iso, const Wound* wound) {
-  RESECT_ASSERT(iso >= kMinIso && iso <= kMaxIso);
   iso_ = iso;
-  const RawArray<std::int64_t> withMesh = clear(field, wound);
-  changes_.everything = true;
-  remesh(field, withMesh, wound);
-}
-
-// Gives each brick that shall hold a mesh a record, and returns them.
-RawArray<std::int64_t> SurfaceTracker::clear(const ColourField& field, const Wound* wound) {
-  // Beyond the grid's end: see above().
-  const std::size_t bricks = std::size_t(field.brickCount());
-  const std::size_t beyond = std::size_t(field.brickIndex({1, 1, 1}));
-  recordOf_.assign(bricks + beyond, kOutside);
-  RawArray<std::int64_t> withMesh(bricks);
-  std::size_t count = 0;
-  for (std::size_t b = 0; b < bricks; ++b) {
-    const std::int32_t slot = field.slot(std::int64_t(b));
-    const bool has = slot >= 0 || (wound && wound->severed.near(std::int64_t(b)));
-    recordOf_[b] = has                          ? std::int32_t(count) + kFirstOwn
-                   : slot == ColourField::kFull ? kInside
-                                                : kOutside;
-    withMesh[count] = std::int64_t(b);
-    count += has;
-  }
-  withMesh.resize(count);
-  bricks_.clear();
-  reserveFor(bricks_, count + kFirstOwn);
-  bricks_.resize(count + kFirstOwn);
-  bricks_[kInside].signs.inside = ~std::uint64_t(0);
-  freeRecords_.clear();
-  wounds_.clear();
-  freeWounds_.clear();
-  vertexSpace_ = {};
-  triangleSpace_ = {};
-  points_.clear();
-  edges_.clear();
-  triangles_.clear();
-  triangleCount_ = 0;
-  return withMesh;
+  meshAll(field, nullptr, wound);
 }
 
 void SurfaceTracker::update(const ColourField& field, std::span<const std::int64_t> touched) {
@@ -148,7 +111,12 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   changes_.bricks = std::int64_t(bricks.size());
   findInside(field, bricks, wound);
   findCrossings(field, bricks);
-  if (wound) meshWounds(field, bricks, *wound);
+  if (wound) {
+    woundBricks_.clear();
+    for (const std::int64_t b : bricks)
+      if (meshOf(b).wound != kNone) woundBricks_.push_back(b);
+    meshWounds(field, *wound);
+  }
   placeVertices(field, bricks);
   lookIsDue(bricks);
   const NodeGrid grid(field, iso_);
@@ -177,7 +145,7 @@ void SurfaceTracker::findInside(const ColourField& field, std::span<const std::i
     renumbered_[i] = stored != hasMesh(b);
     if (!stored) {
       dropRecord(b);
-      recordOf_[b] = recordWithoutMesh(field, b);
+      recordOf_[b] = recordWithoutMesh(field.slot(b));
       continue;
     }
     if (!hasMesh(b)) takeRecord(b);
@@ -197,11 +165,8 @@ void SurfaceTracker::findCrossings(const ColourField& field, std::span<const std
   });
 }
 
-void SurfaceTracker::meshWounds(const ColourField& field, std::span<const std::int64_t> bricks,
-                                const Wound& wound) {
-  woundBricks_.clear();
-  for (const std::int64_t b : bricks)
-    if (meshOf(b).wound != kNone) woundBricks_.push_back(b);
+// Meshes the wounds of woundBricks_.
+void SurfaceTracker::meshWounds(const ColourField& field, const Wound& wound) {
   parallelFor(woundBricks_.size(), kWoundGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const BrickMesh& mesh = meshOf(woundBricks_[i]);
@@ -215,31 +180,25 @@ void SurfaceTracker::meshWounds(const ColourField& field, std::span<const std::i
 // share its vertices, are to be drawn again if their numbers changed.
 void SurfaceTracker::placeVertices(const ColourField& field, std::span<const std::int64_t> bricks) {
   retriangulate_.clear();
-  const bool everything = changes_.everything;
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const std::int64_t b = bricks[i];
     bool drawOwn = false;
     if (hasMesh(b)) {
       BrickMesh& mesh = meshOf(b);
       const BrickWound* wound = mesh.wound == kNone ? nullptr : &wounds_[std::size_t(mesh.wound)];
-      const std::int32_t count =
-          mesh.signs.vertexCount() + (wound ? std::int32_t(wound->vertices.size()) : 0);
+      const std::int32_t count = vertexCountOf(mesh);
       if (RangeAllocator::roundedUp(count) != RangeAllocator::roundedUp(mesh.vertices)) {
         if (mesh.vertices > 0) vertexSpace_.release(mesh.firstVertex, mesh.vertices);
         mesh.firstVertex = count > 0 ? vertexSpace_.take(count) : 0;
         renumbered_[i] = true;
       }
       mesh.vertices = count;
-      if (count > 0 && !everything)
+      if (count > 0)
         changes_.vertices.push_back({mesh.firstVertex, RangeAllocator::roundedUp(count)});
       if (wound) {
         drawOwn = true;
         renumbered_[i] |= wound->renumbered;
       }
-    }
-    if (everything) {
-      if (hasMesh(b)) retriangulate_.push_back(b);
-      continue;
     }
     if (!renumbered_[i] && !drawOwn) continue;
     const Vec3i at = field.brick(b);
@@ -272,18 +231,27 @@ void SurfaceTracker::writeVertices(const ColourField& field, const NodeGrid& gri
   while (at < end) points_[at++] = Vec3f::Zero();  // room to grow
 }
 
+std::int32_t SurfaceTracker::vertexCountOf(const BrickMesh& mesh) const {
+  const std::size_t ofWound =
+      mesh.wound == kNone ? 0 : wounds_[std::size_t(mesh.wound)].vertices.size();
+  return mesh.signs.vertexCount() + std::int32_t(ofWound);
+}
+
+std::int32_t SurfaceTracker::triangleCountOf(const ColourField& field, std::int64_t brick) const {
+  const BrickMesh& mesh = meshOf(brick);
+  if (mesh.wound == kNone) return mesh.wholeTriangles;
+  const BrickWound& cut = wounds_[std::size_t(mesh.wound)];
+  const auto corners = cornerMasks(above(field, brick).inside);
+  return countTriangles(corners, crossedCells(corners) & ~cut.cells) +
+         std::int32_t(cut.triangles.size());
+}
+
 // Gives each brick that is to be drawn again room for its triangles.
 void SurfaceTracker::placeTriangles(const ColourField& field) {
   for (const std::int64_t b : retriangulate_) {
     BrickMesh& mesh = meshOf(b);
     mesh.drawAgain = false;
-    std::int32_t count = mesh.wholeTriangles;
-    if (mesh.wound != kNone) {
-      const BrickWound& cut = wounds_[std::size_t(mesh.wound)];
-      const auto corners = cornerMasks(above(field, b).inside);
-      count = countTriangles(corners, crossedCells(corners) & ~cut.cells) +
-              std::int32_t(cut.triangles.size());
-    }
+    const std::int32_t count = triangleCountOf(field, b);
     if (mesh.triangles > 0) changes_.triangles.push_back({mesh.firstTriangle, mesh.triangles});
     if (RangeAllocator::roundedUp(count) != RangeAllocator::roundedUp(mesh.triangles)) {
       if (mesh.triangles > 0) {
@@ -294,8 +262,7 @@ void SurfaceTracker::placeTriangles(const ColourField& field) {
     }
     triangleCount_ += count - mesh.triangles;
     mesh.triangles = count;
-    if (count > 0 && !changes_.everything)
-      changes_.triangles.push_back({mesh.firstTriangle, count});
+    if (count > 0) changes_.triangles.push_back({mesh.firstTriangle, count});
   }
   growTo(triangles_, std::size_t(triangleSpace_.end()));
 }

@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/raw_array.h"
 #include "collision/columns.h"
 #include "geometry/triangle_mesh.h"
@@ -33,6 +34,8 @@ namespace resect {
 struct IndexRange {
   std::int32_t first, count;
 };
+
+struct FieldAndSurface;
 
 class SurfaceTracker {
  public:
@@ -140,18 +143,26 @@ class SurfaceTracker {
   BrickMesh& meshOf(std::int64_t brick) {
     return bricks_[std::size_t(recordOf_[std::size_t(brick)])];
   }
-  static std::int32_t recordWithoutMesh(const ColourField& field, std::int64_t brick) {
-    return field.slot(brick) == ColourField::kFull ? kInside : kOutside;
+  static std::int32_t recordWithoutMesh(std::int32_t slot) {
+    return slot == ColourField::kFull ? kInside : kOutside;
   }
-  RawArray<std::int64_t> clear(const ColourField& field, const Wound* wound);
+  friend FieldAndSurface buildFieldAndSurface(const Discretization&, int, float);
+  SurfaceTracker() = default;
+  // The steps of making all anew.
+  void meshAll(const ColourField& field, const RangeBody* evaluate, const Wound* wound);
+  RawArray<std::int32_t> numberRecords(const ColourField& field, const Wound* wound);
+  void clear(const ColourField& field, std::size_t bricks);
+  void tellInside(const ColourField& field, std::span<const std::int32_t> bricks, std::size_t begin,
+                  std::size_t end);
+  void placeAll(const ColourField& field, std::span<const std::int32_t> bricks, std::size_t begin,
+                std::size_t end, std::vector<std::int32_t>& surfaced);
   // The steps of a remeshing.
   void remesh(const ColourField& field, std::span<const std::int64_t> bricks, const Wound* wound);
   void findInside(const ColourField& field, std::span<const std::int64_t> bricks,
                   const Wound* wound);
   void findCrossings(const ColourField& field, std::span<const std::int64_t> bricks);
   bool findCrossings(const ColourField& field, std::int64_t brick);
-  void meshWounds(const ColourField& field, std::span<const std::int64_t> bricks,
-                  const Wound& wound);
+  void meshWounds(const ColourField& field, const Wound& wound);
   void placeVertices(const ColourField& field, std::span<const std::int64_t> bricks);
   void writeVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
   void lookIsDue(std::span<const std::int64_t> bricks);
@@ -160,6 +171,8 @@ class SurfaceTracker {
   template <typename Visit>
   void visitVertices(Visit visit) const;
   void placeTriangles(const ColourField& field);
+  std::int32_t vertexCountOf(const BrickMesh& mesh) const;
+  std::int32_t triangleCountOf(const ColourField& field, std::int64_t brick) const;
 
   void takeRecord(std::int64_t brick);
   void takeWound(BrickMesh& mesh);
@@ -176,8 +189,8 @@ class SurfaceTracker {
     return mesh.wound == kNone ? 0 : wounds_[std::size_t(mesh.wound)].cells;
   }
 
-  float iso_;
-  std::vector<std::int32_t> recordOf_;  // per brick, and some beyond the last: into bricks_
+  float iso_ = 50;
+  RawArray<std::int32_t> recordOf_;  // per brick, and some beyond the last: into bricks_
   std::vector<BrickMesh> bricks_;
   std::vector<std::int32_t> freeRecords_;
   std::vector<BrickWound> wounds_;
@@ -196,5 +209,13 @@ class SurfaceTracker {
   std::vector<std::uint8_t> renumbered_;
   std::vector<std::int64_t> retriangulate_, withWound_, woundBricks_;
 };
+
+// The field of cells and its surface, made together: the same bits as one after the other, but
+// bricks are meshed while their nodes are still in the cache. refine, iso: as theirs.
+struct FieldAndSurface {
+  ColourField field;
+  SurfaceTracker surface;
+};
+FieldAndSurface buildFieldAndSurface(const Discretization& cells, int refine, float iso);
 
 }  // namespace resect

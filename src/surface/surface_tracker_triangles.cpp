@@ -72,10 +72,12 @@ RESECT_WIDEST
 bool SurfaceTracker::findCrossings(const ColourField& field, std::int64_t brick) {
   const auto corners = cornerMasks(above(field, brick).inside);
   BrickMesh& mesh = meshOf(brick);
-  const bool changed = mesh.signs.setCrossing(corners[0] ^ corners[1], corners[0] ^ corners[2],
-                                              corners[0] ^ corners[4]);
-  mesh.wholeTriangles = std::int16_t(countTriangles(corners, crossedCells(corners)));
-  return changed;
+  const std::uint64_t cells = crossedCells(corners);
+  mesh.wholeTriangles = 0;
+  if (cells == 0) return mesh.signs.setCrossing(0, 0, 0);  // half of a liver's are such
+  mesh.wholeTriangles = std::int16_t(countTriangles(corners, cells));
+  return mesh.signs.setCrossing(corners[0] ^ corners[1], corners[0] ^ corners[2],
+                                corners[0] ^ corners[4]);
 }
 
 // Which of the edges that a brick shares with those above are crossed? The neighbour along an axis

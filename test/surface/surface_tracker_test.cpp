@@ -147,6 +147,28 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("field and surface made together are those made one after the other") {
+  // Noise, which holds far more surface than there is room for from the start, in many stretches of
+  // the walk; and bodies that are full and empty over whole rows of bricks.
+  for (const int refine : {1, 2, 3, 4})
+    for (const Discretization& d :
+         {test::noise({48, 40, 36}, 9), test::ball(40), test::fullBlock({70, 3, 20}),
+          test::fullBlock({1, 1, 1}), test::fill({9, 9, 9}, 0.01, [](const Vec3i&) { return 0; })})
+      for (const int threads : {1, 2, 3}) {
+        const ThreadLimit limit(threads);
+        const auto [field, surface] = buildFieldAndSurface(d, refine, 50);
+        const ColourField apart(d, refine);
+        for (std::int64_t b = 0; b < apart.brickCount(); ++b) {
+          REQUIRE(field.slot(b) == apart.slot(b));
+          REQUIRE(std::equal(field.nodes(b), field.nodes(b) + kBrickSize, apart.nodes(b)));
+        }
+        const SurfaceTracker after(apart, 50);
+        REQUIRE(surface.triangleCount() == after.triangleCount());
+        REQUIRE(surface.mesh().points == after.mesh().points);
+        REQUIRE(surface.mesh().triangles == after.mesh().triangles);
+      }
+}
+
 TEST_CASE("a look that is asked for late is the look that was kept up, and costs no memory") {
   const Discretization d = test::noise({20, 18, 16}, 11);
   ColourField field(d, 2);
