@@ -8,7 +8,10 @@
 #include "collision/columns.h"
 #include "collision/inside.h"
 #include "collision/inside_samples.h"
+#include "geometry/measures.h"
 #include "geometry/primitives.h"
+#include "support/bench_organs.h"
+#include "surface/surface_tracker.h"
 
 namespace resect {
 namespace {
@@ -49,6 +52,24 @@ void pointsOfAGrid(benchmark::State& state) {
   state.counters["triangles"] = double(mesh.triangles.size());
 }
 BENCHMARK(pointsOfAGrid)->ArgName("rings")->Arg(50)->Arg(354)->Unit(benchmark::kMillisecond);
+
+// The same of the liver that row E has, which many columns cross four times.
+void pointsOfALiver(benchmark::State& state) {
+  const ColourField field(bench::liverCells(bench::particlesFor(double(state.range(0)))), 2);
+  const TriangleMesh mesh = SurfaceTracker(field, 50).mesh();
+  const Aabb box = bounds(mesh);
+  const Vec3 pitch = box.size() / 256, first = box.min + 0.5 * pitch;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(insideSamples(snapToRaster(mesh),
+                                           {first.head<2>(), pitch.head<2>(), 256, 256},
+                                           {first.z(), pitch.z(), 256}));
+  state.counters["triangles"] = double(mesh.triangles.size());
+}
+BENCHMARK(pointsOfALiver)
+    ->ArgName("triangles")
+    ->Arg(10'000)
+    ->Arg(500'000)
+    ->Unit(benchmark::kMillisecond);
 
 void askHundredThousandPoints(benchmark::State& state) {
   const TriangleMesh mesh = ball(70);

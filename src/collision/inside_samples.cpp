@@ -15,8 +15,6 @@ std::int32_t SampleLine::upTo(double depth) const {
 
 namespace {
 
-// Points of a line beyond which single precision leaves too many in doubt.
-constexpr std::int32_t kFewPoints = 1 << 14;
 // Columns beyond which tiles would have room for more stretches than can be numbered.
 constexpr std::size_t kFewColumns = std::size_t(1) << 30;
 
@@ -24,7 +22,7 @@ constexpr std::size_t kFewColumns = std::size_t(1) << 30;
 
 InsideSamples insideSamples(const SnappedMesh& mesh, const ColumnGrid& grid,
                             const SampleLine& line) {
-  const bool tiled = canTile() && line.count <= kFewPoints && grid.count() <= kFewColumns;
+  const bool tiled = canTile() && line.count <= kMostPoints && grid.count() <= kFewColumns;
   if (!tiled || grid.count() == 0 || mesh.places.empty())
     return insideSamplesPlainly(mesh, grid, line);
   return insideSamplesByTiles(mesh, grid, line);

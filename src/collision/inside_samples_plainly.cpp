@@ -99,7 +99,7 @@ class RowSampler {
     for (; nextMore_ != more_.end() && std::size_t(nextMore_->first) == column; ++nextMore_)
       sorted_.push_back(nextMore_->second);
     std::sort(sorted_.begin(), sorted_.end());
-    return writeStretches(sorted_, to);
+    return writeStretches<Step>(sorted_, to);
   }
 
   const GridHits& hits_;

@@ -24,11 +24,13 @@ inline double slackOf(const SampleLine& line) {
   return 1e-12 * (line.count + std::abs(line.first) / line.pitch);
 }
 
-// Writes the stretches of a column whose steps are sorted; returns behind the last.
-inline InsideStretch* writeStretches(std::span<const Step> sorted, InsideStretch* to) {
+// Writes the stretches of a column whose steps are sorted, in numbers of any width; returns behind
+// the last.
+template <typename AnyStep>
+InsideStretch* writeStretches(std::span<const AnyStep> sorted, InsideStretch* to) {
   int winding = 0;
-  Step entered = 0;
-  for (const Step s : sorted) {
+  AnyStep entered = 0;
+  for (const AnyStep s : sorted) {
     const int before = winding;
     winding += s & 1 ? -1 : 1;
     if (before <= 0 && winding > 0) entered = s;

@@ -14,16 +14,16 @@ StepTiles::StepTiles(int columns, int rows)
   std::memset(static_cast<void*>(pairs_.data()), 0xff, pairs_.size() * sizeof(StepPairs));
 }
 
-RESECT_AVX2 void StepTiles::insertDeep(int tileRow, int tile, const Step* steps) {
+RESECT_AVX2 void StepTiles::insertDeep(int tileRow, int tile, const TileStep* steps) {
   StepPairs* const deep = deepPairs(tileRow);
   Row& row = rows_[std::size_t(tileRow)];
   if (!row.deep) {
     std::memset(static_cast<void*>(deep), 0xff, std::size_t(across_) * sizeof(StepPairs));
     row.deep = true;
   }
-  const __m256i dropped = resect::insert(deep[tile], load(steps));
+  const __m128i dropped = resect::insert(deep[tile], load(steps));
   if (areNone(dropped)) return;
-  alignas(32) Step fifth[kLanes];
+  alignas(16) TileStep fifth[kLanes];
   store(fifth, dropped);
   for (int lane = 0; lane < kLanes; ++lane)
     if (fifth[lane] != kNoStep)
@@ -31,10 +31,10 @@ RESECT_AVX2 void StepTiles::insertDeep(int tileRow, int tile, const Step* steps)
 }
 
 RESECT_AVX2 void StepTiles::merge(StepTiles& other, int tileRow) {
-  const auto add = [&](int tile, const Step* steps) __attribute__((target("avx2"))) {
-    const __m256i dropped = resect::insert(pairs(tileRow)[tile], load(steps));
+  const auto add = [&](int tile, const TileStep* steps) __attribute__((target("avx2"))) {
+    const __m128i dropped = resect::insert(pairs(tileRow)[tile], load(steps));
     if (areNone(dropped)) return;
-    alignas(32) Step third[kLanes];
+    alignas(16) TileStep third[kLanes];
     store(third, dropped);
     insertDeep(tileRow, tile, third);
   };

@@ -4,9 +4,10 @@
 // A tile is four columns of two rows: the lanes of a vector. It holds the lowest steps of each of
 // its columns, sorted; a step that comes goes through a network of minima and maxima, so nothing is
 // counted, nothing is sorted afterwards, and what one triangle writes the next reads in the same
-// vectors. Most columns are crossed twice: the first two steps lie in one line of the cache, the
-// third and fourth apart, in memory that is not touched before some column of its row of tiles has
-// them, and what a column has beyond that in a list.
+// vectors. Most columns are crossed twice: the first two steps lie side by side, the third and
+// fourth apart, in memory that is not touched before some column of its row of tiles has them, and
+// what a column has beyond that in a list. Steps take 16 bits, so that the tiles of 256 x 256
+// columns stay in the second cache.
 #pragma once
 
 #if defined(__x86_64__)
@@ -22,11 +23,12 @@
 namespace resect {
 
 constexpr int kTileColumns = 4, kTileRows = 2, kLanes = kTileColumns * kTileRows;
-constexpr Step kNoStep = ~Step(0);  // beyond all there are
+using TileStep = std::uint16_t;
+constexpr TileStep kNoStep = 0xffff;  // beyond all there are
 
 // Two steps of each column; lane (row % 2) * 4 + column % 4.
-struct alignas(64) StepPairs {
-  Step lower[kLanes], upper[kLanes];
+struct alignas(32) StepPairs {
+  TileStep lower[kLanes], upper[kLanes];
 };
 
 class StepTiles {
@@ -34,7 +36,7 @@ class StepTiles {
   struct Row {
     bool deep = false;  // some column has more than two steps: `deepPairs` are in use
     // Lane of the row of tiles (tile * 8 + lane) and step, in no order: those beyond four.
-    std::vector<std::pair<std::uint32_t, Step>> more;
+    std::vector<std::pair<std::uint32_t, TileStep>> more;
   };
 
   // columns, rows > 0, of the grid.
@@ -48,11 +50,11 @@ class StepTiles {
   StepPairs* deepPairs(int tileRow) { return deep_.data() + std::ptrdiff_t(tileRow) * across_; }
 
   // Of a lane of a row of tiles.
-  void insert(int tileRow, int tile, int lane, Step s) {
+  void insert(int tileRow, int tile, int lane, TileStep s) {
     StepPairs& at = pairs(tileRow)[tile];
-    const Step higher = std::max(at.lower[lane], s);
+    const TileStep higher = std::max(at.lower[lane], s);
     at.lower[lane] = std::min(at.lower[lane], s);
-    const Step highest = std::max(at.upper[lane], higher);
+    const TileStep highest = std::max(at.upper[lane], higher);
     at.upper[lane] = std::min(at.upper[lane], higher);
     if (highest != kNoStep) [[unlikely]] {
       StepPairs third;
@@ -62,7 +64,7 @@ class StepTiles {
     }
   }
   // One step for each lane, or none.
-  void insertDeep(int tileRow, int tile, const Step* steps);
+  void insertDeep(int tileRow, int tile, const TileStep* steps);
   // All that another has of a row of tiles.
   void merge(StepTiles& other, int tileRow);
 
@@ -72,22 +74,20 @@ class StepTiles {
   std::vector<Row> rows_;
 };
 
-RESECT_AVX2 inline __m256i load(const Step* lanes) {
-  return _mm256_load_si256(reinterpret_cast<const __m256i*>(lanes));
+RESECT_AVX2 inline __m128i load(const TileStep* lanes) {
+  return _mm_load_si128(reinterpret_cast<const __m128i*>(lanes));
 }
-RESECT_AVX2 inline void store(Step* lanes, __m256i v) {
-  _mm256_store_si256(reinterpret_cast<__m256i*>(lanes), v);
+RESECT_AVX2 inline void store(TileStep* lanes, __m128i v) {
+  _mm_store_si128(reinterpret_cast<__m128i*>(lanes), v);
 }
-RESECT_AVX2 inline bool areNone(__m256i steps) {
-  return _mm256_testc_si256(steps, _mm256_set1_epi32(-1));
-}
+RESECT_AVX2 inline bool areNone(__m128i steps) { return _mm_test_all_ones(steps); }
 // What drops out of a pair when a step is put in.
-RESECT_AVX2 inline __m256i insert(StepPairs& at, __m256i steps) {
-  const __m256i lower = load(at.lower), upper = load(at.upper);
-  const __m256i higher = _mm256_max_epu32(lower, steps);
-  store(at.lower, _mm256_min_epu32(lower, steps));
-  store(at.upper, _mm256_min_epu32(upper, higher));
-  return _mm256_max_epu32(upper, higher);
+RESECT_AVX2 inline __m128i insert(StepPairs& at, __m128i steps) {
+  const __m128i lower = load(at.lower), upper = load(at.upper);
+  const __m128i higher = _mm_max_epu16(lower, steps);
+  store(at.lower, _mm_min_epu16(lower, steps));
+  store(at.upper, _mm_min_epu16(upper, higher));
+  return _mm_max_epu16(upper, higher);
 }
 
 }  // namespace resect

@@ -53,7 +53,7 @@ inline void TileCaster::insert(const GridCell& at, double depth, std::int32_t si
                                StepTiles& tiles) const {
   tiles.insert(at.row / kTileRows, at.column / kTileColumns,
                at.row % kTileRows * kTileColumns + at.column % kTileColumns,
-               step(pointsUpTo(depth), sign));
+               TileStep(step(pointsUpTo(depth), sign)));
 }
 
 inline void TileCaster::castLone(const LoneColumn& lone, StepTiles& tiles) const {
@@ -97,13 +97,14 @@ void TileCaster::cast(std::size_t begin, std::size_t end, StepTiles& tiles) cons
   }
 }
 
-void TileCaster::testExactly(std::size_t triangle, int tileRow, int tile, Step* steps) const {
+void TileCaster::testExactly(std::size_t triangle, int tileRow, int tile, TileStep* steps) const {
   const Footprint footprint = footprintOf(placed_.mesh, triangle);
   for (int lane = 0; lane < kLanes; ++lane) {
     const auto place = footprint.row(rows_[std::size_t(tileRow * kLanes + lane)])
                            .place(columns_[std::size_t(tile * kLanes + lane)]);
-    steps[lane] =
-        place.covered() ? step(pointsUpTo(footprint.depth(place)), footprint.sign) : kNoStep;
+    steps[lane] = place.covered()
+                      ? TileStep(step(pointsUpTo(footprint.depth(place)), footprint.sign))
+                      : kNoStep;
   }
 }
 
@@ -178,14 +179,16 @@ RESECT_AVX2_FMA void TileCaster::castFiltered(const TriangleFour& four, std::siz
           _mm256_sub_epi32(point, _mm256_cvttps_epi32(_mm256_add_ps(p, twoSlacks))));
       const __m256 unsure = _mm256_or_ps(open, _mm256_andnot_ps(least, astride));
       const __m256i crossing = _mm256_or_si256(_mm256_slli_epi32(point, 1), leaves);
-      __m256i steps = _mm256_castps_si256(_mm256_blendv_ps(
+      const __m256i all = _mm256_castps_si256(_mm256_blendv_ps(
           _mm256_castsi256_ps(crossing), _mm256_castsi256_ps(_mm256_set1_epi32(-1)), least));
-      alignas(32) Step apart[kLanes];
+      __m128i steps =
+          _mm_packs_epi32(_mm256_castsi256_si128(all), _mm256_extracti128_si256(all, 1));
+      alignas(16) TileStep apart[kLanes];
       if (!_mm256_testz_ps(unsure, unsure)) [[unlikely]] {
         testExactly(triangle, tileRow, tile, apart);
         steps = load(apart);
       }
-      const __m256i dropped = resect::insert(pairs[tile], steps);
+      const __m128i dropped = resect::insert(pairs[tile], steps);
       if (!areNone(dropped)) [[unlikely]] {
         store(apart, dropped);
         tiles.insertDeep(tileRow, tile, apart);

@@ -37,7 +37,7 @@ class TileCaster {
   void castExactly(std::size_t triangle, StepTiles& tiles) const;
   // Of a triangle with an area.
   [[gnu::noinline]] void testExactly(std::size_t triangle, int tileRow, int tile,
-                                     Step* steps) const;
+                                     TileStep* steps) const;
   std::pair<int, int> tilesLeft(const TriangleFour& four, std::size_t k,
                                 const float (&rows)[3]) const;
 

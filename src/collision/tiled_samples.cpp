@@ -80,6 +80,7 @@ class StretchWriter {
 
  private:
   void writeTwo(const StepPairs& pair, RowEnd& low, RowEnd& high) const;
+  void writeFour(const StepPairs& pair, const StepPairs& deep, RowEnd& low, RowEnd& high) const;
   void writeLanes(int tileRow, int tile, int row, int count, RowEnd& to) const;
 
   StepTiles& tiles_;
@@ -89,11 +90,13 @@ class StretchWriter {
 
 // Columns with at most two steps: a stretch where the first enters, the second leaves, and a point
 // lies between them. Aims at 45 instructions.
-RESECT_AVX2 inline void StretchWriter::writeTwo(const StepPairs& pair, RowEnd& low,
-                                                RowEnd& high) const {
-  const __m256i lower = load(pair.lower), upper = load(pair.upper);
+RESECT_AVX2 [[gnu::always_inline]] inline void StretchWriter::writeTwo(const StepPairs& pair,
+                                                                       RowEnd& low,
+                                                                       RowEnd& high) const {
+  const __m256i lower = _mm256_cvtepu16_epi32(load(pair.lower)),
+                upper = _mm256_cvtepu16_epi32(load(pair.upper));
   const __m256i first = _mm256_srli_epi32(lower, 1), last = _mm256_srli_epi32(upper, 1);
-  const __m256i lone = _mm256_cmpeq_epi32(upper, _mm256_set1_epi32(-1));
+  const __m256i lone = _mm256_cmpeq_epi32(upper, _mm256_set1_epi32(kNoStep));
   const __m256i through = _mm256_slli_epi32(_mm256_andnot_si256(lower, upper), 31);
   const __m256i some =
       _mm256_andnot_si256(lone, _mm256_and_si256(through, _mm256_cmpgt_epi32(last, first)));
@@ -112,14 +115,47 @@ RESECT_AVX2 inline void StretchWriter::writeTwo(const StepPairs& pair, RowEnd& l
   put(high, _mm256_permute2x128_si256(even, odd, 0x31), set >> 4);
 }
 
+// Do the two steps of every column enter and leave, or are there none?
+RESECT_AVX2 inline bool goThrough(const StepPairs& pair) {
+  const __m128i lower = load(pair.lower), upper = load(pair.upper), odd = _mm_set1_epi16(1);
+  const auto isNone = [](__m128i steps)
+                          RESECT_AVX2 { return _mm_cmpeq_epi16(steps, _mm_set1_epi16(-1)); };
+  // The lower one leaves, or is alone; the upper one enters.
+  const __m128i first = _mm_or_si128(_mm_and_si128(lower, odd), isNone(upper));
+  const __m128i wrong =
+      _mm_or_si128(_mm_andnot_si128(isNone(lower), first), _mm_andnot_si128(upper, odd));
+  return _mm_testz_si128(wrong, wrong);
+}
+
+// Columns that go in and out at most twice: what is sorted so has a point between the two. Aims at
+// 12 instructions a column.
+RESECT_AVX2 [[gnu::always_inline]] inline void StretchWriter::writeFour(const StepPairs& pair,
+                                                                        const StepPairs& deep,
+                                                                        RowEnd& low,
+                                                                        RowEnd& high) const {
+  const auto put = [&](RowEnd & row, int first) __attribute__((target("avx2"), always_inline)) {
+    for (int lane = first; lane < first + kTileColumns; ++lane) {
+      const auto add = [&](TileStep enters, TileStep leaves) __attribute__((always_inline)) {
+        *row.to = {enters >> 1, leaves >> 1};
+        row.to += enters >> 1 < leaves >> 1;
+      };
+      add(pair.lower[lane], pair.upper[lane]);
+      add(deep.lower[lane], deep.upper[lane]);
+      *row.offsets++ = std::uint32_t(row.to - all_);
+    }
+  };
+  put(low, 0);
+  put(high, kTileColumns);
+}
+
 // Any columns, of one row of a tile.
 void StretchWriter::writeLanes(int tileRow, int tile, int row, int count, RowEnd& to) const {
   StepTiles::Row& all = tiles_.row(tileRow);
   const StepPairs& pair = tiles_.pairs(tileRow)[tile];
-  std::vector<Step> many;
+  std::vector<TileStep> many;
   for (int column = 0; column < count; ++column) {
     const int lane = row * kTileColumns + column;
-    Step steps[4] = {pair.lower[lane], pair.upper[lane], kNoStep, kNoStep};
+    TileStep steps[4] = {pair.lower[lane], pair.upper[lane], kNoStep, kNoStep};
     if (all.deep) {
       const StepPairs& deep = tiles_.deepPairs(tileRow)[tile];
       steps[2] = deep.lower[lane];
@@ -128,19 +164,13 @@ void StretchWriter::writeLanes(int tileRow, int tile, int row, int count, RowEnd
     const auto number = std::uint32_t(tile * kLanes + lane);
     auto more = all.more.end();
     if (steps[3] != kNoStep)
-      more = std::lower_bound(all.more.begin(), all.more.end(), std::pair(number, Step(0)));
+      more = std::lower_bound(all.more.begin(), all.more.end(), std::pair(number, TileStep(0)));
     if (more != all.more.end() && more->first == number) {
       many.assign(steps, steps + 4);
       for (; more != all.more.end() && more->first == number; ++more) many.push_back(more->second);
-      to.to = writeStretches(many, to.to);
-    } else if (steps[3] != kNoStep && (~steps[0] & steps[1] & ~steps[2] & steps[3] & 1)) {
-      // In and out twice: what is sorted so has a point between the two.
-      *to.to = {std::int32_t(steps[0] >> 1), std::int32_t(steps[1] >> 1)};
-      to.to += steps[0] >> 1 < steps[1] >> 1;
-      *to.to = {std::int32_t(steps[2] >> 1), std::int32_t(steps[3] >> 1)};
-      to.to += steps[2] >> 1 < steps[3] >> 1;
+      to.to = writeStretches<TileStep>(many, to.to);
     } else {
-      to.to = writeStretches({steps, std::find(steps, steps + 4, kNoStep)}, to.to);
+      to.to = writeStretches<TileStep>({steps, std::find(steps, steps + 4, kNoStep)}, to.to);
     }
     *to.offsets++ = std::uint32_t(to.to - all_);
   }
@@ -149,14 +179,21 @@ void StretchWriter::writeLanes(int tileRow, int tile, int row, int count, RowEnd
 RESECT_AVX2 void StretchWriter::write(int tileRow, RowEnd (&rows)[kTileRows], int rowCount) const {
   StepTiles::Row& all = tiles_.row(tileRow);
   std::sort(all.more.begin(), all.more.end());
-  const StepPairs* const pairs = tiles_.pairs(tileRow);
+  const StepPairs *const pairs = tiles_.pairs(tileRow), *const deep = tiles_.deepPairs(tileRow);
+  RowEnd low = rows[0], high = rows[1];  // of their own, so that they stay in registers
   for (int tile = 0; tile < tiles_.across(); ++tile) {
     const int count = std::min(kTileColumns, columns_ - tile * kTileColumns);
-    const bool two = !all.deep || areNone(load(tiles_.deepPairs(tileRow)[tile].lower));
-    if (two && count == kTileColumns && rowCount == kTileRows) [[likely]]
-      writeTwo(pairs[tile], rows[0], rows[1]);
-    else
+    const bool two = !all.deep || areNone(load(deep[tile].lower));
+    const bool whole = count == kTileColumns && rowCount == kTileRows;
+    if (two && whole) [[likely]] {
+      writeTwo(pairs[tile], low, high);
+    } else if (whole && all.more.empty() && goThrough(pairs[tile]) && goThrough(deep[tile])) {
+      writeFour(pairs[tile], deep[tile], low, high);
+    } else {
+      rows[0] = low, rows[1] = high;
       for (int row = 0; row < rowCount; ++row) writeLanes(tileRow, tile, row, count, rows[row]);
+      low = rows[0], high = rows[1];
+    }
   }
 }
 
@@ -183,7 +220,7 @@ InsideSamples insideSamplesByTiles(const SnappedMesh& mesh, const ColumnGrid& gr
   const MeshOnGrid placed(mesh, grid);
   const TileCaster caster(placed, line);
   TilesOfThreads lent(grid.countX, grid.countY);
-  // A thread's tiles take 8 bytes a column, deep ones as much again.
+  // A thread's tiles take 4 bytes a column, deep ones as much again.
   const std::size_t most = std::max<std::size_t>(4, kShared / grid.count());
   const std::size_t share =
       threadsAllowed() <= most ? 1 : (mesh.triangles.size() + most - 1) / most;
@@ -210,7 +247,7 @@ InsideSamples insideSamplesByTiles(const SnappedMesh& mesh, const ColumnGrid& gr
     for (std::size_t tileRow = begin; tileRow < end; ++tileRow) {
       const std::size_t first = tileRow * kTileRows;
       const int count = int(std::min<std::size_t>(kTileRows, std::size_t(grid.countY) - first));
-      RowEnd ends[kTileRows];
+      RowEnd ends[kTileRows] = {};
       for (std::size_t k = 0; k < std::size_t(count); ++k) {
         std::uint32_t* const offsets = inside.offsets.data() + (first + k) * (inside.countX + 1);
         offsets[0] = std::uint32_t(begins[first + k]);

@@ -6,7 +6,9 @@
 
 namespace resect {
 
-constexpr std::int32_t kMostPoints = 1 << 20;  // halves of them are exact in single precision
+// Points of a line, at most: steps take 16 bits, one of them for a sign; and of more points single
+// precision leaves too many in doubt.
+constexpr std::int32_t kMostPoints = (1 << 14) - 1;
 
 // Whether this machine has what tiles are tested with.
 bool canTile();
