@@ -15,6 +15,8 @@
 namespace resect {
 namespace {
 
+static_assert(kBoxStep <= kLinesBeyond);
+
 constexpr std::size_t kPart = 1 << 15;  // triangles that one thread takes, at least
 constexpr int kWide = 8;                // columns beyond which a triangle's rows are narrowed
 constexpr std::size_t kAhead = 8;       // triangles whose depths are on their way while one is cast

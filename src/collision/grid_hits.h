@@ -1,6 +1,6 @@
 // Which columns of a grid do the triangles of a mesh hit? Gathered row by row, in no order within a
 // row: a row's hits stay in the first cache while they are sorted, those of a whole grid do not.
-// For collision/grid_columns.cpp and inside_samples.cpp.
+// For collision/grid_columns.cpp and inside_samples_plainly.cpp.
 #pragma once
 
 #include <algorithm>

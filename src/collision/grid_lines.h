@@ -1,5 +1,5 @@
-// Between which lines of a grid do the points of a mesh lie? For collision/grid_hits.cpp and
-// tile_caster.cpp.
+// Between which lines of a grid do the points of a mesh lie? For collision/grid_hits.cpp,
+// tile_caster.cpp and triangle_fours.cpp.
 #pragma once
 
 #include <algorithm>

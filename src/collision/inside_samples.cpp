@@ -15,14 +15,19 @@ std::int32_t SampleLine::upTo(double depth) const {
 
 namespace {
 
-// Columns beyond which tiles would have room for more stretches than can be numbered.
-constexpr std::size_t kFewColumns = std::size_t(1) << 30;
+// Columns up to which tiles are taken: each thread has all of them, 4 bytes a column.
+constexpr std::size_t kFewColumns = std::size_t(1) << 25;
+
+// Tiles of four columns and two rows reach beyond a grid's ends.
+std::size_t columnsInTiles(const ColumnGrid& grid) {
+  return (std::size_t(grid.countX) + 3) / 4 * 4 * ((std::size_t(grid.countY) + 1) / 2 * 2);
+}
 
 }  // namespace
 
 InsideSamples insideSamples(const SnappedMesh& mesh, const ColumnGrid& grid,
                             const SampleLine& line) {
-  const bool tiled = canTile() && line.count <= kMostPoints && grid.count() <= kFewColumns;
+  const bool tiled = canTile() && line.count <= kMostPoints && columnsInTiles(grid) <= kFewColumns;
   if (!tiled || grid.count() == 0 || mesh.places.empty())
     return insideSamplesPlainly(mesh, grid, line);
   return insideSamplesByTiles(mesh, grid, line);

@@ -11,6 +11,8 @@ namespace {
 constexpr std::size_t kAhead = 8;  // triangles whose depths are on their way while one is cast
 constexpr int kWide = 3;           // tiles beyond which a triangle's rows are narrowed
 
+static_assert(kTileColumns - 1 <= kLinesBeyond && kTileRows - 1 <= kLinesBeyond);
+
 // Eight of a tile each; unit: columns or rows to a tile, lanes: how they are repeated in it.
 RawArray<std::int32_t> lanesOf(const GridLines& lines, int unit, bool rows) {
   const int tiles = (lines.count + unit - 1) / unit;

@@ -17,13 +17,14 @@
 //
 // Points. The first point beyond the triangle is that below p0 + gx X + gy Y, in points. Where it
 // covers a column, |X| <= w and |Y| <= h, so that is wrong by at most 5.1 u (|p0| + |gx| w + |gy|
-// h) for the same reasons. gx and gy are worked out in double precision: as differences of
-// products, over the area, they are wrong by at most 2^-50 times the sums of these products' sizes,
-// and where the area is less than 2^-20 w h, where w h may be wrong by 2^-52 of itself, nothing is
-// left to the filter. The depth that the exact test gives is itself rounded, by less than 2^-50 of
-// the depths that it is made of. All this is in `slack`, of whose 8 u one goes to the sums with
-// slack themselves: where p is nearer to a whole number, the exact depth is asked. A triangle with
-// a slack of a fifth of a point or more is tested exactly.
+// h) for the same reasons. gx and gy are worked out in double precision, as differences of products
+// over the area: they are wrong by 2^-50 times the sums of these products' sizes, and by what the
+// area is, which comes out wrong by 2^-52 w h. Where it is less than 2^-20 w h nothing is left to
+// the filter, so that is less than 2^-32 of gx and gy, far below u. The depth that the exact test
+// gives is itself rounded, by less than 2^-50 of the depths that it is made of. All this is in
+// `slack`, of whose 8 u one goes to the sums with slack themselves: where p is nearer to a whole
+// number, the exact depth is asked. A triangle with a slack of a fifth of a point or more is tested
+// exactly.
 #pragma once
 
 #if defined(__x86_64__)

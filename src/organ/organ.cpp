@@ -42,6 +42,12 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
         "the organ has no particle at a spacing of {:.3g} mm: no cell centre lies inside; use a "
         "smaller spacing",
         1e3 * cells.lattice.spacing.maxCoeff());
+  const Vec3i dims = cells.lattice.dims;
+  if (!ColourField::canHold(cells.lattice, settings.refine))
+    throw error(
+        "the organ's lattice of {} x {} x {} cells is too large for {} surface nodes per cell; use "
+        "fewer, or a larger spacing",
+        dims.x(), dims.y(), dims.z(), settings.refine);
   auto [field, surface] = buildFieldAndSurface(cells, settings.refine, settings.iso);
   std::vector<std::uint8_t> alive = cells.inside;
   for (std::size_t i = 0; i < alive.size(); ++i)

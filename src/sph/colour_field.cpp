@@ -20,6 +20,12 @@ constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 20 us
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
+// Nodes reach from cell -2 to cell cells + 1: there the kernel of the outermost cell has just
+// vanished.
+int bricksAlong(int cells, int refine) {
+  return ((cells + 3) * refine + kBrickNodes) / kBrickNodes;
+}
+
 // Of a word of cells, along x, those in which bricks begin, one bit after the other: every fourth
 // where there is one node a cell, and so on.
 std::uint64_t bitsOfBricks(std::uint64_t cells, int refine) {
@@ -59,17 +65,20 @@ ColourField::ColourField(const Discretization& cells, int refine)
 ColourField::ColourField(const Discretization& cells, int refine, NodesLater)
     : lattice_(cells.lattice), refine_(refine), stencil_(&fieldStencil(refine)) {
   RESECT_ASSERT(std::int64_t(cells.value.size()) == lattice_.cellCount());
-  // Nodes reach from cell -2 to cell dims + 1: there the kernel of the outermost cell has just
-  // vanished.
-  for (int a = 0; a < 3; ++a)
-    brickDims_[a] = ((lattice_.dims[a] + 3) * refine + kBrickNodes) / kBrickNodes;
-  RESECT_ASSERT(brickCount() < std::numeric_limits<std::int32_t>::max());
+  RESECT_ASSERT(canHold(lattice_, refine));
+  for (int a = 0; a < 3; ++a) brickDims_[a] = bricksAlong(lattice_.dims[a], refine);
   HeldBits held;
   cells_ = PaddedCells(cells, held);
   classifyBricks(held);
   putFullAndEmpty(originals_);
   growTo(values_, place(std::int32_t(builtBricks_.size())));
   putFullAndEmpty(values_);
+}
+
+bool ColourField::canHold(const Lattice& lattice, int refine) {
+  double bricks = 1;
+  for (int a = 0; a < 3; ++a) bricks *= bricksAlong(lattice.dims[a], refine);
+  return bricks < std::numeric_limits<std::int32_t>::max();
 }
 
 void ColourField::evaluateBuilt(std::size_t begin, std::size_t end) {

@@ -12,7 +12,8 @@
 // cells in reach are empty or all are full its nodes are known without being stored. A changed cell
 // is never added or subtracted: the bricks that it reaches are evaluated again, so that the field
 // depends on the present cells alone, bit for bit. Cost of a change: the bricks in reach of the
-// changed cells, whatever the size of the organ.
+// changed cells, whatever the size of the organ; of the first one also 5 bytes for each brick of
+// the grid, to remember by.
 #pragma once
 
 #include <array>
@@ -39,7 +40,9 @@ class ColourField {
       -1;                                    // all nodes of the brick, and of the next plane, are 0
   static constexpr std::int32_t kFull = -2;  // all of them lie in solid tissue
 
-  // refine: nodes per cell, 1 to 4. Evaluates all bricks.
+  // Bricks are numbered with 32 bits: has a lattice no more of them?
+  static bool canHold(const Lattice& lattice, int refine);
+  // refine: nodes per cell, 1 to 4; canHold(). Evaluates all bricks.
   ColourField(const Discretization& cells, int refine);
   // The same without the nodes of stored bricks, which are left to evaluateBuilt(): for who reads
   // them as they come, while they are still in the cache.

@@ -153,7 +153,7 @@ void SurfaceTracker::meshAll(const ColourField& field, const RangeBody* evaluate
   std::vector<std::int32_t> surfaced;  // bricks that hold a piece of the surface
   surfaced.reserve(bricks.size());
   // To the last brick that one's vertices and triangles depend on.
-  const auto reach = std::int32_t(field.brickIndex({1, 1, 1}));
+  const std::int64_t reach = field.brickIndex({1, 1, 1});
   // How many of `all` depend on none of the bricks from the done-th on.
   const auto ready = [&](std::span<const std::int32_t> all, std::size_t first, std::size_t done) {
     if (done == bricks.size()) return all.size();

@@ -2,12 +2,16 @@
 #include "collision/tiled_samples.h"
 
 #include <doctest/doctest.h>
+#include <algorithm>
+#include <map>
+#include <utility>
 
 #include <cmath>
 #include <vector>
 
 #include "base/parallel.h"
 #include "base/random.h"
+#include "collision/step_tiles.h"
 #include "support/degenerate_mesh.h"
 
 using namespace resect;
@@ -40,14 +44,13 @@ std::size_t compare(const TriangleMesh& mesh, const ColumnGrid& grid, const Samp
   return expected.size() / 3;
 }
 
-// Every triangle twice, looking either way: closed, whatever it is made of.
+// Tetrahedra, which overlap each other.
 TriangleMesh soup(Random& random, int triangles, double size) {
   TriangleMesh mesh;
   for (int k = 0; k < triangles; ++k) {
     const Vec3 centre(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
     const auto corner = [&] { return random.uniform(-size, size); };
     const auto first = std::int32_t(mesh.points.size());
-    // The second triangle has its own third corner, so that the two do not cancel.
     for (int c = 0; c < 4; ++c) mesh.points.push_back(centre + Vec3(corner(), corner(), corner()));
     mesh.triangles.push_back({first, first + 1, first + 2});
     mesh.triangles.push_back({first, first + 2, first + 3});
@@ -150,4 +153,67 @@ TEST_CASE("tiles: more steps in a column than a tile holds, at any number of thr
   for (int n = 0; n < 9; ++n)  // nine plates above one another: eighteen steps, nine stretches
     append(mesh, boxMesh({{0, 0, 1 + 0.1 * n}, {1, 1, 1.05 + 0.1 * n}}));
   CHECK(compare(mesh, gridOver(-0.1, 1.1, 97), {0, 1.0 / 100, 200}) > 9 * 6000);
+}
+
+#if defined(__x86_64__)
+TEST_CASE(
+    "tiles: steps of two sets, merged, are the lowest of both in order, and the rest listed") {
+  if (!canTile()) return;
+  Random random(45);
+  constexpr int kColumns = 13, kRows = 7;
+  for (const int most : {2, 4, 11}) {  // steps that a column may get
+    StepTiles tiles(kColumns, kRows), other(kColumns, kRows);
+    std::map<std::pair<int, int>, std::vector<int>> steps;
+    for (int y = 0; y < kRows; ++y)
+      for (int x = 0; x < kColumns; ++x)
+        for (int k = random.below(most + 1); k > 0; --k) {
+          const int s = random.below(2 * kMostPoints + 2);
+          (random.below(2) == 0 ? tiles : other)
+              .insert(y / kTileRows, x / kTileColumns,
+                      y % kTileRows * kTileColumns + x % kTileColumns, TileStep(s));
+          steps[{y, x}].push_back(s);
+        }
+    for (int row = 0; row < tiles.rowCount(); ++row) tiles.merge(other, row);
+    for (int y = 0; y < kRows; ++y)
+      for (int x = 0; x < kColumns; ++x) {
+        const int tileRow = y / kTileRows, tile = x / kTileColumns,
+                  lane = y % kTileRows * kTileColumns + x % kTileColumns;
+        std::vector<int> found;
+        const auto add = [&](const StepPairs& pair) {
+          for (const TileStep s : {pair.lower[lane], pair.upper[lane]})
+            if (s != kNoStep) found.push_back(s);
+        };
+        add(tiles.pairs(tileRow)[tile]);
+        if (tiles.row(tileRow).deep) add(tiles.deepPairs(tileRow)[tile]);
+        std::vector<int> more;
+        for (const auto& [at, s] : tiles.row(tileRow).more)
+          if (at == std::uint32_t(tile * kLanes + lane)) more.push_back(s);
+        std::sort(more.begin(), more.end());
+        found.insert(found.end(), more.begin(), more.end());
+        std::vector<int>& expected = steps[{y, x}];
+        std::sort(expected.begin(), expected.end());
+        REQUIRE(found == expected);
+        if (expected.size() > 4) REQUIRE(more.size() == expected.size() - 4);
+      }
+  }
+}
+#endif
+
+TEST_CASE("as many points as tiles take and one more") {
+  const TriangleMesh mesh =
+      transformed(sphereMesh({0, 0, 0}, 1, 12),
+                  {{0, 0, 0}, Eigen::Quaterniond(0.8, 0.3, 0.2, 0.1).normalized()});
+  const SnappedMesh snapped = snapToRaster(mesh);
+  const ColumnGrid grid = gridOver(-1, 1, 30);
+  for (const std::int32_t count : {0, kMostPoints, kMostPoints + 1}) {
+    const SampleLine line{-1, 2.0 / (count + 1), count};
+    const InsideSamples some = insideSamples(snapped, grid, line),
+                        plain = insideSamplesPlainly(snapped, grid, line);
+    for (std::size_t j = 0; j < 30; ++j)
+      for (std::size_t i = 0; i < 30; ++i)
+        REQUIRE(std::ranges::equal(some.column(i, j), plain.column(i, j),
+                                   [](const InsideStretch& a, const InsideStretch& b) {
+                                     return a.first == b.first && a.last == b.last;
+                                   }));
+  }
 }

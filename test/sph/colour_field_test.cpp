@@ -210,6 +210,16 @@ TEST_CASE("the original field is remembered through edits") {
   }
 }
 
+TEST_CASE("a lattice that needs more bricks than can be numbered is known beforehand") {
+  const auto canHold = [](const Vec3i& dims, int refine) {
+    return ColourField::canHold({Vec3::Zero(), Vec3::Ones(), dims}, refine);
+  };
+  CHECK(canHold({500, 500, 500}, 4));
+  CHECK(canHold({200'000'000, 1, 1}, 2));
+  CHECK_FALSE(canHold({200'000'000, 1, 1}, 4));
+  CHECK_FALSE(canHold({2000, 2000, 2000}, 4));
+}
+
 TEST_CASE("setting a cell to its own value touches nothing") {
   Discretization d = test::ball(10);
   ColourField field(d, 2);

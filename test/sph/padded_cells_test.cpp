@@ -92,9 +92,9 @@ TEST_CASE("cells that are set hold it, and how they are held changes no value") 
     if (k == 49) CHECK(cells.bytes() == asLevels);
   }
   CHECK(cells.bytes() > 3 * asLevels);
-  CHECK(cells.bytes() <= 4 * asLevels + 400);  // what was held as levels is given back
+  CHECK(cells.bytes() <= 4 * asLevels + 4);  // what was held as levels is given back
   HeldBits again;
-  CHECK(PaddedCells(d, again).bytes() <= 4 * asLevels + 400);
+  CHECK(PaddedCells(d, again).bytes() <= 4 * asLevels + 4);
   for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i)
     REQUIRE(cells.value(cells.place(d.lattice.cell(i))) == d.value[std::size_t(i)]);
 }

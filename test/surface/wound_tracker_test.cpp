@@ -130,6 +130,21 @@ TEST_CASE("after any mixture of incisions and removals the surface equals a rebu
   }
 }
 
+TEST_CASE("a large organ with wounds is the same anew, in however many stretches it is meshed") {
+  for (const int threads : {1, 3}) {
+    const ThreadLimit limit(threads);  // some thousand bricks; a stretch has 1024 for each thread
+    Patient p(test::noise({44, 40, 42}, 17), 2);
+    Random random(4);
+    for (int cut = 0; cut < 3; ++cut) {
+      p.cut(test::randomBlade(p.middle(), 0.3 * p.field.lattice().box().size().x(), p.spacing(),
+                              random));
+      p.follow();
+    }
+    const Wound wound = p.wound();
+    requireSame(p.field, p.surface, SurfaceTracker(p.field, 50, &wound));
+  }
+}
+
 TEST_CASE("a wound changes no volume in the bricks, and removal after a cut works") {
   Patient p(test::blob(20), 2);
   const double whole = volume(p.surface.mesh());
