@@ -31,6 +31,17 @@ void buildBoth(benchmark::State& state) {
   for (auto _ : state)
     triangles =
         double(buildFieldAndSurface(cells, int(state.range(1)), 50).surface.triangleCount());
+  const auto [field, surface] = buildFieldAndSurface(cells, int(state.range(1)), 50);
+  double withSurface = 0;
+  for (const std::int32_t b : field.builtBricks()) {
+    const Vec3 first = (kBrickNodes * field.brick(b)).cast<double>();
+    const Vec3 middle = field.nodePosition(first + Vec3::Constant(kBrickNodes / 2));
+    bool any = false;
+    surface.visitTriangles(field, {middle, middle}, [&](const Triangle&) { any = true; });
+    withSurface += any;
+  }
+  state.counters["bricks"] = double(field.builtBricks().size());
+  state.counters["with surface"] = withSurface;
   state.counters["triangles"] = triangles;
   state.counters["per triangle"] = timePer(triangles);
 }
