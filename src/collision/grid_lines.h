@@ -1,5 +1,5 @@
 // Between which lines of a grid do the points of a mesh lie? For collision/grid_hits.cpp,
-// tile_caster.cpp and triangle_fours.cpp.
+// span_caster.cpp and triangle_fours.cpp.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace resect {
 
-constexpr int kLinesBeyond = 4;  // that are known behind a grid's last: what reads four may go on
+constexpr int kLinesBeyond = 8;  // that are known behind a grid's last: what reads some may go on
 
 // The columns or the rows of a grid, as lines of the raster.
 struct GridLines {

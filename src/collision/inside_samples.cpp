@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "collision/tiled_samples.h"
+#include "collision/span_samples.h"
 
 namespace resect {
 
@@ -15,22 +15,24 @@ std::int32_t SampleLine::upTo(double depth) const {
 
 namespace {
 
-// Columns up to which tiles are taken: each thread has all of them, 4 bytes a column.
+constexpr std::size_t kFewTriangles = std::size_t(1) << 31;  // their numbers take 32 bits
+// Columns up to which spans are taken: each thread has all of them, 4 bytes a column.
 constexpr std::size_t kFewColumns = std::size_t(1) << 25;
 
-// Tiles of four columns and two rows reach beyond a grid's ends.
-std::size_t columnsInTiles(const ColumnGrid& grid) {
-  return (std::size_t(grid.countX) + 3) / 4 * 4 * ((std::size_t(grid.countY) + 1) / 2 * 2);
+// Rows are held as whole vectors and one more.
+std::size_t columnsHeld(const ColumnGrid& grid) {
+  return (std::size_t(grid.countX) / 8 + 2) * 8 * std::size_t(grid.countY);
 }
 
 }  // namespace
 
 InsideSamples insideSamples(const SnappedMesh& mesh, const ColumnGrid& grid,
                             const SampleLine& line) {
-  const bool tiled = canTile() && line.count <= kMostPoints && columnsInTiles(grid) <= kFewColumns;
-  if (!tiled || grid.count() == 0 || mesh.places.empty())
+  const bool bySpans = canFindSpans() && line.count <= kMostPoints &&
+                       columnsHeld(grid) <= kFewColumns && mesh.triangles.size() < kFewTriangles;
+  if (!bySpans || grid.count() == 0 || mesh.places.empty())
     return insideSamplesPlainly(mesh, grid, line);
-  return insideSamplesByTiles(mesh, grid, line);
+  return insideSamplesBySpans(mesh, grid, line);
 }
 
 }  // namespace resect

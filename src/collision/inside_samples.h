@@ -43,7 +43,7 @@ struct InsideSamples {
 // Cost: as castColumns() or less: a crossing is kept as the points that it lies between.
 InsideSamples insideSamples(const SnappedMesh& mesh, const ColumnGrid& grid,
                             const SampleLine& line);
-// The same without tiles of columns (collision/tiled_samples.h), as on machines without AVX2.
+// The same without spans of columns (collision/span_samples.h), as on machines without AVX2.
 InsideSamples insideSamplesPlainly(const SnappedMesh& mesh, const ColumnGrid& grid,
                                    const SampleLine& line);
 

@@ -1,5 +1,5 @@
 // Where does a column enter and leave a body, counted in the points of a line along it? For
-// collision/inside_samples_plainly.cpp and the tiled path beside it.
+// collision/inside_samples_plainly.cpp and the path by spans beside it.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Do tiles of columns, tested in single precision, give the same stretches as the plain path?
-#include "collision/tiled_samples.h"
+// Do spans of columns, found in single precision, give the same stretches as the plain path?
+#include "collision/span_samples.h"
 
 #include <doctest/doctest.h>
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
-#include "collision/step_tiles.h"
+#include "collision/step_rows.h"
 #include "support/degenerate_mesh.h"
 
 using namespace resect;
@@ -28,15 +28,15 @@ std::vector<std::int32_t> listed(const InsideSamples& inside, const ColumnGrid& 
   return all;
 }
 
-// How many stretches there are; the same on both paths, tiled at 1, 2 and 3 threads.
+// How many stretches there are; the same on both paths, by spans at 1, 2 and 3 threads.
 std::size_t compare(const TriangleMesh& mesh, const ColumnGrid& grid, const SampleLine& line) {
   const SnappedMesh snapped = snapToRaster(mesh);
   const auto expected = listed(insideSamplesPlainly(snapped, grid, line), grid);
-  if (!canTile()) return expected.size() / 3;
+  if (!canFindSpans()) return expected.size() / 3;
   std::vector<std::uint32_t> offsets;
   for (const int threads : {1, 2, 3}) {
     const ThreadLimit limit(threads);
-    const InsideSamples inside = insideSamplesByTiles(snapped, grid, line);
+    const InsideSamples inside = insideSamplesBySpans(snapped, grid, line);
     CHECK(listed(inside, grid) == expected);
     if (threads == 1) offsets = inside.offsets;
     CHECK(inside.offsets == offsets);
@@ -67,7 +67,7 @@ ColumnGrid gridOver(double low, double high, int n) {
 
 }  // namespace
 
-TEST_CASE("tiles: shells that overlap and touch, faces on the points") {
+TEST_CASE("spans: shells that overlap and touch, faces on the points") {
   Random random(41);
   std::size_t stretches = 0;
   for (int k = 0; k < 150; ++k) {
@@ -83,7 +83,7 @@ TEST_CASE("tiles: shells that overlap and touch, faces on the points") {
   CHECK(stretches > 10000);
 }
 
-TEST_CASE("tiles: a mesh of any size, any number of points, a grid of any width") {
+TEST_CASE("spans: a mesh of any size, any number of points, a grid of any width") {
   Random random(42);
   const TriangleMesh ball =
       transformed(sphereMesh({0, 0, 0}, 1, 20),
@@ -105,7 +105,7 @@ TEST_CASE("tiles: a mesh of any size, any number of points, a grid of any width"
       }
 }
 
-TEST_CASE("tiles: soups of triangles, tiny, large and both") {
+TEST_CASE("spans: soups of triangles, tiny, large and both") {
   Random random(43);
   std::size_t stretches = 0;
   for (int k = 0; k < 40; ++k) {
@@ -117,7 +117,7 @@ TEST_CASE("tiles: soups of triangles, tiny, large and both") {
   CHECK(stretches > 100000);
 }
 
-TEST_CASE("tiles: slivers and steep faces") {
+TEST_CASE("spans: slivers and steep faces") {
   Random random(44);
   std::size_t stretches = 0;
   for (int k = 0; k < 60; ++k) {
@@ -134,7 +134,7 @@ TEST_CASE("tiles: slivers and steep faces") {
   CHECK(stretches > 10000);
 }
 
-TEST_CASE("tiles: a fine mesh, a box of twelve triangles and a diagonal one round it") {
+TEST_CASE("spans: a fine mesh, a box of twelve triangles and a diagonal one round it") {
   TriangleMesh mesh = sphereMesh({0.5, 0.5, 0.5}, 0.3, 100);
   const std::size_t alone = compare(mesh, gridOver(0, 1, 150), {0, 1.0 / 256, 256});
   append(mesh, boxMesh({{0.01, 0.02, 0.03}, {0.97, 0.98, 0.99}}));
@@ -147,7 +147,7 @@ TEST_CASE("tiles: a fine mesh, a box of twelve triangles and a diagonal one roun
     CHECK(compare(mesh, gridOver(0, 1, n), {0, 1.0 / 256, 256}) > 0);
 }
 
-TEST_CASE("tiles: more steps in a column than a tile holds, at any number of threads") {
+TEST_CASE("spans: more steps in a column than two pairs hold, at any number of threads") {
   TriangleMesh mesh;
   for (int n = 0; n < 9; ++n) append(mesh, sphereMesh({0.5, 0.5, 0.5}, 0.05 * (n + 1), 30 + n));
   for (int n = 0; n < 9; ++n)  // nine plates above one another: eighteen steps, nine stretches
@@ -157,37 +157,33 @@ TEST_CASE("tiles: more steps in a column than a tile holds, at any number of thr
 
 #if defined(__x86_64__)
 TEST_CASE(
-    "tiles: steps of two sets, merged, are the lowest of both in order, and the rest listed") {
-  if (!canTile()) return;
+    "spans: steps of two sets, merged, are the lowest of both in order, and the rest listed") {
+  if (!canFindSpans()) return;
   Random random(45);
   constexpr int kColumns = 13, kRows = 7;
   for (const int most : {2, 4, 11}) {  // steps that a column may get
-    StepTiles tiles(kColumns, kRows), other(kColumns, kRows);
+    StepRows rows(kColumns, kRows), other(kColumns, kRows);
     std::map<std::pair<int, int>, std::vector<int>> steps;
     for (int y = 0; y < kRows; ++y)
       for (int x = 0; x < kColumns; ++x)
         for (int k = random.below(most + 1); k > 0; --k) {
           const int s = random.below(2 * kMostPoints + 2);
-          (random.below(2) == 0 ? tiles : other)
-              .insert(y / kTileRows, x / kTileColumns,
-                      y % kTileRows * kTileColumns + x % kTileColumns, TileStep(s));
+          (random.below(2) == 0 ? rows : other).insert(rows.place(y, x), Step(s));
           steps[{y, x}].push_back(s);
         }
-    for (int row = 0; row < tiles.rowCount(); ++row) tiles.merge(other, row);
+    for (int y = 0; y < kRows; ++y) rows.merge(other, y);
     for (int y = 0; y < kRows; ++y)
       for (int x = 0; x < kColumns; ++x) {
-        const int tileRow = y / kTileRows, tile = x / kTileColumns,
-                  lane = y % kTileRows * kTileColumns + x % kTileColumns;
         std::vector<int> found;
-        const auto add = [&](const StepPairs& pair) {
-          for (const TileStep s : {pair.lower[lane], pair.upper[lane]})
-            if (s != kNoStep) found.push_back(s);
+        const auto add = [&](StepPair pair) {
+          for (const Step s : {lowerOf(pair), upperOf(pair)})
+            if (s != kNoStep) found.push_back(int(s));
         };
-        add(tiles.pairs(tileRow)[tile]);
-        if (tiles.row(tileRow).deep) add(tiles.deepPairs(tileRow)[tile]);
+        add(rows.pairs()[rows.place(y, x)]);
+        if (rows.row(y).deep) add(rows.deepPairs()[rows.place(y, x)]);
         std::vector<int> more;
-        for (const auto& [at, s] : tiles.row(tileRow).more)
-          if (at == std::uint32_t(tile * kLanes + lane)) more.push_back(s);
+        for (const auto& [at, s] : rows.row(y).more)
+          if (at == rows.place(y, x)) more.push_back(int(s));
         std::sort(more.begin(), more.end());
         found.insert(found.end(), more.begin(), more.end());
         std::vector<int>& expected = steps[{y, x}];
@@ -199,7 +195,7 @@ TEST_CASE(
 }
 #endif
 
-TEST_CASE("as many points as tiles take and one more") {
+TEST_CASE("as many points as spans take and one more") {
   const TriangleMesh mesh =
       transformed(sphereMesh({0, 0, 0}, 1, 12),
                   {{0, 0, 0}, Eigen::Quaterniond(0.8, 0.3, 0.2, 0.1).normalized()});
