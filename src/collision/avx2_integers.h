@@ -1,10 +1,12 @@
-// 64-bit integers of the columns' exact tests, four at a time with AVX2.
+// 64-bit integers of the columns' exact tests, four at a time with AVX2, and vectors put together
+// and packed.
 #pragma once
 
 #if defined(__x86_64__)
 #include <immintrin.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "base/instruction_set.h"
@@ -13,6 +15,14 @@
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace resect {
+
+// Four numbers of 64 bits, or pairs of 32, from anywhere; at(k) says where.
+template <typename At>
+RESECT_AVX2 inline __m256i gathered(const At& at) {
+  std::int64_t four[4];
+  for (std::size_t k = 0; k < 4; ++k) __builtin_memcpy(&four[k], at(k), sizeof four[k]);
+  return _mm256_set_epi64x(four[3], four[2], four[1], four[0]);
+}
 
 // v, or -v where all bits of `turn` are set.
 RESECT_AVX2 inline __m256i turned(__m256i v, __m256i turn) {
@@ -45,6 +55,24 @@ inline constexpr std::array<std::array<std::int32_t, 8>, 16> kPacked = [] {
 RESECT_AVX2 inline __m256i packed(__m256i v, unsigned set) {
   return _mm256_permutevar8x32_epi32(
       v, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(kPacked[set].data())));
+}
+
+// The same of eight lanes of 32 bits.
+inline constexpr std::array<std::array<std::uint8_t, 8>, 256> kPackedEight = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> orders{};
+  for (unsigned set = 0; set < 256; ++set) {
+    std::size_t at = 0;
+    for (unsigned lane = 0; lane < 8; ++lane)
+      if (set >> lane & 1) orders[set][at++] = std::uint8_t(lane);
+  }
+  return orders;
+}();
+RESECT_AVX2 inline __m256i packedOrder(unsigned set) {
+  return _mm256_cvtepu8_epi32(
+      _mm_loadl_epi64(reinterpret_cast<const __m128i*>(kPackedEight[set].data())));
+}
+RESECT_AVX2 inline __m256i packedEight(__m256i v, unsigned set) {
+  return _mm256_permutevar8x32_epi32(v, packedOrder(set));
 }
 
 // Four pairs, one after the other: 64 bytes.

@@ -87,12 +87,16 @@ RESECT_WIDEST void findCells(const SnappedMesh::Place* places, std::size_t count
 
 }  // namespace
 
-MeshOnGrid::MeshOnGrid(const SnappedMesh& snapped, const ColumnGrid& grid)
+GridOnMesh::GridOnMesh(const SnappedMesh& snapped, const ColumnGrid& grid)
     : mesh(snapped),
       columns(grid.origin.x(), grid.pitch.x(), grid.countX, mesh.origin.x(), mesh.step),
-      rows(grid.origin.y(), grid.pitch.y(), grid.countY, mesh.origin.y(), mesh.step),
-      cells(std::make_unique_for_overwrite<GridCell[]>(mesh.places.size())) {
+      rows(grid.origin.y(), grid.pitch.y(), grid.countY, mesh.origin.y(), mesh.step) {
   RESECT_ASSERT(grid.pitch.x() > 0 && grid.pitch.y() > 0);
+}
+
+MeshOnGrid::MeshOnGrid(const SnappedMesh& snapped, const ColumnGrid& grid)
+    : GridOnMesh(snapped, grid),
+      cells(std::make_unique_for_overwrite<GridCell[]>(mesh.places.size())) {
   parallelFor(mesh.places.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
     findCells(mesh.places.data() + begin, end - begin, columns, rows, cells.get() + begin);
   });

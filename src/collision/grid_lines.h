@@ -1,5 +1,5 @@
-// Between which lines of a grid do the points of a mesh lie? For collision/grid_hits.cpp,
-// span_caster.cpp and triangle_fours.cpp.
+// Between which lines of a grid do the points of a mesh lie? For collision/grid_hits.cpp and
+// rough_mesh.h.
 #pragma once
 
 #include <algorithm>
@@ -43,16 +43,21 @@ struct LineRange {
 LineRange narrowed(const GridLines& columns, const Footprint& footprint, std::int32_t y,
                    const LineRange& all);
 
-// A mesh over a grid; both the mesh and what it refers to must live longer.
-struct MeshOnGrid {
+// A grid on a mesh's raster; both the mesh and what it refers to must live longer.
+struct GridOnMesh {
   const SnappedMesh& mesh;
   GridLines columns, rows;
+
+  GridOnMesh(const SnappedMesh& mesh, const ColumnGrid& grid);
+  GridRaster raster() const { return {columns.at.data(), rows.at.data()}; }
+};
+
+struct MeshOnGrid : GridOnMesh {
   std::unique_ptr<GridCell[]> cells;  // of the mesh's points
 
   MeshOnGrid(const SnappedMesh& mesh, const ColumnGrid& grid);
   // Columns and rows that a triangle may cover.
   std::pair<LineRange, LineRange> reach(std::size_t triangle) const;
-  GridRaster raster() const { return {columns.at.data(), rows.at.data()}; }
 };
 
 }  // namespace resect

@@ -55,10 +55,7 @@ RESECT_AVX2 inline LoneColumn* store(__m256i triangles, __m256i at, unsigned set
 
 // Column and row of a corner of four triangles each.
 RESECT_AVX2 inline __m256i cellsOf(const GridCell* cells, const Triangle* t, std::size_t corner) {
-  std::int64_t both[4];
-  for (std::size_t k = 0; k < 4; ++k)
-    __builtin_memcpy(&both[k], &cells[t[k][corner]], sizeof both[k]);
-  return _mm256_set_epi64x(both[3], both[2], both[1], both[0]);
+  return gathered([&](std::size_t k) { return &cells[t[k][corner]]; });
 }
 
 // Aims at 17 instructions a triangle.
@@ -94,11 +91,9 @@ using Places = __m256i;
 // Where a corner of four triangles stands each.
 RESECT_AVX2 inline Places placesOf(const SnappedMesh& mesh, const LoneColumn* lone,
                                    std::size_t corner) {
-  std::int64_t xy[4];
-  for (std::size_t k = 0; k < 4; ++k)
-    __builtin_memcpy(&xy[k], &mesh.places[std::size_t(mesh.triangles[lone[k].triangle][corner])],
-                     sizeof xy[k]);
-  return _mm256_set_epi64x(xy[3], xy[2], xy[1], xy[0]);
+  return gathered([&](std::size_t k) {
+    return &mesh.places[std::size_t(mesh.triangles[lone[k].triangle][corner])];
+  });
 }
 
 // Products of 32-bit numbers are exact in 64 bits.

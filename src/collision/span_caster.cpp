@@ -5,10 +5,11 @@
 #include <bit>
 #include <utility>
 
+#include "collision/avx2_floats.h"
+
 namespace resect {
 namespace {
 
-constexpr std::size_t kAhead = 8;  // triangles whose depths are on their way while one is cast
 constexpr int kRowsAtOnce = 8;
 
 static_assert(kRowsAtOnce <= kLinesBeyond);
@@ -16,16 +17,7 @@ static_assert(kRowsAtOnce <= kLinesBeyond);
 RESECT_AVX2 inline __m256 allOf(const float (&numbers)[4], std::size_t k) {
   return _mm256_broadcast_ss(numbers + k);
 }
-RESECT_AVX2 inline __m256 roundedUp(__m256 v) {
-  return _mm256_round_ps(v, _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC);
-}
 RESECT_AVX2 inline __m256 countUp() { return _mm256_setr_ps(0, 1, 2, 3, 4, 5, 6, 7); }
-
-template <typename T, typename Vector>
-RESECT_AVX2 inline void put(T* to, Vector v) {
-  static_assert(sizeof v == kRowsAtOnce * sizeof(T));
-  __builtin_memcpy(to, &v, sizeof v);
-}
 
 // What a triangle covers of kRowsAtOnce rows, at the end of the list. y: of the rows, in steps of
 // the raster; places: of column firstColumn in each. Returns a bit for each row of which an end is
@@ -60,18 +52,58 @@ RESECT_AVX2_FMA inline unsigned findSpans(const TriangleFour& four, std::size_t 
   put(list.gx + to, gx);
   put(list.twoSlacks + to, allOf(four.twoPointSlacks, k));
   put(list.leaves + to, _mm256_set1_epi32(four.leaves[k]));
-  put(list.triangle + to, _mm256_set1_epi32(std::int32_t(four.triangle[k])));
+  put(list.triangle + to, _mm256_set1_epi32(four.triangle[k]));
   return unsigned(_mm256_movemask_ps(unsure));
 }
 
 }  // namespace
 
-SpanCaster::SpanCaster(const MeshOnGrid& placed, const SampleLine& line)
+SpanCaster::SpanCaster(const RoughMesh& placed, const SampleLine& line)
     : placed_(placed),
       line_(line),
       perPitch_(1 / line.pitch),
       slack_(slackOf(line)),
       highest_(float(line.count) + 0.5f) {}
+
+void SpanCaster::cast(std::size_t begin, std::size_t end, StepRows& rows) const {
+  SortedRun run;
+  for (; begin < end; begin += kRun) {
+    sortOutRoughly(placed_, begin, std::min(end, begin + kRun), run);
+    castLone(run, rows);
+    castLarger(run, rows);
+  }
+}
+
+void SpanCaster::castLone(const SortedRun& run, StepRows& rows) const {
+  Step steps[SortedRun::kRoom];
+  findSteps(placed_, line_, slack_, run, steps);
+  for (std::size_t k = 0; k < run.lone; ++k)
+    if (steps[k] != kNoStep) [[likely]]
+      rows.insert(rows.place(run.row[k], run.column[k]), steps[k]);
+    else
+      castExactly(run.triangle[k], rows);
+  for (std::size_t k = 0; k < run.unsure; ++k) castExactly(run.doubtful[k], rows);
+}
+
+// Four from different places: what a triangle has written is in the cache before the next one
+// beside it reads it again in other vectors.
+void SpanCaster::castLarger(const SortedRun& run, StepRows& rows) const {
+  TriangleFour four;
+  SpanList list;
+  const std::size_t quarter = (run.others + 3) / 4;
+  for (std::size_t k = 0; k < quarter; ++k) {
+    std::int32_t triangles[4];
+    for (std::size_t i = 0; i < 4; ++i)
+      triangles[i] = run.larger[std::min(k + i * quarter, run.others - 1)];
+    prepare(placed_, line_, slack_, triangles, four);
+    for (std::size_t i = 0; i < 4 && k + i * quarter < run.others; ++i)
+      if (four.filtered >> i & 1) [[likely]]
+        listSpans(four, i, list, rows);
+      else
+        castExactly(triangles[i], rows);
+  }
+  castListed(list, rows);
+}
 
 inline std::int32_t SpanCaster::pointsUpTo(double depth) const {
   const double place = std::clamp((depth - line_.first) * perPitch_ + 1, 0.5, line_.count + 0.5);
@@ -82,66 +114,20 @@ inline std::int32_t SpanCaster::pointsUpTo(double depth) const {
   return line_.upTo(depth);
 }
 
-inline void SpanCaster::castLone(const LoneColumn& lone, StepRows& rows) const {
+void SpanCaster::castRowExactly(std::int32_t triangle, int y, StepRows& rows) const {
+  const Footprint footprint = footprintOf(placed_.mesh, std::size_t(triangle));
   const GridRaster raster = placed_.raster();
-  const Footprint footprint = footprintOf(placed_.mesh, lone.triangle);
-  const auto place = footprint.row(raster.rows[lone.at.row]).place(raster.columns[lone.at.column]);
-  rows.insert(rows.place(lone.at.row, lone.at.column),
-              step(pointsUpTo(footprint.depth(place)), footprint.sign));
-}
-
-void SpanCaster::cast(std::size_t begin, std::size_t end, StepRows& rows) const {
-  const SnappedMesh& mesh = placed_.mesh;
-  LoneColumn lone[kRun + 3];
-  std::uint64_t others[kRun + 3];
-  const auto fetchDepths = [&](std::size_t triangle) {
-    for (const std::int32_t corner : mesh.triangles[triangle])
-      __builtin_prefetch(&mesh.points[std::size_t(corner)].z());
-  };
-  for (; begin < end; begin += kRun) {
-    const SortedOut count = sortOut(mesh.triangles, placed_.cells.get(), begin,
-                                    std::min(end, begin + kRun), lone, others);
-    const std::size_t covering = keepCovering(mesh, placed_.raster(), lone, count.lone);
-    for (std::size_t k = 0; k < covering; ++k) {
-      const LoneColumn& ahead = lone[std::min(k + kAhead, covering - 1)];
-      fetchDepths(ahead.triangle);
-      __builtin_prefetch(rows.pairs() + rows.place(ahead.at.row, ahead.at.column), 1);
-      castLone(lone[k], rows);
-    }
-    // Four from different places: what a triangle has written is in the cache before the next one
-    // beside it reads it again in other vectors.
-    TriangleFour four;
-    SpanList list;
-    const std::size_t quarter = (count.others + 3) / 4;
-    for (std::size_t k = 0; k < quarter; ++k) {
-      std::uint64_t triangles[4];
-      for (std::size_t i = 0; i < 4; ++i)
-        triangles[i] = others[std::min(k + i * quarter, count.others - 1)];
-      prepare(placed_, line_, slack_, triangles, four);
-      for (std::size_t i = 0; i < 4 && k + i * quarter < count.others; ++i)
-        if (four.filtered >> i & 1) [[likely]]
-          listSpans(four, i, list, rows);
-        else
-          castExactly(triangles[i], rows);
-    }
-    castListed(list, rows);
-  }
-}
-
-void SpanCaster::castRowExactly(std::size_t triangle, int y, StepRows& rows) const {
-  const Footprint footprint = footprintOf(placed_.mesh, triangle);
-  const GridRaster raster = placed_.raster();
-  const LineRange range =
-      narrowed(placed_.columns, footprint, raster.rows[y], placed_.reach(triangle).first);
+  const LineRange range = narrowed(placed_.columns, footprint, raster.rows[y],
+                                   placed_.reach(std::size_t(triangle)).first);
   const Footprint::Row row = footprint.row(raster.rows[y]);
   for (int x = range.first; x < range.last; ++x)
     if (const auto place = row.place(raster.columns[x]); place.covered())
       rows.insert(rows.place(y, x), step(pointsUpTo(footprint.depth(place)), footprint.sign));
 }
 
-void SpanCaster::castExactly(std::size_t triangle, StepRows& rows) const {
-  if (footprintOf(placed_.mesh, triangle).area == 0) return;
-  const LineRange reached = placed_.reach(triangle).second;
+void SpanCaster::castExactly(std::int32_t triangle, StepRows& rows) const {
+  if (footprintOf(placed_.mesh, std::size_t(triangle)).area == 0) return;
+  const LineRange reached = placed_.reach(std::size_t(triangle)).second;
   for (int y = reached.first; y < reached.last; ++y) castRowExactly(triangle, y, rows);
 }
 
@@ -170,7 +156,7 @@ RESECT_AVX2_FMA [[gnu::noinline]] void SpanCaster::listRows(const TriangleFour& 
   if (unsure != 0) [[unlikely]]
     for (; unsure != 0; unsure &= unsure - 1) {
       const int row = std::countr_zero(unsure);
-      castRowExactly(std::size_t(four.triangle[k]), y + row, rows);
+      castRowExactly(four.triangle[k], y + row, rows);
       list.columns[list.count + row] = 0;
     }
   list.count += some;

@@ -7,8 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "collision/grid_lines.h"
 #include "collision/inside_samples.h"
+#include "collision/lone_points.h"
+#include "collision/rough_mesh.h"
 #include "collision/step_rows.h"
 #include "collision/triangle_fours.h"
 
@@ -29,29 +30,27 @@ struct SpanList {
 
 class SpanCaster {
  public:
-  // Triangles that are sorted out together: their lists stay in the first cache.
-  static constexpr std::size_t kRun = 512;
-
   // line.count: at most kMostPoints.
-  SpanCaster(const MeshOnGrid& placed, const SampleLine& line);
+  SpanCaster(const RoughMesh& placed, const SampleLine& line);
 
   // Adds the steps of triangles [begin, end).
   void cast(std::size_t begin, std::size_t end, StepRows& rows) const;
 
  private:
   std::int32_t pointsUpTo(double depth) const;
-  void castLone(const LoneColumn& lone, StepRows& rows) const;
+  void castLone(const SortedRun& run, StepRows& rows) const;
+  void castLarger(const SortedRun& run, StepRows& rows) const;
   void listSpans(const TriangleFour& four, std::size_t k, SpanList& list, StepRows& rows) const;
   void listRows(const TriangleFour& four, std::size_t k, int y, SpanList& list,
                 StepRows& rows) const;
   void listRest(SpanList& list, int some, StepRows& rows) const;
   void castListed(SpanList& list, StepRows& rows) const;
-  void castExactly(std::size_t triangle, StepRows& rows) const;
-  [[gnu::noinline]] void castRowExactly(std::size_t triangle, int y, StepRows& rows) const;
+  void castExactly(std::int32_t triangle, StepRows& rows) const;
+  [[gnu::noinline]] void castRowExactly(std::int32_t triangle, int y, StepRows& rows) const;
   [[gnu::noinline]] void stepsExactly(const SpanList& list, int k, GridCell first,
                                       Step (&steps)[kSpan]) const;
 
-  const MeshOnGrid& placed_;
+  const RoughMesh& placed_;
   SampleLine line_;
   double perPitch_;
   double slack_;   // see slackOf()

@@ -218,18 +218,19 @@ bool canFindSpans() {
 
 InsideSamples insideSamplesBySpans(const SnappedMesh& mesh, const ColumnGrid& grid,
                                    const SampleLine& line) {
+  if (!RoughMesh::isEnough(mesh, grid)) return insideSamplesPlainly(mesh, grid, line);
   InsideSamples inside;
   inside.countX = std::size_t(grid.countX);
   inside.offsets.resize((inside.countX + 1) * std::size_t(grid.countY));
 
-  const MeshOnGrid placed(mesh, grid);
+  const RoughMesh placed(mesh, grid);
   const SpanCaster caster(placed, line);
   RowsOfThreads lent(grid.countX, grid.countY);
   // A thread's rows take 4 bytes a column, deep ones as much again.
   const std::size_t most = std::max<std::size_t>(4, kShared / grid.count());
   const std::size_t share =
       threadsAllowed() <= most ? 1 : (mesh.triangles.size() + most - 1) / most;
-  parallelFor(mesh.triangles.size(), std::max(4 * SpanCaster::kRun, share),
+  parallelFor(mesh.triangles.size(), std::max(4 * kRun, share),
               [&](std::size_t begin, std::size_t end) {
                 lent.lend([&](StepRows& rows) { caster.cast(begin, end, rows); });
               });

@@ -20,14 +20,6 @@ RESECT_AVX2 inline Halves halvesOf(__m256i pairs) {
   return {_mm256_castsi256_si128(apart), _mm256_extracti128_si256(apart, 1)};
 }
 
-// Four pairs of 32-bit numbers from anywhere.
-template <typename At>
-RESECT_AVX2 inline __m256i gathered(const At& at) {
-  std::int64_t both[4];
-  for (std::size_t k = 0; k < 4; ++k) __builtin_memcpy(&both[k], at(k), sizeof both[k]);
-  return _mm256_set_epi64x(both[3], both[2], both[1], both[0]);
-}
-
 RESECT_AVX2 inline __m256d size(__m256d v) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), v); }
 RESECT_AVX2 inline __m256d minus(__m256d v) { return _mm256_xor_pd(v, _mm256_set1_pd(-0.0)); }
 RESECT_AVX2 inline void keep(float* to, __m256d v) { _mm_store_ps(to, _mm256_cvtpd_ps(v)); }
@@ -40,27 +32,37 @@ constexpr double kEightRoundings = 0x1p-21, kSixteenRoundings = 0x1p-20;
 }  // namespace
 
 // Aims at 45 instructions a triangle.
-RESECT_AVX2_FMA void prepare(const MeshOnGrid& placed, const SampleLine& line, double lineSlack,
-                             const std::uint64_t* triangles, TriangleFour& four) {
+RESECT_AVX2_FMA void prepare(const RoughMesh& placed, const SampleLine& line, double lineSlack,
+                             const std::int32_t (&triangles)[4], TriangleFour& four) {
   const SnappedMesh& mesh = placed.mesh;
   const std::int32_t* corners[4];
-  for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.triangles[triangles[k]].data();
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = mesh.triangles[std::size_t(triangles[k])].data();
   std::copy_n(triangles, 4, four.triangle);
-  __m256i places[3], cells[3];
+  __m256i places[3];
+  __m256 about[3];
   __m256d depths[3];
   for (std::size_t c = 0; c < 3; ++c) {
     const auto corner = [&](std::size_t k) { return std::size_t(corners[k][c]); };
     places[c] = gathered([&](std::size_t k) { return &mesh.places[corner(k)]; });
-    cells[c] = gathered([&](std::size_t k) { return &placed.cells[corner(k)]; });
+    about[c] =
+        _mm256_castsi256_ps(gathered([&](std::size_t k) { return &placed.points[corner(k)]; }));
     const auto z = [&](std::size_t k) { return mesh.points[corner(k)].z(); };
     depths[c] = _mm256_setr_pd(z(0), z(1), z(2), z(3));
   }
   const Halves from = halvesOf(places[0]);
   keep(four.y0, from.second);
   keep(four.y1, halvesOf(places[1]).second);
-  const __m256i low = _mm256_min_epi32(_mm256_min_epi32(cells[0], cells[1]), cells[2]),
-                high = _mm256_max_epi32(_mm256_max_epi32(cells[0], cells[1]), cells[2]);
-  const Halves first = halvesOf(low), last = halvesOf(high);
+  const float columnCount = float(placed.columns.count), rowCount = float(placed.rows.count);
+  const __m256 most = _mm256_setr_ps(columnCount, rowCount, columnCount, rowCount, columnCount,
+                                     rowCount, columnCount, rowCount);
+  const auto lineOf = [&](__m256 v) RESECT_AVX2 {
+    return halvesOf(_mm256_cvtps_epi32(
+        _mm256_min_ps(_mm256_max_ps(_mm256_round_ps(v, _MM_FROUND_TO_POS_INF | _MM_FROUND_NO_EXC),
+                                    _mm256_setzero_ps()),
+                      most)));
+  };
+  const Halves first = lineOf(_mm256_min_ps(_mm256_min_ps(about[0], about[1]), about[2])),
+               last = lineOf(_mm256_max_ps(_mm256_max_ps(about[0], about[1]), about[2]));
   keep(four.firstColumn, first.first);
   keep(four.firstRow, first.second);
   keep(four.lastRow, last.second);

@@ -32,13 +32,13 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "collision/grid_lines.h"
 #include "collision/inside_samples.h"
+#include "collision/rough_mesh.h"
 
 namespace resect {
 
 struct TriangleFour {
-  std::uint64_t triangle[4];
+  alignas(16) std::int32_t triangle[4];
   // Edge e lies opposite of corner e and runs through corner 1 if e = 0, else through corner 0.
   // left and right: where it lies at that corner, less slack; beyond all columns on the side where
   // it is not. twoSlacks: in columns.
@@ -54,8 +54,8 @@ struct TriangleFour {
 
 // triangles: four numbers of triangles of the mesh, each of which reaches some column; lineSlack:
 // see slackOf().
-void prepare(const MeshOnGrid& placed, const SampleLine& line, double lineSlack,
-             const std::uint64_t* triangles, TriangleFour& four);
+void prepare(const RoughMesh& placed, const SampleLine& line, double lineSlack,
+             const std::int32_t (&triangles)[4], TriangleFour& four);
 
 }  // namespace resect
 
