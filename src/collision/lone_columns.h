@@ -1,5 +1,5 @@
 // Most triangles of a fine mesh reach no column of the grid, or a single one: which are they, and
-// which of those does it cross? For collision/grid_hits.cpp and span_caster.cpp; the test is
+// which of those does it cross? For collision/grid_hits.cpp alone; the test is
 // that of collision/footprint.h.
 #pragma once
 
