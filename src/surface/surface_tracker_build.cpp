@@ -5,7 +5,6 @@
 // it reads was written a moment ago and is still in the second cache. Evaluating the nodes can be
 // the first stage.
 #include <algorithm>
-#include <limits>
 
 #include "base/assert.h"
 #include "base/growth.h"

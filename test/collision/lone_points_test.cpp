@@ -110,8 +110,7 @@ TEST_CASE("columns, rows and points on the mesh's own coordinates, slivers, flat
   Random random(61);
   Counts all;
   for (int k = 0; k < 300; ++k) {
-    TriangleMesh mesh;
-    for (int n = 0; n <= k % 9; ++n) append(mesh, randomDegenerateMesh(random));
+    const TriangleMesh mesh = randomDegenerateShells(random, k % 9 + 1);
     const Counts counts = compare(
         mesh,
         k % 2 ? ColumnGrid{{0, 0}, {0.5, 0.5}, 17, 17} : ColumnGrid{{1.5, 2}, {3.5, 2.25}, 3, 4},

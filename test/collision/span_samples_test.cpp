@@ -71,8 +71,7 @@ TEST_CASE("spans: shells that overlap and touch, faces on the points") {
   Random random(41);
   std::size_t stretches = 0;
   for (int k = 0; k < 150; ++k) {
-    TriangleMesh mesh;
-    for (int n = 0; n <= k % 7; ++n) append(mesh, randomDegenerateMesh(random));
+    const TriangleMesh mesh = randomDegenerateShells(random, k % 7 + 1);
     const int n = 1 + random.below(60);
     const ColumnGrid grid{{0, -0.5}, {8.0 / n, 9.0 / n}, n, n + 3};
     stretches += compare(mesh, grid, {-0.25, k % 3 == 0 ? 0.25 : 8.7 / n, n});

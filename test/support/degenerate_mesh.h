@@ -33,4 +33,11 @@ inline TriangleMesh randomDegenerateMesh(Random& random) {
   return mesh;
 }
 
+// Several of them, in one place: shells that overlap and touch.
+inline TriangleMesh randomDegenerateShells(Random& random, int shells) {
+  TriangleMesh mesh;
+  for (int n = 0; n < shells; ++n) append(mesh, randomDegenerateMesh(random));
+  return mesh;
+}
+
 }  // namespace resect
