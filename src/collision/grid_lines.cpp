@@ -1,6 +1,8 @@
 // By estimate, two points at a time: only near a line the lines are asked.
 #include "collision/grid_lines.h"
 
+#include <cmath>
+
 #include "base/assert.h"
 #include "base/instruction_set.h"
 #include "base/parallel.h"
@@ -14,7 +16,9 @@ GridLines::GridLines(double origin, double pitch, int lines, double meshOrigin, 
     : count(lines),
       at(std::size_t(lines + kLinesBeyond)),
       linesPerStep(step / pitch),
-      first((meshOrigin - origin) / pitch) {
+      first((meshOrigin - origin) / pitch),
+      slack(1e-6 + 2 * linesPerStep +
+            0x1p-50 * (lines + (std::abs(origin) + std::abs(meshOrigin)) / pitch)) {
   for (int i = 0; i < count + kLinesBeyond; ++i)
     at[std::size_t(i)] = snapColumn(origin + i * pitch - meshOrigin, step);
 }
@@ -35,8 +39,8 @@ LineRange narrowed(const GridLines& columns, const Footprint& footprint, std::in
     const double dy = double(footprint.edge[e].dy);
     if (dy == 0) continue;
     const double at = columns.estimate(double(footprint.x0) + double(row.start[e]) / dy);
-    if (dy < 0) low = std::max(low, at - columns.slack());
-    if (dy > 0) high = std::min(high, at + columns.slack());
+    if (dy < 0) low = std::max(low, at - columns.slack);
+    if (dy > 0) high = std::min(high, at + columns.slack);
   }
   LineRange range = all;
   range.first = int(std::min(low, double(all.last)));
@@ -62,7 +66,7 @@ RESECT_WIDEST void findCells(const SnappedMesh::Place* places, std::size_t count
   const Four first{x.first, y.first, x.first, y.first};
   const Four perStep{x.linesPerStep, y.linesPerStep, x.linesPerStep, y.linesPerStep};
   const Four most{x.count + 0.5, y.count + 0.5, x.count + 0.5, y.count + 0.5};
-  const double slack = std::max(x.slack(), y.slack());
+  const double slack = std::max(x.slack, y.slack);
   std::size_t i = 0;
   for (; i + 2 <= count; i += 2) {
     FourInts two;

@@ -21,10 +21,10 @@ struct GridLines {
   int count;
   std::vector<std::int32_t> at;  // kLinesBeyond more than there are
   double linesPerStep, first;
+  double slack;  // that an estimate may be wrong by: rounding to the raster, and of large numbers
 
   GridLines(double origin, double pitch, int lines, double meshOrigin, double step);
   double estimate(double place) const { return first + place * linesPerStep; }
-  double slack() const { return 1e-6 + 2 * linesPerStep; }  // that an estimate may be wrong by
   // The first line at `place` or beyond.
   std::int32_t lowerBound(std::int32_t place) const;
 };

@@ -16,7 +16,8 @@ std::int32_t SampleLine::upTo(double depth) const {
 namespace {
 
 constexpr std::size_t kFewTriangles = std::size_t(1) << 31;  // their numbers take 32 bits
-// Columns up to which spans are taken: each thread has all of them, 4 bytes a column.
+// Columns up to which spans are taken: up to four threads have all of them each, 4 bytes a column,
+// and as much again where some are crossed more than twice.
 constexpr std::size_t kFewColumns = std::size_t(1) << 25;
 
 // Rows are held as whole vectors and one more.

@@ -27,9 +27,10 @@ struct Eight {
 RESECT_AVX2 inline Eight cornersOf(const RoughPoint* points, const Triangle* t,
                                    std::size_t corner) {
   const auto two = [&](std::size_t i, std::size_t j) RESECT_AVX2 {
-    const auto* const first = reinterpret_cast<const double*>(points + t[i][corner]);
-    const auto* const second = reinterpret_cast<const double*>(points + t[j][corner]);
-    return _mm_loadh_pd(_mm_load_sd(first), second);
+    double first, second;
+    __builtin_memcpy(&first, points + t[i][corner], sizeof first);
+    __builtin_memcpy(&second, points + t[j][corner], sizeof second);
+    return _mm_setr_pd(first, second);
   };
   const __m256 even = _mm256_castpd_ps(_mm256_set_m128d(two(4, 5), two(0, 1))),
                odd = _mm256_castpd_ps(_mm256_set_m128d(two(6, 7), two(2, 3)));
@@ -108,15 +109,15 @@ RESECT_AVX2_FMA void sortOutRoughly(const RoughMesh& mesh, std::size_t begin, st
   run.others = others;
 }
 
-// How much may a depth be wrong? The weights of corners 1 and 2 are v1 and v2 over the area, all
-// four wrong by `doubt` or three of it: where the area is above 8 doubt they are wrong by less
-// than 8 doubt / area and four roundings; where it is below, by less than 1, as both they and what
-// they ought to be lie between 0 and 1. Aims at 16 instructions a triangle.
+// How much may a depth be wrong? The weight of corner 1 is w = v1 / area; as worked out it is
+// w' = v1' / area'. With w' - w = ((v1' - v1) - w (area' - area)) / area', v1' wrong by `doubt`,
+// the area by three of it and w at most 1, that is 4 doubt / area', and four roundings. Aims at 16
+// instructions a triangle.
 RESECT_AVX2_FMA void findSteps(const RoughMesh& mesh, const SampleLine& line, double lineSlack,
                                const SortedRun& run, Step* steps) {
   const __m256d perPitch = _mm256_set1_pd(1 / line.pitch), first = _mm256_set1_pd(line.first),
                 one = _mm256_set1_pd(1), half = _mm256_set1_pd(0.5), noSign = _mm256_set1_pd(-0.0);
-  const __m256d eightDoubts = _mm256_set1_pd(8 * double(doubtOf(mesh))),
+  const __m256d fourDoubts = _mm256_set1_pd(4 * double(doubtOf(mesh))),
                 roundings = _mm256_set1_pd(0x1p-21), deep = _mm256_set1_pd(1e-14),
                 slacks = _mm256_set1_pd(lineSlack);
   const __m256d behind = _mm256_set1_pd(line.count + 0.5);
@@ -143,7 +144,7 @@ RESECT_AVX2_FMA void findSteps(const RoughMesh& mesh, const SampleLine& line, do
     const __m256d place = _mm256_fmadd_pd(_mm256_sub_pd(z, first), perPitch, one);
     const __m256d p = _mm256_min_pd(_mm256_max_pd(place, half), behind);
     const __m256d rise = _mm256_add_pd(size(dz1), size(dz2));
-    const __m256d wrong = _mm256_fmadd_pd(size(_mm256_cvtps_pd(perArea)), eightDoubts, roundings);
+    const __m256d wrong = _mm256_fmadd_pd(size(_mm256_cvtps_pd(perArea)), fourDoubts, roundings);
     const __m256d slack = _mm256_fmadd_pd(
         _mm256_fmadd_pd(wrong, rise, _mm256_mul_pd(_mm256_add_pd(rise, size(z0)), deep)), perPitch,
         slacks);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/instruction_set.h"
 #include "base/parallel.h"
@@ -14,14 +15,15 @@ namespace resect {
 namespace {
 
 constexpr int kMostLines = 1 << 15;
-constexpr double kLeastSteps = 1 << 5;  // of the raster between two lines
+constexpr float kMostSlack = 0.1f;
 
 // A number next to a line, or on it, moved to the side of the line where the point lies.
 float besideLine(float about, std::int32_t place, const GridLines& lines) {
   const float line = std::round(about);
   if (line < 0 || line >= float(lines.count)) return about;  // there is no line
   if (place <= lines.at[std::size_t(line)]) return std::min(about, line);
-  return std::max(about, std::nextafter(line, std::numeric_limits<float>::infinity()));
+  constexpr float least = std::numeric_limits<float>::min();  // a smaller one may count as zero
+  return std::max({about, least, std::nextafter(line, std::numeric_limits<float>::infinity())});
 }
 
 RoughPoint exactly(const GridOnMesh& grid, SnappedMesh::Place place) {
@@ -56,19 +58,22 @@ RESECT_AVX2_FMA void findPoints(const GridOnMesh& grid, float slack, std::size_t
 }
 
 // What is worked out in double precision, rounded.
-float slackOf(const GridLines& lines) { return float(lines.slack() + 0x1p-24 * lines.count); }
+float roundedSlack(const GridOnMesh& grid) {
+  const auto of = [](const GridLines& l) { return float(l.slack + 0x1p-24 * l.count); };
+  return std::max(of(grid.columns), of(grid.rows));
+}
 
 }  // namespace
 
-bool RoughMesh::isEnough(const SnappedMesh& mesh, const ColumnGrid& grid) {
-  return std::max(grid.countX, grid.countY) <= kMostLines &&
-         mesh.step * kLeastSteps <= std::min(grid.pitch.x(), grid.pitch.y());
+bool RoughMesh::isEnough(const GridOnMesh& grid) {
+  return std::max(grid.columns.count, grid.rows.count) <= kMostLines &&
+         roundedSlack(grid) <= kMostSlack;
 }
 
-RoughMesh::RoughMesh(const SnappedMesh& snapped, const ColumnGrid& grid)
-    : GridOnMesh(snapped, grid),
+RoughMesh::RoughMesh(GridOnMesh grid)
+    : GridOnMesh(std::move(grid)),
       points(std::make_unique_for_overwrite<RoughPoint[]>(mesh.places.size())) {
-  const float near = std::max(slackOf(columns), slackOf(rows));
+  const float near = roundedSlack(*this);
   slack = 2.5f * near;  // what is moved: from one side of the line to the other, and a rounding
   parallelFor(mesh.places.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
     findPoints(*this, near, begin, end, points.get());

@@ -1,5 +1,6 @@
 // Where do a mesh's points lie between the columns and rows of a grid, in single precision? For
-// collision/span_caster.cpp, lone_points.cpp and triangle_fours.cpp, on machines with AVX2.
+// collision/span_caster.cpp, lone_points.cpp and triangle_fours.cpp, on machines with AVX2 and
+// fused products.
 #pragma once
 
 #if defined(__x86_64__)
@@ -20,12 +21,12 @@ struct RoughPoint {
 
 struct RoughMesh : GridOnMesh {
   std::unique_ptr<RoughPoint[]> points;
-  float slack;  // lines that a number may be wrong by
+  float slack;  // lines that a number between the grid's ends may be wrong by
 
-  // Whether single precision will do: grids with no more lines, and no finer ones, than it tells.
-  static bool isEnough(const SnappedMesh& mesh, const ColumnGrid& grid);
+  // Whether single precision will do: for no more lines, and no finer ones, than it tells.
+  static bool isEnough(const GridOnMesh& grid);
   // Where it is.
-  RoughMesh(const SnappedMesh& mesh, const ColumnGrid& grid);
+  explicit RoughMesh(GridOnMesh grid);
   // Columns and rows that a triangle may cover.
   std::pair<LineRange, LineRange> reach(std::size_t triangle) const;
 };

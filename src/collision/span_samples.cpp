@@ -115,7 +115,7 @@ RESECT_AVX2 inline Stretches stretchesOf(__m256i pairs) {
 }
 
 // Writes those of four stretches that are in the set.
-RESECT_AVX2 inline InsideStretch* put(__m256i stretches, unsigned set, InsideStretch* to) {
+RESECT_AVX2 inline InsideStretch* putStretches(__m256i stretches, unsigned set, InsideStretch* to) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), packed(stretches, set));
   return to + std::popcount(set);
 }
@@ -129,19 +129,17 @@ RESECT_AVX2 [[gnu::always_inline]] inline void StretchWriter::writeTwo(
     __m256i pairs, InsideStretch*& to, std::uint32_t* offsets) const {
   const Stretches s = stretchesOf(pairs);
   putOffsets(countsOf(s.set), to - all_, offsets);
-  to = put(s.low, s.set & 0xf, to);
-  to = put(s.high, s.set >> 4, to);
+  to = putStretches(s.low, s.set & 0xf, to);
+  to = putStretches(s.high, s.set >> 4, to);
 }
 
-// Do the two steps of every column enter and leave, or are there none?
+// Do the two steps of every column enter and leave, or are there none? One that enters alone, with
+// none above it, may pass: no stretch begins there.
 RESECT_AVX2 inline bool goThrough(__m256i pairs) {
   const __m256i none = _mm256_cmpeq_epi32(pairs, _mm256_set1_epi32(-1));
   const __m256i odd = _mm256_and_si256(pairs, _mm256_set1_epi32(0x1'0001));
   const __m256i through = _mm256_cmpeq_epi32(odd, _mm256_set1_epi32(0x1'0000));
-  // A lone step has all bits above it.
-  const __m256i lone = _mm256_cmpgt_epi32(_mm256_setzero_si256(), pairs);
-  const __m256i right = _mm256_or_si256(none, _mm256_andnot_si256(lone, through));
-  return _mm256_testc_si256(right, _mm256_set1_epi32(-1));
+  return _mm256_testc_si256(_mm256_or_si256(none, through), _mm256_set1_epi32(-1));
 }
 
 // Columns that go in and out at most twice: what is sorted so has a point between the two. Aims at
@@ -154,8 +152,8 @@ RESECT_AVX2 [[gnu::always_inline]] inline void StretchWriter::writeFour(
       __attribute__((target("avx2"), always_inline)) {
     const __m256i even = _mm256_unpacklo_epi64(a, b), odd = _mm256_unpackhi_epi64(a, b);
     const unsigned both = kSpread[inA] | unsigned(kSpread[inB]) << 1;
-    to = put(_mm256_permute2x128_si256(even, odd, 0x20), both & 0xf, to);
-    to = put(_mm256_permute2x128_si256(even, odd, 0x31), both >> 4, to);
+    to = putStretches(_mm256_permute2x128_si256(even, odd, 0x20), both & 0xf, to);
+    to = putStretches(_mm256_permute2x128_si256(even, odd, 0x31), both >> 4, to);
   };
   putBoth(s.low, t.low, s.set & 0xf, t.set & 0xf);
   putBoth(s.high, t.high, s.set >> 4, t.set >> 4);
@@ -218,12 +216,13 @@ bool canFindSpans() {
 
 InsideSamples insideSamplesBySpans(const SnappedMesh& mesh, const ColumnGrid& grid,
                                    const SampleLine& line) {
-  if (!RoughMesh::isEnough(mesh, grid)) return insideSamplesPlainly(mesh, grid, line);
+  GridOnMesh lines(mesh, grid);
+  if (!RoughMesh::isEnough(lines)) return insideSamplesPlainly(mesh, grid, line);
   InsideSamples inside;
   inside.countX = std::size_t(grid.countX);
   inside.offsets.resize((inside.countX + 1) * std::size_t(grid.countY));
 
-  const RoughMesh placed(mesh, grid);
+  const RoughMesh placed(std::move(lines));
   const SpanCaster caster(placed, line);
   RowsOfThreads lent(grid.countX, grid.countY);
   // A thread's rows take 4 bytes a column, deep ones as much again.

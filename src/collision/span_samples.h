@@ -13,8 +13,9 @@ constexpr std::int32_t kMostPoints = (1 << 14) - 1;
 // Whether this machine has what spans are found with.
 bool canFindSpans();
 
-// As insideSamples(). mesh: not empty; grid: with columns; line.count <= kMostPoints;
-// canFindSpans().
+// As insideSamples(). mesh: not empty, below 2^31 triangles; grid: with columns, at most 2^25;
+// line.count
+// <= kMostPoints; canFindSpans().
 InsideSamples insideSamplesBySpans(const SnappedMesh& mesh, const ColumnGrid& grid,
                                    const SampleLine& line);
 

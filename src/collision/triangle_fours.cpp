@@ -92,7 +92,7 @@ RESECT_AVX2_FMA void prepare(const RoughMesh& placed, const SampleLine& line, do
                 x1 = _mm256_fmadd_pd(bx, perStep, x0);
   const __m256d across = _mm256_fmadd_pd(w, perStep, size(x0));
   const __m256d slack =
-      _mm256_fmadd_pd(_mm256_set1_pd(kSixteenRoundings), across, _mm256_set1_pd(lines.slack()));
+      _mm256_fmadd_pd(_mm256_set1_pd(kSixteenRoundings), across, _mm256_set1_pd(lines.slack));
   keep(four.twoSlacks, _mm256_add_pd(slack, slack));
   const auto keepEdge = [&](std::size_t e, __m256d dx, __m256d dy, __m256d end) RESECT_AVX2_FMA {
     const __m256d beyond = _mm256_set1_pd(std::numeric_limits<double>::infinity()),
@@ -126,7 +126,7 @@ RESECT_AVX2_FMA void prepare(const RoughMesh& placed, const SampleLine& line, do
       steep, across, _mm256_mul_pd(_mm256_mul_pd(_mm256_add_pd(size(cxz), size(bxz)), h), scale));
   const __m256d deep = _mm256_mul_pd(_mm256_add_pd(size(z), _mm256_add_pd(size(dz1), size(dz2))),
                                      _mm256_mul_pd(perPitch, _mm256_set1_pd(1e-14)));
-  const __m256d exact = _mm256_fmadd_pd(steep, _mm256_set1_pd(lines.slack()), deep);
+  const __m256d exact = _mm256_fmadd_pd(steep, _mm256_set1_pd(lines.slack), deep);
   const __m256d pointSlack =
       _mm256_fmadd_pd(_mm256_set1_pd(kEightRoundings), _mm256_add_pd(size(p0), rise),
                       _mm256_add_pd(exact, _mm256_set1_pd(lineSlack)));

@@ -17,9 +17,10 @@
 //
 // Points. The first point beyond the triangle is that below p0 + gx c + gy y, in points. Where it
 // covers a column, c <= w and |y| <= h, so that comes out wrong by at most
-//     5 u (|p0| + |gx| w + |gy| h)
-// : p0, gx, gy and y rounded once each, and three sums, or four for columns beyond eight. gx and gy
-// are worked out in double precision, as differences of products over the area: they are wrong by
+//     6 u (|p0| + |gx| w + |gy| h):
+// p0, gx, gy and y rounded once each, and three sums, or a product and four sums for columns beyond
+// eight. gx and gy are worked out in double precision, as differences of products over the area:
+// they are wrong by
 // 2^-50 times the sums of these products' sizes, and by what the area is, which comes out wrong by
 // 2^-52 w h. Where it is less than 2^-20 w h nothing is left to the filter, so that is less than
 // 2^-32 of gx and gy, far below u. The depth that the exact test gives is itself rounded, by less

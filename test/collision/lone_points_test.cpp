@@ -24,8 +24,8 @@ struct Counts {
 // Checks every triangle of a mesh, run by run.
 Counts compare(const TriangleMesh& mesh, const ColumnGrid& grid, const SampleLine& line) {
   const SnappedMesh snapped = snapToRaster(mesh);
-  REQUIRE(RoughMesh::isEnough(snapped, grid));
-  const RoughMesh rough(snapped, grid);
+  REQUIRE(RoughMesh::isEnough(GridOnMesh(snapped, grid)));
+  const RoughMesh rough{GridOnMesh(snapped, grid)};
   const MeshOnGrid exact(snapped, grid);
   const GridRaster raster = exact.raster();
   const auto run = std::make_unique<SortedRun>();
@@ -132,9 +132,11 @@ TEST_CASE("half of the mesh beside the grid, and a grid as fine as single precis
   const SampleLine line{-1, 2.0 / 1000, 1000};
   CHECK(compare(ball, {{0.01, -2}, {0.021, 0.02}, 40, 300}, line).lone > 1000);
   CHECK(compare(ball, {{-1, -0.1}, {2.0 / (1 << 15), 0.021}, 1 << 15, 7}, line).larger > 1000);
-  const double least = 2.0 / (1 << 25);
-  compare(ball, {{0.1, 0.1}, {1.1 * least, 1.1 * least}, 9, 9}, line);
-  CHECK_FALSE(RoughMesh::isEnough(snapToRaster(ball), {{0, 0}, {0.9 * least, 1}, 9, 9}));
-  CHECK_FALSE(RoughMesh::isEnough(snapToRaster(ball), {{0, 0}, {1, 1}, 1, (1 << 15) + 1}));
+  const double least = 2.0 / (1 << 26);  // sixteen steps of the raster
+  compare(ball, {{0.1, 0.1}, {1.9 * least, 1.9 * least}, 9, 9}, line);
+  const SnappedMesh snapped = snapToRaster(ball);
+  CHECK_FALSE(RoughMesh::isEnough({snapped, {{0, 0}, {least, 1}, 9, 9}}));
+  CHECK_FALSE(RoughMesh::isEnough({snapped, {{0, 0}, {1, 1}, 1, (1 << 15) + 1}}));
+  CHECK_FALSE(RoughMesh::isEnough({snapped, {{1e16, 0}, {1, 1}, 1, 1}}));
 }
 #endif

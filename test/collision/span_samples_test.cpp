@@ -154,6 +154,18 @@ TEST_CASE("spans: more steps in a column than two pairs hold, at any number of t
   CHECK(compare(mesh, gridOver(-0.1, 1.1, 97), {0, 1.0 / 100, 200}) > 9 * 6000);
 }
 
+TEST_CASE("spans: fewer rows than threads, on a large grid") {
+  if (!canFindSpans()) return;
+  const TriangleMesh ball = sphereMesh({0.5, 0.5, 0.5}, 0.45, 120);
+  const SnappedMesh snapped = snapToRaster(ball);
+  const ColumnGrid grid = gridOver(0, 1, 1100);
+  const SampleLine line{0, 1.0 / 300, 300};
+  const auto expected = listed(insideSamplesPlainly(snapped, grid, line), grid);
+  const ThreadLimit limit(6);
+  CHECK(threadsAllowed() == 6);
+  CHECK(listed(insideSamplesBySpans(snapped, grid, line), grid) == expected);
+}
+
 #if defined(__x86_64__)
 TEST_CASE(
     "spans: steps of two sets, merged, are the lowest of both in order, and the rest listed") {
@@ -201,7 +213,7 @@ TEST_CASE("as many points as spans take and one more") {
   const SnappedMesh snapped = snapToRaster(mesh);
   const ColumnGrid grid = gridOver(-1, 1, 30);
   for (const std::int32_t count : {0, kMostPoints, kMostPoints + 1}) {
-    const SampleLine line{-1, 2.0 / (count + 1), count};
+    const SampleLine line{-1, 1.5 / (count + 1), count};  // ends within
     const InsideSamples some = insideSamples(snapped, grid, line),
                         plain = insideSamplesPlainly(snapped, grid, line);
     for (std::size_t j = 0; j < 30; ++j)
