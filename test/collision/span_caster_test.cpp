@@ -177,9 +177,29 @@ TEST_CASE("corners on lines and points, or a few steps of the raster beside them
       beside(p.y());
       if (random.below(2)) p.z() = std::round(p.z() / line.pitch) * line.pitch;
     }
-    steps += compare(mesh, {{0, 0}, {pitch, pitch}, n, n}, line);
+    const int rows = std::min(n, 1000);
+    steps +=
+        compare(mesh, {{0, pitch * random.below(n - rows + 1)}, {pitch, pitch}, n, rows}, line);
   }
   CHECK(steps > 100'000);
+}
+
+TEST_CASE("as many columns as there may be, crossed by small triangles") {
+  if (!canFindSpans()) return;
+  Random random(75);
+  constexpr int n = 1 << 15;
+  constexpr double kPitch = 1.0 / n;
+  std::size_t steps = 0;
+  for (int k = 0; k < 30; ++k) {
+    TriangleMesh mesh = tetrahedra(random, 3000, kPitch);
+    for (std::size_t t = 0; t < 3000; ++t) {
+      const Vec3 to(mesh.points[4 * t].x(), 6 * kPitch * random.uniform(), 0.008);
+      const Vec3 away = to - mesh.points[4 * t];
+      for (std::size_t c = 0; c < 4; ++c) mesh.points[4 * t + c] += away;
+    }
+    steps += compare(mesh, {{0, 0}, {kPitch, kPitch}, n, 6}, {0, 1e-6, kMostPoints});
+  }
+  CHECK(steps > 50'000);
 }
 
 TEST_CASE("shells on whole numbers at any scale, columns on thirds and eighths of them") {
