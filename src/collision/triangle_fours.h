@@ -20,13 +20,12 @@
 //     6 u (|p0| + |gx| w + |gy| h):
 // p0, gx, gy and y rounded once each, and three sums, or a product and four sums for columns beyond
 // eight. gx and gy are worked out in double precision, as differences of products over the area:
-// they are wrong by
-// 2^-50 times the sums of these products' sizes, and by what the area is, which comes out wrong by
-// 2^-52 w h. Where it is less than 2^-20 w h nothing is left to the filter, so that is less than
-// 2^-32 of gx and gy, far below u. The depth that the exact test gives is itself rounded, by less
-// than 2^-50 of the depths that it is made of. All this is in `pointSlack`, whose 8 u leave room
-// for the sums with slack themselves: where p is nearer to a whole number, the exact depth is
-// asked. A triangle with a slack of a fifth of a column or point or more is tested exactly.
+// they are wrong by 2^-50 times the sums of these products' sizes, and by what the area is, which
+// comes out wrong by 2^-52 w h. Where it is less than 2^-20 w h nothing is left to the filter, so
+// that is less than 2^-32 of gx and gy, far below u. The depth that the exact test gives is itself
+// rounded, by less than 2^-50 of the depths that it is made of. All this is in `pointSlack`, whose
+// 8 u leave room for the sums with slack themselves: where p is nearer to a whole number, the exact
+// depth is asked. A triangle with a slack of a fifth of a column or point is tested exactly.
 #pragma once
 
 #if defined(__x86_64__)
