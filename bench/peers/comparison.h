@@ -9,9 +9,9 @@ namespace resect::bench {
 
 // How much time may go into it.
 struct Effort {
-  bool quick = false;    // small sizes only, for a first look
-  int runs = 9;          // of each, where one run does not take too long
-  double patience = 30;  // s that the runs of a peer in one line may take together; at least one
+  bool quick = false;     // small sizes only, for a first look
+  int runs = 9;           // of each, where one run does not take too long
+  double patience = 600;  // s that the runs of a peer in one line may take together; at least one
 };
 
 // Times are medians, s. Zero for the peer: a line of our own, beside a goal and not beside a peer.
@@ -27,6 +27,7 @@ struct Comparison {
   double drift = 1;       // our median after the peer's runs over the one before them
   double goal = 0;        // times faster; 0: none is set
   std::string agreement;  // what was checked, and what came out
+  bool agrees = true;     // as it must
 
   double ratio() const { return peerTime / resect; }
 };

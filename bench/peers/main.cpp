@@ -51,6 +51,18 @@ const Row kRows[] = {
     {"I", "", millionParticlesInRealTime},
 };
 
+// 1 where an answer differs from a peer's.
+int reportDisagreements(const Findings& findings) {
+  int status = 0;
+  for (const Comparison& c : findings.comparisons)
+    if (!c.agrees) {
+      fmt::print(stderr, "resect_peers: error: row {}, {} {}: the answers do not agree: {}\n",
+                 c.row, c.size, c.sizeUnit, c.agreement);
+      status = 1;
+    }
+  return status;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -86,7 +98,8 @@ int main(int argc, char** argv) {
                              found.comparisons.end());
       all.figures.insert(all.figures.end(), found.figures.begin(), found.figures.end());
     }
-    if (folder.empty()) return 0;
+    const int status = reportDisagreements(all);
+    if (folder.empty()) return status;
     const std::filesystem::path to = folder;
     writeFileAtomically(to / "peers.md", [&](std::ostream& out) {
       out << machineName() + "\n\n" + asMarkdown(all);
@@ -94,7 +107,7 @@ int main(int argc, char** argv) {
     writeFileAtomically(to / "peers.csv", [&](std::ostream& out) { out << asCsv(all); });
     writeFileAtomically(to / "peers.svg", [&](std::ostream& out) { out << asSvg(all); });
     fmt::print("\nwritten: peers.md, peers.csv and peers.svg in {}\n", folder);
-    return 0;
+    return status;
   } catch (const Error& e) {
     fmt::print(stderr, "resect_peers: error: {}\n", e.what());
     return int(e.status());

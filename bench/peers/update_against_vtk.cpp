@@ -190,7 +190,7 @@ void addCounters(const std::vector<Cost>& costs, const std::string& organ, Findi
       {"triangles that were not there before", &Cost::newTriangles}};
   for (const auto& [name, member] : counters) {
     const auto [low, high] = std::ranges::minmax(costs, {}, member);
-    findings.figures.push_back({"C", fmt::format("{}, smallest to largest {}", name, organ),
+    findings.figures.push_back({"C", fmt::format("{}, least to most of all {}s", name, organ),
                                 fmt::format("{:.0f} to {:.0f}: {:.0f} % apart", low.*member,
                                             high.*member, 100 * (high.*member / low.*member - 1)),
                                 member == &Cost::newTriangles ? "" : "at most 20 %"});
@@ -217,16 +217,18 @@ Findings updateAgainstVtk(const Effort& effort) {
     line.size = double(cells.particleCount());
     line.sizeUnit = "particles";
     line.goal = size == 1e6 ? 40'000 : 0;
+    vtk.recompute();
+    const double difference = vtk.difference(biter.field);
     timeBoth([&] { biter.walk(); }, [&] { vtk.recompute(); }, effort, line);
     liverCosts.push_back(biter.cost());
     line.resect = liverCosts.back().seconds;
     line.resectRuns = biter.bitesTaken();
-    const double difference = vtk.difference(biter.field);
     SurfaceTracker rebuilt(biter.field, 50);
     const bool same = rebuilt.mesh().points == biter.surface.mesh().points &&
                       rebuilt.mesh().triangles == biter.surface.mesh().triangles;
     line.agreement = fmt::format("field to {:.0e}; {} a rebuild bit for bit", difference,
                                  same ? "equals" : "DIFFERS FROM");
+    line.agrees = difference < 1e-4 && same;
     findings.comparisons.push_back(std::move(line));
     blockCosts.push_back(costOnBlock(size));
   }

@@ -41,6 +41,7 @@ struct Bands {
     rowsPerBand = std::max(1, (rows + wantedBands - 1) / wantedBands);
     offsets.assign((rows + rowsPerBand - 1) / rowsPerBand + 1, 0);
     std::vector<Reach> kept;
+    kept.reserve(triangleCount);
     for (std::size_t t = 0; t < triangleCount; ++t) {
       const Reach reach = reachOf(std::uint32_t(t));
       if (reach.rows.empty() || reach.columns.empty()) continue;
@@ -67,17 +68,18 @@ struct Buckets {
     std::int32_t x, y;
     std::uint32_t column;
   };
-  std::int32_t originX = 0, originY = 0;
-  std::int64_t width = 1, height = 1;  // of a cell, raster steps
+  std::int32_t lowX = kAbove, lowY = kAbove, highX = kBelow, highY = kBelow;  // of the columns
+  double cellsPerStepX = 0, cellsPerStepY = 0;
   int countX = 0, countY = 0;
   std::vector<std::uint32_t> offsets;
   std::vector<Entry> entries;
 
-  int cellX(std::int32_t x) const {
-    return int(std::clamp<std::int64_t>((std::int64_t(x) - originX) / width, 0, countX - 1));
-  }
-  int cellY(std::int32_t y) const {
-    return int(std::clamp<std::int64_t>((std::int64_t(y) - originY) / height, 0, countY - 1));
+  // By a product: for every corner of every triangle a quotient takes longer than all the rest. Any
+  // rounding will do that never lets a greater place have a lesser cell.
+  int cellX(std::int32_t x) const { return cell(double(x) - lowX, cellsPerStepX, countX); }
+  int cellY(std::int32_t y) const { return cell(double(y) - lowY, cellsPerStepY, countY); }
+  static int cell(double steps, double cellsPerStep, int count) {
+    return int(std::clamp(steps * cellsPerStep, 0.0, count - 1.0));
   }
 };
 
@@ -86,22 +88,21 @@ template <typename Place>
 Buckets bucketColumns(const SnappedMesh& mesh, std::size_t count, Place&& place) {
   Buckets buckets;
   std::vector<Buckets::Entry> entries;
-  std::int32_t lowX = kAbove, lowY = kAbove, highX = kBelow, highY = kBelow;
+  entries.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec2 p = place(i);
     const std::int32_t x = snapColumn(p.x() - mesh.origin.x(), mesh.step);
     const std::int32_t y = snapColumn(p.y() - mesh.origin.y(), mesh.step);
     if (x == kBelow || x == kAbove || y == kBelow || y == kAbove) continue;
     entries.push_back({x, y, std::uint32_t(i)});
-    lowX = std::min(lowX, x), highX = std::max(highX, x);
-    lowY = std::min(lowY, y), highY = std::max(highY, y);
+    buckets.lowX = std::min(buckets.lowX, x), buckets.highX = std::max(buckets.highX, x);
+    buckets.lowY = std::min(buckets.lowY, y), buckets.highY = std::max(buckets.highY, y);
   }
   if (entries.empty()) return buckets;
   const int side = int(std::clamp(std::sqrt(double(entries.size()) / 2), 1.0, 1024.0));
-  buckets.originX = lowX, buckets.originY = lowY;
   buckets.countX = buckets.countY = side;
-  buckets.width = (std::int64_t(highX) - lowX) / side + 1;
-  buckets.height = (std::int64_t(highY) - lowY) / side + 1;
+  buckets.cellsPerStepX = side / (double(buckets.highX) - buckets.lowX + 1);
+  buckets.cellsPerStepY = side / (double(buckets.highY) - buckets.lowY + 1);
   buckets.offsets.assign(std::size_t(side) * side + 1, 0);
   const auto bucketOf = [&](const Buckets::Entry& e) {
     return std::size_t(buckets.cellY(e.y)) * side + buckets.cellX(e.x);
@@ -120,8 +121,6 @@ Buckets bucketColumns(const SnappedMesh& mesh, std::size_t count, Place&& place)
 template <typename Visit>
 void visitCrossings(const SnappedMesh& mesh, const Buckets& buckets, Visit&& visit) {
   if (buckets.entries.empty()) return;
-  const std::int64_t endX = buckets.originX + buckets.width * buckets.countX;
-  const std::int64_t endY = buckets.originY + buckets.height * buckets.countY;
   const int wanted =
       int(std::clamp<std::size_t>((mesh.triangles.size() + buckets.entries.size()) / 4096, 1, 32));
   const Bands bands(buckets.countY, wanted, mesh.triangles.size(), [&](std::uint32_t t) {
@@ -129,8 +128,8 @@ void visitCrossings(const SnappedMesh& mesh, const Buckets& buckets, Visit&& vis
     const SnappedMesh::Place &a = mesh.places[std::size_t(ia)], &b = mesh.places[std::size_t(ib)],
                              &c = mesh.places[std::size_t(ic)];
     const Range x = rangeOf(a.x, b.x, c.x), y = rangeOf(a.y, b.y, c.y);
-    if (x.empty() || y.empty() || x.first >= endX || y.first >= endY || x.last < buckets.originX ||
-        y.last < buckets.originY)
+    if (x.empty() || y.empty() || x.first > buckets.highX || y.first > buckets.highY ||
+        x.last < buckets.lowX || y.last < buckets.lowY)
       return Reach{t, {0, 0}, {0, 0}};
     return Reach{t,
                  {buckets.cellY(y.first), buckets.cellY(y.last) + 1},

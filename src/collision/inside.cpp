@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/parallel.h"
@@ -20,6 +21,43 @@ bool meets(const Aabb& box, const Vec3& a, const Vec3& b) {
   return (a.cwiseMax(b).array() >= box.min.array()).all() &&
          (a.cwiseMin(b).array() <= box.max.array()).all();
 }
+
+// Six slabs, slanting over the edges of its box, between which a tool lies: what is near a corner
+// of the box is beside a round or pointed tool, and most of what an instrument passes is.
+class SlantedSlabs {
+ public:
+  SlantedSlabs(const TriangleMesh& tool, const Aabb& box)
+      : centre_(0.5 * (box.min + box.max)),
+        scale_(box.size().unaryExpr([](double side) { return side > 0 ? 2 / side : 0; })) {
+    low_.setConstant(std::numeric_limits<double>::infinity());
+    high_ = -low_;
+    for (const Vec3& p : tool.points) {
+      const Six at = along(p);
+      low_ = low_.min(at);
+      high_ = high_.max(at);
+    }
+    // More than the raster of the exact test moves a point by.
+    low_ -= kAside;
+    high_ += kAside;
+  }
+  // Whether a point that moves from a to b may be in all of them at once.
+  bool mayHold(const Vec3& a, const Vec3& b) const {
+    const Six from = along(a), to = along(b);
+    return ((from.max(to) >= low_) && (from.min(to) <= high_)).all();
+  }
+
+ private:
+  using Six = Eigen::Array<double, 6, 1>;
+  static constexpr double kAside = 1e-7;  // of half the box's sides
+  Six along(const Vec3& p) const {
+    const Vec3 u = (p - centre_).cwiseProduct(scale_);
+    return Six(u.x() + u.y(), u.x() - u.y(), u.y() + u.z(), u.y() - u.z(), u.z() + u.x(),
+               u.z() - u.x());
+  }
+
+  Vec3 centre_, scale_;
+  Six low_, high_;
+};
 
 // Chords of a step, by point: start a and end b in the tool's frame.
 struct Chord {
@@ -143,6 +181,12 @@ std::vector<std::uint8_t> sweptInside(const TriangleMesh& tool, const Pose& from
   std::vector<std::uint32_t> near;
   for (std::size_t i = 0; i < worldPoints.size(); ++i)
     if (swept.contains(worldPoints[i])) near.push_back(std::uint32_t(i));
+  if (!turns && !near.empty()) {
+    const SlantedSlabs slabs(tool, toolBox);
+    std::erase_if(near, [&](std::uint32_t i) {
+      return !slabs.mayHold(back.front() * worldPoints[i], back.back() * worldPoints[i]);
+    });
+  }
   if (near.empty()) return touched;
 
   // Inside at the ends.
