@@ -80,7 +80,8 @@ int main(int argc, char** argv) {
   app.add_option("--patience", effort.patience,
                  "Seconds that a peer's runs of one line may take together; it runs at least once")
       ->capture_default_str();
-  app.add_option("--output", folder, "Folder for peers.md, peers.csv and peers.svg");
+  app.add_option("--output", folder,
+                 "Folder for peers.md, peers.csv, peers_figures.csv and peers.svg");
   CLI11_PARSE(app, argc, argv);
   try {
     fmt::print("{}\n", machineName());
@@ -105,8 +106,10 @@ int main(int argc, char** argv) {
       out << machineName() + "\n\n" + asMarkdown(all);
     });
     writeFileAtomically(to / "peers.csv", [&](std::ostream& out) { out << asCsv(all); });
+    writeFileAtomically(to / "peers_figures.csv",
+                        [&](std::ostream& out) { out << figuresAsCsv(all); });
     writeFileAtomically(to / "peers.svg", [&](std::ostream& out) { out << asSvg(all); });
-    fmt::print("\nwritten: peers.md, peers.csv and peers.svg in {}\n", folder);
+    fmt::print("\nwritten: peers.md, peers.csv, peers_figures.csv and peers.svg in {}\n", folder);
     return status;
   } catch (const Error& e) {
     fmt::print(stderr, "resect_peers: error: {}\n", e.what());

@@ -63,7 +63,11 @@ std::string asCsv(const Findings& findings) {
                         c.row, quoted(c.work), quoted(c.peer), c.size, c.sizeUnit, c.threads,
                         c.resect, c.peerTime, c.ratio(), c.goal, c.resectRuns, c.peerRuns, c.drift,
                         quoted(c.agreement));
-  text += "\nrow,what,figure,goal\n";
+  return text;
+}
+
+std::string figuresAsCsv(const Findings& findings) {
+  std::string text = "row,what,figure,goal\n";
   for (const Figure& f : findings.figures)
     text += fmt::format("{},{},{},{}\n", f.row, quoted(f.what), quoted(f.value), quoted(f.goal));
   return text;
