@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/random.h"
-#include "support/degenerate_mesh.h"
+#include "support/sampled_shells.h"
 
 using namespace resect;
 
@@ -63,12 +63,9 @@ TEST_CASE("points of a grid are inside where its crossings say") {
   Random random(31);
   std::int64_t inside = 0;
   for (int k = 0; k < 200; ++k) {
-    // Faces on the points, up to dozens of crossings a column.
-    const TriangleMesh mesh = randomDegenerateShells(random, k % 7 + 1);
-    const int n = 1 + random.below(40);
-    const ColumnGrid grid{{0, -0.5}, {8.0 / n, 9.0 / n}, n, n + 3};
-    inside += compare(mesh, grid, {-0.25, k % 3 == 0 ? 0.25 : 8.7 / n, n});
-    inside += compare(mesh, grid, {3, 0.01, n});  // begins and ends within
+    const SampledShells shells(random, k, 40);
+    inside += compare(shells.mesh, shells.grid, shells.line);
+    inside += compare(shells.mesh, shells.grid, shells.within);
   }
   CHECK(inside > 10000);
 }

@@ -10,7 +10,7 @@
 
 #include "collision/footprint.h"
 #include "collision/span_samples.h"
-#include "support/degenerate_mesh.h"
+#include "support/sampled_shells.h"
 
 #if defined(__x86_64__)
 using namespace resect;
@@ -81,18 +81,11 @@ Counts compare(const TriangleMesh& mesh, const ColumnGrid& grid, const SampleLin
   return counts;
 }
 
-ColumnGrid squareGrid(double low, double high, int n) {
-  const double pitch = (high - low) / n;
-  return {{low + pitch / 2, low + pitch / 2}, {pitch, pitch}, n, n};
-}
-
 }  // namespace
 
 TEST_CASE("a fine mesh: hardly a triangle is left in doubt") {
   if (!canFindSpans()) return;
-  const TriangleMesh ball =
-      transformed(sphereMesh({0, 0, 0}, 1, 150),
-                  {{0, 0, 0}, Eigen::Quaterniond(0.8, 0.3, 0.2, 0.1).normalized()});
+  const TriangleMesh ball = turnedBall(150);
   for (const double scale : {1e-6, 1.0, 1e6})
     for (const int n : {30, 61, 100}) {
       TriangleMesh mesh = ball;
@@ -126,9 +119,7 @@ TEST_CASE("columns, rows and points on the mesh's own coordinates, slivers, flat
 
 TEST_CASE("half of the mesh beside the grid, and a grid as fine as single precision bears") {
   if (!canFindSpans()) return;
-  const TriangleMesh ball =
-      transformed(sphereMesh({0, 0, 0}, 1, 90),
-                  {{0, 0, 0}, Eigen::Quaterniond(0.8, 0.3, 0.2, 0.1).normalized()});
+  const TriangleMesh ball = turnedBall(90);
   const SampleLine line{-1, 2.0 / 1000, 1000};
   CHECK(compare(ball, {{0.01, -2}, {0.021, 0.02}, 40, 300}, line).lone > 1000);
   CHECK(compare(ball, {{-1, -0.1}, {2.0 / (1 << 15), 0.021}, 1 << 15, 7}, line).larger > 1000);

@@ -13,7 +13,7 @@
 #include "collision/footprint.h"
 #include "collision/span_samples.h"
 #include "geometry/measures.h"
-#include "support/degenerate_mesh.h"
+#include "support/sampled_shells.h"
 
 #if defined(__x86_64__)
 using namespace resect;
@@ -222,9 +222,7 @@ TEST_CASE("shells on whole numbers at any scale, columns on thirds and eighths o
 
 TEST_CASE("a mesh far from the origin, where numbers are coarse: spans, or the plain path") {
   if (!canFindSpans()) return;
-  const TriangleMesh ball =
-      transformed(sphereMesh({0, 0, 0}, 1, 40),
-                  {{0, 0, 0}, Eigen::Quaterniond(0.8, 0.3, 0.2, 0.1).normalized()});
+  const TriangleMesh ball = turnedBall(40);
   const SampleLine line{-1, 0.01, 200};
   for (const double far : {1e6, 1e9, 1e10, 1e11, 1e12, 1e13, 1e15})
     for (int n = 60; n < 120; n += 5) {

@@ -12,7 +12,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "collision/step_rows.h"
-#include "support/degenerate_mesh.h"
+#include "support/sampled_shells.h"
 
 using namespace resect;
 
@@ -60,43 +60,34 @@ TriangleMesh soup(Random& random, int triangles, double size) {
   return mesh;
 }
 
-ColumnGrid gridOver(double low, double high, int n) {
-  const double pitch = (high - low) / n;
-  return {{low + pitch / 2, low + pitch / 2}, {pitch, pitch}, n, n};
-}
-
 }  // namespace
 
 TEST_CASE("spans: shells that overlap and touch, faces on the points") {
   Random random(41);
   std::size_t stretches = 0;
   for (int k = 0; k < 150; ++k) {
-    const TriangleMesh mesh = randomDegenerateShells(random, k % 7 + 1);
-    const int n = 1 + random.below(60);
-    const ColumnGrid grid{{0, -0.5}, {8.0 / n, 9.0 / n}, n, n + 3};
-    stretches += compare(mesh, grid, {-0.25, k % 3 == 0 ? 0.25 : 8.7 / n, n});
+    const SampledShells shells(random, k, 60);
+    stretches += compare(shells.mesh, shells.grid, shells.line);
     // Columns and points on the mesh's own coordinates, where corners, edges and faces lie.
-    stretches += compare(mesh, {{0, 0}, {0.5, 0.5}, 17, 17}, {0, 0.5, 17});
-    stretches += compare(mesh, grid, {3, 0.01, n});
+    stretches += compare(shells.mesh, {{0, 0}, {0.5, 0.5}, 17, 17}, {0, 0.5, 17});
+    stretches += compare(shells.mesh, shells.grid, shells.within);
   }
   CHECK(stretches > 10000);
 }
 
 TEST_CASE("spans: a mesh of any size, any number of points, a grid of any width") {
   Random random(42);
-  const TriangleMesh ball =
-      transformed(sphereMesh({0, 0, 0}, 1, 20),
-                  {{0, 0, 0}, Eigen::Quaterniond(0.8, 0.3, 0.2, 0.1).normalized()});
+  const TriangleMesh ball = turnedBall(20);
   for (const double scale : {1e-6, 1.0, 1e6})
     for (const std::int32_t count : {1, 2, 1000, kMostPoints})
       for (const int n : {1, 2, 3, 4, 5, 7, 8, 33, 61}) {
         TriangleMesh mesh = ball;
         for (Vec3& p : mesh.points) p *= scale;
         const std::size_t stretches =
-            compare(mesh, gridOver(-scale, scale, n), {-0.9 * scale, 1.8 * scale / count, count});
+            compare(mesh, squareGrid(-scale, scale, n), {-0.9 * scale, 1.8 * scale / count, count});
         if (count >= 1000) CHECK(stretches > 0);
         // Half of it beside the mesh; then a pitch far above the mesh's size, and far below.
-        compare(mesh, gridOver(0, 2 * scale, n), {-0.9 * scale, 1.8 * scale / count, count});
+        compare(mesh, squareGrid(0, 2 * scale, n), {-0.9 * scale, 1.8 * scale / count, count});
         compare(mesh, {{-50 * scale, -3 * scale}, {25 * scale, 3 * scale}, n, n},
                 {0, scale, count});
         compare(mesh, {{0.1 * scale, 0.2 * scale}, {1e-10 * scale, 1e-9 * scale}, n, n},
@@ -111,7 +102,7 @@ TEST_CASE("spans: soups of triangles, tiny, large and both") {
     TriangleMesh mesh = soup(random, 60, k % 2 ? 0.02 : 0.7);
     append(mesh, soup(random, 200, 0.01));
     for (const int n : {9, 64, 130})
-      stretches += compare(mesh, gridOver(0, 1, n), {0, 1.0 / 200, 200});
+      stretches += compare(mesh, squareGrid(0, 1, n), {0, 1.0 / 200, 200});
   }
   CHECK(stretches > 100000);
 }
@@ -128,22 +119,22 @@ TEST_CASE("spans: slivers and steep faces") {
         p.x() = p.y() * 0.7 + thin * p.x();
       else
         p.z() *= 1 / thin;
-    stretches += compare(mesh, gridOver(0, 1, 50), {0, 1.0 / 300, 300});
+    stretches += compare(mesh, squareGrid(0, 1, 50), {0, 1.0 / 300, 300});
   }
   CHECK(stretches > 10000);
 }
 
 TEST_CASE("spans: a fine mesh, a box of twelve triangles and a diagonal one round it") {
   TriangleMesh mesh = sphereMesh({0.5, 0.5, 0.5}, 0.3, 100);
-  const std::size_t alone = compare(mesh, gridOver(0, 1, 150), {0, 1.0 / 256, 256});
+  const std::size_t alone = compare(mesh, squareGrid(0, 1, 150), {0, 1.0 / 256, 256});
   append(mesh, boxMesh({{0.01, 0.02, 0.03}, {0.97, 0.98, 0.99}}));
-  CHECK(compare(mesh, gridOver(0, 1, 150), {0, 1.0 / 256, 256}) > alone);
+  CHECK(compare(mesh, squareGrid(0, 1, 150), {0, 1.0 / 256, 256}) > alone);
   const TriangleMesh turned =
       transformed(boxMesh({{-0.01, -2, -0.01}, {0.01, 2, 0.01}}),
                   {{0.5, 0.5, 0.5}, Eigen::Quaterniond(0.9, 0.1, 0.2, 0.4).normalized()});
   append(mesh, turned);
   for (const int n : {150, 257, 512})
-    CHECK(compare(mesh, gridOver(0, 1, n), {0, 1.0 / 256, 256}) > 0);
+    CHECK(compare(mesh, squareGrid(0, 1, n), {0, 1.0 / 256, 256}) > 0);
 }
 
 TEST_CASE("spans: more steps in a column than two pairs hold, at any number of threads") {
@@ -151,14 +142,14 @@ TEST_CASE("spans: more steps in a column than two pairs hold, at any number of t
   for (int n = 0; n < 9; ++n) append(mesh, sphereMesh({0.5, 0.5, 0.5}, 0.05 * (n + 1), 30 + n));
   for (int n = 0; n < 9; ++n)  // nine plates above one another: eighteen steps, nine stretches
     append(mesh, boxMesh({{0, 0, 1 + 0.1 * n}, {1, 1, 1.05 + 0.1 * n}}));
-  CHECK(compare(mesh, gridOver(-0.1, 1.1, 97), {0, 1.0 / 100, 200}) > 9 * 6000);
+  CHECK(compare(mesh, squareGrid(-0.1, 1.1, 97), {0, 1.0 / 100, 200}) > 9 * 6000);
 }
 
 TEST_CASE("spans: fewer rows than threads, on a large grid") {
   if (!canFindSpans()) return;
   const TriangleMesh ball = sphereMesh({0.5, 0.5, 0.5}, 0.45, 120);
   const SnappedMesh snapped = snapToRaster(ball);
-  const ColumnGrid grid = gridOver(0, 1, 1100);
+  const ColumnGrid grid = squareGrid(0, 1, 1100);
   const SampleLine line{0, 1.0 / 300, 300};
   const auto expected = listed(insideSamplesPlainly(snapped, grid, line), grid);
   const ThreadLimit limit(6);
@@ -207,11 +198,9 @@ TEST_CASE(
 #endif
 
 TEST_CASE("as many points as spans take and one more") {
-  const TriangleMesh mesh =
-      transformed(sphereMesh({0, 0, 0}, 1, 12),
-                  {{0, 0, 0}, Eigen::Quaterniond(0.8, 0.3, 0.2, 0.1).normalized()});
+  const TriangleMesh mesh = turnedBall(12);
   const SnappedMesh snapped = snapToRaster(mesh);
-  const ColumnGrid grid = gridOver(-1, 1, 30);
+  const ColumnGrid grid = squareGrid(-1, 1, 30);
   for (const std::int32_t count : {0, kMostPoints, kMostPoints + 1}) {
     const SampleLine line{-1, 1.5 / (count + 1), count};  // ends within
     const InsideSamples some = insideSamples(snapped, grid, line),
