@@ -24,6 +24,7 @@ struct SampleLine {
 // Points [first, last) of a column lie inside; first < last.
 struct InsideStretch {
   std::int32_t first, last;
+  bool operator==(const InsideStretch&) const = default;
 };
 
 // The stretches of column (i, j), upwards; they do not touch each other.
