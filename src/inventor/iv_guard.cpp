@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "base/error.h"
@@ -17,8 +18,30 @@ bool opensFiles(std::string_view word) {
   return std::find(kOpensFiles.begin(), kOpensFiles.end(), word) != kOpensFiles.end();
 }
 
-bool isSpace(char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); }
-bool isBracket(char c) { return c == '{' || c == '}' || c == '[' || c == ']'; }
+enum CharKind : std::uint8_t { kOfWord, kDigit, kSpace, kBracket, kQuote, kComment };
+
+constexpr std::array<CharKind, 256> kKinds = [] {
+  std::array<CharKind, 256> kinds{};
+  const auto set = [&](std::string_view chars, CharKind kind) {
+    for (const char c : chars) kinds[static_cast<unsigned char>(c)] = kind;
+  };
+  set("0123456789", kDigit);
+  set(" ,\t\n\v\f\r", kSpace);
+  set("{}[]", kBracket);
+  set("\"", kQuote);
+  set("#", kComment);
+  return kinds;
+}();
+
+CharKind kindOf(char c) { return kKinds[static_cast<unsigned char>(c)]; }
+
+// Nearly all words of a large model are numbers, and numbers harm nobody: their way through here
+// is what the guard costs, some 20 cycles each and one for every byte.
+bool isNumber(std::string_view word) {
+  return kindOf(word[0]) == kDigit ||
+         (word.size() > 1 && (word[0] == '-' || word[0] == '+' || word[0] == '.') &&
+          (kindOf(word[1]) == kDigit || word[1] == '.'));
+}
 
 class TextGuard {
  public:
@@ -26,14 +49,13 @@ class TextGuard {
 
   void check() {
     for (std::string_view word = next(); !word.empty(); word = next()) {
-      if (word == "{" || word == "[") {
+      if (word == "{" || word == "[")
         open(word);
-      } else if (word == "}" || word == "]") {
+      else if (word == "}" || word == "]")
         close(word);
-      } else {
+      else
         take(word);
-      }
-      before_ = word;
+      before_ = keywordOf(word);
     }
     if (!open_.empty())
       throw error(
@@ -49,41 +71,53 @@ class TextGuard {
     std::string_view defined;  // name of the DEF or PROTO whose body this is
     bool proto = false;
   };
+  enum class Keyword : std::uint8_t { None, Def, Use, Proto };
+
+  static Keyword keywordOf(std::string_view word) {
+    if (word == "DEF") return Keyword::Def;
+    if (word == "USE") return Keyword::Use;
+    return word == "PROTO" ? Keyword::Proto : Keyword::None;
+  }
 
   // The next word, bracket or whole string; empty at the end.
   std::string_view next() {
-    while (at_ < bytes_.size()) {
-      const char c = bytes_[at_];
-      if (c == '#') {
-        at_ = std::min(bytes_.find('\n', at_), bytes_.size());
-      } else if (isSpace(c)) {
-        line_ += c == '\n';
-        ++at_;
-      } else {
-        break;
-      }
-    }
+    skipSpace();
     const std::size_t begin = at_;
     if (at_ == bytes_.size()) return {};
-    if (isBracket(bytes_[at_])) return bytes_.substr(at_++, 1);
-    if (bytes_[at_] == '"') {
-      const int firstLine = line_;
-      for (++at_; at_ < bytes_.size() && bytes_[at_] != '"'; ++at_) {
-        line_ += bytes_[at_] == '\n';
-        if (bytes_[at_] == '\\') ++at_;
-      }
-      if (at_ >= bytes_.size())
-        throw error("{}:{}: the string that begins here never ends; export the model again", path_,
-                    firstLine);
-      return bytes_.substr(begin, ++at_ - begin);
+    const CharKind kind = kindOf(bytes_[at_]);
+    if (kind == kBracket) return bytes_.substr(at_++, 1);
+    if (kind == kQuote) {
+      skipString();
+      return bytes_.substr(begin, at_ - begin);
     }
-    while (at_ < bytes_.size() && !isSpace(bytes_[at_]) && !isBracket(bytes_[at_]) &&
-           bytes_[at_] != '"' && bytes_[at_] != '#')
-      ++at_;
+    while (at_ < bytes_.size() && kindOf(bytes_[at_]) <= kDigit) ++at_;
     if (at_ - begin > kLongestWord)
       throw error("{}:{}: a word of {} characters; export the model again", path_, line_,
                   at_ - begin);
     return bytes_.substr(begin, at_ - begin);
+  }
+
+  void skipSpace() {
+    for (; at_ < bytes_.size(); ++at_) {
+      const char c = bytes_[at_];
+      line_ += c == '\n';
+      if (kindOf(c) == kSpace) continue;
+      if (kindOf(c) != kComment) return;
+      // To the line's end, which the next round counts.
+      at_ = std::min(bytes_.find('\n', at_), bytes_.size()) - 1;
+    }
+  }
+
+  void skipString() {
+    const int firstLine = line_;
+    for (++at_; at_ < bytes_.size() && bytes_[at_] != '"'; ++at_) {
+      line_ += bytes_[at_] == '\n';
+      if (bytes_[at_] == '\\') ++at_;
+    }
+    if (at_ >= bytes_.size())
+      throw error("{}:{}: the string that begins here never ends; export the model again", path_,
+                  firstLine);
+    ++at_;
   }
 
   void open(std::string_view word) {
@@ -108,16 +142,18 @@ class TextGuard {
   }
 
   void take(std::string_view word) {
-    if (before_ == "DEF") {
+    if (before_ == Keyword::Def) {
       pending_ = word;
-    } else if (before_ == "PROTO") {
+    } else if (before_ == Keyword::Proto) {
       pending_ = word;
       pendingIsProto_ = true;
-    } else if (before_ == "USE") {
+    } else if (before_ == Keyword::Use) {
       for (const Bracket& b : open_)
         if (!b.proto && b.defined == word)
           throw error("{}:{}: '{}' is used inside itself; export the model again", path_, line_,
                       word);
+    } else if (isNumber(word)) {
+      return;
     } else if (opensFiles(word)) {
       throw error("{}:{}: the node {} would open another file; put all in one file", path_, line_,
                   word);
@@ -133,7 +169,8 @@ class TextGuard {
   std::string_view bytes_;
   std::size_t at_ = 0;
   int line_ = 1;
-  std::string_view before_, pending_;
+  Keyword before_ = Keyword::None;
+  std::string_view pending_;
   bool pendingIsProto_ = false;
   std::vector<Bracket> open_;
 };
