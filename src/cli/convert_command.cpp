@@ -32,7 +32,7 @@ void convert(const Options& options) {
     mesh = std::move(organ.mesh);
     notes = std::move(organ.notes);
   } else {
-    mesh = weldSurface(chosenSurface(model, options.part, metres));
+    mesh = weldSurface(chosenSurface(model, options.part, metres)).mesh;
     if (mesh.triangles.empty())
       throw error("{}: all its triangles are degenerate; export the model again", model.path);
   }

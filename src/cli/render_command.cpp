@@ -63,7 +63,7 @@ void render(const Options& options) {
   std::vector<TriangleMesh> meshes;
   TriangleMesh all;
   for (const std::string& file : options.models) {
-    meshes.push_back(weldSurface(chosenSurface(readModel(file), options.part, metres)));
+    meshes.push_back(weldSurface(chosenSurface(readModel(file), options.part, metres)).mesh);
     if (meshes.back().triangles.empty())
       throw error("{}: all its triangles are degenerate; export the model again", file);
     append(all, meshes.back());

@@ -12,7 +12,7 @@ constexpr int kSide = 24;  // cells per axis; those that hold points become clus
 }  // namespace
 
 FarthestPoint::FarthestPoint(std::span<const Vec3> points)
-    : points_(points), order_(points.size()) {
+    : points_(points.size()), order_(points.size()) {
   RESECT_ASSERT(!points.empty());
   Aabb box;
   for (const Vec3& p : points) box.grow(p);
@@ -29,12 +29,16 @@ FarthestPoint::FarthestPoint(std::span<const Vec3> points)
   std::vector<std::uint32_t> next(kSide * kSide * kSide + 1, 0);
   for (const Vec3& p : points) ++next[cellOf(p) + 1];
   for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
-  for (std::uint32_t i = 0; i < points.size(); ++i) order_[next[cellOf(points[i])]++] = i;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t place = next[cellOf(points[i])]++;
+    order_[place] = i;
+    points_[place] = points[i];
+  }
   std::uint32_t first = 0;  // afterwards next[c] is where cell c ends
   for (std::size_t c = 0; c + 1 < next.size(); first = next[c++]) {
     if (first == next[c]) continue;
     Cluster cluster{{}, first, next[c]};
-    for (std::uint32_t k = first; k < next[c]; ++k) cluster.box.grow(points[order_[k]]);
+    for (std::uint32_t k = first; k < next[c]; ++k) cluster.box.grow(points_[k]);
     clusters_.push_back(cluster);
   }
 }
@@ -47,7 +51,7 @@ std::uint32_t FarthestPoint::along(const Vec3& direction) const {
   std::uint32_t best = 0;
   const auto lookInto = [&](const Cluster& c) {
     for (std::uint32_t k = c.begin; k < c.end; ++k) {
-      const double r = direction.dot(points_[order_[k]]);
+      const double r = direction.dot(points_[k]);
       if (r > reach || (r == reach && order_[k] < best)) reach = r, best = order_[k];
     }
   };

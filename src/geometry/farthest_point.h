@@ -14,7 +14,7 @@ namespace resect {
 
 class FarthestPoint {
  public:
-  // At least one point, all finite, fewer than 2^32; they must live longer.
+  // At least one point, all finite, fewer than 2^32.
   explicit FarthestPoint(std::span<const Vec3> points);
 
   // Number of the point with the largest p.dot(direction), the first of equals: exactly what a loop
@@ -24,10 +24,10 @@ class FarthestPoint {
  private:
   struct Cluster {
     Aabb box;
-    std::uint32_t begin, end;  // in order_
+    std::uint32_t begin, end;  // in points_
   };
-  std::span<const Vec3> points_;
-  std::vector<std::uint32_t> order_;
+  std::vector<Vec3> points_;          // those of a cluster together
+  std::vector<std::uint32_t> order_;  // their numbers
   std::vector<Cluster> clusters_;
   double rounding_ = 0;  // that a box's reach may be wrong by, for directions of length 1
 };

@@ -14,10 +14,12 @@ double area(const TriangleMesh& mesh) {
   return sum;
 }
 
-double volume(const TriangleMesh& mesh) {
+double volume(const TriangleMesh& mesh) { return volumeAbout(mesh, Vec3::Zero()); }
+
+double volumeAbout(const TriangleMesh& mesh, const Vec3& tip) {
   double sum = 0;
   for (const auto& [a, b, c] : mesh.triangles)
-    sum += mesh.points[a].dot(mesh.points[b].cross(mesh.points[c]));
+    sum += (mesh.points[a] - tip).dot((mesh.points[b] - tip).cross(mesh.points[c] - tip));
   return sum / 6;
 }
 

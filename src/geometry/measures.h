@@ -13,6 +13,10 @@ double area(const TriangleMesh& mesh);
 // that depends on where the origin is.
 double volume(const TriangleMesh& mesh);
 
+// The same with the tetrahedra's tips at `tip` instead of the origin: for a closed mesh the same
+// number, but not drowned in rounding when the mesh lies far from the origin and the tip is near.
+double volumeAbout(const TriangleMesh& mesh, const Vec3& tip);
+
 // Volume centroid of a closed mesh, m; centre of the bounding box when it encloses nothing.
 Vec3 centroid(const TriangleMesh& mesh);
 

@@ -8,28 +8,23 @@
 
 #include "geometry/crossings.h"
 #include "geometry/measures.h"
-#include "geometry/topology.h"
 
 namespace resect {
 namespace {
 
-// Volume about the middle of the mesh: the same as about the origin for a closed mesh, but not
-// drowned in rounding when it lies far away.
-double ownVolume(const TriangleMesh& mesh) {
-  const Vec3 origin = bounds(mesh).centre();
-  double sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    sum += (mesh.points[a] - origin).dot((mesh.points[b] - origin).cross(mesh.points[c] - origin));
-  return sum / 6;
+double ownVolume(const TriangleMesh& mesh) { return volumeAbout(mesh, bounds(mesh).centre()); }
+
+bool isSpeck(double area, double volume) {
+  // A ball of area A holds A^1.5 / (6 sqrt(pi)).
+  constexpr double kLeastShareOfBall = 1e-6;
+  const double ball = std::pow(area, 1.5) / (6 * std::sqrt(std::numbers::pi));
+  return std::abs(volume) <= kLeastShareOfBall * ball;
 }
 
 }  // namespace
 
 bool isSpeck(const TriangleMesh& component) {
-  // A ball of area A holds A^1.5 / (6 sqrt(pi)).
-  constexpr double kLeastShareOfBall = 1e-6;
-  const double ball = std::pow(area(component), 1.5) / (6 * std::sqrt(std::numbers::pi));
-  return std::abs(ownVolume(component)) <= kLeastShareOfBall * ball;
+  return isSpeck(area(component), ownVolume(component));
 }
 
 std::vector<int> outermostOf(const std::vector<TriangleMesh>& components) {
@@ -74,9 +69,10 @@ std::vector<int> outermostOf(const std::vector<TriangleMesh>& components) {
   return outermost;
 }
 
-MeshHealth examine(const TriangleMesh& mesh) {
+MeshHealth examine(const TriangleMesh& mesh) { return examine(mesh, topology(mesh)); }
+
+MeshHealth examine(const TriangleMesh& mesh, const Topology& t) {
   MeshHealth health;
-  const Topology t = topology(mesh);
   health.triangles = int(mesh.triangles.size());
   health.points = int(mesh.points.size());
   health.area = area(mesh);
@@ -90,14 +86,15 @@ MeshHealth examine(const TriangleMesh& mesh) {
   health.firstBoundaryPoint = t.firstBoundaryPoint;
   if (!health.closed || !health.oriented) return health;
 
-  const std::vector<TriangleMesh> pieces =
-      t.components == 1 ? std::vector<TriangleMesh>{mesh} : splitComponents(mesh);
-  std::vector<TriangleMesh> bodies;
-  for (const TriangleMesh& piece : pieces)
-    if (isSpeck(piece))
-      ++health.specks;
-    else
-      bodies.push_back(piece);
+  if (health.components == 1) {
+    const double volume = volumeAbout(mesh, health.bounds.centre());
+    health.specks = isSpeck(health.area, volume);
+    health.insideOut = health.specks == 0 && volume < 0;
+    return health;
+  }
+  std::vector<TriangleMesh> bodies = splitComponents(mesh);
+  health.specks =
+      int(std::erase_if(bodies, [](const TriangleMesh& body) { return isSpeck(body); }));
   const std::vector<int> outermost = outermostOf(bodies);
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (outermost[i] == int(i) && ownVolume(bodies[i]) < 0) health.insideOut = true;

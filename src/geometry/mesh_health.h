@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/topology.h"
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
@@ -26,6 +27,8 @@ struct MeshHealth {
 // Looks at a welded mesh; nothing is changed. O(n log n) for bodies side by side or in one another.
 // An empty mesh has no component and is not closed.
 MeshHealth examine(const TriangleMesh& mesh);
+// The same where the mesh's topology is known already.
+MeshHealth examine(const TriangleMesh& mesh, const Topology& topology);
 
 // Is a closed component too thin to hold anything: less than a millionth of what a ball of the same
 // area holds? Two sheets on each other, a needle, a folded triangle.

@@ -12,13 +12,6 @@
 namespace resect {
 namespace {
 
-double volumeAbout(const TriangleMesh& mesh, const Vec3& origin) {
-  double sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles)
-    sum += (mesh.points[a] - origin).dot((mesh.points[b] - origin).cross(mesh.points[c] - origin));
-  return sum / 6;
-}
-
 struct EdgeUse {
   std::uint64_t edge;  // smaller point index << 32 | larger
   std::int32_t triangle;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/parallel.h"
 #include "geometry/farthest_point.h"
 #include "geometry/measures.h"
 
@@ -25,8 +26,11 @@ std::vector<Vec3> directions(int count) {
 // can touch.
 std::vector<Vec3> outermostPoints(const TriangleMesh& mesh, const Vec3& centre) {
   const FarthestPoint farthest(mesh.points);
-  std::vector<Vec3> result;
-  for (const Vec3& d : directions(1500)) result.push_back(mesh.points[farthest.along(d)] - centre);
+  std::vector<Vec3> result = directions(1500);
+  parallelFor(result.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      result[i] = mesh.points[farthest.along(result[i])] - centre;
+  });
   return result;
 }
 

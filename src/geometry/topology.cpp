@@ -6,24 +6,35 @@
 namespace resect {
 namespace {
 
-// An undirected edge as one sortable word, with the direction it was used in as the lowest bit.
-// Ascending: counted by their lower corners, then the few of each corner sorted.
-std::vector<std::uint64_t> sortedEdges(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> next(mesh.points.size() + 1, 0);
+// The edges of a mesh by their lower corners, the few of each corner ascending. An edge is its
+// higher corner, with the direction it was used in as the lowest bit. Aims at 4 bytes of memory for
+// each of a triangle's three edges, written once and read once.
+struct EdgesByCorner {
+  std::vector<std::uint32_t> end;  // per corner, one past its edges
+  std::vector<std::uint32_t> edges;
+};
+
+EdgesByCorner edgesByCorner(const TriangleMesh& mesh) {
   const auto forEachEdge = [&](auto&& visit) {
     for (const Triangle& t : mesh.triangles)
-      for (int i = 0; i < 3; ++i) visit(std::uint64_t(t[i]), std::uint64_t(t[(i + 1) % 3]));
+      for (int i = 0; i < 3; ++i) visit(std::uint32_t(t[i]), std::uint32_t(t[(i + 1) % 3]));
   };
-  forEachEdge([&](std::uint64_t a, std::uint64_t b) { ++next[std::min(a, b) + 1]; });
+  EdgesByCorner result;
+  std::vector<std::uint32_t>& next = result.end;  // where the corner's next edge goes
+  next.assign(mesh.points.size() + 1, 0);
+  forEachEdge([&](std::uint32_t a, std::uint32_t b) { ++next[std::min(a, b) + 1]; });
   for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
-  std::vector<std::uint64_t> edges(3 * mesh.triangles.size());
-  forEachEdge([&](std::uint64_t a, std::uint64_t b) {
-    edges[next[std::min(a, b)]++] = a < b ? a << 33 | b << 1 : b << 33 | a << 1 | 1;
+  result.edges.resize(3 * mesh.triangles.size());
+  forEachEdge([&](std::uint32_t a, std::uint32_t b) {
+    result.edges[next[std::min(a, b)]++] = a < b ? b << 1 : a << 1 | 1;
   });
-  std::size_t first = 0;
-  for (std::size_t i = 0; i + 1 < next.size(); first = next[i++])
-    std::sort(edges.begin() + std::ptrdiff_t(first), edges.begin() + next[i]);
-  return edges;
+  next.pop_back();
+  std::uint32_t first = 0;
+  for (const std::uint32_t end : next) {
+    std::sort(result.edges.begin() + first, result.edges.begin() + end);
+    first = end;
+  }
+  return result;
 }
 
 std::int32_t findRoot(std::vector<std::int32_t>& parent, std::int32_t i) {
@@ -35,23 +46,25 @@ std::int32_t findRoot(std::vector<std::int32_t>& parent, std::int32_t i) {
 
 Topology topology(const TriangleMesh& mesh) {
   Topology result;
-  const std::vector<std::uint64_t> edges = sortedEdges(mesh);
-  for (std::size_t first = 0; first < edges.size();) {
-    std::size_t last = first;
-    int balance = 0;
-    for (; last < edges.size() && edges[last] >> 1 == edges[first] >> 1; ++last)
-      balance += edges[last] & 1 ? -1 : 1;
-    const std::size_t uses = last - first;
-    if (uses % 2 == 1) {
-      if (!result.firstBoundaryPoint)
-        result.firstBoundaryPoint =
-            0.5 * (mesh.points[edges[first] >> 33] + mesh.points[edges[first] >> 1 & 0xffffffffu]);
-      ++result.boundaryEdges;
+  const auto [ends, edges] = edgesByCorner(mesh);
+  std::size_t first = 0;
+  for (std::size_t corner = 0; corner < ends.size(); ++corner)
+    while (first < ends[corner]) {
+      const std::uint32_t other = edges[first] >> 1;
+      std::size_t last = first;
+      int balance = 0;
+      for (; last < ends[corner] && edges[last] >> 1 == other; ++last)
+        balance += edges[last] & 1 ? -1 : 1;
+      const std::size_t uses = last - first;
+      if (uses % 2 == 1) {
+        if (!result.firstBoundaryPoint)
+          result.firstBoundaryPoint = 0.5 * (mesh.points[corner] + mesh.points[other]);
+        ++result.boundaryEdges;
+      }
+      if (uses > 2) ++result.nonManifoldEdges;
+      if (std::abs(balance) > int(uses % 2)) ++result.unorientedEdges;
+      first = last;
     }
-    if (uses > 2) ++result.nonManifoldEdges;
-    if (std::abs(balance) > int(uses % 2)) ++result.unorientedEdges;
-    first = last;
-  }
   pointComponents(mesh, &result.components);
   return result;
 }

@@ -1,6 +1,8 @@
 #include "geometry/weld.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <numeric>
 
 namespace resect {
@@ -18,20 +20,44 @@ void join(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
   if (a != b) parent[std::max(a, b)] = std::min(a, b);
 }
 
+// Even over all 64 bits (the finisher of MurmurHash3, Appleby); equal for equal positions, so 0 and
+// -0 are one.
+std::uint64_t hashOf(const Vec3& p) {
+  std::uint64_t hash = 0;
+  for (int k = 0; k < 3; ++k) {
+    hash ^= std::bit_cast<std::uint64_t>(p[k] + 0.0);
+    hash = (hash ^ hash >> 33) * 0xff51afd7ed558ccdu;
+    hash = (hash ^ hash >> 33) * 0xc4ceb9fe1a85ec53u;
+  }
+  return hash ^ hash >> 33;
+}
+
+// For each point the first one at the very same place. Aims at one visit to a table that is at most
+// half full, 8 bytes for each point.
+std::vector<std::int32_t> firstsOfPlaces(const std::vector<Vec3>& points) {
+  constexpr std::int32_t kNobody = -1;
+  std::vector<std::int32_t> table(std::bit_ceil(2 * points.size() + 1), kNobody);
+  std::vector<std::int32_t> first(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::size_t slot = hashOf(points[i]) & (table.size() - 1);
+    while (table[slot] != kNobody && points[table[slot]] != points[i])
+      slot = (slot + 1) & (table.size() - 1);
+    if (table[slot] == kNobody) table[slot] = std::int32_t(i);
+    first[i] = table[slot];
+  }
+  return first;
+}
+
 std::vector<std::int32_t> twins(const std::vector<Vec3>& points, double tolerance) {
-  std::vector<std::int32_t> parent(points.size()), order(points.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    for (int k = 0; k < 3; ++k)
-      if (points[a][k] != points[b][k]) return points[a][k] < points[b][k];
-    return a < b;
-  });
-  for (std::size_t i = 0; i + 1 < order.size(); ++i)
-    if (points[order[i]] == points[order[i + 1]]) join(parent, order[i], order[i + 1]);
+  std::vector<std::int32_t> parent = firstsOfPlaces(points);
   if (tolerance <= 0) return parent;
   // Sweep along x over one representative per position.
-  std::erase_if(order, [&](std::int32_t i) { return findFirst(parent, i) != i; });
+  std::vector<std::int32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::erase_if(order, [&](std::int32_t i) { return parent[i] != i; });
+  std::ranges::sort(order, [&](std::int32_t a, std::int32_t b) {
+    return points[a].x() != points[b].x() ? points[a].x() < points[b].x() : a < b;
+  });
   for (std::size_t i = 0; i < order.size(); ++i)
     for (std::size_t j = i + 1; j < order.size(); ++j) {
       const Vec3 gap = points[order[j]] - points[order[i]];

@@ -27,7 +27,8 @@ ModelInfo modelInfo(const Model& model) {
   for (const Triangle& t : mesh.triangles)
     for (const std::int32_t i : t) info.bounds.grow(mesh.points[i]);
 
-  const MeshHealth health = examine(weldSurface(mesh));
+  const WeldedSurface welded = weldSurface(mesh);
+  const MeshHealth health = examine(welded.mesh, welded.topology);
   info.components = health.components;
   info.closed = health.closed;
   info.oriented = health.oriented;

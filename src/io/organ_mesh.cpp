@@ -1,5 +1,7 @@
 #include "io/organ_mesh.h"
 
+#include <utility>
+
 #include "base/error.h"
 #include "geometry/topology.h"
 #include "geometry/weld.h"
@@ -59,31 +61,9 @@ void addNotes(const OrganMeshOptions& options, OrganMesh& organ) {
   }
 }
 
-}  // namespace
-
-TriangleMesh weldSurface(const TriangleMesh& mesh) {
-  TriangleMesh exact = weld(mesh);
-  if (topology(exact).closed()) return exact;
-  constexpr double kRounding = 1e-6;
-  TriangleMesh near = weld(mesh, kRounding);
-  const Topology t = topology(near);
-  return t.closed() && !near.triangles.empty() ? near : exact;
-}
-
-TriangleMesh chosenSurface(const Model& model, const std::string& part, double metresPerUnit) {
-  TriangleMesh mesh = part.empty() ? merged(model) : partNamed(model, part).mesh;
-  if (metresPerUnit != 1)
-    for (Vec3& p : mesh.points) p *= metresPerUnit;
-  return mesh;
-}
-
-OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options) {
-  OrganMesh organ;
-  organ.mesh = weldSurface(chosenSurface(model, options.part, options.metresPerUnit));
-  if (organ.mesh.triangles.empty())
-    throw error("{}: all its triangles are degenerate; export the model again", model.path);
-
-  const MeshHealth raw = examine(organ.mesh);
+// Makes organ.mesh, in the health that organ.health says, what an organ needs, or throws.
+void mend(const Model& model, const OrganMeshOptions& options, OrganMesh& organ) {
+  const MeshHealth& raw = organ.health;
   const bool severalParts = model.parts.size() > 1 && options.part.empty();
   // Parts that overlap have edges of more than two triangles: closing the holes between them would
   // make a closed surface of nonsense.
@@ -102,7 +82,39 @@ OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options) 
   if (organ.mesh.triangles.empty())
     throw error("{}: its surface encloses no volume; choose a file that holds a body", model.path);
   turnOutwards(organ.mesh, organ.repairs);
-  organ.health = examine(organ.mesh);
+}
+
+}  // namespace
+
+WeldedSurface weldSurface(const TriangleMesh& mesh) {
+  WeldedSurface exact{weld(mesh), {}};
+  exact.topology = topology(exact.mesh);
+  if (exact.topology.closed()) return exact;
+  constexpr double kRounding = 1e-6;
+  WeldedSurface near{weld(mesh, kRounding), {}};
+  near.topology = topology(near.mesh);
+  return near.topology.closed() && !near.mesh.triangles.empty() ? near : exact;
+}
+
+TriangleMesh chosenSurface(const Model& model, const std::string& part, double metresPerUnit) {
+  TriangleMesh mesh = part.empty() ? merged(model) : partNamed(model, part).mesh;
+  if (metresPerUnit != 1)
+    for (Vec3& p : mesh.points) p *= metresPerUnit;
+  return mesh;
+}
+
+OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options) {
+  OrganMesh organ;
+  WeldedSurface welded = weldSurface(chosenSurface(model, options.part, options.metresPerUnit));
+  organ.mesh = std::move(welded.mesh);
+  if (organ.mesh.triangles.empty())
+    throw error("{}: all its triangles are degenerate; export the model again", model.path);
+  organ.health = examine(organ.mesh, welded.topology);
+  const MeshHealth& h = organ.health;
+  if (!h.closed || !h.oriented || h.specks > 0 || h.insideOut) {
+    mend(model, options, organ);
+    organ.health = examine(organ.mesh);
+  }
   addNotes(options, organ);
   return organ;
 }

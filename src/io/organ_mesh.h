@@ -23,9 +23,14 @@ struct OrganMesh {
   std::vector<std::string> notes;  // one sentence per thing done or doubtful, for a person
 };
 
+struct WeldedSurface {
+  TriangleMesh mesh;
+  Topology topology;  // of that mesh
+};
+
 // Merges equal points; when that leaves the surface open, also points nearer than a millionth of
 // the diagonal, if that closes it (mirrored or rotated copies meet only up to rounding).
-TriangleMesh weldSurface(const TriangleMesh& mesh);
+WeldedSurface weldSurface(const TriangleMesh& mesh);
 
 // Takes the part (or all), scales, welds, drops specks, turns what looks inwards. Throws one
 // sentence when the surface is open and `repair` is off (number of boundary edges, place of the
