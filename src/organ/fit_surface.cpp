@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 #include "base/parallel.h"
 #include "sph/colour_field.h"
@@ -34,27 +37,59 @@ std::vector<Vec3> spread(const TriangleMesh& mesh, const Lattice& lattice) {
   return points;
 }
 
-// visit(cell, weight) for the cells in the kernel's reach of a point in cell space.
-template <typename Visit>
-void visitReach(const Lattice& lattice, const Vec3& p, Visit visit) {
-  constexpr double kReach = kKernelSupport * kSmoothingPerSpacing;
-  Vec3i low, high;
-  for (int a = 0; a < 3; ++a) {
-    low[a] = std::max(0, int(std::ceil(p[a] - kReach)));
-    high[a] = std::min(lattice.dims[a] - 1, int(std::floor(p[a] + kReach)));
+// The cells in the kernel's reach of some points that follow each other, and what they weigh there:
+// found once, since every round asks twice. Some 33 cells to a point.
+struct Reach {
+  std::vector<std::uint32_t> end;  // per point, one past its cells
+  std::vector<std::int32_t> cell;
+  std::vector<double> weight;
+  std::vector<double> misfit;  // per point: what the field there lacks of 50
+
+  // visit(point, cell, weight), points in their order
+  template <typename Visit>
+  void forEach(Visit visit) const {
+    for (std::uint32_t point = 0, k = 0; point < end.size(); ++point)
+      for (; k < end[point]; ++k) visit(point, cell[k], weight[k]);
   }
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x) {
-        const double r = (p - Vec3(x, y, z)).norm();
-        if (r < kReach) visit(lattice.index({x, y, z}), kernel(r, kSmoothingPerSpacing));
-      }
+};
+
+Reach reachOf(std::span<const Vec3> points, const Lattice& lattice) {
+  constexpr double kReach = kKernelSupport * kSmoothingPerSpacing;
+  Reach reach;
+  for (const Vec3& p : points) {
+    Vec3i low, high;
+    for (int a = 0; a < 3; ++a) {
+      low[a] = std::max(0, int(std::ceil(p[a] - kReach)));
+      high[a] = std::min(lattice.dims[a] - 1, int(std::floor(p[a] + kReach)));
+    }
+    for (int z = low.z(); z <= high.z(); ++z)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int x = low.x(); x <= high.x(); ++x) {
+          const double r = (p - Vec3(x, y, z)).norm();
+          if (!(r < kReach)) continue;
+          reach.cell.push_back(std::int32_t(lattice.index({x, y, z})));
+          reach.weight.push_back(kernel(r, kSmoothingPerSpacing));
+        }
+    reach.end.push_back(std::uint32_t(reach.cell.size()));
+  }
+  return reach;
+}
+
+std::vector<Reach> reachesOf(std::span<const Vec3> points, const Lattice& lattice) {
+  constexpr std::size_t kTogether = 256;
+  std::vector<Reach> reaches((points.size() + kTogether - 1) / kTogether);
+  parallelFor(points.size(), kTogether, [&](std::size_t begin, std::size_t end) {
+    for (; begin < end; begin += kTogether)
+      reaches[begin / kTogether] =
+          reachOf(points.subspan(begin, std::min(kTogether, end - begin)), lattice);
+  });
+  return reaches;
 }
 
 }  // namespace
 
 void fitSurface(const TriangleMesh& mesh, Discretization& cells) {
-  const std::vector<Vec3> points = spread(mesh, cells.lattice);
+  std::vector<Reach> reaches = reachesOf(spread(mesh, cells.lattice), cells.lattice);
   const auto fits = [&](float value) { return value > 0 && value < 100; };
   std::vector<float> value(cells.value.size());
   std::vector<std::uint8_t> fitted(value.size());
@@ -68,27 +103,26 @@ void fitSurface(const TriangleMesh& mesh, Discretization& cells) {
     return sum;
   };
   const double before = skin();
-  std::vector<double> misfit(points.size());
   std::vector<float> change(value.size()), weight(value.size());
+  for (const Reach& reach : reaches)
+    reach.forEach([&](std::uint32_t, std::int32_t cell, double w) { weight[cell] += float(w); });
   for (int round = 0; round < kRounds; ++round) {
-    parallelFor(points.size(), 256, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) {
-        double field = 0;
-        visitReach(cells.lattice, points[k],
-                   [&](std::int64_t cell, double w) { field += w * value[cell]; });
-        misfit[k] = 50 - field;
+    parallelFor(reaches.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (Reach& reach : std::span(reaches).subspan(begin, end - begin)) {
+        reach.misfit.assign(reach.end.size(), 0);
+        reach.forEach([&](std::uint32_t point, std::int32_t cell, double w) {
+          reach.misfit[point] += w * value[cell];
+        });
+        for (double& field : reach.misfit) field = 50 - field;
       }
     });
     std::ranges::fill(change, 0.0f);
-    std::ranges::fill(weight, 0.0f);
-    for (std::size_t k = 0; k < points.size(); ++k)
-      visitReach(cells.lattice, points[k], [&](std::int64_t cell, double w) {
-        if (!fitted[cell]) return;
-        change[cell] += float(w * misfit[k]);
-        weight[cell] += float(w);
+    for (const Reach& reach : reaches)
+      reach.forEach([&](std::uint32_t point, std::int32_t cell, double w) {
+        change[cell] += float(w * reach.misfit[point]);
       });
     for (std::size_t i = 0; i < fitted.size(); ++i) {
-      if (!(weight[i] > 0)) continue;
+      if (!fitted[i] || !(weight[i] > 0)) continue;
       // Where few points are near, their mean says little.
       const double trust = std::min(1.0, double(weight[i]) / (0.3 * kPerCell));
       const float moved = value[i] + float(kStride * trust * change[i] / weight[i]);

@@ -17,8 +17,9 @@ namespace resect {
 // Changes only values strictly between 0 and 100, and keeps them there, so no cell becomes or stops
 // being tissue; skinScale keeps the sum of the cells' volumes. At last values are rounded to whole
 // levels (sph/colour_values.h), which moves the surface by about a thousandth of a cell. `mesh`:
-// what `cells` were made from. Same bits at any number of threads. Cost: 12 evaluations of the
-// field for every cell-sized piece of the surface, twice.
+// what `cells` were made from. Same bits at any number of threads. Cost: for every cell-sized
+// piece of the surface two points, for each point its 33 cells 13 times; 12 bytes for each of those
+// while it lasts.
 void fitSurface(const TriangleMesh& mesh, Discretization& cells);
 
 }  // namespace resect
