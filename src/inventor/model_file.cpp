@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "base/large_pages.h"
+#include "base/raw_array.h"
 #include "inventor/iv_guard.h"
 #include "inventor/iv_reader.h"
 #include "inventor/nurbs_context.h"
@@ -22,9 +24,12 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t kLargestFile = std::uintmax_t(1) << 30;
 constexpr std::size_t kLargestUnpacked = std::size_t(1) << 29;
 
-std::string allBytes(const fs::path& path) {
+RawArray<char> allBytes(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
-  std::string bytes(fs::file_size(path), '\0');
+  RawArray<char> bytes;
+  bytes.reserve(fs::file_size(path));
+  wantLargePages(bytes.data(), bytes.capacity());
+  bytes.resize(bytes.capacity());
   in.read(bytes.data(), std::streamsize(bytes.size()));
   if (!in || std::size_t(in.gcount()) != bytes.size())
     throw error("{}: cannot be read: {}; check the disk", path.string(), std::strerror(errno));
@@ -38,7 +43,7 @@ std::string lowerExtension(const fs::path& path) {
 }
 
 // The name that tells the format: without .gz, and corrected where the first bytes know better.
-fs::path formatName(const fs::path& path, const std::string& bytes) {
+fs::path formatName(const fs::path& path, std::string_view bytes) {
   fs::path name = lowerExtension(path) == ".gz" ? path.stem() : path;
   if (bytes.starts_with("glTF")) return name.replace_extension(".glb");
   if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r"))
@@ -47,9 +52,11 @@ fs::path formatName(const fs::path& path, const std::string& bytes) {
 }
 
 Model readHere(const fs::path& path) {
-  std::string bytes = allBytes(path);
+  const RawArray<char> stored = allBytes(path);
+  std::string_view bytes(stored.data(), stored.size());
   if (bytes.empty()) throw error("{}: is empty; choose a file that holds a surface", path.string());
-  if (isGzip(bytes)) bytes = unpackGzip(path.string(), bytes, kLargestUnpacked);
+  std::string unpacked;
+  if (isGzip(bytes)) bytes = unpacked = unpackGzip(path.string(), bytes, kLargestUnpacked);
   const fs::path name = formatName(path, bytes);
   const std::string extension = lowerExtension(name);
   if (isInventorFile(bytes) || extension == ".iv" || extension == ".wrl")

@@ -30,6 +30,7 @@
 #include <Inventor/nodes/SoVertexProperty.h>
 
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "inventor/face_set.h"
@@ -62,11 +63,11 @@ class Collector {
     return SoCallbackAction::ABORT;
   }
 
-  void add(const SoCallbackAction& action, const TriangleMesh& mesh) {
+  void add(const SoCallbackAction& action, TriangleMesh mesh) {
     triangles_ += mesh.triangles.size();
     if (triangles_ > kMostTriangles)
       throw error("{}: more than {} triangles; simplify the model", model_.path, kMostTriangles);
-    addToPart(model_, partName(action), mesh);
+    addToPart(model_, partName(action), std::move(mesh));
   }
 
   // Coin's own triangles come one by one; they are gathered per shape.
@@ -77,10 +78,7 @@ class Collector {
     const auto n = std::int32_t(gathered_.points.size());
     gathered_.triangles.push_back({n - 3, n - 2, n - 1});
   }
-  void endShape(const SoCallbackAction& action) {
-    add(action, gathered_);
-    gathered_ = {};
-  }
+  void endShape(const SoCallbackAction& action) { add(action, std::exchange(gathered_, {})); }
   bool full() const { return triangles_ + gathered_.triangles.size() > kMostTriangles; }
 
   void throwFailure() const {
@@ -111,13 +109,19 @@ class Collector {
   std::optional<Error> failure_;
 };
 
+std::vector<Vec3> pointsOf(const SoMFVec3f& field) {
+  std::vector<Vec3> points;
+  points.reserve(std::size_t(field.getNum()));
+  for (int i = 0; i < field.getNum(); ++i)
+    points.emplace_back(field[i][0], field[i][1], field[i][2]);
+  return points;
+}
+
 std::vector<Vec3> pointsAt(const SoVertexShape& shape, const SoCallbackAction& action) {
   std::vector<Vec3> points;
   const SoNode* property = shape.vertexProperty.getValue();
   if (property && property->isOfType(SoVertexProperty::getClassTypeId())) {
-    const SoMFVec3f& vertex = static_cast<const SoVertexProperty*>(property)->vertex;
-    for (int i = 0; i < vertex.getNum(); ++i)
-      points.emplace_back(vertex[i][0], vertex[i][1], vertex[i][2]);
+    points = pointsOf(static_cast<const SoVertexProperty*>(property)->vertex);
     if (!points.empty()) return points;
   }
   const int count = action.getNumCoordinates();
@@ -129,14 +133,9 @@ std::vector<Vec3> pointsAt(const SoVertexShape& shape, const SoCallbackAction& a
   return points;
 }
 
-TriangleMesh inWorld(const SoCallbackAction& action, const std::vector<Vec3>& points,
-                     std::vector<Triangle> triangles) {
-  TriangleMesh mesh;
-  mesh.points.reserve(points.size());
-  for (const Vec3& p : points)
-    mesh.points.push_back(
-        Collector::inWorld(action, SbVec3f(float(p.x()), float(p.y()), float(p.z()))));
-  mesh.triangles = std::move(triangles);
+TriangleMesh inWorld(const SoCallbackAction& action, TriangleMesh mesh) {
+  for (Vec3& p : mesh.points)
+    p = Collector::inWorld(action, SbVec3f(float(p.x()), float(p.y()), float(p.z())));
   return mesh;
 }
 
@@ -145,10 +144,9 @@ SoCallbackAction::Response convert(void* data, SoCallbackAction* action, const S
   auto& collector = *static_cast<Collector*>(data);
   return collector.guarded([&] {
     const auto& shape = *static_cast<const Shape*>(node);
-    const std::vector<Vec3> points = pointsAt(shape, *action);
-    std::vector<Triangle> triangles;
-    appendTriangles(shape, points, collector.path() + ":", triangles);
-    collector.add(*action, inWorld(*action, points, std::move(triangles)));
+    TriangleMesh mesh{pointsAt(shape, *action), {}};
+    appendTriangles(shape, mesh.points, collector.path() + ":", mesh.triangles);
+    collector.add(*action, inWorld(*action, std::move(mesh)));
     return SoCallbackAction::PRUNE;
   });
 }
@@ -158,16 +156,12 @@ SoCallbackAction::Response convertVrml(void* data, SoCallbackAction* action, con
   return collector.guarded([&] {
     const auto& shape = *static_cast<const SoVRMLIndexedFaceSet*>(node);
     const SoNode* coordinates = shape.coord.getValue();
-    std::vector<Vec3> points;
-    if (coordinates && coordinates->isOfType(SoVRMLCoordinate::getClassTypeId())) {
-      const SoMFVec3f& point = static_cast<const SoVRMLCoordinate*>(coordinates)->point;
-      for (int i = 0; i < point.getNum(); ++i)
-        points.emplace_back(point[i][0], point[i][1], point[i][2]);
-    }
-    std::vector<Triangle> triangles;
-    appendFaces({shape.coordIndex.getValues(0), std::size_t(shape.coordIndex.getNum())}, points,
-                collector.path() + ": IndexedFaceSet", triangles);
-    collector.add(*action, inWorld(*action, points, std::move(triangles)));
+    TriangleMesh mesh;
+    if (coordinates && coordinates->isOfType(SoVRMLCoordinate::getClassTypeId()))
+      mesh.points = pointsOf(static_cast<const SoVRMLCoordinate*>(coordinates)->point);
+    appendFaces({shape.coordIndex.getValues(0), std::size_t(shape.coordIndex.getNum())},
+                mesh.points, collector.path() + ": IndexedFaceSet", mesh.triangles);
+    collector.add(*action, inWorld(*action, std::move(mesh)));
     return SoCallbackAction::PRUNE;
   });
 }

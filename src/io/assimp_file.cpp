@@ -101,7 +101,7 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above,
 
 // The library reads on when a glTF binary file is cut off, so its frame is checked here (glTF 2.0,
 // 4.4): a header of 12 bytes with the whole length, then chunks with theirs.
-void checkGltfFrame(const std::string& path, const std::string& bytes) {
+void checkGltfFrame(const std::string& path, std::string_view bytes) {
   const auto number = [&](std::size_t at) {
     std::uint64_t value = 0;
     for (std::size_t i = 4; i > 0; --i)
@@ -126,7 +126,7 @@ bool isAssimpFile(const std::filesystem::path& path) {
 }
 
 Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::path& formatName,
-                     const std::string& bytes) {
+                     std::string_view bytes) {
   const std::string extension = extensionOf(formatName);
   if (extension == "glb") checkGltfFrame(path.string(), bytes);
   Assimp::Importer importer;

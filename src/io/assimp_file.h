@@ -5,7 +5,7 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <string_view>
 
 #include "io/model.h"
 
@@ -19,6 +19,6 @@ bool isAssimpFile(const std::filesystem::path& path);
 // means by its numbers. `bytes` is what the file holds, no longer compressed; `formatName` ends as
 // its format does; `path` is for messages and for what a .gltf keeps beside it.
 Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::path& formatName,
-                     const std::string& bytes);
+                     std::string_view bytes);
 
 }  // namespace resect

@@ -26,11 +26,11 @@
 namespace resect {
 namespace {
 
-// First byte of what the child sends; the rest is the result or the sentence. A last byte kEnd
-// tells a whole message from a torn one.
+// The last byte of what the child sends; before it stands the result or the sentence. The message
+// is whole when the child ended with status 0 after it.
 enum Kind : char { kResult = 'r', kFailed = 'f', kUsage = 'u', kNoMemory = 'm', kOther = 'o' };
-constexpr char kEnd = '.';
-constexpr int kCannotWrite = 3;  // exit status of a child whose parent no longer listens
+constexpr int kAtOnce = 1 << 20;  // bytes that wait in the pipe, when the system allows as many
+constexpr int kCannotWrite = 3;   // exit status of a child whose parent no longer listens
 
 void limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
   rlimit value{};
@@ -83,10 +83,9 @@ void writeAll(int pipe, const char* data, std::size_t size) {
 }
 
 void send(int pipe, Kind kind, const std::string& message) {
-  const char first = kind;
-  writeAll(pipe, &first, 1);
   writeAll(pipe, message.data(), message.size());
-  writeAll(pipe, &kEnd, 1);
+  const char last = kind;
+  writeAll(pipe, &last, 1);
 }
 
 #ifdef __SANITIZE_ADDRESS__
@@ -131,7 +130,7 @@ void answerWhenOutOfMemory(const char* report) {
 bool readAll(int pipe, double seconds, std::string& bytes) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
-  std::string block(1 << 16, '\0');
+  std::string block(kAtOnce, '\0');
   for (;;) {
     const double left = std::chrono::duration<double>(end - Clock::now()).count();
     if (left <= 0) return false;
@@ -183,6 +182,7 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   if (::pipe2(ends, O_CLOEXEC) != 0)
     throw error("{}: no pipe for its reader: {}; close other programs", subject,
                 std::strerror(errno));
+  ::fcntl(ends[0], F_SETPIPE_SZ, kAtOnce);
   // What is still in the buffers must not be written twice.
   std::fflush(nullptr);
   const pid_t child = ::fork();
@@ -213,10 +213,10 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   if (!inTime)
     throw error("{}: reading it took more than {:.1f} s, so it was given up; simplify the model",
                 subject, limits.wallSeconds);
-  if (bytes.size() < 2 || bytes.back() != kEnd) throwOutcome(subject, limits, status);
-  const char kind = bytes.front();
+  if (bytes.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throwOutcome(subject, limits, status);
+  const char kind = bytes.back();
   bytes.pop_back();
-  bytes.erase(0, 1);
   if (kind == kResult) return bytes;
   if (kind == kFailed) throw Error(bytes);
   if (kind == kUsage) throw Error(bytes, Error::Status::Usage);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "base/error.h"
 
@@ -72,12 +73,14 @@ TriangleMesh merged(const Model& model) {
   return mesh;
 }
 
-void addToPart(Model& model, const std::string& name, const TriangleMesh& mesh) {
+void addToPart(Model& model, const std::string& name, TriangleMesh mesh) {
   if (mesh.triangles.empty()) return;
-  auto part = std::find_if(model.parts.begin(), model.parts.end(),
-                           [&](const ModelPart& p) { return p.name == name; });
-  if (part == model.parts.end()) part = model.parts.insert(part, {name, {}});
-  append(part->mesh, mesh);
+  const auto part = std::find_if(model.parts.begin(), model.parts.end(),
+                                 [&](const ModelPart& p) { return p.name == name; });
+  if (part == model.parts.end())
+    model.parts.push_back({name, std::move(mesh)});
+  else
+    append(part->mesh, mesh);
 }
 
 const ModelPart& partNamed(const Model& model, const std::string& name) {
@@ -125,7 +128,12 @@ void checkModel(const Model& model) {
 }
 
 std::string modelToBytes(const Model& model) {
+  std::size_t size = 2 * sizeof(std::uint64_t) + model.format.size();
+  for (const ModelPart& part : model.parts)
+    size += 3 * sizeof(std::uint64_t) + part.name.size() + part.mesh.points.size() * sizeof(Vec3) +
+            part.mesh.triangles.size() * sizeof(Triangle);
   std::string bytes;
+  bytes.reserve(size);
   putText(bytes, model.format);
   const std::uint64_t parts = model.parts.size();
   put(bytes, &parts, 1);

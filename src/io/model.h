@@ -25,7 +25,7 @@ struct Model {
 TriangleMesh merged(const Model& model);
 
 // Appends a surface to the part of that name; makes the part when there is none.
-void addToPart(Model& model, const std::string& name, const TriangleMesh& mesh);
+void addToPart(Model& model, const std::string& name, TriangleMesh mesh);
 
 // The part of that name, or the Error that lists the names there are.
 const ModelPart& partNamed(const Model& model, const std::string& name);
