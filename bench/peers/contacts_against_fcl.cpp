@@ -129,7 +129,6 @@ Findings contactsAgainstFcl(const Effort& effort) {
   std::vector<Case> cases = {{2e4, 100}};
   if (!effort.quick) cases.push_back({2e5, 1000});
   Findings findings;
-  const ThreadLimit limit(1);
   const std::unique_ptr<Tool> tool = rod();
   for (const Case& c : cases) {
     const Organ organ = makeOrgan(liverCells(particlesFor(c.triangles)), {});
@@ -160,7 +159,8 @@ Findings contactsAgainstFcl(const Effort& effort) {
       }
     };
     const Agreement agreement = checkParticles(organ, *tool, ways);
-    for (const bool refit : {true, false}) {
+    const auto compare = [&](bool refit, int threads) {
+      const ThreadLimit limit(threads);
       Comparison line;
       line.row = "F";
       line.work = refit ? "particles touched and ml shared, organ changed"
@@ -168,6 +168,7 @@ Findings contactsAgainstFcl(const Effort& effort) {
       line.peer = refit ? "FCL 0.7 refit + collide" : "FCL 0.7 collide alone";
       line.size = double(surface.triangles.size());
       line.sizeUnit = "triangles";
+      line.threads = threads;
       line.goal = refit ? c.goal : 0;
       collideFrames(refit);
       line.agrees = agreement.wrong == 0 && touching == int(ways.size());
@@ -180,7 +181,10 @@ Findings contactsAgainstFcl(const Effort& effort) {
       line.resect /= double(ways.size());
       line.peerTime /= double(ways.size());
       findings.comparisons.push_back(std::move(line));
-    }
+    };
+    for (const int threads : threadCounts())
+      for (const bool refit : {true, false}) compare(refit, threads);
+    const ThreadLimit limit(1);
     const auto size = surface.triangles.size();
     findings.figures.push_back(
         costWithoutContact(organ, *tool, ways, {0, 0.5, 0},

@@ -76,8 +76,7 @@ Findings rebuildAgainstOpenVdb(const Effort& effort) {
     const Discretization cells = liverCells(c.particles);
     const double spacing = cells.lattice.spacing.x();
     const auto points = pointGrid(cells);
-    for (int threads = 1; threads <= threadsOfMachine();
-         threads = threads == threadsOfMachine() ? threads + 1 : threadsOfMachine()) {
+    for (const int threads : threadCounts()) {
       const ThreadLimit limit(threads);
       Comparison line;
       line.row = "B";

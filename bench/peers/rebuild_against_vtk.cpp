@@ -30,8 +30,7 @@ Findings rebuildAgainstVtk(const Effort& effort) {
     const FieldAndSurface built = buildFieldAndSurface(cells, c.refine, 50);
     const double difference = vtk.difference(built.field);
     const std::int64_t triangles = built.surface.triangleCount();
-    for (const int threads : {1, threadsOfMachine()}) {
-      if (threads == 1 && !findings.comparisons.empty() && threadsOfMachine() == 1) continue;
+    for (const int threads : threadCounts()) {
       const ThreadLimit limit(threads);
       setVtkThreads(threads);
       Comparison line;
@@ -63,7 +62,6 @@ Findings rebuildAgainstVtk(const Effort& effort) {
             [&] { vtk.recompute(true); }, effort, line);
         findings.comparisons.push_back(line);
       }
-      if (threadsOfMachine() == 1) break;
     }
   }
   return findings;

@@ -18,8 +18,7 @@ Findings compareSampling(const Effort& effort, const SamplingPeer& peer,
     const ColourField field(liverCells(particlesFor(size)), 2);
     const TriangleMesh mesh = SurfaceTracker(field, 50).mesh();
     const InsideGrid grid = gridRound(mesh, kPoints);
-    for (int threads = 1; threads <= threadsOfMachine();
-         threads = threads == threadsOfMachine() ? threads + 1 : threadsOfMachine()) {
+    for (const int threads : threadCounts()) {
       const ThreadLimit limit(threads);
       Comparison line;
       line.row = "E";

@@ -47,6 +47,9 @@ void timeBoth(const Work& resect, const Work& peer, const Effort& effort, Compar
   line.peerRuns = int(theirs.size());
 }
 
-int threadsOfMachine() { return std::max(1, int(std::thread::hardware_concurrency())); }
+std::vector<int> threadCounts() {
+  const int all = int(std::thread::hardware_concurrency());
+  return all > 1 ? std::vector{1, all} : std::vector{1};
+}
 
 }  // namespace resect::bench

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "peers/comparison.h"
 
@@ -19,7 +20,7 @@ double median(std::vector<double> values);
 // the peer's takes more than a second.
 void timeBoth(const Work& resect, const Work& peer, const Effort& effort, Comparison& line);
 
-// Keeps the number of threads of Resect and of libraries on TBB while it lives; 0: all.
-int threadsOfMachine();
+// With how many threads a line is measured: 1, and all that the machine has where that is more.
+std::vector<int> threadCounts();
 
 }  // namespace resect::bench

@@ -93,7 +93,8 @@ struct EarlierCorners {
 // Takes bites out of an organ and puts them back.
 class Biter {
  public:
-  Biter(const Discretization& cells, std::vector<std::vector<Edit>> bites)
+  using Bites = std::vector<std::vector<Edit>>;
+  Biter(const Discretization& cells, Bites bites)
       : field(cells, 2), surface(field, 50), bites_(std::move(bites)) {
     for (const std::vector<Edit>& bite : bites_) countNewTriangles(bite);
     walk();
@@ -156,7 +157,7 @@ class Biter {
     for (auto* list : {&nodes_, &bricks_, &triangles_, &seconds_}) list->clear();
   }
 
-  std::vector<std::vector<Edit>> bites_;
+  Bites bites_;
   std::int64_t evaluated_ = 0;  // bricks that hold a surface; others are only looked at
   std::vector<double> nodes_, bricks_, triangles_, newTriangles_, seconds_;
 };
@@ -165,6 +166,7 @@ class Biter {
 // in which the bricks can lie beside it. Flat at every size, as a liver is not; 11 cells long,
 // since a ball of 200 of the smallest block's 1 000 particles would reach its other walls.
 Cost costOnBlock(double particles) {
+  const ThreadLimit limit(1);
   const int height = 2 * int(std::lround(std::cbrt(particles) / 2));  // a brick has two cells
   const int width = int(std::lround(std::sqrt(particles / height)));
   Discretization block;
@@ -206,30 +208,35 @@ Findings updateAgainstVtk(const Effort& effort) {
   Findings findings;
   for (const double size : sizes) {
     const Discretization cells = liverCells(size);
-    const ThreadLimit limit(1);
-    setVtkThreads(1);
-    Biter biter(cells, bitesAlongTool(cells));
-    VtkField vtk(cells, biter.field);
-    Comparison line;
-    line.row = "C";
-    line.work = fmt::format("surface after {} particles are removed, nodes s/2 apart", kTaken);
-    line.peer = fmt::format("VTK {}, all anew", vtkVersion::GetVTKVersion());
-    line.size = double(cells.particleCount());
-    line.sizeUnit = "particles";
-    line.goal = size == 1e6 ? 40'000 : 0;
-    vtk.recompute();
-    const double difference = vtk.difference(biter.field);
-    timeBoth([&] { biter.walk(); }, [&] { vtk.recompute(); }, effort, line);
-    liverCosts.push_back(biter.cost());
-    line.resect = liverCosts.back().seconds;
-    line.resectRuns = biter.bitesTaken();
-    SurfaceTracker rebuilt(biter.field, 50);
-    const bool same = rebuilt.mesh().points == biter.surface.mesh().points &&
-                      rebuilt.mesh().triangles == biter.surface.mesh().triangles;
-    line.agreement = fmt::format("field to {:.0e}; {} a rebuild bit for bit", difference,
-                                 same ? "equals" : "DIFFERS FROM");
-    line.agrees = difference < 1e-4 && same;
-    findings.comparisons.push_back(std::move(line));
+    const Biter::Bites bites = bitesAlongTool(cells);
+    for (const int threads : threadCounts()) {
+      const ThreadLimit limit(threads);
+      setVtkThreads(threads);
+      Biter biter(cells, bites);
+      VtkField vtk(cells, biter.field);
+      Comparison line;
+      line.row = "C";
+      line.work = fmt::format("surface after {} particles are removed, nodes s/2 apart", kTaken);
+      line.peer = fmt::format("VTK {}, all anew", vtkVersion::GetVTKVersion());
+      line.size = double(cells.particleCount());
+      line.sizeUnit = "particles";
+      line.threads = threads;
+      line.goal = size == 1e6 ? 40'000 : 0;
+      vtk.recompute();
+      const double difference = vtk.difference(biter.field);
+      timeBoth([&] { biter.walk(); }, [&] { vtk.recompute(); }, effort, line);
+      const Cost cost = biter.cost();
+      line.resect = cost.seconds;
+      line.resectRuns = biter.bitesTaken();
+      SurfaceTracker rebuilt(biter.field, 50);
+      const bool same = rebuilt.mesh().points == biter.surface.mesh().points &&
+                        rebuilt.mesh().triangles == biter.surface.mesh().triangles;
+      line.agreement = fmt::format("field to {:.0e}; {} a rebuild bit for bit", difference,
+                                   same ? "equals" : "DIFFERS FROM");
+      line.agrees = difference < 1e-4 && same;
+      findings.comparisons.push_back(std::move(line));
+      if (threads == 1) liverCosts.push_back(cost);
+    }
     blockCosts.push_back(costOnBlock(size));
   }
   addCounters(liverCosts, "liver", findings);
