@@ -5,8 +5,9 @@
 
 namespace resect {
 
-// Called now and then with the share done in [0, 1]; returns false to cancel, upon which the work
-// throws `Cancelled` and leaves nothing half made. An empty function is allowed: nobody watches.
+// Called now and then with the share done in [0, 1], or with -1 while nobody knows it; returns
+// false to cancel, upon which the work throws `Cancelled` and leaves nothing half made. An empty
+// function is allowed: nobody watches.
 using Progress = std::function<bool(double share)>;
 
 struct Cancelled {};

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
+#include "cli/progress_bar.h"
 #include "geometry/measures.h"
 #include "inventor/model_file.h"
 #include "io/length.h"
@@ -24,7 +25,7 @@ void convert(const Options& options) {
   // A wrong name or unit is said before the work is done.
   checkWritableMeshFile(options.out, {&options.in, 1});
   const double metres = parseUnit(options.unit, "--unit");
-  const Model model = readModel(options.in);
+  const Model model = readModelWatched(options.in, progressBar("reading"));
   TriangleMesh mesh;
   std::vector<std::string> notes;
   if (options.repair) {

@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/json_output.h"
+#include "cli/progress_bar.h"
 #include "inventor/model_file.h"
 #include "io/length.h"
 #include "io/model_info.h"
@@ -19,7 +20,7 @@ struct Options {
 };
 
 void info(const Options& options) {
-  Model model = readModel(options.file);
+  Model model = readModelWatched(options.file, progressBar("reading"));
   const double metres = parseUnit(options.unit, "--unit");
   if (!options.part.empty()) model.parts = {partNamed(model, options.part)};
   for (ModelPart& part : model.parts)

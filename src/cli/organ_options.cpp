@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "base/error.h"
+#include "cli/progress_bar.h"
 #include "inventor/model_file.h"
 #include "io/length.h"
 
@@ -52,7 +53,9 @@ void OrganOptions::applyTo(OrganSource& source) const {
 }
 
 ModelReader modelReader() {
-  return [](const std::filesystem::path& path) { return readModel(path); };
+  return [](const std::filesystem::path& path) {
+    return readModelWatched(path, progressBar("reading"));
+  };
 }
 
 std::shared_ptr<OrganOptions> addOrganOptions(CLI::App& command) {

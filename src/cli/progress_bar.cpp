@@ -13,11 +13,23 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-// Catches Ctrl-C while it lives.
-struct InterruptGuard {
-  InterruptGuard() : before(std::signal(SIGINT, [](int) { interrupted = 1; })) { interrupted = 0; }
-  ~InterruptGuard() { std::signal(SIGINT, before); }
+void interrupt(int) { interrupted = 1; }
+
+// Catches Ctrl-C while it lives, and wipes the bar when work ends before its end.
+struct Bar {
+  Bar() : before(std::signal(SIGINT, interrupt)) {
+    if (before != interrupt) interrupted = 0;  // one bar may come while another waits
+  }
+  ~Bar() {
+    wipe();
+    std::signal(SIGINT, before);
+  }
+  void wipe() {
+    if (shown) std::fputs("\r\033[K", stderr);
+    shown = false;
+  }
   void (*before)(int);
+  bool shown = false;
 };
 
 }  // namespace
@@ -25,19 +37,21 @@ struct InterruptGuard {
 Progress progressBar(const std::string& title) {
   using Clock = std::chrono::steady_clock;
   const auto started = Clock::now();
-  const auto guard = std::make_shared<InterruptGuard>();
+  const auto bar = std::make_shared<Bar>();
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
-  return [=, shown = false](double share) mutable {
-    if (!terminal) return interrupted == 0;
+  return [=](double share) {
+    const double seconds = std::chrono::duration<double>(Clock::now() - started).count();
     if (share >= 1) {
-      if (shown) std::fputs("\r\033[K", stderr);
-      shown = false;
-    } else if (Clock::now() - started > std::chrono::seconds(1)) {
+      bar->wipe();
+    } else if (terminal && seconds > 1) {
       const int filled = int(30 * share);
-      fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3.0f} %", title, "", filled, "", 30 - filled,
-                 100 * share);
+      if (share < 0)
+        fmt::print(stderr, "\r{}: {:.0f} s ...", title, seconds);
+      else
+        fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3.0f} %", title, "", filled, "", 30 - filled,
+                   100 * share);
       std::fflush(stderr);
-      shown = true;
+      bar->shown = true;
     }
     return interrupted == 0;
   };

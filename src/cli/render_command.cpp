@@ -11,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/picture_writer.h"
+#include "cli/progress_bar.h"
 #include "geometry/resting_pose.h"
 #include "inventor/model_file.h"
 #include "inventor/offscreen_view.h"
@@ -63,7 +64,9 @@ void render(const Options& options) {
   std::vector<TriangleMesh> meshes;
   TriangleMesh all;
   for (const std::string& file : options.models) {
-    meshes.push_back(weldSurface(chosenSurface(readModel(file), options.part, metres)).mesh);
+    meshes.push_back(weldSurface(chosenSurface(readModelWatched(file, progressBar("reading")),
+                                               options.part, metres))
+                         .mesh);
     if (meshes.back().triangles.empty())
       throw error("{}: all its triangles are degenerate; export the model again", file);
     append(all, meshes.back());

@@ -6,6 +6,7 @@
 #include <Inventor/errors/SoReadError.h>
 #include <Inventor/nodes/SoSeparator.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "base/error.h"
@@ -52,6 +53,34 @@ class ErrorCatcher {
   std::string first_;
 };
 
+// Tells how far Coin has come in the bytes.
+class WatchedInput : public SoInput {
+ public:
+  WatchedInput(std::string_view bytes, const std::function<void(double)>& tell)
+      : size_(bytes.size()), tell_(tell) {
+    setBuffer(bytes.data(), bytes.size());
+  }
+  using SoInput::read;
+  SbBool read(float& number) override {
+    count();
+    return SoInput::read(number);
+  }
+  SbBool read(int& number) override {
+    count();
+    return SoInput::read(number);
+  }
+
+ private:
+  void count() {
+    constexpr int kSeldom = 10'000;
+    if (++numbers_ % kSeldom == 0 && tell_)
+      tell_(std::min(1.0, double(getNumBytesRead()) / double(size_)));
+  }
+  std::size_t size_;
+  int numbers_ = 0;
+  const std::function<void(double)>& tell_;
+};
+
 // "Coin read error: <what>\n\tOccurred at line   14 in <file>" as ":14: <what>".
 std::string withLine(const std::string& message) {
   std::string what = message.substr(0, message.find('\n'));
@@ -74,7 +103,8 @@ std::string withLine(const std::string& message) {
 
 }  // namespace
 
-Model readInventorFile(const std::string& path, std::string_view bytes, ShapeReading reading) {
+Model readInventorFile(const std::string& path, std::string_view bytes, ShapeReading reading,
+                       const std::function<void(double share)>& tell) {
   if (!isInventorFile(bytes))
     throw error(
         "{}: does not begin with '#Inventor V2.1 ascii' or another Inventor or VRML header; "
@@ -83,8 +113,7 @@ Model readInventorFile(const std::string& path, std::string_view bytes, ShapeRea
   guardInventorFile(path, bytes);
   initInventor();
   ErrorCatcher catcher;
-  SoInput input;
-  input.setBuffer(bytes.data(), bytes.size());
+  WatchedInput input(bytes, tell);
   if (!input.isValidBuffer())
     throw error("{}: '{}' is no version that Coin reads; save it as Inventor V2.1", path,
                 inventorFormat(bytes));

@@ -51,7 +51,7 @@ fs::path formatName(const fs::path& path, std::string_view bytes) {
   return name;
 }
 
-Model readHere(const fs::path& path) {
+Model readHere(const fs::path& path, SharedNumber& share) {
   const RawArray<char> stored = allBytes(path);
   std::string_view bytes(stored.data(), stored.size());
   if (bytes.empty()) throw error("{}: is empty; choose a file that holds a surface", path.string());
@@ -60,7 +60,8 @@ Model readHere(const fs::path& path) {
   const fs::path name = formatName(path, bytes);
   const std::string extension = lowerExtension(name);
   if (isInventorFile(bytes) || extension == ".iv" || extension == ".wrl")
-    return readInventorFile(path.string(), bytes);
+    return readInventorFile(path.string(), bytes, ShapeReading::Converted,
+                            [&](double now) { share.set(now); });
   if (isVtkFile(bytes) || extension == ".vtk") return readVtkFile(path.string(), bytes);
   if (isAssimpFile(name)) return readAssimpFile(path, name, bytes);
   throw error(
@@ -73,7 +74,11 @@ Model readHere(const fs::path& path) {
 
 Model readModel(const fs::path& path) { return readModelWithin(path, 5); }
 
-Model readModelWithin(const fs::path& path, double seconds) {
+Model readModelWatched(const fs::path& path, const Progress& progress) {
+  return readModelWithin(path, 5, progress);
+}
+
+Model readModelWithin(const fs::path& path, double seconds, const Progress& progress) {
   std::error_code ec;
   const fs::file_status status = fs::status(path, ec);
   if (!fs::exists(status)) throw error("{}: there is no such file; check the name", path.string());
@@ -91,12 +96,17 @@ Model readModelWithin(const fs::path& path, double seconds) {
   ChildLimits limits;
   limits.cpuSeconds = seconds + double(size) / (1 << 20);
   limits.wallSeconds = 4 * limits.cpuSeconds;  // other programs may need the processor too
-  const std::string bytes = runInChild(path.string(), limits, [&] {
-    pretendOffscreenContext();
-    const Model model = readHere(path);
-    checkModel(model);
-    return modelToBytes(model);
-  });
+  SharedNumber share(-1);
+  const std::string bytes = runInChild(
+      path.string(), limits,
+      [&] {
+        pretendOffscreenContext();
+        const Model model = readHere(path, share);
+        checkModel(model);
+        return modelToBytes(model);
+      },
+      [&] { report(progress, share.get()); });
+  report(progress, 1);
   return bytesToModel(bytes, path.string());
 }
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "base/progress.h"
 #include "io/model.h"
 
 namespace resect {
@@ -18,7 +19,12 @@ namespace resect {
 // sentence. Files over 1 GB are refused.
 Model readModel(const std::filesystem::path& path);
 
+// The same while somebody watches: `progress` gets shares of an Inventor or VRML file's numbers, -1
+// for others. To cancel ends the child.
+Model readModelWatched(const std::filesystem::path& path, const Progress& progress);
+
 // The same with `seconds` > 0 instead of the 5 s.
-Model readModelWithin(const std::filesystem::path& path, double seconds);
+Model readModelWithin(const std::filesystem::path& path, double seconds,
+                      const Progress& progress = {});
 
 }  // namespace resect

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -127,15 +128,16 @@ void answerWhenOutOfMemory(const char* report) {
 }
 
 // Reads until the child closes its end; false when the time is over.
-bool readAll(int pipe, double seconds, std::string& bytes) {
+bool readAll(int pipe, double seconds, const std::function<void()>& meanwhile, std::string& bytes) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   std::string block(kAtOnce, '\0');
   for (;;) {
     const double left = std::chrono::duration<double>(end - Clock::now()).count();
     if (left <= 0) return false;
+    if (meanwhile) meanwhile();
     pollfd request{pipe, POLLIN, 0};
-    const int ready = ::poll(&request, 1, int(std::min(left * 1000 + 1, 1e9)));
+    const int ready = ::poll(&request, 1, int(std::min(left * 1000 + 1, 100.0)));
     if (ready < 0 && errno != EINTR) return true;
     if (ready <= 0) continue;
     const ssize_t got = ::read(pipe, block.data(), block.size());
@@ -177,7 +179,8 @@ int waitFor(pid_t child) {
 }  // namespace
 
 std::string runInChild(const std::string& subject, const ChildLimits& limits,
-                       const std::function<std::string()>& work) {
+                       const std::function<std::string()>& work,
+                       const std::function<void()>& meanwhile) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0)
     throw error("{}: no pipe for its reader: {}; close other programs", subject,
@@ -200,7 +203,7 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   std::string bytes;
   bool inTime = false;
   try {
-    inTime = readAll(ends[0], limits.wallSeconds, bytes);
+    inTime = readAll(ends[0], limits.wallSeconds, meanwhile, bytes);
   } catch (...) {
     ::close(ends[0]);
     ::kill(child, SIGKILL);
@@ -213,8 +216,10 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   if (!inTime)
     throw error("{}: reading it took more than {:.1f} s, so it was given up; simplify the model",
                 subject, limits.wallSeconds);
-  if (bytes.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+  if (bytes.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    if (meanwhile) meanwhile();  // a person may have ended the child
     throwOutcome(subject, limits, status);
+  }
   const char kind = bytes.back();
   bytes.pop_back();
   if (kind == kResult) return bytes;
@@ -225,5 +230,14 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
                 limits.memoryBytes >> 20);
   throw error("{}: the reader failed ({}); export the model again", subject, bytes);
 }
+
+SharedNumber::SharedNumber(double value) {
+  void* memory =
+      ::mmap(nullptr, sizeof *value_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw std::bad_alloc();
+  value_ = new (memory) std::atomic<double>(value);
+}
+
+SharedNumber::~SharedNumber() { ::munmap(value_, sizeof *value_); }
 
 }  // namespace resect

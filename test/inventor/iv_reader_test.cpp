@@ -211,6 +211,22 @@ TEST_CASE("VRML 1 and 97 are read, Inventor 1.0 and 2.0 too") {
   }
 }
 
+TEST_CASE("who reads many numbers tells how far it is") {
+  std::string text = "#Inventor V2.1 ascii\nCoordinate3 { point [";
+  for (int i = 0; i < 30'000; ++i) text += fmt::format("{} {} {},", i, 0.5 * i, -i);
+  text += "] } IndexedFaceSet { coordIndex [";
+  for (int i = 0; i < 20'000; ++i) text += fmt::format("{},{},{},-1,", i, i + 1, i + 2);
+  std::vector<double> shares;
+  const Model model = readInventorFile("a.iv", text + "] }", ShapeReading::Converted,
+                                       [&](double share) { shares.push_back(share); });
+  CHECK(merged(model).triangles.size() == 20'000);
+  REQUIRE(shares.size() == 17);  // 90 000 coordinates and 80 000 indices
+  CHECK(std::ranges::is_sorted(shares));
+  CHECK(shares.front() < 0.15);
+  CHECK(shares.back() > 0.9);
+  CHECK(shares.back() <= 1);
+}
+
 TEST_CASE("what is written as .iv is read again, point by point in single precision") {
   const test::TemporaryFolder folder;
   TriangleMesh cube = weld(mesh("Rotation { rotation 1 2 3 0.4 }" + kUnitCube));

@@ -7,10 +7,12 @@
 #include <chrono>
 #include <fstream>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 #include "support/temporary_folder.h"
 
 using namespace resect;
@@ -124,4 +126,44 @@ TEST_CASE("children start while worker threads live, one after the other") {
   CHECK(sum == 1000);
   for (int i = 0; i < 20; ++i)
     CHECK(runInChild("x", {}, [&] { return std::to_string(i); }) == std::to_string(i));
+}
+
+TEST_CASE("a number crosses while the child works, and who watches can end it") {
+  SharedNumber share(-1), seen(-1);
+  const std::string bytes = runInChild(
+      "x", {},
+      [&] {
+        for (const double now : {0.25, 0.5, 1.0}) {
+          share.set(now);
+          while (seen.get() != now) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        return std::string("done");
+      },
+      [&] { seen.set(share.get()); });
+  CHECK(bytes == "done");
+
+  const auto start = std::chrono::steady_clock::now();
+  CHECK_THROWS_AS(runInChild(
+                      "x", {},
+                      [] {
+                        std::this_thread::sleep_for(std::chrono::seconds(60));
+                        return std::string();
+                      },
+                      [] { throw Cancelled{}; }),
+                  Cancelled);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
+}
+
+TEST_CASE("a child that a person ends is cancelled, not damaged") {
+  bool asked = false;
+  CHECK_THROWS_AS(runInChild(
+                      "x", {},
+                      []() -> std::string {
+                        ::raise(SIGINT);
+                        return "";
+                      },
+                      [&] {
+                        if (std::exchange(asked, true)) throw Cancelled{};
+                      }),
+                  Cancelled);
 }
