@@ -86,6 +86,45 @@ TEST_CASE(
   CHECK(full > 100);
 }
 
+TEST_CASE("bricks are stored where their nodes reach tissue and less than tissue, cell by cell") {
+  const auto kindOf = [](const Discretization& cells, const ColourField& field,
+                         const Vec3i& brick) {
+    // The nodes and the plane after them; the kernel ends two cells away.
+    const Vec3 below =
+        (field.nodePosition((kBrickNodes * brick).cast<double>()) - cells.lattice.origin)
+            .cwiseQuotient(cells.lattice.spacing);
+    const Vec3 above = below + Vec3::Constant(double(kBrickNodes) / field.refine());
+    bool any = false, lacking = false;
+    for (int z = int(std::floor(below.z() - 2)); z <= above.z() + 2; ++z)
+      for (int y = int(std::floor(below.y() - 2)); y <= above.y() + 2; ++y)
+        for (int x = int(std::floor(below.x() - 2)); x <= above.x() + 2; ++x) {
+          const Vec3i cell(x, y, z);
+          const Vec3 at = cell.cast<double>();
+          if (((at - below).array() <= -2 + 1e-9).any() || ((at - above).array() >= 2 - 1e-9).any())
+            continue;
+          const float value = cells.lattice.contains(cell)
+                                  ? cells.value[std::size_t(cells.lattice.index(cell))]
+                                  : 0.f;
+          any = any || value > 0;
+          lacking = lacking || value < 100;
+        }
+    return !any ? ColourField::kEmpty : !lacking ? ColourField::kFull : 0;
+  };
+  for (const int refine : {1, 2, 3, 4})
+    for (const Discretization& cells :
+         {test::fullBlock({70, 14, 13}), test::ball(22), test::noise({9, 12, 7}, 5)}) {
+      const ColourField field(cells, refine);
+      int wrong = 0, full = 0;
+      for (std::int64_t b = 0; b < field.brickCount(); ++b) {
+        const int expected = kindOf(cells, field, field.brick(b));
+        wrong += std::min(field.slot(b), 0) != expected;
+        full += expected == ColourField::kFull;
+      }
+      CHECK(wrong == 0);
+      CHECK((full > 0 || cells.lattice.dims.x() == 9));
+    }
+}
+
 TEST_CASE("the outermost nodes are zero so that every surface is closed") {
   for (int refine : {1, 2, 3, 4}) {
     const ColourField field(test::fullBlock({3, 4, 5}), refine);
