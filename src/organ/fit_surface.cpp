@@ -19,24 +19,6 @@ constexpr double kPerCell = 2;  // points for every cell-sized piece of the surf
 constexpr double kStride = 2;   // of the mean misfit; from 3 on it swings
 constexpr float kLeast = 2 * kLevel;
 
-// Points spread evenly over the mesh, in cell space: every triangle gets its share by area, inside
-// it by the additive recurrence of the plastic number (Roberts 2018), which leaves no gaps.
-std::vector<Vec3> spread(const TriangleMesh& mesh, const Lattice& lattice) {
-  std::vector<Vec3> points;
-  double due = 0, u = 0.5, v = 0.5;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 a = lattice.toCellSpace(mesh.points[t[0]]);
-    const Vec3 b = lattice.toCellSpace(mesh.points[t[1]]) - a;
-    const Vec3 c = lattice.toCellSpace(mesh.points[t[2]]) - a;
-    for (due += 0.5 * b.cross(c).norm() * kPerCell; due >= 1; --due) {
-      u = std::fmod(u + 0.7548776662466927, 1);
-      v = std::fmod(v + 0.5698402909980532, 1);
-      points.push_back(u + v <= 1 ? Vec3(a + u * b + v * c) : Vec3(a + (1 - u) * b + (1 - v) * c));
-    }
-  }
-  return points;
-}
-
 // The cells in the kernel's reach of some points that follow each other, and what they weigh there:
 // found once, since every round asks twice. Some 33 cells to a point.
 struct Reach {
@@ -88,8 +70,24 @@ std::vector<Reach> reachesOf(std::span<const Vec3> points, const Lattice& lattic
 
 }  // namespace
 
+std::vector<Vec3> pointsToFit(const TriangleMesh& mesh, const Lattice& lattice) {
+  std::vector<Vec3> points;
+  double due = 0, u = 0.5, v = 0.5;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 a = lattice.toCellSpace(mesh.points[t[0]]);
+    const Vec3 b = lattice.toCellSpace(mesh.points[t[1]]) - a;
+    const Vec3 c = lattice.toCellSpace(mesh.points[t[2]]) - a;
+    for (due += 0.5 * b.cross(c).norm() * kPerCell; due >= 1; --due) {
+      u = std::fmod(u + 0.7548776662466927, 1);
+      v = std::fmod(v + 0.5698402909980532, 1);
+      points.push_back(u + v <= 1 ? Vec3(a + u * b + v * c) : Vec3(a + (1 - u) * b + (1 - v) * c));
+    }
+  }
+  return points;
+}
+
 void fitSurface(const TriangleMesh& mesh, Discretization& cells) {
-  std::vector<Reach> reaches = reachesOf(spread(mesh, cells.lattice), cells.lattice);
+  std::vector<Reach> reaches = reachesOf(pointsToFit(mesh, cells.lattice), cells.lattice);
   const auto fits = [&](float value) { return value > 0 && value < 100; };
   std::vector<float> value(cells.value.size());
   std::vector<std::uint8_t> fitted(value.size());

@@ -9,6 +9,8 @@
 // docs/methods/colour_field_and_surface.md has the figures.
 #pragma once
 
+#include <vector>
+
 #include "geometry/triangle_mesh.h"
 #include "sph/discretization.h"
 
@@ -21,5 +23,10 @@ namespace resect {
 // piece of the surface two points, for each point its 33 cells 13 times; 12 bytes for each of those
 // while it lasts.
 void fitSurface(const TriangleMesh& mesh, Discretization& cells);
+
+// The points on the mesh, in cell space, at which the field is brought to 50: every triangle gets
+// its share by area, inside it by the additive recurrence of the plastic number (Roberts 2018),
+// which leaves no gaps.
+std::vector<Vec3> pointsToFit(const TriangleMesh& mesh, const Lattice& lattice);
 
 }  // namespace resect

@@ -2,6 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <iterator>
+#include <set>
+
 #include "base/random.h"
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
@@ -77,4 +81,43 @@ TEST_CASE("a tolerance joins what rounding has parted, and nothing further away"
 TEST_CASE("welding nothing gives nothing") {
   CHECK(weld({}).triangles.empty());
   CHECK(weld({}, 1e-6).points.empty());
+}
+
+TEST_CASE("equal points are those found by comparing each with all before it") {
+  Random random(12);
+  TriangleMesh mesh;
+  for (int i = 0; i < 3000; ++i) {
+    // Few places in all; 0 and -0, neighbours in the last digit, sizes far apart.
+    const auto coordinate = [&] {
+      const double all[] = {0.0, -0.0, 1.0, std::nextafter(1.0, 2.0), -1e-300, 1e9, -0.1, 1.0 / 3};
+      return all[random.below(std::size(all))];
+    };
+    mesh.points.emplace_back(coordinate(), coordinate(), coordinate());
+  }
+  for (int i = 0; i < 6000; ++i) {
+    const auto corner = [&] { return std::int32_t(random.below(mesh.points.size())); };
+    mesh.triangles.push_back({corner(), corner(), corner()});
+  }
+  const auto firstLike = [&](std::int32_t i) {
+    std::int32_t first = 0;
+    while (mesh.points[std::size_t(first)] != mesh.points[std::size_t(i)]) ++first;
+    return first;
+  };
+  const TriangleMesh welded = weld(mesh);
+  std::set<std::int32_t> used;
+  std::size_t next = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const Triangle first{firstLike(t[0]), firstLike(t[1]), firstLike(t[2])};
+    if (first[0] == first[1] || first[1] == first[2] || first[2] == first[0]) continue;
+    used.insert(first.begin(), first.end());
+    REQUIRE(next < welded.triangles.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& found = welded.points[std::size_t(welded.triangles[next][k])];
+      CHECK(found == mesh.points[std::size_t(first[k])]);
+      CHECK(std::signbit(found.x()) == std::signbit(mesh.points[std::size_t(first[k])].x()));
+    }
+    ++next;
+  }
+  CHECK(next == welded.triangles.size());
+  CHECK(used.size() == welded.points.size());
 }

@@ -14,6 +14,7 @@
 #include "organ/organ.h"
 #include "sph/colour_field.h"
 #include "sph/colour_values.h"
+#include "support/plain_fit.h"
 #include "support/surface_look.h"
 
 using namespace resect;
@@ -115,4 +116,12 @@ TEST_CASE("fitting gives the same bits at 1, 2 and 3 threads") {
     if (first.size() == 0) first = cells.value;
     CHECK(cells.value == first);
   }
+}
+
+TEST_CASE("fitted values are those found with every weight evaluated where it is needed") {
+  const TriangleMesh ball = sphereMesh({0.0013, -0.0027, 0.0041}, 0.0215, 24);
+  Discretization cells = discretize(ball, latticeForSpacing(bounds(ball), kCell));
+  const std::vector<float> expected = test::plainFit(ball, cells);
+  fitSurface(ball, cells);
+  for (std::size_t i = 0; i < expected.size(); ++i) CHECK(cells.value[i] == expected[i]);
 }
