@@ -84,12 +84,13 @@ std::string toText(const BenchReport& report, const std::optional<RealTimeLimit>
   row("memory", fmt::format("{:.1f} MB, {:.0f} bytes per particle", 1e-6 * double(report.bytes),
                             report.bytesPerParticle()));
   if (report.tissueMoves)
-    row("tissue", fmt::format("{:.1f} substeps per frame, {:.1f} ns per particle and substep, {}",
+    row("tissue", fmt::format("{:.1f} substeps per frame, {:.1f} ns per particle and substep",
                               double(report.substeps) / double(report.frames),
-                              1e9 * report.perParticleAndSubstep, report.instructionSet));
+                              1e9 * report.perParticleAndSubstep));
   row("frames", fmt::format("{} of {:.1f} ms, {} missed", report.frames, 1e3 * report.frameDuration,
                             report.missed));
   row("state", fmt::format("{:016x}", report.stateHash));
+  row("vectors", report.instructionSet);
   text += fmt::format("\n  {:<14}{:>10}{:>10}{:>10}{:>11}{:>8}\n", "stage, ms", "median", "p95",
                       "max", "total", "share");
   const auto times = [&](const std::string& name, const TimeSummary& t) {

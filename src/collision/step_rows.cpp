@@ -38,6 +38,7 @@ RESECT_AVX2 void StepRows::insertDeep(std::int32_t place, const Step (&steps)[kS
     if (upperOf(fifth[k]) != kNoStep) row.more.push_back({place + k, upperOf(fifth[k])});
 }
 
+// Aims at 30 instructions for eight columns with up to two steps.
 RESECT_AVX2 void StepRows::merge(StepRows& other, int y) {
   const auto add = [&](std::int32_t place, __m256i steps) RESECT_AVX2 {
     const __m256i dropped = resect::insert(pairs() + place, steps);

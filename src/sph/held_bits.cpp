@@ -7,7 +7,8 @@
 namespace resect {
 namespace {
 
-// Of the box's rows, cell by cell: anything, and less than all it can?
+// Of the box's rows, cell by cell: anything, and less than all it can? Aims at 6 instructions for
+// 256 bits of a row.
 RESECT_WIDEST
 void holdOfRows(const HeldBits& held, std::size_t first, int rows, int planes, std::size_t perPlane,
                 std::uint64_t* bits) {

@@ -68,6 +68,7 @@ SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64
   return result;
 }
 
+// Aims at 390 instructions, many fewer where no cell is crossed.
 RESECT_WIDEST
 bool SurfaceTracker::findCrossings(const ColourField& field, std::int64_t brick) {
   const auto corners = cornerMasks(above(field, brick).inside);
@@ -106,6 +107,8 @@ template <typename Meshes>
   return {x | y << 32, z | alongX << 32 | alongY << 36 | alongZ << 40};
 }
 
+// Aims at 5 instructions for each vertex of the brick, 10 for each crossed edge that it shares, and
+// those of its cells (drawCells).
 RESECT_WIDEST
 void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick) {
   const Above around = above(field, brick);

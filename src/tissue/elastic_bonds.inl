@@ -76,6 +76,7 @@ RESECT_INLINE void gatherForces(Lanes<N>& total, float weight, Directions<D...>,
   total += all<N>(weight) * sum;
 }
 
+// Aims at 380 instructions for a vector: of 26 neighbours a mask, three differences and their sums.
 template <int N>
 RESECT_INLINE Strains<N> strainsFromBonds(const ElasticView& s, const SubstepConstants& c,
                                           std::int32_t i) {
@@ -97,6 +98,7 @@ RESECT_INLINE Strains<N> strainsFromBonds(const ElasticView& s, const SubstepCon
   return strains;
 }
 
+// Aims at 350 instructions for a vector.
 template <int N>
 RESECT_INLINE Forces<N> forcesFromBonds(const ElasticView& s, const SubstepConstants& c,
                                         std::int32_t i) {

@@ -42,7 +42,7 @@ struct InverseMoment {
 };
 
 // The material's answer: stress and bond force of the cells. Full: all neighbours are there, so the
-// moment is that of the whole stencil.
+// moment is that of the whole stencil. Aims at 230 instructions for a vector then, 370 else.
 template <bool Full, int N>
 RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
                            const Strains<N>& strains) {
@@ -95,7 +95,8 @@ RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std:
 }
 
 // Speed and place after the substep. Full: as above. Steered: some cells are held or loaded. In
-// `exploded`, one per lane: all bits where a speed is beyond the most.
+// `exploded`, one per lane: all bits where a speed is beyond the most. Aims at 80 instructions for
+// a vector where all neighbours are there.
 template <bool Full, bool Steered, int N>
 RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
                         const Forces<N>& neighbours, std::int32_t* exploded) {
