@@ -4,26 +4,13 @@
 
 #include <memory>
 
-#include "geometry/primitives.h"
 #include "simulation/simulation.h"
 #include "support/bench_organs.h"
-#include "tools/registry.h"
+#include "support/rod.h"
 
 using namespace resect;
 
 namespace {
-
-// A rod 10 mm across and 0.2 m long.
-std::vector<std::unique_ptr<Tool>> rod() {
-  ToolModel model;
-  model.name = model.kind = "baton";
-  model.response = "remove";
-  model.mesh = sphereMesh({0, 0, 0}, 1, 12);
-  for (Vec3& p : model.mesh.points) p = p.cwiseProduct(Vec3(0.005, 0.005, 0.1));
-  std::vector<std::unique_ptr<Tool>> tools;
-  tools.push_back(makeTool(std::move(model)));
-  return tools;
-}
 
 FrameInput at(const Vec3& place) {
   FrameInput input;
@@ -44,7 +31,7 @@ void cutFrame(benchmark::State& state) {
   for (auto _ : state) {
     if (frame == frames) {
       state.PauseTiming();
-      simulation = std::make_unique<Simulation>(makeOrgan(cells, {}), rod());
+      simulation = std::make_unique<Simulation>(makeOrgan(cells, {}), bench::rod());
       simulation->step(at(start), report);
       frame = 0;
       state.ResumeTiming();
@@ -58,7 +45,7 @@ BENCHMARK(cutFrame)->Apply(bench::upToAMillion)->Unit(benchmark::kMicrosecond);
 
 // Half a metre above the organ.
 void idleFrame(benchmark::State& state) {
-  Simulation simulation(makeOrgan(bench::liverCells(double(state.range(0))), {}), rod());
+  Simulation simulation(makeOrgan(bench::liverCells(double(state.range(0))), {}), bench::rod());
   StepReport report;
   int frame = 0;
   for (auto _ : state) simulation.step(at({0.002 * (++frame % 100), 0.5, 0}), report);

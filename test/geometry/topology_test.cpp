@@ -2,8 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <map>
 #include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
 
+#include "base/random.h"
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
 
@@ -69,4 +75,51 @@ TEST_CASE("an empty mesh is closed and has no component") {
   const Topology t = topology({});
   CHECK(t.closed());
   CHECK(t.components == 0);
+}
+
+TEST_CASE("edges and pieces are those counted one by one") {
+  Random random(5);
+  for (int round = 0; round < 40; ++round) {
+    // Few points, so that edges meet in every way; corners may be equal.
+    const int points = 3 + int(random.below(30));
+    TriangleMesh mesh;
+    for (int i = 0; i < points; ++i) mesh.points.emplace_back(i, 0.5 * i, -i);
+    const auto triangles = random.below(60);
+    for (std::uint64_t i = 0; i < triangles; ++i) {
+      const auto corner = [&] { return std::int32_t(random.below(std::uint64_t(points))); };
+      mesh.triangles.push_back({corner(), corner(), corner()});
+    }
+    std::map<std::pair<std::int32_t, std::int32_t>, std::pair<int, int>> edges;  // up, down
+    std::map<std::int32_t, std::set<std::int32_t>> neighbours;
+    for (const Triangle& t : mesh.triangles)
+      for (int i = 0; i < 3; ++i) {
+        const std::int32_t a = t[i], b = t[(i + 1) % 3];
+        auto& [up, down] = edges[std::minmax(a, b)];
+        ++(a < b ? up : down);
+        neighbours[a].insert(b);
+        neighbours[b].insert(a);
+      }
+    Topology expected;
+    for (const auto& [ends, uses] : edges) {
+      const int all = uses.first + uses.second;
+      if (all % 2 == 1 && expected.boundaryEdges++ == 0)
+        expected.firstBoundaryPoint =
+            0.5 * (mesh.points[std::size_t(ends.first)] + mesh.points[std::size_t(ends.second)]);
+      expected.nonManifoldEdges += all > 2;
+      expected.unorientedEdges += std::abs(uses.first - uses.second) > all % 2;
+    }
+    while (!neighbours.empty()) {
+      ++expected.components;
+      std::vector<std::int32_t> reached{neighbours.begin()->first};
+      for (std::size_t i = 0; i < reached.size(); ++i)
+        if (const auto node = neighbours.extract(reached[i]))
+          reached.insert(reached.end(), node.mapped().begin(), node.mapped().end());
+    }
+    const Topology found = topology(mesh);
+    CHECK(found.boundaryEdges == expected.boundaryEdges);
+    CHECK(found.nonManifoldEdges == expected.nonManifoldEdges);
+    CHECK(found.unorientedEdges == expected.unorientedEdges);
+    CHECK(found.components == expected.components);
+    CHECK(found.firstBoundaryPoint == expected.firstBoundaryPoint);
+  }
 }
