@@ -8,7 +8,6 @@
 #include <atomic>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -34,8 +33,8 @@ std::string sentenceOf(QProcess& process) {
 
 // Models that this program wrote itself need no guard.
 Model readOwnFile(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  std::string bytes(std::filesystem::file_size(path), '\0');
+  std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
   return readAssimpFile(path, path, bytes);
 }
 
