@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <numeric>
+#include <random>
 
 namespace resect {
 namespace {
@@ -21,9 +22,11 @@ void join(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
 }
 
 // Even over all 64 bits (the finisher of MurmurHash3, Appleby); equal for equal positions, so 0 and
-// -0 are one.
+// -0 are one. Another function in each run, so that no file can be made whose points all fall
+// together; what is welded does not depend on it.
 std::uint64_t hashOf(const Vec3& p) {
-  std::uint64_t hash = 0;
+  static const std::uint64_t start = std::uint64_t(std::random_device()()) << 32 | 0x9e3779b9u;
+  std::uint64_t hash = start;
   for (int k = 0; k < 3; ++k) {
     hash ^= std::bit_cast<std::uint64_t>(p[k] + 0.0);
     hash = (hash ^ hash >> 33) * 0xff51afd7ed558ccdu;

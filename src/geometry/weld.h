@@ -1,7 +1,7 @@
 // Which points of a surface are the same point, so that triangles meet instead of only touching?
 //
 // The same result on every machine: points keep the order in which they first appear, triangles
-// keep theirs. Exact equals are found by a hash of the place, O(n); near ones by sorting.
+// keep theirs. Exact equals are found by a hash of the place, as a rule O(n); near ones by sorting.
 #pragma once
 
 #include "geometry/triangle_mesh.h"

@@ -37,7 +37,11 @@ struct Reach {
 
 Reach reachOf(std::span<const Vec3> points, const Lattice& lattice) {
   constexpr double kReach = kKernelSupport * kSmoothingPerSpacing;
+  constexpr std::size_t kCells = 34;  // of a point, on the average
   Reach reach;
+  reach.end.reserve(points.size());
+  reach.cell.reserve(kCells * points.size());
+  reach.weight.reserve(kCells * points.size());
   for (const Vec3& p : points) {
     Vec3i low, high;
     for (int a = 0; a < 3; ++a) {
