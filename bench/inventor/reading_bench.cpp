@@ -1,9 +1,11 @@
 // An Inventor file of half a million triangles: guarded, parsed, and both in a child process.
 
 #include <benchmark/benchmark.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <iterator>
+#include <string>
 
 #include "inventor/init.h"
 #include "inventor/iv_guard.h"
@@ -19,7 +21,8 @@ namespace {
 // Written once, gone with the program.
 const std::filesystem::path& liverFile() {
   struct File {
-    std::filesystem::path path = std::filesystem::temp_directory_path() / "resect_reading_bench.iv";
+    std::filesystem::path path = std::filesystem::temp_directory_path() /
+                                 ("resect_reading_bench_" + std::to_string(::getpid()) + ".iv");
     File() { writeMeshFile(path, builtinLiver(0.0009)); }
     ~File() { std::filesystem::remove(path); }
   };

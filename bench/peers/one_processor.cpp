@@ -19,7 +19,7 @@ void keepAllThreadsTo(const cpu_set_t& processors) {
 }  // namespace
 
 OneProcessor::OneProcessor() {
-  sched_getaffinity(0, sizeof before_, &before_);
+  if (sched_getaffinity(0, sizeof before_, &before_) != 0) return;
   cpu_set_t one;
   CPU_ZERO(&one);
   CPU_SET(sched_getcpu(), &one);

@@ -14,7 +14,7 @@ class OneProcessor {
   OneProcessor& operator=(const OneProcessor&) = delete;
 
  private:
-  cpu_set_t before_;
+  cpu_set_t before_ = {};
 };
 
 }  // namespace resect::bench

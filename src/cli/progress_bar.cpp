@@ -12,18 +12,32 @@ namespace resect {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+bool answered = false;  // did work hear of it?
 
 void interrupt(int) { interrupted = 1; }
 
-// Catches Ctrl-C while it lives, and wipes the bar when work ends before its end.
+// Catches Ctrl-C while it lives, unless the program was started to ignore it, and wipes the bar
+// when work ends before its end. One may come while another waits. Ctrl-C that came after work last
+// asked ends the program when the outermost goes.
 struct Bar {
-  Bar() : before(std::signal(SIGINT, interrupt)) {
-    if (before != interrupt) interrupted = 0;  // one bar may come while another waits
+  Bar() {
+    struct sigaction now {};
+    ::sigaction(SIGINT, nullptr, &now);
+    before = now.sa_handler;
+    if (before != interrupt) {
+      interrupted = 0;
+      answered = false;
+    }
+    if (before != SIG_IGN) std::signal(SIGINT, interrupt);
   }
   ~Bar() {
     wipe();
+    if (before == SIG_IGN) return;
     std::signal(SIGINT, before);
+    if (interrupted && !answered && before != interrupt) std::raise(SIGINT);
   }
+  Bar(const Bar&) = delete;
+  Bar& operator=(const Bar&) = delete;
   void wipe() {
     if (shown) std::fputs("\r\033[K", stderr);
     shown = false;
@@ -53,6 +67,7 @@ Progress progressBar(const std::string& title) {
       std::fflush(stderr);
       bar->shown = true;
     }
+    if (interrupted) answered = true;
     return interrupted == 0;
   };
 }

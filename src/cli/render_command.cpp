@@ -64,9 +64,8 @@ void render(const Options& options) {
   std::vector<TriangleMesh> meshes;
   TriangleMesh all;
   for (const std::string& file : options.models) {
-    meshes.push_back(weldSurface(chosenSurface(readModelWatched(file, progressBar("reading")),
-                                               options.part, metres))
-                         .mesh);
+    const Model model = readModelWatched(file, progressBar("reading"));
+    meshes.push_back(weldSurface(chosenSurface(model, options.part, metres)).mesh);
     if (meshes.back().triangles.empty())
       throw error("{}: all its triangles are degenerate; export the model again", file);
     append(all, meshes.back());

@@ -153,7 +153,7 @@ class TextGuard {
           throw error("{}:{}: '{}' is used inside itself; export the model again", path_, line_,
                       word);
     } else if (isNumber(word)) {
-      return;
+      return;  // no node and no PROTO can be named so: Coin refuses it
     } else if (opensFiles(word)) {
       throw error("{}:{}: the node {} would open another file; put all in one file", path_, line_,
                   word);

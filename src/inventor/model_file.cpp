@@ -27,9 +27,10 @@ constexpr std::size_t kLargestUnpacked = std::size_t(1) << 29;
 RawArray<char> allBytes(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   RawArray<char> bytes;
-  bytes.reserve(fs::file_size(path));
-  wantLargePages(bytes.data(), bytes.capacity());
-  bytes.resize(bytes.capacity());
+  const std::size_t size = fs::file_size(path);
+  bytes.reserve(size);
+  wantLargePages(bytes.data(), size);
+  bytes.resize(size);
   in.read(bytes.data(), std::streamsize(bytes.size()));
   if (!in || std::size_t(in.gcount()) != bytes.size())
     throw error("{}: cannot be read: {}; check the disk", path.string(), std::strerror(errno));
@@ -106,8 +107,9 @@ Model readModelWithin(const fs::path& path, double seconds, const Progress& prog
         return modelToBytes(model);
       },
       [&] { report(progress, share.get()); });
+  Model model = bytesToModel(bytes, path.string());
   report(progress, 1);
-  return bytesToModel(bytes, path.string());
+  return model;
 }
 
 }  // namespace resect

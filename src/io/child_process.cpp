@@ -27,8 +27,8 @@
 namespace resect {
 namespace {
 
-// The last byte of what the child sends; before it stands the result or the sentence. The message
-// is whole when the child ended with status 0 after it.
+// What the child sends: the result or the sentence, then how long that is and of which kind.
+// Without the end a message is torn.
 enum Kind : char { kResult = 'r', kFailed = 'f', kUsage = 'u', kNoMemory = 'm', kOther = 'o' };
 constexpr int kAtOnce = 1 << 20;  // bytes that wait in the pipe, when the system allows as many
 constexpr int kCannotWrite = 3;   // exit status of a child whose parent no longer listens
@@ -69,8 +69,9 @@ void restrictThisProcess(const ChildLimits& limits) {
   }
 #endif
   // A crash of a library ends this process quietly, whatever handlers the parent had.
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM, SIGINT})
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM})
     ::signal(signal, SIG_DFL);
+  if (::signal(SIGINT, SIG_DFL) == SIG_IGN) ::signal(SIGINT, SIG_IGN);
 }
 
 void writeAll(int pipe, const char* data, std::size_t size) {
@@ -83,10 +84,28 @@ void writeAll(int pipe, const char* data, std::size_t size) {
   }
 }
 
+struct MessageEnd {
+  std::uint64_t size;
+  Kind kind;
+};
+
 void send(int pipe, Kind kind, const std::string& message) {
   writeAll(pipe, message.data(), message.size());
-  const char last = kind;
-  writeAll(pipe, &last, 1);
+  MessageEnd end{};
+  end.size = message.size();
+  end.kind = kind;
+  writeAll(pipe, reinterpret_cast<const char*>(&end), sizeof end);
+}
+
+// Takes the end off a message; false when it is torn.
+bool takeEnd(std::string& bytes, Kind& kind) {
+  MessageEnd end;
+  if (bytes.size() < sizeof end) return false;
+  std::memcpy(&end, bytes.data() + bytes.size() - sizeof end, sizeof end);
+  if (end.size != bytes.size() - sizeof end) return false;
+  bytes.resize(bytes.size() - sizeof end);
+  kind = end.kind;
+  return true;
 }
 
 #ifdef __SANITIZE_ADDRESS__
@@ -132,10 +151,14 @@ bool readAll(int pipe, double seconds, const std::function<void()>& meanwhile, s
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
   std::string block(kAtOnce, '\0');
+  auto due = Clock::now();
   for (;;) {
     const double left = std::chrono::duration<double>(end - Clock::now()).count();
     if (left <= 0) return false;
-    if (meanwhile) meanwhile();
+    if (meanwhile && Clock::now() >= due) {
+      meanwhile();
+      due = Clock::now() + std::chrono::milliseconds(100);
+    }
     pollfd request{pipe, POLLIN, 0};
     const int ready = ::poll(&request, 1, int(std::min(left * 1000 + 1, 100.0)));
     if (ready < 0 && errno != EINTR) return true;
@@ -216,20 +239,22 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   if (!inTime)
     throw error("{}: reading it took more than {:.1f} s, so it was given up; simplify the model",
                 subject, limits.wallSeconds);
-  if (bytes.empty() || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+  Kind kind{};
+  if (!takeEnd(bytes, kind)) {
     if (meanwhile) meanwhile();  // a person may have ended the child
     throwOutcome(subject, limits, status);
   }
-  const char kind = bytes.back();
-  bytes.pop_back();
   if (kind == kResult) return bytes;
   if (kind == kFailed) throw Error(bytes);
   if (kind == kUsage) throw Error(bytes, Error::Status::Usage);
   if (kind == kNoMemory)
     throw error("{}: reading it needs more than {} MB of memory; simplify the model", subject,
                 limits.memoryBytes >> 20);
+  if (kind != kOther) throwOutcome(subject, limits, status);
   throw error("{}: the reader failed ({}); export the model again", subject, bytes);
 }
+
+static_assert(std::atomic<double>::is_always_lock_free);  // a lock would be the process's own
 
 SharedNumber::SharedNumber(double value) {
   void* memory =

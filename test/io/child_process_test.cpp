@@ -2,12 +2,12 @@
 
 #include <doctest/doctest.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <fstream>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -155,15 +155,49 @@ TEST_CASE("a number crosses while the child works, and who watches can end it") 
 }
 
 TEST_CASE("a child that a person ends is cancelled, not damaged") {
-  bool asked = false;
+  // Who watches knows of it only after the child has ended.
+  SharedNumber child(0);
   CHECK_THROWS_AS(runInChild(
                       "x", {},
-                      []() -> std::string {
+                      [&]() -> std::string {
+                        child.set(::getpid());
                         ::raise(SIGINT);
                         return "";
                       },
                       [&] {
-                        if (std::exchange(asked, true)) throw Cancelled{};
+                        const auto id = pid_t(child.get());
+                        if (id > 0 && ::kill(id, 0) != 0) throw Cancelled{};
                       }),
                   Cancelled);
+}
+
+TEST_CASE(
+    "a child that dies in the middle of its answer has said nothing, whoever counts the dead") {
+  const std::string answer(std::size_t(64) << 20, 'r');
+  const auto dies = [&] {
+    SharedNumber child(0);
+    std::string text;
+    try {
+      runInChild(
+          "model.iv", {},
+          [&] {
+            child.set(::getpid());
+            return answer;
+          },
+          [&] {
+            // Nobody reads now: the pipe fills.
+            while (child.get() == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            std::this_thread::sleep_for(std::chrono::milliseconds(30));
+            ::kill(pid_t(child.get()), SIGKILL);
+          });
+    } catch (const Error& e) {
+      text = e.what();
+    }
+    return text;
+  };
+  CHECK(dies().find("model.iv: ") == 0);
+  const auto before = ::signal(SIGCHLD, SIG_IGN);  // the system forgets how children ended
+  CHECK(dies().find("model.iv: ") == 0);
+  CHECK(runInChild("x", {}, [] { return std::string("whole"); }) == "whole");
+  ::signal(SIGCHLD, before);
 }
