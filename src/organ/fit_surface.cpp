@@ -64,10 +64,11 @@ Reach reachOf(std::span<const Vec3> points, const Lattice& lattice) {
 std::vector<Reach> reachesOf(std::span<const Vec3> points, const Lattice& lattice) {
   constexpr std::size_t kTogether = 256;
   std::vector<Reach> reaches((points.size() + kTogether - 1) / kTogether);
-  parallelFor(points.size(), kTogether, [&](std::size_t begin, std::size_t end) {
-    for (; begin < end; begin += kTogether)
-      reaches[begin / kTogether] =
-          reachOf(points.subspan(begin, std::min(kTogether, end - begin)), lattice);
+  parallelFor(reaches.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::span<const Vec3> rest = points.subspan(i * kTogether);
+      reaches[i] = reachOf(rest.first(std::min(kTogether, rest.size())), lattice);
+    }
   });
   return reaches;
 }
