@@ -1,7 +1,8 @@
-// A mesh of 80 000 triangles to a lattice with fractional values.
+// A mesh of 80 000 triangles to a lattice with fractional values, and these fitted to the mesh.
 
 #include <benchmark/benchmark.h>
 
+#include "organ/fit_surface.h"
 #include "support/bench_organs.h"
 
 using namespace resect;
@@ -17,5 +18,17 @@ void discretizeLiver(benchmark::State& state) {
                                                      benchmark::Counter::kInvert);
 }
 BENCHMARK(discretizeLiver)->Apply(bench::upToAMillion)->Unit(benchmark::kMillisecond);
+
+void fitLiver(benchmark::State& state) {
+  const Discretization shares = bench::liverCells(double(state.range(0)));
+  for (auto _ : state) {
+    state.PauseTiming();
+    Discretization cells = shares;
+    state.ResumeTiming();
+    fitSurface(bench::liver(), cells);
+    benchmark::DoNotOptimize(cells.skinScale);
+  }
+}
+BENCHMARK(fitLiver)->Apply(bench::upToAMillion)->Unit(benchmark::kMillisecond);
 
 }  // namespace
