@@ -7,6 +7,7 @@
 #include "organ/strands.h"
 #include "support/bench_organs.h"
 #include "tissue/elastic_tissue.h"
+#include "tissue/move_tissues.h"
 #include "tissue/stencil.h"
 
 using namespace resect;
@@ -30,7 +31,8 @@ struct Operation {
       : organ(makeOrgan(cells(), {})),
         tissue({organ.rest.lattice, organ.alive, {liverTissue()}, {}}, {}) {
     TissueStep step;
-    for (int frame = 0; frame < 30; ++frame) tissue.move(1.0 / 60, {{}, true}, step);
+    const Obstacle table = tableTop(0.005);
+    for (int frame = 0; frame < 30; ++frame) moveTissue(tissue, {&table, 1}, 1.0 / 60, step);
     top = organ.rest.lattice.box().centre();
     top.y() = 0;
     for (std::int64_t c = 0; c < organ.rest.lattice.cellCount(); ++c) {

@@ -14,6 +14,7 @@
 #include "peers/timing.h"
 #include "support/bench_organs.h"
 #include "support/mesh_reference.h"
+#include "tissue/still_tissue.h"
 #include "tools/contacts.h"
 #include "tools/registry.h"
 
@@ -76,11 +77,12 @@ struct Agreement {
 // one of them those found? Beyond those, only what the rod grazes between two places.
 Agreement checkParticles(const Organ& organ, const Tool& tool, const std::vector<Way>& ways) {
   constexpr int kSteps = 100;
+  const StillTissue still(organ.rest.lattice, organ.alive);
   Agreement agreement;
   for (const Way& way : ways) {
-    const ToolContacts contacts = findContacts(organ, tool, 0, way.from, way.to);
+    const ToolContacts contacts = findContacts(organ, still, tool, way.from, way.to);
     const double apart = (way.to.position - way.from.position).norm() / kSteps;
-    const Aabb near = tool.bounds().padded(1e-6);
+    const Aabb near = tool.bounds.padded(1e-6);
     for (std::int64_t cell = 0; cell < organ.rest.lattice.cellCount(); ++cell) {
       if (!organ.alive[cell]) continue;
       const Vec3 centre = organ.rest.lattice.centre(organ.rest.lattice.cell(cell));
@@ -88,8 +90,8 @@ Agreement checkParticles(const Organ& organ, const Tool& tool, const std::vector
       for (int step = 0; step <= kSteps && !inside; ++step) {
         const Vec3 p = interpolate(way.from, way.to, double(step) / kSteps).inverse() * centre;
         if (!near.contains(p)) continue;
-        inside = test::solidAngleWinding(tool.model().mesh, p) > 0.5;
-        grazed = grazed || test::distanceToMesh(tool.model().mesh, p) < apart;
+        inside = test::solidAngleWinding(tool.model.mesh, p) > 0.5;
+        grazed = grazed || test::distanceToMesh(tool.model.mesh, p) < apart;
       }
       const bool found = std::ranges::binary_search(contacts.cells, cell);
       agreement.found += found;
@@ -103,6 +105,7 @@ Agreement checkParticles(const Organ& organ, const Tool& tool, const std::vector
 // What it costs to find that no particle is touched: of all places, the median and the most.
 Figure costWithoutContact(const Organ& organ, const Tool& tool, const std::vector<Way>& ways,
                           const Vec3& moved, const std::string& what) {
+  const StillTissue still(organ.rest.lattice, organ.alive);
   std::vector<double> medians;
   std::size_t touched = 0;
   for (Way way : ways) {
@@ -111,7 +114,7 @@ Figure costWithoutContact(const Organ& organ, const Tool& tool, const std::vecto
     std::vector<double> times;
     for (int i = 0; i < 200; ++i)
       times.push_back(secondsOf(
-          [&] { touched += findContacts(organ, tool, 0, way.from, way.to).cells.size(); }));
+          [&] { touched += findContacts(organ, still, tool, way.from, way.to).cells.size(); }));
     medians.push_back(median(times));
   }
   return {"F", what,
@@ -132,16 +135,16 @@ Findings contactsAgainstFcl(const Effort& effort) {
   const std::unique_ptr<Tool> tool = rod();
   for (const Case& c : cases) {
     const Organ organ = makeOrgan(liverCells(particlesFor(c.triangles)), {});
+    const StillTissue still(organ.rest.lattice, organ.alive);
     const std::vector<Way> ways = waysIntoFront(organ);
     const TriangleMesh surface = organ.surface.mesh();
-    const std::shared_ptr<FclTree> organTree = treeOf(surface),
-                                   toolTree = treeOf(tool->model().mesh);
+    const std::shared_ptr<FclTree> organTree = treeOf(surface), toolTree = treeOf(tool->model.mesh);
     double overlap = 0;
     int touching = 0;
     const auto resectFrames = [&] {
       overlap = 0;
       for (const Way& way : ways)
-        overlap += findContacts(organ, *tool, 0, way.from, way.to).overlapVolume;
+        overlap += findContacts(organ, still, *tool, way.from, way.to).overlapVolume;
     };
     const auto collideFrames = [&](bool refit) {
       touching = 0;

@@ -26,9 +26,9 @@ Findings memoryOfStillOrgan(const Effort& effort) {
     findings.figures.push_back(
         {"H", fmt::format("bytes per particle at {}, nodes s/2 apart", organ.particles),
          fmt::format("{:.1f}: field {:.1f}, surface {:.1f}, lattice {:.1f}",
-                     double(organ.bytes()) / n, double(organ.field.bytes()) / n,
+                     double(heldBytes(organ)) / n, double(organ.field.bytes()) / n,
                      double(organ.surface.bytes()) / n,
-                     double(organ.bytes() - organ.field.bytes() - organ.surface.bytes()) / n),
+                     double(heldBytes(organ) - organ.field.bytes() - organ.surface.bytes()) / n),
          size == 1e6 ? "at most 96" : ""});
   }
   return findings;

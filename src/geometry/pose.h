@@ -12,6 +12,11 @@ struct Pose {
   Vec3 position = Vec3::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
 
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("position", position), v("rotation", rotation);
+  }
+
   Vec3 operator*(const Vec3& p) const { return rotation * p + position; }
   Pose inverse() const {
     const Eigen::Quaterniond back = rotation.conjugate();

@@ -22,7 +22,7 @@ namespace {
 
 std::vector<ToolModel> modelsOf(const Simulation& simulation) {
   std::vector<ToolModel> models;
-  for (const ToolState& state : simulation.tools()) models.push_back(state.tool->model());
+  for (const ToolState& state : simulation.tools()) models.push_back(state.tool->model);
   return models;
 }
 

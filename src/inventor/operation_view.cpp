@@ -32,7 +32,7 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
   if (scenario.table) room_.setTable(readSceneFile(tools / "table.iv"));
   if (scenario.toolBox) room_.setToolbox(readSceneFile(tools / "toolbox.iv"), toolBoxPose());
   for (const ToolState& state : simulation.tools())
-    room_.addTool(readSceneFile(state.tool->model().file));
+    room_.addTool(readSceneFile(state.tool->model.file));
   simulation.keepLook();
   setOrgan(simulation);
   follow(simulation);
@@ -58,8 +58,8 @@ RgbImage OperationView::draw(OffscreenView& picture) const { return picture.rend
 
 void OperationView::follow(const Simulation& simulation) {
   for (std::size_t i = 0; i < simulation.tools().size(); ++i) {
-    room_.setToolPose(int(i), simulation.tools()[i].pose);
-    room_.setToolSqueeze(int(i), simulation.tools()[i].squeeze);
+    room_.setToolPose(int(i), simulation.tools()[i].pose());
+    room_.setToolSqueeze(int(i), simulation.tools()[i].way.to.squeeze);
   }
   const SurfaceTracker& surface = simulation.organ().surface;
   const SurfaceTracker::Changes& changes = surface.changes();

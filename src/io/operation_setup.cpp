@@ -79,13 +79,14 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
   for (const ScenarioTool& tool : scenario.tools) {
     ToolModel model = readTool(findDataFile(tool.model, "tools", ".toml"), readMesh);
     if (tool.response) model.response = *tool.response;
+    if (scenario.mode == OperationMode::Thesis) model.response = "remove";
     tools.push_back(makeTool(std::move(model)));
   }
   return tools;
 }
 
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ) {
-  if (!setup.elastic) return std::make_unique<StillTissue>();
+  if (!setup.elastic) return std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
   auto tissue = std::make_unique<ElasticTissue>(
       TissueCells{organ.rest.lattice, organ.rest.inside, {setup.material}, {}}, setup.settings);
   for (std::size_t i = 0; i < setup.attachments.size(); ++i)

@@ -104,12 +104,25 @@ ScenarioTool readScenarioTool(const TomlTable& t, int number) {
     const double time = key.number("time", 0, 1e5);
     if (!tool.keys.empty() && time <= tool.keys.back().time)
       key.complain("time", "is not later than that of the key before");
-    tool.keys.push_back(
-        {time, {key.vec3("position"), key.rotation("rotation")}, key.number("squeeze", 0, 1, 0)});
+    tool.keys.push_back({time,
+                         {key.vec3("position"), key.rotation("rotation")},
+                         key.number("squeeze", 0, 1, 0),
+                         key.number("pedal", 0, 1, 0)});
     key.refuseUnknownKeys();
   }
   t.refuseUnknownKeys();
   return tool;
+}
+
+// Without the key: that of the thesis where tissue is still.
+OperationMode readMode(const TomlTable& t, bool elastic) {
+  const std::string mode = t.text("mode", elastic ? "operation" : "thesis");
+  if (mode != "thesis" && mode != "operation")
+    t.complain("mode", "is \"" + mode + "\"; use \"thesis\" or \"operation\"");
+  if (mode == "thesis" && elastic)
+    t.complain("mode",
+               "is \"thesis\", where tissue is still; leave it out, or set model = \"still\"");
+  return mode == "thesis" ? OperationMode::Thesis : OperationMode::Operation;
 }
 
 Scenario toScenario(const TomlTable& t) {
@@ -128,6 +141,7 @@ Scenario toScenario(const TomlTable& t) {
   else
     scenario.organ.spacing = 0.005;
   if (const auto tissue = t.table("tissue")) scenario.tissue = readTissue(*tissue);
+  scenario.mode = readMode(t, scenario.tissue.elastic);
   if (const auto room = t.table("room")) {
     scenario.table = room->flag("table", true);
     scenario.toolBox = room->flag("tool_box", true);
@@ -181,6 +195,7 @@ ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh
   model.jaws.opening = t.number("jaw_opening", 0, 3, 0);
   model.point = t.vec3("point", Vec3::Zero());
   model.contactRadius = t.number("contact_radius", 0, 1, 0);
+  model.parts = t.texts("parts");
   model.response = readResponse(t);
   model.friction = t.number("friction", 0, 10, model.friction);
   model.slipForce = t.number("slip_force", 0, 1e4, model.slipForce);

@@ -134,6 +134,18 @@ std::vector<Vec3> TomlTable::points(const std::string& key) const {
   return result;
 }
 
+std::vector<std::string> TomlTable::texts(const std::string& key) const {
+  std::vector<std::string> result;
+  const toml::node* node = find(key);
+  if (!node) return result;
+  if (!node->is_array()) complain(key, "is no list of texts [\"...\", ...]");
+  for (const toml::node& element : *node->as_array()) {
+    if (!element.is_string()) complain(key, "is no list of texts [\"...\", ...]");
+    result.push_back(*element.value<std::string>());
+  }
+  return result;
+}
+
 double TomlTable::length(const std::string& key, double low, double high) const {
   const toml::node* node = find(key);
   if (!node) complain(key, "is missing; give a length as \"5mm\"");

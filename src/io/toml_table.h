@@ -38,6 +38,7 @@ class TomlTable {
   bool flag(const std::string& key, bool missing) const;
   Vec3 vec3(const std::string& key, std::optional<Vec3> missing = {}) const;
   std::vector<Vec3> points(const std::string& key) const;  // [[x, y, z], ...]; empty when missing
+  std::vector<std::string> texts(const std::string& key) const;  // empty when missing
   double length(const std::string& key, double low,
                 double high) const;  // "5mm", or a number of metres
   // { axis = [x, y, z], degrees = 30 }, or { handle = [...], edge = [...] }: where a tool's handle

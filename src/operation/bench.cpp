@@ -31,7 +31,7 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
   report.particles = organ.particles;
   report.triangles = organ.surface.triangleCount();
   report.bytes = std::int64_t(simulation.bytes());
-  report.tissueMoves = simulation.tissue().moves();
+  report.tissueMoves = simulation.moves();
   report.frameDuration = 1 / scenario.frameRate;
   report.instructionSet = fastestKernel().name;
 
@@ -41,7 +41,7 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
   while (report.frames < frames) {
     simulation.step(frameInput(scenario, report.frames), step, &clock);
     ++report.frames;
-    report.substeps += step.tissue.substeps;
+    for (const TissueStep& tissue : step.tissue) report.substeps += tissue.substeps;
     if (observer && !observer(simulation, step)) break;
   }
 

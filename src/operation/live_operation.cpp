@@ -181,7 +181,8 @@ void LiveOperation::work() {
         motion_ = {};
     }
     for (std::size_t i = 0; played.empty() && i < input.tools.size(); ++i) {
-      const double most = input.duration / kSqueezeTime, now = simulation_->tools()[i].squeeze;
+      const double most = input.duration / kSqueezeTime,
+                   now = simulation_->tools()[i].way.to.squeeze;
       input.tools[i].squeeze = std::clamp(input.tools[i].squeeze, now - most, now + most);
     }
     StageClock clock;
@@ -305,13 +306,13 @@ void LiveOperation::publish(const StepReport& report) {
   lastTouch_.resize(tools.size(), -1);
   for (std::size_t i = 0; i < tools.size(); ++i) {
     state_.forces[i] = tools[i].feltForce.norm();
-    state_.squeeze[i] = tools[i].squeeze;
+    state_.squeeze[i] = tools[i].way.to.squeeze;
     // Tissue that is taken at once would be touched for one frame only, too short to see.
     if (!report.contacts[i].cells.empty() || report.toolForce[i].norm() > 0.01)
       lastTouch_[i] = report.time;
     state_.touching[i] = std::uint8_t(lastTouch_[i] >= 0 && report.time - lastTouch_[i] < 0.1);
     if (tools[i].inHand)
-      state_.tips[i] = placeOf(*simulation_, tools[i].pose * tools[i].tool->model().tip);
+      state_.tips[i] = placeOf(*simulation_, tools[i].pose() * tools[i].tool->model.tip);
   }
 }
 

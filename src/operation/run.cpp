@@ -21,10 +21,10 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   summary.organVolume = organ.volume();
   summary.surfaceBefore = summarise(simulation.surfaceMesh());
 
-  summary.tissueMoves = simulation.tissue().moves();
+  summary.tissueMoves = simulation.moves();
   if (summary.tissueMoves)
     for (const ToolState& state : simulation.tools())
-      summary.forces.push_back({state.tool->model().name, 0, {}});
+      summary.forces.push_back({state.tool->model.name, 0, {}});
 
   StageClock clock;
   StepReport report;
@@ -44,9 +44,11 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
       summary.forces[i].perFrame.push_back(float(force));
     }
     summary.severed += report.severed;
-    summary.torn += report.tissue.torn;
-    summary.substeps += report.tissue.substeps;
-    summary.retries += report.tissue.retries;
+    summary.torn += report.torn;
+    for (const TissueStep& step : report.tissue) {
+      summary.substeps += step.substeps;
+      summary.retries += step.retries;
+    }
     if (observer && !observer(simulation, report)) break;
   }
 

@@ -13,12 +13,16 @@ ToolInput toolInputAt(const ScenarioTool& tool, double time) {
     return {tool.rest, false, 1};
   const auto next =
       std::find_if(keys.begin(), keys.end(), [&](const ToolKey& key) { return key.time > now; });
-  if (next == keys.end()) return {keys.back().pose, true, keys.back().squeeze};
-  if (next == keys.begin()) return {keys.front().pose, true, keys.front().squeeze};
+  const auto at = [](const ToolKey& key) {
+    return ToolInput{key.pose, true, key.squeeze, key.pedal};
+  };
+  if (next == keys.end()) return at(keys.back());
+  if (next == keys.begin()) return at(keys.front());
   const ToolKey& before = *(next - 1);
   const double share = std::clamp((time - before.time) / (next->time - before.time), 0.0, 1.0);
   return {interpolate(before.pose, next->pose, share), true,
-          before.squeeze + share * (next->squeeze - before.squeeze)};
+          before.squeeze + share * (next->squeeze - before.squeeze),
+          before.pedal + share * (next->pedal - before.pedal)};
 }
 
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame) {

@@ -33,7 +33,12 @@ struct ToolKey {
   double time;         // s from the start
   Pose pose;           // of the tool's frame: tip at the position
   double squeeze = 0;  // of its jaws: 0 wide open, 1 closed
+  double pedal = 0;    // of an energy device, 0 to 1
 };
+
+// How instruments act. Thesis: tissue is still, each takes out what it touches, and one is held at
+// a time. Operation: by their working parts.
+enum class OperationMode { Thesis, Operation };
 
 struct ScenarioTool {
   std::string model;                    // the tool's description file (.toml)
@@ -55,6 +60,7 @@ struct Scenario {
   std::string name;         // as in the file's name
   std::string title;        // one line for people
   std::string description;  // what it shows
+  OperationMode mode = OperationMode::Thesis;
   OrganSource organ;
   TissueSetup tissue;
   std::vector<ScenarioTool> tools;

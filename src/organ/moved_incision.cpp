@@ -257,6 +257,7 @@ void spread(std::vector<std::uint8_t>& marks, const IndexBox& box, int low, int 
 std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
                          std::span<const std::int64_t> nearCells) {
   if (blade.empty() || nearCells.empty()) return 0;
+  if (!tissue.moves()) return incise(organ, blade);
   // Cubes round the near cells, and the cells that are asked where the nodes of those are: their
   // corners, beside a cut one more each way.
   std::vector<Vec3i> near;

@@ -7,9 +7,10 @@
 
 namespace resect {
 
-// Cuts along the blade, in world space as the tissue is; `nearCells`: particles near the blade. The
-// surface follows with updateSurface(). Returns the number of grid edges severed. Cost: in
-// proportion to the particles near the blade, and to the nodes of the cubes that it may meet.
+// Cuts along the blade, in world space as the tissue is, be it where it was at rest; `nearCells`:
+// particles near the blade. The surface follows with updateSurface(). Returns the number of grid
+// edges severed. Cost: in proportion to the particles near the blade, and to the nodes of the cubes
+// that it may meet.
 std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBlade& blade,
                          std::span<const std::int64_t> nearCells);
 

@@ -61,7 +61,9 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
           std::move(alive),
           particles,
           0,
-          0};
+          0,
+          settings.iso,
+          {}};
 }
 
 std::int64_t ownerCell(const Discretization& rest, std::int64_t cell) {
@@ -85,25 +87,23 @@ double particleVolume(const Discretization& rest, std::int64_t cell) {
   return sum;
 }
 
-std::size_t Organ::bytes() const {
-  return rest.value.bytes() + rest.inside.capacity() + field.bytes() + surface.bytes() +
-         severed.bytes() + alive.capacity();
+void setParticle(Organ& organ, std::int64_t cell, bool there) {
+  const auto set = [&](std::int64_t c) {
+    organ.field.setCellValue(c, there ? organ.rest.value[std::size_t(c)] : 0);
+  };
+  set(cell);
+  visitSkin(organ.rest, cell, set);
 }
 
-EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits) {
-  EditSummary summary;
-  for (const TissueEdit& edit : edits) {
-    if (edit.kind != TissueEdit::Kind::Remove || !organ.alive[edit.cell]) continue;
-    organ.alive[edit.cell] = 0;
-    organ.field.setCellValue(edit.cell, 0);
-    visitSkin(organ.rest, edit.cell, [&](std::int64_t skin) { organ.field.setCellValue(skin, 0); });
-    summary.removedVolume += particleVolume(organ.rest, edit.cell);
-    summary.removed += organ.rest.inside[edit.cell];
-  }
-  organ.particles -= summary.removed;
-  organ.removed += summary.removed;
-  organ.removedVolume += summary.removedVolume;
-  return summary;
+RemovedParticle removeParticle(Organ& organ, std::int64_t cell) {
+  organ.alive[std::size_t(cell)] = 0;
+  setParticle(organ, cell, false);
+  const RemovedParticle gone{organ.rest.inside[std::size_t(cell)],
+                             particleVolume(organ.rest, cell)};
+  organ.particles -= gone.particles;
+  organ.removed += gone.particles;
+  organ.removedVolume += gone.volume;
+  return gone;
 }
 
 std::span<const std::int64_t> updateField(Organ& organ) { return organ.field.update(); }
@@ -126,6 +126,7 @@ void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {
 }
 
 void setIso(Organ& organ, float iso) {
+  organ.iso = iso;
   const Wound wound{organ.severed, organ.alive};
   organ.surface.setIso(organ.field, iso, organ.severed.empty() ? nullptr : &wound);
 }

@@ -6,27 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "organ/cell_fields.h"
 #include "sph/colour_field.h"
 #include "sph/discretization.h"
 #include "surface/blade_raster.h"
 #include "surface/surface_tracker.h"
 
 namespace resect {
-
-// One surgical act on tissue, queued by a tool and applied by the organ in one stage of the step.
-struct TissueEdit {
-  enum class Kind : std::uint8_t {
-    Remove,  // the particle of the cell is taken out
-    Sever,   // its bond in `direction` is cut; for tissue that moves
-    Incise,  // the surface is parted where the tool's edge has passed; no cell
-    Grip,    // the tool takes hold of it
-    Release  // the tool lets go of all that it holds; no cell
-  };
-  Kind kind = Kind::Remove;
-  std::int32_t tool = -1;       // who did it: index of the tool, -1 for nobody
-  std::int64_t cell = -1;       // lattice index of a particle
-  std::int32_t direction = -1;  // of a bond: tissue/stencil.h
-};
 
 struct OrganSettings {
   // Nodes of the colour field per cell, 1 to 4: 1 is coarse and fast; 2 shows the skin to a tenth
@@ -35,12 +21,6 @@ struct OrganSettings {
   // Iso level of the surface, kMinIso to kMaxIso: lower swells the organ, higher shrinks it; 50
   // keeps the volume.
   float iso = 50;
-};
-
-// What the edits of a stage did.
-struct EditSummary {
-  std::int64_t removed = 0;  // particles
-  double removedVolume = 0;  // m^3, with the skin's share
 };
 
 // A particle is a cell whose centre was inside the mesh. The skin cells outside, which hold the
@@ -56,9 +36,22 @@ struct Organ {
   std::int64_t particles = 0;       // alive now
   std::int64_t removed = 0;         // since built
   double removedVolume = 0;         // m^3 since built
+  float iso = 50;                   // level of the surface
+  CellFields fields;
 
   double volume() const { return rest.volume() - removedVolume; }  // m^3 left
-  std::size_t bytes() const;  // memory held: cells, field, surface, wounds
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.perCell("alive", alive, rest.lattice.order());
+    fields.visit(v, rest.lattice.order());
+    v("severed", severed), v("iso", iso);
+    v("particles", particles), v("removed", removed), v("removedVolume", removedVolume);
+  }
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(rest, field, surface);
+  }
 };
 
 // Throws Error when `cells` holds no tissue, or a setting is out of range.
@@ -71,9 +64,15 @@ std::int64_t ownerCell(const Discretization& rest, std::int64_t cell);
 // Volume of a particle with its skin cells, m^3.
 double particleVolume(const Discretization& rest, std::int64_t cell);
 
-// Takes out the particles that are to be removed; those already gone are passed over. The field
-// follows with updateField(). What is to be done to bonds and by grips concerns the tissue model.
-EditSummary applyEdits(Organ& organ, std::span<const TissueEdit> edits);
+// Takes a particle out that is there; the field follows with updateField(). What becomes of its
+// bonds is the tissue model's.
+struct RemovedParticle {
+  std::int64_t particles = 0;  // 1; 0 for a skin cell of its own
+  double volume = 0;           // m^3, with its skin cells
+};
+RemovedParticle removeParticle(Organ& organ, std::int64_t cell);
+// Gives its cells the colour values that they have at rest, or none.
+void setParticle(Organ& organ, std::int64_t cell, bool there);
 
 // Cuts along the blade without taking anything away; the surface follows with updateSurface(). The
 // first one is for tissue at rest; in the second, `place` tells where the nodes of the bricks are

@@ -4,11 +4,8 @@
 #include <cmath>
 
 #include "base/assert.h"
-#include "base/state_hash.h"
-#include "organ/moved_incision.h"
-#include "organ/strands.h"
-#include "tissue/still_tissue.h"
-#include "tools/moving_contacts.h"
+#include "base/error.h"
+#include "tools/contacts.h"
 
 namespace resect {
 
@@ -16,24 +13,49 @@ namespace {
 
 constexpr double kFeltTime = 0.05;  // s: time constant of the force that a hand feels
 
+std::vector<OperatedOrgan> one(Organ organ, std::unique_ptr<TissueModel> tissue) {
+  std::vector<OperatedOrgan> organs;
+  organs.push_back(operatedOrgan("organ", std::move(organ), std::move(tissue)));
+  return organs;
+}
+
+double shareOf(double value) { return std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0; }
+
 }  // namespace
 
-Simulation::Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
-                       std::unique_ptr<TissueModel> tissue, bool table)
-    : organ_(std::move(organ)),
-      tissue_(tissue ? std::move(tissue) : std::make_unique<StillTissue>()),
-      table_(table) {
+Simulation::Simulation(std::vector<OperatedOrgan> organs, std::vector<std::unique_ptr<Tool>> tools,
+                       std::vector<TissueJoint> joints, bool table)
+    : organs_(std::move(organs)), joints_(std::move(joints)), table_(table) {
+  RESECT_ASSERT(!organs_.empty());
   for (auto& tool : tools) {
     tools_.emplace_back();
     tools_.back().tool = std::move(tool);
   }
-  if (!tissue_->moves()) return;
-  const double spacing = organ_.rest.lattice.spacing.x();
+  work_.removedCells.resize(organs_.size());
+  work_.touchedBricks.resize(organs_.size());
+  work_.obstacles.resize(organs_.size());
+  if (!moves()) return;
+  double finest = organs_[0].organ.rest.lattice.spacing.x(), coarsest = finest;
+  for (const OperatedOrgan& o : organs_) {
+    finest = std::min(finest, o.organ.rest.lattice.spacing.x());
+    coarsest = std::max(coarsest, o.organ.rest.lattice.spacing.x());
+  }
   for (const ToolState& state : tools_)
-    shapes_.push_back(std::make_unique<SignedDistance>(state.tool->model().mesh, 2 * spacing,
-                                                       std::clamp(spacing / 6, 0.0005, 0.002)));
-  skin_.follow(organ_.surface, organ_.rest.lattice, *tissue_, {}, keepsLook_);
+    shapes_.push_back(std::make_unique<SignedDistance>(state.tool->model.mesh, 2 * coarsest,
+                                                       std::clamp(finest / 6, 0.0005, 0.002)));
+  for (const TissueJoint& joint : joints_)
+    for (int end = 0; end < 2; ++end)
+      organs_[std::size_t(joint.organ[end])].tissue->mayPull(joint.cell[end]);
+  for (OperatedOrgan& o : organs_) {
+    if (!o.tissue->moves()) continue;
+    o.tissue->settle();
+    o.skin.follow(o.organ.surface, o.organ.rest.lattice, *o.tissue, {}, keepsLook_);
+  }
 }
+
+Simulation::Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
+                       std::unique_ptr<TissueModel> tissue, bool table)
+    : Simulation(one(std::move(organ), std::move(tissue)), std::move(tools), {}, table) {}
 
 StepReport Simulation::step(const FrameInput& input, StageClock* clock) {
   StepReport report;
@@ -49,14 +71,16 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
 
   moveTools(input, report);
   done("moveTools");
-  findContacts(report);
+  findContacts();
   done("findContacts");
-  actTools(report);
+  actTools(input);
   done("actTools");
   applyEdits(report);
   done("applyEdits");
   moveTissue(input, report);
   done("moveTissue");
+  applyTears(report);
+  done("applyTears");
   updateField(report);
   done("updateField");
   updateSurface(input);
@@ -74,188 +98,213 @@ void Simulation::moveTools(const FrameInput& input, StepReport& report) {
     ToolState& state = tools_[i];
     const ToolInput& wanted = input.tools[i];
     if (!wanted.pose.position.allFinite() || !wanted.pose.rotation.coeffs().allFinite()) {
-      report.faults.push_back("the pose of tool \"" + state.tool->model().name +
-                              "\" is not a number; it stays where it was: check the tool's motion");
+      report.faults.push_back(fmt::format(
+          "the pose of tool \"{}\" is not a number; it stays where it was: check the tool's motion",
+          state.tool->model.name));
       continue;
     }
+    const ToolStance now{wanted.pose, shareOf(wanted.squeeze), shareOf(wanted.pedal)};
     state.wasInHand = state.inHand;
     state.inHand = wanted.inHand;
-    state.earlierPose = state.wasInHand ? state.previousPose : wanted.pose;
-    state.previousPose = state.wasInHand ? state.pose : wanted.pose;
-    state.pose = wanted.pose;
-    const double squeeze = std::isfinite(wanted.squeeze) ? std::clamp(wanted.squeeze, 0.0, 1.0) : 0;
-    state.earlierSqueeze = state.wasInHand ? state.previousSqueeze : squeeze;
-    state.previousSqueeze = state.wasInHand ? state.squeeze : squeeze;
-    state.squeeze = squeeze;
+    state.way =
+        state.wasInHand ? ToolWay{state.way.from, state.way.to, now} : ToolWay{now, now, now};
   }
 }
 
 // Which particles does each tool in hand sweep over?
-void Simulation::findContacts(StepReport& report) const {
-  report.contacts.resize(tools_.size());
+void Simulation::findContacts() {
+  work_.contacts.resize(tools_.size() * organs_.size());
+  auto contacts = work_.contacts.begin();
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     const ToolState& state = tools_[i];
-    if (state.inHand && tissue_->moves())
-      report.contacts[i] = findMovingContacts(organ_, *tissue_, *state.tool, std::int32_t(i),
-                                              {{state.earlierPose, state.earlierSqueeze},
-                                               {state.previousPose, state.previousSqueeze},
-                                               {state.pose, state.squeeze}});
-    else if (state.inHand)
-      report.contacts[i] = resect::findContacts(organ_, *state.tool, std::int32_t(i),
-                                                state.previousPose, state.pose);
-    else
-      (report.contacts[i] = {}).tool = std::int32_t(i);
+    for (std::size_t o = 0; o < organs_.size(); ++o, ++contacts) {
+      *contacts = state.inHand
+                      ? resect::findContacts(organs_[o].organ, *organs_[o].tissue, *state.tool,
+                                             state.way.from.pose, state.way.to.pose)
+                      : ToolContacts{};
+      contacts->tool = std::int32_t(i);
+      contacts->organ = std::int32_t(o);
+    }
   }
 }
 
-// Each tool turns what it touches into edits; nothing changes yet.
-void Simulation::actTools(const StepReport& report) {
-  edits_.clear();
-  for (const ToolContacts& contacts : report.contacts)
-    if (!contacts.cells.empty() || !contacts.nearBlade.empty() || !contacts.caught.empty())
-      tools_[contacts.tool].tool->act(contacts, edits_);
+// Each working part turns what it touches into edits; nothing changes yet.
+void Simulation::actTools(const FrameInput& input) {
+  work_.edits.assign(input.edits.begin(), input.edits.end());
+  for (const ToolContacts& contacts : work_.contacts) {
+    const ToolState& state = tools_[std::size_t(contacts.tool)];
+    const OperatedOrgan& organ = organs_[std::size_t(contacts.organ)];
+    if (!state.inHand) continue;
+    const Touch touch{state.tool->model, state.way,   input.duration, contacts.tool,
+                      contacts.organ,    organ.organ, *organ.tissue,  contacts};
+    for (const auto& part : state.tool->parts) part->act(touch, work_.edits);
+  }
   for (std::size_t i = 0; i < tools_.size(); ++i)
     if (!tools_[i].inHand && tools_[i].wasInHand)
-      edits_.push_back({TissueEdit::Kind::Release, std::int32_t(i)});
+      for (std::size_t o = 0; o < organs_.size(); ++o)
+        work_.edits.push_back({std::int32_t(o), std::int32_t(i), Release{}});
 }
 
-// The only place where tissue is changed by tools.
+EditSummary Simulation::apply(std::span<const TissueEdit> edits) {
+  EditSummary sum;
+  for (std::size_t o = 0; o < organs_.size(); ++o) {
+    const EditSummary summary =
+        resect::applyEdits(organs_[o], std::int32_t(o), edits, work_.removedCells[o]);
+    sum.removed += summary.removed;
+    sum.removedVolume += summary.removedVolume;
+    sum.severed += summary.severed;
+  }
+  return sum;
+}
+
 void Simulation::applyEdits(StepReport& report) {
-  const EditSummary summary = resect::applyEdits(organ_, edits_);
+  for (auto& removed : work_.removedCells) removed.clear();
+  const EditSummary summary = apply(work_.edits);
   report.removed = summary.removed;
   report.removedVolume = summary.removedVolume;
-  report.severed = 0;
-  changedCells_.clear();
-  cutBonds_.clear();
-  cutCells_.clear();
-  if (!tissue_->moves()) return;
-  for (const TissueEdit& edit : edits_) switch (edit.kind) {
-      case TissueEdit::Kind::Remove:
-        changedCells_.push_back(edit.cell);
-        tissue_->remove(edit.cell);
-        break;
-      case TissueEdit::Kind::Incise:
-        inciseMoved(organ_, *tissue_, report.contacts[edit.tool].blade,
-                    report.contacts[edit.tool].nearBlade);
-        cutCells_.insert(cutCells_.end(), report.contacts[edit.tool].nearBlade.begin(),
-                         report.contacts[edit.tool].nearBlade.end());
-        break;
-      case TissueEdit::Kind::Sever:
-        tissue_->sever(edit.cell, edit.direction);
-        cutBonds_.push_back({edit.cell, edit.direction});
-        break;
-      case TissueEdit::Kind::Grip:
-        tissue_->grip(edit.cell, edit.tool, tools_[edit.tool].previousPose);
-        break;
-      case TissueEdit::Kind::Release:
-        tissue_->release(edit.tool);
-        break;
-    }
-  partStrands(organ_, *tissue_, cutBonds_, cutCells_);
-  report.severed = std::int64_t(cutBonds_.size());
+  report.severed = summary.severed;
+  dropJoints();
 }
 
-// Tissue moves for the frame, pushed and pulled by the tools on their way.
+// Tissue moves for the frame, pushed and pulled by the tools on their way. What ought to tear is
+// queued.
 void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
   report.toolForce.assign(tools_.size(), Vec3::Zero());
-  if (!tissue_->moves() || !(input.duration > 0)) return;
-  const double spacing = organ_.rest.lattice.spacing.x();
-  tissueTools_.clear();
-  for (std::size_t i = 0; i < tools_.size(); ++i) {
-    const ToolState& state = tools_[i];
-    const ToolModel& model = state.tool->model();
-    if (state.inHand)
-      tissueTools_.push_back({std::int32_t(i),
-                              model.response == "remove" ? nullptr : shapes_[i].get(),
-                              state.previousPose, state.pose, standOff(model, spacing),
-                              model.friction, model.slipForce});
+  report.tissue.resize(organs_.size());
+  work_.tears.clear();
+  work_.moving.clear();
+  if (!moves() || !(input.duration > 0)) return;
+  for (std::size_t o = 0; o < organs_.size(); ++o) {
+    if (!organs_[o].tissue->moves()) continue;
+    const double spacing = organs_[o].organ.rest.lattice.spacing.x();
+    std::vector<Obstacle>& obstacles = work_.obstacles[o];
+    obstacles.clear();
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+      const ToolState& state = tools_[i];
+      const ToolModel& model = state.tool->model;
+      if (!state.inHand) continue;
+      obstacles.push_back({std::int32_t(i), model.response == "remove" ? nullptr : shapes_[i].get(),
+                           false, state.way.from.pose, state.way.to.pose, standOff(model, spacing),
+                           model.friction, model.slipForce});
+    }
+    if (table_) obstacles.push_back(tableTop(spacing));
+    work_.moving.push_back({organs_[o].tissue.get(), obstacles, &report.tissue[o]});
   }
-  tissue_->move(input.duration, {tissueTools_, table_}, report.tissue);
-  partStrands(organ_, *tissue_, report.tissue.tornBonds);
-  for (std::size_t k = 0; k < tissueTools_.size(); ++k)
-    report.toolForce[tissueTools_[k].tool] = report.tissue.toolForce[k];
+  findJoined();
+  moveTissues(work_.moving, joints_, joined_, input.duration);
+
+  for (std::size_t o = 0; o < organs_.size(); ++o) {
+    const TissueStep& step = report.tissue[o];
+    if (!organs_[o].tissue->moves()) continue;
+    for (std::size_t k = 0; k < work_.obstacles[o].size(); ++k)
+      if (const std::int32_t tool = work_.obstacles[o][k].tool; tool >= 0)
+        report.toolForce[std::size_t(tool)] += step.force[k];
+    for (const std::int32_t tool : step.letGo)
+      work_.tears.push_back({std::int32_t(o), tool, Release{}});
+    for (const TissueBond& bond : step.torn)
+      work_.tears.push_back({std::int32_t(o), -1, SeverBond{bond.cell, bond.direction}});
+    if (!step.calm)
+      report.faults.emplace_back(
+          "the tissue exploded and was stopped for a frame; make it softer, its cells larger or "
+          "the "
+          "tool slower");
+  }
   const double share = 1 - std::exp(-input.duration / kFeltTime);
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     tools_[i].force = report.toolForce[i];
     tools_[i].feltForce += share * (tools_[i].force - tools_[i].feltForce);
   }
-  if (!report.tissue.calm)
-    report.faults.push_back(
-        "the tissue exploded and was stopped for a frame; make it softer, its cells larger or the "
-        "tool slower");
 }
+
+void Simulation::applyTears(StepReport& report) { report.torn = apply(work_.tears).severed; }
 
 // Bricks of the colour field that the edits reach are evaluated again.
 void Simulation::updateField(StepReport& report) {
-  touchedBricks_ = resect::updateField(organ_);
-  report.touchedBricks = std::int64_t(touchedBricks_.size());
+  report.touchedBricks = 0;
+  for (std::size_t o = 0; o < organs_.size(); ++o) {
+    work_.touchedBricks[o] = resect::updateField(organs_[o].organ);
+    report.touchedBricks += std::int64_t(work_.touchedBricks[o].size());
+  }
 }
 
 // The same bricks are meshed again; all of them when the iso level changed.
 void Simulation::updateSurface(const FrameInput& input) {
-  if (input.iso && *input.iso >= kMinIso && *input.iso <= kMaxIso &&
-      *input.iso != organ_.surface.iso())
-    setIso(organ_, *input.iso);
-  else
-    resect::updateSurface(organ_, touchedBricks_);
-  if (keepsLook_) organ_.surface.updateLook(organ_.field);
-  if (tissue_->moves())
-    skin_.follow(organ_.surface, organ_.rest.lattice, *tissue_, changedCells_, keepsLook_);
-}
-
-void Simulation::keepLook() {
-  keepsLook_ = true;
-  organ_.surface.updateLook(organ_.field);
-  if (tissue_->moves()) skin_.turnNormals(organ_.surface);
-}
-
-std::span<const Vec3f> Simulation::surfacePoints() const {
-  return tissue_->moves() ? skin_.points() : organ_.surface.points();
-}
-
-std::span<const Vec3f> Simulation::surfaceNormals() const {
-  return tissue_->moves() ? skin_.normals() : organ_.surface.normals();
-}
-
-TriangleMesh Simulation::surfaceMesh() const { return organ_.surface.mesh(surfacePoints()); }
-
-SurfaceTracker::Compact Simulation::surface() const {
-  return organ_.surface.compact(surfacePoints(), surfaceNormals());
+  for (std::size_t i = 0; i < organs_.size(); ++i) {
+    OperatedOrgan& o = organs_[i];
+    if (input.iso && *input.iso >= kMinIso && *input.iso <= kMaxIso && *input.iso != o.organ.iso)
+      setIso(o.organ, *input.iso);
+    else
+      resect::updateSurface(o.organ, work_.touchedBricks[i]);
+    if (keepsLook_) o.organ.surface.updateLook(o.organ.field);
+    if (o.tissue->moves())
+      o.skin.follow(o.organ.surface, o.organ.rest.lattice, *o.tissue, work_.removedCells[i],
+                    keepsLook_);
+  }
 }
 
 // The books: time, frame, and faults of nature or of settings.
 void Simulation::measure(const FrameInput& input, StepReport& report) {
   if (input.iso && !(*input.iso >= kMinIso && *input.iso <= kMaxIso))
-    report.faults.push_back("iso level " + std::to_string(*input.iso) + " is outside " +
-                            std::to_string(int(kMinIso)) + " to " + std::to_string(int(kMaxIso)) +
-                            "; the level stays as it was");
+    report.faults.push_back(
+        fmt::format("iso level {} is outside {} to {}; the level stays as it was", *input.iso,
+                    kMinIso, kMaxIso));
+  report.contacts.swap(work_.contacts);
+  report.edits.swap(work_.edits);
+  report.tears.swap(work_.tears);
   time_ += input.duration;
   report.frame = frame_++;
   report.time = time_;
 }
 
-std::uint64_t Simulation::stateHash() const {
-  StateHash hash;
-  hash.add(frame_);
-  hash.add(time_);
-  hash.addSpan(std::span<const std::uint8_t>(organ_.alive));
-  for (std::int64_t cell = 0; cell < organ_.rest.lattice.cellCount(); ++cell)
-    hash.add(organ_.field.cellValue(cell));
-  hash.add(organ_.surface.iso());
-  const TriangleMesh surface = organ_.surface.mesh();
-  hash.addSpan(std::span<const Vec3>(surface.points));
-  hash.addSpan(std::span<const Triangle>(surface.triangles));
-  for (const ToolState& state : tools_) {
-    hash.addBytes(state.pose.position.data(), 3 * sizeof(double));
-    hash.addBytes(state.pose.rotation.coeffs().data(), 4 * sizeof(double));
-    hash.add(std::uint8_t(state.inHand));
-    if (state.tool->model().jaws.opening > 0) hash.add(state.squeeze);
+bool Simulation::moves() const {
+  return std::ranges::any_of(organs_, [](const OperatedOrgan& o) { return o.tissue->moves(); });
+}
+
+void Simulation::dropJoints() {
+  if (joints_.empty()) return;
+  std::erase_if(joints_, [&](const TissueJoint& joint) {
+    const auto gone = [&](int end) {
+      return !organs_[std::size_t(joint.organ[end])].tissue->solid(joint.cell[end]);
+    };
+    return gone(0) || gone(1);
+  });
+}
+
+void Simulation::findJoined() {
+  joined_.clear();
+  for (std::size_t o = 0; o < organs_.size() && !joints_.empty(); ++o)
+    joined_.push_back({std::int32_t(o), &organs_[o].organ.rest.lattice, organs_[o].tissue.get()});
+}
+
+void Simulation::keepLook() {
+  keepsLook_ = true;
+  for (OperatedOrgan& o : organs_) {
+    o.organ.surface.updateLook(o.organ.field);
+    if (o.tissue->moves()) o.skin.turnNormals(o.organ.surface);
   }
-  if (tissue_->moves()) {
-    hash.add(tissue_->stateHash());
-    hash.addSpan(skin_.points());
+}
+
+TriangleMesh Simulation::surfaceMesh() const {
+  TriangleMesh mesh;
+  for (const OperatedOrgan& o : organs_) append(mesh, o.organ.surface.mesh(o.points()));
+  return mesh;
+}
+
+SurfaceTracker::Compact Simulation::surface() const {
+  SurfaceTracker::Compact all;
+  for (const OperatedOrgan& o : organs_) {
+    const SurfaceTracker::Compact part = o.organ.surface.compact(o.points(), o.normals());
+    append(all.mesh, part.mesh);
+    all.normals.insert(all.normals.end(), part.normals.begin(), part.normals.end());
+    all.cut.insert(all.cut.end(), part.cut.begin(), part.cut.end());
   }
-  return hash.value();
+  return all;
+}
+
+std::size_t Simulation::bytes() const {
+  std::size_t sum = 0;
+  for (const OperatedOrgan& o : organs_) sum += o.bytes();
+  return sum;
 }
 
 }  // namespace resect

@@ -12,11 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "base/saved_state.h"
 #include "base/stage_clock.h"
-#include "organ/organ.h"
-#include "organ/skin.h"
-#include "tissue/tissue_model.h"
-#include "tools/contacts.h"
+#include "organ/apply_edits.h"
+#include "organ/operated_organ.h"
+#include "tissue/joint.h"
+#include "tissue/move_tissues.h"
 #include "tools/tool.h"
 
 namespace resect {
@@ -26,43 +27,62 @@ struct ToolInput {
   Pose pose;           // at the end of the frame, world, m
   bool inHand = true;  // false: it lies in the tool box, or is being put there, and touches nothing
   double squeeze = 0;  // of a tool with jaws, at the end of the frame: 0 wide open, 1 closed
+  double pedal = 0;    // of an energy device, 0 to 1: how far it is pressed
 };
 
 struct FrameInput {
   double duration = 1.0 / 60;    // s
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
   std::optional<float> iso;      // another iso level from this frame on
+  // Done to tissue whatever the tools do, before they act.
+  std::vector<TissueEdit> edits;
 };
 
-// What happened in a frame.
+// What happened in a frame. No stage reads it.
 struct StepReport {
   std::int64_t frame = 0;              // number of the frame, from 0
   double time = 0;                     // at the end of the frame, s
   std::int64_t removed = 0;            // particles
   double removedVolume = 0;            // m^3
+  std::int64_t severed = 0, torn = 0;  // bonds: cut by edges or edits; torn
   std::int64_t touchedBricks = 0;      // bricks evaluated and meshed again
-  std::vector<ToolContacts> contacts;  // one per tool; empty for a tool not in hand
-  std::int64_t severed = 0;            // bonds cut by edges
-  TissueStep tissue;                   // of tissue that moves
-  std::vector<Vec3> toolForce;  // on each tool, mean over the frame, N; zero when it does not move
+  // Tool after tool, for each one per organ; empty for a tool not in hand.
+  std::vector<ToolContacts> contacts;
+  std::vector<TissueEdit> edits;    // as they were applied, but those for what tore
+  std::vector<TissueEdit> tears;    // bonds that tore, grips that slipped
+  std::vector<TissueStep> tissue;   // one per organ
+  std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero when nothing moves
   std::vector<std::string> faults;  // sentences, each naming the setting to change
 };
 
 struct ToolState {
   std::unique_ptr<Tool> tool;
-  Pose pose;
-  Pose previousPose;                                            // at the start of the frame
-  Pose earlierPose;                                             // at the start of the frame before
-  double squeeze = 1, previousSqueeze = 1, earlierSqueeze = 1;  // of its jaws, at the same times
+  ToolWay way;
   // On the tool, N: of this frame, and smoothed over some 0.05 s as a hand feels it.
   Vec3 force = Vec3::Zero(), feltForce = Vec3::Zero();
   bool inHand = false;
   bool wasInHand = false;
+
+  const Pose& pose() const { return way.to.pose; }
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("way", way), v("force", force), v("feltForce", feltForce);
+    v("inHand", inHand), v("wasInHand", wasInHand);
+  }
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(tool);
+  }
 };
 
 class Simulation {
  public:
-  // `tissue` null: it does not move. `table`: tissue that moves rests on a level top at y = 0.
+  // At least one organ. joints: between organs, by their numbers. table: tissue that moves rests on
+  // a level top at y = 0.
+  Simulation(std::vector<OperatedOrgan> organs, std::vector<std::unique_ptr<Tool>> tools,
+             std::vector<TissueJoint> joints = {}, bool table = true);
+  // One organ; tissue null: it does not move.
   Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
              std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
 
@@ -72,55 +92,93 @@ class Simulation {
   // near tissue allocates no memory.
   void step(const FrameInput& input, StepReport& report, StageClock* clock = nullptr);
 
-  const Organ& organ() const { return organ_; }
+  const std::vector<OperatedOrgan>& organs() const { return organs_; }
+  const std::vector<TissueJoint>& joints() const { return joints_; }
   const std::vector<ToolState>& tools() const { return tools_; }
-  const TissueModel& tissue() const { return *tissue_; }
+  double time() const { return time_; }
+  std::int64_t frame() const { return frame_; }
+  bool moves() const;  // does the tissue of any organ move?
 
-  // The surface where it is now, in world space: that of the organ's tracker, moved with the
-  // tissue. One point per vertex of the tracker's arrays.
-  std::span<const Vec3f> surfacePoints() const;
-  TriangleMesh surfaceMesh() const;  // without the arrays' holes
+  // Of the first organ, where there is but one.
+  const Organ& organ() const { return organs_[0].organ; }
+  const TissueModel& tissue() const { return *organs_[0].tissue; }
+  std::span<const Vec3f> surfacePoints() const { return organs_[0].points(); }
+  std::span<const Vec3f> surfaceNormals() const { return organs_[0].normals(); }
+
+  // The surface of all organs where it is now, world, without the arrays' holes.
+  TriangleMesh surfaceMesh() const;
 
   // From now on each step keeps up how the surface looks, for pictures of it: nothing else of a
   // step depends on it.
   void keepLook();
-  // Of a simulation that keeps its look. Normals: one per vertex of the tracker's arrays.
-  std::span<const Vec3f> surfaceNormals() const;
-  SurfaceTracker::Compact surface() const;  // surfaceMesh() and how it looks
-  double time() const { return time_; }
-  std::int64_t frame() const { return frame_; }
-  // Memory held for the organ, its tissue and its surface where it is now.
-  std::size_t bytes() const { return organ_.bytes() + tissue_->bytes() + skin_.bytes(); }
+  // Of a simulation that keeps its look: surfaceMesh() and how it looks.
+  SurfaceTracker::Compact surface() const;
 
-  // Digest of all that decides what comes next: cells, iso level, poses, time; and of the surface
-  // (where it is, not how it looks).
+  // Memory held for organs, their tissue and surfaces.
+  std::size_t bytes() const;
+
+  // All that decides what comes next, for restore(). Cost: about a pass over the state; at most 48
+  // bytes a particle of elastic tissue, a bit a particle of still tissue, and what was cut.
+  Bytes save() const;
+  // Goes on from a state that save() gave for the same organs and as many tools: from here on the
+  // same inputs give the same bits. The pictures' arrays are made anew. Error, and nothing changes,
+  // when the state is not of these organs or is damaged.
+  void restore(std::span<const std::byte> state);
+  // The state by its fields, for comparing (base/saved_state.h).
+  SavedState fields() const { return saveState(*this, fingerprint()); }
+
+  // Digest of the state, and of the surface that follows from it (where it is, not how it looks).
   std::uint64_t stateHash() const;
 
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("frame", frame_), v("time", time_);
+    v.fixed("organs", organs_), v.fixed("tools", tools_), v("joints", joints_);
+  }
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(table_, keepsLook_, shapes_, joined_, work_);
+  }
+
  private:
+  // What the stages of a frame hand each other; its memory is used again.
+  struct Work {
+    std::vector<ToolContacts> contacts;
+    std::vector<TissueEdit> edits, tears;
+    std::vector<std::vector<std::int64_t>> removedCells;       // by organ
+    std::vector<std::span<const std::int64_t>> touchedBricks;  // by organ
+    std::vector<std::vector<Obstacle>> obstacles;              // by organ
+    std::vector<MovingTissue> moving;
+  };
+
   void moveTools(const FrameInput& input, StepReport& report);
-  void findContacts(StepReport& report) const;
-  void actTools(const StepReport& report);
+  void findContacts();
+  void actTools(const FrameInput& input);
   void applyEdits(StepReport& report);
   void moveTissue(const FrameInput& input, StepReport& report);
+  void applyTears(StepReport& report);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
   void measure(const FrameInput& input, StepReport& report);
 
-  Organ organ_;
-  std::unique_ptr<TissueModel> tissue_;
-  bool table_;
-  bool keepsLook_ = false;
+  EditSummary apply(std::span<const TissueEdit> edits);
+  void dropJoints();
+  void findJoined();
+  std::uint64_t fingerprint() const;
+  void load(const SavedState& state);
+
+  // State.
+  std::vector<OperatedOrgan> organs_;
   std::vector<ToolState> tools_;
-  std::vector<std::unique_ptr<SignedDistance>> shapes_;  // of the tools, for tissue that moves
-  std::vector<TissueTool> tissueTools_;                  // of this frame
-  std::vector<std::int64_t> changedCells_;               // removed in this frame
-  std::vector<TissueBond> cutBonds_;                     // in this frame
-  std::vector<std::int64_t> cutCells_;                   // near blades that cut in this frame
-  SurfaceSkin skin_;
-  std::vector<TissueEdit> edits_;                // queued in this frame
-  std::span<const std::int64_t> touchedBricks_;  // of this frame
+  std::vector<TissueJoint> joints_;
   double time_ = 0;
   std::int64_t frame_ = 0;
+
+  // Set up, or made from the state.
+  bool table_, keepsLook_ = false;
+  std::vector<std::unique_ptr<SignedDistance>> shapes_;  // of the tools, where tissue moves
+  std::vector<JoinedOrgan> joined_;                      // by organ, where there are joints
+  Work work_;
 };
 
 }  // namespace resect

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/state_visitor.h"
 #include "base/vec.h"
 #include "geometry/aabb.h"
 
@@ -36,6 +37,8 @@ struct Lattice {
   }
   // Cell coordinates of a point: (0, 0, 0) at the centre of the first cell.
   Vec3 toCellSpace(const Vec3& p) const { return (p - origin).cwiseQuotient(spacing); }
+  CellOrder order() const { return {0, dims.x(), std::int64_t(dims.x()) * dims.y()}; }
+
   // The box of all cells, sides included.
   Aabb box() const {
     return {origin - 0.5 * spacing,

@@ -144,6 +144,28 @@ std::span<const TouchedBrick> SeveredEdges::update() {
   return touched_;
 }
 
+bool SeveredEdges::fit() const {
+  const std::size_t bricks = std::size_t(brickDims_.x()) * brickDims_.y() * brickDims_.z();
+  for (const std::size_t size : {recordOf_.size(), near_.size(), pendingOf_.size()})
+    if (size != (records_.empty() ? 0 : bricks)) return false;
+  const auto below = [](std::int64_t i, std::size_t end) { return i < std::int64_t(end); };
+  for (const std::int32_t r : recordOf_)
+    if (r < -1 || !below(r, records_.size())) return false;
+  for (const std::int64_t b : pending_)
+    if (b < 0 || !below(b, bricks)) return false;
+  for (const Record& record : records_) {
+    for (const std::int32_t t : record.firstTrace)
+      if (t < -1 || !below(t, record.traces.size())) return false;
+    // Lines of a face follow each other upwards, so that their list ends.
+    for (std::size_t t = 0; t < record.traces.size(); ++t) {
+      const std::int32_t next = record.traces[t].next;
+      if (next != -1 && (next <= std::int32_t(t) || !below(next, record.traces.size())))
+        return false;
+    }
+  }
+  return true;
+}
+
 std::size_t SeveredEdges::bytes() const {
   std::size_t sum = records_.capacity() * sizeof(Record) + recordOf_.capacity() * 4 +
                     near_.capacity() + pendingOf_.capacity();

@@ -24,7 +24,7 @@ constexpr float kCutMargin = 0.03f;
 // A straight line that a blade left on a face: its two ends, in the face's own coordinates (along
 // the next axis after the face's normal, then the one after that), each in [0, 1].
 struct FaceTrace {
-  Eigen::Vector2f from, to;
+  Eigen::Vector2f from = Eigen::Vector2f::Zero(), to = Eigen::Vector2f::Zero();
 };
 
 struct TouchedBrick {
@@ -85,13 +85,35 @@ class SeveredEdges {
 
   std::size_t bytes() const;
 
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("recordOf", recordOf_), v("records", records_), v("near", near_), v("count", count_);
+    v("pendingOf", pendingOf_), v("pending", pending_);
+  }
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(brickDims_, refine_, touched_);
+  }
+  // After fields were loaded: are all numbers of bricks and lines in their ranges?
+  bool fit() const;
+
  private:
   struct Trace {
     FaceTrace line;
-    std::int32_t next;
+    std::int32_t next = -1;
+
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("from", line.from), v("to", line.to), v("next", next);
+    }
   };
   struct Record {
     Record();
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("severed", severed), v("share", share), v("normal", normal);
+      v("firstTrace", firstTrace), v("traces", traces);
+    }
     std::array<std::uint64_t, 3> severed{};
     std::array<std::array<float, 64>, 3> share;
     std::array<std::array<Vec3f, 64>, 3> normal;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 
+#include "base/state_visitor.h"
 #include "base/vec.h"
 #include "tissue/stencil.h"
 
@@ -36,12 +37,19 @@ struct CellBox {
       step[d] = o.x() + o.y() * strideY + o.z() * strideZ;
     }
   }
+  CellOrder order() const { return {front, strideY, strideZ}; }
   std::int32_t index(const Vec3i& c) const {
     return front + c.x() + c.y() * strideY + c.z() * strideZ;
   }
   Vec3i cell(std::int32_t index) const {
     const std::int32_t i = index - front;
     return {i % strideY, i / strideY % (dims.y() + 1), i / strideZ};
+  }
+  // Is it a cell of the lattice, none of the margins?
+  bool inLattice(std::int32_t index) const {
+    if (index < front || index >= size) return false;
+    const Vec3i c = cell(index);
+    return c.x() < dims.x() && c.y() < dims.y() && c.z() < dims.z();
   }
   // From and to the numbering of the lattice, x fastest without margins.
   std::int32_t fromLattice(std::int64_t cell) const {

@@ -8,7 +8,6 @@
 namespace resect {
 namespace {
 
-constexpr double kTableFriction = 0.3;
 constexpr double kMostPush = 0.25;  // spacings per substep: a tool that jumps squeezes cells out
 
 Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
@@ -40,46 +39,57 @@ Vec3 pushOut(ElasticState& s, std::int32_t i, double depth, const Vec3& outwards
 }  // namespace
 
 void TissueContacts::list(const ElasticState& s, const Vec3& origin, double duration,
-                          const TissueSurroundings& surroundings,
+                          std::span<const Obstacle> obstacles,
                           std::span<const std::int32_t> gripper) {
-  forgetImpulses();
-  onTable_.clear();
-  bodyCount_ = surroundings.tools.size();
+  bodyCount_ = obstacles.size();
   if (bodies_.size() < bodyCount_) bodies_.resize(bodyCount_);
-  toolImpulse_.assign(bodyCount_, Vec3::Zero());
+  impulse_.assign(bodyCount_, Vec3::Zero());
   struct Reach {
-    Pose back;   // from the world to the tool
-    Aabb box;    // in the tool's frame
+    Pose back;   // from the world to the obstacle
+    Aabb box;    // in the obstacle's frame
     Aabb world;  // bounds of the box
   };
   std::vector<Reach> reach(bodyCount_);
   for (std::size_t b = 0; b < bodyCount_; ++b) {
     Body& body = bodies_[b];
-    const TissueTool& tool = body.tool = surroundings.tools[b];
+    const Obstacle& o = body.obstacle = obstacles[b];
     body.cells.clear();
-    body.velocity = (tool.to.position - tool.from.position) / duration;
-    Eigen::Quaterniond turn = tool.to.rotation * tool.from.rotation.conjugate();
+    body.velocity = (o.to.position - o.from.position) / duration;
+    Eigen::Quaterniond turn = o.to.rotation * o.from.rotation.conjugate();
     if (turn.w() < 0) turn.coeffs() *= -1;
     const Eigen::AngleAxisd angle(turn);
     body.spin = angle.angle() / duration * angle.axis();
+    if (!o.shape) continue;
     // Cells that are within reach of it at the end of the frame, or on its way there.
-    if (!tool.shape) continue;
-    Aabb box = tool.shape->box();
+    Aabb box = o.shape->box();
     const Aabb still = box;
-    const Pose back = tool.to.inverse();
-    for (int corner = 0; corner < 8; ++corner) box.grow(back * (tool.from * still.corner(corner)));
-    box = box.padded(tool.standOff + s.spacing);
+    const Pose back = o.to.inverse();
+    for (int corner = 0; corner < 8; ++corner) box.grow(back * (o.from * still.corner(corner)));
+    box = box.padded(o.standOff + s.spacing);
     reach[b] = {back, box, {}};
-    for (int corner = 0; corner < 8; ++corner) reach[b].world.grow(tool.to * box.corner(corner));
+    for (int corner = 0; corner < 8; ++corner) reach[b].world.grow(o.to * box.corner(corner));
   }
-  if (bodyCount_ == 0 && !surroundings.table) return;
   constexpr double kDiagonal = 1.75;  // of a cube, at most
+  // May something of a box, whose cells go `way` in the frame, come to lie on a half space?
+  const auto nearHalfSpace = [&](const Obstacle& o, const Aabb& box, double way) {
+    const double most = o.standOff + s.spacing + way;
+    for (const Pose* pose : {&o.from, &o.to}) {
+      const Vec3 up = pose->rotation * Vec3::UnitY();
+      Vec3 lowest;
+      for (int a = 0; a < 3; ++a) lowest[a] = up[a] > 0 ? box.min[a] : box.max[a];
+      if ((lowest - pose->position).dot(up) < most) return true;
+    }
+    return false;
+  };
   for (const TissueChunk& chunk : s.chunks) {
     const Aabb bounds = chunkBounds(s, chunk, origin);
     const double mostWay = chunkSpeed(s, chunk) * duration;
-    bool near = surroundings.table && bounds.min.y() < 1.5 * s.spacing + mostWay;
-    for (std::size_t b = 0; b < bodyCount_ && !near; ++b)
-      near = bodies_[b].tool.shape && meets(reach[b].world.padded(kDiagonal * mostWay), bounds);
+    bool near = false;
+    for (std::size_t b = 0; b < bodyCount_ && !near; ++b) {
+      const Obstacle& o = bodies_[b].obstacle;
+      near = o.shape ? meets(reach[b].world.padded(kDiagonal * mostWay), bounds)
+                     : o.halfSpace && nearHalfSpace(o, bounds, mostWay);
+    }
     if (!near) continue;
     const Vec3i row = s.box.cell(chunk.start);
     for (int k = chunk.first; k <= chunk.last; ++k) {
@@ -88,10 +98,13 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
       const Vec3 rest = origin + s.spacing * (row + Vec3i(k, 0, 0)).cast<double>();
       const Vec3 x = rest + at(s.u, i);
       const double way = at(s.v, i).norm() * duration;
-      if (surroundings.table && x.y() < 1.5 * s.spacing + way) onTable_.push_back({i, rest});
       for (std::size_t b = 0; b < bodyCount_; ++b) {
-        if (!bodies_[b].tool.shape) continue;
-        if (!gripper.empty() && gripper[i] == bodies_[b].tool.tool) continue;
+        const Obstacle& o = bodies_[b].obstacle;
+        if (!o.shape) {
+          if (o.halfSpace && nearHalfSpace(o, {x, x}, way)) bodies_[b].cells.push_back({i, rest});
+          continue;
+        }
+        if (o.tool >= 0 && !gripper.empty() && gripper[i] == o.tool) continue;
         if (!reach[b].world.padded(kDiagonal * way).contains(x)) continue;
         if (reach[b].box.padded(way).contains(reach[b].back * x))
           bodies_[b].cells.push_back({i, rest});
@@ -105,23 +118,24 @@ void TissueContacts::push(ElasticState& s, double share, double lookAhead) {
   for (std::size_t b = 0; b < bodyCount_; ++b) {
     Body& body = bodies_[b];
     if (body.cells.empty()) continue;
-    const Pose pose = interpolate(body.tool.from, body.tool.to, share);
-    const Eigen::Matrix3d turn = pose.rotation.toRotationMatrix();
+    const Obstacle& o = body.obstacle;
+    const Pose pose = interpolate(o.from, o.to, share);
+    const Mat3 turn = pose.rotation.toRotationMatrix();
     for (const auto& [i, rest] : body.cells) {
-      const Vec3 fromTip = rest + at(s.u, i) - pose.position;
-      const auto sample = (*body.tool.shape)(turn.transpose() * fromTip);
-      const double depth = body.tool.standOff - sample.distance;
+      const Vec3 fromOrigin = rest + at(s.u, i) - pose.position;
+      double depth = o.standOff;
+      Vec3 outwards = turn.col(1);  // of a half space
+      if (o.shape) {
+        const auto sample = (*o.shape)(turn.transpose() * fromOrigin);
+        depth -= sample.distance;
+        outwards = turn * sample.outwards;
+      } else {
+        depth -= fromOrigin.dot(outwards);
+      }
       if (depth <= 0) continue;
-      toolImpulse_[b] -=
-          pushOut(s, i, depth, turn * sample.outwards, body.velocity + body.spin.cross(fromTip),
-                  body.tool.friction, lookAhead);
+      impulse_[b] -= pushOut(s, i, depth, outwards, body.velocity + body.spin.cross(fromOrigin),
+                             o.friction, lookAhead);
     }
-  }
-  for (const auto& [i, rest] : onTable_) {
-    const double y = rest.y() + s.u[1][i];
-    const double depth = 0.5 * s.spacing - y;
-    if (depth > 0)
-      tableImpulse_ -= pushOut(s, i, depth, Vec3::UnitY(), Vec3::Zero(), kTableFriction, lookAhead);
   }
 }
 
@@ -164,9 +178,14 @@ void TissueContacts::pushCutFaces(ElasticState& s, double lookAhead) {
   }
 }
 
+bool TissueContacts::fit(std::int32_t cells) const {
+  return std::ranges::all_of(cut_, [&](const CutPair& pair) {
+    return std::min(pair.a, pair.b) >= 0 && std::max(pair.a, pair.b) < cells;
+  });
+}
+
 void TissueContacts::forgetImpulses() {
-  for (Vec3& impulse : toolImpulse_) impulse.setZero();
-  tableImpulse_.setZero();
+  for (Vec3& impulse : impulse_) impulse.setZero();
 }
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Which cells do tools and table touch in a frame, and how are they pushed?
+// Which cells do obstacles (instruments, the table) touch in a frame, and how are they pushed?
 //
 // Cut faces of one body do not pass through each other either: the ends of cut bonds are pushed
 // apart like balls that do not rebound.
@@ -22,7 +22,7 @@ class TissueContacts {
   // `gripper[cell of the box]`, when not empty, is the tool that holds the cell, or -1: it is not
   // pushed by its holder.
   void list(const ElasticState& state, const Vec3& origin, double duration,
-            const TissueSurroundings& surroundings, std::span<const std::int32_t> gripper);
+            std::span<const Obstacle> obstacles, std::span<const std::int32_t> gripper);
 
   // After a substep that ends at `share` of the frame; `lookAhead` as in the passes.
   void push(ElasticState& state, double share, double lookAhead);
@@ -31,11 +31,21 @@ class TissueContacts {
   // nine tenths of their distance at rest, or what they have now.
   void keepApart(const ElasticState& state, std::int32_t cell, int direction);
   void forgetCell(std::int32_t cell);
+  // Do all pairs lie in a box of so many cells?
+  bool fit(std::int32_t cells) const;
 
-  // Momentum given since list(), kg m/s; by place in surroundings.tools.
-  const std::vector<Vec3>& toolImpulse() const { return toolImpulse_; }
-  const Vec3& tableImpulse() const { return tableImpulse_; }
+  // Momentum given to each obstacle since list(), kg m/s.
+  std::span<const Vec3> impulse() const { return impulse_; }
   void forgetImpulses();
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("cut", cut_);
+  }
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(bodies_, bodyCount_, impulse_);
+  }
 
  private:
   struct Near {
@@ -43,22 +53,25 @@ class TissueContacts {
     Vec3 rest;  // where it was, world, m
   };
   struct Body {
-    TissueTool tool;
+    Obstacle obstacle;
     Vec3 velocity, spin;  // world, m/s and 1/s
     std::vector<Near> cells;
   };
   struct CutPair {
-    std::int32_t a, b;
-    float distance;  // kept, m
-    Vec3f rest;      // from a to b at rest, m
+    std::int32_t a = 0, b = 0;
+    float distance = 0;          // kept, m
+    Vec3f rest = Vec3f::Zero();  // from a to b at rest, m
+
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("a", a), v("b", b), v("distance", distance), v("rest", rest);
+    }
   };
   void pushCutFaces(ElasticState& state, double lookAhead);
   std::vector<Body> bodies_;
   std::size_t bodyCount_ = 0;
-  std::vector<Near> onTable_;
   std::vector<CutPair> cut_;
-  std::vector<Vec3> toolImpulse_;
-  Vec3 tableImpulse_ = Vec3::Zero();
+  std::vector<Vec3> impulse_;  // by obstacle
 };
 
 }  // namespace resect

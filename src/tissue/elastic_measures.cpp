@@ -107,7 +107,7 @@ Vec3 ElasticTissue::elasticForce(std::int64_t cell) const {
 }
 
 TissueEnergy ElasticTissue::energy() {
-  settleEdits();
+  settle();
   const std::array<double, 4> weights = bondWeights();
   const double s = state_.spacing, volume = s * s * s;
   TissueEnergy sum;

@@ -22,6 +22,14 @@ void severBond(ElasticState& s, std::int32_t cell, int direction);
 // The cell is no more: no bonds, no mass, no motion.
 void removeCell(ElasticState& s, std::int32_t cell);
 
+// Throws Error when a value is out of range.
+void checkMaterial(const TissueMaterial& material);
+// Its number in the list, where it is put if it is not there; at most 256.
+std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material);
+// After `solid` or `material` of these cells changed: masses, stiffnesses, plane weights; what is
+// not solid has no motion and no forces. refreshCells() follows.
+void remakeCells(ElasticState& s, std::span<const std::int32_t> cells);
+
 // After the bonds of these cells changed: inverse moments, skews, gradient flags, chunks.
 void refreshCells(ElasticState& s, std::span<const std::int32_t> cells);
 // After `held` or `loaded` of these cells changed: chunks alone.

@@ -63,6 +63,15 @@ void putPlaneWeights(ElasticState& s, std::span<const std::int32_t> cells) {
       for (int z = -1; z <= 1; ++z) weigh(i + y * s.box.strideY + z * s.box.strideZ);
 }
 
+// Nothing is there any more.
+void clearCell(ElasticState& s, std::int32_t i) {
+  s.inverseMass[i] = s.shearVolume[i] = s.lameVolume[i] = 0;
+  for (int a = 0; a < 3; ++a) {
+    s.u[a][i] = s.ahead[a][i] = s.v[a][i] = s.load[a][i] = s.bondForce[a][i] = 0;
+    for (int b = 0; b < 3; ++b) s.stress[3 * a + b][i] = 0;
+  }
+}
+
 // Is every neighbour that is there bonded?
 bool uncut(const ElasticState& s, std::int32_t i) {
   for (int d = 0; d < kDirections; ++d)
@@ -106,7 +115,6 @@ ElasticState makeElasticState(const TissueCells& cells, double penalty) {
   s.bonds.assign(s.box.size, 0);
   for (auto* a : {&s.solid, &s.held, &s.loaded, &s.material}) a->assign(s.box.size, 0);
 
-  const double volume = s.spacing * s.spacing * s.spacing;
   std::vector<std::int32_t> all;
   for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell) {
     if (!cells.solid[cell]) continue;
@@ -114,17 +122,45 @@ ElasticState makeElasticState(const TissueCells& cells, double penalty) {
     all.push_back(i);
     s.solid[i] = 1;
     s.material[i] = cells.material.empty() ? 0 : cells.material[cell];
+  }
+  for (const std::int32_t i : all)
+    for (int d = 0; d < kDirections; ++d)
+      if (s.solid[i + s.box.step[d]]) s.bonds[i] |= 1u << d;
+  remakeCells(s, all);
+  refreshCells(s, all);
+  return s;
+}
+
+void checkMaterial(const TissueMaterial& m) {
+  if (!(m.young > 0 && m.poisson >= 0 && m.poisson <= 0.4999 && m.density > 0))
+    throw usageError(
+        "material \"{}\" has young = {} Pa, poisson = {}, density = {} kg/m^3; young and density "
+        "are positive, poisson is from 0 to 0.4999",
+        m.name, m.young, m.poisson, m.density);
+}
+
+std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material) {
+  const auto known = std::ranges::find(s.materials, material);
+  const auto number = std::size_t(known - s.materials.begin());
+  if (number > 255)
+    throw error("the tissue has 256 materials already; use one of them for \"{}\"", material.name);
+  if (known == s.materials.end()) s.materials.push_back(material);
+  return std::uint8_t(number);
+}
+
+void remakeCells(ElasticState& s, std::span<const std::int32_t> cells) {
+  const double volume = s.spacing * s.spacing * s.spacing;
+  for (const std::int32_t i : cells) {
+    if (!s.solid[i]) {
+      clearCell(s, i);
+      continue;
+    }
     const TissueMaterial& material = s.materials[s.material[i]];
     s.inverseMass[i] = float(1 / (material.density * volume));
     s.shearVolume[i] = float(material.shear() * volume);
     s.lameVolume[i] = float((material.lame() + material.shear()) * volume);
   }
-  for (const std::int32_t i : all)
-    for (int d = 0; d < kDirections; ++d)
-      if (s.solid[i + s.box.step[d]]) s.bonds[i] |= 1u << d;
-  putPlaneWeights(s, all);
-  refreshCells(s, all);
-  return s;
+  putPlaneWeights(s, cells);
 }
 
 void severBond(ElasticState& s, std::int32_t i, int direction) {
@@ -136,11 +172,7 @@ void removeCell(ElasticState& s, std::int32_t i) {
   for (int d = 0; d < kDirections; ++d)
     if (s.bonds[i] >> d & 1) severBond(s, i, d);
   s.solid[i] = s.held[i] = s.loaded[i] = 0;
-  s.inverseMass[i] = s.shearVolume[i] = s.lameVolume[i] = 0;
-  for (int a = 0; a < 3; ++a) {
-    s.u[a][i] = s.ahead[a][i] = s.v[a][i] = s.load[a][i] = s.bondForce[a][i] = 0;
-    for (int b = 0; b < 3; ++b) s.stress[3 * a + b][i] = 0;
-  }
+  clearCell(s, i);
   putPlaneWeights(s, {&i, 1});
 }
 

@@ -58,6 +58,22 @@ struct ElasticState {
   AlignedArray<std::uint8_t> solid, material;  // material: index into materials
   AlignedArray<std::uint8_t> held, loaded;     // held: HeldAxis bits; loaded: `load` counts
   std::vector<TissueChunk> chunks;             // ascending
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    const CellOrder order = box.order();
+    v.perCell("u", u, order), v.perCell("v", this->v, order);
+    v.perCell("solid", solid, order), v.perCell("material", material, order);
+    v.perCell("bonds", bonds, order);
+    v.perCell("held", held, order), v.perCell("loaded", loaded, order);
+    v.perCell("load", load, order);
+    v("materials", materials);
+  }
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(box, spacing, penalty, ahead, stress, bondForce, inverseMoment, skew, planeWeight);
+    v.made(inverseMass, shearVolume, lameVolume, kappa, chunks);
+  }
 };
 
 }  // namespace resect

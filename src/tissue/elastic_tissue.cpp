@@ -6,14 +6,13 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/state_hash.h"
 #include "tissue/chunk_bounds.h"
 #include "tissue/elastic_setup.h"
+#include "tissue/move_tissues.h"
 
 namespace resect {
 namespace {
 
-constexpr int kMostHalvings = 6;
 constexpr int kCalmFrames = 60;     // after which a halved substep is doubled again
 constexpr double kMostCells = 20;   // spacings per substep: faster is an explosion
 constexpr std::size_t kGrain = 64;  // chunks per block of a pass
@@ -22,12 +21,7 @@ void check(const TissueCells& cells, const TissueSettings& settings) {
   if (std::find(cells.solid.begin(), cells.solid.end(), 1) == cells.solid.end())
     throw error("the tissue has no solid cell; give an organ with particles");
   if (cells.materials.empty()) throw error("the tissue has no material; give at least one");
-  for (const TissueMaterial& m : cells.materials)
-    if (!(m.young > 0 && m.poisson >= 0 && m.poisson <= 0.4999 && m.density > 0))
-      throw usageError(
-          "material \"{}\" has young = {} Pa, poisson = {}, density = {} kg/m^3; young and density "
-          "are positive, poisson is from 0 to 0.4999",
-          m.name, m.young, m.poisson, m.density);
+  for (const TissueMaterial& m : cells.materials) checkMaterial(m);
   if (!(settings.damping >= 0 && settings.damping <= 0.5))
     throw usageError("tissue damping is {}; give a value from 0 to 0.5", settings.damping);
   if (!(settings.drag >= 0))
@@ -92,72 +86,94 @@ bool ElasticTissue::motionPass(const SubstepConstants& c) {
   return calm;
 }
 
-// False when the state explodes.
-bool ElasticTissue::substeps(double duration, const TissueSurroundings& around,
-                             std::int32_t& count) {
+int ElasticTissue::substepsWanted() const {
+  if (!frame_.calm) return 0;
   const double longest = longestSubstep_ / double(1 << halvings_);
-  const int steps = std::max(1, int(std::ceil(duration / longest - 1e-9)));
-  const double dt = duration / steps;
-  const SubstepConstants c = constants(dt);
-  for (int k = 1; k <= steps; ++k) {
-    const double share = double(k) / steps;
-    stressPass(c);
-    springs_.pull(state_, lattice_.origin, around.tools, share, duration, dt);
-    ++count;
-    if (!motionPass(c)) return false;
-    contacts_.push(state_, share, c.lookAhead);
-  }
-  return true;
+  return std::max(1, int(std::ceil(frame_.duration / longest - 1e-9)));
 }
 
-ElasticTissue::Advance ElasticTissue::advance(double duration) {
-  TissueStep step;
-  if (duration > 0) run(duration, {}, step);
-  return {step.substeps, step.retries, step.calm};
-}
-
-void ElasticTissue::run(double duration, const TissueSurroundings& around, TissueStep& step) {
-  settleEdits();
+void ElasticTissue::beginFrame(double duration, std::span<const Obstacle> obstacles) {
+  settle();
   if (halvings_ > 0 && ++calmFrames_ > kCalmFrames) {
     --halvings_;
     calmFrames_ = 0;
   }
-  step.substeps = step.retries = step.torn = 0;
-  step.calm = true;
+  frame_ = {duration, obstacles, {}, 0, 0, true};
   keepState();
-  contacts_.list(state_, lattice_.origin, duration, around, gripper_);
-  springs_.forgetImpulses(around.tools.size());
-  while (!substeps(duration, around, step.substeps)) {
-    restoreState();
-    contacts_.forgetImpulses();
-    springs_.forgetImpulses(around.tools.size());
-    calmFrames_ = 0;
-    if (halvings_ == kMostHalvings) {
-      stopMotion();
-      step.calm = false;
-      break;
-    }
-    ++halvings_;
-    ++step.retries;
-  }
+  contacts_.list(state_, lattice_.origin, duration, obstacles, gripper_);
+  springs_.forgetImpulses(obstacles.size());
 }
 
-void ElasticTissue::move(double duration, const TissueSurroundings& around, TissueStep& step) {
-  run(duration, around, step);
-  step.toolForce.resize(around.tools.size());
-  step.letGo.clear();
-  for (std::size_t b = 0; b < around.tools.size(); ++b) {
-    const TissueTool& tool = around.tools[b];
-    const Vec3 grip = springs_.toolImpulse()[b] / duration;
-    step.toolForce[b] = contacts_.toolImpulse()[b] / duration + grip;
-    if (tool.slipForce > 0 && grip.norm() > tool.slipForce) {
-      release(tool.tool);
-      step.letGo.push_back(tool.tool);
-    }
+bool ElasticTissue::substep(int number, int count) {
+  if (!frame_.calm) return true;
+  const double share = double(number) / count, dt = frame_.duration / count;
+  if (number == 1) {
+    frame_.constants = constants(dt);
+    lookAhead(frame_.constants.lookAhead);
   }
-  step.tableForce = contacts_.tableImpulse() / duration;
-  tear(step.tornBonds);
-  step.torn = std::int32_t(step.tornBonds.size());
+  stressPass(frame_.constants);
+  springs_.pull(state_, lattice_.origin, frame_.obstacles, share, frame_.duration, dt);
+  ++frame_.substeps;
+  const bool calm = motionPass(frame_.constants);
+  clearPulls();
+  if (calm) contacts_.push(state_, share, frame_.constants.lookAhead);
+  return calm;
+}
+
+bool ElasticTissue::startAgain(bool exploded) {
+  restoreState();
+  clearPulls();
+  contacts_.forgetImpulses();
+  springs_.forgetImpulses(frame_.obstacles.size());
+  if (!exploded) return frame_.calm;
+  calmFrames_ = 0;
+  if (halvings_ == kMostHalvings) {
+    stopMotion();
+    frame_.calm = false;
+    return false;
+  }
+  ++halvings_;
+  ++frame_.retries;
+  return true;
+}
+
+void ElasticTissue::endFrame(TissueStep& step) {
+  step.substeps = frame_.substeps;
+  step.retries = frame_.retries;
+  step.calm = frame_.calm;
+  step.force.resize(frame_.obstacles.size());
+  step.letGo.clear();
+  for (std::size_t b = 0; b < frame_.obstacles.size(); ++b) {
+    const Obstacle& o = frame_.obstacles[b];
+    const Vec3 grip = springs_.impulse()[b] / frame_.duration;
+    step.force[b] = contacts_.impulse()[b] / frame_.duration + grip;
+    if (o.tool >= 0 && o.slipForce > 0 && grip.norm() > o.slipForce) step.letGo.push_back(o.tool);
+  }
+  findTears(step.letGo, step.torn);
+  frame_.obstacles = {};
+}
+
+ElasticTissue::Advance ElasticTissue::advance(double duration) {
+  TissueStep step;
+  if (duration > 0) moveTissue(*this, {}, duration, step);
+  return {step.substeps, step.retries, step.calm};
+}
+
+// Where forces are asked for in the first substep.
+void ElasticTissue::lookAhead(float time) {
+  for (const TissueChunk& chunk : state_.chunks)
+    for (int a = 0; a < 3; ++a)
+      for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i)
+        state_.ahead[a][i] = state_.u[a][i] + time * state_.v[a][i];
+}
+
+// Springs and joints pull anew at every substep.
+void ElasticTissue::clearPulls() {
+  const auto clear = [&](std::int32_t i) {
+    for (int a = 0; a < 3; ++a) state_.load[a][i] = 0;
+  };
+  for (const TissueSpring& spring : springs_.all()) clear(spring.cell);
+  for (const std::int32_t i : pulled_) clear(i);
 }
 
 // Held cells excepted.
@@ -177,8 +193,6 @@ void ElasticTissue::keepState() {
         to = std::copy_n(component.data() + chunk.start, kChunk, to);
 }
 
-// `ahead` of the next substep is that of the kept velocity at the coming substep's length; that of
-// a length twice as long does no harm.
 void ElasticTissue::restoreState() {
   const float* from = kept_.data();
   for (const TissueChunk& chunk : state_.chunks)
@@ -187,165 +201,12 @@ void ElasticTissue::restoreState() {
         std::copy_n(from, kChunk, component.data() + chunk.start);
         from += kChunk;
       }
-  state_.ahead = state_.u;
-}
-
-void ElasticTissue::settleEdits() {
-  for (auto* list : {&bondsChanged_, &holdsChanged_}) {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
-  }
-  if (!bondsChanged_.empty()) {
-    refreshCells(state_, bondsChanged_);
-    threads_ = findThreads(state_, threads_);
-    uneven_ = findUnevenBonds(state_);
-  }
-  if (!holdsChanged_.empty()) refreshChunks(state_, holdsChanged_);
-  bondsChanged_.clear();
-  holdsChanged_.clear();
 }
 
 void ElasticTissue::evaluateForces() {
-  settleEdits();
+  settle();
   state_.ahead = state_.u;
   stressPass(constants(longestSubstep_));
-}
-
-void ElasticTissue::sever(std::int64_t cell, int direction) {
-  const std::int32_t i = state_.box.fromLattice(cell);
-  if (!(state_.bonds[i] >> direction & 1)) return;
-  severBond(state_, i, direction);
-  contacts_.keepApart(state_, i, direction);
-  bondsChanged_.push_back(i);
-  bondsChanged_.push_back(i + state_.box.step[direction]);
-  cut_.push_back(i);
-  cut_.push_back(i + state_.box.step[direction]);
-}
-
-void ElasticTissue::remove(std::int64_t cell) {
-  const std::int32_t i = state_.box.fromLattice(cell);
-  if (!state_.solid[i]) return;
-  bondsChanged_.push_back(i);
-  for (int d = 0; d < kDirections; ++d)
-    if (state_.bonds[i] >> d & 1) bondsChanged_.push_back(i + state_.box.step[d]);
-  removeCell(state_, i);
-  contacts_.forgetCell(i);
-  loosen(springs_.drop([&](const TissueSpring& spring) { return spring.cell == i; }));
-}
-
-std::int64_t ElasticTissue::attach(const TissueAttachment& attachment) {
-  std::vector<std::int64_t> cells;
-  for (std::int64_t c = 0; c < lattice_.cellCount(); ++c)
-    if (solid(c) && attachment.holds(lattice_.centre(lattice_.cell(c)))) cells.push_back(c);
-  for (const std::int64_t c : cells) {
-    if (attachment.kind == TissueAttachment::Kind::Pin) {
-      hold(c, kHeldAll);
-      continue;
-    }
-    const std::int32_t i = state_.box.fromLattice(c);
-    // A spring stiffer than the substep can follow would explode.
-    const double most = 0.2 * mass(c) / (longestSubstep_ * longestSubstep_);
-    const double stiffness = std::min(attachment.stiffness / double(cells.size()), most);
-    springs_.add({i, -1, lattice_.centre(lattice_.cell(c)), stiffness,
-                  0.5 * std::sqrt(stiffness * mass(c))});
-    state_.loaded[i] = 1;
-    holdsChanged_.push_back(i);
-  }
-  return std::int64_t(cells.size());
-}
-
-void ElasticTissue::grip(std::int64_t cell, std::int32_t tool, const Pose& pose) {
-  const std::int32_t i = state_.box.fromLattice(cell);
-  if (!state_.solid[i] || gripper_[i] >= 0) return;
-  const double dt = longestSubstep_;
-  springs_.add({i, tool,
-                pose.inverse() * (lattice_.centre(lattice_.cell(cell)) + displacement(cell)),
-                0.2 * mass(cell) / (dt * dt), 0.5 * mass(cell) / dt});
-  gripper_[i] = tool;
-  state_.loaded[i] = 1;
-  holdsChanged_.push_back(i);
-}
-
-void ElasticTissue::release(std::int32_t tool) {
-  loosen(springs_.drop([&](const TissueSpring& spring) { return spring.tool == tool; }));
-}
-
-void ElasticTissue::loosen(std::span<const std::int32_t> cells) {
-  for (const std::int32_t i : cells) {
-    gripper_[i] = -1;
-    state_.loaded[i] = 0;
-    for (int a = 0; a < 3; ++a) state_.load[a][i] = 0;
-    holdsChanged_.push_back(i);
-  }
-}
-
-std::int32_t ElasticTissue::gripped(std::int32_t tool) const {
-  std::int32_t count = 0;
-  for (const TissueSpring& spring : springs_.all()) count += spring.tool == tool;
-  return count;
-}
-
-std::uint64_t ElasticTissue::stateHash() const {
-  StateHash hash;
-  for (int a = 0; a < 3; ++a) {
-    hash.addSpan(std::span<const float>(state_.u[a]));
-    hash.addSpan(std::span<const float>(state_.v[a]));
-  }
-  hash.addSpan(std::span<const std::uint32_t>(state_.bonds));
-  hash.addSpan(std::span<const std::int32_t>(gripper_));
-  return hash.value();
-}
-
-std::size_t ElasticTissue::bytes() const {
-  const ElasticState& s = state_;
-  std::size_t bytes = 0;
-  const auto add = [&](const auto& array) {
-    bytes += array.capacity() * sizeof(typename std::decay_t<decltype(array)>::value_type);
-  };
-  const auto addEach = [&](const auto& arrays) {
-    for (const auto& array : arrays) add(array);
-  };
-  for (const auto* three : {&s.u, &s.ahead, &s.v, &s.bondForce, &s.skew, &s.planeWeight, &s.load})
-    addEach(*three);
-  addEach(s.stress);
-  addEach(s.inverseMoment);
-  for (const FloatArray* one : {&s.inverseMass, &s.shearVolume, &s.lameVolume, &s.kappa}) add(*one);
-  for (const auto* one : {&s.solid, &s.material, &s.held, &s.loaded}) add(*one);
-  add(s.bonds);
-  add(kept_);
-  add(s.chunks);
-  add(gripper_);
-  add(threads_);
-  add(uneven_);
-  return bytes;
-}
-
-void ElasticTissue::hold(std::int64_t cell, int axes, const Vec3& velocity) {
-  const std::int32_t i = state_.box.fromLattice(cell);
-  if (!state_.solid[i]) return;
-  if (state_.held[i] != axes) holdsChanged_.push_back(i);
-  state_.held[i] = std::uint8_t(axes);
-  for (int a = 0; a < 3; ++a)
-    if (axes >> a & 1) state_.v[a][i] = float(velocity[a]);
-}
-
-void ElasticTissue::setLoad(std::int64_t cell, const Vec3& force) {
-  const std::int32_t i = state_.box.fromLattice(cell);
-  if (!state_.solid[i]) return;
-  const std::uint8_t loaded = force != Vec3::Zero();
-  if (state_.loaded[i] != loaded) holdsChanged_.push_back(i);
-  state_.loaded[i] = loaded;
-  for (int a = 0; a < 3; ++a) state_.load[a][i] = float(force[a]);
-}
-
-void ElasticTissue::setDisplacement(std::int64_t cell, const Vec3& u) {
-  const std::int32_t i = state_.box.fromLattice(cell);
-  for (int a = 0; a < 3; ++a) state_.u[a][i] = state_.ahead[a][i] = float(u[a]);
-}
-
-void ElasticTissue::setVelocity(std::int64_t cell, const Vec3& v) {
-  const std::int32_t i = state_.box.fromLattice(cell);
-  for (int a = 0; a < 3; ++a) state_.v[a][i] = float(v[a]);
 }
 
 Vec3 ElasticTissue::displacement(std::int64_t cell) const {

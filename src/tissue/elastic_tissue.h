@@ -24,6 +24,8 @@
 
 namespace resect {
 
+inline constexpr int kMostHalvings = 6;  // of the substep, before tissue is stopped instead
+
 struct TissueSettings {
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
   // Forces are those of the place reached this share of a substep ahead: 0 keeps energy, 0.5 damps
@@ -56,11 +58,7 @@ class ElasticTissue final : public TissueModel {
   // Holds the cells of the region. Returns how many there are.
   std::int64_t attach(const TissueAttachment& attachment);
 
-  // A state that explodes is put back to where it was and tried again with substeps of half the
-  // length.
-  void move(double duration, const TissueSurroundings& surroundings, TissueStep& step) override;
-
-  // The same, with nothing round it and without tearing.
+  // A frame by itself, with nothing round it and without tearing.
   struct Advance {
     int substeps = 0;
     int retries = 0;
@@ -68,12 +66,24 @@ class ElasticTissue final : public TissueModel {
   };
   Advance advance(double duration);
 
-  // Edits: take effect at once; corrections follow when the next advance or energy() begins.
+  // A state that explodes is put back to where it was and tried again with substeps of half the
+  // length.
+  void beginFrame(double duration, std::span<const Obstacle> obstacles) override;
+  int substepsWanted() const override;
+  bool substep(int number, int count) override;
+  bool startAgain(bool exploded) override;
+  void endFrame(TissueStep& step) override;
+  void pull(std::int64_t cell, const Vec3& force) override;
+  void mayPull(std::int64_t cell) override;
+
   void sever(std::int64_t cell, int direction) override;
   void remove(std::int64_t cell) override;
   void grip(std::int64_t cell, std::int32_t tool, const Pose& pose) override;
   void release(std::int32_t tool) override;
+  void settle() override;
   std::int32_t gripped(std::int32_t tool) const override;
+  const TissueMaterial* material(std::int64_t cell) const override;
+  void setMaterial(std::int64_t cell, const TissueMaterial& material) override;
   // Moves the cell along the axes (HeldAxis bits) with a given velocity instead of by forces, m/s;
   // 0 axes lets it go.
   void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
@@ -85,21 +95,23 @@ class ElasticTissue final : public TissueModel {
   bool moves() const override { return true; }
   Vec3 displacement(std::int64_t cell) const override;
   std::vector<std::int64_t> cellsIn(const Aabb& box) const override;
-  Vec3 velocity(std::int64_t cell) const;
+  Vec3 velocity(std::int64_t cell) const override;
   bool solid(std::int64_t cell) const override {
     return state_.solid[state_.box.fromLattice(cell)];
   }
   std::uint32_t bonds(std::int64_t cell) const override {
     return state_.bonds[state_.box.fromLattice(cell)];
   }
-  double mass(std::int64_t cell) const;                // kg
+  double mass(std::int64_t cell) const override;       // kg
   Mat3 deformation(std::int64_t cell) const override;  // F; identity where a cell has no gradient
   Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff, Pa
   Vec3 elasticForce(std::int64_t cell) const;          // at the last substep, N
   TissueEnergy energy();
   void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override;
-  std::uint64_t stateHash() const override;
-  std::size_t bytes() const override;
+  void visit(StateVisitor& visitor) override;
+  void visitMade(StateVisitor& visitor) override;
+  void beginRestore() override;
+  void endRestore() override;
   double longestSubstep() const { return longestSubstep_; }  // s
 
   const Lattice& lattice() const { return lattice_; }
@@ -112,33 +124,53 @@ class ElasticTissue final : public TissueModel {
   void stopMotion();
 
  private:
-  void run(double duration, const TissueSurroundings& surroundings, TissueStep& step);
-  bool substeps(double duration, const TissueSurroundings& surroundings, std::int32_t& count);
+  // What goes on between beginFrame() and endFrame().
+  struct Frame {
+    double duration = 0;
+    std::span<const Obstacle> obstacles;
+    SubstepConstants constants;
+    std::int32_t substeps = 0, retries = 0;
+    bool calm = true;
+  };
+  // What restored cells are compared with.
+  struct Before {
+    AlignedArray<std::uint8_t> solid, material, held, loaded;
+    AlignedArray<std::uint32_t> bonds;
+  };
+
   void loosen(std::span<const std::int32_t> cells);
-  void tear(std::vector<TissueBond>& torn);
+  void findTears(std::span<const std::int32_t> letGo, std::vector<TissueBond>& torn) const;
   void forChunks(const RangeBody& pass) const;
   void stressPass(const SubstepConstants& constants);
   bool motionPass(const SubstepConstants& constants);
   SubstepConstants constants(double dt) const;
-  void settleEdits();
+  void lookAhead(float time);
+  void clearPulls();
   void keepState();
   void restoreState();
+  void checkRestored() const;
 
-  Lattice lattice_;
-  TissueSettings settings_;
+  // State.
   ElasticState state_;
-  const ElasticKernel* kernel_;
-  double longestSubstep_ = 0;
   int halvings_ = 0;    // of the substep, at present
   int calmFrames_ = 0;  // since the last halving
   TissueContacts contacts_;
   TissueSprings springs_;
   std::vector<TissueThread> threads_;
+  std::vector<std::int32_t> cut_;     // cells at which a bond was severed
+  std::vector<std::int32_t> pulled_;  // cells that may be pulled from outside, ascending
+
+  // Set up, or made from the state.
+  Lattice lattice_;
+  TissueSettings settings_;
+  const ElasticKernel* kernel_;
+  double longestSubstep_ = 0;
   std::vector<UnevenBond> uneven_;
   std::vector<std::int32_t> gripper_;  // per cell of the box: tool that holds it, or -1
-  std::vector<std::int32_t> bondsChanged_, holdsChanged_;
-  std::vector<std::int32_t> cut_;  // cells at which a bond was severed
-  FloatArray kept_;                // u and v of the chunks at the frame's beginning
+  std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // until settle()
+  Frame frame_;
+  Before before_;
+  FloatArray kept_;  // u and v of the chunks at the frame's beginning
 };
 
 }  // namespace resect

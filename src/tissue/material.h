@@ -23,6 +23,14 @@ struct TissueMaterial {
   // strain of liver. > 1; infinity never tears.
   double tearStretch = 1.46;
 
+  bool operator==(const TissueMaterial&) const = default;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("name", name), v("young", young), v("poisson", poisson), v("density", density);
+    v("tearStretch", tearStretch);
+  }
+
   double shear() const { return young / (2 * (1 + poisson)); }  // mu, Pa
   double lame() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
   double waveSpeed() const;  // of pressure waves at rest, m/s

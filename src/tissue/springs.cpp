@@ -2,7 +2,7 @@
 
 namespace resect {
 
-void TissueSprings::pull(ElasticState& s, const Vec3& origin, std::span<const TissueTool> tools,
+void TissueSprings::pull(ElasticState& s, const Vec3& origin, std::span<const Obstacle> obstacles,
                          double share, double frame, double dt) {
   for (const TissueSpring& spring : springs_) {
     const std::int32_t i = spring.cell;
@@ -13,15 +13,16 @@ void TissueSprings::pull(ElasticState& s, const Vec3& origin, std::span<const Ti
     if (spring.tool < 0) {
       force = spring.stiffness * (spring.anchor - x) - spring.damping * v;
     } else {
-      for (std::size_t b = 0; b < tools.size(); ++b) {
-        if (tools[b].tool != spring.tool) continue;
-        const Vec3 anchor = interpolate(tools[b].from, tools[b].to, share) * spring.anchor;
-        const Vec3 speed = (tools[b].to * spring.anchor - tools[b].from * spring.anchor) / frame;
+      for (std::size_t b = 0; b < obstacles.size(); ++b) {
+        const Obstacle& tool = obstacles[b];
+        if (tool.tool != spring.tool) continue;
+        const Vec3 anchor = interpolate(tool.from, tool.to, share) * spring.anchor;
+        const Vec3 speed = (tool.to * spring.anchor - tool.from * spring.anchor) / frame;
         force = spring.stiffness * (anchor - x) + spring.damping * (speed - v);
-        toolImpulse_[b] -= dt * force;
+        impulse_[b] -= dt * force;
       }
     }
-    for (int a = 0; a < 3; ++a) s.load[a][i] = float(force[a]);
+    for (int a = 0; a < 3; ++a) s.load[a][i] += float(force[a]);
   }
 }
 

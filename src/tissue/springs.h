@@ -1,7 +1,7 @@
 // What pulls at single cells? Ligaments to fixed places, and the grips of tools.
 //
 // Each is a damped spring between a cell and an anchor, in the world or in a tool's frame. While a
-// cell has a spring, its load (ElasticState::load) is the spring's.
+// cell has springs, its load (ElasticState::load) is theirs.
 #pragma once
 
 #include <span>
@@ -15,9 +15,16 @@ namespace resect {
 struct TissueSpring {
   std::int32_t cell = 0;   // in the box
   std::int32_t tool = -1;  // that holds it; -1: anchored in the world
-  Vec3 anchor;             // in the tool's frame or the world, m; no force when the cell is there
-  double stiffness = 0;    // N/m
-  double damping = 0;      // N s/m
+  Vec3 anchor =
+      Vec3::Zero();      // in the tool's frame or the world, m; no force when the cell is there
+  double stiffness = 0;  // N/m
+  double damping = 0;    // N s/m
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("cell", cell), v("tool", tool), v("anchor", anchor);
+    v("stiffness", stiffness), v("damping", damping);
+  }
 };
 
 class TissueSprings {
@@ -35,17 +42,26 @@ class TissueSprings {
   }
   std::span<const TissueSpring> all() const { return springs_; }
 
-  // Sets the loads for a substep of dt that ends at `share` of the frame. Springs of tools that are
-  // not in hand pull towards nothing.
-  void pull(ElasticState& state, const Vec3& origin, std::span<const TissueTool> tools,
+  // Adds to the loads for a substep of dt that ends at `share` of the frame. Springs of tools that
+  // are not among the obstacles pull towards nothing.
+  void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
             double share, double frame, double dt);
-  // Momentum given to each of the tools since forgetImpulses(), kg m/s.
-  std::span<const Vec3> toolImpulse() const { return toolImpulse_; }
-  void forgetImpulses(std::size_t tools) { toolImpulse_.assign(tools, Vec3::Zero()); }
+  // Momentum given to each of the obstacles since forgetImpulses(), kg m/s.
+  std::span<const Vec3> impulse() const { return impulse_; }
+  void forgetImpulses(std::size_t obstacles) { impulse_.assign(obstacles, Vec3::Zero()); }
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("springs", springs_);
+  }
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(impulse_);
+  }
 
  private:
   std::vector<TissueSpring> springs_;
-  std::vector<Vec3> toolImpulse_;
+  std::vector<Vec3> impulse_;  // by obstacle
 };
 
 }  // namespace resect

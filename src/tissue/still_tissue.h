@@ -1,29 +1,83 @@
-// Tissue that never moves: what the original system had. It costs nothing.
+// Tissue that never moves: what the original system had. It costs nothing but a byte a cell.
+//
+// What is done to it is done all the same: bonds are severed, so that the surface parts there, and
+// tools hold on to cells, so that an instrument acts on it as on any other.
 #pragma once
 
+#include "sph/lattice.h"
 #include "tissue/tissue_model.h"
 
 namespace resect {
 
 class StillTissue : public TissueModel {
  public:
+  // solid: per cell of the lattice, 1 where tissue is.
+  StillTissue(const Lattice& lattice, std::vector<std::uint8_t> solid)
+      : solid_(std::move(solid)), lattice_(lattice) {}
+
   bool moves() const override { return false; }
-  void move(double, const TissueSurroundings&, TissueStep&) override {}
-  void remove(std::int64_t) override {}
-  void sever(std::int64_t, int) override {}
-  void grip(std::int64_t, std::int32_t, const Pose&) override {}
-  void release(std::int32_t) override {}
-  std::int32_t gripped(std::int32_t) const override { return 0; }
-  bool solid(std::int64_t) const override { return true; }
-  std::uint32_t bonds(std::int64_t) const override { return 0; }
+  void beginFrame(double, std::span<const Obstacle> obstacles) override {
+    obstacles_ = obstacles.size();
+  }
+  int substepsWanted() const override { return 0; }
+  bool substep(int, int) override { return true; }
+  bool startAgain(bool) override { return true; }
+  void endFrame(TissueStep& step) override;
+  void pull(std::int64_t, const Vec3&) override {}
+  void mayPull(std::int64_t) override {}
+
+  void remove(std::int64_t cell) override;
+  void sever(std::int64_t cell, int direction) override;
+  void grip(std::int64_t cell, std::int32_t tool, const Pose&) override;
+  void release(std::int32_t tool) override;
+  void settle() override {}
+  const TissueMaterial* material(std::int64_t) const override { return nullptr; }
+  void setMaterial(std::int64_t, const TissueMaterial&) override {}
+  std::int32_t gripped(std::int32_t tool) const override;
+
+  bool solid(std::int64_t cell) const override { return solid_[std::size_t(cell)] != 0; }
+  std::uint32_t bonds(std::int64_t cell) const override;
   Vec3 displacement(std::int64_t) const override { return Vec3::Zero(); }
-  std::vector<std::int64_t> cellsIn(const Aabb&) const override { return {}; }
+  Vec3 velocity(std::int64_t) const override { return Vec3::Zero(); }
+  double mass(std::int64_t) const override { return 0; }
+  std::vector<std::int64_t> cellsIn(const Aabb& box) const override;
   Mat3 deformation(std::int64_t) const override { return Mat3::Identity(); }
   void place(std::span<const std::int64_t>, std::span<CellPlacement> places) const override {
     for (CellPlacement& p : places) p = {Vec3f::Zero(), Eigen::Matrix3f::Zero()};
   }
-  std::uint64_t stateHash() const override { return 0; }
-  std::size_t bytes() const override { return 0; }
+
+  void visit(StateVisitor& visitor) override;
+  void visitMade(StateVisitor& visitor) override;
+  void beginRestore() override {}
+  void endRestore() override;
+
+ private:
+  struct Severed {
+    std::int64_t cell = 0;
+    std::uint32_t directions = 0;  // bits
+
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("cell", cell), v("directions", directions);
+    }
+  };
+  struct Held {
+    std::int64_t cell = 0;
+    std::int32_t tool = 0;
+
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("cell", cell), v("tool", tool);
+    }
+  };
+  std::uint32_t& severedAt(std::int64_t cell);
+
+  std::vector<std::uint8_t> solid_;
+  std::vector<Severed> severed_;  // ascending by cell
+  std::vector<Held> held_;
+
+  Lattice lattice_;
+  std::size_t obstacles_ = 0;  // of the frame
 };
 
 }  // namespace resect

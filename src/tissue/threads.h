@@ -14,10 +14,15 @@
 namespace resect {
 
 struct TissueThread {
-  std::int32_t a, b;  // cells of the box
-  float stiffness;    // N/m
-  Vec3f rest;         // from a to b at rest, m
-  float length;       // at which it does not pull, m
+  std::int32_t a = 0, b = 0;   // cells of the box
+  float stiffness = 0;         // N/m
+  Vec3f rest = Vec3f::Zero();  // from a to b at rest, m
+  float length = 0;            // at which it does not pull, m
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("a", a), v("b", b), v("stiffness", stiffness), v("rest", rest), v("length", length);
+  }
 };
 
 // Share of E s that a thread has, by kind of neighbour.

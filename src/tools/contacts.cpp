@@ -77,19 +77,16 @@ double overlapVolume(const Organ& organ, const TriangleMesh& tool, const Pose& p
   return length * grid.pitch.prod();
 }
 
-}  // namespace
+// Living particles in the box of the tool's frame at `to`, where they are now, ascending.
+struct NearCells {
+  std::vector<std::int64_t> cells;
+  std::vector<Vec3> positions;  // world
+};
 
-ToolContacts findContacts(const Organ& organ, const Tool& tool, std::int32_t toolIndex,
-                          const Pose& from, const Pose& to) {
-  ToolContacts contacts;
-  contacts.tool = toolIndex;
+// Of tissue at rest: rows of cells along x, clipped against the box.
+NearCells nearAtRest(const Organ& organ, const Aabb& box, const Aabb& region, const Pose& to) {
+  NearCells near;
   const Lattice& lattice = organ.rest.lattice;
-  const Aabb box = sweptBox(tool.bounds(), from, to);
-  const Aabb region = intersection(movedBox(box, to), lattice.box());
-  contacts.volumeOfInterest = region;
-  if (region.empty()) return contacts;
-
-  // Rows of cells along x, clipped against the box in the tool's frame.
   Vec3i low, high;
   for (int a = 0; a < 3; ++a) {
     low[a] = std::max(0, int(std::floor(lattice.toCellSpace(region.min)[a])));
@@ -97,25 +94,60 @@ ToolContacts findContacts(const Organ& organ, const Tool& tool, std::int32_t too
   }
   const Pose toTool = to.inverse();
   const Vec3 along = toTool.rotation * Vec3(lattice.spacing.x(), 0, 0);
-  std::vector<Vec3> centres;
   for (int z = low.z(); z <= high.z(); ++z)
     for (int y = low.y(); y <= high.y(); ++y) {
       double t0 = low.x(), t1 = high.x();
       if (!clip(box, toTool * lattice.centre({0, y, z}), along, t0, t1)) continue;
       const std::int64_t row = lattice.index({0, y, z});
       for (int x = int(std::ceil(t0 - 1e-9)); x <= int(std::floor(t1 + 1e-9)); ++x)
-        if (organ.alive[row + x]) {
-          contacts.cells.push_back(row + x);
-          centres.push_back(lattice.centre({x, y, z}));
+        if (organ.alive[std::size_t(row + x)]) {
+          near.cells.push_back(row + x);
+          near.positions.push_back(lattice.centre({x, y, z}));
         }
     }
-  if (centres.empty()) return contacts;
-  const std::vector<std::uint8_t> touched = sweptInside(tool.model().mesh, from, to, centres);
-  std::size_t kept = 0;
+  return near;
+}
+
+NearCells nearMoved(const Organ& organ, const TissueModel& tissue, const Aabb& box,
+                    const Pose& to) {
+  NearCells near;
+  const Lattice& lattice = organ.rest.lattice;
+  const Pose toTool = to.inverse();
+  for (const std::int64_t c : tissue.cellsIn(movedBox(box, to))) {
+    if (!organ.alive[std::size_t(c)]) continue;
+    const Vec3 x = lattice.centre(lattice.cell(c)) + tissue.displacement(c);
+    if (!box.contains(toTool * x)) continue;
+    near.cells.push_back(c);
+    near.positions.push_back(x);
+  }
+  return near;
+}
+
+}  // namespace
+
+double standOff(const ToolModel& tool, double spacing) {
+  return (tool.edge.empty() && tool.hook.empty() ? 0.5 : 0.1) * spacing;
+}
+
+ToolContacts findContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
+                          const Pose& from, const Pose& to) {
+  ToolContacts contacts;
+  const Aabb box = sweptBox(tool.bounds, from, to);
+  NearCells near;
+  if (tissue.moves()) {
+    near = nearMoved(organ, tissue, box, to);
+    for (const Vec3& x : near.positions) contacts.volumeOfInterest.grow(x);
+  } else {
+    contacts.volumeOfInterest = intersection(movedBox(box, to), organ.rest.lattice.box());
+    if (contacts.volumeOfInterest.empty()) return contacts;
+    near = nearAtRest(organ, box, contacts.volumeOfInterest, to);
+  }
+  if (near.cells.empty()) return contacts;
+  const std::vector<std::uint8_t> touched = sweptInside(tool.model.mesh, from, to, near.positions);
   for (std::size_t i = 0; i < touched.size(); ++i)
-    if (touched[i]) contacts.cells[kept++] = contacts.cells[i];
-  contacts.cells.resize(kept);
-  if (kept > 0) contacts.overlapVolume = overlapVolume(organ, tool.model().mesh, to, region);
+    if (touched[i]) contacts.cells.push_back(near.cells[i]);
+  if (!contacts.cells.empty() && !tissue.moves())
+    contacts.overlapVolume = overlapVolume(organ, tool.model.mesh, to, contacts.volumeOfInterest);
   return contacts;
 }
 

@@ -1,41 +1,72 @@
 #include "tools/registry.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 #include "base/error.h"
-#include "tools/baton_tool.h"
-#include "tools/hook_tool.h"
-#include "tools/scalpel_tool.h"
-#include "tools/scissors_tool.h"
+#include "tools/blade_part.h"
+#include "tools/hook_part.h"
+#include "tools/jaws_part.h"
+#include "tools/remover.h"
 
 namespace resect {
 namespace {
 
-template <typename T>
-std::unique_ptr<Tool> make(ToolModel model) {
-  return std::make_unique<T>(std::move(model));
+template <typename Part>
+std::unique_ptr<WorkingPart> make() {
+  return std::make_unique<Part>();
 }
 
-constexpr std::array<ToolKind, 4> kToolKinds = {{
-    {"scalpel", make<ScalpelTool>},
-    {"hook", make<HookTool>},
-    {"baton", make<BatonTool>},
-    {"scissors", make<ScissorsTool>},
+constexpr std::array<PartKind, 4> kPartKinds = {{
+    {"blade", make<BladePart>},
+    {"jaws", make<JawsPart>},
+    {"hook", make<HookPart>},
+    {"remover", make<Remover>},
 }};
+
+template <typename Kinds>
+std::string namesOf(const Kinds& kinds) {
+  std::string names;
+  for (const auto& kind : kinds) names += (names.empty() ? "" : ", ") + std::string(kind.name);
+  return names;
+}
+
+std::unique_ptr<WorkingPart> makePart(std::string_view name, const ToolModel& model) {
+  const auto kind = std::ranges::find(kPartKinds, name, &PartKind::name);
+  if (kind == kPartKinds.end())
+    throw error("there is no working part \"{}\" (tool \"{}\"); use one of: {}", name, model.name,
+                namesOf(kPartKinds));
+  return kind->make();
+}
 
 }  // namespace
 
-std::span<const ToolKind> toolKinds() { return kToolKinds; }
+std::span<const PartKind> partKinds() { return kPartKinds; }
+
+std::span<const ToolKind> toolKinds() {
+  static const std::array<ToolKind, 4> kinds = {{
+      {"scalpel", {"blade"}},
+      {"hook", {"hook"}},
+      {"baton", {}},  // it is blunt: its shape alone pushes
+      {"scissors", {"jaws"}},
+  }};
+  return kinds;
+}
 
 std::unique_ptr<Tool> makeTool(ToolModel model) {
-  for (const ToolKind& kind : kToolKinds)
-    if (kind.name == model.kind) return kind.make(std::move(model));
-  std::string known;
-  for (const ToolKind& kind : kToolKinds)
-    known += (known.empty() ? "" : ", ") + std::string(kind.name);
-  throw error("there is no kind of tool \"{}\" (tool \"{}\"); use one of: {}", model.kind,
-              model.name, known);
+  auto tool = std::make_unique<Tool>();
+  const auto kind = std::ranges::find(toolKinds(), model.kind, &ToolKind::name);
+  if (kind == toolKinds().end())
+    throw error("there is no kind of tool \"{}\" (tool \"{}\"); use one of: {}", model.kind,
+                model.name, namesOf(toolKinds()));
+  std::vector<std::string_view> parts(model.parts.begin(), model.parts.end());
+  if (parts.empty()) parts = kind->parts;
+  if (model.response == "remove") parts = {"remover"};
+  for (const std::string_view part : parts) tool->parts.push_back(makePart(part, model));
+  tool->bounds = bounds(model.mesh);
+  tool->model = std::move(model);
+  return tool;
 }
 
 }  // namespace resect

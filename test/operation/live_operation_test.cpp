@@ -98,7 +98,7 @@ TEST_CASE("a viewer that applies the changes holds the surface, however seldom i
 
 TEST_CASE("of tissue that moves a viewer is told what can be seen to move, and holds the surface") {
   Followed live(std::make_unique<Simulation>(test::elasticBlock(
-      {7, 4, 7}, 0.01, test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}, "baton"))));
+      {7, 4, 7}, 0.01, test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}, "baton", ""))));
   const auto off = [&] {  // m, at most
     const auto whole = live.operation.surface();
     live.follow();
@@ -154,10 +154,9 @@ TEST_CASE("the tip knows what lies under it and how near tissue is") {
 namespace {
 
 // So slow that the operation is always late and never rests between frames.
-class SlowTool : public Tool {
+class SlowPart : public WorkingPart {
  public:
-  using Tool::Tool;
-  void act(const ToolContacts&, std::vector<TissueEdit>&) const override {
+  void act(const Touch&, std::vector<TissueEdit>&) const override {
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(5);
     while (std::chrono::steady_clock::now() < end) continue;
   }
@@ -166,11 +165,9 @@ class SlowTool : public Tool {
 }  // namespace
 
 TEST_CASE("who wants the surface waits for the frame in work, however late the operation is") {
-  ToolModel model;
-  model.name = "slow";
-  model.mesh = boxMesh({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}});
   std::vector<std::unique_ptr<Tool>> tools;
-  tools.push_back(std::make_unique<SlowTool>(std::move(model)));
+  tools.push_back(test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.05}}));
+  tools.back()->parts.push_back(std::make_unique<SlowPart>());
   const Discretization cells = test::fullBlock({12, 8, 12});
   LiveOperation operation(std::make_unique<Simulation>(makeOrgan(cells, {}), std::move(tools)),
                           {kAway}, 1000);

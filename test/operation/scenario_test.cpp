@@ -59,7 +59,7 @@ TEST_CASE("a scenario runs all its frames and its summary adds up") {
   CHECK(summary.surface.closed);
   CHECK(summary.surface.oriented);
   CHECK(summary.pieces.size() == 1);
-  CHECK(summary.stages.size() == 8);
+  CHECK(summary.stages.size() == 9);
   CHECK(summary.stateHash == simulation.stateHash());
 }
 

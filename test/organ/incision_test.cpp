@@ -28,7 +28,7 @@ namespace {
 // `gap` along x = `parted`.
 struct BentTissue : StillTissue {
   BentTissue(const Organ& o, double unevenness, Random& random)
-      : organ(o), middle(o.rest.lattice.box().centre()) {
+      : StillTissue(o.rest.lattice, o.alive), organ(o), middle(o.rest.lattice.box().centre()) {
     for (std::int64_t c = 0; c < o.rest.lattice.cellCount(); ++c)
       jitter.push_back(
           Vec3(unevenness * o.rest.lattice.spacing.x() * test::randomDirection(random)));
@@ -231,18 +231,13 @@ TEST_CASE("a cut organ can be carved, and carved away, and its iso level changed
   setIso(organ, 30);
   CHECK(test::wrongWith(organ.surface.mesh()) == "");
   setIso(organ, 50);
-  std::vector<TissueEdit> edits;
   for (std::int64_t i = 0; i < organ.rest.lattice.cellCount(); ++i)
-    if (organ.alive[std::size_t(i)] && organ.rest.lattice.cell(i).x() < 9)
-      edits.push_back({TissueEdit::Kind::Remove, -1, i});
-  applyEdits(organ, edits);
+    if (organ.alive[std::size_t(i)] && organ.rest.lattice.cell(i).x() < 9) removeParticle(organ, i);
   follow(organ);
   CHECK(test::wrongWith(organ.surface.mesh()) == "");
   CHECK(bodies(organ).size() >= 2);
-  edits.clear();
   for (std::int64_t i = 0; i < organ.rest.lattice.cellCount(); ++i)
-    if (organ.alive[std::size_t(i)]) edits.push_back({TissueEdit::Kind::Remove, -1, i});
-  applyEdits(organ, edits);
+    if (organ.alive[std::size_t(i)]) removeParticle(organ, i);
   follow(organ);
   CHECK(organ.surface.mesh().triangles.empty());
   CHECK(bodies(organ).empty());

@@ -1,5 +1,7 @@
 #include "organ/organ.h"
 
+#include "organ/apply_edits.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -36,15 +38,13 @@ TEST_CASE(
     "removing every particle leaves nothing: no tissue, no surface, all of it in the ledger") {
   Organ organ = sphereOrgan(0.03, 0.005);
   const double all = organ.volume();
-  std::vector<TissueEdit> edits;
-  for (std::size_t i = 0; i < organ.alive.size(); ++i)
-    if (organ.alive[i]) edits.push_back({TissueEdit::Kind::Remove, 0, std::int64_t(i)});
   const std::int64_t particles = organ.particles;
-  const EditSummary summary = applyEdits(organ, edits);
+  for (std::size_t i = 0; i < organ.alive.size(); ++i)
+    if (organ.alive[i]) removeParticle(organ, std::int64_t(i));
   updateSurface(organ, updateField(organ));
-  CHECK(summary.removed == particles);
+  CHECK(organ.removed == particles);
   CHECK(organ.particles == 0);
-  CHECK(std::abs(summary.removedVolume / all - 1) < 1e-12);
+  CHECK(std::abs(organ.removedVolume / all - 1) < 1e-12);
   CHECK(std::abs(organ.volume()) < 1e-12 * all);
   CHECK(organ.surface.mesh().triangles.empty());
   double left = 0;
@@ -54,12 +54,14 @@ TEST_CASE(
 }
 
 TEST_CASE("removing a particle twice counts once") {
-  Organ organ = sphereOrgan(0.03, 0.005);
+  OperatedOrgan operated = operatedOrgan("ball", sphereOrgan(0.03, 0.005));
   std::int64_t cell = 0;
-  while (!organ.alive[cell]) ++cell;
-  const TissueEdit edit{TissueEdit::Kind::Remove, 0, cell};
-  CHECK(applyEdits(organ, std::vector{edit, edit}).removed == 1);
-  CHECK(applyEdits(organ, std::vector{edit}).removed == 0);
+  while (!operated.organ.alive[std::size_t(cell)]) ++cell;
+  const TissueEdit edit{0, 0, RemoveCell{cell}};
+  std::vector<std::int64_t> removed;
+  CHECK(applyEdits(operated, 0, std::vector{edit, edit}, removed).removed == 1);
+  CHECK(applyEdits(operated, 0, std::vector{edit}, removed).removed == 0);
+  CHECK(removed == std::vector{cell});
 }
 
 TEST_CASE("an organ smaller than a cell and settings out of range are refused in a sentence") {
@@ -76,10 +78,8 @@ TEST_CASE("an organ smaller than a cell and settings out of range are refused in
 TEST_CASE("a block cut in two has two bodies whose volumes add up, each closed") {
   Organ organ = makeOrgan(test::fullBlock({24, 12, 12}), {});
   const double before = volume(organ.surface.mesh());
-  std::vector<TissueEdit> edits;
   for (std::int64_t i = 0; i < organ.rest.lattice.cellCount(); ++i)
-    if (organ.rest.lattice.cell(i).x() == 9) edits.push_back({TissueEdit::Kind::Remove, 0, i});
-  applyEdits(organ, edits);
+    if (organ.rest.lattice.cell(i).x() == 9) removeParticle(organ, i);
   updateSurface(organ, updateField(organ));
   const auto pieces = bodies(organ.surface.mesh());
   REQUIRE(pieces.size() == 2);

@@ -111,10 +111,8 @@ struct CutOrgan {
     OrganSettings settings;
     settings.refine = refine;
     Organ organ = makeOrgan(test::ball(9), settings);
-    std::vector<TissueEdit> edits;
     for (const Vec3i& hole : {Vec3i(4, 5, 4), Vec3i(5, 5, 4), Vec3i(6, 4, 6)})
-      edits.push_back({TissueEdit::Kind::Remove, -1, organ.rest.lattice.index(hole)});
-    applyEdits(organ, edits);
+      removeParticle(organ, organ.rest.lattice.index(hole));
     updateSurface(organ, updateField(organ));
     return organ;
   }

@@ -132,7 +132,7 @@ TEST_CASE("a hook catches while it pulls, lifts, and lets go when the pull is to
   Vec3 place = in + Vec3(0, 0, 0.002);
   for (int i = 0; i < 120 && !slipped; ++i) {
     place.z() += 0.002;
-    slipped = !simulation.step(input(place)).tissue.letGo.empty();
+    slipped = !simulation.step(input(place)).tissue[0].letGo.empty();
   }
   CHECK(slipped);
   CHECK(simulation.tissue().gripped(0) == 0);

@@ -134,8 +134,8 @@ TEST_CASE("random work on a liver: all numbers finite, faults mended, no energy 
     }
     const StepReport report = simulation.step(input);
     severed += report.severed;
-    torn += report.tissue.torn;
-    retries += report.tissue.retries;
+    torn += report.torn;
+    retries += report.tissue[0].retries;
     const bool fault = !report.faults.empty();
     faults += fault;
     faultsInARow = fault ? faultsInARow + 1 : 0;

@@ -106,7 +106,7 @@ TEST_CASE("a squeeze that is not a number opens the jaws and harms nothing") {
   Simulation simulation = slab(scissors());
   const StepReport report = simulation.step(input(kTip, std::nan("")));
   CHECK(report.severed == 0);
-  CHECK(simulation.tools()[0].squeeze == 0);
+  CHECK(simulation.tools()[0].way.to.squeeze == 0);
 }
 
 TEST_CASE("scissors set to the thesis's response remove what they touch") {

@@ -8,11 +8,14 @@
 
 namespace resect::test {
 
-// A box-shaped tool: tip at the origin, handle along +Z.
-inline std::unique_ptr<Tool> boxTool(const Aabb& box, const char* kind = "scalpel") {
+// A box-shaped tool that, as it stands, takes out what it touches: tip at the origin, handle along
+// +Z.
+inline std::unique_ptr<Tool> boxTool(const Aabb& box, const char* kind = "scalpel",
+                                     const char* response = "remove") {
   ToolModel model;
   model.name = model.kind = kind;
   model.mesh = boxMesh(box);
+  model.response = response;
   return makeTool(std::move(model));
 }
 
@@ -20,6 +23,7 @@ inline std::unique_ptr<Tool> ballTool(double radius) {
   ToolModel model;
   model.name = model.kind = "baton";
   model.mesh = sphereMesh({0, 0, 0}, radius, 16);
+  model.response = "remove";
   return makeTool(std::move(model));
 }
 

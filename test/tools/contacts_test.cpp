@@ -10,6 +10,7 @@
 #include "collision/inside.h"
 #include "support/block_organ.h"
 #include "support/test_tools.h"
+#include "tissue/still_tissue.h"
 
 using namespace resect;
 
@@ -19,6 +20,8 @@ Pose at(const Vec3& p, double degrees = 0, const Vec3& axis = Vec3::UnitY()) {
   return {p, Eigen::Quaterniond(
                  Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis.normalized()))};
 }
+
+StillTissue still(const Organ& organ) { return {organ.rest.lattice, organ.alive}; }
 
 // All particles, each asked for by itself.
 std::vector<std::int64_t> allTouched(const Organ& organ, const Tool& tool, const Pose& from,
@@ -30,7 +33,7 @@ std::vector<std::int64_t> allTouched(const Organ& organ, const Tool& tool, const
       cells.push_back(i);
       centres.push_back(organ.rest.lattice.centre(organ.rest.lattice.cell(i)));
     }
-  const auto flags = sweptInside(tool.model().mesh, from, to, centres);
+  const auto flags = sweptInside(tool.model.mesh, from, to, centres);
   std::vector<std::int64_t> touched;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (flags[i]) touched.push_back(cells[i]);
@@ -54,7 +57,7 @@ TEST_CASE("clipping rows of cells against the tool's box loses no contact, whate
     Pose to = at(middle + anywhere(), random.uniform(-180, 180), anywhere());
     if (i % 3 == 0) to.rotation = from.rotation;
     if (i % 3 == 1) to.rotation = from.rotation * at({}, 20, anywhere()).rotation;
-    const auto contacts = findContacts(organ, *tool, 0, from, to);
+    const auto contacts = findContacts(organ, still(organ), *tool, from, to);
     REQUIRE(contacts.cells == allTouched(organ, *tool, from, to));
     touched += !contacts.cells.empty();
   }
@@ -67,17 +70,16 @@ TEST_CASE("a thin blade that jumps across the organ in one frame touches all on 
   // A wall 0.2 mm thick, as high and deep as the organ, pushed through along x from far left to far
   // right.
   const auto blade = test::boxTool({{-1e-4, -0.1, -0.1}, {1e-4, 0.1, 0.1}});
-  const auto contacts = findContacts(organ, *blade, 3, at(box.centre() - Vec3(1, 0, 0)),
+  const auto contacts = findContacts(organ, still(organ), *blade, at(box.centre() - Vec3(1, 0, 0)),
                                      at(box.centre() + Vec3(1, 0, 0)));
   CHECK(std::int64_t(contacts.cells.size()) == organ.particles);
-  CHECK(contacts.tool == 3);
   CHECK(std::is_sorted(contacts.cells.begin(), contacts.cells.end()));
 }
 
 TEST_CASE("a tool away from the organ touches nothing and has no volume of interest") {
   const Organ organ = makeOrgan(test::ball(12), {});
   const auto tool = test::ballTool(0.01);
-  const auto contacts = findContacts(organ, *tool, 0, at({1, 1, 1}), at({1, 1, 1.1}));
+  const auto contacts = findContacts(organ, still(organ), *tool, at({1, 1, 1}), at({1, 1, 1.1}));
   CHECK(contacts.cells.empty());
   CHECK(contacts.volumeOfInterest.empty());
 }
@@ -89,7 +91,7 @@ TEST_CASE(
     ToolModel model;
     model.kind = kind.name;
     model.mesh = boxMesh({{0, 0, 0}, {1, 1, 1}});
-    CHECK(makeTool(model)->model().kind == kind.name);
+    CHECK(makeTool(model)->model.kind == kind.name);
   }
   ToolModel spoon;
   spoon.kind = "spoon";
@@ -102,15 +104,33 @@ TEST_CASE(
 }
 
 TEST_CASE("a tool queues the removal of what it touches and changes nothing itself") {
+  const Organ organ = makeOrgan(test::ball(8), {});
+  const StillTissue tissue = still(organ);
   const auto tool = test::ballTool(0.01);
   ToolContacts contacts;
-  contacts.tool = 2;
   contacts.cells = {5, 9};
+  const ToolWay way;
   std::vector<TissueEdit> edits;
-  tool->act(contacts, edits);
+  REQUIRE(tool->parts.size() == 1);
+  tool->parts[0]->act({tool->model, way, 0.02, 2, 1, organ, tissue, contacts}, edits);
   REQUIRE(edits.size() == 2);
-  CHECK(edits[1].cell == 9);
+  CHECK(std::get<RemoveCell>(edits[1].what).cell == 9);
   CHECK(edits[1].tool == 2);
+  CHECK(edits[1].organ == 1);
+}
+
+TEST_CASE("a description may name working parts; one that there is not is refused with the list") {
+  ToolModel model;
+  model.name = "two in one";
+  model.kind = "baton";
+  model.mesh = boxMesh({{0, 0, 0}, {1, 1, 1}});
+  CHECK(makeTool(model)->parts.empty());
+  model.parts = {"blade", "hook"};
+  CHECK(makeTool(model)->parts.size() == 2);
+  model.parts = {"spoon"};
+  CHECK_THROWS_WITH(makeTool(model),
+                    "there is no working part \"spoon\" (tool \"two in one\"); use one of: blade, "
+                    "jaws, hook, remover");
 }
 
 TEST_CASE("the overlap is the tool's volume while it is inside, a half of it when half is") {
@@ -121,7 +141,7 @@ TEST_CASE("the overlap is the tool's volume while it is inside, a half of it whe
   const double whole = body.size().prod();
   const Pose inside = at(box.centre(), 37, {1, 2, 3});
   const auto overlapAt = [&](const Pose& pose) {
-    return findContacts(organ, *tool, 0, pose, pose).overlapVolume;
+    return findContacts(organ, still(organ), *tool, pose, pose).overlapVolume;
   };
   CHECK(overlapAt(inside) == doctest::Approx(whole).epsilon(0.02));
   CHECK(overlapAt(at(box.centre() + Vec3(0.5, 0, 0))) == 0);

@@ -1,0 +1,97 @@
+#include "base/run_length.h"
+
+#include <cstring>
+
+#include "base/error.h"
+
+namespace resect {
+namespace {
+
+constexpr std::size_t kShortestRun = 3;  // words: shorter ones are cheaper as they are
+
+template <typename Word>
+void appendRunsOf(Bytes& to, std::span<const std::byte> data) {
+  const std::size_t count = data.size() / sizeof(Word);
+  const auto at = [&](std::size_t i) {
+    Word word;
+    std::memcpy(&word, data.data() + i * sizeof(Word), sizeof word);
+    return word;
+  };
+  const auto append = [&](std::size_t begin, std::size_t words) {
+    to.insert(to.end(), data.begin() + std::ptrdiff_t(begin * sizeof(Word)),
+              data.begin() + std::ptrdiff_t((begin + words) * sizeof(Word)));
+  };
+  std::size_t written = 0;
+  for (std::size_t i = 0; i < count;) {
+    const Word word = at(i);
+    std::size_t end = i + 1;
+    while (end < count && at(end) == word) ++end;
+    if (end - i >= kShortestRun) {
+      if (written < i) {
+        appendNumber(to, (i - written) << 1);
+        append(written, i - written);
+      }
+      appendNumber(to, (end - i) << 1 | 1);
+      append(i, 1);
+      written = end;
+    }
+    i = end;
+  }
+  if (written < count) {
+    appendNumber(to, (count - written) << 1);
+    append(written, count - written);
+  }
+}
+
+}  // namespace
+
+void throwDamagedState() {
+  throw error("the state is cut off or damaged; give one as it was saved");
+}
+
+void appendNumber(Bytes& to, std::uint64_t number) {
+  for (; number >= 0x80; number >>= 7) to.push_back(std::byte(number | 0x80));
+  to.push_back(std::byte(number));
+}
+
+void appendRuns(Bytes& to, std::span<const std::byte> data, std::size_t word) {
+  if (word == 1) return appendRunsOf<std::uint8_t>(to, data);
+  if (word == 2) return appendRunsOf<std::uint16_t>(to, data);
+  if (word == 4) return appendRunsOf<std::uint32_t>(to, data);
+  appendRunsOf<std::uint64_t>(to, data);
+}
+
+std::uint64_t ByteReader::number() {
+  std::uint64_t number = 0;
+  for (int shift = 0; shift < 64; shift += 7) {
+    const auto byte = std::uint64_t(bytes(1)[0]);
+    number |= (byte & 0x7f) << shift;
+    if (byte < 0x80) return number;
+  }
+  throwDamagedState();
+}
+
+std::span<const std::byte> ByteReader::bytes(std::size_t count) {
+  if (count > rest_.size()) throwDamagedState();
+  const auto taken = rest_.first(count);
+  rest_ = rest_.subspan(count);
+  return taken;
+}
+
+void ByteReader::runs(Bytes& to, std::size_t size, std::size_t word) {
+  if (size % word != 0) throwDamagedState();
+  const std::size_t begin = to.size();
+  to.resize(begin + size);
+  std::byte *at = to.data() + begin, *const end = to.data() + to.size();
+  while (at < end) {
+    const std::uint64_t head = number(), words = head >> 1;
+    if (words == 0 || words > std::size_t(end - at) / word) throwDamagedState();
+    const auto from = bytes(head & 1 ? word : words * word);
+    if (head & 1)
+      for (std::uint64_t i = 0; i < words; ++i, at += word) std::memcpy(at, from.data(), word);
+    else
+      at = std::copy(from.begin(), from.end(), at);
+  }
+}
+
+}  // namespace resect

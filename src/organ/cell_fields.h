@@ -1,0 +1,60 @@
+// What is known of every cell besides how full it is? Which structure it belongs to.
+//
+// A field costs nothing until one of its values is another than it was from the start. One more
+// field is a member here and its line in visit(): saving, comparing and digests follow by
+// themselves (docs/how-to/add_a_cell_field.md).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sph/lattice.h"
+
+namespace resect {
+
+template <typename T>
+class CellField {
+ public:
+  CellField() = default;
+  // values: one per cell, or none: all are `start`.
+  explicit CellField(std::vector<T> values, T start = T())
+      : values_(std::move(values)), start_(start) {}
+
+  T operator[](std::int64_t cell) const {
+    return values_.empty() ? start_ : values_[std::size_t(cell)];
+  }
+  void set(const Lattice& lattice, std::int64_t cell, T value) {
+    if (values_.empty() && value == start_) return;
+    if (values_.empty()) values_.assign(std::size_t(lattice.cellCount()), start_);
+    values_[std::size_t(cell)] = value;
+  }
+  bool empty() const { return values_.empty(); }
+  std::span<T> values() { return values_; }
+  // An entry per cell, or none.
+  bool fits(const Lattice& lattice) const {
+    return values_.empty() || std::int64_t(values_.size()) == lattice.cellCount();
+  }
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("values", values_);
+  }
+
+ private:
+  std::vector<T> values_;
+  T start_ = T();
+};
+
+struct CellFields {
+  // Which structure: 0 is the organ's own parenchyma; others are named where the cells come from.
+  CellField<std::uint8_t> label;
+
+  template <class Visitor>
+  void visit(Visitor& v, const CellOrder& order) {
+    v.perCell("label", label, order);
+  }
+  bool fit(const Lattice& lattice) const { return label.fits(lattice); }
+};
+
+}  // namespace resect

@@ -1,0 +1,65 @@
+#include "organ/operated_organ.h"
+
+#include "base/error.h"
+#include "base/state_hash.h"
+#include "tissue/still_tissue.h"
+
+namespace resect {
+namespace {
+
+void checkRestored(const Organ& organ) {
+  bool fits = std::int64_t(organ.alive.size()) == organ.rest.lattice.cellCount() &&
+              organ.fields.fit(organ.rest.lattice) && organ.severed.fit() && organ.iso >= kMinIso &&
+              organ.iso <= kMaxIso;
+  for (const std::uint8_t alive : organ.alive) fits = fits && alive <= 1;
+  if (!fits)
+    throw error(
+        "the state does not fit the organ; restore it into the operation that it was saved "
+        "from");
+}
+
+}  // namespace
+
+OperatedOrgan operatedOrgan(std::string name, Organ organ, std::unique_ptr<TissueModel> tissue) {
+  if (!tissue) tissue = std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
+  return {std::move(name), std::move(organ), std::move(tissue), {}};
+}
+
+void remake(OperatedOrgan& o, bool keepsLook) {
+  Organ& organ = o.organ;
+  checkRestored(organ);
+  o.tissue->endRestore();
+  for (std::int64_t cell = 0; cell < organ.rest.lattice.cellCount(); ++cell) {
+    const bool there = organ.alive[std::size_t(cell)] != 0;
+    if (!(organ.rest.value[std::size_t(cell)] > 0) || there == (organ.field.cellValue(cell) > 0))
+      continue;
+    if (ownerCell(organ.rest, cell) == cell) setParticle(organ, cell, there);
+  }
+  organ.field.update();
+  organ.severed.update();
+  setIso(organ, organ.iso);
+  if (keepsLook) organ.surface.updateLook(organ.field);
+  if (o.tissue->moves()) o.skin.follow(organ.surface, organ.rest.lattice, *o.tissue, {}, keepsLook);
+}
+
+std::uint64_t fingerprint(const Organ& organ) {
+  StateHash hash;
+  const Discretization& rest = organ.rest;
+  for (int a = 0; a < 3; ++a) {
+    hash.add(rest.lattice.origin[a]);
+    hash.add(rest.lattice.spacing[a]);
+    hash.add(rest.lattice.dims[a]);
+  }
+  hash.addSpan(rest.value.levels());
+  hash.addSpan(rest.value.numbers());
+  hash.addSpan(std::span<const std::uint8_t>(rest.inside));
+  hash.add(rest.skinScale);
+  hash.add(organ.field.refine());
+  return hash.value();
+}
+
+std::size_t OperatedOrgan::bytes() const {
+  return heldBytes(organ) + heldBytes(*tissue) + skin.bytes();
+}
+
+}  // namespace resect

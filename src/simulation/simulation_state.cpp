@@ -1,0 +1,69 @@
+// How a simulation is saved, restored and compared.
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/state_hash.h"
+#include "simulation/simulation.h"
+
+namespace resect {
+
+std::uint64_t Simulation::fingerprint() const {
+  StateHash hash;
+  for (const OperatedOrgan& o : organs_) {
+    hash.add(resect::fingerprint(o.organ));
+    hash.add(o.tissue->moves());
+  }
+  return hash.value();
+}
+
+Bytes Simulation::save() const { return toBytes(fields()); }
+
+void Simulation::restore(std::span<const std::byte> bytes) {
+  const SavedState wanted = stateFromBytes(bytes);
+  if (wanted.version > kStateVersion)
+    throw error(
+        "the state was saved by a newer version of Resect ({}, here {}); restore it with that one",
+        wanted.version, kStateVersion);
+  if (wanted.fingerprint != fingerprint())
+    throw error(
+        "the state is that of another organ, or of one in cells of another size; restore it into "
+        "the "
+        "operation that it was saved from");
+  const SavedState now = fields();
+  try {
+    load(wanted);
+  } catch (...) {
+    load(now);
+    throw;
+  }
+}
+
+void Simulation::load(const SavedState& state) {
+  for (OperatedOrgan& o : organs_) o.tissue->beginRestore();
+  loadState(*this, state);
+  for (const TissueJoint& joint : joints_)
+    for (int end = 0; end < 2; ++end)
+      if (joint.organ[end] < 0 || std::size_t(joint.organ[end]) >= organs_.size() ||
+          joint.cell[end] < 0 ||
+          joint.cell[end] >= organs_[std::size_t(joint.organ[end])].organ.rest.lattice.cellCount())
+        throw error("a joint of the state is at a cell that there is not; give it as it was saved");
+  for (const ToolState& tool : tools_)
+    for (const ToolStance* at : {&tool.way.earlier, &tool.way.from, &tool.way.to})
+      if (!at->pose.position.allFinite() || !at->pose.rotation.coeffs().allFinite())
+        throw error("the pose of tool \"{}\" in the state is not a number; give it as it was saved",
+                    tool.tool->model.name);
+  for (OperatedOrgan& o : organs_) remake(o, keepsLook_);
+}
+
+std::uint64_t Simulation::stateHash() const {
+  HashVisitor state;
+  visitState(*this, state);
+  StateHash hash;
+  hash.add(state.value());
+  const TriangleMesh surface = surfaceMesh();
+  hash.addSpan(std::span<const Vec3>(surface.points));
+  hash.addSpan(std::span<const Triangle>(surface.triangles));
+  return hash.value();
+}
+
+}  // namespace resect

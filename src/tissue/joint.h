@@ -1,0 +1,48 @@
+// What holds two organs together: a ligament, a gallbladder on its bed? Damped springs, each from a
+// cell of one organ to a cell of another.
+//
+// A spring keeps the vector that its cells have between them at rest, in the world's axes: joined
+// organs part and slide like things glued at points, not like hinges. Forces act at every substep,
+// on both ends alike.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sph/lattice.h"
+#include "tissue/tissue_model.h"
+
+namespace resect {
+
+struct TissueJoint {
+  std::array<std::int32_t, 2> organ{};  // numbers, not the same
+  std::array<std::int64_t, 2> cell{};   // in the organs' lattices
+  Vec3 rest = Vec3::Zero();             // from the first cell to the second at rest, m
+  double stiffness = 0;                 // N/m
+  double damping = 0;                   // N s/m
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("organ", organ), v("cell", cell), v("rest", rest);
+    v("stiffness", stiffness), v("damping", damping);
+  }
+};
+
+struct JoinedOrgan {
+  std::int32_t number = 0;
+  const Lattice* lattice = nullptr;
+  TissueModel* tissue = nullptr;
+};
+
+// A spring from each cell of `a` to the nearest cell of `b`, if that is within `reach`, m, both at
+// rest and solid. `stiffness` of all together, N/m, shared evenly; less where a cell could not
+// follow in a substep of `shortest` s.
+std::vector<TissueJoint> joinNear(const JoinedOrgan& a, const JoinedOrgan& b, double reach,
+                                  double stiffness, double shortest);
+
+// Forces for the coming substep. tissues, lattices: by organ number.
+void pullJoints(std::span<const TissueJoint> joints, std::span<const JoinedOrgan> organs);
+
+}  // namespace resect

@@ -1,0 +1,47 @@
+#include "tissue/move_tissues.h"
+
+#include <algorithm>
+
+namespace resect {
+namespace {
+
+// One attempt at the frame; the tissue that exploded, or null.
+TissueModel* tryFrame(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
+                      std::span<const JoinedOrgan> organs) {
+  int count = 0;
+  for (const MovingTissue& t : tissues) count = std::max(count, t.tissue->substepsWanted());
+  for (int number = 1; number <= count; ++number) {
+    pullJoints(joints, organs);
+    for (const MovingTissue& t : tissues)
+      if (!t.tissue->substep(number, count)) return t.tissue;
+  }
+  return nullptr;
+}
+
+void moveTogether(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
+                  std::span<const JoinedOrgan> organs, double duration) {
+  for (const MovingTissue& t : tissues) t.tissue->beginFrame(duration, t.obstacles);
+  while (const TissueModel* exploded = tryFrame(tissues, joints, organs)) {
+    bool goOn = true;
+    for (const MovingTissue& t : tissues) goOn = t.tissue->startAgain(t.tissue == exploded) && goOn;
+    // Nothing shorter: what is joined to it waits with it for a frame.
+    if (!goOn) break;
+  }
+  for (const MovingTissue& t : tissues) t.tissue->endFrame(*t.step);
+}
+
+}  // namespace
+
+void moveTissues(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
+                 std::span<const JoinedOrgan> organs, double duration) {
+  if (!joints.empty()) return moveTogether(tissues, joints, organs, duration);
+  for (const MovingTissue& t : tissues) moveTogether({&t, 1}, {}, {}, duration);
+}
+
+void moveTissue(TissueModel& tissue, std::span<const Obstacle> obstacles, double duration,
+                TissueStep& step) {
+  const MovingTissue one{&tissue, obstacles, &step};
+  moveTogether({&one, 1}, {}, {}, duration);
+}
+
+}  // namespace resect

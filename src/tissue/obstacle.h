@@ -1,0 +1,28 @@
+// What can tissue not move into? Rigid bodies round it: instruments, the table.
+#pragma once
+
+#include "collision/signed_distance.h"
+#include "geometry/pose.h"
+
+namespace resect {
+
+// As tissue feels it in one frame.
+struct Obstacle {
+  std::int32_t tool = -1;                 // its number in the simulation; -1: it is no instrument
+  const SignedDistance* shape = nullptr;  // in its frame; null: see halfSpace
+  bool halfSpace = false;  // without a shape: all below y = 0 of its frame, or nothing
+  Pose from, to;           // at the start and the end of the frame
+  double standOff = 0;     // cells' centres are kept this far from its surface, m
+  double friction = 0.3;
+  double slipForce = 0;  // of an instrument's grip, N: beyond it all that it holds is let go
+};
+
+// A level top at y = 0. spacing: of the cells that come to lie on it, m.
+inline Obstacle tableTop(double spacing) {
+  Obstacle table;
+  table.halfSpace = true;
+  table.standOff = 0.5 * spacing;
+  return table;
+}
+
+}  // namespace resect

@@ -1,0 +1,102 @@
+#include "tissue/still_tissue.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "tissue/stencil.h"
+
+namespace resect {
+
+void StillTissue::endFrame(TissueStep& step) {
+  step.substeps = step.retries = 0;
+  step.calm = true;
+  step.force.assign(obstacles_, Vec3::Zero());
+  step.torn.clear();
+  step.letGo.clear();
+}
+
+void StillTissue::remove(std::int64_t cell) {
+  solid_[std::size_t(cell)] = 0;
+  std::erase_if(held_, [&](const Held& held) { return held.cell == cell; });
+}
+
+std::uint32_t& StillTissue::severedAt(std::int64_t cell) {
+  const auto at = std::ranges::lower_bound(severed_, cell, {}, &Severed::cell);
+  if (at != severed_.end() && at->cell == cell) return at->directions;
+  return severed_.insert(at, {cell, 0})->directions;
+}
+
+void StillTissue::sever(std::int64_t cell, int direction) {
+  if (!(bonds(cell) >> direction & 1)) return;
+  severedAt(cell) |= 1u << direction;
+  severedAt(lattice_.index(lattice_.cell(cell) + offsetOf(direction))) |= 1u << opposite(direction);
+}
+
+void StillTissue::grip(std::int64_t cell, std::int32_t tool, const Pose&) {
+  if (solid(cell) && std::ranges::find(held_, cell, &Held::cell) == held_.end())
+    held_.push_back({cell, tool});
+}
+
+void StillTissue::release(std::int32_t tool) {
+  std::erase_if(held_, [&](const Held& held) { return held.tool == tool; });
+}
+
+std::int32_t StillTissue::gripped(std::int32_t tool) const {
+  return std::int32_t(std::ranges::count(held_, tool, &Held::tool));
+}
+
+std::uint32_t StillTissue::bonds(std::int64_t cell) const {
+  if (!solid(cell)) return 0;
+  const Vec3i at = lattice_.cell(cell);
+  std::uint32_t bonds = 0;
+  for (int d = 0; d < kDirections; ++d) {
+    const Vec3i other = at + offsetOf(d);
+    if (lattice_.contains(other) && solid(lattice_.index(other))) bonds |= 1u << d;
+  }
+  const auto gone = std::ranges::lower_bound(severed_, cell, {}, &Severed::cell);
+  if (gone != severed_.end() && gone->cell == cell) bonds &= ~gone->directions;
+  return bonds;
+}
+
+std::vector<std::int64_t> StillTissue::cellsIn(const Aabb& box) const {
+  std::vector<std::int64_t> cells;
+  const Aabb part = intersection(box, lattice_.box());
+  if (part.empty()) return cells;
+  Vec3i low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = std::max(0, int(std::ceil(lattice_.toCellSpace(part.min)[a] - 1e-9)));
+    high[a] =
+        std::min(lattice_.dims[a] - 1, int(std::floor(lattice_.toCellSpace(part.max)[a] + 1e-9)));
+  }
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const std::int64_t cell = lattice_.index({x, y, z});
+        if (solid(cell) && box.contains(lattice_.centre({x, y, z}))) cells.push_back(cell);
+      }
+  return cells;
+}
+
+void StillTissue::visit(StateVisitor& v) {
+  v.perCell("solid", solid_, lattice_.order());
+  v("severed", severed_), v("held", held_);
+}
+
+void StillTissue::visitMade(StateVisitor& v) { v.made(lattice_, obstacles_); }
+
+void StillTissue::endRestore() {
+  const auto inLattice = [&](std::int64_t cell) {
+    return cell >= 0 && cell < lattice_.cellCount();
+  };
+  bool fits = std::int64_t(solid_.size()) == lattice_.cellCount() &&
+              std::ranges::is_sorted(severed_, {}, &Severed::cell);
+  for (const Severed& s : severed_) fits = fits && inLattice(s.cell);
+  for (const Held& h : held_) fits = fits && inLattice(h.cell);
+  if (!fits)
+    throw error(
+        "the state does not fit the organ's tissue; restore it into the operation that it "
+        "was saved from");
+}
+
+}  // namespace resect
