@@ -6,6 +6,7 @@
 #include "io/discretization_file.h"
 #include "io/organ_mesh.h"
 #include "io/scenario_file.h"
+#include "organ/builtin_gallbladder.h"
 #include "organ/builtin_liver.h"
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
@@ -37,6 +38,8 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
   TriangleMesh mesh;
   if (source.file.empty()) {
     mesh = builtinLiver();
+  } else if (source.file == "gallbladder") {
+    mesh = builtinGallbladder();
   } else {
     const OrganMesh organ =
         prepareOrganMesh(readModel(source.file), {source.part, source.repair, source.unit});

@@ -14,7 +14,7 @@ namespace resect {
 
 // Where the organ comes from and how finely it is taken.
 struct OrganSource {
-  std::string file;               // model file, discretisation file, or "" for the built-in liver
+  std::string file;               // model or discretisation file; built in: "" liver, "gallbladder"
   std::string part;               // named part of the file, or "" for all
   double unit = 1;                // metres per unit of the file
   bool repair = false;            // close the holes of an open mesh instead of refusing it
