@@ -1,4 +1,5 @@
-# One layer = one folder in src/, one static library resect_<layer>, one test executable test_<layer>.
+# One layer = one folder in src/ with all its sub-folders, one static library resect_<layer>, one test executable
+# test_<layer>.
 # Which layer may include which is written once, in tools/layers.txt, and checked by a test.
 
 # Two thirds of compiling a file is reading Eigen and the standard headers: they are read once, in the lowest layer.
@@ -14,8 +15,8 @@ function(resect_precompile target)
 endfunction()
 
 function(resect_layer name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
-  file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.h)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.h)
   if(sources)
     add_library(resect_${name} STATIC ${sources} ${headers})
     target_include_directories(resect_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
@@ -44,7 +45,7 @@ list(APPEND RESECT_TEST_ENVIRONMENT RESECT_PATIENCE=${RESECT_PATIENCE})
 math(EXPR RESECT_TEST_SECONDS "900 * ${RESECT_PATIENCE}")
 
 function(resect_layer_test name)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/test/${name}/*_test.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/test/${name}/*_test.cpp)
   if(NOT sources)
     return()
   endif()

@@ -57,6 +57,14 @@ class Layers(Tree):
     def test_a_folder_that_is_no_layer_is_refused(self):
         self.refused("check_layers.py", {"src/extra/a.cpp": "\n"}, "extra is no layer")
 
+    def test_a_file_in_a_sub_folder_belongs_to_the_layer(self):
+        files = {"src/geometry/flat/box.h": HEADER,
+                 "src/inventor/view.cpp": '#include "geometry/flat/box.h"\n'}
+        status, output = self.check("check_layers.py", files)
+        self.assertEqual(status, 0, output)
+        self.refused("check_layers.py", {**files, "src/base/deep/a.cpp": '#include "geometry/flat/box.h"\n'},
+                     "src/base/deep/a.cpp:1: base may not include geometry")
+
     def test_a_list_of_layers_with_a_cycle_is_refused(self):
         self.refused("check_layers.py", {}, "layers.txt:1:", layers="base: geometry\ngeometry: base\n")
 
