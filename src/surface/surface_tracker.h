@@ -26,14 +26,11 @@
 #include "sph/colour_field.h"
 #include "surface/brick_mesher.h"
 #include "surface/cell_triangles.h"
+#include "surface/index_range.h"
 #include "surface/range_allocator.h"
 #include "surface/wound_brick.h"
 
 namespace resect {
-
-struct IndexRange {
-  std::int32_t first, count;
-};
 
 struct FieldAndSurface;
 
