@@ -87,8 +87,8 @@ void draw(const char* file, Organ& organ, const std::vector<Vec3f>& points, cons
   OffscreenView picture(1280, 720);
   OperatingRoom room;
   room.setTable(readSceneFile(dataFolder() / "tools" / "table.iv"));
-  room.organ()->setGeometry(
-      {points, normals, organ.surface.cut(), triangles, organ.surface.points()});
+  room.organ()->update(
+      wholeSurface(points, normals, organ.surface.cut(), triangles, organ.surface.points()));
   room.lightUp(organ.rest.lattice.box());
   room.look(RoomView::Surgeon, place, 1280.0 / 720);
   writePng(file, picture.render(room.root()));

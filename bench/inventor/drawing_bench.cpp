@@ -103,7 +103,7 @@ void operating(benchmark::State& state, Doing doing) {
   state.counters["pixels"] = benchmark::Counter(pixels, benchmark::Counter::kAvgIterations);
   state.counters["scale"] = benchmark::Counter(scale, benchmark::Counter::kAvgIterations);
   state.counters["removed"] = double(session.state().removed);
-  state.counters["realtime"] = session.state().realTimeFactor;
+  state.counters["realtime"] = session.state().times.realTimeFactor;
 }
 BENCHMARK_CAPTURE(operating, tool_waves, Doing::Waving)
     ->Unit(benchmark::kMillisecond)

@@ -253,14 +253,14 @@ void TimingPanel::follow(const LiveState& state, const Viewer::Drawing& drawing,
   state_ = state;
   drawing_ = drawing;
   frameRate_ = frameRate;
-  const int lines = 3 + int(state.stages.size()) + 3;  // the last three: room for advice
+  const int lines = 3 + int(state.times.stages.size()) + 3;  // the last three: room for advice
   setMinimumHeight(lines * (fontMetrics().height() + kLineGap));
   update();
 }
 
 // What to change, when the simulation or the drawing has been slow for the last second.
 QString TimingPanel::advice(const StageTime* slowest) const {
-  if (state_.realTimeFactor < 0.9 && state_.stepMedian > 0.9 / frameRate_ && slowest)
+  if (state_.times.realTimeFactor < 0.9 && state_.times.median > 0.9 / frameRate_ && slowest)
     return QString("Slower than real time: \"%1\" takes most. A larger spacing helps.")
         .arg(inWords(slowest->name));
   if (drawing_.perSecond >= kFewPictures && drawing_.seconds > kSlowPicture)
@@ -282,11 +282,11 @@ void TimingPanel::paintEvent(QPaintEvent*) {
   };
   text("Pictures", drawing_.perSecond > 0 ? QString("%1 /s").arg(drawing_.perSecond, 0, 'f', 0)
                                           : QString("at rest"));
-  text("Real time", QString("%1 x").arg(state_.realTimeFactor, 0, 'f', 2));
-  text("Step", QString("%1 ms").arg(state_.stepMedian * 1e3, 0, 'f', 2));
+  text("Real time", QString("%1 x").arg(state_.times.realTimeFactor, 0, 'f', 2));
+  text("Step", QString("%1 ms").arg(state_.times.median * 1e3, 0, 'f', 2));
   double most = 1e-4;
   const StageTime* slowest = nullptr;
-  for (const StageTime& stage : state_.stages)
+  for (const StageTime& stage : state_.times.stages)
     if (stage.median >= most) most = stage.median, slowest = &stage;
   const QString said = advice(slowest);
   if (!said.isEmpty()) {  // above the stages: the panel may be too low for all of them
@@ -295,7 +295,7 @@ void TimingPanel::paintEvent(QPaintEvent*) {
     painter.drawText(room, Qt::AlignLeft | Qt::TextWordWrap, said);
     y += metrics.boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, said).height() + 4;
   }
-  for (const StageTime& stage : state_.stages) {
+  for (const StageTime& stage : state_.times.stages) {
     const int bar = int((width() - 16) * std::min(1.0, stage.median / most));
     painter.fillRect(QRect(8, y + metrics.height(), std::max(1, bar), 3), QColor(70, 140, 160));
     text(inWords(stage.name), QString("%1 ms").arg(stage.median * 1e3, 0, 'f', 3));

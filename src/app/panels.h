@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/viewer.h"
-#include "operation/live_operation.h"
+#include "operation/live/live_state.h"
 #include "tools/tool.h"
 
 class QCheckBox;

@@ -13,8 +13,8 @@
 #include <Inventor/misc/SoState.h>
 
 #include <algorithm>
-
-#include "base/assert.h"
+#include <cmath>
+#include <limits>
 
 namespace resect {
 
@@ -25,25 +25,33 @@ enum Buffer { kPoints, kNormals, kRest, kCut, kTriangles, kBufferCount };
 constexpr std::size_t kElementBytes[kBufferCount] = {sizeof(Vec3f), sizeof(Vec3f), sizeof(Vec3f),
                                                      sizeof(float), sizeof(Triangle)};
 
-// Writes `from` at `first` of `to`, which grows as needed with `filler`.
-template <typename T>
-void overwrite(std::vector<T>& to, std::size_t first, std::span<const T> from, const T& filler) {
-  if (from.empty()) return;
-  if (to.size() < first + from.size()) to.resize(first + from.size(), filler);
-  std::ranges::copy(from, to.begin() + std::ptrdiff_t(first));
-}
+// What an update can change without the others, and which of these each buffer holds.
+enum Part { kMovedPart, kNewPart, kTrianglesPart, kPartCount };
+constexpr Part kPartOf[kBufferCount] = {kMovedPart, kMovedPart, kNewPart, kNewPart, kTrianglesPart};
 
 }  // namespace
 
 struct SoOrganShape::ContextBuffers {
   GLuint names[kBufferCount] = {};
   std::size_t capacity[kBufferCount] = {};  // elements
-  std::vector<Range> vertices, triangles;   // not sent yet; may overlap
+  std::vector<Range> unsent[kPartCount];    // may overlap
 
   void free() const { glDeleteBuffers(kBufferCount, names); }
 };
 
 SO_NODE_SOURCE(SoOrganShape);
+
+// In their order, those that touch or overlap as one.
+void SoOrganShape::merge(std::vector<Range>& ranges) {
+  std::ranges::sort(ranges, {}, &Range::begin);
+  std::size_t count = 0;
+  for (const Range& r : ranges)
+    if (count > 0 && r.begin <= ranges[count - 1].end)
+      ranges[count - 1].end = std::max(ranges[count - 1].end, r.end);
+    else
+      ranges[count++] = r;
+  ranges.resize(count);
+}
 
 void SoOrganShape::initClass() {
   if (classTypeId != SoType::badType()) return;
@@ -90,59 +98,96 @@ void SoOrganShape::takeFields() {
       faces.push_back(t);
   }
   const SbBool notified = enableNotify(FALSE);  // whoever asks is already looking
-  setGeometry({at, up, share, faces, {}});
+  update(wholeSurface(at, up, share, faces));
   enableNotify(notified);
 }
 
-void SoOrganShape::setGeometry(const OrganGeometry& geometry) {
-  growChanged({0, points_.size()}, {});
-  blocks_ = {};
-  points_.clear(), normals_.clear(), rest_.clear(), cut_.clear(), triangles_.clear();
-  for (auto& [context, buffers] : contexts_) buffers->vertices.clear(), buffers->triangles.clear();
-  updateRange(0, 0, geometry);
-}
-
-void SoOrganShape::updateRange(int firstVertex, int firstTriangle, const OrganGeometry& g) {
-  RESECT_ASSERT(firstVertex >= 0 && firstTriangle >= 0);
-  RESECT_ASSERT(g.normals.size() == g.points.size() && g.cut.size() == g.points.size());
-  RESECT_ASSERT(g.rest.empty() || g.rest.size() == g.points.size());
-  const auto v = std::size_t(firstVertex), t = std::size_t(firstTriangle);
-  // What lies between the old end and the new range is sent too: it has become holes.
-  const Range vertices{std::min(v, points_.size()), v + g.points.size()};
-  const Range triangles{std::min(t, triangles_.size()), t + g.triangles.size()};
-  // A brick that goes leaves no vertices behind, only holes in place of its triangles.
-  growChanged({v, v + g.points.size()}, {t, t + g.triangles.size()});
-  overwrite(points_, v, g.points, Vec3f(Vec3f::Zero()));
-  overwrite(normals_, v, g.normals, Vec3f(Vec3f::UnitY()));
-  overwrite(rest_, v, g.rest.empty() ? g.points : g.rest, Vec3f(Vec3f::Zero()));
-  overwrite(cut_, v, g.cut, 0.0f);
-  overwrite(triangles_, t, g.triangles, Triangle{0, 0, 0});
-  for (auto& [context, buffers] : contexts_) {
-    if (!g.points.empty()) buffers->vertices.push_back(vertices);
-    if (!g.triangles.empty()) buffers->triangles.push_back(triangles);
+void SoOrganShape::update(const SurfaceUpdate& update) {
+  if (update.empty()) return;
+  const auto rangesOf = [](const std::vector<IndexRange>& ranges) {
+    std::vector<Range> result;
+    for (const IndexRange& r : ranges)
+      result.push_back({std::size_t(r.first), std::size_t(r.first) + std::size_t(r.count)});
+    return result;
+  };
+  if (update.everything) {
+    growChanged({{0, surface_.points.size()}}, {});
+    blocks_ = {};
+    surface_ = {};
+    for (auto& [context, buffers] : contexts_)
+      for (std::vector<Range>& unsent : buffers->unsent) unsent.clear();
   }
-  blocks_.verticesChanged(vertices.begin, vertices.end);
-  blocks_.trianglesChanged(triangles.begin, triangles.end);
-  growChanged({v, v + g.points.size()}, {t, t + g.triangles.size()});
+  std::vector<Range> changed[kPartCount] = {
+      rangesOf(update.movedVertices), rangesOf(update.newVertices), rangesOf(update.newTriangles)};
+  std::vector<Range> vertices = changed[kMovedPart];
+  vertices.insert(vertices.end(), changed[kNewPart].begin(), changed[kNewPart].end());
+  merge(vertices);
+  // A brick that goes leaves no vertices behind, only holes in place of its triangles.
+  growChanged(vertices, changed[kTrianglesPart]);
+  const std::size_t end = surface_.points.size(), triangleEnd = surface_.triangles.size();
+  apply(update, surface_);
+  // What is new is sent whole, with what no range has named.
+  if (end < surface_.points.size()) {
+    changed[kMovedPart].push_back({end, surface_.points.size()});
+    changed[kNewPart].push_back({end, surface_.points.size()});
+  }
+  if (triangleEnd < surface_.triangles.size())
+    changed[kTrianglesPart].push_back({triangleEnd, surface_.triangles.size()});
+  for (auto& [context, buffers] : contexts_)
+    for (int part = 0; part < kPartCount; ++part)
+      buffers->unsent[part].insert(buffers->unsent[part].end(), changed[part].begin(),
+                                   changed[part].end());
+  for (const Range& r : changed[kMovedPart]) blocks_.verticesChanged(r.begin, r.end);
+  for (const Range& r : changed[kTrianglesPart]) blocks_.trianglesChanged(r.begin, r.end);
+  growChanged(vertices, changed[kTrianglesPart]);
   revision = revision.getValue() + 1;
 }
 
+void SoOrganShape::refreshBlocks() { blocks_.refresh(surface_.points, surface_.triangles); }
+
 // By what the triangles fill that use these vertices, and by these triangles.
-void SoOrganShape::growChanged(Range vertices, Range triangles) {
-  blocks_.refresh(points_, triangles_);
+void SoOrganShape::growChanged(const std::vector<Range>& vertices,
+                               const std::vector<Range>& triangles) {
+  const std::vector<Vec3f>& points = surface_.points;
+  const std::vector<Triangle>& all = surface_.triangles;
+  refreshBlocks();
   const auto grow = [&](const TriangleBlocks::Box& box) {
     changed_.low = changed_.low.cwiseMin(box.low);
     changed_.high = changed_.high.cwiseMax(box.high);
   };
-  const std::size_t end = std::min(vertices.end, points_.size());
-  if (vertices.begin < end)
-    grow(end - vertices.begin > points_.size() / 2
-             ? blocks_.box()
-             : blocks_.around(vertices.begin, end, points_, triangles_));
-  for (std::size_t t = triangles.begin; t < std::min(triangles.end, triangles_.size()); ++t)
-    if (triangles_[t][0] != triangles_[t][1])
-      for (const std::int32_t v : triangles_[t])
-        if (std::size_t(v) < points_.size()) changed_.grow(points_[std::size_t(v)]);
+  std::size_t count = 0;
+  for (const Range& r : vertices)
+    count += std::min(r.end, points.size()) - std::min(r.begin, points.size());
+  if (count > points.size() / 2) {
+    grow(blocks_.box());
+  } else {
+    for (const Range& r : vertices)
+      grow(blocks_.around(r.begin, std::min(r.end, points.size()), points, all));
+  }
+  for (const Range& r : triangles)
+    for (std::size_t t = r.begin; t < std::min(r.end, all.size()); ++t)
+      if (all[t][0] != all[t][1])
+        for (const std::int32_t v : all[t])
+          if (std::size_t(v) < points.size()) changed_.grow(points[std::size_t(v)]);
+}
+
+std::optional<Vec3> SoOrganShape::firstPointOn(const Ray& ray) {
+  takeFields();
+  refreshBlocks();
+  double first = std::numeric_limits<double>::infinity();
+  const auto corner = [&](std::int32_t v) {
+    return Vec3(surface_.points[std::size_t(v)].cast<double>());
+  };
+  for (const TriangleBlocks::Run& run : blocks_.along(ray)) {
+    const std::size_t end = std::min(run.first + run.count, surface_.triangles.size());
+    for (std::size_t i = run.first; i < end; ++i) {
+      const Triangle& t = surface_.triangles[i];
+      if (t[0] != t[1])
+        first = std::min(first, firstMeeting(ray, corner(t[0]), corner(t[1]), corner(t[2])));
+    }
+  }
+  if (std::isinf(first)) return std::nullopt;
+  return ray.at(first);
 }
 
 Aabb SoOrganShape::takeChanged() {
@@ -154,7 +199,7 @@ Aabb SoOrganShape::takeChanged() {
 
 // The triangles that can lie within the view, or within the scissor box when there is one.
 std::vector<TriangleBlocks::Run> SoOrganShape::seen(SoState* state) {
-  blocks_.refresh(points_, triangles_);
+  refreshBlocks();
   Eigen::Vector2f low(-1, -1), high(1, 1);
   if (glIsEnabled(GL_SCISSOR_TEST)) {
     GLint view[4], part[4];
@@ -173,12 +218,13 @@ std::vector<TriangleBlocks::Run> SoOrganShape::seen(SoState* state) {
 }
 
 void SoOrganShape::upload(ContextBuffers& buffers) {
-  const void* data[kBufferCount] = {points_.data(), normals_.data(), rest_.data(), cut_.data(),
-                                    triangles_.data()};
+  const void* data[kBufferCount] = {surface_.points.data(), surface_.normals.data(),
+                                    surface_.rest.data(), surface_.cut.data(),
+                                    surface_.triangles.data()};
+  for (std::vector<Range>& unsent : buffers.unsent) merge(unsent);
   for (int b = 0; b < kBufferCount; ++b) {
     const std::size_t size = kElementBytes[b];
-    const std::size_t count = b == kTriangles ? triangles_.size() : points_.size();
-    std::vector<Range>& changed = b == kTriangles ? buffers.triangles : buffers.vertices;
+    const std::size_t count = b == kTriangles ? surface_.triangles.size() : surface_.points.size();
     const GLenum target = b == kTriangles ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER;
     if (buffers.names[b] == 0) glGenBuffers(1, &buffers.names[b]);
     glBindBuffer(target, buffers.names[b]);
@@ -192,25 +238,20 @@ void SoOrganShape::upload(ContextBuffers& buffers) {
       if (b == kPoints) uploadedVertices_ += count;
       continue;
     }
-    std::ranges::sort(changed, {}, &Range::begin);
-    for (std::size_t r = 0; r < changed.size();) {
-      Range merged = changed[r++];
-      while (r < changed.size() && changed[r].begin <= merged.end)
-        merged.end = std::max(merged.end, changed[r++].end);
-      const std::size_t bytes = (merged.end - merged.begin) * size;
-      glBufferSubData(target, GLintptr(merged.begin * size), GLsizeiptr(bytes),
-                      static_cast<const char*>(data[b]) + merged.begin * size);
+    for (const Range& r : buffers.unsent[kPartOf[b]]) {
+      const std::size_t bytes = (r.end - r.begin) * size;
+      glBufferSubData(target, GLintptr(r.begin * size), GLsizeiptr(bytes),
+                      static_cast<const char*>(data[b]) + r.begin * size);
       uploadedBytes_ += bytes;
-      if (b == kPoints) uploadedVertices_ += merged.end - merged.begin;
+      if (b == kPoints) uploadedVertices_ += r.end - r.begin;
     }
   }
-  buffers.vertices.clear();
-  buffers.triangles.clear();
+  for (std::vector<Range>& unsent : buffers.unsent) unsent.clear();
 }
 
 void SoOrganShape::GLRender(SoGLRenderAction* action) {
   takeFields();
-  if (!shouldGLRender(action) || triangles_.empty()) return;
+  if (!shouldGLRender(action) || surface_.triangles.empty()) return;
   SoState* state = action->getState();
   const auto context = std::uint32_t(SoGLCacheContextElement::get(state));
   ContextBuffers& buffers = contexts_[context];
@@ -239,7 +280,7 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.names[kTriangles]);
   drawnTriangles_ = 0;
   for (const TriangleBlocks::Run& run : seen(state)) {
-    const std::size_t count = std::min(run.count, triangles_.size() - run.first);
+    const std::size_t count = std::min(run.count, surface_.triangles.size() - run.first);
     // Not glDrawRangeElements: holes use vertex 0, which may lie outside of what a run uses.
     glDrawElements(GL_TRIANGLES, GLsizei(3 * count), GL_UNSIGNED_INT,
                    // OpenGL's offsets are pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
@@ -256,7 +297,7 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
 void SoOrganShape::computeBBox(SoAction*, SbBox3f& box, SbVec3f& centre) {
   takeFields();
   // Over the triangles, not the points: a vertex that nothing uses may lie anywhere.
-  blocks_.refresh(points_, triangles_);
+  refreshBlocks();
   const TriangleBlocks::Box all = blocks_.box();
   box.makeEmpty();
   if (!all.empty())
@@ -266,12 +307,12 @@ void SoOrganShape::computeBBox(SoAction*, SbBox3f& box, SbVec3f& centre) {
 
 void SoOrganShape::generatePrimitives(SoAction* action) {
   takeFields();
-  for (const Triangle& t : triangles_) {
+  for (const Triangle& t : surface_.triangles) {
     if (t[0] == t[1]) continue;
     SoPrimitiveVertex corners[3];
     for (int c = 0; c < 3; ++c) {
-      const Vec3f& p = points_[std::size_t(t[c])];
-      const Vec3f& n = normals_[std::size_t(t[c])];
+      const Vec3f& p = surface_.points[std::size_t(t[c])];
+      const Vec3f& n = surface_.normals[std::size_t(t[c])];
       corners[c].setPoint(SbVec3f(p.x(), p.y(), p.z()));
       corners[c].setNormal(SbVec3f(n.x(), n.y(), n.z()));
     }

@@ -1,12 +1,11 @@
 // How does the ever-changing surface of an organ reach the graphics card at the cost of its changes
 // only?
 //
-// A shape with vertex buffers of its own. A program hands its geometry to setGeometry() and
-// updateRange(), and the next rendering uploads the changed ranges to each context that draws the
-// shape; of these triangles it draws those blocks that can lie in the part of the picture that is
-// drawn (the scissor box). The field `revision` counts changes and notifies the scene. In an .iv
-// file, and from an engine, the surface comes through fields, whole each time: see
-// inventor/SoMarchingCubes.h.
+// A shape with vertex buffers of its own. A program hands what has changed to update(), and the
+// next rendering uploads those ranges to each context that draws the shape; of its triangles it
+// draws those blocks that can lie in the part of the picture that is drawn (the scissor box). The
+// field `revision` counts changes and notifies the scene. In an .iv file, and from an engine, the
+// surface comes through fields, whole each time: see inventor/SoMarchingCubes.h.
 //
 // Attributes seen by a shader: gl_Vertex, gl_Normal, gl_MultiTexCoord1.xyz = rest position (for
 // patterns that stick to the tissue), gl_MultiTexCoord2.x = cut. In .iv files: `OrganShape {}`.
@@ -20,26 +19,17 @@
 #include <Inventor/nodes/SoSubNode.h>
 
 #include <cstdint>
-#include <span>
+#include <optional>
 #include <vector>
 
 #include "base/vec.h"
 #include "geometry/aabb.h"
-#include "geometry/triangle_mesh.h"
+#include "geometry/ray.h"
 #include "inventor/per_context.h"
 #include "inventor/triangle_blocks.h"
+#include "surface/surface_update.h"
 
 namespace resect {
-
-// One surface, or one range of it. All per-vertex spans have the length of `points`, except `rest`,
-// which may be empty: then the rest position is the position.
-struct OrganGeometry {
-  std::span<const Vec3f> points;        // m
-  std::span<const Vec3f> normals;       // unit, outwards
-  std::span<const float> cut;           // 0 = capsule, 1 = cut parenchyma
-  std::span<const Triangle> triangles;  // indices into the whole shape's points; {0,0,0} = a hole
-  std::span<const Vec3f> rest;          // m
-};
 
 class SoOrganShape : public SoShape {
   SO_NODE_HEADER(SoOrganShape);
@@ -54,22 +44,22 @@ class SoOrganShape : public SoShape {
   SoMFFloat cut;         // 0 = capsule, 1 = cut parenchyma, one per point; missing ones count as 0
   SoMFInt32 coordIndex;  // triangles: three and -1
 
-  // Number of changes so far. Written by the functions below.
+  // Number of changes so far. Written by update().
   SoSFInt32 revision;
 
-  // Replaces everything.
-  void setGeometry(const OrganGeometry& geometry);
+  // What has changed: ranges may reach beyond the present end, then the shape grows. Vertices that
+  // only moved cost the card their points and normals. wholeSurface() replaces everything.
+  void update(const SurfaceUpdate& update);
 
-  // Overwrites vertices [firstVertex, +points.size()) and triangles [firstTriangle,
-  // +triangles.size()); either may be empty. Ranges may reach beyond the present end: the shape
-  // grows, and what lies between is holes.
-  void updateRange(int firstVertex, int firstTriangle, const OrganGeometry& geometry);
-
-  int vertexCount() const { return int(points_.size()); }
-  int triangleCount() const { return int(triangles_.size()); }  // holes included
+  int vertexCount() const { return int(surface_.points.size()); }
+  int triangleCount() const { return int(surface_.triangles.size()); }  // holes included
 
   // Where the surface has become another since the last call: before and after. m, object space.
   Aabb takeChanged();
+
+  // Where a ray first meets the surface as it is now, in object space; nothing: it does not. Cost:
+  // a box test per 128 triangles, and the triangles of the boxes it meets.
+  std::optional<Vec3> firstPointOn(const Ray& ray);
 
   // Triangles sent through the graphics pipeline at the last rendering.
   std::int64_t drawnTriangles() const { return drawnTriangles_; }
@@ -90,14 +80,14 @@ class SoOrganShape : public SoShape {
   };
   struct ContextBuffers;
 
+  static void merge(std::vector<Range>& ranges);
   void takeFields();
-  void growChanged(Range vertices, Range triangles);
+  void refreshBlocks();
+  void growChanged(const std::vector<Range>& vertices, const std::vector<Range>& triangles);
   std::vector<TriangleBlocks::Run> seen(SoState* state);
   void upload(ContextBuffers& buffers);
 
-  std::vector<Vec3f> points_, normals_, rest_;
-  std::vector<float> cut_;
-  std::vector<Triangle> triangles_;
+  SurfaceCopy surface_;
   PerContext<ContextBuffers> contexts_;
   std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;
   std::int64_t drawnTriangles_ = 0;

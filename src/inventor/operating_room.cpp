@@ -100,7 +100,7 @@ void setMesh(const Tissue& tissue, const TriangleMesh& mesh) {
   std::ranges::transform(pointNormals(mesh), normals.begin(),
                          [](const Vec3& n) { return Vec3f(n.cast<float>()); });
   const std::vector<float> cut(points.size(), 0.0f);
-  tissue.shape->setGeometry({points, normals, cut, mesh.triangles, {}});
+  tissue.shape->update(wholeSurface(points, normals, cut, mesh.triangles));
 }
 
 }  // namespace

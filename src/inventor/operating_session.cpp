@@ -264,27 +264,22 @@ void OperatingSession::bringEverythingBack(double aspect) {
 
 bool OperatingSession::pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport,
                                   Vec3& point) const {
-  // The organ is left out of picking for speed's sake; here one ray may take its time.
+  // The organ is left out of Inventor's picking for speed's sake: it is asked itself.
+  constexpr double kReach = 5;  // m
   const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
   const SbVec2s size = viewport.getViewportSizePixels();
   SbVec3f from, towards;
   volume.projectPointToLine(SbVec2f(float(pixel[0]) / size[0], float(pixel[1]) / size[1]), from,
                             towards);
-  const Vec3 origin(from[0], from[1], from[2]);
-  const Vec3 way = Vec3(towards[0], towards[1], towards[2]) - origin;
-  // Along the ray through the cells, in steps of half a cell.
-  const Lattice& lattice = cells_.lattice;
-  const double step = 0.5 * lattice.spacing.minCoeff(), length = std::min(way.norm(), 5.0);
-  for (double t = 0; t < length; t += step) {
-    const Vec3 p = origin + t * way.normalized();
-    const Vec3i cell = lattice.toCellSpace(p).array().round().matrix().cast<int>();
-    const bool tissue =
-        lattice.contains(cell) && cells_.value[std::size_t(lattice.index(cell))] > 50;
-    if (p.y() > 0 && !tissue) continue;
-    point = p;
-    return true;
-  }
-  return false;
+  Ray ray{Vec3(from[0], from[1], from[2]), Vec3(towards[0], towards[1], towards[2])};
+  ray.direction = (ray.direction - ray.origin).normalized();
+  double nearest = kReach;
+  if (const auto on = room().organ()->firstPointOn(ray))
+    nearest = std::min(nearest, (*on - ray.origin).norm());
+  const double table = -ray.origin.y() / ray.direction.y();  // its plane, y = 0
+  if (table >= 0) nearest = std::min(nearest, table);
+  point = ray.at(nearest);
+  return nearest < kReach;
 }
 
 SbVec2s OperatingSession::pixelOf(const Vec3& point, const SbViewportRegion& viewport) const {

@@ -17,7 +17,7 @@
 #include "inventor/six_axes.h"
 #include "inventor/tip_marker.h"
 #include "inventor/tool_handling.h"
-#include "operation/live_operation.h"
+#include "operation/live/live_operation.h"
 
 class SbViewportRegion;
 class SoEvent;
@@ -50,7 +50,8 @@ class OperatingSession {
   void viewAll(double aspect);
   // All of the organ and the tool box in sight, all tools in the tool box.
   void bringEverythingBack(double aspect);
-  // The point of the room under a pixel; nothing there: false.
+  // The point under a pixel, of the organ as it is seen now or of the table's plane, within 5 m;
+  // nothing there: false.
   bool pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport, Vec3& point) const;
   // Middle of a tool, for a pointer to click on: pixels of the viewport.
   SbVec2s pixelOf(const Vec3& point, const SbViewportRegion& viewport) const;

@@ -34,7 +34,6 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
   for (const ToolState& state : simulation.tools())
     room_.addTool(readSceneFile(state.tool->model.file));
   simulation.keepLook();
-  setOrgan(simulation);
   follow(simulation);
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     room_.setToolPose(int(i), scenario.tools[i].rest);
@@ -48,12 +47,6 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
     room_.look(*view, box, aspect);
 }
 
-void OperationView::setOrgan(const Simulation& simulation) {
-  const SurfaceTracker& surface = simulation.organ().surface;
-  room_.organ()->setGeometry({simulation.surfacePoints(), simulation.surfaceNormals(),
-                              surface.cut(), surface.triangles(), surface.points()});
-}
-
 RgbImage OperationView::draw(OffscreenView& picture) const { return picture.render(room_.root()); }
 
 void OperationView::follow(const Simulation& simulation) {
@@ -61,27 +54,10 @@ void OperationView::follow(const Simulation& simulation) {
     room_.setToolPose(int(i), simulation.tools()[i].pose());
     room_.setToolSqueeze(int(i), simulation.tools()[i].way.to.squeeze);
   }
-  const SurfaceTracker& surface = simulation.organ().surface;
-  const SurfaceTracker::Changes& changes = surface.changes();
-  if (changes.everything || simulation.tissue().moves()) return setOrgan(simulation);
-  for (const IndexRange& r : changes.vertices)
-    room_.organ()->updateRange(r.first, 0,
-                               {surface.points().subspan(r.first, r.count),
-                                surface.normals().subspan(r.first, r.count),
-                                surface.cut().subspan(r.first, r.count),
-                                {},
-                                {}});
-  for (const IndexRange& r : changes.triangles)
-    room_.organ()->updateRange(0, r.first,
-                               {{}, {}, {}, surface.triangles().subspan(r.first, r.count), {}});
+  publisher_.follow(presentSurface(simulation));
+  follow(publisher_.take());
 }
 
-void OperationView::follow(const SurfaceUpdate& update) {
-  if (update.everything) room_.organ()->setGeometry({});
-  for (const SurfaceUpdate::Vertices& v : update.vertices)
-    room_.organ()->updateRange(v.first, 0, {v.points, v.normals, v.cut, {}, v.rest});
-  for (const SurfaceUpdate::Triangles& t : update.triangles)
-    room_.organ()->updateRange(0, t.first, {{}, {}, {}, t.triangles, {}});
-}
+void OperationView::follow(const SurfaceUpdate& update) { room_.organ()->update(update); }
 
 }  // namespace resect

@@ -7,9 +7,10 @@
 
 #include "inventor/offscreen_view.h"
 #include "inventor/operating_room.h"
-#include "operation/live_operation.h"
+#include "operation/live/surface_publisher.h"
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
+#include "surface/surface_update.h"
 
 class SoNode;
 
@@ -26,7 +27,7 @@ class OperationView {
   // must be one of roomView()'s; an Error lists them. From then on the simulation keeps its look.
   OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
 
-  // After every step: moves the tools and hands on the changed ranges of the surface.
+  // After every step: moves the tools and hands on what has changed of the surface, as it is now.
   void follow(const Simulation& simulation);
   // The same for an operation that goes on in another thread; the tools stay where they are.
   void follow(const SurfaceUpdate& update);
@@ -36,9 +37,8 @@ class OperationView {
   OperatingRoom& room() { return room_; }
 
  private:
-  void setOrgan(const Simulation& simulation);
-
   OperatingRoom room_;
+  SurfacePublisher publisher_{0};  // of the simulation that is followed: all that moves is shown
 };
 
 }  // namespace resect

@@ -66,17 +66,12 @@ TriangleBlocks::Box TriangleBlocks::box() const {
   return all;
 }
 
-std::vector<TriangleBlocks::Run> TriangleBlocks::within(const HalfSpaces& spaces) const {
+// The triangles of those blocks that hold some and are wanted, by their boxes.
+template <typename Wanted>
+std::vector<TriangleBlocks::Run> TriangleBlocks::runsOf(Wanted wanted) const {
   std::vector<Run> runs;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const Block& block = blocks_[b];
-    if (block.high < 0) continue;
-    // The corner that lies farthest into each half space decides.
-    const bool meets = std::ranges::all_of(spaces, [&](const Eigen::Vector4f& s) {
-      const Vec3f corner = (s.head<3>().array() > 0).select(block.box.high, block.box.low);
-      return corner.dot(s.head<3>()) + s[3] >= 0;
-    });
-    if (!meets) continue;
+    if (blocks_[b].high < 0 || !wanted(blocks_[b].box)) continue;
     const std::size_t first = b * kTriangles;
     if (!runs.empty() && runs.back().first + runs.back().count == first)
       runs.back().count += kTriangles;
@@ -84,6 +79,24 @@ std::vector<TriangleBlocks::Run> TriangleBlocks::within(const HalfSpaces& spaces
       runs.push_back({first, kTriangles});
   }
   return runs;
+}
+
+std::vector<TriangleBlocks::Run> TriangleBlocks::within(const HalfSpaces& spaces) const {
+  // The corner that lies farthest into each half space decides.
+  return runsOf([&](const Box& box) {
+    return std::ranges::all_of(spaces, [&](const Eigen::Vector4f& s) {
+      const Vec3f corner = (s.head<3>().array() > 0).select(box.high, box.low);
+      return corner.dot(s.head<3>()) + s[3] >= 0;
+    });
+  });
+}
+
+std::vector<TriangleBlocks::Run> TriangleBlocks::along(const Ray& ray) const {
+  return runsOf([&](const Box& box) {
+    // A little larger than it is: rounding must not lose the triangles in its sides.
+    const double margin = 1e-6 * double((box.high - box.low).maxCoeff());
+    return meets(ray, Aabb{box.low.cast<double>(), box.high.cast<double>()}.padded(margin));
+  });
 }
 
 TriangleBlocks::HalfSpaces halfSpacesOf(const float matrix[4][4], const Eigen::Vector2f& low,

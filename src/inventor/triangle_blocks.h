@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "geometry/ray.h"
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
@@ -44,6 +45,8 @@ class TriangleBlocks {
   // their order.
   Box box() const;
   std::vector<Run> within(const HalfSpaces& spaces) const;
+  // The same: those that the ray may meet.
+  std::vector<Run> along(const Ray& ray) const;
 
  private:
   struct Block {
@@ -51,6 +54,8 @@ class TriangleBlocks {
     std::int32_t low = 0, high = -1;  // none used
     bool stale = true;
   };
+  template <typename Wanted>
+  std::vector<Run> runsOf(Wanted wanted) const;
   struct Range {
     std::size_t begin, end;
   };

@@ -10,6 +10,7 @@
 #include "io/scenario_file.h"
 #include "operation/room.h"
 #include "operation/run.h"
+#include "support/nearest_triangle.h"
 #include "support/operating_bench.h"
 #include "support/temporary_folder.h"
 
@@ -187,6 +188,101 @@ TEST_CASE("the camera orbits, zooms and pans, and comes home") {
 TEST_CASE("a point of the organ is found under a pixel") {
   Bench bench;
   CHECK(bench.session->cells().lattice.box().padded(0.01).contains(bench.pointOfOrgan()));
+}
+
+namespace {
+
+// m: from the surface as the operation says that it is now.
+double offSurface(OperatingSession& session, const Vec3& point) {
+  const TriangleMesh mesh = session.operation().surface().mesh;
+  return test::NearestTriangle(mesh, 0.01)(point).distance;
+}
+
+}  // namespace
+
+TEST_CASE("where tissue was cut away the point under a pixel lies on the wound, not on what was") {
+  Bench bench;
+  const auto whole = bench.session->operation().surface().mesh;
+  const Vec3 before = bench.pointOfOrgan();
+  CHECK(offSurface(*bench.session, before) < 1e-6);
+  bench.tools().hold(2, ToolHandling::Hold::Direct);
+  const Vec3 eye = [&] {
+    const SbVec3f p = bench.session->room().camera()->position.getValue();
+    return Vec3(p[0], p[1], p[2]);
+  }();
+  const Vec3 inwards = (before - eye).normalized();
+  // Swept to and fro over what is seen there, deeper and deeper.
+  for (int i = 0; i < 24; ++i) {
+    const Vec3 aside(0.02 * (i % 2 ? 1 : -1), 0, 0);
+    bench.tools().setPose(2, {before + aside + 0.001 * (i - 4) * inwards,
+                              Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), -inwards)});
+    bench.settle();
+  }
+  bench.tools().hold(-1, ToolHandling::Hold::None);
+  bench.tools().putBack(2);
+  bench.settle();
+  REQUIRE(bench.session->state().removed > 0);
+  const Vec3 now = bench.pointOfOrgan();
+  CHECK(offSurface(*bench.session, now) < 1e-6);
+  CHECK(test::NearestTriangle(whole, 0.01)(now).distance > 0.003);
+  CHECK((now - before).dot(inwards) > 0.003);
+  // Still under that pixel.
+  const SbVec2s at = bench.session->pixelOf(before, bench.viewport);
+  const SbVec2s seen = bench.session->pixelOf(now, bench.viewport);
+  CHECK(std::abs(at[0] - seen[0]) <= 1);
+  CHECK(std::abs(at[1] - seen[1]) <= 1);
+}
+
+TEST_CASE("where tissue has moved the point under a pixel lies on the surface as it is seen now") {
+  Scenario scenario;
+  scenario.organ.spacing = 0.016;
+  scenario.tissue.elastic = true;
+  int place = 0;
+  for (const ToolKind& kind : toolKinds())
+    scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
+  const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
+  Organ organ = makeOrgan(loadCells(scenario.organ, reader), scenario.organ.settings);
+  const TriangleMesh atRest = organ.surface.mesh();
+  auto tissue = makeTissue(scenario.tissue, organ);
+  OperatingSession session(scenario,
+                           std::make_unique<Simulation>(
+                               std::move(organ), loadTools(scenario, reader), std::move(tissue)),
+                           1.6);
+  // It sinks under its own weight.
+  session.operation().waitFor(90);
+  session.operation().setPaused(true);
+  session.operation().surface();  // the frame in work is over
+  session.update();
+  const SbViewportRegion viewport(800, 500);
+  const Aabb box = session.cells().lattice.box();
+  double moved = 0;
+  for (int i = 0; i < 9; ++i) {
+    const Vec3 through =
+        box.centre() + 0.25 * Vec3((i % 3 - 1) * box.size().x(), 0, (i / 3 - 1) * box.size().z());
+    Vec3 point;
+    REQUIRE(session.pointUnder(session.pixelOf(through, viewport), viewport, point));
+    if (point.y() < 1e-6) continue;  // the table
+    // To within the motion that no eye sees.
+    CHECK(offSurface(session, point) < 2e-4);
+    moved = std::max(moved, test::NearestTriangle(atRest, 0.01)(point).distance);
+  }
+  CHECK(moved > 1e-3);
+  session.operation().setPaused(false);
+}
+
+TEST_CASE(
+    "beside the organ the point under a pixel lies on the table, and on the wall there is none") {
+  Bench bench;
+  const Vec3 onTable(0, 0, bench.session->cells().lattice.box().max.z() + 0.03);
+  Vec3 point;
+  REQUIRE(bench.session->pointUnder(bench.session->pixelOf(onTable, bench.viewport), bench.viewport,
+                                    point));
+  CHECK(std::abs(point.y()) < 1e-6);
+  CHECK((point - onTable).norm() < 0.005);  // some pixels
+  // Level with the table's top and upwards there is nothing.
+  auto* camera = bench.session->room().camera();
+  camera->pointAt(camera->position.getValue() + SbVec3f(0, 0.2f, -1), SbVec3f(0, 1, 0));
+  CHECK_FALSE(bench.session->pointUnder({400, 250}, bench.viewport, point));
 }
 
 TEST_CASE("a scene that is saved comes back with organ, tools and camera") {

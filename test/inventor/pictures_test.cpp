@@ -61,7 +61,7 @@ struct BallOnTable {
       normals.push_back((p - Vec3(0, 0.07, 0)).normalized().cast<float>());
     }
     const std::vector<float> cut(points.size(), share);
-    room.organ()->setGeometry({points, normals, cut, ball.triangles, {}});
+    room.organ()->update(wholeSurface(points, normals, cut, ball.triangles));
   }
 };
 

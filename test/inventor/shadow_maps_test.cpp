@@ -38,13 +38,15 @@ struct Scene {
   }
   // A dent, and the triangles of its middle gone.
   void dent() {
-    std::vector<Vec3f> some(points.begin() + 60, points.begin() + 140);
-    for (Vec3f& p : some) p -= Vec3f(0, 0.03f, 0);
-    const std::vector<float> cut(some.size(), 1.0f);
-    room.organ()->updateRange(60, 0,
-                              {some, std::span(normals).subspan(60, some.size()), cut, {}, {}});
-    const std::vector<Triangle> holes(40, Triangle{0, 0, 0});
-    room.organ()->updateRange(0, 20, {{}, {}, {}, holes, {}});
+    const IndexRange dented{60, 80}, gone{20, 40};
+    std::vector<Vec3f> now = points;
+    for (int v = dented.first; v < dented.first + dented.count; ++v)
+      now[std::size_t(v)] -= Vec3f(0, 0.03f, 0);
+    SurfaceUpdate update;
+    addNewVertices(update, dented, now, std::vector<float>(now.size(), 1.0f));
+    addMovedVertices(update, dented, now, normals);
+    addNewTriangles(update, gone, std::vector<Triangle>(ball.triangles.size(), Triangle{0, 0, 0}));
+    room.organ()->update(update);
   }
 };
 

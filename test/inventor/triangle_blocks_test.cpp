@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "base/random.h"
 #include "geometry/primitives.h"
 
@@ -22,10 +24,13 @@ struct Ball {
     blocks.trianglesChanged(0, triangles.size());
     blocks.refresh(points, triangles);
   }
-  // Those in the runs.
   std::vector<std::uint8_t> taken(const TriangleBlocks::HalfSpaces& spaces) const {
+    return inRuns(blocks.within(spaces));
+  }
+  // 1 for those in the runs.
+  std::vector<std::uint8_t> inRuns(const std::vector<TriangleBlocks::Run>& runs) const {
     std::vector<std::uint8_t> taken(triangles.size());
-    for (const TriangleBlocks::Run& run : blocks.within(spaces))
+    for (const TriangleBlocks::Run& run : runs)
       for (std::size_t t = run.first; t < std::min(run.first + run.count, triangles.size()); ++t)
         taken[t] = 1;
     return taken;
@@ -68,6 +73,38 @@ TEST_CASE("no triangle with a corner in all half spaces is left out, and most ot
     least = std::min(least, std::ranges::count(ball.taken(cap), 1));
   }
   CHECK(least < std::ptrdiff_t(ball.triangles.size() / 8));
+}
+
+TEST_CASE("no triangle that a ray meets is left out, and most others are") {
+  const Ball ball;
+  Random random(9);
+  const auto corner = [&](std::int32_t v) {
+    return Vec3(ball.points[std::size_t(v)].cast<double>());
+  };
+  int met = 0;
+  for (int trial = 0; trial < 50; ++trial) {
+    const auto any = [&](double most) {
+      return Vec3(random.uniform(-most, most), random.uniform(-most, most),
+                  random.uniform(-most, most));
+    };
+    Ray ray{any(2), any(1)};
+    ray.direction = any(0.8) - ray.origin;
+    const auto taken = ball.inRuns(ball.blocks.along(ray));
+    for (std::size_t i = 0; i < ball.triangles.size(); ++i) {
+      const Triangle& t = ball.triangles[i];
+      if (std::isinf(firstMeeting(ray, corner(t[0]), corner(t[1]), corner(t[2])))) continue;
+      REQUIRE(taken[i]);
+      ++met;
+    }
+  }
+  CHECK(met > 40);
+  // Through the middle; strips of triangles reach round the ball, an organ's bricks are compact.
+  std::ptrdiff_t least = std::ptrdiff_t(ball.triangles.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    const Ray ray{2.0 * Vec3::Unit(axis) + Vec3::Constant(0.01), -Vec3::Unit(axis)};
+    least = std::min(least, std::ranges::count(ball.inRuns(ball.blocks.along(ray)), 1));
+  }
+  CHECK(least < std::ptrdiff_t(ball.triangles.size() / 3));
 }
 
 TEST_CASE("what moved is found where it is now, and holes fill nothing") {

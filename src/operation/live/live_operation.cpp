@@ -1,0 +1,133 @@
+#include "operation/live/live_operation.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/stage_clock.h"
+#include "operation/live/squeeze_speed.h"
+
+namespace resect {
+
+LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
+                             double frameRate)
+    : simulation_(std::move(simulation)),
+      frameRate_(frameRate),
+      wholeVolume_(simulation_->organ().rest.volume()) {
+  simulation_->keepLook();
+  input_.duration = 1 / frameRate_;
+  for (const Pose& rest : rests) input_.tools.push_back({rest, false, 1});
+  thread_ = std::thread([this] { work(); });
+}
+
+LiveOperation::~LiveOperation() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  wake_.notify_all();
+  thread_.join();
+}
+
+void LiveOperation::setTool(int tool, const ToolInput& input) {
+  const std::lock_guard lock(mutex_);
+  input_.tools.at(std::size_t(tool)) = input;
+}
+
+void LiveOperation::setIso(float iso) {
+  const std::lock_guard lock(mutex_);
+  input_.iso = iso;
+}
+
+void LiveOperation::play(std::function<std::optional<FrameInput>()> motion) {
+  const std::lock_guard lock(mutex_);
+  motion_ = std::move(motion);
+}
+
+bool LiveOperation::playing() const {
+  const std::lock_guard lock(mutex_);
+  return bool(motion_);
+}
+
+void LiveOperation::setPaused(bool paused) {
+  {
+    const std::lock_guard lock(mutex_);
+    paused_ = paused;
+  }
+  wake_.notify_all();
+}
+
+bool LiveOperation::take(SurfaceUpdate& update, LiveState& state) {
+  const std::lock_guard lock(mutex_);
+  if (!fresh_) return false;
+  fresh_ = false;
+  update = publisher_.take();
+  state = state_;
+  return true;
+}
+
+SurfaceTracker::Compact LiveOperation::surface() {
+  std::unique_lock lock(mutex_);
+  ++readers_;
+  newFrame_.wait(lock, [&] { return !stepping_; });
+  SurfaceTracker::Compact surface = simulation_->surface();
+  --readers_;
+  lock.unlock();
+  wake_.notify_all();
+  return surface;
+}
+
+void LiveOperation::waitFor(std::int64_t frame) {
+  std::unique_lock lock(mutex_);
+  newFrame_.wait(lock, [&] { return state_.frame >= frame; });
+}
+
+// Waits for the time of the next frame; nothing: the operation ends.
+std::optional<LiveOperation::Frame> LiveOperation::nextFrame(
+    std::chrono::steady_clock::time_point due) {
+  std::unique_lock lock(mutex_);
+  wake_.wait_until(lock, due, [&] { return ending_; });
+  wake_.wait(lock, [&] { return ending_ || (!paused_ && readers_ == 0); });
+  if (ending_) return std::nullopt;
+  stepping_ = true;
+  Frame frame{input_, {}};
+  input_.iso.reset();
+  if (const auto next = motion_ ? motion_() : std::nullopt)
+    frame.input.tools = frame.played = next->tools;
+  else
+    motion_ = {};
+  return frame;
+}
+
+void LiveOperation::work() {
+  using Clock = std::chrono::steady_clock;
+  const auto period =
+      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / frameRate_));
+  LastSecond lastSecond(frameRate_);
+  StepReport report;
+  auto due = Clock::now();
+  while (std::optional<Frame> frame = nextFrame(due)) {
+    FrameInput& input = frame->input;
+    if (frame->played.empty())  // a hand holds them
+      for (std::size_t i = 0; i < input.tools.size(); ++i)
+        input.tools[i].squeeze =
+            squeezeTowards(input.tools[i].squeeze, simulation_->tools()[i].way.to.squeeze,
+                           input.duration);
+    StageClock clock;
+    simulation_->step(input, report, &clock);
+    lastSecond.add(clock, steadySeconds());
+    StepTimes times = lastSecond.times();
+    {
+      const std::lock_guard lock(mutex_);
+      publisher_.follow(presentSurface(*simulation_));
+      noteStep(state_, *simulation_, report, wholeVolume_);
+      state_.played = std::move(frame->played);
+      state_.times = std::move(times);
+      fresh_ = true;
+      stepping_ = false;
+    }
+    newFrame_.notify_all();
+    due = std::max(due + period, Clock::now());
+  }
+}
+
+}  // namespace resect

@@ -1,0 +1,39 @@
+// What is there to show of an operation besides its surface: counts, volumes, forces, times?
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "operation/live/step_times.h"
+#include "operation/live/tip_place.h"
+#include "simulation/simulation.h"
+
+namespace resect {
+
+// The newest state.
+struct LiveState {
+  std::int64_t frame = 0;
+  double time = 0;         // simulated, s
+  double lastRemoval = 0;  // s of the steady clock: when a frame last took particles away
+  std::int64_t particles = 0, removed = 0, triangles = 0;
+  double removedVolume = 0, volume = 0;  // m^3
+  float iso = 50;
+  bool moves = false;               // the tissue is elastic
+  std::vector<std::string> faults;  // of the last frame
+  std::vector<ToolInput> played;    // what a motion made the tools do; empty: none did
+  StepTimes times;
+  // One per tool.
+  std::vector<TipPlace> tips;          // meaningful for those in hand
+  std::vector<double> squeeze;         // of its jaws
+  std::vector<double> forces;          // of the tissue on it as a hand feels it, N
+  std::vector<double> lastTouch;       // simulated time when it last touched tissue, s; -1 never
+  std::vector<std::uint8_t> touching;  // 1 if that was lately (0.1 s)
+};
+
+// After a step of a simulation that keeps its look: all but what was played, and the times.
+// `before`: volume of the tissue before the operation, m^3.
+void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
+              double before);
+
+}  // namespace resect

@@ -1,0 +1,38 @@
+// How fast is an operation, by its steps of the last second?
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/stage_clock.h"
+
+namespace resect {
+
+struct StageTime {
+  std::string name;
+  double median = 0;  // s
+};
+
+struct StepTimes {
+  std::vector<StageTime> stages;
+  double median = 0, worst = 0;  // s, of whole steps
+  double realTimeFactor = 1;     // simulated over elapsed time
+};
+
+class LastSecond {
+ public:
+  explicit LastSecond(double frameRate);  // simulated frames per second
+  // clock: of one step. arrival: when it was done, s of the steady clock.
+  void add(const StageClock& clock, double arrival);
+  // Since that number of steps that a second should have. Cost: sorting them, for each stage.
+  StepTimes times() const;
+
+ private:
+  void keep(std::vector<double>& values, double value) const;
+
+  double frameRate_;
+  std::vector<StageTimes> laps_;
+  std::vector<double> steps_, arrivals_;
+};
+
+}  // namespace resect

@@ -1,0 +1,77 @@
+#include "operation/live/surface_publisher.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace resect {
+
+void SurfacePublisher::follow(const PresentSurface& surface) {
+  const SurfaceTracker& tracker = surface.organ.surface;
+  const SurfaceTracker::Changes& changes = tracker.changes();
+  // Whoever does not keep up is told the whole once instead of the same ranges many times.
+  const bool late = update_.rest.size() > 2 * tracker.points().size() ||
+                    update_.triangles.size() > 2 * tracker.triangles().size();
+  if (!std::exchange(begun_, true) || update_.everything || changes.everything || late)
+    return tellEverything(surface);
+
+  for (const IndexRange& r : changes.vertices)
+    addNewVertices(update_, r, tracker.points(), tracker.cut());
+  for (const IndexRange& r : changes.triangles) addNewTriangles(update_, r, tracker.triangles());
+  if (!surface.moves) {
+    for (const IndexRange& r : changes.vertices)
+      addMovedVertices(update_, r, surface.points, surface.normals);
+    return;
+  }
+  // What an earlier step said of moving vertices is past.
+  update_.movedVertices.clear(), update_.points.clear(), update_.normals.clear();
+  findUnseen(surface.points, changes.vertices);
+  for (std::size_t c = 0; c < unseen_.size(); ++c) {
+    std::size_t end = c;
+    while (end < unseen_.size() && unseen_[end]) ++end;
+    if (end == c) continue;
+    const std::int32_t first = std::int32_t(c) * kChunk;
+    const std::int32_t last = std::min(std::int32_t(end) * kChunk, std::int32_t(told_.size()));
+    addMovedVertices(update_, {first, last - first}, surface.points, surface.normals);
+    c = end;
+  }
+}
+
+void SurfacePublisher::tellEverything(const PresentSurface& surface) {
+  const SurfaceTracker& tracker = surface.organ.surface;
+  update_ = wholeSurface(surface.points, surface.normals, tracker.cut(), tracker.triangles(),
+                         tracker.points());
+  if (!surface.moves) return;
+  told_.assign(surface.points.begin(), surface.points.end());
+  unseen_.assign((told_.size() + kChunk - 1) / kChunk, 0);
+}
+
+// Marks the chunks with vertices that are new, or have moved enough to be seen.
+void SurfacePublisher::findUnseen(std::span<const Vec3f> points,
+                                  std::span<const IndexRange> changed) {
+  const Vec3f nowhere = Vec3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  told_.resize(points.size(), nowhere);
+  unseen_.resize((points.size() + kChunk - 1) / kChunk, 0);
+  for (const IndexRange& r : changed)
+    std::fill_n(told_.begin() + std::ptrdiff_t(r.first), r.count, nowhere);
+  for (std::size_t c = 0; c < unseen_.size(); ++c) {
+    const auto chunk = [&](auto span) {
+      return span.subspan(c * kChunk, std::min<std::size_t>(kChunk, span.size() - c * kChunk));
+    };
+    const std::span<Vec3f> before = chunk(std::span(told_));
+    const std::span<const Vec3f> now = chunk(points);
+    const bool same = std::ranges::equal(before, now, [&](const Vec3f& p, const Vec3f& q) {
+      return (p - q).squaredNorm() <= seenMotion_ * seenMotion_;
+    });
+    if (same) continue;
+    unseen_[c] = 1;
+    std::ranges::copy(now, before.begin());
+  }
+}
+
+SurfaceUpdate SurfacePublisher::take() {
+  unseen_.assign(unseen_.size(), 0);
+  return std::exchange(update_, {});
+}
+
+}  // namespace resect
