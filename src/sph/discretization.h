@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "collision/region.h"
 #include "sph/colour_values.h"
 #include "sph/lattice.h"
 
@@ -21,7 +23,24 @@ struct Discretization {
   // Fitted values (organ/fit_surface.h) draw the body's surface rather than fill its cells; those
   // between 0 and 100 times this add up to its volume.
   double skinScale = 1;
+  // Which structure each cell belongs to; 0 is the organ's own parenchyma. Empty: all 0.
+  std::vector<std::uint8_t> label;
+  std::vector<std::string> labelNames;  // by label; what has none is empty or beyond the end
+  std::vector<Landmark> landmarks;
 
+  std::uint8_t labelOf(std::int64_t cell) const {
+    return label.empty() ? std::uint8_t(0) : label[std::size_t(cell)];
+  }
+  // For people: "tumour", or "label 3" for one that was given no name.
+  std::string labelName(int number) const {
+    if (std::size_t(number) < labelNames.size() && !labelNames[std::size_t(number)].empty())
+      return labelNames[std::size_t(number)];
+    return number == 0 ? "parenchyma" : "label " + std::to_string(number);
+  }
+  void nameLabel(int number, const std::string& name) {
+    if (labelNames.size() <= std::size_t(number)) labelNames.resize(std::size_t(number) + 1);
+    labelNames[std::size_t(number)] = name;
+  }
   std::int64_t particleCount() const {
     std::int64_t count = 0;
     for (std::uint8_t flag : inside) count += flag;
