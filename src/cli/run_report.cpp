@@ -12,6 +12,17 @@ nlohmann::ordered_json toJson(const SurfaceSummary& surface) {
           {"volume_ml", 1e6 * surface.volume}};
 }
 
+nlohmann::ordered_json toJson(const LabelSummary::Amount& amount) {
+  return {{"particles", amount.particles},
+          {"tissue_ml", 1e6 * amount.volume},
+          {"mass_g", 1e3 * amount.mass}};
+}
+
+// Only the organ's own label is no news.
+bool hasLabels(const RunSummary& summary) {
+  return summary.labels.size() > 1 || (summary.labels.size() == 1 && summary.labels[0].label > 0);
+}
+
 }  // namespace
 
 nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario) {
@@ -33,6 +44,13 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
     json["pieces"].back()["tissue_ml"] = 1e6 * piece.tissue;
     json["pieces"].back()["mass_g"] = 1e3 * piece.mass;
   }
+  if (hasLabels(summary))
+    for (const LabelSummary& label : summary.labels)
+      json["labels"].push_back({{"label", label.label},
+                                {"name", label.name},
+                                {"before", toJson(label.before)},
+                                {"removed", toJson(label.removed)},
+                                {"remaining", toJson(label.remaining)}});
   for (const StageTimes& stage : summary.stages) {
     const TimeSummary t = summarise(stage.seconds);
     json["stages_ms"][stage.name] = {{"median", 1e3 * t.median},
@@ -81,6 +99,13 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
   if (summary.pieces.size() > 4) pieces += fmt::format(" + {} smaller", summary.pieces.size() - 4);
   row("pieces",
       fmt::format("{}: {}", summary.pieces.size(), pieces.empty() ? "nothing is left" : pieces));
+  if (hasLabels(summary))
+    for (const LabelSummary& label : summary.labels)
+      row(label.label == summary.labels[0].label ? "labels" : "",
+          fmt::format("{}: {} of {} particles removed, {:.2f} of {:.2f} ml, {:.2f} of {:.2f} g",
+                      label.name, label.removed.particles, label.before.particles,
+                      1e6 * label.removed.volume, 1e6 * label.before.volume,
+                      1e3 * label.removed.mass, 1e3 * label.before.mass));
   if (summary.tissueMoves) {
     std::string forces;
     for (const ToolForces& tool : summary.forces)

@@ -13,6 +13,47 @@ SurfaceSummary summarise(const TriangleMesh& surface) {
   return {std::int64_t(surface.triangles.size()), t.closed(), t.oriented(), volume(surface)};
 }
 
+std::vector<LabelSummary> summariseLabels(const Organ& organ, const TissueSetup& tissue) {
+  const Discretization& rest = organ.rest;
+  std::vector<LabelSummary> all(256);
+  for (std::int64_t cell = 0; cell < rest.lattice.cellCount(); ++cell) {
+    const bool particle = rest.inside[std::size_t(cell)];
+    // What skin cells hold counts with their particle; those without one are on their own.
+    if (!particle && !(rest.value[std::size_t(cell)] > 0 && ownerCell(rest, cell) == cell))
+      continue;
+    LabelSummary& label = all[rest.labelOf(cell)];
+    const double volume = particleVolume(rest, cell);
+    label.before.particles += particle;
+    label.before.volume += volume;
+    LabelSummary::Amount& now = organ.alive[std::size_t(cell)] ? label.remaining : label.removed;
+    now.particles += particle;
+    now.volume += volume;
+  }
+  std::vector<LabelSummary> labels;
+  for (int i = 0; i < int(all.size()); ++i) {
+    LabelSummary& one = all[std::size_t(i)];
+    if (one.before.particles == 0) continue;
+    one.label = i;
+    one.name = rest.labelName(i);
+    const double density = tissue.materialOf(i).density;
+    for (LabelSummary::Amount* amount : {&one.before, &one.removed, &one.remaining})
+      amount->mass = amount->volume * density;
+    labels.push_back(std::move(one));
+  }
+  return labels;
+}
+
+namespace {
+
+double massOf(const Body& body, const TissueSetup& tissue) {
+  double mass = 0;
+  for (std::size_t label = 0; label < body.tissueOf.size(); ++label)
+    mass += body.tissueOf[label] * tissue.materialOf(int(label)).density;
+  return mass;
+}
+
+}  // namespace
+
 RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
                        const FrameObserver& observer) {
   RunSummary summary;
@@ -61,8 +102,9 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   const TriangleMesh surface = simulation.surfaceMesh();
   summary.surface = summarise(surface);
   for (const Body& body : bodies(organ, surface))
-    summary.pieces.push_back({summarise(body.mesh), body.particles, body.tissue,
-                              body.tissue * scenario.tissue.material.density});
+    summary.pieces.push_back(
+        {summarise(body.mesh), body.particles, body.tissue, massOf(body, scenario.tissue)});
+  summary.labels = summariseLabels(organ, scenario.tissue);
   summary.stateHash = simulation.stateHash();
   return summary;
 }

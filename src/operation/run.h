@@ -26,6 +26,20 @@ struct PieceSummary {
   double mass = 0;    // kg
 };
 
+// What became of the cells of a label.
+struct LabelSummary {
+  struct Amount {
+    std::int64_t particles = 0;
+    double volume = 0;  // m^3, with the skin's share
+    double mass = 0;    // kg, by the density of the label's material
+  };
+  int label = 0;
+  std::string name;
+  Amount before, removed, remaining;
+};
+// Of each label that particles have, ascending; before what was removed in `organ` and after.
+std::vector<LabelSummary> summariseLabels(const Organ& organ, const TissueSetup& tissue);
+
 // The force on a tool over the frames, N.
 struct ToolForces {
   std::string tool;
@@ -45,6 +59,7 @@ struct RunSummary {
   double computedSeconds = 0;  // spent in the steps, pictures not counted
   SurfaceSummary surfaceBefore, surface;
   std::vector<PieceSummary> pieces;  // bodies of the organ at the end, the largest first
+  std::vector<LabelSummary> labels;  // one per label, ascending; the organ's own is label 0
   std::vector<StageTimes> stages;
   std::vector<std::string> faults;  // each once
   bool tissueMoves = false;

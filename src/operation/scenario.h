@@ -12,6 +12,13 @@
 
 namespace resect {
 
+// Cells of the organ that belong to a structure of their own.
+struct OrganLabel {
+  int label = 1;     // 1 to 255
+  std::string name;  // may be empty
+  Region region;
+};
+
 // Where the organ comes from and how finely it is taken.
 struct OrganSource {
   std::string file;               // model or discretisation file; built in: "" liver, "gallbladder"
@@ -25,6 +32,8 @@ struct OrganSource {
   bool onTable = true;  // moved so that it stands centred on the table top, y = 0
   bool settle = true;   // on the table, rolled to the nearest pose in which it lies still
   OrganSettings settings;
+  std::vector<Landmark> landmarks;  // besides those of a file of cells
+  std::vector<OrganLabel> labels;  // besides those of a file of cells; where they meet the last one
 };
 
 // A tool is here at this time; between keys it moves linearly and turns along the shorter great
@@ -48,12 +57,25 @@ struct ScenarioTool {
       keys;  // ascending times; in hand from the first key's time to the last one's
 };
 
-// How the organ's tissue moves; one material for all of it.
-struct TissueSetup {
-  bool elastic = false;  // false: it does not move, as in the original system
+// What cells of a label are of.
+struct LabelMaterial {
+  int label = 1;  // 1 to 255
   TissueMaterial material;
+};
+
+// How the organ's tissue moves.
+struct TissueSetup {
+  bool elastic = false;     // false: it does not move, as in the original system
+  TissueMaterial material;  // of the organ's own cells, and of labels that have none
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;
+  std::vector<LabelMaterial> materials;  // a label once
+
+  const TissueMaterial& materialOf(int label) const {
+    for (const LabelMaterial& one : materials)
+      if (one.label == label) return one.material;
+    return material;
+  }
 };
 
 struct Scenario {

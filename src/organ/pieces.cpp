@@ -145,7 +145,11 @@ std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface) {
     const std::int32_t piece = pieceOfCell(organ, pieceOf, cell);
     if (piece < 0) continue;
     ++pieces[piece].particles;
-    pieces[piece].tissue += particleVolume(organ.rest, cell);
+    const double tissue = particleVolume(organ.rest, cell);
+    pieces[piece].tissue += tissue;
+    const std::size_t label = organ.rest.labelOf(cell);
+    if (pieces[piece].tissueOf.size() <= label) pieces[piece].tissueOf.resize(label + 1);
+    pieces[piece].tissueOf[label] += tissue;
   }
   std::vector<std::uint8_t> holdsParticle(pieces.size());
   std::ranges::transform(pieces, holdsParticle.begin(),

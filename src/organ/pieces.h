@@ -13,9 +13,11 @@ namespace resect {
 std::vector<TriangleMesh> bodies(const TriangleMesh& surface);
 
 struct Body {
-  TriangleMesh mesh;           // closed
-  std::int64_t particles = 0;  // 0: a crumb
-  double tissue = 0;           // m^3 of its particles, skin included; times density: its mass
+  TriangleMesh mesh;             // closed
+  std::int64_t particles = 0;    // 0: a crumb
+  double tissue = 0;             // m^3 of its particles, skin included
+  std::vector<double> tissueOf;  // m^3 of it per label, up to the highest that it holds; times the
+                                 // labels' densities: its mass
 };
 
 // The same for an organ with incisions, whose lips lie on each other: two parts of the surface

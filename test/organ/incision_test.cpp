@@ -95,7 +95,7 @@ TEST_CASE("cut right through, an organ is separate closed bodies whose volumes a
   double sum = 0, tissueSum = 0;
   std::int64_t particleSum = 0;
   int large = 0;
-  for (const auto& [piece, particles, tissue] : pieces) {
+  for (const auto& [piece, particles, tissue, labels] : pieces) {
     CHECK(test::wrongWith(piece) == "");
     CHECK(volume(piece) > 0);
     CHECK(particles > 0);
@@ -262,7 +262,7 @@ TEST_CASE("a liver cut twenty times at random stays closed, keeps its volume and
     const auto pieces = bodies(organ);
     double sum = 0;
     int crumbs = 0;
-    for (const auto& [piece, particles, tissue] : pieces) {
+    for (const auto& [piece, particles, tissue, labels] : pieces) {
       REQUIRE(test::wrongWith(piece) == "");
       sum += volume(piece);
       crumbs += volume(piece) < 8 * organ.rest.lattice.cellVolume();
