@@ -1,20 +1,30 @@
 #include "io/operation_setup.h"
 
+#include <array>
+
 #include "base/error.h"
 #include "geometry/resting_pose.h"
 #include "io/data_folder.h"
-#include "io/discretization_file.h"
 #include "io/organ_mesh.h"
+#include "io/particle_file.h"
 #include "io/scenario_file.h"
 #include "organ/builtin_gallbladder.h"
 #include "organ/builtin_liver.h"
+#include "organ/cell_labels.h"
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
+#include "organ/region_placer.h"
 #include "tissue/still_tissue.h"
 #include "tools/registry.h"
 
 namespace resect {
 namespace {
+
+// For people who have to move a region.
+std::string boxText(const Aabb& box) {
+  return fmt::format("[[{:.3f}, {:.3f}, {:.3f}], [{:.3f}, {:.3f}, {:.3f}]] m", box.min.x(),
+                     box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z());
+}
 
 // What lays a box on the table: centred over the origin, lowest point on the table top.
 Vec3 ontoTable(const Aabb& box) { return {-box.centre().x(), -box.min.y(), -box.centre().z()}; }
@@ -29,6 +39,44 @@ Discretization sample(const TriangleMesh& surface, const OrganSource& source,
       progress);
   fitSurface(surface, cells);
   return cells;
+}
+
+// Landmarks and labels that the source names, on top of those that the cells have.
+void label(Discretization& cells, const OrganSource& source) {
+  cells.landmarks.insert(cells.landmarks.end(), source.landmarks.begin(), source.landmarks.end());
+  RegionPlacer place(cells);
+  for (const OrganLabel& one : source.labels) {
+    if (markCells(cells, one.label, place(one.region)) == 0)
+      throw error(
+          "label {}{} marks no particle of the organ; move or enlarge its region (the organ at "
+          "rest "
+          "fills {})",
+          one.label, one.name.empty() ? "" : " (" + one.name + ")", boxText(particleBox(cells)));
+    if (!one.name.empty()) cells.nameLabel(one.label, one.name);
+  }
+  if (!source.labels.empty()) labelSkin(cells);
+}
+
+// Per label that has particles: the number of its material, 0 for the organ's own.
+std::array<std::uint8_t, 256> materialNumbers(const TissueSetup& setup,
+                                              const Discretization& cells) {
+  std::array<std::uint8_t, 256> number{};
+  if (setup.materials.empty()) return number;
+  const auto particles = labelledParticles(cells);
+  for (std::size_t i = 0; i < setup.materials.size(); ++i) {
+    const int label = setup.materials[i].label;
+    if (particles[std::size_t(label)] == 0) {
+      std::string known;
+      for (int other = 1; other < 256; ++other)
+        if (particles[std::size_t(other)] > 0)
+          known +=
+              fmt::format("{}{} ({})", known.empty() ? "" : ", ", other, cells.labelName(other));
+      throw error("there is a material for label {}, which no particle of the organ has; {}", label,
+                  known.empty() ? "mark cells by [[organ.label]]" : "labels are " + known);
+    }
+    number[std::size_t(label)] = std::uint8_t(i + 1);
+  }
+  return number;
 }
 
 }  // namespace
@@ -54,23 +102,38 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
   return transformed(std::move(mesh), {shift, Eigen::Quaterniond::Identity()});
 }
 
-Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
-                         const Progress& progress, std::vector<std::string>* notes) {
-  if (!isDiscretizationFile(source.file))
+namespace {
+
+// The cells with what labels their file has.
+Discretization sourceCells(const OrganSource& source, const ModelReader& readModel,
+                           const Progress& progress, std::vector<std::string>* notes) {
+  if (!isParticleFile(source.file))
     return sample(loadOrganMesh(source, readModel, notes), source, progress);
   if (!source.part.empty() || source.repair)
     throw usageError("{} holds particles: it has no parts and needs no repair; leave {} out",
                      source.file, source.repair ? "--repair" : "--part");
-  Discretization cells = readDiscretization(source.file, source.unit);
+  Discretization cells = readParticleFile(source.file, source.unit).cells;
   cells.lattice.origin +=
       source.pose.position + (source.onTable ? ontoTable(cells.lattice.box()) : Vec3(Vec3::Zero()));
   if (!source.resample) return cells;
   const std::int64_t before = cells.particleCount();
-  const TriangleMesh surface = makeOrgan(std::move(cells), {}).surface.mesh();
+  const Organ organ = makeOrgan(std::move(cells), {});
+  const TriangleMesh surface = organ.surface.mesh();
   if (surface.triangles.empty())
     throw error("{} has no surface to sample anew; make it from a mesh", source.file);
   if (notes) notes->push_back(fmt::format("sampled anew from the surface of {} particles", before));
-  return sample(surface, source, progress);
+  Discretization anew = sample(surface, source, progress);
+  carryLabels(organ.rest, anew);
+  return anew;
+}
+
+}  // namespace
+
+Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
+                         const Progress& progress, std::vector<std::string>* notes) {
+  Discretization cells = sourceCells(source, readModel, progress, notes);
+  label(cells, source);
+  return cells;
 }
 
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
@@ -89,15 +152,24 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
 }
 
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ) {
+  const std::array<std::uint8_t, 256> materialOfLabel = materialNumbers(setup, organ.rest);
   if (!setup.elastic) return std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
-  auto tissue = std::make_unique<ElasticTissue>(
-      TissueCells{organ.rest.lattice, organ.rest.inside, {setup.material}, {}}, setup.settings);
-  for (std::size_t i = 0; i < setup.attachments.size(); ++i)
-    if (tissue->attach(setup.attachments[i]) == 0)
+  TissueCells cells{organ.rest.lattice, organ.rest.inside, {setup.material}, {}};
+  for (const LabelMaterial& one : setup.materials) cells.materials.push_back(one.material);
+  if (!setup.materials.empty())
+    for (const std::uint8_t label : organ.rest.label)
+      cells.material.push_back(materialOfLabel[label]);
+  auto tissue = std::make_unique<ElasticTissue>(cells, setup.settings);
+  RegionPlacer place(organ.rest);
+  for (std::size_t i = 0; i < setup.attachments.size(); ++i) {
+    TissueAttachment attachment = setup.attachments[i];
+    static_cast<Region&>(attachment) = place(attachment);
+    if (tissue->attach(attachment) == 0)
       throw error(
-          "attachment {} of the tissue holds no particle; move or enlarge its region (world "
-          "coordinates of the organ at rest, m)",
-          i + 1);
+          "attachment {} of the tissue holds no particle; move or enlarge its region (the organ at "
+          "rest fills {})",
+          i + 1, boxText(particleBox(organ.rest)));
+  }
   return tissue;
 }
 

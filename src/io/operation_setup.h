@@ -23,8 +23,9 @@ using ModelReader = std::function<Model(const std::filesystem::path&)>;
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
                            std::vector<std::string>* notes = nullptr);
 
-// The organ's cells: from a discretisation file (.dis, taken where its coordinates put it unless
-// onTable, and with its own cells unless source.resample), else from the mesh.
+// The organ's cells: from a file of particles (io/particle_file.h, taken where its coordinates put
+// it unless onTable, and with its own cells unless source.resample), else from the mesh; with the
+// labels that the source names. Throws Error when one of them marks no particle.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
 
@@ -32,8 +33,8 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 
-// The tissue that the scenario asks for, at rest. Throws Error when an attachment holds nothing or
-// a setting is out of range.
+// The tissue that the scenario asks for, at rest. Throws Error when an attachment holds nothing, a
+// material is for a label that no particle has, or a setting is out of range.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ);
 
 // All of the above: the scenario, ready for its first frame.

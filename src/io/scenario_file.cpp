@@ -2,7 +2,9 @@
 
 #include "base/error.h"
 #include "io/data_folder.h"
+#include "io/label_reader.h"
 #include "io/length.h"
+#include "io/region_reader.h"
 #include "io/toml_table.h"
 #include "operation/room.h"
 
@@ -35,6 +37,8 @@ OrganSource readOrgan(const TomlTable& t) {
   organ.settle = t.flag("settle", true);
   organ.settings.refine = t.integer("refine", 1, 4, organ.settings.refine);
   organ.settings.iso = float(t.number("iso", kMinIso, kMaxIso, organ.settings.iso));
+  organ.landmarks = readLandmarks(t);
+  organ.labels = readLabels(t);
   t.refuseUnknownKeys();
   return organ;
 }
@@ -46,26 +50,13 @@ std::string readResponse(const TomlTable& t) {
   return response == "own" ? "" : response;
 }
 
-// key = [[x, y, z], [x, y, z]]: any two corners that face each other.
-Aabb readBox(const TomlTable& t, const std::string& key, const std::string& advice) {
-  const std::vector<Vec3> corners = t.points(key);
-  if (corners.size() != 2) t.complain(key, "is missing or not two corners; give " + advice);
-  return {corners[0].cwiseMin(corners[1]), corners[0].cwiseMax(corners[1])};
-}
-
 TissueAttachment readAttachment(const TomlTable& t) {
   TissueAttachment attachment;
   const std::string kind = t.text("kind", "pin");
   if (kind != "pin" && kind != "ligament")
     t.complain("kind", "is \"" + kind + "\"; use \"pin\" or \"ligament\"");
   attachment.kind = kind == "pin" ? TissueAttachment::Kind::Pin : TissueAttachment::Kind::Ligament;
-  if (t.has("centre")) {
-    attachment.shape = TissueAttachment::Shape::Ball;
-    attachment.centre = t.vec3("centre");
-    attachment.radius = t.number("radius", 1e-6, 10);
-  } else {
-    attachment.box = readBox(t, "box", "box = [[x, y, z], [x, y, z]], or centre and radius");
-  }
+  static_cast<Region&>(attachment) = readRegion(t);
   attachment.stiffness = t.number("stiffness", 0, 1e6, attachment.stiffness);
   t.refuseUnknownKeys();
   return attachment;
@@ -77,10 +68,8 @@ TissueSetup readTissue(const TomlTable& t) {
   if (model != "still" && model != "elastic")
     t.complain("model", "is \"" + model + "\"; use \"still\" or \"elastic\"");
   tissue.elastic = model == "elastic";
-  tissue.material.young = t.number("young", 1, 1e9, tissue.material.young);
-  tissue.material.poisson = t.number("poisson", 0, 0.4999, tissue.material.poisson);
-  tissue.material.density = t.number("density", 1, 1e5, tissue.material.density);
-  tissue.material.tearStretch = t.number("tear_stretch", 1, 1e9, tissue.material.tearStretch);
+  tissue.material = readMaterial(t, tissue.material);
+  tissue.materials = readMaterials(t, tissue.material);
   tissue.settings.gravity = {0, -t.number("gravity", -1000, 1000, 9.81), 0};
   tissue.settings.damping = t.number("damping", 0, 0.5, tissue.settings.damping);
   tissue.settings.drag = t.number("drag", 0, 1e4, 3);

@@ -125,6 +125,20 @@ Vec3 TomlTable::vec3(const std::string& key, std::optional<Vec3> missing) const 
   return toVec3(*node, key);
 }
 
+std::vector<double> TomlTable::numbers(const std::string& key, double low, double high) const {
+  std::vector<double> result;
+  const toml::node* node = find(key);
+  if (!node) return result;
+  if (!node->is_array()) complain(key, "is no list of numbers [a, b, ...]");
+  for (const toml::node& element : *node->as_array()) {
+    const auto value = element.value<double>();
+    if (!element.is_number() || !value || !(*value >= low && *value <= high))
+      complain(key, fmt::format("holds something that is no number from {:g} to {:g}", low, high));
+    result.push_back(*value);
+  }
+  return result;
+}
+
 std::vector<Vec3> TomlTable::points(const std::string& key) const {
   std::vector<Vec3> result;
   const toml::node* node = find(key);
@@ -210,6 +224,12 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
     result.push_back(TomlTable(root_, element, file_, fmt::format("{}{}[{}].", path_, key, i + 1)));
   }
   return result;
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [key, node] : *table_) names.emplace_back(key.str());
+  return names;
 }
 
 void TomlTable::refuseUnknownKeys() const {

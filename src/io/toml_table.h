@@ -37,6 +37,8 @@ class TomlTable {
   std::string text(const std::string& key, std::optional<std::string> missing = {}) const;
   bool flag(const std::string& key, bool missing) const;
   Vec3 vec3(const std::string& key, std::optional<Vec3> missing = {}) const;
+  std::vector<double> numbers(const std::string& key, double low,
+                              double high) const;          // [1, 2, ...]; empty when missing
   std::vector<Vec3> points(const std::string& key) const;  // [[x, y, z], ...]; empty when missing
   std::vector<std::string> texts(const std::string& key) const;  // empty when missing
   double length(const std::string& key, double low,
@@ -48,6 +50,8 @@ class TomlTable {
   std::optional<TomlTable> table(const std::string& key) const;
   std::vector<TomlTable> tables(
       const std::string& key) const;  // [[key]] or key = [{...}, ...]; empty when missing
+
+  std::vector<std::string> keys() const;  // of the table itself, in the order of their names
 
   // Throws when the table itself holds a key that was not asked for.
   void refuseUnknownKeys() const;

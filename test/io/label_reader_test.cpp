@@ -1,0 +1,216 @@
+#include "io/label_reader.h"
+
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+#include "io/operation_setup.h"
+#include "io/particle_file.h"
+#include "io/scenario_file.h"
+#include "operation/run.h"
+#include "organ/cell_labels.h"
+#include "support/temporary_folder.h"
+#include "tissue/elastic_tissue.h"
+
+using namespace resect;
+
+namespace {
+
+const std::string kStart = R"(title = "Labels"
+duration = 0.1
+[organ]
+spacing = "10mm"
+)";
+
+const std::string kLabels = R"([organ.landmark]
+fundus = [0.5, 0.5, 0.5]
+[[organ.label]]
+label = 7
+name = "tumour"
+at = "fundus"
+radius = 0.03
+[[organ.label]]
+label = 9
+frame = "organ"
+box = [[0, 0, 0], [0.25, 1, 1]]
+)";
+
+const std::string kMaterials = R"([tissue]
+model = "elastic"
+density = 1000
+[[tissue.material]]
+label = 7
+name = "hard"
+young = 20000
+density = 1500
+)";
+
+std::string complaint(const std::string& text) {
+  try {
+    parseScenario(text, "x.toml");
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+std::string complaintOfSetup(const std::string& text) {
+  try {
+    makeSimulation(parseScenario(text, "x.toml"), {});
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+bool tells(const std::string& text, const std::string& what) {
+  return text.find(what) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a scenario says which cells are labelled and what labels are of") {
+  const Scenario s = parseScenario(kStart + kLabels + kMaterials, "x.toml");
+  REQUIRE(s.organ.labels.size() == 2);
+  CHECK(s.organ.labels[0].label == 7);
+  CHECK(s.organ.labels[0].name == "tumour");
+  CHECK(s.organ.labels[0].region.landmark == "fundus");
+  CHECK(s.organ.labels[0].region.shape == Region::Shape::Ball);
+  CHECK(s.organ.labels[1].region.frame == Region::Frame::Organ);
+  REQUIRE(s.organ.landmarks.size() == 1);
+  CHECK(s.organ.landmarks[0].place == Vec3(0.5, 0.5, 0.5));
+  CHECK(s.tissue.materialOf(7).young == 20000);
+  CHECK(s.tissue.materialOf(7).poisson == s.tissue.material.poisson);
+  CHECK(s.tissue.materialOf(7).name == "hard");
+  CHECK(s.tissue.materialOf(9).density == 1000);
+  CHECK(s.tissue.materialOf(0).density == 1000);
+}
+
+TEST_CASE("a wrong region, label or material is refused with its line and key") {
+  const std::string label = "[[organ.label]]\nlabel = 1\n";
+  CHECK(tells(complaint(kStart + label), "box is missing or not two corners"));
+  CHECK(tells(complaint(kStart + "[[organ.label]]\ndepth = [0, 1]\n"), "label is missing"));
+  CHECK(tells(complaint(kStart + "[[organ.label]]\nlabel = 0\ndepth = [0, 1]\n"),
+              "x.toml:6: organ.label[1].label is no whole number from 1 to 255"));
+  CHECK(tells(complaint(kStart + label + "centre = [0, 0, 0]\n"), "radius is missing"));
+  CHECK(tells(complaint(kStart + label + "at = \"a\"\ncentre = [0, 0, 0]\nradius = 0.1\n"),
+              "keep one of"));
+  CHECK(tells(complaint(kStart + label + "radius = 0.1\n"), "belongs to a ball"));
+  CHECK(tells(complaint(kStart + label + "depth = [0.1, 0]\n"), "the lesser first"));
+  CHECK(tells(complaint(kStart + label + "depth = [0, inf]\n"), "no number from 0 to 10"));
+  CHECK(tells(complaint(kStart + label + "depth = 3\n"), "no list of numbers"));
+  CHECK(tells(complaint(kStart + label + "depth = [0, 1]\nframe = \"organ\"\n"), "leave it out"));
+  CHECK(tells(complaint(kStart + label + "depth = [0, 1]\nbax = 1\n"), "is not known here"));
+  CHECK(tells(complaint(kStart + label + "box = [[0, 0, 0], [1, 1, 1]]\nframe = \"mars\"\n"),
+              "use \"world\" or \"organ\""));
+  CHECK(tells(complaint(kStart + "[organ.landmark]\nx = [0, 1]\n"), "three finite numbers"));
+  CHECK(tells(complaint(kStart + label + "depth = [0, 1]\nname = \"a\"\n" + label +
+                        "depth = [0, 1]\nname = \"b\"\n"),
+              "a label has one name"));
+  CHECK(
+      tells(complaint(kStart + "[[tissue.material]]\nlabel = 1\n[[tissue.material]]\nlabel = 1\n"),
+            "keep one of the two"));
+  CHECK(tells(complaint(kStart + "[[tissue.material]]\nyoung = 1000\n"), "label is missing"));
+}
+
+TEST_CASE("a label that marks nothing and a material that nothing has are one clear sentence") {
+  CHECK(complaintOfSetup(kStart + kLabels + kMaterials) == "");
+  CHECK(tells(complaintOfSetup(kStart + "[[organ.label]]\nlabel = 4\nname = \"cyst\"\n"
+                                        "box = [[5, 5, 5], [6, 6, 6]]\n"),
+              "label 4 (cyst) marks no particle of the organ"));
+  CHECK(tells(complaintOfSetup(kStart + "[[organ.label]]\nlabel = 4\nat = \"x\"\nradius = 0.1\n"),
+              "the organ has no landmark \"x\""));
+  for (const char* model : {"still", "elastic"})
+    CHECK(tells(complaintOfSetup(kStart + kLabels + "[tissue]\nmodel = \"" + model +
+                                 "\"\n[[tissue.material]]\nlabel = 8\n"),
+                "there is a material for label 8, which no particle of the organ has; labels are 7 "
+                "(tumour), 9 (label 9)"));
+  CHECK(tells(complaintOfSetup(kStart + "[[tissue.material]]\nlabel = 8\n"),
+              "mark cells by [[organ.label]]"));
+  CHECK(tells(complaintOfSetup(kStart + kMaterials.substr(0, kMaterials.find("[[")) +
+                               "[[tissue.attachment]]\nbox = [[5, 5, 5], [6, 6, 6]]\n"),
+              "attachment 1 of the tissue holds no particle"));
+}
+
+TEST_CASE("cells of a label weigh what its material does, and attachments take organ regions") {
+  const Scenario s = parseScenario(
+      kStart + kLabels + kMaterials + "[[tissue.attachment]]\ndepth = [0, 0.01]\n", "x.toml");
+  const Organ organ = makeOrgan(loadCells(s.organ, {}), s.organ.settings);
+  CHECK(labelledParticles(organ.rest)[7] > 50);
+  CHECK(labelledParticles(organ.rest)[9] > 50);
+  const auto tissue = makeTissue(s.tissue, organ);
+  const auto& elastic = dynamic_cast<const ElasticTissue&>(*tissue);
+  int held = 0, free = 0;
+  for (std::int64_t c = 0; c < organ.rest.lattice.cellCount(); ++c) {
+    if (!organ.rest.inside[std::size_t(c)]) continue;
+    const double density = elastic.mass(c) / organ.rest.lattice.cellVolume();
+    CHECK(density == doctest::Approx(organ.rest.labelOf(c) == 7 ? 1500 : 1000));
+    ++(elastic.state().held[std::size_t(elastic.state().box.fromLattice(c))] ? held : free);
+  }
+  CHECK(held > 300);
+  CHECK(free > 300);
+}
+
+TEST_CASE("a run's summary tells what became of each label") {
+  Scenario s = parseScenario(
+      kStart + kLabels +
+          "[tissue]\ndensity = 1000\n[[tissue.material]]\nlabel = 9\ndensity = 1500\n",
+      "x.toml");
+  Simulation simulation = makeSimulation(s, {});
+  const Organ whole = simulation.organ();
+  const RunSummary summary = runScenario(simulation, s);
+  REQUIRE(summary.labels.size() == 3);
+  double volume = 0, mass = 0;
+  std::int64_t particles = 0;
+  for (const LabelSummary& label : summary.labels) {
+    particles += label.before.particles;
+    volume += label.before.volume;
+    mass += label.before.mass;
+    CHECK(label.removed.particles == 0);
+    CHECK(label.remaining.volume == label.before.volume);
+  }
+  CHECK(particles == summary.particles);
+  CHECK(volume == doctest::Approx(summary.organVolume));
+  CHECK(summary.labels[1].name == "tumour");
+  CHECK(summary.labels[2].label == 9);
+  CHECK(summary.labels[2].before.mass == doctest::Approx(1500 * summary.labels[2].before.volume));
+  CHECK(mass == doctest::Approx(1000 * volume + 500 * summary.labels[2].before.volume));
+  REQUIRE(summary.pieces.size() == 1);
+  CHECK(summary.pieces[0].mass == doctest::Approx(mass).epsilon(0.002));  // but for lone skin cells
+
+  // All of label 9 is taken out.
+  Organ carved = whole;
+  std::vector<TissueEdit> edits;
+  for (std::int64_t c = 0; c < carved.rest.lattice.cellCount(); ++c)
+    if (carved.rest.inside[std::size_t(c)] && carved.rest.labelOf(c) == 9)
+      edits.push_back({TissueEdit::Kind::Remove, -1, c, -1});
+  applyEdits(carved, edits);
+  const std::vector<LabelSummary> labels = summariseLabels(carved, s.tissue);
+  CHECK(labels[2].removed.particles == labels[2].before.particles);
+  CHECK(labels[2].remaining.particles == 0);
+  CHECK(labels[1].removed.particles == 0);
+  CHECK(labels[2].removed.volume == doctest::Approx(carved.removedVolume));
+}
+
+TEST_CASE("labels and landmarks of a file of cells are those of the organ that is read from it") {
+  Scenario s = parseScenario(kStart + kLabels, "x.toml");
+  const test::TemporaryFolder folder;
+  const auto path = folder / "organ.resect-cells";
+  writeParticleFile(path, {loadCells(s.organ, {}), {"test", "liver", 1}});
+  const std::string source = "[organ]\nsource = \"" + path.string() + "\"\n";
+  const std::string start = "title = \"t\"\nduration = 0.1\n" + source;
+  Scenario other = parseScenario(
+      start + "[[organ.label]]\nlabel = 7\nat = \"fundus\"\nradius = 0.04\n", "y.toml");
+  const Discretization cells = loadCells(other.organ, {});
+  CHECK(cells.labelName(7) == "tumour");
+  CHECK(labelledParticles(cells)[9] == labelledParticles(loadCells(s.organ, {}))[9]);
+  CHECK(labelledParticles(cells)[7] > labelledParticles(loadCells(s.organ, {}))[7]);
+  other.organ.labels.clear();
+  other.organ.resample = true;
+  other.organ.spacing = 0.008;
+  const Discretization finer = loadCells(other.organ, {});
+  const double ratio =
+      double(labelledParticles(finer)[7]) / double(labelledParticles(loadCells(s.organ, {}))[7]);
+  CHECK(ratio == doctest::Approx(1.25 * 1.25 * 1.25).epsilon(0.1));
+  other.organ.unit = 0.001;
+  CHECK_THROWS_AS(loadCells(other.organ, {}), Error);
+}
