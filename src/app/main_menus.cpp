@@ -44,7 +44,7 @@ void MainWindow::makeMenus() {
         const QString name = QFileDialog::getOpenFileName(
             this, "Open", {},
             "All that can be opened (*.iv *.wrl *.obj *.stl *.ply *.off "
-            "*.glb *.gltf *.vtk *.dis *.toml "
+            "*.glb *.gltf *.vtk *.dis *.resect-cells *.toml "
             "*.gz);;All files (*)");
         if (!name.isEmpty()) openFile(name);
       });

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "inventor/scene_file.h"
 #include "io/mesh_file.h"
+#include "io/particle_file.h"
 #include "io/png_file.h"
 #include "io/scenario_file.h"
 
@@ -38,7 +39,7 @@ void MainWindow::openFile(const QString& file) {
     if (path.extension() == ".toml") {
       load(readScenario(path));
       remember(file);
-    } else if (path.extension() == ".dis") {
+    } else if (isParticleFile(path)) {
       Scenario scenario = options_.scenario;
       scenario.organ = {};
       scenario.organ.file = path.string();

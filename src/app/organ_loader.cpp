@@ -17,6 +17,7 @@
 #include "inventor/model_file.h"
 #include "io/assimp_file.h"
 #include "io/operation_setup.h"
+#include "io/particle_file.h"
 #include "operation/room.h"
 #include "tools/registry.h"
 
@@ -45,9 +46,7 @@ TissueSetup beside(TissueSetup setup) {
   return setup;
 }
 
-bool isModelFile(const std::string& file) {
-  return !file.empty() && std::filesystem::path(file).extension() != ".dis";
-}
+bool isModelFile(const std::string& file) { return !file.empty() && !isParticleFile(file); }
 
 }  // namespace
 

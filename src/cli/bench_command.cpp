@@ -12,8 +12,8 @@
 #include "cli/organ_options.h"
 #include "cli/progress_bar.h"
 #include "io/data_folder.h"
-#include "io/discretization_file.h"
 #include "io/operation_setup.h"
+#include "io/particle_file.h"
 #include "io/scenario_file.h"
 
 namespace resect {
@@ -46,7 +46,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
   const BenchReport report = measure(scenario, scenario.name);
   std::optional<RealTimeLimit> limit;
   // A file of particles is as fine as it is.
-  if (!options.once && !isDiscretizationFile(scenario.organ.file))
+  if (!options.once && !isParticleFile(scenario.organ.file))
     limit = findRealTimeLimit(
         report,
         [&](double spacing) {
@@ -70,7 +70,8 @@ void addBenchCommand(CLI::App& app) {
       ->add_option("SCENARIO", options->scenario,
                    "Scenario file, or the name of one that comes with Resect")
       ->capture_default_str();
-  command->add_option("--organ", options->organ, "Another organ: model or .dis file, or \"liver\"");
+  command->add_option("--organ", options->organ,
+                      "Another organ: model or file of particles, or \"liver\"");
   auto organ = addOrganOptions(*command);
   command
       ->add_option("--threads", options->threads, "Threads to use; 0 = all. The result is the same")

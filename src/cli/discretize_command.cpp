@@ -1,4 +1,4 @@
-// resect discretize: mesh in, particles out, in the thesis's text format.
+// resect discretize: mesh in, particles out, in the thesis's text format or with labels and origin.
 
 #include <fmt/format.h>
 
@@ -11,9 +11,10 @@
 #include "cli/progress_bar.h"
 #include "inventor/model_file.h"
 #include "io/atomic_file.h"
-#include "io/discretization_file.h"
 #include "io/length.h"
 #include "io/operation_setup.h"
+#include "io/particle_file.h"
+#include "io/scenario_file.h"
 
 namespace resect {
 
@@ -25,21 +26,31 @@ void addDiscretizeCommand(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("discretize", "Turn a closed mesh into particles on a lattice");
-  command->add_option("MESH", options->mesh, "Model file, or \"liver\" for the built-in one")
+  command
+      ->add_option(
+          "MESH", options->mesh,
+          "Model file, \"liver\" for the built-in one, or a scenario (.toml) for its organ")
       ->required();
-  command->add_option("-o,--output", options->output, "Discretisation file to write (.dis)")
+  command
+      ->add_option("-o,--output", options->output,
+                   "File of particles to write: .resect-cells, or .dis without labels")
       ->required();
   command->add_flag("--json", options->json, "Print JSON");
   auto organ = addOrganOptions(*command);
   command->footer(
       "Without --spacing and --dims: cubic cells of 5mm.\n"
       "Examples:\n  resect discretize liver.iv --spacing 5mm -o liver.dis\n  resect discretize "
-      "liver.iv --dims 20 -o liver20.dis");
+      "liver.iv --dims 20 -o liver20.dis\n  resect discretize my_operation.toml -o "
+      "labelled.resect-cells");
   command->callback([options, organ] {
     OrganSource source;
-    source.file = options->mesh == "liver" ? "" : options->mesh;
-    source.onTable = false;
-    source.spacing = 0.005;
+    if (std::filesystem::path(options->mesh).extension() == ".toml") {
+      source = readScenario(options->mesh).organ;  // where it lies there, with its labels
+    } else {
+      source.file = options->mesh == "liver" ? "" : options->mesh;
+      source.onTable = false;
+      source.spacing = 0.005;
+    }
     organ->applyTo(source);
     checkTarget(options->output, {&options->mesh, 1});
     std::vector<std::string> notes;
@@ -48,7 +59,14 @@ void addDiscretizeCommand(CLI::App& app) {
       throw error(
           "no cell centre of the lattice lies inside {}; use a smaller --spacing or more --dims",
           options->mesh);
-    writeDiscretization(options->output, cells);
+    writeParticleFile(
+        options->output,
+        {cells,
+         {"resect " RESECT_VERSION,
+          source.file.empty() ? "liver" : std::filesystem::path(source.file).filename().string(),
+          source.unit}});
+    if (!isCellsFile(options->output) && !cells.label.empty())
+      notes.push_back("a .dis file has no labels; write a .resect-cells file to keep them");
     const Lattice& lattice = cells.lattice;
     if (options->json) {
       nlohmann::ordered_json json;

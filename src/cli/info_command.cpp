@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "base/error.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/progress_bar.h"
@@ -10,6 +11,8 @@
 #include "io/length.h"
 #include "io/model_info.h"
 #include "io/organ_mesh.h"
+#include "io/particle_file.h"
+#include "io/particle_info.h"
 
 namespace resect {
 namespace {
@@ -19,7 +22,18 @@ struct Options {
   bool json = false;
 };
 
+void infoOfParticles(const Options& options) {
+  if (!options.part.empty())
+    throw usageError("{} holds particles: it has no parts; leave --part out", options.file);
+  const KeptCells kept = readParticleFile(options.file, parseUnit(options.unit, "--unit"));
+  if (options.json)
+    writeJson("-", toJson(kept, options.file));
+  else
+    fmt::print("{}", toText(kept, options.file));
+}
+
 void info(const Options& options) {
+  if (isParticleFile(options.file)) return infoOfParticles(options);
   Model model = readModelWatched(options.file, progressBar("reading"));
   const double metres = parseUnit(options.unit, "--unit");
   if (!options.part.empty()) model.parts = {partNamed(model, options.part)};
@@ -36,9 +50,10 @@ void info(const Options& options) {
 
 void addInfoCommand(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("info", "Tell what a model file holds and whether it is sound");
-  command->add_option("FILE", options->file, ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk")
+  CLI::App* command = app.add_subcommand("info", "Tell what a file holds and whether it is sound");
+  command
+      ->add_option("FILE", options->file,
+                   ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk; particles: .dis .resect-cells")
       ->required();
   command->add_option("--part", options->part, "Look only at the part of that name");
   command

@@ -137,7 +137,8 @@ void addRunCommand(CLI::App& app) {
   command->add_option("SCENARIO", options->scenario,
                       "Scenario file, or the name of one that comes with Resect");
   command->add_flag("--list", options->list, "List the scenarios that come with Resect");
-  command->add_option("--organ", options->organ, "Another organ: model or .dis file, or \"liver\"");
+  command->add_option("--organ", options->organ,
+                      "Another organ: model or file of particles, or \"liver\"");
   auto organ = addOrganOptions(*command);
   command
       ->add_option("--threads", options->threads, "Threads to use; 0 = all. The result is the same")

@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
-#include "io/discretization_file.h"
 #include "io/length.h"
 #include "io/mesh_file.h"
+#include "io/particle_file.h"
 #include "operation/run.h"
 #include "organ/organ.h"
 
@@ -24,8 +24,8 @@ void addSurfaceCommand(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("surface", "Draw the surface of a discretisation file's organ");
-  command->add_option("FILE", options->input, "Discretisation file (.dis)")->required();
+      app.add_subcommand("surface", "Draw the surface of the organ in a file of particles");
+  command->add_option("FILE", options->input, "File of particles: .dis .resect-cells")->required();
   command->add_option("-o,--output", options->output, "Mesh file: .obj .stl .ply .vtk .iv")
       ->required();
   command->add_option("--iso", options->iso, "Iso level of the colour field, 1 to 98")
@@ -40,7 +40,8 @@ void addSurfaceCommand(CLI::App& app) {
   command->footer("Example:\n  resect surface liver.dis --iso 50 --refine 2 -o surface.obj");
   command->callback([options] {
     checkWritableMeshFile(options->output, {&options->input, 1});
-    Discretization cells = readDiscretization(options->input, parseUnit(options->unit, "--unit"));
+    Discretization cells =
+        readParticleFile(options->input, parseUnit(options->unit, "--unit")).cells;
     const Organ organ = makeOrgan(std::move(cells), {options->refine, options->iso});
     const TriangleMesh mesh = organ.surface.mesh();
     if (mesh.triangles.empty())

@@ -47,7 +47,8 @@ void addWindowCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("window", "Operate with mouse and keyboard");
   command->add_option("SCENARIO", options->scenario,
                       "Organ and room of this scenario; without it the built-in liver at 5 mm");
-  command->add_option("--organ", options->organ, "Another organ: model or .dis file, or \"liver\"");
+  command->add_option("--organ", options->organ,
+                      "Another organ: model or file of particles, or \"liver\"");
   auto organ = addOrganOptions(*command);
   command->add_option("--threads", options->threads, "Threads to use; 0 = all")
       ->check(CLI::Range(0, 1024))

@@ -78,6 +78,35 @@ class Scenarios(unittest.TestCase):
         self.assertGreater(run("cut-120", "--organ", coarse, "--spacing", "6mm")["particles"], 2 * own)
         self.assertEqual(resect("discretize", coarse, "--part", "left", "-o", fine).returncode, 2)
 
+    def test_labels_are_kept_in_a_file_of_cells_and_counted_in_the_summary(self):
+        scenario, cells = FOLDER / "labelled.toml", FOLDER / "labelled.resect-cells"
+        scenario.write_text('title = "t"\nduration = 0.1\n[organ]\nspacing = "8mm"\n'
+                            '[organ.landmark]\nmiddle = [0.5, 0.5, 0.5]\n'
+                            '[[organ.label]]\nlabel = 3\nname = "tumour"\nat = "middle"\nradius = 0.03\n'
+                            '[[tissue.material]]\nlabel = 3\ndensity = 2120\n')
+        labels = run(scenario)["labels"]
+        self.assertEqual([label["name"] for label in labels], ["parenchyma", "tumour"])
+        for label, density in zip(labels, (1.06, 2.12)):
+            self.assertAlmostEqual(label["before"]["mass_g"], density * label["before"]["tissue_ml"], delta=1e-6)
+        self.assertEqual(resect("discretize", scenario, "-o", cells).returncode, 0)
+        first = cells.read_bytes()
+        self.assertEqual(resect("discretize", scenario, "-o", cells).returncode, 0)
+        self.assertEqual(cells.read_bytes(), first)
+        info = json.loads(resect("info", cells, "--json").stdout)
+        self.assertEqual([label["particles"] for label in info["labels"]],
+                         [label["before"]["particles"] for label in labels])
+        self.assertEqual(info["landmarks"], [{"name": "middle", "place": [0.5, 0.5, 0.5]}])
+        cut = run("cut-950", "--organ", cells)
+        self.assertEqual(cut["labels"][1]["name"], "tumour")
+        self.assertEqual(sum(label["removed"]["particles"] for label in cut["labels"]), cut["removed"])
+        self.assertNotIn("labels", run("cut-120"))
+        self.assertEqual(resect("surface", cells, "-o", FOLDER / "labelled.stl").returncode, 0)
+        self.assertEqual(resect("info", cells, "--part", "left").returncode, 2)
+        cells.write_bytes(first[:-20])
+        refused = resect("run", "cut-950", "--organ", cells)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("labelled.resect-cells: its last line is no checksum", refused.stderr)
+
     def test_the_segment_and_the_rest_add_up_and_are_closed(self):
         summary = run("resect-segment", "--pieces", FOLDER)
         large = [piece for piece in summary["pieces"] if piece["volume_ml"] > 1]
