@@ -93,7 +93,9 @@ std::string header(const KeptCells& kept, const std::string (&blocks)[3]) {
 
 // The header as a table whose complaints have the file's lines.
 TomlTable headerTable(std::string_view text, const std::string& name) {
-  return TomlTable::parse("#" + std::string(text), name);
+  std::string comment = "#";
+  comment += text;
+  return TomlTable::parse(comment, name);
 }
 
 Lattice readLattice(const TomlTable& t) {
