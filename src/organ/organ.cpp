@@ -54,6 +54,7 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
     if (!alive[i] && cells.value[i] > 0 && ownerCell(cells, std::int64_t(i)) == std::int64_t(i))
       alive[i] = 1;
   SeveredEdges severed(field.brickDims(), field.refine());
+  CellFields fields{CellField<std::uint8_t>(cells.label)};
   return {std::move(cells),
           std::move(field),
           std::move(surface),
@@ -63,7 +64,7 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
           0,
           0,
           settings.iso,
-          {}};
+          std::move(fields)};
 }
 
 std::int64_t ownerCell(const Discretization& rest, std::int64_t cell) {

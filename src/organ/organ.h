@@ -39,7 +39,8 @@ struct Organ {
   float iso = 50;                   // level of the surface
   CellFields fields;
 
-  double volume() const { return rest.volume() - removedVolume; }  // m^3 left
+  double volume() const { return rest.volume() - removedVolume; }             // m^3 left
+  std::uint8_t label(std::int64_t cell) const { return fields.label[cell]; }  // now
 
   template <class Visitor>
   void visit(Visitor& v) {

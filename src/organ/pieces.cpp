@@ -147,7 +147,7 @@ std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface) {
     ++pieces[piece].particles;
     const double tissue = particleVolume(organ.rest, cell);
     pieces[piece].tissue += tissue;
-    const std::size_t label = organ.rest.labelOf(cell);
+    const std::size_t label = organ.label(cell);
     if (pieces[piece].tissueOf.size() <= label) pieces[piece].tissueOf.resize(label + 1);
     pieces[piece].tissueOf[label] += tissue;
   }

@@ -55,7 +55,7 @@ std::vector<std::uint8_t> vertexLabels(const Organ& organ) {
       int most = 0;
       for (int k = 1; k < binding.count; ++k)
         if (binding.weight[std::size_t(k)] > binding.weight[std::size_t(most)]) most = k;
-      labels[std::size_t(first) + i] = organ.rest.labelOf(binding.cell[std::size_t(most)]);
+      labels[std::size_t(first) + i] = organ.label(binding.cell[std::size_t(most)]);
       known[std::size_t(first) + i] = 1;
     }
   });
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> vertexLabels(const Organ& organ) {
       known[std::size_t(v)] = 1;
       const std::int64_t cell =
           nearestParticle(organ.rest.lattice, organ.alive, points[std::size_t(v)].cast<double>());
-      if (cell >= 0) labels[std::size_t(v)] = organ.rest.labelOf(cell);
+      if (cell >= 0) labels[std::size_t(v)] = organ.label(cell);
     }
   }
   return labels;

@@ -50,8 +50,10 @@ struct Discretization {
     const float v = value[cell];
     return (v < 100 ? skinScale * v : v) / 100 * lattice.cellVolume();
   }
-  std::size_t bytes() const { return value.bytes() + inside.capacity(); }  // memory held
-  double volume() const {                                                  // m^3
+  std::size_t bytes() const {
+    return value.bytes() + inside.capacity() + label.capacity();
+  }                        // memory held
+  double volume() const {  // m^3
     double sum = 0;
     for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell) sum += cellVolume(cell);
     return sum;

@@ -145,13 +145,11 @@ TEST_CASE("a vertex has the label of the nearest particle that is left") {
   labelSkin(cells);
   Organ organ = makeOrgan(cells, {});
   // A bite out of the upper side: its walls show what lies deeper.
-  std::vector<TissueEdit> edits;
   for (std::int64_t c = 0; c < cells.lattice.cellCount(); ++c) {
     const Vec3i at = cells.lattice.cell(c);
     if (cells.inside[std::size_t(c)] && at.y() > 9 && at.x() > 5 && at.x() < 11)
-      edits.push_back({TissueEdit::Kind::Remove, -1, c, -1});
+      removeParticle(organ, c);
   }
-  applyEdits(organ, edits);
   const auto touched = updateField(organ);
   updateSurface(organ, touched);
   const std::vector<std::uint8_t> labels = vertexLabels(organ);

@@ -109,9 +109,8 @@ void LiveOperation::work() {
     FrameInput& input = frame->input;
     if (frame->played.empty())  // a hand holds them
       for (std::size_t i = 0; i < input.tools.size(); ++i)
-        input.tools[i].squeeze =
-            squeezeTowards(input.tools[i].squeeze, simulation_->tools()[i].way.to.squeeze,
-                           input.duration);
+        input.tools[i].squeeze = squeezeTowards(
+            input.tools[i].squeeze, simulation_->tools()[i].way.to.squeeze, input.duration);
     StageClock clock;
     simulation_->step(input, report, &clock);
     lastSecond.add(clock, steadySeconds());
