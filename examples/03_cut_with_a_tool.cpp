@@ -27,6 +27,7 @@ int main() {
   ToolModel model;
   model.name = "blade";
   model.kind = "scalpel";
+  model.response = "remove";  // it takes out what it touches
   model.mesh = boxMesh({{-0.01, -0.0015, 0}, {0.01, 0.0015, 0.15}});
   std::vector<std::unique_ptr<Tool>> tools;
   tools.push_back(makeTool(std::move(model)));

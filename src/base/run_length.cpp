@@ -7,6 +7,8 @@
 namespace resect {
 namespace {
 
+enum Which : unsigned { kWords, kAgain, kZeros, kOnes };
+
 constexpr std::size_t kShortestRun = 3;  // words: shorter ones are cheaper as they are
 
 template <typename Word>
@@ -28,17 +30,18 @@ void appendRunsOf(Bytes& to, std::span<const std::byte> data) {
     while (end < count && at(end) == word) ++end;
     if (end - i >= kShortestRun) {
       if (written < i) {
-        appendNumber(to, (i - written) << 1);
+        appendNumber(to, (i - written) << 2 | kWords);
         append(written, i - written);
       }
-      appendNumber(to, (end - i) << 1 | 1);
-      append(i, 1);
+      const unsigned which = word == 0 ? kZeros : word == 1 ? kOnes : kAgain;
+      appendNumber(to, (end - i) << 2 | which);
+      if (which == kAgain) append(i, 1);
       written = end;
     }
     i = end;
   }
   if (written < count) {
-    appendNumber(to, (count - written) << 1);
+    appendNumber(to, (count - written) << 2 | kWords);
     append(written, count - written);
   }
 }
@@ -84,13 +87,17 @@ void ByteReader::runs(Bytes& to, std::size_t size, std::size_t word) {
   to.resize(begin + size);
   std::byte *at = to.data() + begin, *const end = to.data() + to.size();
   while (at < end) {
-    const std::uint64_t head = number(), words = head >> 1;
+    const std::uint64_t head = number(), words = head >> 2;
     if (words == 0 || words > std::size_t(end - at) / word) throwDamagedState();
-    const auto from = bytes(head & 1 ? word : words * word);
-    if (head & 1)
-      for (std::uint64_t i = 0; i < words; ++i, at += word) std::memcpy(at, from.data(), word);
-    else
+    const auto which = Which(head & 3);
+    if (which == kWords) {
+      const auto from = bytes(words * word);
       at = std::copy(from.begin(), from.end(), at);
+      continue;
+    }
+    const std::uint64_t one = which == kOnes;  // its lowest byte comes first
+    const auto from = which == kAgain ? bytes(word) : std::as_bytes(std::span(&one, 1)).first(word);
+    for (std::uint64_t i = 0; i < words; ++i, at += word) std::memcpy(at, from.data(), word);
   }
 }
 

@@ -1,7 +1,8 @@
 // How are long arrays with much that is equal kept short? Words of 1, 2, 4 or 8 bytes as runs.
 //
-// A run is a head h (7 bits a byte, the lowest first, the eighth bit: there is more), then one word
-// that stands h / 2 times if h is odd, else h / 2 words. Cost: some ns a word.
+// A run is a head h (7 bits a byte, the lowest first, the eighth bit: there is more) of h / 4
+// words. h % 4 tells which: 0 those that follow, 1 the one that follows again and again, 2 zeros, 3
+// ones. Cost: some ns a word.
 #pragma once
 
 #include <cstddef>

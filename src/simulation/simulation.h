@@ -56,12 +56,12 @@ struct StepReport {
 };
 
 struct ToolState {
-  std::unique_ptr<Tool> tool;
   ToolWay way;
   // On the tool, N: of this frame, and smoothed over some 0.05 s as a hand feels it.
   Vec3 force = Vec3::Zero(), feltForce = Vec3::Zero();
   bool inHand = false;
   bool wasInHand = false;
+  std::unique_ptr<Tool> tool;
 
   const Pose& pose() const { return way.to.pose; }
 

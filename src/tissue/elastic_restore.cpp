@@ -63,7 +63,7 @@ void ElasticTissue::checkRestored() const {
         "was saved from");
 }
 
-void ElasticTissue::endRestore() {
+void ElasticTissue::endRestore(std::span<const std::uint8_t>) {
   checkRestored();
   for (const TissueMaterial& material : state_.materials) checkMaterial(material);
   double fastest = 0;

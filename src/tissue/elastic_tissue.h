@@ -111,7 +111,7 @@ class ElasticTissue final : public TissueModel {
   void visit(StateVisitor& visitor) override;
   void visitMade(StateVisitor& visitor) override;
   void beginRestore() override;
-  void endRestore() override;
+  void endRestore(std::span<const std::uint8_t> alive) override;
   double longestSubstep() const { return longestSubstep_; }  // s
 
   const Lattice& lattice() const { return lattice_; }

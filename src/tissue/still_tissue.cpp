@@ -83,13 +83,13 @@ void StillTissue::visit(StateVisitor& v) {
   v("severed", severed_), v("held", held_);
 }
 
-void StillTissue::visitMade(StateVisitor& v) { v.made(lattice_, obstacles_); }
+void StillTissue::visitMade(StateVisitor& v) { v.made(solid_, lattice_, obstacles_); }
 
-void StillTissue::endRestore() {
+void StillTissue::endRestore(std::span<const std::uint8_t> alive) {
   const auto inLattice = [&](std::int64_t cell) {
     return cell >= 0 && cell < lattice_.cellCount();
   };
-  bool fits = std::int64_t(solid_.size()) == lattice_.cellCount() &&
+  bool fits = std::int64_t(alive.size()) == lattice_.cellCount() &&
               std::ranges::is_sorted(severed_, {}, &Severed::cell);
   for (const Severed& s : severed_) fits = fits && inLattice(s.cell);
   for (const Held& h : held_) fits = fits && inLattice(h.cell);
@@ -97,6 +97,7 @@ void StillTissue::endRestore() {
     throw error(
         "the state does not fit the organ's tissue; restore it into the operation that it "
         "was saved from");
+  solid_.assign(alive.begin(), alive.end());
 }
 
 }  // namespace resect

@@ -49,7 +49,7 @@ class StillTissue : public TissueModel {
   void visit(StateVisitor& visitor) override;
   void visitMade(StateVisitor& visitor) override;
   void beginRestore() override {}
-  void endRestore() override;
+  void endRestore(std::span<const std::uint8_t> alive) override;
 
  private:
   struct Severed {
@@ -72,10 +72,12 @@ class StillTissue : public TissueModel {
   };
   std::uint32_t& severedAt(std::int64_t cell);
 
-  std::vector<std::uint8_t> solid_;
+  // State.
   std::vector<Severed> severed_;  // ascending by cell
   std::vector<Held> held_;
 
+  // Set up, or as the organ has it.
+  std::vector<std::uint8_t> solid_;
   Lattice lattice_;
   std::size_t obstacles_ = 0;  // of the frame
 };

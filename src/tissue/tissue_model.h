@@ -93,7 +93,8 @@ class TissueModel {
   virtual void visit(StateVisitor& visitor) = 0;
   virtual void visitMade(StateVisitor& visitor) = 0;
   virtual void beginRestore() = 0;
-  virtual void endRestore() = 0;
+  // alive: per cell of the lattice, where the organ has its particles now.
+  virtual void endRestore(std::span<const std::uint8_t> alive) = 0;
 };
 
 }  // namespace resect

@@ -1,0 +1,241 @@
+// Does an operation go on from a saved state as if nothing had happened?
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "inventor/model_file.h"
+#include "io/data_folder.h"
+#include "io/operation_setup.h"
+#include "io/scenario_file.h"
+#include "operation/scenario.h"
+#include "support/covered_bytes.h"
+#include "support/elastic_block.h"
+#include "support/test_tools.h"
+#include "tissue/still_tissue.h"
+
+using namespace resect;
+
+namespace {
+
+Simulation simulationOf(const Scenario& scenario) {
+  return makeSimulation(scenario, [](const auto& path) { return readModel(path); });
+}
+
+Scenario shipped(const std::string& name) {
+  return readScenario(findDataFile(name, "scenarios", ".toml"));
+}
+
+void step(Simulation& simulation, const Scenario& scenario, std::int64_t frame) {
+  simulation.step(frameInput(scenario, frame));
+}
+
+std::string differenceOf(const Simulation& a, const Simulation& b) {
+  return firstDifference(a.fields(), b.fields()).value_or("");
+}
+
+// A block of elastic tissue with a scalpel half way through it and the table under it.
+Simulation cutBlock() {
+  ToolModel model;
+  model.name = model.kind = "scalpel";
+  model.mesh = boxMesh({{-0.0002, -0.008, 0}, {0.0002, 0.002, 0.06}});
+  model.edge = {{0, -0.008, 0}, {0, -0.0082, 0.03}, {0, -0.008, 0.06}};
+  Simulation simulation = test::elasticBlock({10, 5, 8}, 0.008, makeTool(std::move(model)));
+  FrameInput input;
+  input.tools.resize(1);
+  for (int i = 0; i < 20; ++i) {
+    input.tools[0] = {{Vec3(0.04, 0.052 - 0.0015 * i, 0.005), Eigen::Quaterniond::Identity()}};
+    simulation.step(input);
+  }
+  return simulation;
+}
+
+double millisecondsOf(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return 1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+TEST_CASE("every shipped scenario, restored in another simulation, goes on with the same bits") {
+  for (const std::string& name : shippedNames("scenarios", ".toml")) {
+    CAPTURE(name);
+    const Scenario scenario = shipped(name);
+    Simulation simulation = simulationOf(scenario), other = simulationOf(scenario);
+    const std::int64_t frames = frameCount(scenario);
+    // Three states are on their way at most: each is followed for ten frames.
+    Bytes saved;
+    std::int64_t savedAt = 0;
+    int threads = 1;
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+      if (frame % 10 == 0) {
+        if (frame > 0) {
+          // The other one takes the ten frames that lie behind at one, two or three threads.
+          const ThreadLimit limit(threads);
+          threads = threads % 3 + 1;
+          other.restore(saved);
+          for (std::int64_t again = savedAt; again < frame; ++again) step(other, scenario, again);
+          const std::string difference = differenceOf(simulation, other);
+          REQUIRE_MESSAGE(difference.empty(), "frame " << savedAt << ": " << difference);
+          REQUIRE(simulation.stateHash() == other.stateHash());
+        }
+        saved = simulation.save();
+        savedAt = frame;
+      }
+      step(simulation, scenario, frame);
+    }
+  }
+}
+
+TEST_CASE(
+    "one scenario of each kind, restored in the middle of a fresh one, ends as it would have") {
+  for (const char* name : {"cut-950", "press", "lift", "incise", "snip"}) {
+    CAPTURE(name);
+    const Scenario scenario = shipped(name);
+    const std::int64_t frames = frameCount(scenario);
+    Simulation simulation = simulationOf(scenario);
+    Bytes saved;
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+      if (frame == 6 * frames / 10) saved = simulation.save();
+      step(simulation, scenario, frame);
+    }
+    Simulation fresh = simulationOf(scenario);
+    fresh.restore(saved);
+    CHECK(fresh.frame() == 6 * frames / 10);
+    for (std::int64_t frame = fresh.frame(); frame < frames; ++frame) step(fresh, scenario, frame);
+    CHECK(fresh.stateHash() == simulation.stateHash());
+  }
+}
+
+TEST_CASE("a restore takes back a cut: the surface is that of before, bit for bit") {
+  Simulation simulation = cutBlock();
+  const Simulation whole = test::elasticBlock({10, 5, 8}, 0.008, test::ballTool(0.01));
+  CHECK(simulation.organ().severed.count() > 0);
+  simulation.restore(whole.save());
+  CHECK(simulation.organ().severed.count() == 0);
+  CHECK(simulation.stateHash() == whole.stateHash());
+}
+
+TEST_CASE("what is made from a restored state is what it was made from while it came about") {
+  Simulation simulation = cutBlock();
+  Simulation fresh = test::elasticBlock({10, 5, 8}, 0.008, test::ballTool(0.01));
+  fresh.restore(simulation.save());
+  const auto& a = static_cast<const ElasticTissue&>(simulation.tissue()).state();
+  const auto& b = static_cast<const ElasticTissue&>(fresh.tissue()).state();
+  CHECK(a.inverseMoment == b.inverseMoment);
+  CHECK(a.skew == b.skew);
+  CHECK(a.planeWeight == b.planeWeight);
+  CHECK(a.kappa == b.kappa);
+  CHECK(a.inverseMass == b.inverseMass);
+  REQUIRE(a.chunks.size() == b.chunks.size());
+  for (std::size_t i = 0; i < a.chunks.size(); ++i) {
+    CHECK(a.chunks[i].start == b.chunks[i].start);
+    CHECK(a.chunks[i].uneven == b.chunks[i].uneven);
+    CHECK(a.chunks[i].whole == b.chunks[i].whole);
+    CHECK(a.chunks[i].steered == b.chunks[i].steered);
+  }
+}
+
+TEST_CASE(
+    "every field of the state decides its digest, and a difference in it is told by its name") {
+  Simulation simulation = cutBlock();
+  const SavedState state = simulation.fields();
+  int fields = 0;
+  const std::function<void(SavedState&, StateColumn&, const std::string&)> flip =
+      [&](SavedState& other, StateColumn& column, const std::string& path) {
+        const std::string here = path.empty() ? column.name : path + "." + column.name;
+        if (!column.data.empty()) {
+          std::byte& byte = column.data[column.data.size() / 2];
+          byte ^= std::byte(1);
+          ++fields;
+          const std::string difference = firstDifference(state, other).value_or("");
+          CHECK_MESSAGE(difference.starts_with(here), here << " is told as " << difference);
+          if (here == ".organs.tissue.u.1" || here == ".organs.organ.alive")
+            CHECK(difference.find("cell (") != std::string::npos);
+          byte ^= std::byte(1);
+        }
+        for (StateColumn& field : column.fields) flip(other, field, here);
+      };
+  SavedState other = state;
+  flip(other, other.root, "");
+  CHECK(fields > 50);
+  CHECK(!firstDifference(state, other));
+}
+
+TEST_CASE("no field of a struct that holds state is left out of visit() and visitMade()") {
+  Simulation simulation = cutBlock();
+  const OperatedOrgan& organ = simulation.organs()[0];
+  const auto& tissue = static_cast<const ElasticTissue&>(*organ.tissue);
+  CHECK(test::uncoveredBytes(simulation) == "");
+  CHECK(test::uncoveredBytes(organ) == "");
+  CHECK(test::uncoveredBytes(organ.organ) == "");
+  CHECK(test::uncoveredBytes(organ.organ.severed) == "");
+  CHECK(test::uncoveredBytes(tissue.state()) == "");
+  CHECK(test::uncoveredBytes(tissue) == "");
+  CHECK(test::uncoveredBytes(StillTissue(organ.organ.rest.lattice, organ.organ.alive)) == "");
+  CHECK(test::uncoveredBytes(simulation.tools()[0]) == "");
+  // A struct with a field that nobody named is found.
+  struct Forgetful {
+    double named = 0, forgotten = 0;
+    void visit(StateVisitor& v) { v("named", named); }
+    void visitMade(StateVisitor&) {}
+  };
+  CHECK(test::uncoveredBytes(Forgetful()) == "bytes 8 to 16");
+}
+
+TEST_CASE("a state of another organ, cut off or damaged, is refused and changes nothing") {
+  Simulation simulation = cutBlock();
+  const Bytes saved = simulation.save();
+  const std::uint64_t before = simulation.stateHash();
+  Simulation larger = test::elasticBlock({11, 5, 8}, 0.008, test::ballTool(0.01));
+  CHECK_THROWS_WITH_AS(larger.restore(saved),
+                       "the state is that of another organ, or of one in cells of another size; "
+                       "restore it into the operation that it was saved from",
+                       Error);
+  Simulation still(makeOrgan(test::fullBlock({10, 5, 8}, 0.008), {}), {});
+  CHECK_THROWS_AS(still.restore(saved), Error);
+  Random random(7);
+  int refused = 0;
+  for (int i = 0; i < 300; ++i) {
+    Bytes damaged = saved;
+    if (i % 3 == 0)
+      damaged.resize(random.below(damaged.size()));
+    else
+      damaged[random.below(damaged.size())] ^= std::byte(1 << random.below(8));
+    try {
+      simulation.restore(damaged);
+      simulation.restore(saved);  // a number has changed: a state all the same
+    } catch (const Error& e) {
+      ++refused;
+      CHECK(std::string(e.what()).find('\n') == std::string::npos);
+    }
+    REQUIRE(simulation.stateHash() == before);
+  }
+  CHECK(refused > 100);
+}
+
+TEST_CASE("a saved state is small, and saving and restoring are quick") {
+  struct Case {
+    const char* name;
+    bool elastic;
+    double spacing, bytesPerParticle;
+  };
+  // At most 48 bytes a particle of elastic tissue, a bit a particle of still tissue.
+  for (const Case& c : {Case{"press", true, 0.005, 48}, Case{"cut", false, 0.00118, 0.125}}) {
+    Scenario scenario = shipped(c.name);
+    scenario.organ.spacing = c.spacing;
+    Simulation simulation = simulationOf(scenario);
+    for (std::int64_t frame = 0; frame < 40; ++frame) step(simulation, scenario, frame);
+    Bytes saved;
+    const double save = millisecondsOf([&] { saved = simulation.save(); });
+    const double restore = millisecondsOf([&] { simulation.restore(saved); });
+    const double each = double(saved.size()) / double(simulation.organ().particles);
+    MESSAGE(fmt::format(
+        "{}: {} particles, {:.2f} bytes each, saved in {:.2f} ms, restored in {:.2f} ms", c.name,
+        simulation.organ().particles, each, save, restore));
+    CHECK(each < c.bytesPerParticle);
+  }
+}
