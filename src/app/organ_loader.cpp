@@ -68,8 +68,8 @@ struct OrganLoader::Job {
   Scenario scenario;
   std::vector<std::string> notes;
   std::string problem;
-  std::optional<Organ> organ;
-  std::unique_ptr<TissueModel> tissue;
+  std::vector<OperatedOrgan> organs;
+  std::vector<TissueJoint> joints;
   std::atomic<double> share{-1};
   std::atomic<bool> cancelled{false}, built{false};
   std::thread thread;
@@ -83,22 +83,23 @@ struct OrganLoader::Job {
   }
   void build(const std::string& convertedFile) {
     try {
-      OrganSource source = scenario.organ;
+      Scenario wanted = scenario;
+      wanted.tissue = beside(scenario.tissue);
+      for (ScenarioOrgan& organ : wanted.otherOrgans) organ.tissue = beside(organ.tissue);
       if (!convertedFile.empty()) {
-        source.file = convertedFile;
-        source.part.clear();
-        source.unit = 1;
+        wanted.organ.file = convertedFile;
+        wanted.organ.part.clear();
+        wanted.organ.unit = 1;
       }
-      Discretization cells = loadCells(
-          source, readOwnFile,
+      organs = loadOrgans(
+          wanted, readOwnFile,
           [this](double now) {
             share = now;
             return !cancelled;
           },
           &notes);
-      share = -1;  // surface and tissue take their time too
-      organ.emplace(makeOrgan(std::move(cells), source.settings));
-      if (!cancelled) tissue = makeTissue(beside(scenario.tissue), *organ);
+      share = -1;  // joints take their time too
+      joints = makeJoints(wanted, organs);
     } catch (const Cancelled&) {
       problem = "cancelled";
     } catch (const std::exception& e) {
@@ -181,12 +182,12 @@ void OrganLoader::poll() {
   if (job->thread.joinable()) job->thread.join();
   removeConverted();
   Result result{job->scenario, nullptr, std::move(job->notes), std::move(job->problem)};
-  if (job->organ && result.problem.empty()) try {
+  if (!job->organs.empty() && result.problem.empty()) try {
       // Here and not in the thread: Inventor, which reads the tools, belongs to the window's
       // thread.
       result.simulation =
-          std::make_unique<Simulation>(std::move(*job->organ), loadTools(job->scenario, &readModel),
-                                       std::move(job->tissue), job->scenario.table);
+          std::make_unique<Simulation>(std::move(job->organs), loadTools(job->scenario, &readModel),
+                                       std::move(job->joints), job->scenario.table);
     } catch (const std::exception& e) {
       result.problem = e.what();
     }

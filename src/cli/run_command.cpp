@@ -43,10 +43,11 @@ void listScenarios() {
 std::vector<std::string> writePieces(const std::filesystem::path& folder,
                                      const Simulation& simulation) {
   std::vector<std::string> files;
-  for (const Body& body : bodies(simulation.organ(), simulation.surfaceMesh())) {
-    files.push_back(folder / fmt::format("piece_{}.stl", files.size() + 1));
-    writeMeshFile(files.back(), body.mesh);
-  }
+  for (const OperatedOrgan& o : simulation.organs())
+    for (const Body& body : bodies(o.organ, o.organ.surface.mesh(o.points()))) {
+      files.push_back(folder / fmt::format("piece_{}.stl", files.size() + 1));
+      writeMeshFile(files.back(), body.mesh);
+    }
   return files;
 }
 

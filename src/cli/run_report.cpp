@@ -40,13 +40,15 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
   json["pieces"] = nlohmann::ordered_json::array();
   for (const PieceSummary& piece : summary.pieces) {
     json["pieces"].push_back(toJson(piece.surface));
+    json["pieces"].back()["organ"] = piece.organ;
     json["pieces"].back()["particles"] = piece.particles;
     json["pieces"].back()["tissue_ml"] = 1e6 * piece.tissue;
     json["pieces"].back()["mass_g"] = 1e3 * piece.mass;
   }
   if (hasLabels(summary))
     for (const LabelSummary& label : summary.labels)
-      json["labels"].push_back({{"label", label.label},
+      json["labels"].push_back({{"organ", label.organ},
+                                {"label", label.label},
                                 {"name", label.name},
                                 {"before", toJson(label.before)},
                                 {"removed", toJson(label.removed)},
@@ -101,11 +103,12 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
       fmt::format("{}: {}", summary.pieces.size(), pieces.empty() ? "nothing is left" : pieces));
   if (hasLabels(summary))
     for (const LabelSummary& label : summary.labels)
-      row(label.label == summary.labels[0].label ? "labels" : "",
-          fmt::format("{}: {} of {} particles removed, {:.2f} of {:.2f} ml, {:.2f} of {:.2f} g",
-                      label.name, label.removed.particles, label.before.particles,
-                      1e6 * label.removed.volume, 1e6 * label.before.volume,
-                      1e3 * label.removed.mass, 1e3 * label.before.mass));
+      row(&label == &summary.labels[0] ? "labels" : "",
+          fmt::format("{}{}: {} of {} particles removed, {:.2f} of {:.2f} ml, {:.2f} of {:.2f} g",
+                      label.organ == "organ" ? "" : label.organ + ", ", label.name,
+                      label.removed.particles, label.before.particles, 1e6 * label.removed.volume,
+                      1e6 * label.before.volume, 1e3 * label.removed.mass,
+                      1e3 * label.before.mass));
   if (summary.tissueMoves) {
     std::string forces;
     for (const ToolForces& tool : summary.forces)

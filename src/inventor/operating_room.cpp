@@ -146,7 +146,7 @@ OperatingRoom::OperatingRoom() {
   const Tissue organ = appendTissue(tissue_, kLiverColour);
   organColour_ = organ.colour;
   organHints_ = organ.hints;
-  organ_ = organ.shape;
+  organs_ = {organ.shape};
   for (SoNode* node : {toolbox_, tissue_}) casters_->addChild(node);
   shadows_->movers = tools_;
 
@@ -282,7 +282,14 @@ void OperatingRoom::setToolPose(int tool, const Pose& pose) { setPose(toolTransf
 
 void OperatingRoom::setOrgan(const TriangleMesh& mesh, const Vec3f& colour) {
   organColour_->rgb.setValue(colour.data());
-  setMesh({organColour_, organHints_, organ_}, mesh);
+  setMesh({organColour_, organHints_, organs_[0]}, mesh);
+}
+
+// The surface of an organ is closed.
+void OperatingRoom::addOrgan(const Vec3f& colour) {
+  const Tissue organ = appendTissue(tissue_, colour);
+  organ.hints->shapeType = SoShapeHints::SOLID;
+  organs_.push_back(organ.shape);
 }
 
 void OperatingRoom::addTissue(const TriangleMesh& mesh, const Vec3f& colour) {

@@ -47,6 +47,8 @@ std::optional<RoomView> roomView(std::string_view name);
 // Screen colour (sRGB) of the capsule.
 inline const Vec3f kLiverColour{0.352f, 0.152f, 0.131f};
 
+inline const Vec3f kGallbladderColour{0.255f, 0.300f, 0.165f};
+
 class OperatingRoom {
  public:
   OperatingRoom();
@@ -56,7 +58,10 @@ class OperatingRoom {
 
   SoNode* root() const;
   SoPerspectiveCamera* camera() const { return camera_; }
-  SoOrganShape* organ() const { return organ_; }
+  // The first organ, or one that was added.
+  SoOrganShape* organ(int number = 0) const { return organs_.at(std::size_t(number)); }
+  int organCount() const { return int(organs_.size()); }
+  void addOrgan(const Vec3f& colour);
 
   // Table, tool box: replaced by `model`; nullptr = none.
   void setTable(SoNode* model);
@@ -141,7 +146,7 @@ class OperatingRoom {
   SoTransform* organPose_;
   SoBaseColor* organColour_;
   SoShapeHints* organHints_;
-  SoOrganShape* organ_;
+  std::vector<SoOrganShape*> organs_;
   SoShaderProgram* steel_;
   SoSeparator* aids_;
 };

@@ -67,6 +67,12 @@ Vec3 isoFoot(const Aabb& organ) {
   return {organ.min.x() - 0.06, 0.0, organ.min.z() + 0.25 * organ.size().z()};
 }
 
+Aabb boxOfOrgans(const Simulation& simulation) {
+  Aabb box;
+  for (const OperatedOrgan& o : simulation.organs()) box.grow(o.organ.rest.lattice.box());
+  return box;
+}
+
 }  // namespace
 
 OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation,
@@ -74,7 +80,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
     : scenario_(scenario),
       toolModels_(modelsOf(*simulation)),
       cells_(simulation->organ().rest),
-      organBox_(cells_.lattice.box()),
+      organBox_(boxOfOrgans(*simulation)),
       view_(scenario, *simulation, aspect),
       tools_(view_.room(), restsOf(scenario)),
       camera_(view_.room().camera()),
@@ -152,13 +158,15 @@ Damage OperatingSession::update() {
   sensors->processTimerQueue();
   sensors->processDelayQueue(TRUE);
 
-  SurfaceUpdate update;
-  if (operation_.take(update, state_)) {
-    view_.follow(update);
-    const Aabb changed = room().organ()->takeChanged();
-    if (update.everything) damage_.everything = true;
-    if (update.everything) room().changedIn({});
-    if (!update.everything && !changed.empty()) {
+  std::vector<SurfaceUpdate> updates;
+  if (operation_.take(updates, state_)) {
+    view_.follow(updates);
+    Aabb changed;
+    for (int o = 0; o < room().organCount(); ++o) changed.grow(room().organ(o)->takeChanged());
+    const bool everything = std::ranges::any_of(updates, &SurfaceUpdate::everything);
+    if (everything) damage_.everything = true;
+    if (everything) room().changedIn({});
+    if (!everything && !changed.empty()) {
       room().changedIn(changed);
       addWithShadow(damage_, changed, lampPosition(), organBox_);
     }
@@ -274,8 +282,9 @@ bool OperatingSession::pointUnder(const SbVec2s& pixel, const SbViewportRegion& 
   Ray ray{Vec3(from[0], from[1], from[2]), Vec3(towards[0], towards[1], towards[2])};
   ray.direction = (ray.direction - ray.origin).normalized();
   double nearest = kReach;
-  if (const auto on = room().organ()->firstPointOn(ray))
-    nearest = std::min(nearest, (*on - ray.origin).norm());
+  for (int o = 0; o < room().organCount(); ++o)
+    if (const auto on = room().organ(o)->firstPointOn(ray))
+      nearest = std::min(nearest, (*on - ray.origin).norm());
   const double table = -ray.origin.y() / ray.direction.y();  // its plane, y = 0
   if (table >= 0) nearest = std::min(nearest, table);
   point = ray.at(nearest);

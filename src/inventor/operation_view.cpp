@@ -23,6 +23,14 @@ SoNode* readSceneFile(const std::filesystem::path& path) {
   return root;
 }
 
+namespace {
+
+Vec3f colourOf(const OrganSource& organ) {
+  return organ.file == "gallbladder" ? kGallbladderColour : kLiverColour;
+}
+
+}  // namespace
+
 OperationView::OperationView(const Scenario& scenario, Simulation& simulation, double aspect) {
   const auto view = roomView(scenario.view);
   if (!view)
@@ -34,10 +42,14 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
   for (const ToolState& state : simulation.tools())
     room_.addTool(readSceneFile(state.tool->model.file));
   simulation.keepLook();
+  publishers_.assign(simulation.organs().size(), SurfacePublisher(0));
+  for (std::size_t o = 1; o < simulation.organs().size(); ++o)
+    room_.addOrgan(colourOf(sourceOf(scenario, o)));
   follow(simulation);
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     room_.setToolPose(int(i), scenario.tools[i].rest);
-  Aabb box = simulation.organ().rest.lattice.box();
+  Aabb box;
+  for (const OperatedOrgan& o : simulation.organs()) box.grow(o.organ.rest.lattice.box());
   // What hangs or falls is seen down to the table that it may come to.
   if (scenario.table) box.min.y() = std::min(box.min.y(), 0.0);
   room_.lightUp(box);
@@ -54,10 +66,16 @@ void OperationView::follow(const Simulation& simulation) {
     room_.setToolPose(int(i), simulation.tools()[i].pose());
     room_.setToolSqueeze(int(i), simulation.tools()[i].way.to.squeeze);
   }
-  publisher_.follow(presentSurface(simulation));
-  follow(publisher_.take());
+  std::vector<SurfaceUpdate> updates;
+  for (std::size_t o = 0; o < publishers_.size(); ++o) {
+    publishers_[o].follow(presentSurface(simulation, o));
+    updates.push_back(publishers_[o].take());
+  }
+  follow(updates);
 }
 
-void OperationView::follow(const SurfaceUpdate& update) { room_.organ()->update(update); }
+void OperationView::follow(std::span<const SurfaceUpdate> updates) {
+  for (std::size_t o = 0; o < updates.size(); ++o) room_.organ(int(o))->update(updates[o]);
+}
 
 }  // namespace resect

@@ -30,7 +30,7 @@ class OperationView {
   // After every step: moves the tools and hands on what has changed of the surface, as it is now.
   void follow(const Simulation& simulation);
   // The same for an operation that goes on in another thread; the tools stay where they are.
-  void follow(const SurfaceUpdate& update);
+  void follow(std::span<const SurfaceUpdate> updates);
 
   RgbImage draw(OffscreenView& picture) const;
 
@@ -38,7 +38,8 @@ class OperationView {
 
  private:
   OperatingRoom room_;
-  SurfacePublisher publisher_{0};  // of the simulation that is followed: all that moves is shown
+  // Of the simulation that is followed, one per organ: all that moves is shown.
+  std::vector<SurfacePublisher> publishers_;
 };
 
 }  // namespace resect

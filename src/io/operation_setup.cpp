@@ -2,6 +2,9 @@
 
 #include <array>
 
+#include <map>
+#include <optional>
+
 #include "base/error.h"
 #include "geometry/resting_pose.h"
 #include "io/data_folder.h"
@@ -82,7 +85,7 @@ std::array<std::uint8_t, 256> materialNumbers(const TissueSetup& setup,
 }  // namespace
 
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
-                           std::vector<std::string>* notes) {
+                           std::vector<std::string>* notes, std::optional<Pose>* place) {
   TriangleMesh mesh;
   if (source.file.empty()) {
     mesh = builtinLiver();
@@ -94,11 +97,17 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
     mesh = organ.mesh;
     if (notes) notes->insert(notes->end(), organ.notes.begin(), organ.notes.end());
   }
-  mesh = transformed(std::move(mesh), {Vec3::Zero(), source.pose.rotation});
-  if (source.onTable && source.settle)
-    mesh = transformed(mesh, {Vec3::Zero(), restingRotation(mesh)});
+  if (place && *place) return transformed(std::move(mesh), **place);
+  Eigen::Quaterniond turn = source.pose.rotation;
+  mesh = transformed(std::move(mesh), {Vec3::Zero(), turn});
+  if (source.onTable && source.settle) {
+    const Eigen::Quaterniond settled = restingRotation(mesh);
+    mesh = transformed(mesh, {Vec3::Zero(), settled});
+    turn = settled * turn;
+  }
   const Vec3 shift =
       (source.onTable ? ontoTable(bounds(mesh)) : Vec3(Vec3::Zero())) + source.pose.position;
+  if (place) *place = Pose{shift, turn};
   return transformed(std::move(mesh), {shift, Eigen::Quaterniond::Identity()});
 }
 
@@ -106,9 +115,13 @@ namespace {
 
 // The cells with what labels their file has.
 Discretization sourceCells(const OrganSource& source, const ModelReader& readModel,
-                           const Progress& progress, std::vector<std::string>* notes) {
+                           const Progress& progress, std::vector<std::string>* notes,
+                           std::optional<Pose>* place) {
   if (!isParticleFile(source.file))
-    return sample(loadOrganMesh(source, readModel, notes), source, progress);
+    return sample(loadOrganMesh(source, readModel, notes, place), source, progress);
+  if (!source.beside.empty())
+    throw usageError("{} holds particles, which lie as their file says; leave out beside",
+                     source.file);
   if (!source.part.empty() || source.repair)
     throw usageError("{} holds particles: it has no parts and needs no repair; leave {} out",
                      source.file, source.repair ? "--repair" : "--part");
@@ -130,8 +143,9 @@ Discretization sourceCells(const OrganSource& source, const ModelReader& readMod
 }  // namespace
 
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
-                         const Progress& progress, std::vector<std::string>* notes) {
-  Discretization cells = sourceCells(source, readModel, progress, notes);
+                         const Progress& progress, std::vector<std::string>* notes,
+                         std::optional<Pose>* place) {
+  Discretization cells = sourceCells(source, readModel, progress, notes, place);
   label(cells, source);
   return cells;
 }
@@ -173,12 +187,49 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
   return tissue;
 }
 
+std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReader& readModel,
+                                      const Progress& progress, std::vector<std::string>* notes) {
+  std::vector<OperatedOrgan> organs;
+  std::map<std::string, std::optional<Pose>> places;
+  for (std::size_t i = 0; i <= scenario.otherOrgans.size(); ++i) {
+    const OrganSource& source = sourceOf(scenario, i);
+    std::optional<Pose>& place = places[source.name];
+    if (!source.beside.empty()) place = places[source.beside];
+    Organ organ = makeOrgan(loadCells(source, readModel, progress, notes, &place), source.settings);
+    std::unique_ptr<TissueModel> tissue = makeTissue(tissueOf(scenario, i), organ);
+    organs.push_back(operatedOrgan(source.name, std::move(organ), std::move(tissue)));
+  }
+  return organs;
+}
+
+std::vector<TissueJoint> makeJoints(const Scenario& scenario,
+                                    const std::vector<OperatedOrgan>& organs) {
+  std::vector<TissueJoint> joints;
+  double shortest = 1;  // s: of the substeps
+  for (std::size_t i = 0; i < organs.size(); ++i)
+    if (const auto* elastic = dynamic_cast<const ElasticTissue*>(organs[i].tissue.get()))
+      shortest = std::min(shortest, elastic->longestSubstep());
+  for (const OrganJoint& joint : scenario.joints) {
+    JoinedOrgan ends[2];
+    for (int end = 0; end < 2; ++end) {
+      const auto at = std::ranges::find(organs, joint.organs[end], &OperatedOrgan::name);
+      ends[end] = {std::int32_t(at - organs.begin()), &at->organ.rest.lattice, at->tissue.get()};
+    }
+    const auto springs = joinNear(ends[0], ends[1], joint.reach, joint.stiffness, shortest);
+    if (springs.empty())
+      throw error(
+          "no particle of \"{}\" lies within {:.3g} mm of \"{}\"; give their joint a longer reach",
+          joint.organs[0], 1e3 * joint.reach, joint.organs[1]);
+    joints.insert(joints.end(), springs.begin(), springs.end());
+  }
+  return joints;
+}
+
 Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress, std::vector<std::string>* notes) {
-  Organ organ =
-      makeOrgan(loadCells(scenario.organ, readModel, progress, notes), scenario.organ.settings);
-  std::unique_ptr<TissueModel> tissue = makeTissue(scenario.tissue, organ);
-  return Simulation(std::move(organ), loadTools(scenario, readModel), std::move(tissue),
+  std::vector<OperatedOrgan> organs = loadOrgans(scenario, readModel, progress, notes);
+  std::vector<TissueJoint> joints = makeJoints(scenario, organs);
+  return Simulation(std::move(organs), loadTools(scenario, readModel), std::move(joints),
                     scenario.table);
 }
 

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,15 +20,18 @@ using ModelReader = std::function<Model(const std::filesystem::path&)>;
 
 // The organ's closed, outward surface where the scenario puts it: turned by source.pose, then laid
 // on the table (lowest point at y = 0, bounding box centred over the origin) when source.onTable,
-// then moved by the pose's position. `notes` gets what was repaired or noticed, a sentence each.
+// then moved by the pose's position. `place`, where given: a pose to be laid in instead, or what it
+// was laid in. `notes` gets what was repaired or noticed, a sentence each.
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
-                           std::vector<std::string>* notes = nullptr);
+                           std::vector<std::string>* notes = nullptr,
+                           std::optional<Pose>* place = nullptr);
 
 // The organ's cells: from a file of particles (io/particle_file.h, taken where its coordinates put
 // it unless onTable, and with its own cells unless source.resample), else from the mesh; with the
 // labels that the source names. Throws Error when one of them marks no particle.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
-                         const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
+                         const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
+                         std::optional<Pose>* place = nullptr);
 
 // The scenario's tools, from their description files (named as files, or as shipped: "scalpel").
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
@@ -36,6 +40,14 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
 // The tissue that the scenario asks for, at rest. Throws Error when an attachment holds nothing, a
 // material is for a label that no particle has, or a setting is out of range.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ);
+
+// All organs of the scenario at rest, and the springs between them. Throws Error when a joint joins
+// nothing.
+std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReader& readModel,
+                                      const Progress& progress = {},
+                                      std::vector<std::string>* notes = nullptr);
+std::vector<TissueJoint> makeJoints(const Scenario& scenario,
+                                    const std::vector<OperatedOrgan>& organs);
 
 // All of the above: the scenario, ready for its first frame.
 Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,

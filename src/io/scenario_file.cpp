@@ -1,5 +1,7 @@
 #include "io/scenario_file.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "io/data_folder.h"
 #include "io/label_reader.h"
@@ -23,6 +25,8 @@ Vec3i readDims(const TomlTable& t) {
 
 OrganSource readOrgan(const TomlTable& t) {
   OrganSource organ;
+  organ.name = t.text("name", "organ");
+  organ.beside = t.text("beside", "");
   const std::string source = t.text("source", "liver");
   organ.file = source == "liver" ? "" : source;
   organ.part = t.text("part", "");
@@ -39,7 +43,6 @@ OrganSource readOrgan(const TomlTable& t) {
   organ.settings.iso = float(t.number("iso", kMinIso, kMaxIso, organ.settings.iso));
   organ.landmarks = readLandmarks(t);
   organ.labels = readLabels(t);
-  t.refuseUnknownKeys();
   return organ;
 }
 
@@ -114,6 +117,63 @@ OperationMode readMode(const TomlTable& t, bool elastic) {
   return mode == "thesis" ? OperationMode::Thesis : OperationMode::Operation;
 }
 
+// One [organ] with [tissue], or [[organ]] any number of times, each with [organ.tissue] of its own;
+// one that has none is of [tissue].
+void readOrgans(const TomlTable& t, Scenario& scenario) {
+  TissueSetup common;
+  if (const auto tissue = t.table("tissue")) common = readTissue(*tissue);
+  const auto read = [&](const TomlTable& organ) {
+    ScenarioOrgan one{readOrgan(organ), common};
+    if (const auto tissue = organ.table("tissue")) one.tissue = readTissue(*tissue);
+    organ.refuseUnknownKeys();
+    return one;
+  };
+  std::vector<ScenarioOrgan> organs;
+  if (t.isList("organ"))
+    for (const TomlTable& organ : t.tables("organ")) {
+      organs.push_back(read(organ));
+      const std::string& name = organs.back().source.name;
+      if (std::ranges::count(organs, name, [](const auto& o) { return o.source.name; }) > 1)
+        organ.complain("name",
+                       "is \"" + name + "\", as another organ's; give each a name of its own");
+    }
+  else if (const auto organ = t.table("organ"))
+    organs.push_back(read(*organ));
+  if (organs.empty()) {
+    organs.push_back({{}, common});
+    organs[0].source.spacing = 0.005;
+  }
+  const auto known = [&](const std::string& name) {
+    return std::ranges::any_of(organs, [&](const auto& o) { return o.source.name == name; });
+  };
+  for (std::size_t i = 0; i < organs.size(); ++i)
+    if (const std::string& beside = organs[i].source.beside; !beside.empty()) {
+      const bool before = std::any_of(organs.begin(), organs.begin() + std::ptrdiff_t(i),
+                                      [&](const auto& o) { return o.source.name == beside; });
+      if (!before)
+        t.complain("organ", "\"" + organs[i].source.name + "\" lies beside \"" + beside +
+                                "\", which is no organ before it");
+    }
+  for (const TomlTable& joint : t.tables("joint")) {
+    OrganJoint one;
+    const std::vector<std::string> names = joint.texts("organs");
+    if (names.size() != 2 || names[0] == names[1] || !known(names[0]) || !known(names[1]))
+      joint.complain("organs", "is not the names of two organs; give organs = [\"...\", \"...\"]");
+    one.organs[0] = names[0];
+    one.organs[1] = names[1];
+    if (joint.has("reach")) one.reach = joint.length("reach", 1e-5, 1);
+    one.stiffness = joint.number("stiffness", 0, 1e6, one.stiffness);
+    joint.refuseUnknownKeys();
+    scenario.joints.push_back(one);
+  }
+  scenario.organ = organs[0].source;
+  scenario.tissue = organs[0].tissue;
+  scenario.otherOrgans.assign(organs.begin() + 1, organs.end());
+  bool elastic = false;
+  for (const ScenarioOrgan& organ : organs) elastic = elastic || organ.tissue.elastic;
+  scenario.mode = readMode(t, elastic);
+}
+
 Scenario toScenario(const TomlTable& t) {
   Scenario scenario;
   scenario.title = t.text("title");
@@ -125,12 +185,7 @@ Scenario toScenario(const TomlTable& t) {
     scenario.closeUp = readBox(t, "close_up", "close_up = [[x, y, z], [x, y, z]]");
     if (!(scenario.closeUp->size().maxCoeff() > 0)) t.complain("close_up", "has no size");
   }
-  if (const auto organ = t.table("organ"))
-    scenario.organ = readOrgan(*organ);
-  else
-    scenario.organ.spacing = 0.005;
-  if (const auto tissue = t.table("tissue")) scenario.tissue = readTissue(*tissue);
-  scenario.mode = readMode(t, scenario.tissue.elastic);
+  readOrgans(t, scenario);
   if (const auto room = t.table("room")) {
     scenario.table = room->flag("table", true);
     scenario.toolBox = room->flag("tool_box", true);
@@ -155,6 +210,8 @@ Scenario readScenario(const std::filesystem::path& path) {
   Scenario scenario = toScenario(TomlTable::readFile(path));
   scenario.name = path.stem().string();
   if (!scenario.organ.file.empty()) scenario.organ.file = resolved(scenario.organ.file, path);
+  for (ScenarioOrgan& organ : scenario.otherOrgans)
+    if (!organ.source.file.empty()) organ.source.file = resolved(organ.source.file, path);
   for (ScenarioTool& tool : scenario.tools) tool.model = resolved(tool.model, path);
   return scenario;
 }

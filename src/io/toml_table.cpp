@@ -161,6 +161,11 @@ std::vector<Vec3> TomlTable::points(const std::string& key) const {
   return result;
 }
 
+bool TomlTable::isList(const std::string& key) const {
+  const toml::node* node = find(key);
+  return node && node->is_array();
+}
+
 std::vector<std::string> TomlTable::texts(const std::string& key) const {
   std::vector<std::string> result;
   const toml::node* node = find(key);

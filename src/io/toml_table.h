@@ -48,6 +48,7 @@ class TomlTable {
   Eigen::Quaterniond rotation(const std::string& key) const;
 
   std::optional<TomlTable> table(const std::string& key) const;
+  bool isList(const std::string& key) const;
   std::vector<TomlTable> tables(
       const std::string& key) const;  // [[key]] or key = [{...}, ...]; empty when missing
 

@@ -57,9 +57,10 @@ double massOf(const Body& body, const TissueSetup& tissue) {
 RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
                        const FrameObserver& observer) {
   RunSummary summary;
-  const Organ& organ = simulation.organ();
-  summary.particles = organ.particles;
-  summary.organVolume = organ.volume();
+  for (const OperatedOrgan& o : simulation.organs()) {
+    summary.particles += o.organ.particles;
+    summary.organVolume += o.organ.volume();
+  }
   summary.surfaceBefore = summarise(simulation.surfaceMesh());
 
   summary.tissueMoves = simulation.moves();
@@ -93,18 +94,26 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
     if (observer && !observer(simulation, report)) break;
   }
 
-  summary.removed = organ.removed;
-  summary.removedVolume = organ.removedVolume;
-  summary.remainingVolume = organ.volume();
+  for (const OperatedOrgan& o : simulation.organs()) {
+    summary.removed += o.organ.removed;
+    summary.removedVolume += o.organ.removedVolume;
+    summary.remainingVolume += o.organ.volume();
+  }
   summary.stages = clock.stages();
   for (const StageTimes& stage : summary.stages)
     summary.computedSeconds += summarise(stage.seconds).total;
-  const TriangleMesh surface = simulation.surfaceMesh();
-  summary.surface = summarise(surface);
-  for (const Body& body : bodies(organ, surface))
-    summary.pieces.push_back(
-        {summarise(body.mesh), body.particles, body.tissue, massOf(body, scenario.tissue)});
-  summary.labels = summariseLabels(organ, scenario.tissue);
+  summary.surface = summarise(simulation.surfaceMesh());
+  for (std::size_t i = 0; i < simulation.organs().size(); ++i) {
+    const OperatedOrgan& o = simulation.organs()[i];
+    const TissueSetup& tissue = tissueOf(scenario, i);
+    for (const Body& body : bodies(o.organ, o.organ.surface.mesh(o.points())))
+      summary.pieces.push_back(
+          {summarise(body.mesh), body.particles, body.tissue, massOf(body, tissue), o.name});
+    for (LabelSummary& label : summariseLabels(o.organ, tissue)) {
+      label.organ = o.name;
+      summary.labels.push_back(std::move(label));
+    }
+  }
   summary.stateHash = simulation.stateHash();
   return summary;
 }

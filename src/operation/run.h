@@ -24,6 +24,7 @@ struct PieceSummary {
   std::int64_t particles = 0;
   double tissue = 0;  // m^3
   double mass = 0;    // kg
+  std::string organ;  // that it is of
 };
 
 // What became of the cells of a label.
@@ -36,6 +37,7 @@ struct LabelSummary {
   int label = 0;
   std::string name;
   Amount before, removed, remaining;
+  std::string organ;
 };
 // Of each label that particles have, ascending; before what was removed in `organ` and after.
 std::vector<LabelSummary> summariseLabels(const Organ& organ, const TissueSetup& tissue);
@@ -58,7 +60,7 @@ struct RunSummary {
   double simulatedSeconds = 0;
   double computedSeconds = 0;  // spent in the steps, pictures not counted
   SurfaceSummary surfaceBefore, surface;
-  std::vector<PieceSummary> pieces;  // bodies of the organ at the end, the largest first
+  std::vector<PieceSummary> pieces;  // bodies at the end, organ by organ, the largest first
   std::vector<LabelSummary> labels;  // one per label, ascending; the organ's own is label 0
   std::vector<StageTimes> stages;
   std::vector<std::string> faults;  // each once

@@ -21,6 +21,8 @@ struct OrganLabel {
 
 // Where the organ comes from and how finely it is taken.
 struct OrganSource {
+  std::string name = "organ";     // how others in the scenario name it
+  std::string beside;             // laid as the organ of that name is, not by itself; or ""
   std::string file;               // model or discretisation file; built in: "" liver, "gallbladder"
   std::string part;               // named part of the file, or "" for all
   double unit = 1;                // metres per unit of the file
@@ -78,13 +80,29 @@ struct TissueSetup {
   }
 };
 
+// An organ beside the first one, with a tissue of its own.
+struct ScenarioOrgan {
+  OrganSource source;
+  TissueSetup tissue;
+};
+
+// Springs that hold two organs together: from each particle of the first to the nearest of the
+// second.
+struct OrganJoint {
+  std::string organs[2];
+  double reach = 0.01;      // m: particles farther apart at rest are not joined
+  double stiffness = 1000;  // of all springs together, N/m
+};
+
 struct Scenario {
   std::string name;         // as in the file's name
   std::string title;        // one line for people
   std::string description;  // what it shows
   OperationMode mode = OperationMode::Thesis;
-  OrganSource organ;
+  OrganSource organ;  // the first one
   TissueSetup tissue;
+  std::vector<ScenarioOrgan> otherOrgans;
+  std::vector<OrganJoint> joints;
   std::vector<ScenarioTool> tools;
   double frameRate = 60;              // frames per simulated second, 1 to 1000
   double duration = 1;                // s
@@ -92,6 +110,14 @@ struct Scenario {
   std::string view = "surgeon";       // camera
   std::optional<Aabb> closeUp;        // what pictures show, room space; without it the organ
 };
+
+// Of the organ of this number, the first one included.
+inline const OrganSource& sourceOf(const Scenario& scenario, std::size_t organ) {
+  return organ == 0 ? scenario.organ : scenario.otherOrgans[organ - 1].source;
+}
+inline const TissueSetup& tissueOf(const Scenario& scenario, std::size_t organ) {
+  return organ == 0 ? scenario.tissue : scenario.otherOrgans[organ - 1].tissue;
+}
 
 // Where a scenario's tool is, and whether it is in hand, at a time.
 ToolInput toolInputAt(const ScenarioTool& tool, double time);

@@ -226,6 +226,60 @@ def resect_segment_elastic():
     return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
 
 
+def lift_gallbladder():
+    """The hook catches the fundus from the front, lifts it, holds it, and pulls until it slips."""
+    path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
+    caught, lifted = (0.033, 0.06, 0.083), (0.033, 0.078, 0.087)
+    path.wait(0.8)
+    path.to(0.033, 0.2, 0.19).to(*caught)
+    path.wait(0.1)
+    path.to(*caught).to(*lifted, speed=0.04)
+    path.wait(0.8)
+    path.to(*lifted).to(0.033, 0.26, 0.2, speed=0.1)
+    return [("scalpel", None), ("hook", path), ("baton", None)]
+
+
+def liver_and_gallbladder():
+    """Two organs: the liver lies on its dome, held below; the gallbladder is on its bed above."""
+    turn = "{ axis = [0.1954, 0.1288, -0.9722], degrees = 180 }"
+    text = scenario("The gallbladder is lifted off the liver's bed",
+                    "The hook lifts the gallbladder by its fundus, and the liver follows", 6.0, lift_gallbladder(),
+                    "surgeon")
+    organs = f"""[[organ]]
+name = "liver"
+source = "liver"
+spacing = "6mm"
+rotation = {turn}  # on its dome, the fundus towards the surgeon
+settle = false
+
+[organ.tissue]
+model = "elastic"
+
+[[organ.tissue.attachment]]
+kind = "pin"
+box = [[-0.11, -0.01, -0.1], [0.11, 0.03, 0.1]]
+
+[[organ]]
+name = "gallbladder"
+source = "gallbladder"
+beside = "liver"
+spacing = "4mm"
+
+[organ.tissue]
+model = "elastic"
+young = 8000
+tear_stretch = 4
+density = 1020
+
+[[joint]]
+organs = ["gallbladder", "liver"]
+reach = "8mm"
+stiffness = 600
+"""
+    head, tools = text.split("[organ]\n", 1)
+    return head + organs + "\n" + tools[tools.index("[[tool]]"):]
+
+
 def no_tools():
     return [("scalpel", None), ("hook", None), ("baton", None)]
 
@@ -289,6 +343,7 @@ def all_scenarios():
     yield "resect-segment-elastic", elastic(
         "A piece of a soft liver taken off", "The scalpel parts the left lateral part; the hook lifts it away", 8.0,
         resect_segment_elastic(), LIGAMENTS)
+    yield "liver-and-gallbladder", liver_and_gallbladder()
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n")
     yield "drop", elastic("The liver is dropped on the table", "From 12 cm; it flattens, and comes to rest", 8.0,

@@ -7,12 +7,22 @@
 #include "operation/live/squeeze_speed.h"
 
 namespace resect {
+namespace {
+
+double restVolume(const Simulation& simulation) {
+  double sum = 0;
+  for (const OperatedOrgan& o : simulation.organs()) sum += o.organ.rest.volume();
+  return sum;
+}
+
+}  // namespace
 
 LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                              double frameRate)
     : simulation_(std::move(simulation)),
       frameRate_(frameRate),
-      wholeVolume_(simulation_->organ().rest.volume()) {
+      wholeVolume_(restVolume(*simulation_)),
+      publishers_(simulation_->organs().size()) {
   simulation_->keepLook();
   input_.duration = 1 / frameRate_;
   for (const Pose& rest : rests) input_.tools.push_back({rest, false, 1});
@@ -56,11 +66,12 @@ void LiveOperation::setPaused(bool paused) {
   wake_.notify_all();
 }
 
-bool LiveOperation::take(SurfaceUpdate& update, LiveState& state) {
+bool LiveOperation::take(std::vector<SurfaceUpdate>& updates, LiveState& state) {
   const std::lock_guard lock(mutex_);
   if (!fresh_) return false;
   fresh_ = false;
-  update = publisher_.take();
+  updates.clear();
+  for (SurfacePublisher& publisher : publishers_) updates.push_back(publisher.take());
   state = state_;
   return true;
 }
@@ -117,7 +128,8 @@ void LiveOperation::work() {
     StepTimes times = lastSecond.times();
     {
       const std::lock_guard lock(mutex_);
-      publisher_.follow(presentSurface(*simulation_));
+      for (std::size_t o = 0; o < publishers_.size(); ++o)
+        publishers_[o].follow(presentSurface(*simulation_, o));
       noteStep(state_, *simulation_, report, wholeVolume_);
       state_.played = std::move(frame->played);
       state_.times = std::move(times);

@@ -42,7 +42,8 @@ class LiveOperation {
   void setPaused(bool paused);
 
   // Moves out what has changed since the last call and copies the state. False: no frame since.
-  bool take(SurfaceUpdate& update, LiveState& state);
+  // updates: one per organ.
+  bool take(std::vector<SurfaceUpdate>& updates, LiveState& state);
 
   // The surface where it is now, for saving; waits for the frame in work, and no longer.
   SurfaceTracker::Compact surface();
@@ -67,7 +68,7 @@ class LiveOperation {
   bool paused_ = false, ending_ = false, fresh_ = false;
   bool stepping_ = false;  // a frame is in work: the simulation is the thread's alone
   int readers_ = 0;        // who wait for the end of the frame; none begins before they are served
-  SurfacePublisher publisher_;
+  std::vector<SurfacePublisher> publishers_;  // one per organ
   LiveState state_;
   std::thread thread_;
 };

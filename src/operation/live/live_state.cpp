@@ -1,22 +1,29 @@
 #include "operation/live/live_state.h"
 
+#include <algorithm>
+
 namespace resect {
 
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
               double before) {
   constexpr double kTouchShows = 0.1;    // s: tissue that is taken at once is touched for a frame
   constexpr double kFeltContact = 0.01;  // N
-  const Organ& organ = simulation.organ();
   state.frame = report.frame + 1;
   state.time = report.time;
-  state.particles = organ.particles;
-  if (organ.removed != state.removed) state.lastRemoval = steadySeconds();
-  state.removed = organ.removed;
-  state.removedVolume = organ.removedVolume;
-  state.volume = before - organ.removedVolume;
-  state.triangles = organ.surface.triangleCount();
-  state.iso = organ.surface.iso();
-  state.moves = simulation.tissue().moves();
+  std::int64_t removed = 0;
+  state.particles = state.triangles = 0;
+  state.removedVolume = 0;
+  for (const OperatedOrgan& o : simulation.organs()) {
+    state.particles += o.organ.particles;
+    removed += o.organ.removed;
+    state.removedVolume += o.organ.removedVolume;
+    state.triangles += o.organ.surface.triangleCount();
+  }
+  if (removed != state.removed) state.lastRemoval = steadySeconds();
+  state.removed = removed;
+  state.volume = before - state.removedVolume;
+  state.iso = simulation.organ().iso;
+  state.moves = simulation.moves();
   state.faults = report.faults;
 
   const std::vector<ToolState>& tools = simulation.tools();
@@ -25,16 +32,23 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   state.forces.resize(tools.size());
   state.lastTouch.resize(tools.size(), -1);
   state.touching.resize(tools.size());
-  const PresentSurface surface = presentSurface(simulation);
+  const std::size_t organs = simulation.organs().size();
   for (std::size_t i = 0; i < tools.size(); ++i) {
     state.squeeze[i] = tools[i].way.to.squeeze;
     state.forces[i] = tools[i].feltForce.norm();
     double& touch = state.lastTouch[i];
-    if (!report.contacts[i].cells.empty() || report.toolForce[i].norm() > kFeltContact)
-      touch = report.time;
+    bool touches = report.toolForce[i].norm() > kFeltContact;
+    for (std::size_t o = 0; o < organs; ++o)
+      touches = touches || !report.contacts[i * organs + o].cells.empty();
+    if (touches) touch = report.time;
     state.touching[i] = std::uint8_t(touch >= 0 && report.time - touch < kTouchShows);
-    if (tools[i].inHand)
-      state.tips[i] = placeOf(surface, tools[i].pose() * tools[i].tool->model.tip);
+    if (!tools[i].inHand) continue;
+    const Vec3 tip = tools[i].pose() * tools[i].tool->model.tip;
+    TipPlace& place = state.tips[i] = placeOf(presentSurface(simulation), tip);
+    for (std::size_t o = 1; o < organs; ++o) {
+      const TipPlace other = placeOf(presentSurface(simulation, o), tip);
+      place = {std::max(place.below, other.below), std::min(place.distance, other.distance)};
+    }
   }
 }
 

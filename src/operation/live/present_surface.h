@@ -16,9 +16,9 @@ struct PresentSurface {
 };
 
 // Of a simulation that keeps its look.
-inline PresentSurface presentSurface(const Simulation& simulation) {
-  return {simulation.organ(), simulation.surfacePoints(), simulation.surfaceNormals(),
-          simulation.tissue().moves()};
+inline PresentSurface presentSurface(const Simulation& simulation, std::size_t organ = 0) {
+  const OperatedOrgan& o = simulation.organs()[organ];
+  return {o.organ, o.points(), o.normals(), o.tissue->moves()};
 }
 
 }  // namespace resect

@@ -27,8 +27,8 @@ struct Followed {
       : operation(std::move(simulation), {kAway}, 240) {}
 
   void follow() {
-    SurfaceUpdate update;
-    if (operation.take(update, state)) apply(update, held);
+    std::vector<SurfaceUpdate> updates;
+    if (operation.take(updates, state)) apply(updates.at(0), held);
   }
   void frames(int count) {
     follow();
@@ -136,7 +136,7 @@ TEST_CASE("who wants the surface waits for the frame in work, however late the o
                           {kAway}, 1000);
   operation.setTool(0, {{cells.lattice.box().centre(), kAway.rotation}, true});
   operation.waitFor(5);
-  SurfaceUpdate update;
+  std::vector<SurfaceUpdate> update;
   LiveState before, after;
   for (int i = 0; i < 20; ++i) {
     operation.take(update, before);
@@ -157,7 +157,7 @@ TEST_CASE("a tool out of hand touches nothing, and a paused operation stands sti
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   live.follow();
   const auto frame = live.state.frame;
-  SurfaceUpdate update;
+  std::vector<SurfaceUpdate> update;
   LiveState state;
   CHECK_FALSE(live.operation.take(update, state));
   live.operation.setPaused(false);
