@@ -1,5 +1,6 @@
 #include "base/run_length.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/error.h"
@@ -9,7 +10,8 @@ namespace {
 
 enum Which : unsigned { kWords, kAgain, kZeros, kOnes };
 
-constexpr std::size_t kShortestRun = 3;  // words: shorter ones are cheaper as they are
+constexpr std::size_t kLikelyGrowth = 64;  // of bytes that are unpacked
+constexpr std::size_t kShortestRun = 3;    // words: shorter ones are cheaper as they are
 
 template <typename Word>
 void appendRunsOf(Bytes& to, std::span<const std::byte> data) {
@@ -83,21 +85,24 @@ std::span<const std::byte> ByteReader::bytes(std::size_t count) {
 
 void ByteReader::runs(Bytes& to, std::size_t size, std::size_t word) {
   if (size % word != 0) throwDamagedState();
-  const std::size_t begin = to.size();
-  to.resize(begin + size);
-  std::byte *at = to.data() + begin, *const end = to.data() + to.size();
-  while (at < end) {
+  const std::size_t end = to.size() + size;
+  // A damaged size takes no more memory than what is there can be meant for.
+  to.reserve(to.size() + std::min(size, kLikelyGrowth * rest_.size()));
+  while (to.size() < end) {
     const std::uint64_t head = number(), words = head >> 2;
-    if (words == 0 || words > std::size_t(end - at) / word) throwDamagedState();
+    if (words == 0 || words > (end - to.size()) / word) throwDamagedState();
     const auto which = Which(head & 3);
     if (which == kWords) {
       const auto from = bytes(words * word);
-      at = std::copy(from.begin(), from.end(), at);
+      to.insert(to.end(), from.begin(), from.end());
       continue;
     }
-    const std::uint64_t one = which == kOnes;  // its lowest byte comes first
+    std::size_t at = to.size();
+    to.resize(at + words * word);
+    if (which == kZeros) continue;
+    const std::uint64_t one = 1;  // its lowest byte comes first
     const auto from = which == kAgain ? bytes(word) : std::as_bytes(std::span(&one, 1)).first(word);
-    for (std::uint64_t i = 0; i < words; ++i, at += word) std::memcpy(at, from.data(), word);
+    for (; at < to.size(); at += word) std::memcpy(to.data() + at, from.data(), word);
   }
 }
 

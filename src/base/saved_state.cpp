@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 #include "base/error.h"
 
@@ -12,12 +13,6 @@ constexpr std::string_view kMagic = "resect-state";
 constexpr std::size_t kMostBytes = std::size_t(1) << 31;  // of all numbers, unpacked
 constexpr int kMostDepth = 16;
 constexpr std::size_t kMostFields = 256, kLongestName = 64;
-
-std::size_t bytesIn(const StateColumn& column) {
-  std::size_t sum = column.data.size();
-  for (const StateColumn& field : column.fields) sum += bytesIn(field);
-  return sum;
-}
 
 void append(Bytes& to, const StateColumn& column) {
   appendNumber(to, column.name.size());
@@ -69,9 +64,21 @@ StateColumn readColumn(ByteReader& from, std::size_t& bytesLeft, int depth) {
   return column;
 }
 
-std::string cellOf(const CellOrder& order, std::size_t entry) {
+// Where number `number` of a column is, for people.
+std::string placeIn(const StateColumn& column, std::span<const CellOrder> orders,
+                    std::size_t number) {
+  std::uint64_t entries = 0;
+  for (const std::uint64_t count : column.counts) entries += count;
+  const std::size_t numbers = column.data.size() / column.size;
+  if (entries == 0 || numbers % entries != 0 || orders.size() != column.counts.size())
+    return fmt::format(", number {}", number);
+  std::uint64_t entry = number / (numbers / entries);
+  std::size_t list = 0;
+  for (; entry >= column.counts[list]; ++list) entry -= column.counts[list];
+  const CellOrder& order = orders[list];
   const std::int64_t i = std::int64_t(entry) - order.front;
-  return fmt::format(", cell ({}, {}, {})", i % order.strideY, i % order.strideZ / order.strideY,
+  return (orders.size() > 1 ? fmt::format(", list {}", list) : "") +
+         fmt::format(", cell ({}, {}, {})", i % order.strideY, i % order.strideZ / order.strideY,
                      i / order.strideZ);
 }
 
@@ -84,9 +91,7 @@ std::optional<std::string> difference(const StateColumn& a, const StateColumn& b
   if (a.data.size() != b.data.size()) return here + ", its length";
   if (!std::ranges::equal(a.data, b.data)) {
     const auto at = std::size_t(std::ranges::mismatch(a.data, b.data).in1 - a.data.begin());
-    const std::size_t number = at / a.size;
-    return here +
-           (a.order.strideY > 0 ? cellOf(a.order, number) : fmt::format(", number {}", number));
+    return here + placeIn(a, a.orders.empty() ? b.orders : a.orders, at / a.size);
   }
   for (std::size_t i = 0; i < a.fields.size(); ++i)
     if (auto found = difference(a.fields[i], b.fields[i], here)) return found;
@@ -136,10 +141,7 @@ StateColumn& ColumnWriter::field(const char* name) {
   if (next >= fields.size() || fields[next].name != name) {
     const auto known = std::ranges::find(fields, name, &StateColumn::name);
     next = std::size_t(known - fields.begin());
-    if (known == fields.end()) {
-      fields.emplace_back().name = name;
-      if (order()) fields.back().order = *order();
-    }
+    if (known == fields.end()) fields.emplace_back().name = name;
   }
   return fields[next++];
 }
@@ -155,6 +157,7 @@ std::size_t ColumnWriter::enterList(const char* name, std::size_t count) {
   enter(name);
   path_.back()->isList = true;
   path_.back()->counts.push_back(count);
+  if (order()) path_.back()->orders.push_back(*order());
   return count;
 }
 
@@ -189,6 +192,23 @@ ColumnReader::Place* ColumnReader::find(const char* name) {
       pathTo(name));
 }
 
+// How often a field can be visited yet.
+std::size_t ColumnReader::left(const Place& place) {
+  const StateColumn& column = *place.column;
+  if (column.isList) return column.counts.size() - place.lists;
+  return entriesLeft(place);
+}
+
+// Of how many entries a list has all fields yet. So a damaged count takes no memory.
+std::size_t ColumnReader::entriesLeft(const Place& list) {
+  const StateColumn& column = *list.column;
+  if (column.size > 0) return (column.data.size() - list.read) / column.size;
+  if (list.fields.empty()) return 0;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const Place& field : list.fields) least = std::min(least, left(field));
+  return least;
+}
+
 void ColumnReader::numbers(const char* name, void* data, std::size_t count, std::size_t size) {
   Place* from = *name ? find(name) : path_.back();
   if (!from || count == 0) return;
@@ -207,7 +227,7 @@ std::size_t ColumnReader::enterList(const char* name, std::size_t count) {
   if (!from) return count;
   const StateColumn& column = *from->column;
   if (!column.isList || from->lists == column.counts.size() ||
-      column.counts[from->lists] > bytesIn(column))
+      column.counts[from->lists] > entriesLeft(*from))
     throw error("the state's \"{}\" is no list as it should be; give one as it was saved",
                 pathTo(""));
   return std::size_t(column.counts[from->lists++]);

@@ -13,9 +13,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <type_traits>
 
@@ -80,6 +82,7 @@ class StateVisitor {
     object(&field, sizeof field);
     if constexpr (Plain<T>) {
       numbers(name, address(field), PlainOf<T>::count, sizeof(typename PlainOf<T>::Scalar));
+      if constexpr (std::is_same_v<T, bool>) makeBool(field);
     } else if constexpr (Turn<T>) {
       numbers(name, field.coeffs().data(), 4, sizeof(double));
     } else if constexpr (IsArray<T>::value) {
@@ -144,6 +147,12 @@ class StateVisitor {
     else if constexpr (IsArray<T>::value)
       for (auto& element : field) madeMemory(element);
   }
+  // What was loaded into a bool may be neither 0 nor 1, which it must not be. Writes only then.
+  static void makeBool(bool& field) {
+    unsigned char byte = 0;
+    std::memcpy(&byte, &field, 1);
+    if (byte > 1) field = true;
+  }
   template <typename T>
   static void* address(T& field) {
     if constexpr (state_detail::FixedMatrix<T>)
@@ -158,6 +167,8 @@ class StateVisitor {
     if constexpr (Plain<Element>) {
       numbers(name, field.data(), field.size() * PlainOf<Element>::count,
               sizeof(typename PlainOf<Element>::Scalar));
+      if constexpr (std::is_same_v<Element, bool>)
+        for (bool& element : field) makeBool(element);
     } else {
       static_assert(std::tuple_size_v<T> <= std::size(kPlace));
       enter(name);
@@ -171,12 +182,18 @@ class StateVisitor {
     using Element = typename T::value_type;
     memory(field.capacity() * sizeof(Element));
     const std::size_t count = enterList(name, field.size());
-    if (count != field.size()) field.resize(count);
-    if constexpr (Plain<Element>)
+    if constexpr (Plain<Element>) {
+      if (count != field.size()) field.resize(count);
       numbers("", field.data(), count * PlainOf<Element>::count,
               sizeof(typename PlainOf<Element>::Scalar));
-    else
-      for (Element& element : field) element.visit(*this);
+    } else {
+      // Grows while it is loaded: what ends early takes no memory for all of it.
+      if (count < field.size()) field.resize(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (i == field.size()) field.resize(std::min(count, i + std::max(i, std::size_t(64))));
+        field[i].visit(*this);
+      }
+    }
     leave();
   }
 
