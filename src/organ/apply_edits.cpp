@@ -1,7 +1,10 @@
 #include "organ/apply_edits.h"
 
+#include <algorithm>
+
 #include "organ/moved_incision.h"
 #include "organ/strands.h"
+#include "tissue/stencil.h"
 
 namespace resect {
 namespace {
@@ -16,8 +19,11 @@ struct Application {
   std::vector<TissueBond> severed;
   std::vector<std::int64_t> nearBlades;
 
+  bool there(std::int64_t cell) const {
+    return cell >= 0 && cell < to.organ.rest.lattice.cellCount();
+  }
   void operator()(const RemoveCell& edit) {
-    if (!to.organ.alive[std::size_t(edit.cell)]) return;
+    if (!there(edit.cell) || !to.organ.alive[std::size_t(edit.cell)]) return;
     const RemovedParticle gone = removeParticle(to.organ, edit.cell);
     summary.removed += gone.particles;
     summary.removedVolume += gone.volume;
@@ -25,18 +31,25 @@ struct Application {
     removedCells.push_back(edit.cell);
   }
   void operator()(const SeverBond& edit) {
+    if (!there(edit.cell) || edit.direction < 0 || edit.direction >= kDirections) return;
     if (!(to.tissue->bonds(edit.cell) >> edit.direction & 1)) return;
     to.tissue->sever(edit.cell, edit.direction);
     severed.push_back({edit.cell, edit.direction});
   }
   void operator()(const Incision& edit) {
+    if (!std::ranges::all_of(edit.cells, [&](std::int64_t cell) { return there(cell); })) return;
     inciseMoved(to.organ, *to.tissue, edit.blade, edit.cells);
     nearBlades.insert(nearBlades.end(), edit.cells.begin(), edit.cells.end());
   }
-  void operator()(const Grip& edit) { to.tissue->grip(edit.cell, tool, edit.pose); }
-  void operator()(const Release&) { to.tissue->release(tool); }
+  // Only a tool holds on to something; what nobody holds is attached for good.
+  void operator()(const Grip& edit) {
+    if (there(edit.cell) && tool >= 0) to.tissue->grip(edit.cell, tool, edit.pose);
+  }
+  void operator()(const Release&) {
+    if (tool >= 0) to.tissue->release(tool);
+  }
   void operator()(const SetLabel& edit) {
-    to.organ.fields.label.set(to.organ.rest.lattice, edit.cell, edit.label);
+    if (there(edit.cell)) to.organ.fields.label.set(to.organ.rest.lattice, edit.cell, edit.label);
   }
 };
 

@@ -17,7 +17,8 @@ struct EditSummary {
 };
 
 // Applies those edits that are for the organ of this number, in their order. What is gone already
-// is passed over: two tools may take the same particle. Field and surface follow with updateField()
+// is passed over, two tools may take the same particle; so is what names a cell that there is not,
+// and a grip or a release by nobody. Field and surface follow with updateField()
 // and updateSurface(). `removedCells`: the particles that were there and are no more are appended.
 EditSummary applyEdits(OperatedOrgan& organ, std::int32_t number, std::span<const TissueEdit> edits,
                        std::vector<std::int64_t>& removedCells);
