@@ -101,6 +101,9 @@ void Simulation::moveTools(const FrameInput& input, StepReport& report) {
       report.faults.push_back(fmt::format(
           "the pose of tool \"{}\" is not a number; it stays where it was: check the tool's motion",
           state.tool->model.name));
+      // Nor does it go its last way once more.
+      state.wasInHand = state.inHand;
+      state.way = {state.way.from, state.way.to, state.way.to};
       continue;
     }
     const ToolStance now{wanted.pose, shareOf(wanted.squeeze), shareOf(wanted.pedal)};
@@ -171,6 +174,7 @@ void Simulation::applyEdits(StepReport& report) {
 void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
   report.toolForce.assign(tools_.size(), Vec3::Zero());
   report.tissue.resize(organs_.size());
+  for (TissueStep& step : report.tissue) step.forget();
   work_.tears.clear();
   work_.moving.clear();
   if (!moves() || !(input.duration > 0)) return;

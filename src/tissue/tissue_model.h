@@ -30,6 +30,12 @@ struct TissueStep {
   std::vector<Vec3> force;          // on each of the obstacles, mean over the frame, N
   std::vector<TissueBond> torn;     // bonds stretched beyond their limit: to be severed
   std::vector<std::int32_t> letGo;  // tools whose grip slipped: to be released
+
+  void forget() {  // as of a frame in which nothing moved; keeps the memory
+    substeps = retries = 0;
+    calm = true;
+    force.clear(), torn.clear(), letGo.clear();
+  }
 };
 
 // Where a cell is, for whatever hangs on it: a point X' near its rest position X
