@@ -1,5 +1,6 @@
 #include "tissue/joint.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -34,11 +35,16 @@ std::vector<TissueJoint> joinNear(const JoinedOrgan& a, const JoinedOrgan& b, do
     joint.rest = to.centre(to.cell(nearest)) - centre;
     joints.push_back(joint);
   }
+  std::vector<std::int64_t> ends;  // cells of `b`, one as often as there are springs at it
+  for (const TissueJoint& joint : joints) ends.push_back(joint.cell[1]);
+  std::ranges::sort(ends);
   for (TissueJoint& joint : joints) {
+    // Springs at the same cell share its mass: together they must not pull it too fast either.
     double lighter = std::numeric_limits<double>::infinity();
-    for (int end = 0; end < 2; ++end)
-      if (const double mass = (end == 0 ? a : b).tissue->mass(joint.cell[end]); mass > 0)
-        lighter = std::min(lighter, mass);
+    if (const double mass = a.tissue->mass(joint.cell[0]); mass > 0) lighter = mass;
+    if (const double mass = b.tissue->mass(joint.cell[1]); mass > 0)
+      lighter =
+          std::min(lighter, mass / double(std::ranges::equal_range(ends, joint.cell[1]).size()));
     if (!std::isfinite(lighter)) continue;  // neither end moves
     joint.stiffness =
         std::min(stiffness / double(joints.size()), 0.1 * lighter / (shortest * shortest));
