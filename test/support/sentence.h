@@ -1,0 +1,25 @@
+// What does an Error say, and does it say it as it should?
+#pragma once
+
+#include <string>
+
+#include "base/error.h"
+
+namespace resect::test {
+
+// The sentence of the Error that `act` throws; empty without one.
+template <typename Act>
+std::string sentenceOf(Act act) {
+  try {
+    act();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+inline bool isOneSentence(const std::string& text) {
+  return text.size() > 20 && text.find('\n') == std::string::npos && text.back() != '.';
+}
+
+}  // namespace resect::test
