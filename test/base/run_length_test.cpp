@@ -76,16 +76,19 @@ TEST_CASE("runs that are longer than the array, empty or cut off are refused") {
     for (const int b : packed) bytes.push_back(std::byte(b));
     return isOneSentence(sentenceOf([&] { unpacked(bytes, size, word); }));
   };
-  CHECK(refused({9, 1}, 3, 1));           // 4 words where 3 belong
-  CHECK(refused({8, 1, 2, 3, 4}, 3, 1));  // the same, one by one
-  CHECK(refused({0, 1}, 1, 1));           // a run of none
-  CHECK(refused({7, 1}, 6, 2));           // half a word
-  CHECK(refused({7, 1, 2}, 5, 2));        // 2.5 words
-  CHECK(refused({6, 1, 2}, 3, 1));        // 2 of 3
-  CHECK(refused({0x87}, 3, 1));           // half a head
+  CHECK(refused({17, 1}, 3, 1));           // 4 words where 3 belong
+  CHECK(refused({16, 1, 2, 3, 4}, 3, 1));  // the same, one by one
+  CHECK(refused({0, 1}, 1, 1));            // a run of none
+  CHECK(refused({13, 1}, 6, 2));           // half a word
+  CHECK(refused({13, 1, 2}, 5, 2));        // 2.5 words
+  CHECK(refused({12, 1, 2}, 3, 1));        // 2 of 3
+  CHECK(refused({18}, 3, 1));              // 4 zeros where 3 belong
+  CHECK(refused({0x87}, 3, 1));            // half a head
   CHECK(refused({255, 255, 255, 255, 255, 255, 255, 255, 255, 1, 5}, 8, 8));
   CHECK(refused({255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 1}, 8, 8));
-  CHECK_FALSE(refused({7, 1}, 3, 1));
+  CHECK_FALSE(refused({13, 2}, 3, 1));
+  CHECK_FALSE(refused({14}, 3, 1));
+  CHECK_FALSE(refused({15}, 3, 1));
 }
 
 TEST_CASE("an array said to be far longer than its runs takes no memory") {
