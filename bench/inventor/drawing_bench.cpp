@@ -25,7 +25,7 @@ namespace {
 Scenario liverAndTools(double spacing, bool elastic) {
   Scenario scenario;
   scenario.organ.spacing = spacing;
-  scenario.tissue.elastic = elastic;
+  if (elastic) makeElastic(scenario);
   int place = 0;
   for (const ToolKind& kind : toolKinds())
     scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});

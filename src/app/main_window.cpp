@@ -183,7 +183,7 @@ void MainWindow::makeDocks() {
       scenario.organ.dims.reset();
     }
     scenario.organ.settings.refine = refine;
-    scenario.tissue.elastic = elastic;
+    if (elastic != scenario.tissue.elastic) elastic ? makeElastic(scenario) : makeThesis(scenario);
     load(scenario);
   };
 }
@@ -218,8 +218,9 @@ void MainWindow::cancelLoading() {
 void MainWindow::loadDefault() {
   Scenario scenario = options_.scenario;
   scenario.organ = {};
+  scenario.otherOrgans.clear();
   scenario.organ.spacing = 0.006;
-  scenario.tissue.elastic = false;
+  makeThesis(scenario);
   load(scenario);
 }
 

@@ -31,7 +31,7 @@ struct Options {
   std::string scenario, organ, frames, video, surface, pieces, plot, json, size = "1280x720", view;
   double pictureRate = 10;
   int threads = 0;
-  bool list = false;
+  bool list = false, thesis = false;
 };
 
 void listScenarios() {
@@ -82,6 +82,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
     scenario.closeUp.reset();  // of the scenario's own view
   }
   organOptions.applyTo(scenario.organ);
+  if (options.thesis) makeThesis(scenario);
   if (!options.plot.empty() && !scenario.tissue.elastic)
     throw usageError(
         "--plot shows forces, and the tissue of \"{}\" does not move; leave it out, or "
@@ -138,6 +139,9 @@ void addRunCommand(CLI::App& app) {
   command->add_option("SCENARIO", options->scenario,
                       "Scenario file, or the name of one that comes with Resect");
   command->add_flag("--list", options->list, "List the scenarios that come with Resect");
+  command->add_flag(
+      "--thesis", options->thesis,
+      "As the original system: tissue is still, instruments take out what they touch");
   command->add_option("--organ", options->organ,
                       "Another organ: model or file of particles, or \"liver\"");
   auto organ = addOrganOptions(*command);

@@ -18,7 +18,7 @@ struct Options {
   std::string scenario, organ, size = "1280x800";
   double fpsLimit = 60;
   int threads = 0;
-  bool noHelp = false, light = false, dark = false, reports = false;
+  bool thesis = false, noHelp = false, light = false, dark = false, reports = false;
 };
 
 void window(const Options& options, const OrganOptions& organOptions) {
@@ -32,6 +32,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
   if (!options.organ.empty())
     window.scenario.organ.file = options.organ == "liver" ? "" : options.organ;
   organOptions.applyTo(window.scenario.organ);
+  if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;
   window.overlay = !options.noHelp;
   if (options.light || options.dark) window.dark = options.dark;
@@ -58,6 +59,9 @@ void addWindowCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--size", options->size, "Width and height of the window")
       ->capture_default_str();
+  command->add_flag(
+      "--thesis", options->thesis,
+      "As the original system: tissue is still, instruments take out what they touch");
   command->add_flag("--no-help", options->noHelp, "Do not show the controls at the first start");
   auto* light = command->add_flag("--light", options->light, "Light colours");
   command->add_flag("--dark", options->dark, "Dark colours; neither: as chosen last")

@@ -25,11 +25,32 @@ ToolInput toolInputAt(const ScenarioTool& tool, double time) {
           before.pedal + share * (next->pedal - before.pedal)};
 }
 
+void makeElastic(Scenario& scenario) {
+  scenario.mode = OperationMode::Operation;
+  scenario.tissue.elastic = true;
+  for (ScenarioOrgan& organ : scenario.otherOrgans) organ.tissue.elastic = true;
+}
+
+void makeThesis(Scenario& scenario) {
+  scenario.mode = OperationMode::Thesis;
+  scenario.tissue.elastic = false;
+  for (ScenarioOrgan& organ : scenario.otherOrgans) organ.tissue.elastic = false;
+  scenario.joints.clear();
+}
+
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame) {
   FrameInput input;
   input.duration = 1 / scenario.frameRate;
   for (const ScenarioTool& tool : scenario.tools)
     input.tools.push_back(toolInputAt(tool, double(frame + 1) / scenario.frameRate));
+  if (scenario.mode == OperationMode::Thesis) {
+    bool taken = false;
+    for (std::size_t i = 0; i < input.tools.size(); ++i) {
+      ToolInput& tool = input.tools[i];
+      if (tool.inHand && taken) tool = {scenario.tools[i].rest, false, 1};
+      taken = taken || tool.inHand;
+    }
+  }
   return input;
 }
 

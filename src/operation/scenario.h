@@ -119,10 +119,17 @@ inline const TissueSetup& tissueOf(const Scenario& scenario, std::size_t organ) 
   return organ == 0 ? scenario.tissue : scenario.otherOrgans[organ - 1].tissue;
 }
 
+// The tissue of all organs moves, and instruments act by their working parts.
+void makeElastic(Scenario& scenario);
+// The same operation as the original system would have it: tissue is still, instruments take out
+// what they touch, one at a time.
+void makeThesis(Scenario& scenario);
+
 // Where a scenario's tool is, and whether it is in hand, at a time.
 ToolInput toolInputAt(const ScenarioTool& tool, double time);
 
-// Input of frame number `frame` (from 0), which ends at (frame + 1) / frameRate.
+// Input of frame number `frame` (from 0), which ends at (frame + 1) / frameRate. In thesis mode the
+// first tool that is in hand is the only one.
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame);
 std::int64_t frameCount(const Scenario& scenario);
 

@@ -236,7 +236,7 @@ TEST_CASE("where tissue was cut away the point under a pixel lies on the wound, 
 TEST_CASE("where tissue has moved the point under a pixel lies on the surface as it is seen now") {
   Scenario scenario;
   scenario.organ.spacing = 0.016;
-  scenario.tissue.elastic = true;
+  makeElastic(scenario);
   int place = 0;
   for (const ToolKind& kind : toolKinds())
     scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});

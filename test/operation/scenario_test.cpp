@@ -70,3 +70,21 @@ TEST_CASE("the observer can stop an operation") {
           return r.frame < 4;
         }).frames == 5);
 }
+
+TEST_CASE("in thesis mode tissue is still, and of two tools in hand at once the first alone is") {
+  Scenario scenario;
+  scenario.tools.resize(2);
+  for (ScenarioTool& tool : scenario.tools) tool.keys = {{0.0, {}}, {1.0, {}}};
+  makeElastic(scenario);
+  CHECK(scenario.tissue.elastic);
+  FrameInput input = frameInput(scenario, 10);
+  CHECK(input.tools[0].inHand);
+  CHECK(input.tools[1].inHand);
+  makeThesis(scenario);
+  CHECK_FALSE(scenario.tissue.elastic);
+  input = frameInput(scenario, 10);
+  CHECK(input.tools[0].inHand);
+  CHECK_FALSE(input.tools[1].inHand);
+  scenario.tools[0].keys.clear();
+  CHECK(frameInput(scenario, 10).tools[1].inHand);
+}

@@ -244,7 +244,7 @@ def liver_and_gallbladder():
     turn = "{ axis = [0.1954, 0.1288, -0.9722], degrees = 180 }"
     text = scenario("The gallbladder is lifted off the liver's bed",
                     "The hook lifts the gallbladder by its fundus, and the liver follows", 6.0, lift_gallbladder(),
-                    "surgeon")
+                    "surgeon", thesis=False)
     organs = f"""[[organ]]
 name = "liver"
 source = "liver"
@@ -286,7 +286,7 @@ def no_tools():
 
 def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None):
     """A scenario whose tissue moves."""
-    text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration)
+    text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration, thesis=False)
     if close_up:
         text = text.replace('view = "surgeon"\n', f'view = "surgeon"\nclose_up = {close_up}\n', 1)
     settings = f'[tissue]\nmodel = "elastic"\n{tissue}\n{extra}'
@@ -294,7 +294,7 @@ def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration
         'source = "liver"\n', 'source = "liver"\n' + organ, 1)
 
 
-def scenario(title, description, spacing_mm, tools, view, tail=0.4, duration=None):
+def scenario(title, description, spacing_mm, tools, view, tail=0.4, duration=None, thesis=True):
     end = duration - tail if duration else max(path.keys[-1][0] for _, path in tools if path)
     lines = [
         "# Written by tools/make_scenarios; change it there. Metres and seconds; docs/scenarios.md explains the keys.",
@@ -303,6 +303,7 @@ def scenario(title, description, spacing_mm, tools, view, tail=0.4, duration=Non
         f"frame_rate = {FRAME_RATE}",
         f"duration = {math.ceil(10 * (end + tail)) / 10:g}",
         f'view = "{view}"',
+        *(['mode = "thesis"'] if thesis else []),
         "",
         "[organ]",
         'source = "liver"',
