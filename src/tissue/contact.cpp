@@ -48,6 +48,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     Pose back;   // from the world to the obstacle
     Aabb box;    // in the obstacle's frame
     Aabb world;  // bounds of the box
+    Vec3 up[2];  // of a half space, at the frame's start and end
   };
   std::vector<Reach> reach(bodyCount_);
   for (std::size_t b = 0; b < bodyCount_; ++b) {
@@ -59,6 +60,8 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     if (turn.w() < 0) turn.coeffs() *= -1;
     const Eigen::AngleAxisd angle(turn);
     body.spin = angle.angle() / duration * angle.axis();
+    reach[b].up[0] = o.from.rotation * Vec3::UnitY();
+    reach[b].up[1] = o.to.rotation * Vec3::UnitY();
     if (!o.shape) continue;
     // Cells that are within reach of it at the end of the frame, or on its way there.
     Aabb box = o.shape->box();
@@ -66,20 +69,20 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     const Pose back = o.to.inverse();
     for (int corner = 0; corner < 8; ++corner) box.grow(back * (o.from * still.corner(corner)));
     box = box.padded(o.standOff + s.spacing);
-    reach[b] = {back, box, {}};
+    reach[b].back = back;
+    reach[b].box = box;
     for (int corner = 0; corner < 8; ++corner) reach[b].world.grow(o.to * box.corner(corner));
   }
   constexpr double kDiagonal = 1.75;  // of a cube, at most
   // May something of a box, whose cells go `way` in the frame, come to lie on a half space?
-  const auto nearHalfSpace = [&](const Obstacle& o, const Aabb& box, double way) {
+  const auto nearHalfSpace = [&](std::size_t b, const Aabb& box, double way) {
+    const Obstacle& o = bodies_[b].obstacle;
     const double most = o.standOff + s.spacing + way;
-    for (const Pose* pose : {&o.from, &o.to}) {
-      const Vec3 up = pose->rotation * Vec3::UnitY();
-      Vec3 lowest;
-      for (int a = 0; a < 3; ++a) lowest[a] = up[a] > 0 ? box.min[a] : box.max[a];
-      if ((lowest - pose->position).dot(up) < most) return true;
-    }
-    return false;
+    const auto reaches = [&](const Vec3& up, const Vec3& origin) {
+      const Vec3 lowest = (up.array() > 0).select(box.min, box.max);
+      return (lowest - origin).dot(up) < most;
+    };
+    return reaches(reach[b].up[0], o.from.position) || reaches(reach[b].up[1], o.to.position);
   };
   for (const TissueChunk& chunk : s.chunks) {
     const Aabb bounds = chunkBounds(s, chunk, origin);
@@ -88,7 +91,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     for (std::size_t b = 0; b < bodyCount_ && !near; ++b) {
       const Obstacle& o = bodies_[b].obstacle;
       near = o.shape ? meets(reach[b].world.padded(kDiagonal * mostWay), bounds)
-                     : o.halfSpace && nearHalfSpace(o, bounds, mostWay);
+                     : o.halfSpace && nearHalfSpace(b, bounds, mostWay);
     }
     if (!near) continue;
     const Vec3i row = s.box.cell(chunk.start);
@@ -101,7 +104,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
       for (std::size_t b = 0; b < bodyCount_; ++b) {
         const Obstacle& o = bodies_[b].obstacle;
         if (!o.shape) {
-          if (o.halfSpace && nearHalfSpace(o, {x, x}, way)) bodies_[b].cells.push_back({i, rest});
+          if (o.halfSpace && nearHalfSpace(b, {x, x}, way)) bodies_[b].cells.push_back({i, rest});
           continue;
         }
         if (o.tool >= 0 && !gripper.empty() && gripper[i] == o.tool) continue;
