@@ -51,6 +51,7 @@ shown incise 44
 shown incise-under-traction 64
 shown snip 70
 shown resect-segment-elastic 78
+shown liver-and-gallbladder 34
 shown hang 12
 shown drop 20
 strip incise-under-traction 960x540+0+0 24 42 48 56 64 last
