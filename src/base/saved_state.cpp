@@ -102,9 +102,8 @@ std::optional<std::string> difference(const StateColumn& a, const StateColumn& b
 
 void throwOtherCount(const char* name, std::size_t here) {
   throw error(
-      "the state has another number of {} than the {} there are; restore it into the operation "
-      "that "
-      "it was saved from",
+      "the state has another number of {} than the {} there are; restore it into the operation it "
+      "was saved from",
       name, here);
 }
 
