@@ -32,8 +32,9 @@ keys = [
 RunSummary runWith(int threads) {
   const ThreadLimit limit(threads);
   const Scenario scenario = parseScenario(kScenario, "example");
-  Organ organ = makeOrgan(loadCells(scenario.organ, readModel), scenario.organ.settings);
-  std::unique_ptr<TissueModel> tissue = makeTissue(scenario.tissue, organ);
+  Organ organ = makeOrgan(loadCells(scenario.organs[0].source, readModel),
+                          scenario.organs[0].source.settings);
+  std::unique_ptr<TissueModel> tissue = makeTissue(scenario.organs[0].tissue, organ);
   Simulation simulation(std::move(organ), loadTools(scenario, readModel), std::move(tissue),
                         scenario.table);
   return runScenario(simulation, scenario, [](const Simulation&, const StepReport& report) {

@@ -24,7 +24,7 @@ namespace {
 
 Scenario liverAndTools(double spacing, bool elastic) {
   Scenario scenario;
-  scenario.organ.spacing = spacing;
+  scenario.organs[0].source.spacing = spacing;
   if (elastic) makeElastic(scenario);
   int place = 0;
   for (const ToolKind& kind : toolKinds())
@@ -36,7 +36,7 @@ const ModelReader kReader = [](const std::filesystem::path& p) { return readMode
 
 void drawing(benchmark::State& state, bool moves) {
   const Scenario scenario = liverAndTools(0.008, false);
-  Simulation simulation(makeOrgan(loadCells(scenario.organ, kReader), {}),
+  Simulation simulation(makeOrgan(loadCells(scenario.organs[0].source, kReader), {}),
                         loadTools(scenario, kReader));
   const int width = int(state.range(0)), height = width * 9 / 16, samples = int(state.range(1));
   OffscreenView picture(width, height, samples);
@@ -58,8 +58,9 @@ void operating(benchmark::State& state, Doing doing) {
       liverAndTools(doing == Doing::Elastic ? 0.008 : 0.005, doing == Doing::Elastic);
   constexpr int kWidth = 1280, kHeight = 720;
   std::vector<std::uint32_t> window(std::size_t(kWidth) * kHeight);
-  Organ organ = makeOrgan(loadCells(scenario.organ, kReader), scenario.organ.settings);
-  auto tissue = makeTissue(scenario.tissue, organ);
+  Organ organ =
+      makeOrgan(loadCells(scenario.organs[0].source, kReader), scenario.organs[0].source.settings);
+  auto tissue = makeTissue(scenario.organs[0].tissue, organ);
   OperatingSession session(scenario,
                            std::make_unique<Simulation>(
                                std::move(organ), loadTools(scenario, kReader), std::move(tissue)),

@@ -45,8 +45,8 @@ struct Parts {
 
 void loadAndDraw(const std::filesystem::path& path, Parts& parts) {
   Scenario scenario;
-  scenario.organ.file = path;
-  scenario.organ.spacing = 0.005;
+  scenario.organs[0].source.file = path;
+  scenario.organs[0].source.spacing = 0.005;
   std::optional<Simulation> simulation;
   double reading = 0;
   const double both = secondsOf([&] {

@@ -36,7 +36,7 @@ Findings memoryOfStillOrgan(const Effort& effort) {
 
 Findings millionParticlesInRealTime(const Effort& effort) {
   Scenario scenario = readScenario(findDataFile("cut", "scenarios", ".toml"));
-  scenario.organ.spacing = spacingFor(effort.quick ? 1e5 : 1e6);
+  scenario.organs[0].source.spacing = spacingFor(effort.quick ? 1e5 : 1e6);
   Findings findings;
   for (const int threads : threadCounts()) {
     const ThreadLimit limit(threads);

@@ -50,7 +50,9 @@ void MainWindow::makeMenus() {
       });
   add(file, "Built-in &liver", {}, "The liver that comes with Resect, whole", [this] {
     Scenario scenario = options_.scenario;
-    scenario.organ.file.clear();
+    scenario.organs.resize(1);
+    scenario.joints.clear();
+    scenario.organs[0].source.file.clear();
     load(scenario);
   });
   QMenu* scenarios = file->addMenu("S&cenario");

@@ -62,6 +62,27 @@ QString sentenceOf(ToolHandling::Hold how, const QString& tool) {
 }
 
 // Of a button or a key.
+QString nameOf(const OrganSource& organ) {
+  if (organ.file.empty()) return "Built-in liver";
+  if (isBuiltIn(organ)) return QString::fromStdString("Built-in " + organ.file);
+  return QFileInfo(QString::fromStdString(organ.file)).fileName();
+}
+
+// As people find the operation's organs in the panel: "Built-in liver, Built-in gallbladder".
+QString namesOf(const std::vector<ScenarioOrgan>& organs) {
+  QStringList names;
+  for (const ScenarioOrgan& organ : organs) names << nameOf(organ.source);
+  return names.join(", ");
+}
+
+// The first organ in cells of another size; the others' cells grow or shrink in proportion.
+void setSpacing(std::vector<ScenarioOrgan>& organs, double before, double spacing) {
+  for (ScenarioOrgan& organ : organs)
+    if (organ.source.spacing) *organ.source.spacing *= spacing / before;
+  organs[0].source.spacing = spacing;
+  organs[0].source.dims.reset();
+}
+
 bool isPress(const SoEvent& event) {
   return event.isOfType(SoButtonEvent::getClassTypeId()) &&
          static_cast<const SoButtonEvent&>(event).getState() == SoButtonEvent::DOWN;
@@ -178,12 +199,10 @@ void MainWindow::makeDocks() {
   organ_->rebuild = [this](double spacing, int refine, bool elastic) {
     if (!session_) return;
     Scenario scenario = session_->scenario();
-    if (!scenario.organ.dims || spacing != scenario.organ.spacing) {
-      scenario.organ.spacing = spacing;
-      scenario.organ.dims.reset();
-    }
-    scenario.organ.settings.refine = refine;
-    if (elastic != scenario.tissue.elastic) elastic ? makeElastic(scenario) : makeThesis(scenario);
+    setSpacing(scenario.organs, session_->cells().lattice.spacing.x(), spacing);
+    for (ScenarioOrgan& organ : scenario.organs) organ.source.settings.refine = refine;
+    if (elastic != scenario.organs[0].tissue.elastic)
+      elastic ? makeElastic(scenario) : makeThesis(scenario);
     load(scenario);
   };
 }
@@ -217,9 +236,9 @@ void MainWindow::cancelLoading() {
 // The window is never empty: the liver that comes with Resect, coarse enough to be there at once.
 void MainWindow::loadDefault() {
   Scenario scenario = options_.scenario;
-  scenario.organ = {};
-  scenario.otherOrgans.clear();
-  scenario.organ.spacing = 0.006;
+  scenario.organs.assign(1, {});
+  scenario.joints.clear();
+  scenario.organs[0].source.spacing = 0.006;
   makeThesis(scenario);
   load(scenario);
 }
@@ -230,13 +249,13 @@ void MainWindow::begin(OrganLoader::Result result) {
   statusBar()->clearMessage();
   if (!result.simulation) {
     complain(result.problem);
-    if (!session_ && !result.scenario.organ.file.empty()) loadDefault();
+    if (!session_ && !result.scenario.organs[0].source.file.empty()) loadDefault();
     return;
   }
   try {
     std::optional<ScenePlaces> places;
-    if (result.scenario.organ.part == kOrganNode)
-      places = readScenePlaces(result.scenario.organ.file);
+    if (result.scenario.organs[0].source.part == kOrganNode)
+      places = readScenePlaces(result.scenario.organs[0].source.file);
     auto session = std::make_unique<OperatingSession>(result.scenario, std::move(result.simulation),
                                                       viewer_->aspect());
     if (places) {
@@ -255,18 +274,17 @@ void MainWindow::begin(OrganLoader::Result result) {
   uploadedSaid_ = 0;
   removed_->clear();
   instruments_->setTools(session_->toolModels());
-  const OrganSource& source = session_->scenario().organ;
+  const ScenarioOrgan& organ = session_->scenario().organs[0];
   QString notes;
   for (const std::string& note : result.notes) notes += QString::fromStdString(note) + "\n";
-  organ_->setOrgan(source.file.empty() ? "Built-in liver"
-                                       : QFileInfo(QString::fromStdString(source.file)).fileName(),
-                   session_->cells().lattice.spacing.x(), source.settings.refine,
-                   session_->scenario().tissue.elastic, notes.trimmed());
+  organ_->setOrgan(namesOf(session_->scenario().organs), session_->cells().lattice.spacing.x(),
+                   organ.source.settings.refine, organ.tissue.elastic, notes.trimmed());
   organ_->setIso(session_->iso().value());
   viewer_->setFocus();
   if (options_.reports)
-    say("organ {}",
-        source.file.empty() ? "liver" : std::filesystem::path(source.file).filename().string());
+    say("organ {}", organ.source.file.empty()
+                        ? "liver"
+                        : std::filesystem::path(organ.source.file).filename().string());
 }
 
 void MainWindow::tick() {

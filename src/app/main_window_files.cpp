@@ -41,8 +41,10 @@ void MainWindow::openFile(const QString& file) {
       remember(file);
     } else if (isParticleFile(path)) {
       Scenario scenario = options_.scenario;
-      scenario.organ = {};
-      scenario.organ.file = path.string();
+      scenario.organs.resize(1);
+      scenario.joints.clear();
+      scenario.organs[0].source = {};
+      scenario.organs[0].source.file = path.string();
       load(scenario);
       remember(file);
     } else {
@@ -54,13 +56,15 @@ void MainWindow::openFile(const QString& file) {
 }
 
 void MainWindow::askOrgan(const QString& file) {
-  auto* dialog = new OpenOrganDialog(file.toStdString(), options_.scenario.organ, this);
+  auto* dialog = new OpenOrganDialog(file.toStdString(), options_.scenario.organs[0].source, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
     Scenario scenario = session_ ? session_->scenario() : options_.scenario;
-    scenario.organ = dialog->source();
+    scenario.organs.resize(1);
+    scenario.joints.clear();
+    scenario.organs[0].source = dialog->source();
     // What was saved from here lies as it lay.
-    if (scenario.organ.part == kOrganNode) scenario.organ.onTable = false;
+    if (scenario.organs[0].source.part == kOrganNode) scenario.organs[0].source.onTable = false;
     load(scenario);
     remember(file);
   });

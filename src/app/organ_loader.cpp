@@ -46,7 +46,9 @@ TissueSetup beside(TissueSetup setup) {
   return setup;
 }
 
-bool isModelFile(const std::string& file) { return !file.empty() && !isParticleFile(file); }
+bool isModelFile(const OrganSource& source) {
+  return !isBuiltIn(source) && !isParticleFile(source.file);
+}
 
 }  // namespace
 
@@ -66,6 +68,7 @@ Scenario withAllInstruments(Scenario scenario) {
 // Cells, surface and tissue of an organ, made in a thread of its own.
 struct OrganLoader::Job {
   Scenario scenario;
+  Scenario wanted;  // the same, where files are what their readers wrote
   std::vector<std::string> notes;
   std::string problem;
   std::vector<OperatedOrgan> organs;
@@ -78,19 +81,11 @@ struct OrganLoader::Job {
     cancelled = true;
     if (thread.joinable()) thread.join();
   }
-  void start(const std::string& convertedFile) {
-    thread = std::thread([this, convertedFile] { build(convertedFile); });
+  void start() {
+    thread = std::thread([this] { build(); });
   }
-  void build(const std::string& convertedFile) {
+  void build() {
     try {
-      Scenario wanted = scenario;
-      wanted.tissue = beside(scenario.tissue);
-      for (ScenarioOrgan& organ : wanted.otherOrgans) organ.tissue = beside(organ.tissue);
-      if (!convertedFile.empty()) {
-        wanted.organ.file = convertedFile;
-        wanted.organ.part.clear();
-        wanted.organ.unit = 1;
-      }
       organs = loadOrgans(
           wanted, readOwnFile,
           [this](double now) {
@@ -134,9 +129,8 @@ void OrganLoader::cancel() {
 }
 
 void OrganLoader::removeConverted() {
-  if (converted_.empty()) return;
   std::error_code ignored;
-  std::filesystem::remove(converted_, ignored);
+  for (const std::string& file : converted_) std::filesystem::remove(file, ignored);
   converted_.clear();
 }
 
@@ -147,24 +141,30 @@ void OrganLoader::load(const Scenario& scenario, std::function<void(double)> pro
   done_ = std::move(done);
   job_ = std::make_unique<Job>();
   job_->scenario = withAllInstruments(scenario);
-  const OrganSource& organ = job_->scenario.organ;
-  if (isModelFile(organ.file)) {
-    converted_ = QDir::temp()
-                     .filePath(QString("resect-%1-organ-%2.ply")
-                                   .arg(QCoreApplication::applicationPid())
-                                   .arg(++files_))
-                     .toStdString();
-    QStringList arguments{"convert", QString::fromStdString(organ.file),
-                          QString::fromStdString(converted_), "--unit",
-                          QString::number(organ.unit, 'g', 17)};
-    if (!organ.part.empty()) arguments << "--part" << QString::fromStdString(organ.part);
-    if (organ.repair) arguments << "--repair";
-    reader_ = std::make_unique<QProcess>();
-    reader_->start(QCoreApplication::applicationFilePath(), arguments);
-  } else {
-    job_->start("");
-  }
+  job_->wanted = job_->scenario;
+  for (ScenarioOrgan& organ : job_->wanted.organs) organ.tissue = beside(organ.tissue);
+  next_ = 0;
+  readNext();
   timer_.start();
+}
+
+void OrganLoader::readNext() {
+  const std::vector<ScenarioOrgan>& organs = job_->wanted.organs;
+  while (next_ < organs.size() && !isModelFile(organs[next_].source)) ++next_;
+  if (next_ == organs.size()) return job_->start();
+  const OrganSource& organ = organs[next_].source;
+  converted_.push_back(QDir::temp()
+                           .filePath(QString("resect-%1-organ-%2.ply")
+                                         .arg(QCoreApplication::applicationPid())
+                                         .arg(++files_))
+                           .toStdString());
+  QStringList arguments{"convert", QString::fromStdString(organ.file),
+                        QString::fromStdString(converted_.back()), "--unit",
+                        QString::number(organ.unit, 'g', 17)};
+  if (!organ.part.empty()) arguments << "--part" << QString::fromStdString(organ.part);
+  if (organ.repair) arguments << "--repair";
+  reader_ = std::make_unique<QProcess>();
+  reader_->start(QCoreApplication::applicationFilePath(), arguments);
 }
 
 void OrganLoader::poll() {
@@ -173,7 +173,13 @@ void OrganLoader::poll() {
     const bool fine = reader_->exitStatus() == QProcess::NormalExit && reader_->exitCode() == 0;
     if (!fine) job_->problem = sentenceOf(*reader_);
     reader_.reset();
-    if (fine) return job_->start(converted_);
+    if (fine) {
+      OrganSource& organ = job_->wanted.organs[next_++].source;
+      organ.file = converted_.back();
+      organ.part.clear();
+      organ.unit = 1;
+      return readNext();
+    }
     job_->built = true;
   }
   if (!job_->built) return progress_(job_->share);

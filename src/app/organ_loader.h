@@ -44,12 +44,14 @@ class OrganLoader {
  private:
   struct Job;
   void poll();
+  void readNext();  // starts the reader of the next organ's file; after the last one the job
   void removeConverted();
 
   std::function<void(double)> progress_;
   std::function<void(Result)> done_;
   std::unique_ptr<QProcess> reader_;
-  std::string converted_;  // the file that the reader writes
+  std::size_t next_ = 0;                // the organ whose file is read
+  std::vector<std::string> converted_;  // what readers wrote
   int files_ = 0;
   std::unique_ptr<Job> job_;
   std::vector<std::unique_ptr<Job>> givenUp_;  // whose threads have not noticed yet

@@ -40,19 +40,20 @@ BenchReport measure(const Scenario& scenario, const std::string& title) {
 void run(const Options& options, const OrganOptions& organOptions) {
   const ThreadLimit threads(options.threads);
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
-  if (!options.organ.empty()) scenario.organ.file = options.organ == "liver" ? "" : options.organ;
-  organOptions.applyTo(scenario.organ);
+  if (!options.organ.empty())
+    scenario.organs[0].source.file = options.organ == "liver" ? "" : options.organ;
+  organOptions.applyTo(scenario.organs[0].source);
 
   const BenchReport report = measure(scenario, scenario.name);
   std::optional<RealTimeLimit> limit;
   // A file of particles is as fine as it is.
-  if (!options.once && !isParticleFile(scenario.organ.file))
+  if (!options.once && !isParticleFile(scenario.organs[0].source.file))
     limit = findRealTimeLimit(
         report,
         [&](double spacing) {
           Scenario other = scenario;
-          other.organ.spacing = spacing;
-          other.organ.dims.reset();
+          other.organs[0].source.spacing = spacing;
+          other.organs[0].source.dims.reset();
           return measure(other, fmt::format("{} at {:.3g} mm", scenario.name, 1e3 * spacing));
         },
         4, options.most);

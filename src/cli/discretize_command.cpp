@@ -45,7 +45,8 @@ void addDiscretizeCommand(CLI::App& app) {
   command->callback([options, organ] {
     OrganSource source;
     if (std::filesystem::path(options->mesh).extension() == ".toml") {
-      source = readScenario(options->mesh).organ;  // where it lies there, with its labels
+      source =
+          readScenario(options->mesh).organs[0].source;  // where it lies there, with its labels
     } else {
       source.file = options->mesh == "liver" ? "" : options->mesh;
       source.onTable = false;

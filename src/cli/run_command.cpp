@@ -76,14 +76,15 @@ void run(const Options& options, const OrganOptions& organOptions) {
   const ThreadLimit threads(options.threads);
 
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
-  if (!options.organ.empty()) scenario.organ.file = options.organ == "liver" ? "" : options.organ;
+  if (!options.organ.empty())
+    scenario.organs[0].source.file = options.organ == "liver" ? "" : options.organ;
   if (!options.view.empty()) {
     scenario.view = options.view;
     scenario.closeUp.reset();  // of the scenario's own view
   }
-  organOptions.applyTo(scenario.organ);
+  organOptions.applyTo(scenario.organs[0].source);
   if (options.thesis) makeThesis(scenario);
-  if (!options.plot.empty() && !scenario.tissue.elastic)
+  if (!options.plot.empty() && !moves(scenario))
     throw usageError(
         "--plot shows forces, and the tissue of \"{}\" does not move; leave it out, or "
         "set model = \"elastic\" in the scenario's [tissue]",

@@ -28,10 +28,10 @@ void window(const Options& options, const OrganOptions& organOptions) {
   if (!options.scenario.empty())
     window.scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
   else
-    window.scenario.organ.spacing = 0.005;
+    window.scenario.organs[0].source.spacing = 0.005;
   if (!options.organ.empty())
-    window.scenario.organ.file = options.organ == "liver" ? "" : options.organ;
-  organOptions.applyTo(window.scenario.organ);
+    window.scenario.organs[0].source.file = options.organ == "liver" ? "" : options.organ;
+  organOptions.applyTo(window.scenario.organs[0].source);
   if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;
   window.overlay = !options.noHelp;

@@ -98,7 +98,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       lowest = std::min(lowest, (pose * p).y());
     return Pose{pose.position - Vec3(0, lowest, 0), pose.rotation};
   };
-  iso_.setValue(scenario.organ.settings.iso);
+  iso_.setValue(scenario.organs[0].source.settings.iso);
   iso_.changed = [this](float iso) {
     operation_.setIso(iso);
     damage_.everything = true;

@@ -44,7 +44,7 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
   simulation.keepLook();
   publishers_.assign(simulation.organs().size(), SurfacePublisher(0));
   for (std::size_t o = 1; o < simulation.organs().size(); ++o)
-    room_.addOrgan(colourOf(sourceOf(scenario, o)));
+    room_.addOrgan(colourOf(scenario.organs[o].source));
   follow(simulation);
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     room_.setToolPose(int(i), scenario.tools[i].rest);

@@ -191,12 +191,12 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
                                       const Progress& progress, std::vector<std::string>* notes) {
   std::vector<OperatedOrgan> organs;
   std::map<std::string, std::optional<Pose>> places;
-  for (std::size_t i = 0; i <= scenario.otherOrgans.size(); ++i) {
-    const OrganSource& source = sourceOf(scenario, i);
+  for (std::size_t i = 0; i < scenario.organs.size(); ++i) {
+    const OrganSource& source = scenario.organs[i].source;
     std::optional<Pose>& place = places[source.name];
     if (!source.beside.empty()) place = places[source.beside];
     Organ organ = makeOrgan(loadCells(source, readModel, progress, notes, &place), source.settings);
-    std::unique_ptr<TissueModel> tissue = makeTissue(tissueOf(scenario, i), organ);
+    std::unique_ptr<TissueModel> tissue = makeTissue(scenario.organs[i].tissue, organ);
     organs.push_back(operatedOrgan(source.name, std::move(organ), std::move(tissue)));
   }
   return organs;
@@ -205,6 +205,7 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs) {
   std::vector<TissueJoint> joints;
+  if (scenario.mode == OperationMode::Thesis) return joints;
   double shortest = 1;  // s: of the substeps
   for (std::size_t i = 0; i < organs.size(); ++i)
     if (const auto* elastic = dynamic_cast<const ElasticTissue*>(organs[i].tissue.get()))

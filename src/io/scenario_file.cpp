@@ -166,12 +166,8 @@ void readOrgans(const TomlTable& t, Scenario& scenario) {
     joint.refuseUnknownKeys();
     scenario.joints.push_back(one);
   }
-  scenario.organ = organs[0].source;
-  scenario.tissue = organs[0].tissue;
-  scenario.otherOrgans.assign(organs.begin() + 1, organs.end());
-  bool elastic = false;
-  for (const ScenarioOrgan& organ : organs) elastic = elastic || organ.tissue.elastic;
-  scenario.mode = readMode(t, elastic);
+  scenario.organs = std::move(organs);
+  scenario.mode = readMode(t, moves(scenario));
 }
 
 Scenario toScenario(const TomlTable& t) {
@@ -209,9 +205,8 @@ std::string resolved(const std::string& name, const std::filesystem::path& from)
 Scenario readScenario(const std::filesystem::path& path) {
   Scenario scenario = toScenario(TomlTable::readFile(path));
   scenario.name = path.stem().string();
-  if (!scenario.organ.file.empty()) scenario.organ.file = resolved(scenario.organ.file, path);
-  for (ScenarioOrgan& organ : scenario.otherOrgans)
-    if (!organ.source.file.empty()) organ.source.file = resolved(organ.source.file, path);
+  for (ScenarioOrgan& organ : scenario.organs)
+    if (!isBuiltIn(organ.source)) organ.source.file = resolved(organ.source.file, path);
   for (ScenarioTool& tool : scenario.tools) tool.model = resolved(tool.model, path);
   return scenario;
 }

@@ -105,7 +105,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   summary.surface = summarise(simulation.surfaceMesh());
   for (std::size_t i = 0; i < simulation.organs().size(); ++i) {
     const OperatedOrgan& o = simulation.organs()[i];
-    const TissueSetup& tissue = tissueOf(scenario, i);
+    const TissueSetup& tissue = scenario.organs[i].tissue;
     for (const Body& body : bodies(o.organ, o.organ.surface.mesh(o.points())))
       summary.pieces.push_back(
           {summarise(body.mesh), body.particles, body.tissue, massOf(body, tissue), o.name});

@@ -25,17 +25,19 @@ ToolInput toolInputAt(const ScenarioTool& tool, double time) {
           before.pedal + share * (next->pedal - before.pedal)};
 }
 
+bool moves(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.organs,
+                             [](const ScenarioOrgan& organ) { return organ.tissue.elastic; });
+}
+
 void makeElastic(Scenario& scenario) {
   scenario.mode = OperationMode::Operation;
-  scenario.tissue.elastic = true;
-  for (ScenarioOrgan& organ : scenario.otherOrgans) organ.tissue.elastic = true;
+  for (ScenarioOrgan& organ : scenario.organs) organ.tissue.elastic = true;
 }
 
 void makeThesis(Scenario& scenario) {
   scenario.mode = OperationMode::Thesis;
-  scenario.tissue.elastic = false;
-  for (ScenarioOrgan& organ : scenario.otherOrgans) organ.tissue.elastic = false;
-  scenario.joints.clear();
+  for (ScenarioOrgan& organ : scenario.organs) organ.tissue.elastic = false;
 }
 
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame) {

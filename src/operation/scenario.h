@@ -23,7 +23,7 @@ struct OrganLabel {
 struct OrganSource {
   std::string name = "organ";     // how others in the scenario name it
   std::string beside;             // laid as the organ of that name is, not by itself; or ""
-  std::string file;               // model or discretisation file; built in: "" liver, "gallbladder"
+  std::string file;               // model or discretisation file; or see isBuiltIn
   std::string part;               // named part of the file, or "" for all
   double unit = 1;                // metres per unit of the file
   bool repair = false;            // close the holes of an open mesh instead of refusing it
@@ -37,6 +37,11 @@ struct OrganSource {
   std::vector<Landmark> landmarks;  // besides those of a file of cells
   std::vector<OrganLabel> labels;  // besides those of a file of cells; where they meet the last one
 };
+
+// Resect's own models: "" is the liver, "gallbladder" the gallbladder.
+inline bool isBuiltIn(const OrganSource& source) {
+  return source.file.empty() || source.file == "gallbladder";
+}
 
 // A tool is here at this time; between keys it moves linearly and turns along the shorter great
 // circle.
@@ -80,7 +85,6 @@ struct TissueSetup {
   }
 };
 
-// An organ beside the first one, with a tissue of its own.
 struct ScenarioOrgan {
   OrganSource source;
   TissueSetup tissue;
@@ -99,10 +103,8 @@ struct Scenario {
   std::string title;        // one line for people
   std::string description;  // what it shows
   OperationMode mode = OperationMode::Thesis;
-  OrganSource organ;  // the first one
-  TissueSetup tissue;
-  std::vector<ScenarioOrgan> otherOrgans;
-  std::vector<OrganJoint> joints;
+  std::vector<ScenarioOrgan> organs = std::vector<ScenarioOrgan>(1);  // at least one
+  std::vector<OrganJoint> joints;  // of tissue that moves; still tissue needs none
   std::vector<ScenarioTool> tools;
   double frameRate = 60;              // frames per simulated second, 1 to 1000
   double duration = 1;                // s
@@ -111,14 +113,8 @@ struct Scenario {
   std::optional<Aabb> closeUp;        // what pictures show, room space; without it the organ
 };
 
-// Of the organ of this number, the first one included.
-inline const OrganSource& sourceOf(const Scenario& scenario, std::size_t organ) {
-  return organ == 0 ? scenario.organ : scenario.otherOrgans[organ - 1].source;
-}
-inline const TissueSetup& tissueOf(const Scenario& scenario, std::size_t organ) {
-  return organ == 0 ? scenario.tissue : scenario.otherOrgans[organ - 1].tissue;
-}
-
+// Whether any tissue moves.
+bool moves(const Scenario& scenario);
 // The tissue of all organs moves, and instruments act by their working parts.
 void makeElastic(Scenario& scenario);
 // The same operation as the original system would have it: tissue is still, instruments take out

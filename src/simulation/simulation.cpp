@@ -210,8 +210,7 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
     if (!step.calm)
       report.faults.emplace_back(
           "the tissue exploded and was stopped for a frame; make it softer, its cells larger or "
-          "the "
-          "tool slower");
+          "the tool slower");
   }
   const double share = 1 - std::exp(-input.duration / kFeltTime);
   for (std::size_t i = 0; i < tools_.size(); ++i) {

@@ -27,8 +27,7 @@ void Simulation::restore(std::span<const std::byte> bytes) {
   if (wanted.fingerprint != fingerprint())
     throw error(
         "the state is that of another organ, or of one in cells of another size; restore it into "
-        "the "
-        "operation that it was saved from");
+        "the operation that it was saved from");
   const SavedState now = fields();
   try {
     load(wanted);

@@ -235,15 +235,16 @@ TEST_CASE("where tissue was cut away the point under a pixel lies on the wound, 
 
 TEST_CASE("where tissue has moved the point under a pixel lies on the surface as it is seen now") {
   Scenario scenario;
-  scenario.organ.spacing = 0.016;
+  scenario.organs[0].source.spacing = 0.016;
   makeElastic(scenario);
   int place = 0;
   for (const ToolKind& kind : toolKinds())
     scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
   const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
-  Organ organ = makeOrgan(loadCells(scenario.organ, reader), scenario.organ.settings);
+  Organ organ =
+      makeOrgan(loadCells(scenario.organs[0].source, reader), scenario.organs[0].source.settings);
   const TriangleMesh atRest = organ.surface.mesh();
-  auto tissue = makeTissue(scenario.tissue, organ);
+  auto tissue = makeTissue(scenario.organs[0].tissue, organ);
   OperatingSession session(scenario,
                            std::make_unique<Simulation>(
                                std::move(organ), loadTools(scenario, reader), std::move(tissue)),
@@ -352,7 +353,7 @@ TEST_CASE("a scenario that is played in the window removes what it removes witho
   const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
   const auto make = [&] {
     return std::make_unique<Simulation>(
-        makeOrgan(loadCells(scenario.organ, reader), scenario.organ.settings),
+        makeOrgan(loadCells(scenario.organs[0].source, reader), scenario.organs[0].source.settings),
         loadTools(scenario, reader));
   };
   scenario.duration = 2;

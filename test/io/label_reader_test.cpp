@@ -70,19 +70,19 @@ bool tells(const std::string& text, const std::string& what) {
 
 TEST_CASE("a scenario says which cells are labelled and what labels are of") {
   const Scenario s = parseScenario(kStart + kLabels + kMaterials, "x.toml");
-  REQUIRE(s.organ.labels.size() == 2);
-  CHECK(s.organ.labels[0].label == 7);
-  CHECK(s.organ.labels[0].name == "tumour");
-  CHECK(s.organ.labels[0].region.landmark == "fundus");
-  CHECK(s.organ.labels[0].region.shape == Region::Shape::Ball);
-  CHECK(s.organ.labels[1].region.frame == Region::Frame::Organ);
-  REQUIRE(s.organ.landmarks.size() == 1);
-  CHECK(s.organ.landmarks[0].place == Vec3(0.5, 0.5, 0.5));
-  CHECK(s.tissue.materialOf(7).young == 20000);
-  CHECK(s.tissue.materialOf(7).poisson == s.tissue.material.poisson);
-  CHECK(s.tissue.materialOf(7).name == "hard");
-  CHECK(s.tissue.materialOf(9).density == 1000);
-  CHECK(s.tissue.materialOf(0).density == 1000);
+  REQUIRE(s.organs[0].source.labels.size() == 2);
+  CHECK(s.organs[0].source.labels[0].label == 7);
+  CHECK(s.organs[0].source.labels[0].name == "tumour");
+  CHECK(s.organs[0].source.labels[0].region.landmark == "fundus");
+  CHECK(s.organs[0].source.labels[0].region.shape == Region::Shape::Ball);
+  CHECK(s.organs[0].source.labels[1].region.frame == Region::Frame::Organ);
+  REQUIRE(s.organs[0].source.landmarks.size() == 1);
+  CHECK(s.organs[0].source.landmarks[0].place == Vec3(0.5, 0.5, 0.5));
+  CHECK(s.organs[0].tissue.materialOf(7).young == 20000);
+  CHECK(s.organs[0].tissue.materialOf(7).poisson == s.organs[0].tissue.material.poisson);
+  CHECK(s.organs[0].tissue.materialOf(7).name == "hard");
+  CHECK(s.organs[0].tissue.materialOf(9).density == 1000);
+  CHECK(s.organs[0].tissue.materialOf(0).density == 1000);
 }
 
 TEST_CASE("a wrong region, label or material is refused with its line and key") {
@@ -134,10 +134,10 @@ TEST_CASE("a label that marks nothing and a material that nothing has are one cl
 TEST_CASE("cells of a label weigh what its material does, and attachments take organ regions") {
   const Scenario s = parseScenario(
       kStart + kLabels + kMaterials + "[[tissue.attachment]]\ndepth = [0, 0.01]\n", "x.toml");
-  const Organ organ = makeOrgan(loadCells(s.organ, {}), s.organ.settings);
+  const Organ organ = makeOrgan(loadCells(s.organs[0].source, {}), s.organs[0].source.settings);
   CHECK(labelledParticles(organ.rest)[7] > 50);
   CHECK(labelledParticles(organ.rest)[9] > 50);
-  const auto tissue = makeTissue(s.tissue, organ);
+  const auto tissue = makeTissue(s.organs[0].tissue, organ);
   const auto& elastic = dynamic_cast<const ElasticTissue&>(*tissue);
   int held = 0, free = 0;
   for (std::int64_t c = 0; c < organ.rest.lattice.cellCount(); ++c) {
@@ -182,7 +182,7 @@ TEST_CASE("a run's summary tells what became of each label") {
   for (std::int64_t c = 0; c < carved.rest.lattice.cellCount(); ++c)
     if (carved.rest.inside[std::size_t(c)] && carved.rest.labelOf(c) == 9)
       removeParticle(carved, c);
-  const std::vector<LabelSummary> labels = summariseLabels(carved, s.tissue);
+  const std::vector<LabelSummary> labels = summariseLabels(carved, s.organs[0].tissue);
   CHECK(labels[2].removed.particles == labels[2].before.particles);
   CHECK(labels[2].remaining.particles == 0);
   CHECK(labels[1].removed.particles == 0);
@@ -193,22 +193,22 @@ TEST_CASE("labels and landmarks of a file of cells are those of the organ that i
   Scenario s = parseScenario(kStart + kLabels, "x.toml");
   const test::TemporaryFolder folder;
   const auto path = folder / "organ.resect-cells";
-  writeParticleFile(path, {loadCells(s.organ, {}), {"test", "liver", 1}});
+  writeParticleFile(path, {loadCells(s.organs[0].source, {}), {"test", "liver", 1}});
   const std::string source = "[organ]\nsource = \"" + path.string() + "\"\n";
   const std::string start = "title = \"t\"\nduration = 0.1\n" + source;
   Scenario other = parseScenario(
       start + "[[organ.label]]\nlabel = 7\nat = \"fundus\"\nradius = 0.04\n", "y.toml");
-  const Discretization cells = loadCells(other.organ, {});
+  const Discretization cells = loadCells(other.organs[0].source, {});
   CHECK(cells.labelName(7) == "tumour");
-  CHECK(labelledParticles(cells)[9] == labelledParticles(loadCells(s.organ, {}))[9]);
-  CHECK(labelledParticles(cells)[7] > labelledParticles(loadCells(s.organ, {}))[7]);
-  other.organ.labels.clear();
-  other.organ.resample = true;
-  other.organ.spacing = 0.008;
-  const Discretization finer = loadCells(other.organ, {});
-  const double ratio =
-      double(labelledParticles(finer)[7]) / double(labelledParticles(loadCells(s.organ, {}))[7]);
+  CHECK(labelledParticles(cells)[9] == labelledParticles(loadCells(s.organs[0].source, {}))[9]);
+  CHECK(labelledParticles(cells)[7] > labelledParticles(loadCells(s.organs[0].source, {}))[7]);
+  other.organs[0].source.labels.clear();
+  other.organs[0].source.resample = true;
+  other.organs[0].source.spacing = 0.008;
+  const Discretization finer = loadCells(other.organs[0].source, {});
+  const double ratio = double(labelledParticles(finer)[7]) /
+                       double(labelledParticles(loadCells(s.organs[0].source, {}))[7]);
   CHECK(ratio == doctest::Approx(1.25 * 1.25 * 1.25).epsilon(0.1));
-  other.organ.unit = 0.001;
-  CHECK_THROWS_AS(loadCells(other.organ, {}), Error);
+  other.organs[0].source.unit = 0.001;
+  CHECK_THROWS_AS(loadCells(other.organs[0].source, {}), Error);
 }

@@ -17,7 +17,7 @@ TEST_CASE("the source \"gallbladder\" is the built-in gallbladder, no file") {
     FAIL("no file is read");
     return {};
   };
-  const TriangleMesh mesh = loadOrganMesh(scenario.organ, noFile, nullptr);
+  const TriangleMesh mesh = loadOrganMesh(scenario.organs[0].source, noFile, nullptr);
   CHECK(mesh.points == builtinGallbladder().points);
   CHECK(mesh.triangles == builtinGallbladder().triangles);
 }

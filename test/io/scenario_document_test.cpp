@@ -39,7 +39,7 @@ std::vector<std::string> examples() {
 
 TEST_CASE("the complete scenario of the documentation is read, with its instruments in hand") {
   const Scenario scenario = parseScenario(examples()[0], "document");
-  CHECK(*scenario.organ.spacing == 0.005);
+  CHECK(*scenario.organs[0].source.spacing == 0.005);
   REQUIRE(scenario.tools.size() == 3);
   CHECK(scenario.tools[0].keys.size() == 3);
   CHECK(toolInputAt(scenario.tools[0], 1.5).inHand);

@@ -52,8 +52,8 @@ TEST_CASE("a scenario file says what it says") {
   REQUIRE(s.closeUp);
   CHECK(s.closeUp->min == Vec3(0, 0, -0.1));
   CHECK(s.closeUp->max == Vec3(0.1, 0.2, 0.1));
-  CHECK(*s.organ.spacing == 0.004);
-  CHECK(s.organ.settings.iso == 45);
+  CHECK(*s.organs[0].source.spacing == 0.004);
+  CHECK(s.organs[0].source.settings.iso == 45);
   REQUIRE(s.tools.size() == 1);
   REQUIRE(s.tools[0].keys.size() == 2);
   // Handle (+Z of the tool) up, edge (-Y of the tool) towards +Z.

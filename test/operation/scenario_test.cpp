@@ -76,12 +76,12 @@ TEST_CASE("in thesis mode tissue is still, and of two tools in hand at once the 
   scenario.tools.resize(2);
   for (ScenarioTool& tool : scenario.tools) tool.keys = {{0.0, {}}, {1.0, {}}};
   makeElastic(scenario);
-  CHECK(scenario.tissue.elastic);
+  CHECK(scenario.organs[0].tissue.elastic);
   FrameInput input = frameInput(scenario, 10);
   CHECK(input.tools[0].inHand);
   CHECK(input.tools[1].inHand);
   makeThesis(scenario);
-  CHECK_FALSE(scenario.tissue.elastic);
+  CHECK_FALSE(scenario.organs[0].tissue.elastic);
   input = frameInput(scenario, 10);
   CHECK(input.tools[0].inHand);
   CHECK_FALSE(input.tools[1].inHand);

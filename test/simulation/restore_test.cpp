@@ -226,7 +226,7 @@ TEST_CASE("a saved state is small, and saving and restoring are quick") {
   // At most 48 bytes a particle of elastic tissue, a bit a particle of still tissue.
   for (const Case& c : {Case{"press", true, 0.005, 48}, Case{"cut", false, 0.00118, 0.125}}) {
     Scenario scenario = shipped(c.name);
-    scenario.organ.spacing = c.spacing;
+    scenario.organs[0].source.spacing = c.spacing;
     Simulation simulation = simulationOf(scenario);
     for (std::int64_t frame = 0; frame < 40; ++frame) step(simulation, scenario, frame);
     Bytes saved;

@@ -23,14 +23,14 @@ struct OperatingBench {
   SbViewportRegion viewport{800, 500};
 
   OperatingBench() {
-    scenario.organ.spacing = 0.012;
+    scenario.organs[0].source.spacing = 0.012;
     int place = 0;
     for (const ToolKind& kind : toolKinds())
       scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
     const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
     session = std::make_unique<OperatingSession>(
         scenario,
-        std::make_unique<Simulation>(makeOrgan(loadCells(scenario.organ, reader), {}),
+        std::make_unique<Simulation>(makeOrgan(loadCells(scenario.organs[0].source, reader), {}),
                                      loadTools(scenario, reader)),
         1.6);
     settle();
