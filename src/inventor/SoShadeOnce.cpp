@@ -155,7 +155,10 @@ bool SoShadeOnce::gather(SoGLRenderAction* action, ContextTextures& textures, un
   GLint target = 0, program = 0, unit = 0, view[4];
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
   glGetIntegerv(GL_VIEWPORT, view);
-  glPushAttrib(GL_COLOR_BUFFER_BIT | GL_SCISSOR_BIT);
+  // Not GL_COLOR_BUFFER_BIT: the children's material may switch blending, and Coin remembers that.
+  glPushAttrib(GL_SCISSOR_BIT);
+  GLfloat clear[4];
+  glGetFloatv(GL_COLOR_CLEAR_VALUE, clear);
   textures.make(view[0] + view[2], view[1] + view[3]);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, textures.framebuffer);
   glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths);
@@ -166,6 +169,7 @@ bool SoShadeOnce::gather(SoGLRenderAction* action, ContextTextures& textures, un
     glScissor(part.left, part.bottom, part.right - part.left, part.top - part.bottom);
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT);
+    glClearColor(clear[0], clear[1], clear[2], clear[3]);
     action->getState()->push();
     gathering_->GLRender(action);
     SoGroup::GLRender(action);

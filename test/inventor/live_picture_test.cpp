@@ -1,9 +1,12 @@
 #include "inventor/live_picture.h"
 
+#include <Inventor/nodes/SoGroup.h>
+#include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <doctest/doctest.h>
 
 #include "geometry/primitives.h"
+#include "inventor/SoOrganShape.h"
 #include "inventor/model_nodes.h"
 #include "inventor/operating_room.h"
 
@@ -128,4 +131,44 @@ TEST_CASE("a smooth picture comes in strips, and each can be read by itself") {
   }
   CHECK(shown == smooth);
   CHECK(Scene::read(strips) == smooth);
+}
+
+TEST_CASE("a second organ is drawn in its own light when something before it was seen through") {
+  Scene scene;
+  scene.room.addOrgan({0.30f, 0.45f, 0.16f});
+  const Vec3 centre(0.05, 0.14, 0.03);
+  const TriangleMesh ball = sphereMesh(centre, 0.04, 24);
+  std::vector<Vec3f> points, normals;
+  for (const Vec3& p : ball.points) {
+    points.push_back(p.cast<float>());
+    normals.push_back((p - centre).normalized().cast<float>());
+  }
+  scene.room.organ(1)->update(
+      wholeSurface(points, normals, std::vector<float>(points.size(), 0.0f), ball.triangles));
+  // Drawn last, as the marker of a tip is: what it leaves behind meets the next picture.
+  auto* glass = new SoMaterial;
+  glass->transparency = 0.5f;
+  auto* room = dynamic_cast<SoGroup*>(scene.room.root());
+  REQUIRE(room);
+  room->addChild(glass);
+  room->addChild(makeModel(boxMesh({{-0.3, 0, -0.02}, {-0.26, 0.04, 0.02}})));
+
+  const auto front =
+      pixelsOf({false, {{{0.04, 0.13, 0.05}, {0.06, 0.15, 0.07}}}, {}}, *scene.room.camera(),
+               SbViewportRegion(short(kWidth), short(kHeight)));
+  REQUIRE(front.size() == 1);
+  const auto green = [&](const Pixels& pixels) {
+    double sum = 0;
+    for (int y = front[0].bottom; y < front[0].top; ++y)
+      for (int x = front[0].left; x < front[0].right; ++x)
+        sum += double(pixels[std::size_t(kHeight - 1 - y) * kWidth + std::size_t(x)] >> 8 & 255);
+    return sum / double(front[0].area());
+  };
+  LivePicture picture;
+  scene.draw(picture, {true, {}, {}});
+  picture.drawSmooth(scene.room.root(), 0, 1);
+  const double smooth = green(Scene::read(picture));
+  CHECK(smooth > 60);
+  for (int i = 0; i < 3; ++i)
+    CHECK(green(scene.draw(picture, {true, {}, {}})) == doctest::Approx(smooth).epsilon(0.02));
 }
