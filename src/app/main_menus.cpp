@@ -12,6 +12,7 @@
 
 #include "app/controls_overlay.h"
 #include "app/main_window.h"
+#include "app/panels.h"
 #include "app/viewer.h"
 #include "base/error.h"
 #include "io/data_folder.h"
@@ -62,6 +63,8 @@ void MainWindow::makeMenus() {
     });
   recent_ = file->addMenu("&Recent files");
   fillRecent();
+  add(file, "Begin &again", QKeySequence("Ctrl+N"),
+      "The organ whole again, with the settings of its panel", [this] { organ_->beginAgain(); });
   file->addSeparator();
   add(file, "Save s&urface ...", QKeySequence("Ctrl+E"), "The organ as it is now, as a closed mesh",
       [this] { saveSurface(); });
@@ -95,7 +98,7 @@ void MainWindow::makeMenus() {
         viewer_->setCursor(Qt::CrossCursor);
         statusBar()->showMessage("Click what you want to look at");
       });
-  add(view, "&Bring everything back", QKeySequence(Qt::Key_Space),
+  add(view, "&Bring view and instruments back", QKeySequence(Qt::Key_Space),
       "Instruments into the tray, the surgeon's view", [this] { bringEverythingBack(); });
   view->addSeparator();
   for (QDockWidget* dock : findChildren<QDockWidget*>()) {
@@ -148,7 +151,7 @@ void MainWindow::makeMenus() {
 
 // The keys belong to the picture. Panels get them only where somebody went on purpose, by Tab or
 // into a field of numbers; Escape leads back from there, and Space is heard in fields too: it
-// brings everything back. On a button that Tab led to it presses the button, as everywhere.
+// brings the view back. On a button that Tab led to it presses the button, as everywhere.
 bool MainWindow::eventFilter(QObject* object, QEvent* event) {
   const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   const auto* widget = key ? qobject_cast<QWidget*>(object) : nullptr;

@@ -68,10 +68,11 @@ QString nameOf(const OrganSource& organ) {
   return QFileInfo(QString::fromStdString(organ.file)).fileName();
 }
 
-// As people find the operation's organs in the panel: "Built-in liver, Built-in gallbladder".
+// As people find the operation's organs in the panel: "Built-in liver", "liver, gallbladder".
 QString namesOf(const std::vector<ScenarioOrgan>& organs) {
+  if (organs.size() == 1) return nameOf(organs[0].source);
   QStringList names;
-  for (const ScenarioOrgan& organ : organs) names << nameOf(organ.source);
+  for (const ScenarioOrgan& organ : organs) names << QString::fromStdString(organ.source.name);
   return names.join(", ");
 }
 
@@ -81,6 +82,12 @@ void setSpacing(std::vector<ScenarioOrgan>& organs, double before, double spacin
     if (organ.source.spacing) *organ.source.spacing *= spacing / before;
   organs[0].source.spacing = spacing;
   organs[0].source.dims.reset();
+}
+
+// The first instrument in hand of the motions that are played; none: -1.
+int playedTool(const LiveState& state) {
+  const auto at = std::ranges::find_if(state.played, &ToolInput::inHand);
+  return at == state.played.end() ? -1 : int(at - state.played.begin());
 }
 
 bool isPress(const SoEvent& event) {
@@ -319,7 +326,7 @@ void MainWindow::tick() {
   removed_->follow(state);
   if (force_->parentWidget()->isVisible() != state.moves)
     force_->parentWidget()->setVisible(state.moves);
-  if (state.moves) force_->follow(state, tools.held());
+  if (state.moves) force_->follow(state, session_->playing() ? playedTool(state) : tools.held());
   timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
   if (!options_.reports || state.frame == 0) return;
   // Once the panels have settled round the picture.

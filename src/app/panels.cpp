@@ -87,8 +87,7 @@ void InstrumentsPanel::setHeld(int tool, const QString& how) {
 OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
   auto* form = new QFormLayout(this);
   name_ = new QLabel(this);
-  name_->setWordWrap(true);
-  name_->setToolTip("What is operated on");
+  name_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   form->addRow(name_);
   counts_ = new QLabel(this);
   counts_->setToolTip("Particles, triangles of the surface, and the volume that is left");
@@ -124,25 +123,44 @@ OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
       "goes");
   elastic_->setFocusPolicy(Qt::TabFocus);
   form->addRow(elastic_);
-  auto* again = new QPushButton("Begin again", this);
-  again->setToolTip("The organ whole again, with this spacing and refinement");
-  again->setFocusPolicy(Qt::TabFocus);
-  form->addRow(again);
-  QObject::connect(again, &QPushButton::clicked, this, [this] {
-    if (rebuild) rebuild(spacing_->value() * 1e-3, refine_->value(), elastic_->isChecked());
-  });
+  again_ = new QPushButton(this);
+  again_->setToolTip("The organ whole again, with this spacing, refinement and kind of tissue");
+  again_->setFocusPolicy(Qt::TabFocus);
+  form->addRow(again_);
+  QObject::connect(again_, &QPushButton::clicked, this, [this] { beginAgain(); });
+  QObject::connect(spacing_, &QDoubleSpinBox::valueChanged, this, [this] { sayWhatWaits(); });
+  QObject::connect(refine_, &QSpinBox::valueChanged, this, [this] { sayWhatWaits(); });
+  QObject::connect(elastic_, &QCheckBox::toggled, this, [this] { sayWhatWaits(); });
   notes_ = new QLabel(this);
   notes_->setWordWrap(true);
   form->addRow(notes_);
 }
 
+OrganPanel::Settings OrganPanel::settings() const {
+  return {spacing_->value(), refine_->value(), elastic_->isChecked()};
+}
+
+// Settings change nothing before the organ is made anew: the button says that they wait for it.
+void OrganPanel::sayWhatWaits() {
+  const bool waiting = settings() != running_;
+  again_->setText(waiting ? "Begin again to apply" : "Begin again");
+  again_->setStyleSheet(waiting ? "font-weight: bold" : "");
+}
+
+void OrganPanel::beginAgain() {
+  if (rebuild) rebuild(spacing_->value() * 1e-3, refine_->value(), elastic_->isChecked());
+}
+
 void OrganPanel::setOrgan(const QString& name, double spacing, int refine, bool elastic,
                           const QString& notes) {
   name_->setText("<b>" + name.toHtmlEscaped() + "</b>");
+  name_->setToolTip("What is operated on: " + name);
   const QSignalBlocker quiet(spacing_);
   spacing_->setValue(spacing * 1e3);
   refine_->setValue(refine);
   elastic_->setChecked(elastic);
+  running_ = settings();
+  sayWhatWaits();
   notes_->setText(notes);
   notes_->setVisible(!notes.isEmpty());
 }
@@ -231,14 +249,15 @@ void ForcePanel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const int line = QFontMetrics(font()).height();
-  double most = 1;
-  for (const auto& [time, force] : history_) most = std::max(most, force);
+  double peak = 0;
+  for (const auto& [time, force] : history_) peak = std::max(peak, force);
+  const double most = std::max(1.0, peak);
   const double now = history_.empty() ? 0 : history_.back().second;
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignLeft,
                    QString("%1 N").arg(now, 0, 'f', 2));
   painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignRight,
-                   QString("to %1 N").arg(most, 0, 'f', 1));
+                   QString("at most %1 N").arg(peak, 0, 'f', 2));
   const QRectF plot(8, line + 6, width() - 16, height() - line - 12);
   const double last = history_.empty() ? 0 : history_.back().first;
   drawHistory(painter, plot, history_, last - kForceSeconds, last, most,

@@ -12,6 +12,7 @@
 class QCheckBox;
 class QDoubleSpinBox;
 class QLabel;
+class QPushButton;
 class QSlider;
 class QSpinBox;
 class QToolButton;
@@ -43,10 +44,22 @@ class OrganPanel : public QWidget {
                 const QString& notes);
   void follow(const LiveState& state);
   void setIso(float iso);
+  void beginAgain();  // with what is set here
   std::function<void(float)> isoChanged;
   std::function<void(double spacing, int refine, bool elastic)> rebuild;  // m
 
  private:
+  struct Settings {
+    double spacing = 0;  // mm
+    int refine = 0;
+    bool elastic = false;
+    bool operator==(const Settings&) const = default;
+  };
+  Settings settings() const;
+  void sayWhatWaits();
+
+  Settings running_;
+  QPushButton* again_;
   QLabel *name_, *counts_, *isoText_, *notes_;
   QSlider* iso_;
   QDoubleSpinBox* spacing_;

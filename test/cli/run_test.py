@@ -31,7 +31,7 @@ ELASTIC = {
     "incise-under-traction": "6dd5c7daa220766e",
     "snip": "4e1df3c5351b4608",
     "resect-segment-elastic": "9adfba252cea5bc9",
-    "liver-and-gallbladder": "88dead75b2eb338d",
+    "liver-and-gallbladder": "10cb80808d9f217c",
     "hang": "f514851576592b71",
     "drop": "4b5b317bc9bba7e4",
 }

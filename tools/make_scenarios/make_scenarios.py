@@ -227,29 +227,32 @@ def resect_segment_elastic():
 
 
 def lift_gallbladder():
-    """The hook catches the fundus from the front, lifts it, holds it, and pulls until it slips."""
+    """The hook catches the fundus from the front, lifts it, holds it, lays it down and lets go."""
     path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
-    caught, lifted = (0.033, 0.06, 0.083), (0.033, 0.078, 0.087)
+    caught, lifted = (-0.037, 0.06, 0.083), (-0.037, 0.078, 0.087)
     path.wait(0.8)
-    path.to(0.033, 0.2, 0.19).to(*caught)
+    path.to(-0.037, 0.2, 0.19).to(*caught)
     path.wait(0.1)
     path.to(*caught).to(*lifted, speed=0.04)
     path.wait(0.8)
-    path.to(*lifted).to(0.033, 0.26, 0.2, speed=0.1)
+    path.to(*lifted).to(*caught, speed=0.04)
+    path.wait(0.2)
+    path.to(*caught)
     return [("scalpel", None), ("hook", path), ("baton", None)]
 
 
 def liver_and_gallbladder():
     """Two organs: the liver lies on its dome, held below; the gallbladder is on its bed above."""
     turn = "{ axis = [0.1954, 0.1288, -0.9722], degrees = 180 }"
-    text = scenario("The gallbladder is lifted off the liver's bed",
-                    "The hook lifts the gallbladder by its fundus, and the liver follows", 6.0, lift_gallbladder(),
+    text = scenario("The gallbladder is lifted, and the liver follows",
+                    "The hook holds the gallbladder up by its fundus, lays it down and lets go", 6.0, lift_gallbladder(),
                     "surgeon", thesis=False)
     organs = f"""[[organ]]
 name = "liver"
 source = "liver"
 spacing = "6mm"
 rotation = {turn}  # on its dome, the fundus towards the surgeon
+position = [-0.07, 0, 0]  # clear of the tray
 settle = false
 
 [organ.tissue]
@@ -257,7 +260,7 @@ model = "elastic"
 
 [[organ.tissue.attachment]]
 kind = "pin"
-box = [[-0.11, -0.01, -0.1], [0.11, 0.03, 0.1]]
+box = [[-0.18, -0.01, -0.1], [0.04, 0.03, 0.1]]
 
 [[organ]]
 name = "gallbladder"
