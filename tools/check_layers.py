@@ -17,9 +17,9 @@ FOREIGN = {
     r"Inventor/": {"inventor", "app"},
     r"(GL|EGL|GLES\d)/": {"inventor", "app"},
     r"(Qt\w*/|Q[A-Z])": {"app"},
-    r"assimp/": {"io"},
+    r"assimp/": {"formats"},
     r"toml\+\+/": {"io"},
-    r"nlohmann/": {"io", "cli"},
+    r"nlohmann/": {"formats", "cli"},
     r"CLI/": {"cli"},
     r"(tbb|oneapi)/": {"base"},
 }

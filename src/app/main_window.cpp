@@ -25,8 +25,8 @@
 #include "app/theme.h"
 #include "app/viewer.h"
 #include "base/error.h"
+#include "formats/png_file.h"
 #include "inventor/scene_file.h"
-#include "io/png_file.h"
 
 namespace resect {
 namespace {

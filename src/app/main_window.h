@@ -8,8 +8,8 @@
 #include "app/organ_loader.h"
 #include "app/space_mouse.h"
 #include "app/window.h"
+#include "formats/video.h"
 #include "inventor/operating_session.h"
-#include "io/video.h"
 
 class QAction;
 class QLabel;

@@ -10,10 +10,10 @@
 #include "app/say.h"
 #include "app/viewer.h"
 #include "base/error.h"
+#include "formats/png_file.h"
 #include "inventor/scene_file.h"
 #include "io/mesh_file.h"
 #include "io/particle_file.h"
-#include "io/png_file.h"
 #include "io/scenario_file.h"
 
 namespace resect {

@@ -9,9 +9,9 @@
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
+#include "formats/png_file.h"
 #include "inventor/SoOrganShape.h"
 #include "io/mesh_file.h"
-#include "io/png_file.h"
 
 namespace resect {
 

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "app/pace.h"
+#include "formats/png_file.h"
 #include "inventor/damage.h"
 #include "inventor/live_picture.h"
-#include "io/png_file.h"
 
 class QInputEvent;
 class SoEvent;

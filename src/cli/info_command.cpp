@@ -7,12 +7,12 @@
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/progress_bar.h"
+#include "formats/model_info.h"
+#include "formats/particle_info.h"
 #include "inventor/model_file.h"
 #include "io/length.h"
-#include "io/model_info.h"
 #include "io/organ_mesh.h"
 #include "io/particle_file.h"
-#include "io/particle_info.h"
 
 namespace resect {
 namespace {

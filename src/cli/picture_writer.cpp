@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "base/error.h"
+#include "formats/png_file.h"
+#include "formats/video.h"
 #include "inventor/offscreen_view.h"
 #include "inventor/operation_view.h"
-#include "io/png_file.h"
-#include "io/video.h"
 
 namespace resect {
 

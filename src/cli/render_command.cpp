@@ -12,6 +12,7 @@
 #include "cli/json_output.h"
 #include "cli/picture_writer.h"
 #include "cli/progress_bar.h"
+#include "formats/png_file.h"
 #include "geometry/resting_pose.h"
 #include "inventor/model_file.h"
 #include "inventor/offscreen_view.h"
@@ -21,7 +22,6 @@
 #include "io/data_folder.h"
 #include "io/length.h"
 #include "io/organ_mesh.h"
-#include "io/png_file.h"
 #include "operation/room.h"
 
 namespace resect {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/line_plot.h"
+#include "formats/line_plot.h"
 #include "operation/run.h"
 
 namespace resect {

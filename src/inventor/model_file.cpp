@@ -8,13 +8,13 @@
 #include "base/error.h"
 #include "base/large_pages.h"
 #include "base/raw_array.h"
+#include "formats/assimp_file.h"
+#include "formats/child_process.h"
+#include "formats/gzip.h"
+#include "formats/vtk_file.h"
 #include "inventor/iv_guard.h"
 #include "inventor/iv_reader.h"
 #include "inventor/nurbs_context.h"
-#include "io/assimp_file.h"
-#include "io/child_process.h"
-#include "io/gzip.h"
-#include "io/vtk_file.h"
 
 namespace resect {
 namespace {

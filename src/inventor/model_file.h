@@ -14,9 +14,9 @@ namespace resect {
 // also gzip-compressed. The format is told by the first bytes where they tell it, else by the name.
 // In metres: Units nodes of Inventor are followed, other formats' numbers are taken as metres.
 //
-// The work is done in a child process (io/child_process.h) with 2 GB of memory and 5 s of computing
-// plus 1 s for each MB of the file; a file that kills or stalls its reader becomes one Error
-// sentence. Files over 1 GB are refused.
+// The work is done in a child process (formats/child_process.h) with 2 GB of memory and 5 s of
+// computing plus 1 s for each MB of the file; a file that kills or stalls its reader becomes one
+// Error sentence. Files over 1 GB are refused.
 Model readModel(const std::filesystem::path& path);
 
 // The same while somebody watches: `progress` gets shares of an Inventor or VRML file's numbers, -1

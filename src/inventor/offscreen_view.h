@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "io/png_file.h"
+#include "formats/png_file.h"
 
 class SoNode;
 

@@ -10,12 +10,12 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "formats/model_info.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
 #include "geometry/weld.h"
 #include "inventor/model_file.h"
 #include "io/mesh_file.h"
-#include "io/model_info.h"
 #include "io/organ_mesh.h"
 #include "support/shared_data.h"
 #include "support/temporary_folder.h"

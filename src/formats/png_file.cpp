@@ -1,4 +1,4 @@
-#include "io/png_file.h"
+#include "formats/png_file.h"
 
 #include <png.h>
 

@@ -1,4 +1,4 @@
-#include "io/assimp_file.h"
+#include "formats/assimp_file.h"
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/png_file.h"
+#include "formats/png_file.h"
 
 namespace resect {
 

@@ -1,5 +1,5 @@
 // Does a plot show every point where it belongs?
-#include "io/line_plot.h"
+#include "formats/line_plot.h"
 
 #include <doctest/doctest.h>
 

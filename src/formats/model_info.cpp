@@ -1,4 +1,4 @@
-#include "io/model_info.h"
+#include "formats/model_info.h"
 
 #include <nlohmann/json.hpp>
 

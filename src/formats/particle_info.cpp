@@ -1,4 +1,4 @@
-#include "io/particle_info.h"
+#include "formats/particle_info.h"
 
 #include <fmt/format.h>
 

@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "formats/model_info.h"
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
 #include "geometry/topology.h"
-#include "io/model_info.h"
 #include "io/organ_size.h"
 
 using namespace resect;

@@ -6,9 +6,9 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "formats/assimp_file.h"
+#include "formats/vtk_file.h"
 #include "geometry/primitives.h"
-#include "io/assimp_file.h"
-#include "io/vtk_file.h"
 #include "support/temporary_folder.h"
 
 using namespace resect;

@@ -1,4 +1,4 @@
-#include "io/gzip.h"
+#include "formats/gzip.h"
 
 #include <doctest/doctest.h>
 #include <zlib.h>

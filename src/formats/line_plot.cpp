@@ -1,4 +1,4 @@
-#include "io/line_plot.h"
+#include "formats/line_plot.h"
 
 #include <fmt/format.h>
 

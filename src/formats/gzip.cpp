@@ -1,4 +1,4 @@
-#include "io/gzip.h"
+#include "formats/gzip.h"
 
 #include <zlib.h>
 

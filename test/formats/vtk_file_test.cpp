@@ -1,4 +1,4 @@
-#include "io/vtk_file.h"
+#include "formats/vtk_file.h"
 
 #include <doctest/doctest.h>
 
