@@ -1,8 +1,8 @@
 // What is known of every cell besides how full it is? Which structure it belongs to.
 //
 // A field costs nothing until one of its values is another than it was from the start. One more
-// field is a member here and its line in visit(): saving, comparing and digests follow by
-// themselves (docs/how-to/add_a_cell_field.md).
+// field is a member here and its lines in visit() and fit(): saving, comparing and digests follow
+// by themselves (docs/how-to/add_a_cell_field.md).
 #pragma once
 
 #include <cstdint>

@@ -34,7 +34,7 @@ struct FrameInput {
   double duration = 1.0 / 60;    // s
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
   std::optional<float> iso;      // another iso level from this frame on
-  // Done to tissue whatever the tools do, before they act.
+  // Done to tissue whatever the tools do, before what they queue; their parts do not see it yet.
   std::vector<TissueEdit> edits;
 };
 
@@ -48,7 +48,7 @@ struct StepReport {
   std::int64_t touchedBricks = 0;      // bricks evaluated and meshed again
   // Tool after tool, for each one per organ; empty for a tool not in hand.
   std::vector<ToolContacts> contacts;
-  std::vector<TissueEdit> edits;    // as they were applied, but those for what tore
+  std::vector<TissueEdit> edits;    // in order, also those passed over; but those for what tore
   std::vector<TissueEdit> tears;    // bonds that tore, grips that slipped
   std::vector<TissueStep> tissue;   // one per organ
   std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero when nothing moves
