@@ -7,7 +7,6 @@
 #include "collision/collider.h"
 #include "collision/columns.h"
 #include "collision/inside.h"
-#include "collision/inside_samples.h"
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
 #include "support/bench_organs.h"
@@ -43,12 +42,20 @@ void castHalfAMillionTriangles(benchmark::State& state) {
 BENCHMARK(castHalfAMillionTriangles)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // Snapping included, as row E of docs/performance.md has it.
+std::int64_t countInside(const TriangleMesh& mesh, const Vec3& first, const Vec3& pitch) {
+  const Crossings columns =
+      castColumns(snapToRaster(mesh), ColumnGrid{first.head<2>(), pitch.head<2>(), 256, 256});
+  std::int64_t inside = 0;
+  for (std::size_t c = 0; c < columns.columnCount(); ++c)
+    forEachInside(columns[c], {first.z(), pitch.z(), 256},
+                  [&](int begin, int end) { inside += end - begin; });
+  return inside;
+}
+
 void pointsOfAGrid(benchmark::State& state) {
   const TriangleMesh mesh = ball(int(state.range(0)));
-  const double pitch = 0.2 / 256, first = -0.1 + pitch / 2;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(insideSamples(
-        snapToRaster(mesh), {{first, first}, {pitch, pitch}, 256, 256}, {first, pitch, 256}));
+  const Vec3 pitch = Vec3::Constant(0.2 / 256), first = Vec3::Constant(-0.1) + 0.5 * pitch;
+  for (auto _ : state) benchmark::DoNotOptimize(countInside(mesh, first, pitch));
   state.counters["triangles"] = double(mesh.triangles.size());
 }
 BENCHMARK(pointsOfAGrid)->ArgName("rings")->Arg(50)->Arg(354)->Unit(benchmark::kMillisecond);
@@ -59,10 +66,7 @@ void pointsOfALiver(benchmark::State& state) {
   const TriangleMesh mesh = SurfaceTracker(field, 50).mesh();
   const Aabb box = bounds(mesh);
   const Vec3 pitch = box.size() / 256, first = box.min + 0.5 * pitch;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(insideSamples(snapToRaster(mesh),
-                                           {first.head<2>(), pitch.head<2>(), 256, 256},
-                                           {first.z(), pitch.z(), 256}));
+  for (auto _ : state) benchmark::DoNotOptimize(countInside(mesh, first, pitch));
   state.counters["triangles"] = double(mesh.triangles.size());
 }
 BENCHMARK(pointsOfALiver)

@@ -5,9 +5,7 @@
 namespace resect::bench {
 namespace {
 
-ColumnGrid columnsOf(const InsideGrid& grid) {
-  return {grid.first.head<2>(), grid.pitch.head<2>(), grid.n, grid.n};
-}
+SampleLine lineOf(const InsideGrid& grid) { return {grid.first.z(), grid.pitch.z(), grid.n}; }
 
 }  // namespace
 
@@ -17,19 +15,26 @@ InsideGrid gridRound(const TriangleMesh& mesh, int n) {
   return {box.min + 0.5 * pitch, pitch, n};
 }
 
-InsideSamples insideSamples(const TriangleMesh& mesh, const InsideGrid& grid) {
-  return insideSamples(snapToRaster(mesh), columnsOf(grid),
-                       {grid.first.z(), grid.pitch.z(), grid.n});
+Crossings castColumns(const TriangleMesh& mesh, const InsideGrid& grid) {
+  return castColumns(snapToRaster(mesh),
+                     ColumnGrid{grid.first.head<2>(), grid.pitch.head<2>(), grid.n, grid.n});
 }
 
-std::vector<std::uint8_t> flagsOf(const InsideSamples& inside, const InsideGrid& grid) {
-  std::vector<std::uint8_t> flags(std::size_t(grid.n) * grid.n * grid.n, 0);
-  for (int y = 0; y < grid.n; ++y)
-    for (int x = 0; x < grid.n; ++x)
-      for (const InsideStretch& s : inside.column(std::size_t(x), std::size_t(y))) {
-        const auto column = flags.begin() + std::ptrdiff_t(grid.index(x, y, 0));
-        std::fill(column + s.first, column + s.last, std::uint8_t(1));
-      }
+std::int64_t countInside(const TriangleMesh& mesh, const InsideGrid& grid) {
+  const Crossings columns = castColumns(mesh, grid);
+  std::int64_t inside = 0;
+  for (std::size_t c = 0; c < columns.columnCount(); ++c)
+    forEachInside(columns[c], lineOf(grid), [&](int first, int end) { inside += end - first; });
+  return inside;
+}
+
+std::vector<std::uint8_t> flagsOf(const Crossings& columns, const InsideGrid& grid) {
+  const auto n = std::size_t(grid.n);
+  std::vector<std::uint8_t> flags(n * n * n, 0);
+  for (std::size_t c = 0; c < columns.columnCount(); ++c)
+    forEachInside(columns[c], lineOf(grid), [&](int first, int end) {
+      std::fill_n(flags.begin() + std::ptrdiff_t(n * c) + first, end - first, std::uint8_t(1));
+    });
   return flags;
 }
 
@@ -60,8 +65,7 @@ FlagDifference compareFlags(const TriangleMesh& mesh, const InsideGrid& grid,
   return difference;
 }
 
-std::int64_t oddColumns(const TriangleMesh& mesh, const InsideGrid& grid) {
-  const Crossings columns = castColumns(snapToRaster(mesh), columnsOf(grid));
+std::int64_t oddColumns(const Crossings& columns) {
   std::int64_t odd = 0;
   for (std::size_t c = 0; c < columns.columnCount(); ++c) odd += columns[c].size() % 2;
   return odd;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/inside_samples.h"
+#include "collision/columns.h"
 
 namespace resect::bench {
 
@@ -19,11 +19,14 @@ struct InsideGrid {
 // Over the mesh's box with a margin of half a pitch.
 InsideGrid gridRound(const TriangleMesh& mesh, int n);
 
-// The stretches of points inside: what a peer's stencil or list of hits says, too.
-InsideSamples insideSamples(const TriangleMesh& mesh, const InsideGrid& grid);
+// The columns' crossings, sorted: what a peer's stencil or list of hits says, too.
+Crossings castColumns(const TriangleMesh& mesh, const InsideGrid& grid);
+
+// How many points lie inside, by their stretches: what is timed.
+std::int64_t countInside(const TriangleMesh& mesh, const InsideGrid& grid);
 
 // One flag per point, z fastest.
-std::vector<std::uint8_t> flagsOf(const InsideSamples& inside, const InsideGrid& grid);
+std::vector<std::uint8_t> flagsOf(const Crossings& columns, const InsideGrid& grid);
 
 // How far `theirs` is from `ours`: points that differ, and how many of those are farther than
 // `tolerance` (m) from the surface.
@@ -34,7 +37,7 @@ FlagDifference compareFlags(const TriangleMesh& mesh, const InsideGrid& grid,
                             const std::vector<std::uint8_t>& ours,
                             const std::vector<std::uint8_t>& theirs, double tolerance);
 
-// Columns of the grid whose crossings do not come in pairs.
-std::int64_t oddColumns(const TriangleMesh& mesh, const InsideGrid& grid);
+// Columns whose crossings do not come in pairs.
+std::int64_t oddColumns(const Crossings& columns);
 
 }  // namespace resect::bench

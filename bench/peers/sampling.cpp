@@ -8,8 +8,7 @@
 
 namespace resect::bench {
 
-Findings compareSampling(const Effort& effort, const SamplingPeer& peer,
-                         std::function<double(double triangles)> goal) {
+Findings compareSampling(const Effort& effort, const SamplingPeer& peer) {
   constexpr int kPoints = 256;
   std::vector<double> sizes = {1e4, 1e5};
   if (!effort.quick) sizes.push_back(5e5);
@@ -27,16 +26,16 @@ Findings compareSampling(const Effort& effort, const SamplingPeer& peer,
       line.size = double(mesh.triangles.size());
       line.sizeUnit = "triangles";
       line.threads = threads;
-      line.goal = goal(size);
       peer.prepare(mesh, grid, threads);
       peer.sample();
-      const FlagDifference d = compareFlags(mesh, grid, flagsOf(insideSamples(mesh, grid), grid),
-                                            peer.flags(), peer.tolerance);
-      const std::int64_t odd = oddColumns(mesh, grid);
+      const Crossings columns = castColumns(mesh, grid);
+      const FlagDifference d =
+          compareFlags(mesh, grid, flagsOf(columns, grid), peer.flags(), peer.tolerance);
+      const std::int64_t odd = oddColumns(columns);
       line.agreement = fmt::format("{} points differ, {} of them off the surface; {} odd columns",
                                    d.points, d.offSurface, odd);
       line.agrees = d.offSurface == 0 && odd == 0;
-      timeBoth([&] { insideSamples(mesh, grid); }, peer.sample, effort, line);
+      timeBoth([&] { countInside(mesh, grid); }, peer.sample, effort, line);
       findings.comparisons.push_back(std::move(line));
     }
   }

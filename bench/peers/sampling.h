@@ -19,7 +19,6 @@ struct SamplingPeer {
   std::function<std::vector<std::uint8_t>()> flags;
 };
 
-Findings compareSampling(const Effort& effort, const SamplingPeer& peer,
-                         std::function<double(double triangles)> goal);
+Findings compareSampling(const Effort& effort, const SamplingPeer& peer);
 
 }  // namespace resect::bench

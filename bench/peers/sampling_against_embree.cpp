@@ -115,8 +115,7 @@ Findings samplingAgainstEmbree(const Effort& effort) {
   };
   embree.sample = [&] { columns->sample(); };
   embree.flags = [&] { return columns->flags(); };
-  return compareSampling(effort, embree,
-                         [](double triangles) { return triangles == 5e5 ? 30.0 : 0.0; });
+  return compareSampling(effort, embree);
 }
 
 }  // namespace resect::bench

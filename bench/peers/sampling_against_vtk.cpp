@@ -53,9 +53,7 @@ Findings samplingAgainstVtk(const Effort& effort) {
       }
     return flags;
   };
-  return compareSampling(effort, vtk, [](double triangles) {
-    return triangles == 1e4 ? 100.0 : triangles == 5e5 ? 400.0 : 0.0;
-  });
+  return compareSampling(effort, vtk);
 }
 
 }  // namespace resect::bench

@@ -17,6 +17,4 @@
 // calls it asks first whether the processor has them.
 #if defined(__x86_64__)
 #define RESECT_AVX2 __attribute__((target("avx2")))
-// Where a product and a sum may be rounded once or twice, and nothing depends on which.
-#define RESECT_AVX2_FMA __attribute__((target("avx2,fma")))
 #endif

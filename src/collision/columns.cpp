@@ -2,192 +2,255 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "base/assert.h"
 #include "base/parallel.h"
-#include "collision/column_order.h"
 #include "collision/footprint.h"
 
 namespace resect {
 namespace {
 
-// Half-open ranges of columns or cells that a triangle may cover.
-struct Range {
-  std::int32_t first, last;
-  bool empty() const { return first >= last; }
-};
-Range rangeOf(std::int32_t a, std::int32_t b, std::int32_t c) {
-  return {std::min({a, b, c}), std::max({a, b, c})};
-}
+constexpr std::size_t kPart = 1024;  // triangles that one thread takes at a time
 
-// A triangle and the rows and columns it may cover.
+// Where a point lies among the columns, and the cells of columns, half-open, between some points.
+struct Cell {
+  std::int32_t x, y;
+};
 struct Reach {
-  std::uint32_t triangle;
-  Range rows, columns;
+  std::int32_t firstX, endX, firstY, endY;
+  bool empty() const { return (firstX >= endX) | (firstY >= endY); }
 };
 
-// Triangles by the band of rows they reach; a band's triangles keep their order.
-struct Bands {
-  int rowsPerBand = 1;
-  std::vector<std::uint32_t> offsets;
-  std::vector<Reach> reaches;
-  std::size_t count() const { return offsets.size() - 1; }
-  std::span<const Reach> operator[](std::size_t band) const {
-    return {reaches.data() + offsets[band], reaches.data() + offsets[band + 1]};
-  }
+// The columns of a grid. A point's cell: the first column and row at or beyond it.
+class GridColumns {
+ public:
+  GridColumns(const SnappedMesh& mesh, const ColumnGrid& grid)
+      : x_(mesh.origin.x(), mesh.step, grid.origin.x(), grid.pitch.x(), grid.countX),
+        y_(mesh.origin.y(), mesh.step, grid.origin.y(), grid.pitch.y(), grid.countY) {}
 
-  // reachOf(t): the rows and columns of triangle t; either empty if it covers no column.
-  template <typename ReachOf>
-  Bands(int rows, int wantedBands, std::size_t triangleCount, ReachOf&& reachOf) {
-    rowsPerBand = std::max(1, (rows + wantedBands - 1) / wantedBands);
-    offsets.assign((rows + rowsPerBand - 1) / rowsPerBand + 1, 0);
-    std::vector<Reach> kept;
-    kept.reserve(triangleCount);
-    for (std::size_t t = 0; t < triangleCount; ++t) {
-      const Reach reach = reachOf(std::uint32_t(t));
-      if (reach.rows.empty() || reach.columns.empty()) continue;
-      kept.push_back(reach);
-      forEachBand(reach, [&](int band) { ++offsets[band + 1]; });
-    }
-    for (std::size_t b = 1; b < offsets.size(); ++b) offsets[b] += offsets[b - 1];
-    reaches.resize(offsets.back());
-    std::vector<std::uint32_t> cursor(offsets.begin(), offsets.end() - 1);
-    for (const Reach& reach : kept)
-      forEachBand(reach, [&](int band) { reaches[cursor[band]++] = reach; });
-  }
-
+  Cell cell(const SnappedMesh::Place& p) const { return {x_.lowerBound(p.x), y_.lowerBound(p.y)}; }
+  // A line at a triangle's lowest place may be covered; one at its highest, moved by e, is not.
+  Reach between(const Cell& low, const Cell& high) const { return {low.x, high.x, low.y, high.y}; }
+  // visit(column, x, y)
   template <typename Visit>
-  void forEachBand(const Reach& reach, Visit&& visit) const {
-    const int last = (reach.rows.last - 1) / rowsPerBand;
-    for (int band = reach.rows.first / rowsPerBand; band <= last; ++band) visit(band);
+  void visit(const Reach& reach, Visit&& visit) const {
+    for (std::int32_t j = reach.firstY; j < reach.endY; ++j)
+      for (std::int32_t i = reach.firstX; i < reach.endX; ++i)
+        visit(std::uint32_t(j) * std::uint32_t(x_.at.size()) + std::uint32_t(i),
+              x_.at[std::size_t(i)], y_.at[std::size_t(j)]);
   }
+
+ private:
+  // Lines of the grid on the raster, in ascending order.
+  struct Lines {
+    std::vector<std::int32_t> at;
+    double perStep, offset;
+
+    Lines(double meshOrigin, double step, double origin, double pitch, int count)
+        : at(std::size_t(count)), perStep(step / pitch), offset((meshOrigin - origin) / pitch + 1) {
+      for (int i = 0; i < count; ++i)
+        at[std::size_t(i)] = snapColumn(origin + i * pitch - meshOrigin, step);
+    }
+    // By estimate, then exactly.
+    std::int32_t lowerBound(std::int32_t place) const {
+      const auto count = std::int32_t(at.size());
+      auto i = std::int32_t(std::clamp(offset + place * perStep, 0.0, double(count)));
+      while (i > 0 && at[std::size_t(i - 1)] >= place) --i;
+      while (i < count && at[std::size_t(i)] < place) ++i;
+      return i;
+    }
+  };
+  Lines x_, y_;
 };
 
 // Columns at any places, in the cells of a coarse grid over them.
-struct Buckets {
+class ListedColumns {
+ public:
+  // place(i): x, y of column i, m. Columns beside the mesh are left out.
+  template <typename Place>
+  ListedColumns(const SnappedMesh& mesh, std::size_t count, Place&& place) {
+    std::vector<Entry> entries;
+    entries.reserve(count);
+    SnappedMesh::Place high{kBelow, kBelow};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 p = place(i);
+      const std::int32_t x = snapColumn(p.x() - mesh.origin.x(), mesh.step);
+      const std::int32_t y = snapColumn(p.y() - mesh.origin.y(), mesh.step);
+      if (x == kBelow || x == kAbove || y == kBelow || y == kAbove) continue;
+      entries.push_back({x, y, std::uint32_t(i)});
+      low_ = {std::min(low_.x, x), std::min(low_.y, y)};
+      high = {std::max(high.x, x), std::max(high.y, y)};
+    }
+    side_ = int(std::clamp(std::sqrt(double(entries.size()) / 2), 1.0, 1024.0));
+    perStepX_ = side_ / (double(high.x) - low_.x + 1);
+    perStepY_ = side_ / (double(high.y) - low_.y + 1);
+    offsets_.assign(std::size_t(side_) * std::size_t(side_) + 1, 0);
+    const auto cellOf = [&](const Entry& e) {
+      return std::size_t(cellY(e.y)) * std::size_t(side_) + std::size_t(cellX(e.x));
+    };
+    for (const Entry& e : entries) ++offsets_[cellOf(e) + 1];
+    for (std::size_t c = 1; c < offsets_.size(); ++c) offsets_[c] += offsets_[c - 1];
+    entries_.resize(entries.size());
+    std::vector<std::uint32_t> cursor(offsets_.begin(), offsets_.end() - 1);
+    for (const Entry& e : entries) entries_[cursor[cellOf(e)]++] = e;
+  }
+
+  Cell cell(const SnappedMesh::Place& p) const { return {cellX(p.x), cellY(p.y)}; }
+  Reach between(const Cell& low, const Cell& high) const {
+    return {std::max(low.x, 0), std::min(high.x + 1, side_), std::max(low.y, 0),
+            std::min(high.y + 1, side_)};
+  }
+  template <typename Visit>
+  void visit(const Reach& reach, Visit&& visit) const {
+    for (std::int32_t j = reach.firstY; j < reach.endY; ++j) {
+      const std::uint32_t* const row = offsets_.data() + std::size_t(j) * std::size_t(side_);
+      for (std::uint32_t e = row[reach.firstX]; e < row[reach.endX]; ++e)
+        visit(entries_[e].column, entries_[e].x, entries_[e].y);
+    }
+  }
+
+ private:
   struct Entry {
     std::int32_t x, y;
     std::uint32_t column;
   };
-  std::int32_t lowX = kAbove, lowY = kAbove, highX = kBelow, highY = kBelow;  // of the columns
-  double cellsPerStepX = 0, cellsPerStepY = 0;
-  int countX = 0, countY = 0;
-  std::vector<std::uint32_t> offsets;
-  std::vector<Entry> entries;
-
-  // By a product: for every corner of every triangle a quotient takes longer than all the rest. Any
-  // rounding will do that never lets a greater place have a lesser cell.
-  int cellX(std::int32_t x) const { return cell(double(x) - lowX, cellsPerStepX, countX); }
-  int cellY(std::int32_t y) const { return cell(double(y) - lowY, cellsPerStepY, countY); }
-  static int cell(double steps, double cellsPerStep, int count) {
-    return int(std::clamp(steps * cellsPerStep, 0.0, count - 1.0));
+  // -1 below the columns, side_ above. Any rounding will do that never lets a greater place have a
+  // lesser cell.
+  std::int32_t cellX(std::int32_t x) const { return cell((double(x) - low_.x) * perStepX_); }
+  std::int32_t cellY(std::int32_t y) const { return cell((double(y) - low_.y) * perStepY_); }
+  std::int32_t cell(double at) const {
+    return std::int32_t(std::clamp(at + 1, 0.0, side_ + 1.0)) - 1;
   }
+
+  SnappedMesh::Place low_{kAbove, kAbove};  // of the columns
+  double perStepX_ = 0, perStepY_ = 0;
+  int side_ = 1;  // cells along x and y
+  std::vector<std::uint32_t> offsets_;
+  std::vector<Entry> entries_;
 };
 
-// place(i): x, y of column i, m. Columns beside the mesh are left out.
-template <typename Place>
-Buckets bucketColumns(const SnappedMesh& mesh, std::size_t count, Place&& place) {
-  Buckets buckets;
-  std::vector<Buckets::Entry> entries;
-  entries.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Vec2 p = place(i);
-    const std::int32_t x = snapColumn(p.x() - mesh.origin.x(), mesh.step);
-    const std::int32_t y = snapColumn(p.y() - mesh.origin.y(), mesh.step);
-    if (x == kBelow || x == kAbove || y == kBelow || y == kAbove) continue;
-    entries.push_back({x, y, std::uint32_t(i)});
-    buckets.lowX = std::min(buckets.lowX, x), buckets.highX = std::max(buckets.highX, x);
-    buckets.lowY = std::min(buckets.lowY, y), buckets.highY = std::max(buckets.highY, y);
-  }
-  if (entries.empty()) return buckets;
-  const int side = int(std::clamp(std::sqrt(double(entries.size()) / 2), 1.0, 1024.0));
-  buckets.countX = buckets.countY = side;
-  buckets.cellsPerStepX = side / (double(buckets.highX) - buckets.lowX + 1);
-  buckets.cellsPerStepY = side / (double(buckets.highY) - buckets.lowY + 1);
-  buckets.offsets.assign(std::size_t(side) * side + 1, 0);
-  const auto bucketOf = [&](const Buckets::Entry& e) {
-    return std::size_t(buckets.cellY(e.y)) * side + buckets.cellX(e.x);
-  };
-  for (const auto& e : entries) ++buckets.offsets[bucketOf(e) + 1];
-  for (std::size_t b = 1; b < buckets.offsets.size(); ++b)
-    buckets.offsets[b] += buckets.offsets[b - 1];
-  buckets.entries.resize(entries.size());
-  std::vector<std::uint32_t> cursor(buckets.offsets.begin(), buckets.offsets.end() - 1);
-  for (const auto& e : entries) buckets.entries[cursor[bucketOf(e)]++] = e;
-  return buckets;
+struct Hit {
+  double depth;
+  std::int32_t sign;
+  std::uint32_t column;
+};
+
+// The crossings that keep(column, depth) wants, in the order of the triangles: those of kPart of
+// them each.
+template <typename Columns, typename Keep>
+std::vector<std::vector<Hit>> hitsOf(const SnappedMesh& mesh, const Columns& columns,
+                                     const Keep& keep) {
+  RawArray<Cell> cells(mesh.places.size());
+  parallelFor(cells.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) cells[i] = columns.cell(mesh.places[i]);
+  });
+  std::vector<std::vector<Hit>> parts((mesh.triangles.size() + kPart - 1) / kPart);
+  parallelFor(mesh.triangles.size(), kPart, [&](std::size_t begin, std::size_t end) {
+    std::vector<Hit> hits;
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [ia, ib, ic] = mesh.triangles[t];
+      const Cell &a = cells[std::size_t(ia)], &b = cells[std::size_t(ib)],
+                 &c = cells[std::size_t(ic)];
+      const Reach reach =
+          columns.between({std::min(a.x, std::min(b.x, c.x)), std::min(a.y, std::min(b.y, c.y))},
+                          {std::max(a.x, std::max(b.x, c.x)), std::max(a.y, std::max(b.y, c.y))});
+      if (reach.empty()) continue;
+      const Footprint footprint(mesh.point(ia), mesh.point(ib), mesh.point(ic));
+      if (footprint.empty()) continue;
+      columns.visit(reach, [&](std::uint32_t column, std::int32_t x, std::int32_t y) {
+        footprint.test(x, y, [&](double depth) {
+          if (keep(column, depth)) hits.push_back({depth, footprint.sign(), column});
+        });
+      });
+    }
+    parts[begin / kPart] = std::move(hits);
+  });
+  return parts;
 }
 
-// Calls visit(column, depth, sign) for every crossing; all calls of one column come from one
-// thread, in the order of the triangles.
-template <typename Visit>
-void visitCrossings(const SnappedMesh& mesh, const Buckets& buckets, Visit&& visit) {
-  if (buckets.entries.empty()) return;
-  const int wanted =
-      int(std::clamp<std::size_t>((mesh.triangles.size() + buckets.entries.size()) / 4096, 1, 32));
-  const Bands bands(buckets.countY, wanted, mesh.triangles.size(), [&](std::uint32_t t) {
-    const auto& [ia, ib, ic] = mesh.triangles[t];
-    const SnappedMesh::Place &a = mesh.places[std::size_t(ia)], &b = mesh.places[std::size_t(ib)],
-                             &c = mesh.places[std::size_t(ic)];
-    const Range x = rangeOf(a.x, b.x, c.x), y = rangeOf(a.y, b.y, c.y);
-    if (x.empty() || y.empty() || x.first > buckets.highX || y.first > buckets.highY ||
-        x.last < buckets.lowX || y.last < buckets.lowY)
-      return Reach{t, {0, 0}, {0, 0}};
-    return Reach{t,
-                 {buckets.cellY(y.first), buckets.cellY(y.last) + 1},
-                 {buckets.cellX(x.first), buckets.cellX(x.last) + 1}};
+bool before(const Crossing& a, const Crossing& b) {
+  return a.depth < b.depth || (a.depth == b.depth && a.sign > b.sign);
+}
+
+template <typename Columns>
+Crossings cast(const SnappedMesh& mesh, std::size_t count, const Columns& columns) {
+  const auto parts = hitsOf(mesh, columns, [](std::uint32_t, double) { return true; });
+  Crossings result;
+  result.offsets.assign(count + 1, 0);
+  std::size_t all = 0;
+  for (const std::vector<Hit>& hits : parts) {
+    all += hits.size();
+    for (const Hit& hit : hits) ++result.offsets[hit.column + 1];
+  }
+  RESECT_ASSERT(all <= std::numeric_limits<std::uint32_t>::max());
+  for (std::size_t c = 1; c < result.offsets.size(); ++c)
+    result.offsets[c] += result.offsets[c - 1];
+  result.all.resize(all);
+  std::vector<std::uint32_t> cursor(result.offsets.begin(), result.offsets.end() - 1);
+  for (const std::vector<Hit>& hits : parts)
+    for (const Hit& hit : hits) result.all[cursor[hit.column]++] = {hit.depth, hit.sign};
+  parallelFor(count, 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c)
+      std::sort(result.all.begin() + result.offsets[c], result.all.begin() + result.offsets[c + 1],
+                before);
   });
-  parallelFor(bands.count(), 1, [&](std::size_t firstBand, std::size_t lastBand) {
-    for (std::size_t band = firstBand; band < lastBand; ++band) {
-      const int bandFirst = int(band) * bands.rowsPerBand;
-      const int bandLast = std::min(buckets.countY, bandFirst + bands.rowsPerBand);
-      for (const Reach& reach : bands[band]) {
-        const Footprint footprint = footprintOf(mesh, reach.triangle);
-        if (footprint.area == 0) continue;
-        const int rowLast = std::min(bandLast, reach.rows.last);
-        for (int row = std::max(bandFirst, reach.rows.first); row < rowLast; ++row) {
-          const std::size_t base = std::size_t(row) * buckets.countX;
-          const std::uint32_t last = buckets.offsets[base + reach.columns.last];
-          for (std::uint32_t e = buckets.offsets[base + reach.columns.first]; e < last; ++e) {
-            const Buckets::Entry& entry = buckets.entries[e];
-            footprint.test(entry.x, entry.y,
-                           [&](double depth) { visit(entry.column, depth, footprint.sign); });
-          }
-        }
-      }
-    }
-  });
+  return result;
 }
 
 }  // namespace
 
-Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns) {
-  Crossings result;
-  result.offsets.assign(columns.size() + 1, 0);
-  if (mesh.places.empty()) return result;
-  const Buckets buckets =
-      bucketColumns(mesh, columns.size(), [&](std::size_t i) { return columns[i]; });
-  visitCrossings(mesh, buckets,
-                 [&](std::uint32_t column, double, std::int32_t) { ++result.offsets[column + 1]; });
-  for (std::size_t c = 1; c < result.offsets.size(); ++c)
-    result.offsets[c] += result.offsets[c - 1];
-  result.all.resize(result.offsets.back());
-  std::vector<std::uint32_t> cursor(result.offsets.begin(), result.offsets.end() - 1);
-  visitCrossings(mesh, buckets, [&](std::uint32_t column, double depth, std::int32_t sign) {
-    result.all[cursor[column]++] = {depth, sign};
+SnappedMesh snapToRaster(const TriangleMesh& mesh) {
+  SnappedMesh snapped;
+  snapped.triangles = mesh.triangles;
+  if (mesh.points.empty()) return snapped;
+  snapped.points = mesh.points;
+  const Aabb box = bounds(mesh);
+  snapped.origin = box.min.head<2>();
+  const double extent = box.size().head<2>().maxCoeff();
+  if (extent > 0) snapped.step = extent / kRaster;
+  snapped.places.resize(mesh.points.size());
+  // The highest point may round to one step beyond the raster; it stays on it.
+  const auto stepsTo = [&](double offset) {
+    return std::int32_t(std::min(offset / snapped.step + 0.5, double(kRaster)));
+  };
+  parallelFor(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3& p = mesh.points[i];
+      RESECT_ASSERT(p.allFinite());
+      snapped.places[i] = {stepsTo(p.x() - snapped.origin.x()),
+                           stepsTo(p.y() - snapped.origin.y())};
+    }
   });
-  for (std::size_t c = 0; c < columns.size(); ++c)
-    sortColumn(result.all.data() + result.offsets[c], result.all.data() + result.offsets[c + 1]);
-  return result;
+  return snapped;
+}
+
+Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
+  return cast(mesh, grid.count(), GridColumns(mesh, grid));
+}
+
+Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns) {
+  return cast(mesh, columns.size(),
+              ListedColumns(mesh, columns.size(), [&](std::size_t i) { return columns[i]; }));
 }
 
 std::vector<std::int32_t> windingNumbers(const SnappedMesh& mesh, std::span<const Vec3> points) {
   std::vector<std::int32_t> winding(points.size(), 0);
-  if (mesh.places.empty()) return winding;
-  const Buckets buckets =
-      bucketColumns(mesh, points.size(), [&](std::size_t i) { return Vec2(points[i].head<2>()); });
-  visitCrossings(mesh, buckets, [&](std::uint32_t point, double depth, std::int32_t sign) {
-    if (depth < points[point].z()) winding[point] += sign;
-  });
+  const ListedColumns columns(mesh, points.size(),
+                              [&](std::size_t i) { return Vec2(points[i].head<2>()); });
+  const auto parts = hitsOf(
+      mesh, columns, [&](std::uint32_t point, double depth) { return depth < points[point].z(); });
+  for (const std::vector<Hit>& hits : parts)
+    for (const Hit& hit : hits) winding[hit.column] += hit.sign;
   return winding;
+}
+
+std::int32_t SampleLine::upTo(double depth) const {
+  auto i = std::int32_t(std::clamp(std::floor((depth - first) / pitch) + 1, 0.0, double(count)));
+  while (i > 0 && at(i - 1) > depth) --i;
+  while (i < count && at(i) <= depth) ++i;
+  return i;
 }
 
 }  // namespace resect

@@ -63,9 +63,7 @@ struct SnappedMesh {
   };
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
-  Aabb box;                    // of the mesh
-  // Apart from the points' depths: most triangles are put aside by their places alone.
-  RawArray<Place> places;
+  RawArray<Place> places;      // apart from depths: most triangles are put aside by places alone
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
 
@@ -101,6 +99,26 @@ void forEachInside(std::span<const Crossing> column, Visit&& visit) {
     if (before <= 0 && winding > 0) entered = crossing.depth;
     if (before > 0 && winding <= 0) visit(entered, crossing.depth);
   }
+}
+
+// Points along a column, in ascending order: point i stands at first + i * pitch.
+struct SampleLine {
+  double first, pitch;  // m; pitch > 0
+  std::int32_t count;   // >= 0
+
+  double at(std::int32_t i) const { return first + i * pitch; }
+  // How many of them stand at `depth` (finite) or below.
+  std::int32_t upTo(double depth) const;
+};
+
+// Calls visit(i0, i1) for every stretch of points [i0, i1) of the line that lie inside, i0 < i1,
+// upwards; shells that overlap or touch may give several.
+template <typename Visit>
+void forEachInside(std::span<const Crossing> column, const SampleLine& line, Visit&& visit) {
+  forEachInside(column, [&](double entered, double left) {
+    const std::int32_t first = line.upTo(entered), end = line.upTo(left);
+    if (first < end) visit(first, end);
+  });
 }
 
 }  // namespace resect

@@ -9,7 +9,7 @@ namespace resect {
 
 InsideQuery::InsideQuery(std::shared_ptr<const TriangleMesh> mesh, const Aabb& region)
     : mesh_(std::move(mesh)), snapped_(snapToRaster(*mesh_)) {
-  region_ = intersection(region, snapped_.box);
+  region_ = intersection(region, bounds(*mesh_));
   if (region_.empty()) return;
   originX_ = snapColumn(region_.min.x() - snapped_.origin.x(), snapped_.step);
   originY_ = snapColumn(region_.min.y() - snapped_.origin.y(), snapped_.step);
@@ -63,9 +63,10 @@ bool InsideQuery::isInside(const Vec3& p) const {
   const std::size_t cell = std::size_t(cellY(y)) * side_ + cellX(x);
   int winding = 0;
   for (std::uint32_t n = offsets_[cell]; n < offsets_[cell + 1]; ++n) {
-    const Footprint footprint = footprintOf(snapped_, triangles_[n]);
-    if (footprint.area != 0)
-      footprint.test(x, y, [&](double depth) { winding += depth < p.z() ? footprint.sign : 0; });
+    const auto& [a, b, c] = mesh_->triangles[triangles_[n]];
+    const Footprint footprint(snapped_.point(a), snapped_.point(b), snapped_.point(c));
+    if (!footprint.empty())
+      footprint.test(x, y, [&](double depth) { winding += depth < p.z() ? footprint.sign() : 0; });
   }
   return winding > 0;
 }

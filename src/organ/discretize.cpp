@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "collision/inside_samples.h"
+#include "collision/columns.h"
 #include "sph/lattice_extent.h"
 
 namespace resect {
@@ -67,16 +67,16 @@ Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
   report(progress, 0);
   const SnappedMesh snapped = snapToRaster(mesh);
   const Vec2 origin = lattice.origin.head<2>(), spacing = lattice.spacing.head<2>();
-  const InsideSamples centres = insideSamples(snapped, ColumnGrid{origin, spacing, nx, ny},
-                                              {lattice.origin.z(), lattice.spacing.z(), nz});
+  const Crossings centres = castColumns(snapped, ColumnGrid{origin, spacing, nx, ny});
+  const SampleLine along{lattice.origin.z(), lattice.spacing.z(), nz};
   report(progress, 0.1);
   // The samples stand at (k + 1/2) / 4 of the cell.
   const double shift = 0.5 / kSamples - 0.5;
-  const InsideSamples fine = insideSamples(
+  const Crossings fine = castColumns(
       snapped,
-      ColumnGrid{origin + shift * spacing, spacing / kSamples, kSamples * nx, kSamples * ny},
-      {lattice.origin.z() + shift * lattice.spacing.z(), lattice.spacing.z() / kSamples,
-       kSamples * nz});
+      ColumnGrid{origin + shift * spacing, spacing / kSamples, kSamples * nx, kSamples * ny});
+  const SampleLine alongFine{lattice.origin.z() + shift * lattice.spacing.z(),
+                             lattice.spacing.z() / kSamples, kSamples * nz};
   report(progress, 0.5);
 
   const auto fillRow = [&](int j, std::vector<std::uint8_t>& filled,
@@ -86,16 +86,22 @@ Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
     inside.assign(std::size_t(nx) * nz, 0);
     for (int i = 0; i < nx; ++i) {
       std::uint8_t* const column = filled.data() + std::size_t(i) * nz;
-      for (int sub = 0; sub < kSamples * kSamples; ++sub)
-        for (const auto& [begin, end] :
-             fine.column(kSamples * i + sub % kSamples, kSamples * j + sub / kSamples))
-          for (int k = begin / kSamples; k * kSamples < end; ++k)
-            column[k] += std::min(end, (k + 1) * kSamples) - std::max(begin, k * kSamples);
-      for (const auto& [begin, end] : centres.column(i, j))
-        for (int k = begin; k < end; ++k) {
-          inside[std::size_t(i) * nz + k] = 1;
-          column[k] = std::max<std::uint8_t>(column[k], 1);
-        }
+      for (int sub = 0; sub < kSamples * kSamples; ++sub) {
+        const int x = kSamples * i + sub % kSamples, y = kSamples * j + sub / kSamples;
+        forEachInside(fine[std::size_t(y) * std::size_t(kSamples * nx) + std::size_t(x)], alongFine,
+                      [&](int begin, int end) {
+                        for (int k = begin / kSamples; k * kSamples < end; ++k)
+                          column[k] +=
+                              std::min(end, (k + 1) * kSamples) - std::max(begin, k * kSamples);
+                      });
+      }
+      forEachInside(centres[std::size_t(j) * std::size_t(nx) + std::size_t(i)], along,
+                    [&](int begin, int end) {
+                      for (int k = begin; k < end; ++k) {
+                        inside[std::size_t(i) * nz + k] = 1;
+                        column[k] = std::max<std::uint8_t>(column[k], 1);
+                      }
+                    });
     }
     constexpr int kPerSample = kFullLevel / (kSamples * kSamples * kSamples);
     static_assert(kPerSample * kSamples * kSamples * kSamples == kFullLevel);

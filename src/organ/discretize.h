@@ -30,7 +30,7 @@ Lattice cubicLatticeForDims(const Aabb& box, int dims);
 // inside: the cell's centre is inside, exactly (collision/columns.h). value: 100 x the share of
 // 4 x 4 x 4 samples of the cell that are inside, at least 100/64 where the centre is inside.
 // `progress` is called from the calling thread. Same bits at any number of threads. Cost: 17
-// columns per column of cells (collision/inside_samples.h) and a pass over the cells.
+// columns per column of cells (collision/columns.h) and a pass over the cells.
 Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
                           const Progress& progress = {});
 

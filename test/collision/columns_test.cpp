@@ -36,6 +36,44 @@ bool equal(const Crossings& a, const Crossings& b) {
   return true;
 }
 
+Crossings castOneByOne(const SnappedMesh& snapped, const ColumnGrid& grid) {
+  std::vector<Vec2> places;
+  for (int j = 0; j < grid.countY; ++j)
+    for (int i = 0; i < grid.countX; ++i)
+      places.push_back(grid.origin + Vec2(i * grid.pitch.x(), j * grid.pitch.y()));
+  return castColumns(snapped, places);
+}
+
+// Every column is balanced, and the same on the grid and in a list. How many crossings there are.
+std::size_t castBothWays(const TriangleMesh& mesh, const ColumnGrid& grid) {
+  const SnappedMesh snapped = snapToRaster(mesh);
+  const Crossings columns = castColumns(snapped, grid);
+  REQUIRE(columns.columnCount() == grid.count());
+  REQUIRE(equal(columns, castOneByOne(snapped, grid)));
+  for (std::size_t c = 0; c < columns.columnCount(); ++c) {
+    REQUIRE(sumOfSigns(columns[c]) == 0);
+    REQUIRE(sorted(columns[c]));
+  }
+  return columns.all.size();
+}
+
+// Tetrahedra of about that size in the unit cube; they overlap each other.
+TriangleMesh tetrahedra(Random& random, int count, double size) {
+  TriangleMesh mesh;
+  for (int k = 0; k < count; ++k) {
+    const Vec3 centre(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
+    const auto corner = [&] { return random.uniform(-size, size); };
+    const auto first = std::int32_t(mesh.points.size());
+    Vec3 p[4];
+    for (Vec3& q : p) q = centre + Vec3(corner(), corner(), corner());
+    if ((p[1] - p[0]).cross(p[2] - p[0]).dot(p[3] - p[0]) > 0) std::swap(p[1], p[2]);
+    mesh.points.insert(mesh.points.end(), p, p + 4);
+    for (const auto& [a, b, c] : {Triangle{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}})
+      mesh.triangles.push_back({first + a, first + b, first + c});
+  }
+  return mesh;
+}
+
 double insideLength(const Crossings& columns) {
   double sum = 0;
   for (std::size_t c = 0; c < columns.columnCount(); ++c)
@@ -51,25 +89,62 @@ TEST_CASE("every column of 1000 random degenerate closed meshes is balanced") {
   for (int round = 0; round < 1000; ++round) {
     const TriangleMesh mesh = randomDegenerateMesh(random);
     REQUIRE(topology(mesh).unorientedEdges == 0);
-    const SnappedMesh snapped = snapToRaster(mesh);
     // Columns on the points' raster, half a step beside it, and one that fits nothing.
     const double pitch = round % 3 == 0 ? 1 : round % 3 == 1 ? 0.5 : 0.37;
-    const ColumnGrid grid{{-1, -1}, {pitch, pitch}, int(10 / pitch) + 1, int(10 / pitch) + 1};
-    const Crossings columns = castColumns(snapped, grid);
-    std::vector<Vec2> places;
-    for (int j = 0; j < grid.countY; ++j)
-      for (int i = 0; i < grid.countX; ++i)
-        places.push_back(grid.origin + Vec2(i * pitch, j * pitch));
-    const Crossings single = castColumns(snapped, places);
-    REQUIRE(columns.columnCount() == grid.count());
-    REQUIRE(equal(columns, single));
-    for (std::size_t c = 0; c < columns.columnCount(); ++c) {
-      REQUIRE(sumOfSigns(columns[c]) == 0);
-      REQUIRE(sorted(columns[c]));
-    }
-    crossings += long(columns.all.size());
+    crossings += long(
+        castBothWays(mesh, {{-1, -1}, {pitch, pitch}, int(10 / pitch) + 1, int(10 / pitch) + 1}));
   }
   CHECK(crossings > 100000);
+}
+
+TEST_CASE("soups of tetrahedra, tiny, large and both; slivers and steep faces") {
+  Random random(43);
+  std::size_t crossings = 0;
+  for (int k = 0; k < 60; ++k) {
+    TriangleMesh mesh = tetrahedra(random, 60, k % 2 ? 0.02 : 0.7);
+    append(mesh, tetrahedra(random, 200, 0.01));
+    // All but on a line, seen from above, or all but upright.
+    const double thin = std::pow(10, -random.uniform(0, 9));
+    for (Vec3& p : mesh.points)
+      if (k % 4 == 1)
+        p.x() = p.y() * 0.7 + thin * p.x();
+      else if (k % 4 == 2)
+        p.z() *= 1 / thin;
+    for (const int n : {9, 64, 130})
+      crossings += castBothWays(mesh, {{0, 0}, {1.0 / n, 1.0 / n}, n, n});
+  }
+  CHECK(crossings > 1'000'000);
+}
+
+TEST_CASE("corners on columns, or a few steps of the raster beside them, and columns as near") {
+  Random random(73);
+  std::size_t crossings = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const int n = 1 + random.below(random.below(3) ? 20 : 100);
+    const double pitch = 1.0 / n;
+    TriangleMesh mesh = tetrahedra(random, 6, random.below(2) ? 0.5 : 2 * pitch);
+    const auto beside = [&](double& x) {
+      if (random.below(2)) x = std::round(x / pitch) * pitch + (random.below(41) - 20) * 0x1p-30;
+    };
+    for (Vec3& p : mesh.points) beside(p.x()), beside(p.y());
+    crossings += castBothWays(mesh, {{0, 0}, {pitch, pitch}, n, n});
+    const double step = bounds(mesh).size().maxCoeff() * 0x1p-30 * random.uniform(0.3, 40);
+    const Vec2 at = mesh.points[std::size_t(random.below(24))].head<2>();
+    crossings += castBothWays(mesh, {at - Vec2::Constant(step * n / 2), {step, step}, n, n});
+  }
+  CHECK(crossings > 100'000);
+}
+
+TEST_CASE("a mesh far from the origin, where numbers are coarse") {
+  const TriangleMesh ball = sphereMesh({0, 0, 0}, 1, 40);
+  for (const double far : {1e6, 1e9, 1e10, 1e11, 1e12, 1e13, 1e15, 1e17})
+    for (int n = 60; n < 120; n += 5) {
+      TriangleMesh mesh = ball;
+      for (Vec3& p : mesh.points) p += Vec3(far, far, 0);
+      const std::size_t crossings =
+          castBothWays(mesh, {{far - 1, far - 1}, {2.0 / n, 2.0 / n}, n, n});
+      if (far <= 1e11) CHECK(crossings > 1000);
+    }
 }
 
 TEST_CASE("a box aligned with the columns holds exactly the half-open share of them") {
@@ -163,12 +238,8 @@ TEST_CASE("a grid's columns cross what the same columns cross in a list, whateve
   // So many triangles that several threads share them.
   const TriangleMesh mesh = torusMesh({0, 0, 0}, 1, 0.4, 400, 200);
   const ColumnGrid grid{{-1.5, -0.5}, {3.0 / 90, 1.0 / 70}, 91, 71};
-  std::vector<Vec2> places;
-  for (int j = 0; j < grid.countY; ++j)
-    for (int i = 0; i < grid.countX; ++i)
-      places.push_back(grid.origin + Vec2(i * grid.pitch.x(), j * grid.pitch.y()));
   const SnappedMesh snapped = snapToRaster(mesh);
-  const Crossings listed = castColumns(snapped, places);
+  const Crossings listed = castOneByOne(snapped, grid);
   CHECK(listed.all.size() > 1000);
   for (const int threads : {1, 2, 3}) {
     const ThreadLimit limit(threads);
