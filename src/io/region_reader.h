@@ -2,8 +2,8 @@
 // every table that asks for a region takes the same ones.
 #pragma once
 
-#include "collision/region.h"
 #include "io/toml_table.h"
+#include "sph/region.h"
 
 namespace resect {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "collision/region.h"
 #include "sph/discretization.h"
+#include "sph/region.h"
 
 namespace resect {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "collision/region.h"
 #include "sph/colour_values.h"
 #include "sph/lattice.h"
+#include "sph/region.h"
 
 namespace resect {
 

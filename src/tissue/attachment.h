@@ -2,11 +2,11 @@
 // at any spacing.
 #pragma once
 
-#include "collision/region.h"
+#include "sph/region.h"
 
 namespace resect {
 
-// The region's cells are held; it must be placed (collision/region.h) before tissue is attached.
+// The region's cells are held; it must be placed (sph/region.h) before tissue is attached.
 struct TissueAttachment : Region {
   enum class Kind {
     Pin,      // the cells do not move

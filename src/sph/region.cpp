@@ -1,4 +1,4 @@
-#include "collision/region.h"
+#include "sph/region.h"
 
 #include <algorithm>
 
