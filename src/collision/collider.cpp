@@ -2,82 +2,78 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/assert.h"
-#include "base/error.h"
 
 namespace resect {
-namespace {
 
-constexpr const char* kNames[2] = {"the first object", "the second object"};
-constexpr int kFinest = 4096;
-
-}  // namespace
-
-void Collider::setObject(ObjectId object, TriangleMesh mesh) {
-  const Aabb box = bounds(mesh);
-  setObject(object, std::move(mesh), box);
+ColumnGrid pixelsOver(const Aabb& box, int resolution) {
+  RESECT_ASSERT(resolution >= 1);
+  ColumnGrid pixels;
+  if (!(box.size().array() > 0).all()) return pixels;
+  const Vec2 size = box.size().head<2>();
+  const auto along = [&](double side) {
+    return std::clamp(int(std::lround(resolution * side / size.maxCoeff())), 1, resolution);
+  };
+  pixels.countX = along(size.x());
+  pixels.countY = along(size.y());
+  pixels.pitch = size.cwiseQuotient(Vec2(pixels.countX, pixels.countY));
+  pixels.origin = box.min.head<2>() + 0.5 * pixels.pitch;
+  return pixels;
 }
 
-void Collider::setObject(ObjectId object, const Aabb& boundingBox, std::span<const Vec3f> vertices,
-                         std::span<const Triangle> faces) {
-  TriangleMesh mesh;
-  mesh.points.reserve(vertices.size());
-  for (const Vec3f& v : vertices) mesh.points.push_back(v.cast<double>());
-  mesh.triangles.assign(faces.begin(), faces.end());
-  setObject(object, std::move(mesh), boundingBox);
-}
-
-void Collider::setObject(ObjectId object, TriangleMesh mesh, const Aabb& box) {
-  RESECT_ASSERT(object == First || object == Second);
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    if (!mesh.points[i].allFinite())
-      throw error("vertex {} of {} is not finite; check its coordinates", i, kNames[object]);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const std::int32_t corner : mesh.triangles[t])
-      if (corner < 0 || std::size_t(corner) >= mesh.points.size())
-        throw error("face {} of {} refers to vertex {} of {}; check its indices", t, kNames[object],
-                    corner, mesh.points.size());
-  objects_[object] = {std::make_shared<const TriangleMesh>(std::move(mesh)), box};
-  stage_ = Stage::None;
-  images_ = {};
-}
-
-bool Collider::generateVolumeOfInterest() {
-  RESECT_ASSERT(objects_[First].mesh && objects_[Second].mesh);
-  volumeOfInterest_ = intersection(objects_[First].box, objects_[Second].box);
-  overlap_ = (volumeOfInterest_.size().array() > 0).all();
-  images_ = {};
-  stage_ = Stage::VolumeOfInterest;
-  return overlap_;
-}
-
-void Collider::generateLayeredDepthImages(int resolution) {
-  RESECT_ASSERT(stage_ >= Stage::VolumeOfInterest);
-  if (resolution < 1 || resolution > kFinest)
-    throw usageError("the resolution of depth images must be 1 to {}, not {}", kFinest, resolution);
-  images_ = {};
-  if (overlap_) {
-    const Vec3 size = volumeOfInterest_.size();
-    const double pitch = std::max(size.x(), size.y()) / resolution;
-    const auto pixels = [&](double side) {
-      return std::clamp(int(std::lround(side / pitch)), 1, resolution);
-    };
-    for (const ObjectId object : {First, Second})
-      images_[object] =
-          LayeredDepthImage::ofMesh(objects_[object].mesh, volumeOfInterest_, pixels(size.x()),
-                                    pixels(size.y()), kNames[object]);
+LayeredDepthImage layeredDepthImage(const TriangleMesh& mesh, const Aabb& box,
+                                    const ColumnGrid& pixels,
+                                    std::span<const std::uint8_t> wanted) {
+  RESECT_ASSERT(wanted.empty() || wanted.size() == pixels.count());
+  LayeredDepthImage image;
+  image.pixels = pixels;
+  image.offsets.reserve(pixels.count() + 1);
+  const Crossings columns = castColumns(snapToRaster(mesh), pixels);
+  for (std::size_t c = 0; c < pixels.count(); ++c) {
+    if (wanted.empty() || wanted[c]) {
+      int balance = 0;
+      for (const Crossing& crossing : columns[c]) balance += crossing.sign;
+      image.openPixels += balance != 0;
+      forEachInside(columns[c], [&](double entered, double left) {
+        const DepthInterval clipped{std::max(entered, box.min.z()), std::min(left, box.max.z())};
+        if (clipped.entry < clipped.exit) image.intervals.push_back(clipped);
+      });
+    }
+    image.offsets.push_back(std::uint32_t(image.intervals.size()));
   }
-  stage_ = Stage::Images;
+  return image;
 }
 
-void Collider::generateIntersectionVolume() {
-  RESECT_ASSERT(stage_ >= Stage::Images);
-  images_[Intersection] = overlap_
-                              ? LayeredDepthImage::intersection(images_[First], images_[Second])
-                              : LayeredDepthImage{};
-  stage_ = Stage::Intersection;
+std::vector<std::uint8_t> coveredPixels(const LayeredDepthImage& image) {
+  std::vector<std::uint8_t> covered(image.pixels.count());
+  for (std::size_t c = 0; c < covered.size(); ++c) covered[c] = !image[c].empty();
+  return covered;
+}
+
+LayeredDepthImage intersectionVolume(const LayeredDepthImage& a, const LayeredDepthImage& b) {
+  RESECT_ASSERT(a.pixels.countX == b.pixels.countX && a.pixels.countY == b.pixels.countY);
+  LayeredDepthImage image;
+  image.pixels = a.pixels;
+  image.offsets.reserve(a.pixels.count() + 1);
+  for (std::size_t c = 0; c < a.pixels.count(); ++c) {
+    const auto first = a[c], second = b[c];
+    for (std::size_t m = 0, n = 0; m < first.size() && n < second.size();) {
+      const DepthInterval common{std::max(first[m].entry, second[n].entry),
+                                 std::min(first[m].exit, second[n].exit)};
+      if (common.entry < common.exit) image.intervals.push_back(common);
+      // The one that ends first can meet nothing more.
+      first[m].exit < second[n].exit ? ++m : ++n;
+    }
+    image.offsets.push_back(std::uint32_t(image.intervals.size()));
+  }
+  return image;
+}
+
+double volume(const LayeredDepthImage& image) {
+  double length = 0;
+  for (const DepthInterval& interval : image.intervals) length += interval.exit - interval.entry;
+  return length * image.pixels.pitch.prod();
 }
 
 }  // namespace resect

@@ -1,70 +1,64 @@
-// Do two closed bodies collide, where, and how much of one is in the other? In the three stages and
-// the words of the original thesis (2004, sections 2.2.1 and 4.3).
+// How much of one closed body is in another, and where? In the three stages of the original thesis
+// (2004, sections 2.2.1 and 4.3), each a function:
 //
-//     Collider collider;
-//     collider.setObject(Collider::First, organ);
-//     collider.setObject(Collider::Second, tool);
-//     if (collider.generateVolumeOfInterest()) {
-//       collider.generateLayeredDepthImages(64);
-//       collider.generateIntersectionVolume();
-//       const LayeredDepthImage& ldi = collider.ldi(Collider::Intersection);
-//       if (ldi.isInside(particle)) ...
-//     }
+//     const Aabb common = intersection(bounds(organ), bounds(tool));         // volume of interest
+//     const ColumnGrid pixels = pixelsOver(common, 64);
+//     const LayeredDepthImage a = layeredDepthImage(organ, common, pixels);  // of each body
+//     const LayeredDepthImage b = layeredDepthImage(tool, common, pixels);
+//     const LayeredDepthImage both = intersectionVolume(a, b);               // common part
+//     volume(both);
 //
-// A stage before which an earlier one is missing is our own error and stops the program.
+// Which single points are inside asks insideFlags(), and which a moving tool touches sweptInside()
+// (collision/inside.h): exactly, not by the nearest pixel.
+//
+// A pixel is a column along z at the pixel's centre; it holds the stretches that lie inside,
+// clipped to the volume of interest. Columns always run along z: the error of the volume shrinks
+// with the pixels whatever the direction, and one raster per mesh serves every question. Source:
+// Heidelberger, Teschner, Gross (2003).
 #pragma once
 
-#include <array>
-#include <memory>
-#include <optional>
 #include <span>
+#include <vector>
 
-#include "collision/layered_depth_image.h"
-#include "geometry/triangle_mesh.h"
+#include "collision/columns.h"
 
 namespace resect {
 
-class Collider {
- public:
-  enum ObjectId { First, Second, Intersection };
+// About square pixels over a box in x and y, `resolution` >= 1 of them along its longer side, their
+// columns at their centres. None over a box that is empty or flat.
+ColumnGrid pixelsOver(const Aabb& box, int resolution);
 
-  // First or Second. The mesh is closed, oriented, looks outwards, and stands in the space that
-  // both objects share, m; deforming objects are set anew each time. Clears what was generated.
-  // Throws Error when a face has a corner that is none of the vertices, or a vertex is not finite.
-  void setObject(ObjectId object, TriangleMesh mesh);
-  // With a bounding box known beforehand; one that is too small leaves out what sticks out of it.
-  void setObject(ObjectId object, const Aabb& boundingBox, std::span<const Vec3f> vertices,
-                 std::span<const Triangle> faces);
-
-  // Stage 1: the common part of the bounding boxes; false if they share no volume. Then the images
-  // of the later stages are empty and those stages need not be called (but may be).
-  bool generateVolumeOfInterest();
-  const Aabb& volumeOfInterest() const { return volumeOfInterest_; }
-
-  // Stage 2: the images of both objects in the volume of interest. resolution 1..4096: pixels along
-  // its longer side across z; the shorter side gets as many as make the pixels about square.
-  // Throws Error when an object is open. Cost: a pass over both meshes and the crossings.
-  void generateLayeredDepthImages(int resolution = 64);
-
-  // Stage 3: the common part of the images. volume() of the result is the overlap in m^3.
-  void generateIntersectionVolume();
-
-  // Valid until the next stage or setObject is called. Empty if that stage found nothing.
-  const LayeredDepthImage& ldi(ObjectId object) const { return images_[object]; }
-
- private:
-  struct Object {
-    std::shared_ptr<const TriangleMesh> mesh;
-    Aabb box;
-  };
-  void setObject(ObjectId object, TriangleMesh mesh, const Aabb& box);
-
-  enum class Stage { None, VolumeOfInterest, Images, Intersection };
-  Stage stage_ = Stage::None;
-  std::array<Object, 2> objects_;
-  Aabb volumeOfInterest_;
-  bool overlap_ = false;
-  std::array<LayeredDepthImage, 3> images_;
+struct DepthInterval {
+  double entry, exit;  // z, m; entry < exit
 };
+
+struct LayeredDepthImage {
+  ColumnGrid pixels;
+  std::vector<std::uint32_t> offsets{0};  // pixels + 1 entries
+  std::vector<DepthInterval> intervals;
+  // Pixels whose column enters the mesh more often than it leaves, or less: the mesh is open there.
+  std::int64_t openPixels = 0;
+
+  // Stretches of pixel j * pixels.countX + i, upwards; they do not touch each other.
+  std::span<const DepthInterval> operator[](std::size_t pixel) const {
+    return {intervals.data() + offsets[pixel], intervals.data() + offsets[pixel + 1]};
+  }
+};
+
+// The inside of a closed, oriented, finite mesh in the box. wanted: one flag per pixel, or none for
+// all; pixels that are not wanted stay empty, and the mesh need not be whole there. Cost: a pass
+// over the mesh and the crossings.
+LayeredDepthImage layeredDepthImage(const TriangleMesh& mesh, const Aabb& box,
+                                    const ColumnGrid& pixels,
+                                    std::span<const std::uint8_t> wanted = {});
+
+// One flag per pixel: it holds something.
+std::vector<std::uint8_t> coveredPixels(const LayeredDepthImage& image);
+
+// Pixelwise common part of two images of the same box and pixels.
+LayeredDepthImage intersectionVolume(const LayeredDepthImage& a, const LayeredDepthImage& b);
+
+// Sum of the stretches times a pixel's area, m^3.
+double volume(const LayeredDepthImage& image);
 
 }  // namespace resect

@@ -8,10 +8,7 @@ namespace resect {
 
 inline Aabb movedBox(const Aabb& box, const Pose& pose) {
   Aabb result;
-  for (int corner = 0; corner < 8; ++corner)
-    result.grow(pose * Vec3(corner & 1 ? box.max.x() : box.min.x(),
-                            corner & 2 ? box.max.y() : box.min.y(),
-                            corner & 4 ? box.max.z() : box.min.z()));
+  for (int i = 0; i < 8; ++i) result.grow(pose * box.corner(i));
   return result;
 }
 

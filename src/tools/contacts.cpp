@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "collision/columns.h"
+#include "collision/collider.h"
 #include "collision/inside.h"
 #include "geometry/moved_box.h"
 
@@ -34,47 +34,23 @@ Aabb sweptBox(const Aabb& tool, const Pose& from, const Pose& to) {
   const double reach = std::max(tool.min.norm(), tool.max.norm()) + tool.size().norm();
   const Pose back = to.inverse();
   Aabb box = tool;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p(corner & 1 ? tool.max.x() : tool.min.x(), corner & 2 ? tool.max.y() : tool.min.y(),
-                 corner & 4 ? tool.max.z() : tool.min.z());
-    box.grow(back * (from * p));
-  }
+  for (int i = 0; i < 8; ++i) box.grow(back * (from * tool.corner(i)));
   return box.padded(reach * (1 - std::cos(std::min(half, 3.2))) + 1e-9);
 }
 
-// Layered depth images of both along z; the organ's only in the pixels that the tool covers.
+// The three stages of collision/collider.h; the organ's image is made only in the pixels that the
+// tool covers. region: where organ and tool may meet.
 double overlapVolume(const Organ& organ, const TriangleMesh& tool, const Pose& pose,
                      const Aabb& region) {
   constexpr int kPixels = 32;
   const TriangleMesh inWorld = transformed(tool, pose);
   const Aabb box = intersection(bounds(inWorld), region);
-  if (box.empty() || !(box.size().array() > 0).all()) return 0;
-  const Vec2 size = box.size().head<2>();
-  const auto pixels = [&](double side) {
-    return std::clamp(int(std::lround(kPixels * side / size.maxCoeff())), 1, kPixels);
-  };
-  ColumnGrid grid;
-  grid.countX = pixels(size.x());
-  grid.countY = pixels(size.y());
-  grid.pitch = size.cwiseQuotient(Vec2(grid.countX, grid.countY));
-  grid.origin = box.min.head<2>() + 0.5 * grid.pitch;
-
-  const Crossings toolColumns = castColumns(snapToRaster(inWorld), grid);
-  std::vector<std::uint8_t> covered(grid.count());
-  for (std::size_t c = 0; c < covered.size(); ++c) covered[c] = !toolColumns[c].empty();
-  const TriangleMesh skin = organ.surface.meshOver(organ.field, grid, covered);
-  const Crossings organColumns = castColumns(snapToRaster(skin), grid);
-
-  double length = 0;
-  for (std::size_t c = 0; c < covered.size(); ++c)
-    if (covered[c])
-      forEachInside(toolColumns[c], [&](double entered, double left) {
-        const double low = std::max(entered, box.min.z()), high = std::min(left, box.max.z());
-        forEachInside(organColumns[c], [&](double from, double to) {
-          length += std::max(0.0, std::min(to, high) - std::max(from, low));
-        });
-      });
-  return length * grid.pitch.prod();
+  const ColumnGrid pixels = pixelsOver(box, kPixels);
+  if (pixels.count() == 0) return 0;
+  const LayeredDepthImage toolImage = layeredDepthImage(inWorld, box, pixels);
+  const std::vector<std::uint8_t> covered = coveredPixels(toolImage);
+  const TriangleMesh skin = organ.surface.meshOver(organ.field, pixels, covered);
+  return volume(intersectionVolume(toolImage, layeredDepthImage(skin, box, pixels, covered)));
 }
 
 // Living particles in the box of the tool's frame at `to`, where they are now, ascending.
