@@ -176,6 +176,8 @@ bool before(const Crossing& a, const Crossing& b) {
 
 template <typename Columns>
 Crossings cast(const SnappedMesh& mesh, std::size_t count, const Columns& columns) {
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+  RESECT_ASSERT(count <= kMost);
   const auto parts = hitsOf(mesh, columns, [](std::uint32_t, double) { return true; });
   Crossings result;
   result.offsets.assign(count + 1, 0);
@@ -184,7 +186,7 @@ Crossings cast(const SnappedMesh& mesh, std::size_t count, const Columns& column
     all += hits.size();
     for (const Hit& hit : hits) ++result.offsets[hit.column + 1];
   }
-  RESECT_ASSERT(all <= std::numeric_limits<std::uint32_t>::max());
+  RESECT_ASSERT(all <= kMost);
   for (std::size_t c = 1; c < result.offsets.size(); ++c)
     result.offsets[c] += result.offsets[c - 1];
   result.all.resize(all);
