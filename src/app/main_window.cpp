@@ -76,14 +76,6 @@ QString namesOf(const std::vector<ScenarioOrgan>& organs) {
   return names.join(", ");
 }
 
-// The first organ in cells of another size; the others' cells grow or shrink in proportion.
-void setSpacing(std::vector<ScenarioOrgan>& organs, double before, double spacing) {
-  for (ScenarioOrgan& organ : organs)
-    if (organ.source.spacing) *organ.source.spacing *= spacing / before;
-  organs[0].source.spacing = spacing;
-  organs[0].source.dims.reset();
-}
-
 // The first instrument in hand of the motions that are played; none: -1.
 int playedTool(const LiveState& state) {
   const auto at = std::ranges::find_if(state.played, &ToolInput::inHand);
@@ -206,7 +198,7 @@ void MainWindow::makeDocks() {
   organ_->rebuild = [this](double spacing, int refine, bool elastic) {
     if (!session_) return;
     Scenario scenario = session_->scenario();
-    setSpacing(scenario.organs, session_->cells().lattice.spacing.x(), spacing);
+    setSpacing(scenario, session_->cells().lattice.spacing.x(), spacing);
     for (ScenarioOrgan& organ : scenario.organs) organ.source.settings.refine = refine;
     if (elastic != scenario.organs[0].tissue.elastic)
       elastic ? makeElastic(scenario) : makeThesis(scenario);

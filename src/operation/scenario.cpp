@@ -30,6 +30,13 @@ bool moves(const Scenario& scenario) {
                              [](const ScenarioOrgan& organ) { return organ.tissue.elastic; });
 }
 
+void setSpacing(Scenario& scenario, double before, double spacing) {
+  for (ScenarioOrgan& organ : scenario.organs)
+    if (organ.source.spacing) *organ.source.spacing *= spacing / before;
+  scenario.organs[0].source.spacing = spacing;
+  scenario.organs[0].source.dims.reset();
+}
+
 void makeElastic(Scenario& scenario) {
   scenario.mode = OperationMode::Operation;
   for (ScenarioOrgan& organ : scenario.organs) organ.tissue.elastic = true;

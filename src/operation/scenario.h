@@ -115,6 +115,9 @@ struct Scenario {
 
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
+// The first organ in cells of this size, m; the others' cells grow or shrink in proportion to what
+// the first one's were before.
+void setSpacing(Scenario& scenario, double before, double spacing);
 // The tissue of all organs moves, and instruments act by their working parts.
 void makeElastic(Scenario& scenario);
 // The same operation as the original system would have it: tissue is still, instruments take out

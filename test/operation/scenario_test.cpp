@@ -88,3 +88,16 @@ TEST_CASE("in thesis mode tissue is still, and of two tools in hand at once the 
   scenario.tools[0].keys.clear();
   CHECK(frameInput(scenario, 10).tools[1].inHand);
 }
+
+TEST_CASE("another size of cells is the first organ's, and the others' in proportion") {
+  Scenario scenario;
+  scenario.organs.resize(3);
+  scenario.organs[0].source.dims = Vec3i(10, 20, 10);
+  scenario.organs[1].source.spacing = 0.004;
+  scenario.organs[2].source.dims = Vec3i(5, 5, 5);
+  setSpacing(scenario, 0.006, 0.003);
+  CHECK(*scenario.organs[0].source.spacing == 0.003);
+  CHECK_FALSE(scenario.organs[0].source.dims);
+  CHECK(*scenario.organs[1].source.spacing == doctest::Approx(0.002));
+  CHECK(scenario.organs[2].source.dims);
+}
