@@ -4,7 +4,7 @@
 
 # Two thirds of compiling a file is reading Eigen and the standard headers: they are read once, in the lowest layer.
 function(resect_precompile target)
-  # Qt compiles all that uses it as position-independent code: that needs headers of its own.
+  # Qt asks for options of its own in all that uses it: that needs headers of its own.
   if(target STREQUAL "resect_base" OR target STREQUAL "resect_app")
     target_precompile_headers(${target} PRIVATE ${CMAKE_SOURCE_DIR}/src/base/precompiled.h)
   elseif(target STREQUAL "resect")
@@ -19,7 +19,8 @@ function(resect_layer name)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.h)
   if(sources)
     add_library(resect_${name} STATIC ${sources} ${headers})
-    target_include_directories(resect_${name} PUBLIC ${CMAKE_SOURCE_DIR}/src)
+    target_include_directories(resect_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
+                               $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>)
     target_link_libraries(resect_${name} PUBLIC ${ARGN})
     resect_precompile(resect_${name})
   else()

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <thread>
 
-#ifndef __SANITIZE_THREAD__
+#ifdef RESECT_TBB
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #else
@@ -22,7 +22,7 @@ std::size_t threadsMeant(int threads) {
 
 }  // namespace
 
-#ifndef __SANITIZE_THREAD__
+#ifdef RESECT_TBB
 
 ThreadLimit::ThreadLimit(int threads)
     : control_(new tbb::global_control(tbb::global_control::max_allowed_parallelism,
@@ -48,8 +48,8 @@ void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
 
 #else
 
-// The thread sanitizer cannot see into a oneTBB library that was built without it and reports races
-// where there are none. Threads of the standard library let it judge our bodies alone.
+// Without oneTBB: threads of the standard library, started anew for each loop. So does the build
+// for the thread sanitizer, which cannot see into a oneTBB library that was built without it.
 namespace {
 std::atomic<std::size_t> threadLimit{0};  // 0: none
 }  // namespace
@@ -65,9 +65,13 @@ ThreadLimit::~ThreadLimit() {
   delete before;
 }
 
-// At least two, so that the sanitizer has something to judge on a machine of one core.
 std::size_t threadsAllowed() {
-  return threadLimit ? threadLimit.load() : std::max<std::size_t>(2, threadsMeant(0));
+#ifdef __SANITIZE_THREAD__
+  constexpr std::size_t kLeast = 2;  // so that there is something to judge on a machine of one core
+#else
+  constexpr std::size_t kLeast = 1;
+#endif
+  return threadLimit ? threadLimit.load() : std::max(kLeast, threadsMeant(0));
 }
 
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {

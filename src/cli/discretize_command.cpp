@@ -15,6 +15,7 @@
 #include "io/operation_setup.h"
 #include "io/particle_file.h"
 #include "io/scenario_file.h"
+#include "resect/version.h"
 
 namespace resect {
 

@@ -10,6 +10,7 @@
 #include "base/kept_memory.h"
 #include "base/progress.h"
 #include "cli/commands.h"
+#include "resect/version.h"
 
 namespace {
 

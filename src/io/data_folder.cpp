@@ -18,8 +18,8 @@ fs::path dataFolder() {
   }
   std::error_code ec;
   const fs::path program = fs::read_symlink("/proc/self/exe", ec).parent_path();
-  for (const fs::path& place :
-       {program / "../share/resect", program / "../../data", fs::path(RESECT_DATA_DIR)})
+  for (const fs::path& place : {program / "../share/resect", program / "../../data",
+                                fs::path(RESECT_DATA_DIR), fs::path(RESECT_INSTALLED_DATA)})
     if (fs::is_directory(place / "scenarios", ec)) return fs::weakly_canonical(place, ec);
   throw error("the data folder of Resect is neither beside {} nor at {}; set RESECT_DATA to it",
               program.string(), RESECT_DATA_DIR);

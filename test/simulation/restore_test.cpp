@@ -6,9 +6,9 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "inventor/model_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
+#include "io/plain_mesh.h"
 #include "io/scenario_file.h"
 #include "operation/scenario.h"
 #include "support/covered_bytes.h"
@@ -21,7 +21,7 @@ using namespace resect;
 namespace {
 
 Simulation simulationOf(const Scenario& scenario) {
-  return makeSimulation(scenario, [](const auto& path) { return readModel(path); });
+  return makeSimulation(scenario, readPlainMesh);
 }
 
 Scenario shipped(const std::string& name) {

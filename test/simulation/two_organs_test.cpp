@@ -1,9 +1,9 @@
 // Do two organs of a scenario hold together?
 #include <doctest/doctest.h>
 
-#include "inventor/model_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
+#include "io/plain_mesh.h"
 #include "io/scenario_file.h"
 
 using namespace resect;
@@ -11,8 +11,7 @@ using namespace resect;
 TEST_CASE("the hook lifts the gallbladder, and the liver under it follows") {
   const Scenario scenario =
       readScenario(findDataFile("liver-and-gallbladder", "scenarios", ".toml"));
-  Simulation simulation =
-      makeSimulation(scenario, [](const auto& path) { return readModel(path); });
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
   REQUIRE(simulation.organs().size() == 2);
   CHECK(simulation.joints().size() > 50);
   const auto points = [&](std::size_t organ) {

@@ -1,0 +1,38 @@
+# cmake --install: the libraries as package "resect" with the components core and full, their headers below
+# include/resect, and the data. docs/embedding.md shows how it is used.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/resect)
+set(resect_data ${CMAKE_INSTALL_DATADIR}/resect)
+
+function(resect_component export layers)
+  list(TRANSFORM layers PREPEND resect_ OUTPUT_VARIABLE targets)
+  string(TOLOWER ${export} component)
+  add_library(resect_${component} INTERFACE)
+  target_link_libraries(resect_${component} INTERFACE ${targets})
+  foreach(layer IN LISTS layers ITEMS ${component})
+    set_target_properties(resect_${layer} PROPERTIES EXPORT_NAME ${layer})
+  endforeach()
+  install(TARGETS ${targets} resect_${component} EXPORT resect${export} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT resect${export} NAMESPACE resect:: DESTINATION ${package_folder} FILE resect${export}.cmake)
+  install(CODE "set(resect_layers ${layers})
+                set(resect_source \"${CMAKE_SOURCE_DIR}/src\")
+                set(resect_include ${CMAKE_INSTALL_INCLUDEDIR})")
+  install(SCRIPT ${CMAKE_SOURCE_DIR}/cmake/install_headers.cmake)
+endfunction()
+
+resect_component(Core "${RESECT_CORE_LAYERS}")
+if(RESECT_INVENTOR)
+  resect_component(Full "${RESECT_FULL_LAYERS}")
+  target_link_libraries(resect_full INTERFACE resect_core)
+endif()
+if(RESECT_APP)
+  install(TARGETS resect RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(FILES ${CMAKE_BINARY_DIR}/include/resect/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/resect)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/data/ DESTINATION ${resect_data})
+configure_package_config_file(cmake/resectConfig.cmake.in ${CMAKE_BINARY_DIR}/resectConfig.cmake
+                              INSTALL_DESTINATION ${package_folder} PATH_VARS resect_data)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/resectConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/resectConfig.cmake ${CMAKE_BINARY_DIR}/resectConfigVersion.cmake
+        DESTINATION ${package_folder})

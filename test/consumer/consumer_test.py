@@ -1,0 +1,55 @@
+#!/usr/bin/env python3
+"""consumer_test.py CMAKE BUILD COMPILER: installs BUILD into a staging folder, builds a stranger's project against the
+package's component core there, runs it, and looks at what it is linked with."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
+from run_test import ELASTIC  # noqa: E402
+
+PROJECT = Path(__file__).resolve().parent / "project"
+STRANGERS = ("Coin", "Qt", "GL", "assimp", "png", "X11")  # libraries that a headless step must not need
+
+
+def run(*command, **settings):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **settings)
+    if done.returncode != 0:
+        sys.exit(f"{' '.join(map(str, command))} failed:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+    return done.stdout
+
+
+def main():
+    cmake, build, compiler = sys.argv[1], Path(sys.argv[2]), sys.argv[3]
+    staging, folder = build / "staging", build / "consumer"
+    for old in (staging, folder):
+        shutil.rmtree(old, ignore_errors=True)
+    run(cmake, "--install", build, "--prefix", staging)
+    quoted = [header for header in (staging / "include").rglob("*.h") if re.search(r'#include "', header.read_text())]
+    if quoted:
+        sys.exit(f"{quoted[0]} includes a header that is not installed under its name")
+    run(cmake, "-S", PROJECT, "-B", folder, f"-DCMAKE_PREFIX_PATH={staging}", f"-DCMAKE_CXX_COMPILER={compiler}",
+        "-DCMAKE_BUILD_TYPE=Release")
+    run(cmake, "--build", folder)
+    program = folder / "stepped_liver"
+    said = run(program, env={**os.environ, "RESECT_DATA": str(staging / "share" / "resect")})
+    print(said, end="")
+    found = re.fullmatch(r"Resect [\d.]+: (\d+) cells, at most ([\d.]+) N on the baton, state ([0-9a-f]{16})\n", said)
+    if not found or int(found[1]) < 5000 or not 0.1 < float(found[2]) < 50:
+        sys.exit("which is not what a pressed liver says")
+    # The same bits as the program's, which reads the instruments through Inventor.
+    if found[3] != ELASTIC["press"]:
+        sys.exit(f"the program ends press with {ELASTIC['press']}")
+    linked = run("ldd", program)
+    for name in STRANGERS:
+        if re.search(rf"lib{name}", linked):
+            sys.exit(f"it is linked with lib{name}:\n{linked}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
