@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <resect/version.h>
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
@@ -15,7 +16,6 @@
 #include "io/operation_setup.h"
 #include "io/particle_file.h"
 #include "io/scenario_file.h"
-#include "resect/version.h"
 
 namespace resect {
 

@@ -1,6 +1,7 @@
 // The command line of Resect: parses, calls one subcommand, turns errors into one sentence and an
 // exit status.
 
+#include <resect/version.h>
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -10,7 +11,6 @@
 #include "base/kept_memory.h"
 #include "base/progress.h"
 #include "cli/commands.h"
-#include "resect/version.h"
 
 namespace {
 
