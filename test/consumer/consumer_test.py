@@ -9,8 +9,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "cli"))
-from run_test import ELASTIC  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
+from expected_states import ELASTIC  # noqa: E402
 
 PROJECT = Path(__file__).resolve().parent / "project"
 STRANGERS = ("Coin", "Qt", "GL", "assimp", "png", "X11")  # libraries that a headless step must not need

@@ -10,6 +10,7 @@
 #include "geometry/primitives.h"
 #include "geometry/topology.h"
 #include "io/organ_size.h"
+#include "support/sentence.h"
 
 using namespace resect;
 
@@ -32,12 +33,7 @@ TriangleMesh openBall() {
 }
 
 std::string sentence(const Model& model, const OrganMeshOptions& options = {}) {
-  try {
-    prepareOrganMesh(model, options);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return test::sentenceOf([&] { prepareOrganMesh(model, options); });
 }
 
 bool has(const std::string& text, const std::string& part) {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
+#include "support/sentence.h"
 
 using namespace resect;
 
@@ -11,12 +12,7 @@ namespace {
 const std::string kHead = "#Inventor V2.1 ascii\n";
 
 std::string sentence(const std::string& body) {
-  try {
-    guardInventorFile("a.iv", kHead + body);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return test::sentenceOf([&] { guardInventorFile("a.iv", kHead + body); });
 }
 
 std::string repeated(const std::string& text, int times) {

@@ -13,6 +13,7 @@
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
 #include "support/block_organ.h"
+#include "support/sentence.h"
 #include "support/temporary_folder.h"
 
 using namespace resect;
@@ -64,12 +65,7 @@ void checkSame(const KeptCells& a, const KeptCells& b) {
 }
 
 std::string complaint(const std::string& bytes) {
-  try {
-    parseCells(bytes, "organ.resect-cells");
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return test::sentenceOf([&] { parseCells(bytes, "organ.resect-cells"); });
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {

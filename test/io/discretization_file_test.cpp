@@ -11,6 +11,7 @@
 #include "geometry/primitives.h"
 #include "organ/discretize.h"
 #include "sph/lattice_extent.h"
+#include "support/sentence.h"
 
 using namespace resect;
 
@@ -36,12 +37,7 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 
 // The sentence of the Error that parsing throws; empty if it throws none.
 std::string refusal(const std::string& text) {
-  try {
-    parseDiscretization(text, "organ.dis");
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return test::sentenceOf([&] { parseDiscretization(text, "organ.dis"); });
 }
 
 bool sameBits(const Discretization& a, const Discretization& b) {

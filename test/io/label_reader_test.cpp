@@ -8,6 +8,7 @@
 #include "io/scenario_file.h"
 #include "operation/run.h"
 #include "organ/cell_labels.h"
+#include "support/sentence.h"
 #include "support/temporary_folder.h"
 #include "tissue/elastic_tissue.h"
 
@@ -45,21 +46,11 @@ density = 1500
 )";
 
 std::string complaint(const std::string& text) {
-  try {
-    parseScenario(text, "x.toml");
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return test::sentenceOf([&] { parseScenario(text, "x.toml"); });
 }
 
 std::string complaintOfSetup(const std::string& text) {
-  try {
-    makeSimulation(parseScenario(text, "x.toml"), {});
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return test::sentenceOf([&] { makeSimulation(parseScenario(text, "x.toml"), {}); });
 }
 
 bool tells(const std::string& text, const std::string& what) {

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "support/sentence.h"
 
 using namespace resect;
 
@@ -28,12 +29,7 @@ keys = [
 )";
 
 std::string complaint(const std::string& text) {
-  try {
-    parseScenario(text, "x.toml");
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+  return test::sentenceOf([&] { parseScenario(text, "x.toml"); });
 }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {

@@ -22,4 +22,10 @@ inline bool isOneSentence(const std::string& text) {
   return text.size() > 20 && text.find('\n') == std::string::npos && text.back() != '.';
 }
 
+// One line that begins with the file and says what is wrong with it.
+inline bool isRefusalOf(const std::string& file, const std::string& what, const std::string& text) {
+  return text.starts_with(file) && text.find(what) != std::string::npos &&
+         text.find('\n') == std::string::npos;
+}
+
 }  // namespace resect::test
