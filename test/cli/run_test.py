@@ -5,6 +5,7 @@
 """
 import json
 import os
+import re
 import subprocess
 import sys
 import unittest
@@ -87,6 +88,13 @@ class Scenarios(unittest.TestCase):
 
     def test_the_segment_and_the_rest_add_up_and_are_closed(self):
         summary = run("resect-segment", "--pieces", FOLDER)
+        # What is printed adds up, to a rounding of each number.
+        printed = resect("run", "resect-segment").stdout
+        whole, removed = (float(re.search(rf"{row} .* ([\d.]+) ml", printed)[1]) for row in ("organ", "removed"))
+        pieces = re.search(r"pieces .*", printed)[0]
+        parts = [float(ml) for ml in re.findall(r"([\d.]+) ml", pieces)]
+        self.assertEqual(len(parts), 2)
+        self.assertAlmostEqual(removed + sum(parts), whole, delta=0.21)
         large = [piece for piece in summary["pieces"] if piece["volume_ml"] > 1]
         self.assertEqual(len(large), 2)
         parts = sum(piece["volume_ml"] for piece in large)
