@@ -28,8 +28,12 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
+  // Asked for again: whoever it comes from may have gone, or be too slow to say.
+  const auto urls = event->mimeData()->urls();
+  if (urls.isEmpty() || !urls.front().isLocalFile())
+    return complain("what was dropped did not arrive; drop it again, or open it by the File menu");
   event->acceptProposedAction();
-  openFile(event->mimeData()->urls().front().toLocalFile());
+  openFile(urls.front().toLocalFile());
 }
 
 // Organ, scenario or saved scene: told by what is in it.
