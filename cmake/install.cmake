@@ -1,6 +1,5 @@
 # cmake --install: the libraries as package "resect" with the components core and full, their headers below
 # include/resect, and the data. docs/embedding.md shows how it is used.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/resect)
 set(resect_data ${CMAKE_INSTALL_DATADIR}/resect)

@@ -17,17 +17,11 @@ endfunction()
 function(resect_layer name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.h)
-  if(sources)
-    add_library(resect_${name} STATIC ${sources} ${headers})
-    target_include_directories(resect_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
-                               $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include> $<INSTALL_INTERFACE:include>)
-    target_link_libraries(resect_${name} PUBLIC ${ARGN})
-    resect_precompile(resect_${name})
-  else()
-    add_library(resect_${name} INTERFACE)
-    target_include_directories(resect_${name} INTERFACE ${CMAKE_SOURCE_DIR}/src)
-    target_link_libraries(resect_${name} INTERFACE ${ARGN})
-  endif()
+  add_library(resect_${name} STATIC ${sources} ${headers})
+  target_include_directories(resect_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
+                             $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_link_libraries(resect_${name} PUBLIC ${ARGN})
+  resect_precompile(resect_${name})
 endfunction()
 
 # For the sanitizers: readers are given files that ask for more memory than there is, which is bad_alloc and no

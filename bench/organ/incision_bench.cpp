@@ -54,7 +54,7 @@ struct Advance {
   std::vector<TissueBond> bonds;
 };
 
-// What a tool finds (tools/moving_contacts.h): the particles near the blade, and the bonds that it
+// What a scalpel finds (tools/blade_part.h): the particles near the blade, and the bonds that it
 // crosses.
 Advance find(const Operation& operation, double x, double depth) {
   Advance found;

@@ -51,8 +51,7 @@ void MainWindow::makeMenus() {
       });
   add(file, "Built-in &liver", {}, "The liver that comes with Resect, whole", [this] {
     Scenario scenario = options_.scenario;
-    scenario.organs.resize(1);
-    scenario.joints.clear();
+    keepFirstOrgan(scenario);
     scenario.organs[0].source.file.clear();
     load(scenario);
   });

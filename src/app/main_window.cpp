@@ -61,7 +61,6 @@ QString sentenceOf(ToolHandling::Hold how, const QString& tool) {
   return {};
 }
 
-// Of a button or a key.
 QString nameOf(const OrganSource& organ) {
   if (organ.file.empty()) return "Built-in liver";
   if (isBuiltIn(organ)) return QString::fromStdString("Built-in " + organ.file);
@@ -82,6 +81,7 @@ int playedTool(const LiveState& state) {
   return at == state.played.end() ? -1 : int(at - state.played.begin());
 }
 
+// Of a button or a key.
 bool isPress(const SoEvent& event) {
   return event.isOfType(SoButtonEvent::getClassTypeId()) &&
          static_cast<const SoButtonEvent&>(event).getState() == SoButtonEvent::DOWN;
@@ -195,10 +195,10 @@ void MainWindow::makeDocks() {
     session_->iso().setValue(iso);
     session_->operation().setIso(iso);
   };
-  organ_->rebuild = [this](double spacing, int refine, bool elastic) {
+  organ_->rebuild = [this](std::optional<double> spacing, int refine, bool elastic) {
     if (!session_) return;
     Scenario scenario = session_->scenario();
-    setSpacing(scenario, session_->cells().lattice.spacing.x(), spacing);
+    if (spacing) setSpacing(scenario, session_->cells().lattice.spacing.x(), *spacing);
     for (ScenarioOrgan& organ : scenario.organs) organ.source.settings.refine = refine;
     if (elastic != scenario.organs[0].tissue.elastic)
       elastic ? makeElastic(scenario) : makeThesis(scenario);
@@ -235,8 +235,8 @@ void MainWindow::cancelLoading() {
 // The window is never empty: the liver that comes with Resect, coarse enough to be there at once.
 void MainWindow::loadDefault() {
   Scenario scenario = options_.scenario;
-  scenario.organs.assign(1, {});
-  scenario.joints.clear();
+  keepFirstOrgan(scenario);
+  scenario.organs[0] = {};
   scenario.organs[0].source.spacing = 0.006;
   makeThesis(scenario);
   load(scenario);
@@ -248,7 +248,8 @@ void MainWindow::begin(OrganLoader::Result result) {
   statusBar()->clearMessage();
   if (!result.simulation) {
     complain(result.problem);
-    if (!session_ && !result.scenario.organs[0].source.file.empty()) loadDefault();
+    const std::vector<ScenarioOrgan>& organs = result.scenario.organs;
+    if (!session_ && (organs.size() > 1 || !organs[0].source.file.empty())) loadDefault();
     return;
   }
   try {

@@ -45,8 +45,7 @@ void MainWindow::openFile(const QString& file) {
       remember(file);
     } else if (isParticleFile(path)) {
       Scenario scenario = options_.scenario;
-      scenario.organs.resize(1);
-      scenario.joints.clear();
+      keepFirstOrgan(scenario);
       scenario.organs[0].source = {};
       scenario.organs[0].source.file = path.string();
       load(scenario);
@@ -64,8 +63,7 @@ void MainWindow::askOrgan(const QString& file) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
     Scenario scenario = session_ ? session_->scenario() : options_.scenario;
-    scenario.organs.resize(1);
-    scenario.joints.clear();
+    keepFirstOrgan(scenario);
     scenario.organs[0].source = dialog->source();
     // What was saved from here lies as it lay.
     if (scenario.organs[0].source.part == kOrganNode) scenario.organs[0].source.onTable = false;

@@ -148,7 +148,10 @@ void OrganPanel::sayWhatWaits() {
 }
 
 void OrganPanel::beginAgain() {
-  if (rebuild) rebuild(spacing_->value() * 1e-3, refine_->value(), elastic_->isChecked());
+  const Settings wanted = settings();
+  std::optional<double> spacing;  // what is shown is rounded: untouched, cells stay what they are
+  if (wanted.spacing != running_.spacing) spacing = wanted.spacing * 1e-3;
+  if (rebuild) rebuild(spacing, wanted.refine, wanted.elastic);
 }
 
 void OrganPanel::setOrgan(const QString& name, double spacing, int refine, bool elastic,

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "app/viewer.h"
@@ -46,7 +47,8 @@ class OrganPanel : public QWidget {
   void setIso(float iso);
   void beginAgain();  // with what is set here
   std::function<void(float)> isoChanged;
-  std::function<void(double spacing, int refine, bool elastic)> rebuild;  // m
+  // spacing: m, where it was changed.
+  std::function<void(std::optional<double> spacing, int refine, bool elastic)> rebuild;
 
  private:
   struct Settings {

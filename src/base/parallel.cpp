@@ -10,6 +10,8 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
+#include <utility>
 #include <vector>
 #endif
 
@@ -52,6 +54,7 @@ void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
 // for the thread sanitizer, which cannot see into a oneTBB library that was built without it.
 namespace {
 std::atomic<std::size_t> threadLimit{0};  // 0: none
+thread_local bool inLoop = false;         // loops within loops start no threads
 }  // namespace
 
 ThreadLimit::ThreadLimit(int threads) : control_(new std::size_t(threadLimit)) {
@@ -76,22 +79,29 @@ std::size_t threadsAllowed() {
 
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
   const std::size_t blocks = (count + grain - 1) / grain;
-  const std::size_t most = threadsAllowed();
+  const std::size_t most = std::min(inLoop ? 1 : threadsAllowed(), blocks);
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::exception_ptr error;
   const auto work = [&] {
+    const bool outer = std::exchange(inLoop, true);
     for (std::size_t block = next++; block < blocks; block = next++) try {
         body(block * grain, std::min(count, (block + 1) * grain));
       } catch (...) {
         const std::lock_guard lock(mutex);
         error = std::current_exception();
       }
+    inLoop = outer;
   };
-  std::vector<std::thread> others;
-  for (std::size_t i = 1; i < std::min(most, blocks); ++i) others.emplace_back(work);
-  work();
-  for (std::thread& other : others) other.join();
+  {
+    std::vector<std::jthread> others;
+    try {
+      for (std::size_t i = 1; i < most; ++i) others.emplace_back(work);
+    } catch (const std::system_error&) {
+      // No more threads are to be had: those that there are do it.
+    }
+    work();
+  }
   if (error) std::rethrow_exception(error);
 }
 

@@ -40,9 +40,7 @@ BenchReport measure(const Scenario& scenario, const std::string& title) {
 void run(const Options& options, const OrganOptions& organOptions) {
   const ThreadLimit threads(options.threads);
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
-  if (!options.organ.empty())
-    scenario.organs[0].source.file = options.organ == "liver" ? "" : options.organ;
-  organOptions.applyTo(scenario.organs[0].source);
+  organOptions.applyTo(scenario, options.organ);
 
   const BenchReport report = measure(scenario, scenario.name);
   std::optional<RealTimeLimit> limit;
@@ -52,8 +50,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
         report,
         [&](double spacing) {
           Scenario other = scenario;
-          other.organs[0].source.spacing = spacing;
-          other.organs[0].source.dims.reset();
+          setSpacing(other, report.spacing, spacing);
           return measure(other, fmt::format("{} at {:.3g} mm", scenario.name, 1e3 * spacing));
         },
         4, options.most);

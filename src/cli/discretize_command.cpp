@@ -45,17 +45,20 @@ void addDiscretizeCommand(CLI::App& app) {
       "labelled.resect-cells");
   command->callback([options, organ] {
     OrganSource source;
+    std::vector<std::string> notes;
     if (std::filesystem::path(options->mesh).extension() == ".toml") {
-      source =
-          readScenario(options->mesh).organs[0].source;  // where it lies there, with its labels
+      const Scenario scenario = readScenario(options->mesh);
+      if (scenario.organs.size() > 1)
+        notes.push_back(fmt::format("of {} organs only the first, \"{}\", is written",
+                                    scenario.organs.size(), scenario.organs[0].source.name));
+      source = scenario.organs[0].source;  // where it lies there, with its labels
     } else {
-      source.file = options->mesh == "liver" ? "" : options->mesh;
+      source.file = organFile(options->mesh);
       source.onTable = false;
       source.spacing = 0.005;
     }
     organ->applyTo(source);
     checkTarget(options->output, {&options->mesh, 1});
-    std::vector<std::string> notes;
     const Discretization cells = loadCells(source, modelReader(), progressBar("particles"), &notes);
     if (cells.particleCount() == 0)
       throw error(

@@ -52,6 +52,14 @@ void OrganOptions::applyTo(OrganSource& source) const {
   }
 }
 
+void OrganOptions::applyTo(Scenario& scenario, const std::string& organ) const {
+  OrganSource& first = scenario.organs[0].source;
+  const std::optional<double> before = first.spacing;
+  if (!organ.empty()) first.file = organFile(organ);
+  applyTo(first);
+  if (before && first.spacing) setSpacing(scenario, *before, *first.spacing);
+}
+
 ModelReader modelReader() {
   return [](const std::filesystem::path& path) {
     return readModelWatched(path, progressBar("reading"));

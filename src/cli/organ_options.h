@@ -19,6 +19,9 @@ struct OrganOptions {
 
   // Overwrites what the person gave; leaves the rest of `source` as it is.
   void applyTo(OrganSource& source) const;
+  // The same for a scenario's first organ, which becomes `organ` when that is named; with cells of
+  // another size the other organs' change in proportion.
+  void applyTo(Scenario& scenario, const std::string& organ) const;
 };
 
 // Reads models of all formats that Resect knows.

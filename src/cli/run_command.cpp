@@ -76,13 +76,11 @@ void run(const Options& options, const OrganOptions& organOptions) {
   const ThreadLimit threads(options.threads);
 
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
-  if (!options.organ.empty())
-    scenario.organs[0].source.file = options.organ == "liver" ? "" : options.organ;
   if (!options.view.empty()) {
     scenario.view = options.view;
     scenario.closeUp.reset();  // of the scenario's own view
   }
-  organOptions.applyTo(scenario.organs[0].source);
+  organOptions.applyTo(scenario, options.organ);
   if (options.thesis) makeThesis(scenario);
   if (!options.plot.empty() && !moves(scenario))
     throw usageError(

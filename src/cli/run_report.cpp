@@ -96,8 +96,8 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
                   summary.surface.oriented ? "oriented" : "NOT ORIENTED"));
   std::string pieces;  // in millilitres of tissue, which add up with what was removed
   for (std::size_t i = 0; i < summary.pieces.size() && i < 4; ++i)
-    pieces += fmt::format("{}{:.1f} ml ({:.1f} g)", i ? " + " : "",
-                          1e6 * summary.pieces[i].tissue, 1e3 * summary.pieces[i].mass);
+    pieces += fmt::format("{}{:.1f} ml ({:.1f} g)", i ? " + " : "", 1e6 * summary.pieces[i].tissue,
+                          1e3 * summary.pieces[i].mass);
   if (summary.pieces.size() > 4) pieces += fmt::format(" + {} smaller", summary.pieces.size() - 4);
   row("pieces",
       fmt::format("{}: {}", summary.pieces.size(), pieces.empty() ? "nothing is left" : pieces));

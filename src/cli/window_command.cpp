@@ -29,9 +29,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
     window.scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
   else
     window.scenario.organs[0].source.spacing = 0.005;
-  if (!options.organ.empty())
-    window.scenario.organs[0].source.file = options.organ == "liver" ? "" : options.organ;
-  organOptions.applyTo(window.scenario.organs[0].source);
+  organOptions.applyTo(window.scenario, options.organ);
   if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;
   window.overlay = !options.noHelp;

@@ -112,7 +112,7 @@ struct SampleLine {
 };
 
 // Calls visit(i0, i1) for every stretch of points [i0, i1) of the line that lie inside, i0 < i1,
-// upwards; shells that overlap or touch may give several.
+// upwards. Where no point lies between two stretches, one begins where the other ends.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, const SampleLine& line, Visit&& visit) {
   forEachInside(column, [&](double entered, double left) {

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "collision/columns.h"
+#include "geometry/moved_box.h"
 
 namespace resect {
 namespace {
@@ -173,7 +174,7 @@ std::vector<std::uint8_t> sweptInside(const TriangleMesh& tool, const Pose& from
   Aabb swept;
   for (int i = 0; i <= steps; ++i) {
     const Pose pose = i == 0 ? from : i == steps ? to : interpolate(from, to, double(i) / steps);
-    for (int corner = 0; corner < 8; ++corner) swept.grow(pose * toolBox.corner(corner));
+    swept.grow(movedBox(toolBox, pose));
     back.push_back(pose.inverse());
   }
   swept = swept.padded(turns ? 2 * kChordError * diagonal : 1e-9 * (diagonal + way));

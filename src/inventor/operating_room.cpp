@@ -281,8 +281,12 @@ void OperatingRoom::removeListener(SoEventCallback* listener) { root_->removeChi
 void OperatingRoom::setToolPose(int tool, const Pose& pose) { setPose(toolTransform(tool), pose); }
 
 void OperatingRoom::setOrgan(const TriangleMesh& mesh, const Vec3f& colour) {
-  organColour_->rgb.setValue(colour.data());
+  setOrganColour(colour);
   setMesh({organColour_, organHints_, organs_[0]}, mesh);
+}
+
+void OperatingRoom::setOrganColour(const Vec3f& colour) {
+  organColour_->rgb.setValue(colour.data());
 }
 
 // The surface of an organ is closed.

@@ -84,6 +84,7 @@ class OperatingRoom {
   // The whole organ, with smooth normals of its own and no cut. For changing organs use organ(),
   // which must then be closed.
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
+  void setOrganColour(const Vec3f& colour);  // of the first one
   void setOrganPose(const Pose& pose);
 
   // More tissue beside the organ, in the same frame: vessels, gallbladder.

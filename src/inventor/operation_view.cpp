@@ -43,6 +43,7 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
     room_.addTool(readSceneFile(state.tool->model.file));
   simulation.keepLook();
   publishers_.assign(simulation.organs().size(), SurfacePublisher(0));
+  room_.setOrganColour(colourOf(scenario.organs[0].source));
   for (std::size_t o = 1; o < simulation.organs().size(); ++o)
     room_.addOrgan(colourOf(scenario.organs[o].source));
   follow(simulation);

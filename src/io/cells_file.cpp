@@ -12,6 +12,7 @@
 #include "io/atomic_file.h"
 #include "io/byte_runs.h"
 #include "io/toml_table.h"
+#include "io/whole_file.h"
 #include "organ/discretize.h"
 
 namespace resect {
@@ -246,17 +247,11 @@ KeptCells parseCells(std::string_view bytes, const std::string& name) {
 
 KeptCells readCells(const std::filesystem::path& path) {
   std::error_code fault;
-  if (!std::filesystem::is_regular_file(path, fault))
-    throw error("{} is not a file that can be read; check the name", path.string());
   const auto size = std::filesystem::file_size(path, fault);
   if (!fault && size > kMostPerCell * std::size_t(kMaxCells) + kLongestHeader)
     throw error("{} is larger than {} cells can be; it holds no cells of an organ", path.string(),
                 kMaxCells);
-  std::ifstream in(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.good() && !in.eof())
-    throw error("{} cannot be read; check its permissions", path.string());
-  return parseCells(bytes, path.string());
+  return parseCells(readWholeFile(path), path.string());
 }
 
 void writeCells(const std::filesystem::path& path, const KeptCells& kept) {

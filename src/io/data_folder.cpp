@@ -21,8 +21,9 @@ fs::path dataFolder() {
   for (const fs::path& place : {program / "../share/resect", program / "../../data",
                                 fs::path(RESECT_DATA_DIR), fs::path(RESECT_INSTALLED_DATA)})
     if (fs::is_directory(place / "scenarios", ec)) return fs::weakly_canonical(place, ec);
-  throw error("the data folder of Resect is neither beside {} nor at {}; set RESECT_DATA to it",
-              program.string(), RESECT_DATA_DIR);
+  throw error(
+      "the data folder of Resect is neither beside {} nor at {} nor at {}; set RESECT_DATA to it",
+      program.string(), RESECT_DATA_DIR, RESECT_INSTALLED_DATA);
 }
 
 fs::path findDataFile(const std::string& name, const std::string& folder,

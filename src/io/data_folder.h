@@ -8,7 +8,8 @@
 namespace resect {
 
 // $RESECT_DATA, else the folder beside the program (installed or in its build tree), else the
-// sources that it was built from. An Error names the places looked at when there is none.
+// sources that it was built from, else where it was to be installed. An Error names the places
+// looked at when there is none.
 std::filesystem::path dataFolder();
 
 // A file that a person names: as it is when it exists; else `name` with the extension in

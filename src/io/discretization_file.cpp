@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "io/atomic_file.h"
+#include "io/whole_file.h"
 #include "organ/discretize.h"
 #include "sph/lattice_extent.h"
 
@@ -247,14 +248,7 @@ Discretization parseDiscretization(std::string_view text, const std::string& nam
 }
 
 Discretization readDiscretization(const std::filesystem::path& path, double unit) {
-  std::error_code fault;
-  if (!std::filesystem::is_regular_file(path, fault))
-    throw error("{} is not a file that can be read; check the name", path.string());
-  std::ifstream in(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in.good() && !in.eof())
-    throw error("{} cannot be read; check its permissions", path.string());
-  return parseDiscretization(text, path.string(), unit);
+  return parseDiscretization(readWholeFile(path), path.string(), unit);
 }
 
 std::string formatDiscretization(const Discretization& d) {

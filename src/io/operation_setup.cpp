@@ -195,7 +195,17 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
     const OrganSource& source = scenario.organs[i].source;
     std::optional<Pose>& place = places[source.name];
     if (!source.beside.empty()) place = places[source.beside];
-    Organ organ = makeOrgan(loadCells(source, readModel, progress, notes, &place), source.settings);
+    if (!source.beside.empty() && !place)
+      throw error(
+          "organ \"{}\" is beside \"{}\", which holds particles and lies as its file says; leave "
+          "out beside and give it a position",
+          source.name, source.beside);
+    const Progress share = [&](double done) {
+      return progress((double(i) + done) / double(scenario.organs.size()));
+    };
+    Organ organ =
+        makeOrgan(loadCells(source, readModel, progress ? share : Progress(), notes, &place),
+                  source.settings);
     std::unique_ptr<TissueModel> tissue = makeTissue(scenario.organs[i].tissue, organ);
     organs.push_back(operatedOrgan(source.name, std::move(organ), std::move(tissue)));
   }

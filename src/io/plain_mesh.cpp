@@ -1,9 +1,10 @@
 #include "io/plain_mesh.h"
 
+#include <algorithm>
 #include <cstring>
-#include <iterator>
 
 #include "base/error.h"
+#include "io/whole_file.h"
 
 namespace resect {
 namespace {
@@ -45,9 +46,8 @@ void expect(std::string_view& bytes, std::string_view text, const std::string& p
 Model readPlainMesh(const std::filesystem::path& path) {
   const std::filesystem::path file = std::filesystem::path(path).replace_extension(".ply");
   const std::string name = file.string();
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw error("there is no plain mesh {}; {}", name, kForm);
-  const std::string all{std::istreambuf_iterator<char>(in), {}};
+  if (!std::filesystem::exists(file)) throw error("there is no plain mesh {}; {}", name, kForm);
+  const std::string all = readWholeFile(file);
   std::string_view bytes = all;
   expect(bytes, "ply\nformat binary_little_endian 1.0\ncomment Resect, metres\n", name);
   const std::size_t points = takeCount(bytes, "element vertex ", name);
@@ -66,7 +66,8 @@ Model readPlainMesh(const std::filesystem::path& path) {
   }
   mesh.triangles.resize(triangles);
   for (Triangle& t : mesh.triangles) {
-    if (bytes[0] != 3) throw error("{} has a face of {} corners; {}", name, int(bytes[0]), kForm);
+    if (bytes[0] != 3)
+      throw error("{} has a face of {} corners; {}", name, int(std::uint8_t(bytes[0])), kForm);
     std::memcpy(t.data(), bytes.data() + 1, sizeof(Triangle));
     bytes.remove_prefix(kTriangle);
   }

@@ -26,10 +26,13 @@ double rounded(double spacing) {
 BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
                           const FrameObserver& observer) {
   BenchReport report;
-  const Organ& organ = simulation.organ();
-  report.spacing = std::cbrt(organ.rest.lattice.cellVolume());
-  report.particles = organ.particles;
-  report.triangles = organ.surface.triangleCount();
+  report.spacing = std::cbrt(simulation.organ().rest.lattice.cellVolume());
+  std::vector<double> particles;  // by organ, as the operation begins
+  for (const OperatedOrgan& o : simulation.organs()) {
+    particles.push_back(double(o.organ.particles));
+    report.particles += o.organ.particles;
+    report.triangles += o.organ.surface.triangleCount();
+  }
   report.bytes = std::int64_t(simulation.bytes());
   report.tissueMoves = simulation.moves();
   report.frameDuration = 1 / scenario.frameRate;
@@ -37,11 +40,15 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
 
   StageClock clock;
   StepReport step;
+  double moved = 0;  // particles times substeps
   const std::int64_t frames = frameCount(scenario);
   while (report.frames < frames) {
     simulation.step(frameInput(scenario, report.frames), step, &clock);
     ++report.frames;
-    for (const TissueStep& tissue : step.tissue) report.substeps += tissue.substeps;
+    for (std::size_t o = 0; o < step.tissue.size(); ++o) {
+      report.substeps += step.tissue[o].substeps;
+      moved += particles[o] * step.tissue[o].substeps;
+    }
     if (observer && !observer(simulation, step)) break;
   }
 
@@ -49,9 +56,8 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
   for (const StageTimes& stage : clock.stages()) {
     report.stages.push_back({stage.name, summarise(stage.seconds)});
     for (std::size_t i = 0; i < stage.seconds.size(); ++i) wholeFrames[i] += stage.seconds[i];
-    if (stage.name == "moveTissue" && report.substeps > 0)
-      report.perParticleAndSubstep =
-          report.stages.back().time.total / (double(report.particles) * double(report.substeps));
+    if (stage.name == "moveTissue" && moved > 0)
+      report.perParticleAndSubstep = report.stages.back().time.total / moved;
   }
   report.missed =
       std::ranges::count_if(wholeFrames, [&](double s) { return s > report.frameDuration; });

@@ -30,6 +30,11 @@ bool moves(const Scenario& scenario) {
                              [](const ScenarioOrgan& organ) { return organ.tissue.elastic; });
 }
 
+void keepFirstOrgan(Scenario& scenario) {
+  scenario.organs.resize(1);
+  scenario.joints.clear();
+}
+
 void setSpacing(Scenario& scenario, double before, double spacing) {
   for (ScenarioOrgan& organ : scenario.organs)
     if (organ.source.spacing) *organ.source.spacing *= spacing / before;

@@ -43,6 +43,9 @@ inline bool isBuiltIn(const OrganSource& source) {
   return source.file.empty() || source.file == "gallbladder";
 }
 
+// As people name an organ: "liver", "gallbladder" or a file.
+inline std::string organFile(const std::string& name) { return name == "liver" ? "" : name; }
+
 // A tool is here at this time; between keys it moves linearly and turns along the shorter great
 // circle.
 struct ToolKey {
@@ -115,8 +118,10 @@ struct Scenario {
 
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
+// Without the organs beside the first one.
+void keepFirstOrgan(Scenario& scenario);
 // The first organ in cells of this size, m; the others' cells grow or shrink in proportion to what
-// the first one's were before.
+// the first one's were before. Others that are given by dims keep theirs.
 void setSpacing(Scenario& scenario, double before, double spacing);
 // The tissue of all organs moves, and instruments act by their working parts.
 void makeElastic(Scenario& scenario);

@@ -103,7 +103,6 @@ class Simulation {
   const Organ& organ() const { return organs_[0].organ; }
   const TissueModel& tissue() const { return *organs_[0].tissue; }
   std::span<const Vec3f> surfacePoints() const { return organs_[0].points(); }
-  std::span<const Vec3f> surfaceNormals() const { return organs_[0].normals(); }
 
   // The surface of all organs where it is now, world, without the arrays' holes.
   TriangleMesh surfaceMesh() const;

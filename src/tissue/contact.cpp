@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/moved_box.h"
 #include "tissue/chunk_bounds.h"
 
 namespace resect {
@@ -71,7 +72,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     box = box.padded(o.standOff + s.spacing);
     reach[b].back = back;
     reach[b].box = box;
-    for (int corner = 0; corner < 8; ++corner) reach[b].world.grow(o.to * box.corner(corner));
+    reach[b].world = movedBox(box, o.to);
   }
   constexpr double kDiagonal = 1.75;  // of a cube, at most
   // May something of a box, whose cells go `way` in the frame, come to lie on a half space?

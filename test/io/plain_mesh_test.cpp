@@ -50,6 +50,9 @@ TEST_CASE("what is missing, cut off, longer, or of another form is refused in a 
   other.replace(other.find("double x"), 8, "float  x");
   folder.write("box.ply", other);
   CHECK_THROWS_AS(readPlainMesh(file), Error);
+  std::filesystem::create_directory(folder / "folder.ply");
+  CHECK_THROWS_WITH_AS(readPlainMesh(folder / "folder.ply"), doctest::Contains("is not a file"),
+                       Error);
   // An index without its point, in the last triangle.
   other = whole;
   other[other.size() - 2] = 1;
