@@ -2,6 +2,7 @@
 
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/events/SoMouseButtonEvent.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <fmt/format.h>
 
 #include <QAction>
@@ -59,20 +60,6 @@ QString sentenceOf(ToolHandling::Hold how, const QString& tool) {
       return tool + " in a trackball: middle click to move.";
   }
   return {};
-}
-
-QString nameOf(const OrganSource& organ) {
-  if (organ.file.empty()) return "Built-in liver";
-  if (isBuiltIn(organ)) return QString::fromStdString("Built-in " + organ.file);
-  return QFileInfo(QString::fromStdString(organ.file)).fileName();
-}
-
-// As people find the operation's organs in the panel: "Built-in liver", "liver, gallbladder".
-QString namesOf(const std::vector<ScenarioOrgan>& organs) {
-  if (organs.size() == 1) return nameOf(organs[0].source);
-  QStringList names;
-  for (const ScenarioOrgan& organ : organs) names << QString::fromStdString(organ.source.name);
-  return names.join(", ");
 }
 
 // The first instrument in hand of the motions that are played; none: -1.
@@ -203,10 +190,12 @@ void MainWindow::makeDocks() {
     if (elastic != scenario.organs[0].tissue.elastic)
       elastic ? makeElastic(scenario) : makeThesis(scenario);
     load(scenario);
+    keepsView_ = true;
   };
 }
 
 void MainWindow::load(const Scenario& scenario) {
+  keepsView_ = false;
   if (session_) complaint_->hide();
   progress_->setRange(0, 0);
   progress_->show();
@@ -263,6 +252,8 @@ void MainWindow::begin(OrganLoader::Result result) {
       for (int i = 0; i < tools; ++i) session->tools().setPose(i, places->tools[std::size_t(i)]);
       setCamera(session->room(), *places);
     }
+    if (keepsView_ && session_)
+      session->room().camera()->copyFieldValues(session_->room().camera());
     viewer_->show(nullptr);
     session_ = std::move(session);
   } catch (const std::exception& e) {
@@ -277,8 +268,8 @@ void MainWindow::begin(OrganLoader::Result result) {
   const ScenarioOrgan& organ = session_->scenario().organs[0];
   QString notes;
   for (const std::string& note : result.notes) notes += QString::fromStdString(note) + "\n";
-  organ_->setOrgan(namesOf(session_->scenario().organs), session_->cells().lattice.spacing.x(),
-                   organ.source.settings.refine, organ.tissue.elastic, notes.trimmed());
+  organ_->setOrgans(session_->scenario().organs, session_->cells().lattice.spacing.x(),
+                    notes.trimmed());
   organ_->setIso(session_->iso().value());
   viewer_->setFocus();
   if (options_.reports)

@@ -106,6 +106,7 @@ class MainWindow : public QMainWindow {
   bool lookingAt_ = false;  // the next click chooses the point of interest
   bool readySaid_ = false;
   bool playingSaid_ = false;
+  bool keepsView_ = false;       // what is loaded is the organ that is there, begun again
   QSize lastSize_, placesSize_;  // of the picture: at the last look, when places were told
 };
 

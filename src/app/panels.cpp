@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPainter>
@@ -46,6 +47,20 @@ void drawHistory(QPainter& painter, const QRectF& plot, const History& history, 
   }
   painter.setPen(QPen(line, 2));
   painter.drawPath(path);
+}
+
+QString nameOf(const OrganSource& organ) {
+  if (organ.file.empty()) return "Built-in liver";
+  if (isBuiltIn(organ)) return QString::fromStdString("Built-in " + organ.file);
+  return QFileInfo(QString::fromStdString(organ.file)).fileName();
+}
+
+// As people find the operation's organs in the panel: "Built-in liver", "liver, gallbladder".
+QString namesOf(const std::vector<ScenarioOrgan>& organs) {
+  if (organs.size() == 1) return nameOf(organs[0].source);
+  QStringList names;
+  for (const ScenarioOrgan& organ : organs) names << QString::fromStdString(organ.source.name);
+  return names.join(", ");
 }
 
 }  // namespace
@@ -154,14 +169,15 @@ void OrganPanel::beginAgain() {
   if (rebuild) rebuild(spacing, wanted.refine, wanted.elastic);
 }
 
-void OrganPanel::setOrgan(const QString& name, double spacing, int refine, bool elastic,
-                          const QString& notes) {
+void OrganPanel::setOrgans(const std::vector<ScenarioOrgan>& organs, double spacing,
+                           const QString& notes) {
+  const QString name = namesOf(organs);
   name_->setText("<b>" + name.toHtmlEscaped() + "</b>");
   name_->setToolTip("What is operated on: " + name);
   const QSignalBlocker quiet(spacing_);
   spacing_->setValue(spacing * 1e3);
-  refine_->setValue(refine);
-  elastic_->setChecked(elastic);
+  refine_->setValue(organs[0].source.settings.refine);
+  elastic_->setChecked(organs[0].tissue.elastic);
   running_ = settings();
   sayWhatWaits();
   notes_->setText(notes);
@@ -237,12 +253,15 @@ void RemovedPanel::paintEvent(QPaintEvent*) {
 
 ForcePanel::ForcePanel(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(90);
-  setToolTip("What the hand would feel, over the last ten seconds");
+  setToolTip(
+      "What the hand would feel, over the last ten seconds; the most that this instrument met");
 }
 
 void ForcePanel::follow(const LiveState& state, int held) {
   const bool felt = held >= 0 && std::size_t(held) < state.forces.size();
   if (!history_.empty() && state.time < history_.back().first) history_.clear();
+  if (history_.empty()) peak_ = 0;
+  if (felt) peak_ = state.peakForces[std::size_t(held)];
   history_.emplace_back(state.time, felt ? state.forces[std::size_t(held)] : 0);
   std::erase_if(history_, [&](const auto& p) { return p.first < state.time - kForceSeconds; });
   update();
@@ -252,15 +271,14 @@ void ForcePanel::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   const int line = QFontMetrics(font()).height();
-  double peak = 0;
-  for (const auto& [time, force] : history_) peak = std::max(peak, force);
-  const double most = std::max(1.0, peak);
+  double most = 1;
+  for (const auto& [time, force] : history_) most = std::max(most, force);
   const double now = history_.empty() ? 0 : history_.back().second;
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignLeft,
                    QString("%1 N").arg(now, 0, 'f', 2));
   painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignRight,
-                   QString("at most %1 N").arg(peak, 0, 'f', 2));
+                   QString("at most %1 N").arg(peak_, 0, 'f', 2));
   const QRectF plot(8, line + 6, width() - 16, height() - line - 12);
   const double last = history_.empty() ? 0 : history_.back().first;
   drawHistory(painter, plot, history_, last - kForceSeconds, last, most,

@@ -8,6 +8,7 @@
 
 #include "app/viewer.h"
 #include "operation/live/live_state.h"
+#include "operation/scenario.h"
 #include "tools/tool.h"
 
 class QCheckBox;
@@ -41,8 +42,8 @@ class InstrumentsPanel : public QWidget {
 class OrganPanel : public QWidget {
  public:
   explicit OrganPanel(QWidget* parent = nullptr);
-  void setOrgan(const QString& name, double spacing, int refine, bool elastic,
-                const QString& notes);
+  // spacing: of the first organ's cells, m.
+  void setOrgans(const std::vector<ScenarioOrgan>& organs, double spacing, const QString& notes);
   void follow(const LiveState& state);
   void setIso(float iso);
   void beginAgain();  // with what is set here
@@ -96,6 +97,7 @@ class ForcePanel : public QWidget {
 
  private:
   History history_;  // N
+  double peak_ = 0;  // N: of the instrument that was in hand last, since the operation began
 };
 
 // A live bar per stage of the step, the frame rates, and what to change where they are too low.

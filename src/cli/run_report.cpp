@@ -32,6 +32,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
   json["organ_ml"] = 1e6 * summary.organVolume;
   json["removed"] = summary.removed;
   json["removed_ml"] = 1e6 * summary.removedVolume;
+  json["touched"] = summary.touched;
   json["remaining_ml"] = 1e6 * summary.remainingVolume;
   json["deepest_overlap_ml"] = 1e6 * summary.deepestOverlap;
   json["frames"] = summary.frames;
@@ -117,8 +118,11 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
     row("tissue", fmt::format("{} bonds cut, {} torn; {:.1f} substeps per frame{}", summary.severed,
                               summary.torn, double(summary.substeps) / double(summary.frames),
                               summary.retries ? fmt::format(", {} retries", summary.retries) : ""));
-    row("forces", forces.empty() ? "no tool touched" : "at most " + forces);
+    if (!forces.empty()) row("forces", "at most " + forces);
   }
+  if (!summary.touched)
+    row("note",
+        "no instrument met an organ: their ways lie in the room, where the scenario puts them");
   row("time",
       fmt::format("{} frames = {:.2f} s simulated in {:.3f} s: {:.1f} x real time", summary.frames,
                   summary.simulatedSeconds, summary.computedSeconds, summary.realTimeFactor()));

@@ -75,7 +75,8 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
     simulation.step(frameInput(scenario, frame), report, &clock);
     ++summary.frames;
     for (const ToolContacts& contacts : report.contacts)
-      summary.deepestOverlap = std::max(summary.deepestOverlap, contacts.overlapVolume);
+      summary.deepestOverlap = std::max(summary.deepestOverlap, contacts.overlapVolume),
+      summary.touched = summary.touched || !contacts.cells.empty();
     summary.simulatedSeconds = report.time;
     for (const std::string& fault : report.faults)
       if (std::find(summary.faults.begin(), summary.faults.end(), fault) == summary.faults.end())
@@ -83,6 +84,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
     for (std::size_t i = 0; i < summary.forces.size(); ++i) {
       const double force = report.toolForce[i].norm();
       summary.forces[i].peak = std::max(summary.forces[i].peak, force);
+      summary.touched = summary.touched || force > 0;
       summary.forces[i].perFrame.push_back(float(force));
     }
     summary.severed += report.severed;

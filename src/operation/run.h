@@ -56,6 +56,7 @@ struct RunSummary {
   double removedVolume = 0;    // m^3
   double remainingVolume = 0;  // m^3 of tissue left in all cells
   double deepestOverlap = 0;   // m^3: most that tools and organ shared at the end of a frame
+  bool touched = false;        // some instrument met an organ
   std::int64_t frames = 0;
   double simulatedSeconds = 0;
   double computedSeconds = 0;  // spent in the steps, pictures not counted

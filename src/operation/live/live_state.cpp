@@ -30,12 +30,14 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   state.tips.resize(tools.size());
   state.squeeze.resize(tools.size());
   state.forces.resize(tools.size());
+  state.peakForces.resize(tools.size());
   state.lastTouch.resize(tools.size(), -1);
   state.touching.resize(tools.size());
   const std::size_t organs = simulation.organs().size();
   for (std::size_t i = 0; i < tools.size(); ++i) {
     state.squeeze[i] = tools[i].way.to.squeeze;
     state.forces[i] = tools[i].feltForce.norm();
+    state.peakForces[i] = std::max(state.peakForces[i], report.toolForce[i].norm());
     double& touch = state.lastTouch[i];
     bool touches = report.toolForce[i].norm() > kFeltContact;
     for (std::size_t o = 0; o < organs; ++o)

@@ -27,6 +27,7 @@ struct LiveState {
   std::vector<TipPlace> tips;          // meaningful for those in hand
   std::vector<double> squeeze;         // of its jaws
   std::vector<double> forces;          // of the tissue on it as a hand feels it, N
+  std::vector<double> peakForces;      // greatest mean force of a frame so far, N
   std::vector<double> lastTouch;       // simulated time when it last touched tissue, s; -1 never
   std::vector<std::uint8_t> touching;  // 1 if that was lately (0.1 s)
 };
