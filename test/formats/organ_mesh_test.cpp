@@ -36,10 +36,6 @@ std::string sentence(const Model& model, const OrganMeshOptions& options = {}) {
   return test::sentenceOf([&] { prepareOrganMesh(model, options); });
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a sound ball passes unchanged and without notes") {
@@ -56,7 +52,7 @@ TEST_CASE("a ball inside out is turned, and that is said") {
   const OrganMesh organ = prepareOrganMesh(modelOf({{"", mesh}}));
   CHECK(volume(organ.mesh) == doctest::Approx(volume(ball())));
   REQUIRE(organ.notes.size() == 1);
-  CHECK(has(organ.notes[0], "inside out"));
+  CHECK(test::tells(organ.notes[0], "inside out"));
 }
 
 TEST_CASE("triangles that disagree are turned") {
@@ -71,11 +67,12 @@ TEST_CASE("triangles that disagree are turned") {
 TEST_CASE("an open ball is refused with its edges and the place of the first, unless repaired") {
   const Model model = modelOf({{"", openBall()}});
   const std::string text = sentence(model);
-  CHECK(has(text, "organ.obj: "));
-  CHECK(has(text, "3 boundary edges"));
-  CHECK(has(text, "--repair"));
+  CHECK(test::tells(text, "organ.obj: "));
+  CHECK(test::tells(text, "3 boundary edges"));
+  CHECK(test::tells(text, "--repair"));
   const Vec3 first = *topology(openBall()).firstBoundaryPoint;
-  CHECK(has(text, fmt::format("({:.6g}, {:.6g}, {:.6g})", first.x(), first.y(), first.z())));
+  CHECK(
+      test::tells(text, fmt::format("({:.6g}, {:.6g}, {:.6g})", first.x(), first.y(), first.z())));
 
   OrganMeshOptions options;
   options.repair = true;
@@ -83,21 +80,21 @@ TEST_CASE("an open ball is refused with its edges and the place of the first, un
   CHECK(organ.health.closed);
   CHECK(volume(organ.mesh) == doctest::Approx(volume(ball())));
   REQUIRE(organ.notes.size() == 1);
-  CHECK(has(organ.notes[0], "1 hole closed with 1 triangle"));
-  CHECK(has(organ.notes[0], "changed the volume by +"));
+  CHECK(test::tells(organ.notes[0], "1 hole closed with 1 triangle"));
+  CHECK(test::tells(organ.notes[0], "changed the volume by +"));
 }
 
 TEST_CASE("parts that make no body together are listed, and one can be chosen") {
   const Model model =
       modelOf({{"capsule", openBall()}, {"stone", boxMesh({{0, 0, 0}, {0.02, 0.02, 0.03}})}});
   const std::string text = sentence(model);
-  CHECK(has(text, "its 2 parts together"));
-  CHECK(has(text, "capsule, stone"));
+  CHECK(test::tells(text, "its 2 parts together"));
+  CHECK(test::tells(text, "capsule, stone"));
   OrganMeshOptions options;
   options.part = "stone";
   CHECK(volume(prepareOrganMesh(model, options).mesh) == doctest::Approx(0.02 * 0.02 * 0.03));
   options.part = "gall";
-  CHECK(has(sentence(model, options), "no part 'gall'; choose one of: capsule, stone"));
+  CHECK(test::tells(sentence(model, options), "no part 'gall'; choose one of: capsule, stone"));
 }
 
 TEST_CASE("overlapping parts are not repaired into nonsense") {
@@ -105,7 +102,7 @@ TEST_CASE("overlapping parts are not repaired into nonsense") {
   const Model model = modelOf({{"a", twice}, {"b", twice}, {"c", openBall()}});
   OrganMeshOptions options;
   options.repair = true;
-  CHECK(has(sentence(model, options), "a, b, c"));
+  CHECK(test::tells(sentence(model, options), "a, b, c"));
 }
 
 TEST_CASE("two halves that share a rim are one body") {
@@ -125,7 +122,7 @@ TEST_CASE("copies that meet up to rounding are welded, gaps are not") {
   for (Vec3& p : lower.points) p += Vec3(1e-9, -1e-9, 1e-9);
   CHECK(prepareOrganMesh(modelOf({{"a", half}, {"b", lower}})).health.closed);
   for (Vec3& p : lower.points) p += Vec3(1e-5, 0, 0);
-  CHECK(has(sentence(modelOf({{"a", half}, {"b", lower}})), "boundary edges"));
+  CHECK(test::tells(sentence(modelOf({{"a", half}, {"b", lower}})), "boundary edges"));
 }
 
 TEST_CASE("units scale the surface, and an implausible size is noted with the likely unit") {
@@ -134,7 +131,7 @@ TEST_CASE("units scale the surface, and an implausible size is noted with the li
   const Model model = modelOf({{"", millimetres}});
   const OrganMesh raw = prepareOrganMesh(model);
   REQUIRE(raw.notes.size() == 1);
-  CHECK(has(raw.notes[0], "perhaps the file is in mm"));
+  CHECK(test::tells(raw.notes[0], "perhaps the file is in mm"));
   OrganMeshOptions options;
   options.metresPerUnit = 0.001;
   const OrganMesh scaled = prepareOrganMesh(model, options);
@@ -159,9 +156,9 @@ TEST_CASE("specks and bodies without volume") {
   CHECK(organ.repairs.specksDropped == 1);
   CHECK(organ.health.components == 1);
   model.parts[0].mesh = {{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
-  CHECK(has(sentence(model), "encloses no volume"));
+  CHECK(test::tells(sentence(model), "encloses no volume"));
   model.parts[0].mesh = {{{1, 0, 0}, {1, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}};
-  CHECK(has(sentence(model), "degenerate"));
+  CHECK(test::tells(sentence(model), "degenerate"));
 }
 
 TEST_CASE("the report has the promised fields, as read and after welding") {
@@ -180,7 +177,7 @@ TEST_CASE("the report has the promised fields, as read and after welding") {
   CHECK(json["inside_out"] == false);
   CHECK(json["boundary_edges"] == 3);
   CHECK(json["parts"] == std::vector<std::string>{"a", "b"});
-  CHECK(has(toText(info), "no, 3 boundary edges"));
+  CHECK(test::tells(toText(info), "no, 3 boundary edges"));
 }
 
 TEST_CASE("a model crosses the pipe unchanged, and damage is noticed") {

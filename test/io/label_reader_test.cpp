@@ -53,10 +53,6 @@ std::string complaintOfSetup(const std::string& text) {
   return test::sentenceOf([&] { makeSimulation(parseScenario(text, "x.toml"), {}); });
 }
 
-bool tells(const std::string& text, const std::string& what) {
-  return text.find(what) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("a scenario says which cells are labelled and what labels are of") {
@@ -78,48 +74,51 @@ TEST_CASE("a scenario says which cells are labelled and what labels are of") {
 
 TEST_CASE("a wrong region, label or material is refused with its line and key") {
   const std::string label = "[[organ.label]]\nlabel = 1\n";
-  CHECK(tells(complaint(kStart + label), "box is missing or not two corners"));
-  CHECK(tells(complaint(kStart + "[[organ.label]]\ndepth = [0, 1]\n"), "label is missing"));
-  CHECK(tells(complaint(kStart + "[[organ.label]]\nlabel = 0\ndepth = [0, 1]\n"),
-              "x.toml:6: organ.label[1].label is no whole number from 1 to 255"));
-  CHECK(tells(complaint(kStart + label + "centre = [0, 0, 0]\n"), "radius is missing"));
-  CHECK(tells(complaint(kStart + label + "at = \"a\"\ncentre = [0, 0, 0]\nradius = 0.1\n"),
-              "keep one of"));
-  CHECK(tells(complaint(kStart + label + "radius = 0.1\n"), "belongs to a ball"));
-  CHECK(tells(complaint(kStart + label + "depth = [0.1, 0]\n"), "the lesser first"));
-  CHECK(tells(complaint(kStart + label + "depth = [0, inf]\n"), "no number from 0 to 10"));
-  CHECK(tells(complaint(kStart + label + "depth = 3\n"), "no list of numbers"));
-  CHECK(tells(complaint(kStart + label + "depth = [0, 1]\nframe = \"organ\"\n"), "leave it out"));
-  CHECK(tells(complaint(kStart + label + "depth = [0, 1]\nbax = 1\n"), "is not known here"));
-  CHECK(tells(complaint(kStart + label + "box = [[0, 0, 0], [1, 1, 1]]\nframe = \"mars\"\n"),
-              "use \"world\" or \"organ\""));
-  CHECK(tells(complaint(kStart + "[organ.landmark]\nx = [0, 1]\n"), "three finite numbers"));
-  CHECK(tells(complaint(kStart + label + "depth = [0, 1]\nname = \"a\"\n" + label +
-                        "depth = [0, 1]\nname = \"b\"\n"),
-              "a label has one name"));
-  CHECK(
-      tells(complaint(kStart + "[[tissue.material]]\nlabel = 1\n[[tissue.material]]\nlabel = 1\n"),
-            "keep one of the two"));
-  CHECK(tells(complaint(kStart + "[[tissue.material]]\nyoung = 1000\n"), "label is missing"));
+  CHECK(test::tells(complaint(kStart + label), "box is missing or not two corners"));
+  CHECK(test::tells(complaint(kStart + "[[organ.label]]\ndepth = [0, 1]\n"), "label is missing"));
+  CHECK(test::tells(complaint(kStart + "[[organ.label]]\nlabel = 0\ndepth = [0, 1]\n"),
+                    "x.toml:6: organ.label[1].label is no whole number from 1 to 255"));
+  CHECK(test::tells(complaint(kStart + label + "centre = [0, 0, 0]\n"), "radius is missing"));
+  CHECK(test::tells(complaint(kStart + label + "at = \"a\"\ncentre = [0, 0, 0]\nradius = 0.1\n"),
+                    "keep one of"));
+  CHECK(test::tells(complaint(kStart + label + "radius = 0.1\n"), "belongs to a ball"));
+  CHECK(test::tells(complaint(kStart + label + "depth = [0.1, 0]\n"), "the lesser first"));
+  CHECK(test::tells(complaint(kStart + label + "depth = [0, inf]\n"), "no number from 0 to 10"));
+  CHECK(test::tells(complaint(kStart + label + "depth = 3\n"), "no list of numbers"));
+  CHECK(test::tells(complaint(kStart + label + "depth = [0, 1]\nframe = \"organ\"\n"),
+                    "leave it out"));
+  CHECK(test::tells(complaint(kStart + label + "depth = [0, 1]\nbax = 1\n"), "is not known here"));
+  CHECK(test::tells(complaint(kStart + label + "box = [[0, 0, 0], [1, 1, 1]]\nframe = \"mars\"\n"),
+                    "use \"world\" or \"organ\""));
+  CHECK(test::tells(complaint(kStart + "[organ.landmark]\nx = [0, 1]\n"), "three finite numbers"));
+  CHECK(test::tells(complaint(kStart + label + "depth = [0, 1]\nname = \"a\"\n" + label +
+                              "depth = [0, 1]\nname = \"b\"\n"),
+                    "a label has one name"));
+  CHECK(test::tells(
+      complaint(kStart + "[[tissue.material]]\nlabel = 1\n[[tissue.material]]\nlabel = 1\n"),
+      "keep one of the two"));
+  CHECK(test::tells(complaint(kStart + "[[tissue.material]]\nyoung = 1000\n"), "label is missing"));
 }
 
 TEST_CASE("a label that marks nothing and a material that nothing has are one clear sentence") {
   CHECK(complaintOfSetup(kStart + kLabels + kMaterials) == "");
-  CHECK(tells(complaintOfSetup(kStart + "[[organ.label]]\nlabel = 4\nname = \"cyst\"\n"
-                                        "box = [[5, 5, 5], [6, 6, 6]]\n"),
-              "label 4 (cyst) marks no particle of the organ"));
-  CHECK(tells(complaintOfSetup(kStart + "[[organ.label]]\nlabel = 4\nat = \"x\"\nradius = 0.1\n"),
-              "the organ has no landmark \"x\""));
+  CHECK(test::tells(complaintOfSetup(kStart + "[[organ.label]]\nlabel = 4\nname = \"cyst\"\n"
+                                              "box = [[5, 5, 5], [6, 6, 6]]\n"),
+                    "label 4 (cyst) marks no particle of the organ"));
+  CHECK(test::tells(
+      complaintOfSetup(kStart + "[[organ.label]]\nlabel = 4\nat = \"x\"\nradius = 0.1\n"),
+      "the organ has no landmark \"x\""));
   for (const char* model : {"still", "elastic"})
-    CHECK(tells(complaintOfSetup(kStart + kLabels + "[tissue]\nmodel = \"" + model +
-                                 "\"\n[[tissue.material]]\nlabel = 8\n"),
-                "there is a material for label 8, which no particle of the organ has; labels are 7 "
-                "(tumour), 9 (label 9)"));
-  CHECK(tells(complaintOfSetup(kStart + "[[tissue.material]]\nlabel = 8\n"),
-              "mark cells by [[organ.label]]"));
-  CHECK(tells(complaintOfSetup(kStart + kMaterials.substr(0, kMaterials.find("[[")) +
-                               "[[tissue.attachment]]\nbox = [[5, 5, 5], [6, 6, 6]]\n"),
-              "attachment 1 of the tissue holds no particle"));
+    CHECK(test::tells(
+        complaintOfSetup(kStart + kLabels + "[tissue]\nmodel = \"" + model +
+                         "\"\n[[tissue.material]]\nlabel = 8\n"),
+        "there is a material for label 8, which no particle of the organ has; labels are 7 "
+        "(tumour), 9 (label 9)"));
+  CHECK(test::tells(complaintOfSetup(kStart + "[[tissue.material]]\nlabel = 8\n"),
+                    "mark cells by [[organ.label]]"));
+  CHECK(test::tells(complaintOfSetup(kStart + kMaterials.substr(0, kMaterials.find("[[")) +
+                                     "[[tissue.attachment]]\nbox = [[5, 5, 5], [6, 6, 6]]\n"),
+                    "attachment 1 of the tissue holds no particle"));
 }
 
 TEST_CASE("cells of a label weigh what its material does, and attachments take organ regions") {

@@ -22,10 +22,13 @@ inline bool isOneSentence(const std::string& text) {
   return text.size() > 20 && text.find('\n') == std::string::npos && text.back() != '.';
 }
 
+inline bool tells(const std::string& text, const std::string& what) {
+  return text.find(what) != std::string::npos;
+}
+
 // One line that begins with the file and says what is wrong with it.
 inline bool isRefusalOf(const std::string& file, const std::string& what, const std::string& text) {
-  return text.starts_with(file) && text.find(what) != std::string::npos &&
-         text.find('\n') == std::string::npos;
+  return text.starts_with(file) && tells(text, what) && text.find('\n') == std::string::npos;
 }
 
 }  // namespace resect::test

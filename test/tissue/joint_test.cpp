@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "base/state_hash.h"
+#include "support/same_at_any_threads.h"
 #include "support/tissue_blocks.h"
 #include "tissue/move_tissues.h"
 #include "tissue/still_tissue.h"
@@ -237,7 +238,6 @@ TEST_CASE("however many cells are joined to one, substeps as long as ever follow
 
 TEST_CASE("joined tissue gives the same bits at 1, 2 and 3 threads and on a second run") {
   const auto run = [](int threads) {
-    const ThreadLimit limit(threads);
     TissueSettings settings;
     settings.threads = threads;
     Joined two;
@@ -251,10 +251,7 @@ TEST_CASE("joined tissue gives the same bits at 1, 2 and 3 threads and on a seco
     CHECK(two.meanDisplacement(1).norm() > 0);
     return two.hash();
   };
-  const std::uint64_t first = run(1);
-  CHECK(first == run(1));
-  CHECK(first == run(2));
-  CHECK(first == run(3));
+  test::checkSameAtAnyThreads(run);
 }
 
 TEST_CASE("joined to an organ that is still, a block hangs from it as from an anchor") {
