@@ -16,9 +16,9 @@ int main() try {
     simulation.step(resect::frameInput(scenario, frame), report);
     most = std::max(most, report.toolForce[2].norm());
   }
-  std::printf("Resect %s: %zu cells, at most %.1f N on the %s, state %016llx\n", RESECT_VERSION,
-              simulation.organ().alive.size(), most, scenario.tools[2].model.c_str(),
-              (unsigned long long)simulation.stateHash());
+  std::printf("Resect %s: %lld particles, at most %.1f N on the %s, state %016llx\n",
+              RESECT_VERSION, (long long)simulation.organ().particles, most,
+              scenario.tools[2].model.c_str(), (unsigned long long)simulation.stateHash());
 } catch (const std::exception& e) {
   std::fprintf(stderr, "%s\n", e.what());
   return 1;
