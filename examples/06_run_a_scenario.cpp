@@ -6,10 +6,10 @@
 #include <fmt/core.h>
 
 #include "base/parallel.h"
-#include "base/state_hash.h"
-#include "inventor/model_file.h"
+#include "base/state/state_hash.h"
+#include "inventor/reading/model_file.h"
 #include "io/operation_setup.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 #include "operation/run.h"
 
 using namespace resect;

@@ -16,10 +16,10 @@
 
 #include "geometry/measures.h"
 #include "geometry/topology.h"
-#include "inventor/SoMarchingCubes.h"
-#include "inventor/SoOrganShape.h"
+#include "inventor/gl/SoMarchingCubes.h"
+#include "inventor/gl/SoOrganShape.h"
 #include "inventor/init.h"
-#include "inventor/offscreen_view.h"
+#include "inventor/picture/offscreen_view.h"
 
 using namespace resect;
 

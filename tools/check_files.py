@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Is every source file about one thing, and does its name say which?
 
-Files of src/ have at most 400 lines and no name that says nothing; headers begin with a comment and
+A folder has at most 25 files; files of src/ have at most 400 lines and no name that says nothing; headers begin with a comment and
 are included once; links between documents lead somewhere; nothing in the repository names a place on
 somebody's machine. tools/file_rules.txt
 lists the exceptions, each with its reason. Prints file:line for each breach and exits with 1.
@@ -10,10 +10,12 @@ lists the exceptions, each with its reason. Prints file:line for each breach and
 import re
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 MOST_LINES = 400
+MOST_FILES = 25  # in one folder, without its sub-folders
 EMPTY_NAMES = {"util", "utils", "common", "core", "manager", "helper", "helpers", "misc"}
 # Absolute paths into a home, a temporary or a working folder.
 MACHINE_PATH = re.compile(r"(?<![\w./}$-])/(home|root|tmp|work|Users)/\w")
@@ -70,7 +72,12 @@ def main():
     root = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT
     exceptions = read_exceptions(root / "tools" / "file_rules.txt")
     broken, looked_at = 0, 0
-    for file in tracked_files(root):
+    files = tracked_files(root)
+    for folder, count in sorted(Counter(file.parent.relative_to(root) for file in files).items()):
+        if count > MOST_FILES and str(folder) not in exceptions:
+            print(f"{folder}:1: {count} files, more than {MOST_FILES} in one folder: part it by concept")
+            broken += 1
+    for file in files:
         name = str(file.relative_to(root))
         if file.suffix not in TEXT:
             continue
@@ -80,7 +87,7 @@ def main():
             print(f"{name}:{number}: {sentence}")
             broken += 1
     for name in exceptions:
-        if not (root / name).is_file():
+        if not (root / name).exists():
             print(f"tools/file_rules.txt: there is no {name}")
             broken += 1
     if not broken:

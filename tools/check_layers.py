@@ -26,7 +26,7 @@ FOREIGN = {
 
 
 def read_layers(path):
-    """{layer: layers it may include}, in the order of the file; each may name only earlier ones."""
+    """{layer: layers it may include}, in the order of the file; each may name only earlier ones, "*" for all of them."""
     allowed = {}
     for number, line in enumerate(path.read_text().splitlines(), 1):
         line = line.split("#")[0].strip()
@@ -35,10 +35,11 @@ def read_layers(path):
         name, colon, rest = line.partition(":")
         if not colon or name in allowed:
             sys.exit(f"{path}:{number}: expected one line per layer, \"layer: layers below it\"")
-        unknown = [layer for layer in rest.split() if layer not in allowed]
+        below = list(allowed) if rest.split() == ["*"] else rest.split()
+        unknown = [layer for layer in below if layer not in allowed]
         if unknown:
             sys.exit(f"{path}:{number}: {name} may include {unknown[0]}, which is not above it in the list")
-        allowed[name] = set(rest.split())
+        allowed[name] = set(below)
     return allowed
 
 

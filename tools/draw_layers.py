@@ -20,7 +20,7 @@ COLOURS = {
 }
 ABOUT = {
     "base": "ground", "geometry": "ground", "collision": "ground",
-    "sph": "tissue", "surface": "tissue", "tissue": "tissue", "organ": "tissue",
+    "sph": "tissue", "isosurface": "tissue", "wound": "tissue", "surface": "tissue", "tissue": "tissue", "organ": "tissue",
     "tools": "operation", "simulation": "operation", "operation": "operation",
 }
 
@@ -32,7 +32,8 @@ def read_layers():
         rule, _, purpose = line.partition("#")
         name, colon, below = rule.partition(":")
         if colon:
-            layers.append((name.strip(), below.split(), purpose.strip()))
+            above = [layer[0] for layer in layers]
+            layers.append((name.strip(), above if below.split() == ["*"] else below.split(), purpose.strip()))
     return layers
 
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "geometry/mesh_health.h"
+#include "geometry/repair/mesh_health.h"
+#include "geometry/repair/weld.h"
 #include "geometry/resting_pose.h"
 #include "geometry/topology.h"
-#include "geometry/weld.h"
-#include "organ/builtin_liver.h"
+#include "organ/builtin/builtin_liver.h"
 
 using namespace resect;
 

@@ -9,12 +9,12 @@
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <benchmark/benchmark.h>
 
-#include "inventor/camera_moves.h"
-#include "inventor/live_picture.h"
-#include "inventor/model_file.h"
-#include "inventor/offscreen_view.h"
-#include "inventor/operating_session.h"
-#include "inventor/operation_view.h"
+#include "inventor/gl/camera_moves.h"
+#include "inventor/hand/operating_session.h"
+#include "inventor/picture/live_picture.h"
+#include "inventor/picture/offscreen_view.h"
+#include "inventor/reading/model_file.h"
+#include "inventor/scene/operation_view.h"
 #include "io/operation_setup.h"
 #include "operation/room.h"
 #include "tools/registry.h"

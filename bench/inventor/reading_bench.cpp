@@ -8,11 +8,11 @@
 #include <string>
 
 #include "inventor/init.h"
-#include "inventor/iv_guard.h"
-#include "inventor/iv_reader.h"
-#include "inventor/model_file.h"
+#include "inventor/reading/iv_guard.h"
+#include "inventor/reading/iv_reader.h"
+#include "inventor/reading/model_file.h"
 #include "io/mesh_file.h"
-#include "organ/builtin_liver.h"
+#include "organ/builtin/builtin_liver.h"
 
 using namespace resect;
 

@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "organ/builtin_liver.h"
+#include "organ/builtin/builtin_liver.h"
 
 using namespace resect;
 

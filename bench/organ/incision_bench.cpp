@@ -3,10 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include "organ/moved_incision.h"
-#include "organ/strands.h"
+#include "organ/incision/moved_incision.h"
+#include "organ/incision/strands.h"
 #include "support/bench_organs.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 #include "tissue/move_tissues.h"
 #include "tissue/stencil.h"
 

@@ -13,7 +13,7 @@
 #include "peers/rows.h"
 #include "peers/timing.h"
 #include "support/bench_organs.h"
-#include "support/mesh_reference.h"
+#include "support/references/mesh_reference.h"
 #include "tissue/still_tissue.h"
 #include "tools/contacts.h"
 #include "tools/registry.h"

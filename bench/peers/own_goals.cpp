@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 
 #include "base/parallel.h"
-#include "inventor/model_file.h"
+#include "inventor/reading/model_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 #include "operation/bench.h"
 #include "peers/rows.h"
 #include "peers/timing.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/measures.h"
-#include "organ/builtin_liver.h"
+#include "organ/builtin/builtin_liver.h"
 #include "surface/surface_tracker.h"
 
 namespace resect::bench {

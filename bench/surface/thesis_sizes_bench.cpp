@@ -1,17 +1,17 @@
 // One surface update at the thesis's two sizes, by its method and by ours, in one run.
 //
 // Plain: every node of its grid sums over all particles, marching cubes over all cells
-// (test/support/thesis_method.h). Ours: the cells that a tool removes are set, the bricks in their
-// reach are evaluated and meshed, with normals, as the plain method makes them too; then the same
-// cells come back, and so on in turn, so that every update does the same work. The tool is a rod
-// straight through the built-in liver.
+// (test/support/references/thesis_method.h). Ours: the cells that a tool removes are set, the
+// bricks in their reach are evaluated and meshed, with normals, as the plain method makes them too;
+// then the same cells come back, and so on in turn, so that every update does the same work. The
+// tool is a rod straight through the built-in liver.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include "organ/organ.h"
 #include "support/bench_organs.h"
-#include "support/thesis_method.h"
+#include "support/references/thesis_method.h"
 
 using namespace resect;
 

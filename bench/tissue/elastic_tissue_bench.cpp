@@ -4,8 +4,8 @@
 #include <benchmark/benchmark.h>
 
 #include "support/bench_organs.h"
-#include "support/reference_tissue.h"
-#include "tissue/elastic_tissue.h"
+#include "support/references/reference_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 
 using namespace resect;
 

@@ -16,7 +16,7 @@
 #include "app/viewer.h"
 #include "base/error.h"
 #include "io/data_folder.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 
 namespace resect {
 namespace {

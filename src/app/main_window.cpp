@@ -27,7 +27,7 @@
 #include "app/viewer.h"
 #include "base/error.h"
 #include "formats/png_file.h"
-#include "inventor/scene_file.h"
+#include "inventor/scene/scene_file.h"
 
 namespace resect {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/space_mouse.h"
 #include "app/window.h"
 #include "formats/video.h"
-#include "inventor/operating_session.h"
+#include "inventor/hand/operating_session.h"
 
 class QAction;
 class QLabel;

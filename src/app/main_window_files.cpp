@@ -11,10 +11,10 @@
 #include "app/viewer.h"
 #include "base/error.h"
 #include "formats/png_file.h"
-#include "inventor/scene_file.h"
+#include "inventor/scene/scene_file.h"
+#include "io/cells/particle_file.h"
 #include "io/mesh_file.h"
-#include "io/particle_file.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 
 namespace resect {
 

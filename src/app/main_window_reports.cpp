@@ -10,7 +10,7 @@
 #include "app/say.h"
 #include "app/viewer.h"
 #include "formats/png_file.h"
-#include "inventor/SoOrganShape.h"
+#include "inventor/gl/SoOrganShape.h"
 #include "io/mesh_file.h"
 
 namespace resect {

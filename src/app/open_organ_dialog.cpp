@@ -16,7 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "inventor/scene_file.h"
+#include "inventor/scene/scene_file.h"
 
 namespace resect {
 namespace {

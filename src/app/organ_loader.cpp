@@ -15,9 +15,9 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "formats/assimp_file.h"
-#include "inventor/model_file.h"
+#include "inventor/reading/model_file.h"
+#include "io/cells/particle_file.h"
 #include "io/operation_setup.h"
-#include "io/particle_file.h"
 #include "operation/room.h"
 #include "tools/registry.h"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "inventor/six_axes.h"
+#include "inventor/hand/six_axes.h"
 
 namespace resect {
 

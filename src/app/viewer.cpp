@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "base/stage_clock.h"
-#include "inventor/operating_session.h"
+#include "inventor/hand/operating_session.h"
 
 namespace resect {
 namespace {

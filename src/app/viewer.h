@@ -18,8 +18,8 @@
 
 #include "app/pace.h"
 #include "formats/png_file.h"
-#include "inventor/damage.h"
-#include "inventor/live_picture.h"
+#include "inventor/gl/damage.h"
+#include "inventor/picture/live_picture.h"
 
 class QInputEvent;
 class SoEvent;

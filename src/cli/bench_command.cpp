@@ -11,10 +11,10 @@
 #include "cli/json_output.h"
 #include "cli/organ_options.h"
 #include "cli/progress_bar.h"
+#include "io/cells/particle_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
-#include "io/particle_file.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 
 namespace resect {
 namespace {

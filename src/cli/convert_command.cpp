@@ -8,10 +8,10 @@
 #include "cli/json_output.h"
 #include "cli/progress_bar.h"
 #include "geometry/measures.h"
-#include "inventor/model_file.h"
-#include "io/length.h"
+#include "inventor/reading/model_file.h"
 #include "io/mesh_file.h"
 #include "io/organ_mesh.h"
+#include "io/scenario/length.h"
 
 namespace resect {
 namespace {

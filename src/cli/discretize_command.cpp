@@ -10,12 +10,12 @@
 #include "cli/json_output.h"
 #include "cli/organ_options.h"
 #include "cli/progress_bar.h"
-#include "inventor/model_file.h"
+#include "inventor/reading/model_file.h"
 #include "io/atomic_file.h"
-#include "io/length.h"
+#include "io/cells/particle_file.h"
 #include "io/operation_setup.h"
-#include "io/particle_file.h"
-#include "io/scenario_file.h"
+#include "io/scenario/length.h"
+#include "io/scenario/scenario_file.h"
 
 namespace resect {
 

@@ -9,10 +9,10 @@
 #include "cli/progress_bar.h"
 #include "formats/model_info.h"
 #include "formats/particle_info.h"
-#include "inventor/model_file.h"
-#include "io/length.h"
+#include "inventor/reading/model_file.h"
+#include "io/cells/particle_file.h"
 #include "io/organ_mesh.h"
-#include "io/particle_file.h"
+#include "io/scenario/length.h"
 
 namespace resect {
 namespace {

@@ -8,9 +8,9 @@
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "geometry/measures.h"
-#include "io/length.h"
 #include "io/mesh_file.h"
-#include "organ/builtin_liver.h"
+#include "io/scenario/length.h"
+#include "organ/builtin/builtin_liver.h"
 
 namespace resect {
 

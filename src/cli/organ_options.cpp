@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "cli/progress_bar.h"
-#include "inventor/model_file.h"
-#include "io/length.h"
+#include "inventor/reading/model_file.h"
+#include "io/scenario/length.h"
 
 namespace resect {
 namespace {

@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "formats/png_file.h"
 #include "formats/video.h"
-#include "inventor/offscreen_view.h"
-#include "inventor/operation_view.h"
+#include "inventor/picture/offscreen_view.h"
+#include "inventor/scene/operation_view.h"
 
 namespace resect {
 

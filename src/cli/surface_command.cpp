@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
-#include "io/length.h"
+#include "io/cells/particle_file.h"
 #include "io/mesh_file.h"
-#include "io/particle_file.h"
+#include "io/scenario/length.h"
 #include "operation/run.h"
 #include "organ/organ.h"
 

@@ -9,7 +9,7 @@
 #include "cli/organ_options.h"
 #include "cli/picture_writer.h"
 #include "io/data_folder.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 
 namespace resect {
 namespace {

@@ -1,7 +1,7 @@
 // Which surfaces does a .obj, .stl, .ply, .off, .glb or .gltf file hold?
 //
 // Read with the Open Asset Import Library, in single precision. Untrusted files: call it through
-// readModel (inventor/model_file.h), which does it in a child process.
+// readModel (inventor/reading/model_file.h), which does it in a child process.
 #pragma once
 
 #include <filesystem>

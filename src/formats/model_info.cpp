@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_health.h"
-#include "geometry/weld.h"
+#include "geometry/repair/mesh_health.h"
+#include "geometry/repair/weld.h"
 #include "io/organ_mesh.h"
 #include "io/organ_size.h"
 

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/length.h"
+#include "io/scenario/length.h"
 #include "organ/cell_labels.h"
 #include "organ/region_placer.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "io/cells_file.h"
+#include "io/cells/cells_file.h"
 
 namespace resect {
 

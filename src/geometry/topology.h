@@ -1,7 +1,7 @@
 // Is a surface the skin of a body: closed, consistently oriented, manifold, in how many pieces?
 //
 // Counts by sorted edges: O(n log n), deterministic. Points are told apart by index; weld first
-// (geometry/weld.h) when a reader repeats positions.
+// (geometry/repair/weld.h) when a reader repeats positions.
 #pragma once
 
 #include <cstdint>

@@ -6,10 +6,10 @@
 
 #include <cstdlib>
 
-#include "inventor/SoMarchingCubes.h"
-#include "inventor/SoOrganShape.h"
-#include "inventor/SoShadeOnce.h"
-#include "inventor/SoShadowMaps.h"
+#include "inventor/gl/SoMarchingCubes.h"
+#include "inventor/gl/SoOrganShape.h"
+#include "inventor/gl/SoShadeOnce.h"
+#include "inventor/gl/SoShadowMaps.h"
 
 namespace resect {
 

@@ -15,7 +15,8 @@
 
 namespace resect {
 
-// Reads any model file; supplied by the layer that knows all formats (inventor/model_file.h).
+// Reads any model file; supplied by the layer that knows all formats
+// (inventor/reading/model_file.h).
 using ModelReader = std::function<Model(const std::filesystem::path&)>;
 
 // The organ's closed, outward surface where the scenario puts it: turned by source.pose, then laid
@@ -26,9 +27,9 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
                            std::vector<std::string>* notes = nullptr,
                            std::optional<Pose>* place = nullptr);
 
-// The organ's cells: from a file of particles (io/particle_file.h, taken where its coordinates put
-// it unless onTable, and with its own cells unless source.resample), else from the mesh; with the
-// labels that the source names. Throws Error when one of them marks no particle.
+// The organ's cells: from a file of particles (io/cells/particle_file.h, taken where its
+// coordinates put it unless onTable, and with its own cells unless source.resample), else from the
+// mesh; with the labels that the source names. Throws Error when one of them marks no particle.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr);

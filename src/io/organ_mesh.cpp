@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "geometry/repair/weld.h"
 #include "geometry/topology.h"
-#include "geometry/weld.h"
 #include "io/organ_size.h"
 
 namespace resect {

@@ -4,16 +4,17 @@
 #include <string>
 #include <vector>
 
-#include "geometry/mesh_health.h"
-#include "geometry/repair.h"
+#include "geometry/repair/mesh_health.h"
+#include "geometry/repair/repair.h"
 #include "io/model.h"
 
 namespace resect {
 
 struct OrganMeshOptions {
-  std::string part;          // use only the part of that name; empty: all parts together
-  bool repair = false;       // close holes instead of refusing an open surface
-  double metresPerUnit = 1;  // > 0; what one unit of the file is, see parseUnit (io/length.h)
+  std::string part;     // use only the part of that name; empty: all parts together
+  bool repair = false;  // close holes instead of refusing an open surface
+  double metresPerUnit =
+      1;  // > 0; what one unit of the file is, see parseUnit (io/scenario/length.h)
 };
 
 struct OrganMesh {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tissue/elastic_kernel.h"
+#include "tissue/elastic/kernel/elastic_kernel.h"
 
 namespace resect {
 namespace {

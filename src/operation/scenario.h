@@ -1,5 +1,5 @@
 // What is set up and what happens in an operation that is run from a file? Plain data;
-// io/scenario_file.h reads it.
+// io/scenario/scenario_file.h reads it.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 #include "geometry/pose.h"
 #include "simulation/simulation.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 
 namespace resect {
 

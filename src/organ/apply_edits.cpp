@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "organ/moved_incision.h"
-#include "organ/strands.h"
+#include "organ/incision/moved_incision.h"
+#include "organ/incision/strands.h"
 #include "tissue/stencil.h"
 
 namespace resect {

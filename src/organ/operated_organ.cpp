@@ -1,7 +1,7 @@
 #include "organ/operated_organ.h"
 
 #include "base/error.h"
-#include "base/state_hash.h"
+#include "base/state/state_hash.h"
 #include "tissue/still_tissue.h"
 
 namespace resect {

@@ -9,8 +9,8 @@
 #include "organ/cell_fields.h"
 #include "sph/colour_field.h"
 #include "sph/discretization.h"
-#include "surface/blade_raster.h"
 #include "surface/surface_tracker.h"
+#include "wound/blade_raster.h"
 
 namespace resect {
 

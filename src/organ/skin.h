@@ -3,7 +3,7 @@
 //
 // A vertex hangs on the up to eight particles round it: x = sum w_i (x_i + F_i (X - X_i)), weights
 // as of trilinear interpolation, shared among those that are there; beside a wound the tracker
-// names those on the vertex's own side (surface/vertex_binding.h). Normals turn with the cofactor
+// names those on the vertex's own side (wound/vertex_binding.h). Normals turn with the cofactor
 // of F. Cost: a few products per vertex and frame, a look round for vertices that changed.
 #pragma once
 
@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "sph/lattice.h"
-#include "surface/particle_motion.h"
 #include "surface/surface_tracker.h"
 #include "tissue/tissue_model.h"
+#include "wound/particle_motion.h"
 
 namespace resect {
 

@@ -17,7 +17,7 @@ std::int64_t nearestParticle(const Lattice& lattice, std::span<const std::uint8_
 
 // One per vertex of organ.surface.points(), for an organ whose surface is up to date; 0 for holes,
 // which no triangle uses. Beside an incision it is the particle on the vertex's own side that
-// counts most for its motion (surface/vertex_binding.h). Cost: 27 to 125 cells looked at per
+// counts most for its motion (wound/vertex_binding.h). Cost: 27 to 125 cells looked at per
 // vertex; nothing for an organ without labels but the zeros.
 std::vector<std::uint8_t> vertexLabels(const Organ& organ);
 

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "base/saved_state.h"
 #include "base/stage_clock.h"
+#include "base/state/saved_state.h"
 #include "organ/apply_edits.h"
 #include "organ/operated_organ.h"
 #include "tissue/joint.h"
@@ -123,7 +123,7 @@ class Simulation {
   // same inputs give the same bits. The pictures' arrays are made anew. Error, and nothing changes,
   // when the state is not of these organs or is damaged.
   void restore(std::span<const std::byte> state);
-  // The state by its fields, for comparing (base/saved_state.h).
+  // The state by its fields, for comparing (base/state/saved_state.h).
   SavedState fields() const { return saveState(*this, fingerprint()); }
 
   // Digest of the state, and of the surface that follows from it (where it is, not how it looks).

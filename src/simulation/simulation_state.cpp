@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/state_hash.h"
+#include "base/state/state_hash.h"
 #include "simulation/simulation.h"
 
 namespace resect {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "base/state_visitor.h"
+#include "base/state/state_visitor.h"
 #include "base/vec.h"
 #include "geometry/aabb.h"
 

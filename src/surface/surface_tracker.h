@@ -5,7 +5,7 @@
 // scratch bit for bit (compare mesh()), is closed, and looks outwards. Cost of an update: the
 // touched bricks, whatever the size of the organ.
 //
-// Incisions are drawn in the same bricks (surface/wound_brick.h): nothing is removed, two lips lie
+// Incisions are drawn in the same bricks (wound/wound_brick.h): nothing is removed, two lips lie
 // on each other until the tissue moves. An organ that was never cut keeps its path.
 //
 // points(), normals(), cut() and triangles() are arrays with holes, made for viewers: a brick keeps
@@ -23,12 +23,12 @@
 #include "base/raw_array.h"
 #include "collision/columns.h"
 #include "geometry/triangle_mesh.h"
+#include "isosurface/brick_mesher.h"
+#include "isosurface/cell_triangles.h"
 #include "sph/colour_field.h"
-#include "surface/brick_mesher.h"
-#include "surface/cell_triangles.h"
 #include "surface/index_range.h"
 #include "surface/range_allocator.h"
-#include "surface/wound_brick.h"
+#include "wound/wound_brick.h"
 
 namespace resect {
 

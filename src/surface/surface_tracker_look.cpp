@@ -5,7 +5,7 @@
 #include "base/assert.h"
 #include "base/growth.h"
 #include "base/parallel.h"
-#include "surface/brick_look.h"
+#include "isosurface/brick_look.h"
 #include "surface/surface_tracker.h"
 
 namespace resect {

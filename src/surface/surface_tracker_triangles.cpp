@@ -4,14 +4,14 @@
 #include <bit>
 
 #include "base/instruction_set.h"
-#include "surface/cell_triangles.h"
-#include "surface/marching_cubes_table.h"
+#include "isosurface/cell_triangles.h"
+#include "isosurface/marching_cubes_table.h"
 #include "surface/surface_tracker.h"
 
 namespace resect {
 namespace {
 
-// Where a brick's own edges stand in an EdgeTable, by number (surface/crossed_edges.h).
+// Where a brick's own edges stand in an EdgeTable, by number (isosurface/crossed_edges.h).
 constexpr std::array<std::uint16_t, kNoEdge + 1> kOwnPlace = [] {
   std::array<std::uint16_t, kNoEdge + 1> places{};
   for (int edge = 0; edge < kBrickEdges; ++edge)

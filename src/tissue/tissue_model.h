@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "base/state_visitor.h"
+#include "base/state/state_visitor.h"
 #include "geometry/aabb.h"
 #include "geometry/pose.h"
 #include "tissue/material.h"
@@ -93,7 +93,7 @@ class TissueModel {
   virtual void place(std::span<const std::int64_t> cells,
                      std::span<CellPlacement> places) const = 0;
 
-  // The state, field by field (base/state_visitor.h). Before fields are loaded comes
+  // The state, field by field (base/state/state_visitor.h). Before fields are loaded comes
   // beginRestore(), then endRestore(), which makes all that depends on them; it throws Error when
   // they do not fit this tissue, which is then of no use until another state is loaded.
   virtual void visit(StateVisitor& visitor) = 0;

@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/stage_clock.h"
-#include "base/state_hash.h"
+#include "base/state/state_hash.h"
 
 using namespace resect;
 

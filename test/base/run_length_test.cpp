@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/random.h"
-#include "base/run_length.h"
+#include "base/state/run_length.h"
 #include "support/sentence.h"
 
 using namespace resect;

@@ -10,8 +10,8 @@
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
 #include "geometry/topology.h"
-#include "support/degenerate_mesh.h"
-#include "support/mesh_reference.h"
+#include "support/malformed/degenerate_mesh.h"
+#include "support/references/mesh_reference.h"
 
 using namespace resect;
 

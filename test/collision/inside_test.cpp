@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "geometry/primitives.h"
-#include "support/mesh_reference.h"
+#include "support/references/mesh_reference.h"
 
 using namespace resect;
 using Flags = std::vector<std::uint8_t>;

@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "collision/columns.h"
-#include "support/degenerate_mesh.h"
+#include "support/malformed/degenerate_mesh.h"
 
 using namespace resect;
 

@@ -1,4 +1,4 @@
-#include "geometry/crossings.h"
+#include "geometry/repair/crossings.h"
 
 #include <doctest/doctest.h>
 
@@ -6,7 +6,7 @@
 
 #include "base/random.h"
 #include "geometry/primitives.h"
-#include "support/mesh_reference.h"
+#include "support/references/mesh_reference.h"
 
 using namespace resect;
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "support/mesh_reference.h"
 #include "support/random_point.h"
+#include "support/references/mesh_reference.h"
 
 using namespace resect;
 

@@ -1,14 +1,14 @@
-#include "geometry/repair.h"
+#include "geometry/repair/repair.h"
 
 #include <doctest/doctest.h>
 
 #include <numbers>
 
 #include "base/random.h"
-#include "geometry/hole.h"
 #include "geometry/measures.h"
-#include "geometry/mesh_health.h"
 #include "geometry/primitives.h"
+#include "geometry/repair/hole.h"
+#include "geometry/repair/mesh_health.h"
 #include "geometry/topology.h"
 
 using namespace resect;

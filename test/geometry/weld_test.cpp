@@ -1,4 +1,4 @@
-#include "geometry/weld.h"
+#include "geometry/repair/weld.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "inventor/iv_guard.h"
+#include "inventor/reading/iv_guard.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "inventor/iv_reader.h"
+#include "inventor/reading/iv_reader.h"
 
 #include <doctest/doctest.h>
 
@@ -12,9 +12,9 @@
 #include "base/error.h"
 #include "formats/model_info.h"
 #include "geometry/measures.h"
+#include "geometry/repair/weld.h"
 #include "geometry/topology.h"
-#include "geometry/weld.h"
-#include "inventor/model_file.h"
+#include "inventor/reading/model_file.h"
 #include "io/mesh_file.h"
 #include "io/organ_mesh.h"
 #include "support/sentence.h"

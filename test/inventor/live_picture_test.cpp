@@ -1,4 +1,4 @@
-#include "inventor/live_picture.h"
+#include "inventor/picture/live_picture.h"
 
 #include <Inventor/nodes/SoGroup.h>
 #include <Inventor/nodes/SoMaterial.h>
@@ -6,9 +6,9 @@
 #include <doctest/doctest.h>
 
 #include "geometry/primitives.h"
-#include "inventor/SoOrganShape.h"
-#include "inventor/model_nodes.h"
-#include "inventor/operating_room.h"
+#include "inventor/gl/SoOrganShape.h"
+#include "inventor/scene/model_nodes.h"
+#include "inventor/scene/operating_room.h"
 
 using namespace resect;
 

@@ -4,11 +4,11 @@
 #include "base/error.h"
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
-#include "inventor/iv_reader.h"
-#include "inventor/model_file.h"
+#include "inventor/reading/iv_reader.h"
+#include "inventor/reading/model_file.h"
 #include "io/mesh_file.h"
 #include "io/organ_mesh.h"
-#include "support/malformed.h"
+#include "support/malformed/malformed.h"
 #include "support/temporary_folder.h"
 
 using namespace resect;

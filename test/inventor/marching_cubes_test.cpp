@@ -1,4 +1,4 @@
-#include "inventor/SoMarchingCubes.h"
+#include "inventor/gl/SoMarchingCubes.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
@@ -12,7 +12,7 @@
 
 #include "geometry/measures.h"
 #include "geometry/topology.h"
-#include "inventor/SoOrganShape.h"
+#include "inventor/gl/SoOrganShape.h"
 #include "inventor/init.h"
 
 using namespace resect;

@@ -1,17 +1,17 @@
-#include "inventor/operating_session.h"
+#include "inventor/hand/operating_session.h"
 
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <doctest/doctest.h>
 
-#include "inventor/SoOrganShape.h"
-#include "inventor/scene_file.h"
+#include "inventor/gl/SoOrganShape.h"
+#include "inventor/scene/scene_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 #include "operation/room.h"
 #include "operation/run.h"
-#include "support/nearest_triangle.h"
 #include "support/operating_bench.h"
+#include "support/references/nearest_triangle.h"
 #include "support/temporary_folder.h"
 
 using namespace resect;

@@ -1,4 +1,4 @@
-#include "inventor/SoOrganShape.h"
+#include "inventor/gl/SoOrganShape.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
@@ -15,8 +15,8 @@
 #include "geometry/normals.h"
 #include "geometry/primitives.h"
 #include "inventor/init.h"
-#include "inventor/offscreen_view.h"
-#include "inventor/operating_room.h"
+#include "inventor/picture/offscreen_view.h"
+#include "inventor/scene/operating_room.h"
 
 using namespace resect;
 

@@ -11,12 +11,12 @@
 
 #include "base/error.h"
 #include "geometry/primitives.h"
-#include "inventor/SoOrganShape.h"
-#include "inventor/SoShadowMaps.h"
-#include "inventor/materials.h"
-#include "inventor/model_nodes.h"
-#include "inventor/offscreen_view.h"
-#include "inventor/operating_room.h"
+#include "inventor/gl/SoOrganShape.h"
+#include "inventor/gl/SoShadowMaps.h"
+#include "inventor/gl/materials.h"
+#include "inventor/picture/offscreen_view.h"
+#include "inventor/scene/model_nodes.h"
+#include "inventor/scene/operating_room.h"
 
 using namespace resect;
 

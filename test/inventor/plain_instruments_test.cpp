@@ -1,7 +1,7 @@
 // Is an instrument's plain mesh the shape that its Inventor file has?
 #include <doctest/doctest.h>
 
-#include "inventor/model_file.h"
+#include "inventor/reading/model_file.h"
 #include "io/data_folder.h"
 #include "io/organ_mesh.h"
 #include "io/plain_mesh.h"

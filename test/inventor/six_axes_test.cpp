@@ -1,4 +1,4 @@
-#include "inventor/six_axes.h"
+#include "inventor/hand/six_axes.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "inventor/triangle_blocks.h"
+#include "inventor/gl/triangle_blocks.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "io/cells_file.h"
+#include "io/cells/cells_file.h"
 
 #include <doctest/doctest.h>
 #include <zlib.h>
@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "geometry/primitives.h"
-#include "io/byte_runs.h"
+#include "io/cells/byte_runs.h"
 #include "organ/cell_labels.h"
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"

@@ -1,4 +1,4 @@
-#include "io/discretization_file.h"
+#include "io/cells/discretization_file.h"
 
 #include <doctest/doctest.h>
 

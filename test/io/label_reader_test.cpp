@@ -1,16 +1,16 @@
-#include "io/label_reader.h"
+#include "io/scenario/label_reader.h"
 
 #include <doctest/doctest.h>
 
 #include "base/error.h"
+#include "io/cells/particle_file.h"
 #include "io/operation_setup.h"
-#include "io/particle_file.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 #include "operation/run.h"
 #include "organ/cell_labels.h"
 #include "support/sentence.h"
 #include "support/temporary_folder.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 
 using namespace resect;
 

@@ -1,4 +1,4 @@
-#include "io/length.h"
+#include "io/scenario/length.h"
 
 #include <doctest/doctest.h>
 

@@ -2,10 +2,10 @@
 
 #include "base/error.h"
 #include "geometry/primitives.h"
-#include "io/discretization_file.h"
-#include "io/scenario_file.h"
+#include "io/cells/discretization_file.h"
+#include "io/scenario/scenario_file.h"
 #include "organ/discretize.h"
-#include "support/malformed.h"
+#include "support/malformed/malformed.h"
 #include "support/temporary_folder.h"
 
 using namespace resect;

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "geometry/measures.h"
-#include "io/scenario_file.h"
-#include "organ/builtin_gallbladder.h"
+#include "io/scenario/scenario_file.h"
+#include "organ/builtin/builtin_gallbladder.h"
 
 using namespace resect;
 

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "geometry/primitives.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 
 using namespace resect;
 

@@ -1,4 +1,4 @@
-#include "organ/blended_shape.h"
+#include "organ/builtin/blended_shape.h"
 
 #include <doctest/doctest.h>
 

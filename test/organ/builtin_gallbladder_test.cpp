@@ -1,4 +1,4 @@
-#include "organ/builtin_gallbladder.h"
+#include "organ/builtin/builtin_gallbladder.h"
 
 #include <doctest/doctest.h>
 
@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/crossings.h"
 #include "geometry/measures.h"
+#include "geometry/repair/crossings.h"
 #include "geometry/topology.h"
-#include "organ/builtin_liver.h"
-#include "support/nearest_triangle.h"
+#include "organ/builtin/builtin_liver.h"
+#include "support/references/nearest_triangle.h"
 
 using namespace resect;
 

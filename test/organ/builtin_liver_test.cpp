@@ -1,4 +1,4 @@
-#include "organ/builtin_liver.h"
+#include "organ/builtin/builtin_liver.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 
 #include "geometry/measures.h"
 #include "geometry/topology.h"
-#include "support/mesh_reference.h"
+#include "support/references/mesh_reference.h"
 #include "support/shared_data.h"
 
 using namespace resect;

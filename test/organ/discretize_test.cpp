@@ -10,7 +10,7 @@
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
 #include "sph/lattice_extent.h"
-#include "support/mesh_reference.h"
+#include "support/references/mesh_reference.h"
 #include "support/shared_data.h"
 
 using namespace resect;

@@ -7,7 +7,7 @@
 #include "organ/pieces.h"
 #include "support/blades.h"
 #include "support/block_organ.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 #include "tissue/stencil.h"
 
 using namespace resect;

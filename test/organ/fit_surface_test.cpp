@@ -14,7 +14,7 @@
 #include "organ/organ.h"
 #include "sph/colour_field.h"
 #include "sph/colour_values.h"
-#include "support/plain_fit.h"
+#include "support/references/plain_fit.h"
 #include "support/surface_look.h"
 
 using namespace resect;

@@ -5,20 +5,20 @@
 
 #include "geometry/measures.h"
 #include "geometry/topology.h"
-#include "organ/builtin_liver.h"
+#include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
-#include "organ/moved_incision.h"
+#include "organ/incision/moved_incision.h"
+#include "organ/incision/strands.h"
 #include "organ/organ.h"
 #include "organ/pieces.h"
-#include "organ/strands.h"
 #include "support/blades.h"
 #include "support/block_organ.h"
+#include "support/references/wound_reference.h"
 #include "support/visible_human.h"
-#include "support/wound_reference.h"
-#include "surface/node_places.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 #include "tissue/stencil.h"
 #include "tissue/still_tissue.h"
+#include "wound/node_places.h"
 
 using namespace resect;
 

@@ -1,6 +1,6 @@
 // Strands of surface are found as by a plain search: every node of the grid asked, every search
 // from the beginning.
-#include "organ/strands.h"
+#include "organ/incision/strands.h"
 
 #include <doctest/doctest.h>
 
@@ -8,10 +8,10 @@
 #include <map>
 
 #include "base/index_box.h"
-#include "organ/node_owners.h"
+#include "organ/incision/node_owners.h"
 #include "support/blades.h"
 #include "support/block_organ.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 #include "tissue/stencil.h"
 
 using namespace resect;

@@ -18,6 +18,8 @@ class Tree(unittest.TestCase):
                  "src/base/vec.h": HEADER, **files}
         with tempfile.TemporaryDirectory() as folder:
             for name, text in files.items():
+                if text is None:
+                    continue
                 path = Path(folder) / name
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text)
@@ -50,6 +52,15 @@ class Layers(Tree):
         self.refused("check_layers.py", {"src/inventor/a.cpp": "#include <QWidget>\n"},
                      "src/inventor/a.cpp:1: <QWidget> belongs to app only")
 
+    def test_a_star_means_the_layers_above_it_in_the_list_and_no_more(self):
+        layers = "base:\ngeometry: *\ninventor: *\n"
+        status, output = self.check("check_layers.py", {
+            "src/geometry/a.cpp": '#include "base/vec.h"\n'}, layers=layers)
+        self.assertEqual(status, 0, output)
+        self.refused("check_layers.py", {
+            "src/inventor/view.h": HEADER, "src/geometry/a.cpp": '#include "inventor/view.h"\n'},
+            "geometry may not include inventor", layers=layers)
+
     def test_an_include_without_a_layer_or_of_no_file_is_refused(self):
         self.refused("check_layers.py", {"src/base/a.cpp": '#include "vec.h"\n'}, "a.cpp:1:")
         self.refused("check_layers.py", {"src/base/a.cpp": '#include "base/no.h"\n'}, "a.cpp:1:")
@@ -80,6 +91,14 @@ class Files(Tree):
         status, output = self.check("check_files.py", long, rules="src/base/a.cpp: a table\n")
         self.assertEqual(status, 0, output)
         self.refused("check_files.py", long, "file_rules.txt:1", rules="src/base/a.cpp\n")
+
+    def test_a_folder_of_many_files_is_refused_unless_it_is_listed_with_a_reason(self):
+        many = {f"data/a{number}.txt": "" for number in range(26)}
+        self.refused("check_files.py", many, "data:1: 26 files, more than 25")
+        status, output = self.check("check_files.py", many, rules="data: one file for each of something\n")
+        self.assertEqual(status, 0, output)
+        status, output = self.check("check_files.py", {**many, "data/a0.txt": None, "data/b/a0.txt": ""})
+        self.assertEqual(status, 0, output)
 
     def test_an_exception_for_a_file_that_is_gone_is_refused(self):
         self.refused("check_files.py", {}, "there is no src/base/b.cpp", rules="src/base/b.cpp: why\n")

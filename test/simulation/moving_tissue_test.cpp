@@ -7,7 +7,7 @@
 #include "support/elastic_block.h"
 #include "support/same_at_any_threads.h"
 #include "support/test_tools.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 
 using namespace resect;
 

@@ -12,11 +12,11 @@
 #include "geometry/measures.h"
 #include "geometry/resting_pose.h"
 #include "geometry/topology.h"
-#include "organ/builtin_liver.h"
+#include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
 #include "simulation/simulation.h"
 #include "support/test_tools.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 
 using namespace resect;
 

@@ -5,7 +5,7 @@
 #include "simulation/simulation.h"
 #include "support/elastic_block.h"
 #include "support/test_tools.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 #include "tools/registry.h"
 
 using namespace resect;

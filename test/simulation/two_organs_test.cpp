@@ -4,7 +4,7 @@
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
-#include "io/scenario_file.h"
+#include "io/scenario/scenario_file.h"
 
 using namespace resect;
 

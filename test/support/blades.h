@@ -7,7 +7,7 @@
 #include "base/random.h"
 #include "collision/swept_blade.h"
 #include "support/block_organ.h"
-#include "surface/blade_raster.h"
+#include "wound/blade_raster.h"
 
 namespace resect::test {
 

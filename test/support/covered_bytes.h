@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "base/state_visitor.h"
+#include "base/state/state_visitor.h"
 
 namespace resect::test {
 

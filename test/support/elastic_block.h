@@ -3,7 +3,7 @@
 
 #include "simulation/simulation.h"
 #include "support/block_organ.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 
 namespace resect::test {
 

@@ -8,8 +8,8 @@
 #include <Inventor/manips/SoTransformManip.h>
 #include <doctest/doctest.h>
 
-#include "inventor/model_file.h"
-#include "inventor/operating_session.h"
+#include "inventor/hand/operating_session.h"
+#include "inventor/reading/model_file.h"
 #include "io/operation_setup.h"
 #include "operation/room.h"
 #include "tools/registry.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 
 namespace resect::test {
 

@@ -1,7 +1,7 @@
 // Is the real liver here? The Visible Human's, 16 898 triangles, closed.
 #pragma once
 
-#include "support/mesh_reference.h"
+#include "support/references/mesh_reference.h"
 #include "support/shared_data.h"
 
 namespace resect::test {

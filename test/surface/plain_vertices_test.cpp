@@ -1,5 +1,5 @@
 // Are the vertices that bricks make four at a time those found edge by edge?
-#include "support/plain_vertices.h"
+#include "support/references/plain_vertices.h"
 
 #include <doctest/doctest.h>
 

@@ -10,9 +10,9 @@
 #include "base/random.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
+#include "isosurface/marching_cubes_table.h"
 #include "support/block_organ.h"
 #include "support/surface_look.h"
-#include "surface/marching_cubes_table.h"
 
 using namespace resect;
 

@@ -1,4 +1,4 @@
-#include "support/thesis_method.h"
+#include "support/references/thesis_method.h"
 
 #include <doctest/doctest.h>
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "geometry/measures.h"
-#include "support/wound_reference.h"
+#include "support/references/wound_reference.h"
 
 using namespace resect;
 

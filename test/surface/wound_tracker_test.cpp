@@ -9,11 +9,11 @@
 #include "geometry/topology.h"
 #include "support/blades.h"
 #include "support/random_edits.h"
+#include "support/references/wound_reference.h"
 #include "support/surface_look.h"
-#include "support/wound_reference.h"
-#include "surface/blade_raster.h"
-#include "surface/node_places.h"
 #include "surface/surface_tracker.h"
+#include "wound/blade_raster.h"
+#include "wound/node_places.h"
 
 using namespace resect;
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "support/figures.h"
-#include "support/relax.h"
+#include "support/references/relax.h"
 #include "support/tissue_blocks.h"
 
 using namespace resect;

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "support/tissue_blocks.h"
-#include "tissue/chunk_bounds.h"
+#include "tissue/elastic/chunk_bounds.h"
 
 using namespace resect;
 using test::material;

@@ -9,7 +9,7 @@
 
 #include "support/beams.h"
 #include "support/figures.h"
-#include "support/relax.h"
+#include "support/references/relax.h"
 #include "support/tissue_blocks.h"
 
 using namespace resect;

@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "support/figures.h"
-#include "support/reference_tissue.h"
-#include "support/relax.h"
+#include "support/references/reference_tissue.h"
+#include "support/references/relax.h"
 #include "support/tissue_blocks.h"
 
 using namespace resect;

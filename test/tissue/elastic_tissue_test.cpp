@@ -1,4 +1,4 @@
-#include "tissue/elastic_tissue.h"
+#include "tissue/elastic/elastic_tissue.h"
 
 #include <doctest/doctest.h>
 
@@ -6,10 +6,10 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/state_hash.h"
-#include "support/reference_tissue.h"
+#include "base/state/state_hash.h"
+#include "support/references/reference_tissue.h"
+#include "support/references/wide_kernel.h"
 #include "support/tissue_blocks.h"
-#include "support/wide_kernel.h"
 
 using namespace resect;
 using test::material;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "base/parallel.h"
-#include "base/state_hash.h"
+#include "base/state/state_hash.h"
 #include "support/same_at_any_threads.h"
 #include "support/tissue_blocks.h"
 #include "tissue/move_tissues.h"

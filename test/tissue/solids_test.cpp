@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "support/figures.h"
-#include "support/relax.h"
+#include "support/references/relax.h"
 #include "support/tissue_blocks.h"
 
 using namespace resect;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/measures.h"
-#include "organ/builtin_liver.h"
+#include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
 #include "support/figures.h"
 #include "support/tissue_blocks.h"

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "geometry/topology.h"
-#include "surface/polygonise.h"
+#include "isosurface/polygonise.h"
 
 namespace fit_liver {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "organ/blended_shape.h"
+#include "organ/builtin/blended_shape.h"
 
 namespace fit_liver {
 

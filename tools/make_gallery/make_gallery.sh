@@ -13,7 +13,7 @@ trap 'rm -rf "$work"' EXIT
 shown() {
   local scenario=$1 picture=$2 plot=() size=960x540
   if [[ $picture == last ]]; then size=1280x720; fi
-  if [[ $picture != last && $scenario != hang && $scenario != drop ]]; then plot=(--plot "$gallery/$scenario.svg"); fi
+  if [[ $picture != last && $scenario != hang && $scenario != drop ]]; then plot=(--plot "$gallery/curves/$scenario.svg"); fi
   "$resect" run "$scenario" --frames "$work/$scenario" --size "$size" "${plot[@]}" >"$work/$scenario.txt"
   convert "$(picture "$scenario" "$picture")" -resize 640x360 -colors 200 "PNG8:$gallery/$scenario.png"
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plays the figures of the original thesis in the window, on a virtual screen, and writes docs/gallery/window-*.png:
+"""Plays the figures of the original thesis in the window, on a virtual screen, and writes docs/gallery/window/*.png:
 before, during and after, side by side; and into docs/images window.png, the whole window, and window.gif, an operation
 in motion.
 
@@ -49,7 +49,7 @@ def make_figure(program, screen, folder, name, scenario, during):
         picture(window, folder / "after.png", 1000)
     finally:
         window.quit()
-    target = ROOT / "docs" / "gallery" / f"window-{name}.png"
+    target = ROOT / "docs" / "gallery" / "window" / f"{name}.png"
     subprocess.run(["convert", *(folder / f"{part}.png" for part in ("before", "during", "after")), "-crop", "640x360+60+175",
                     "+repage", "-resize", "426x240", "+append", "-colors", "200", f"PNG8:{target}"], check=True)
     print(target.relative_to(ROOT), target.stat().st_size // 1024, "KB", flush=True)

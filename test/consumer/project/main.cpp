@@ -1,7 +1,7 @@
 #include <resect/io/data_folder.h>
 #include <resect/io/operation_setup.h>
 #include <resect/io/plain_mesh.h>
-#include <resect/io/scenario_file.h>
+#include <resect/io/scenario/scenario_file.h>
 #include <resect/version.h>
 
 #include <algorithm>

@@ -1,0 +1,120 @@
+// How is a state kept, and how do two differ? As columns: for every field, by its name, the values
+// that it has in all the structs that it belongs to, one after the other.
+//
+// So a state that was saved can be read after structs have got fields more or changed their order,
+// and a difference is told by field. The format: "resect-state", its version, a fingerprint of what
+// the state is of, then the columns depth first, numbers packed by base/state/run_length.h in the
+// order of bytes of the processor (little endian on all that Resect runs on), and a digest of all
+// that (base/state/state_hash.h): bytes that were cut off or damaged on their way are refused.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/state/run_length.h"
+#include "base/state/state_visitor.h"
+
+namespace resect {
+
+// A field, or a struct of fields.
+struct StateColumn {
+  std::string name;
+  std::uint8_t size = 0;              // bytes a number; 0: a struct
+  std::vector<std::uint64_t> counts;  // of a list: entries, each time that it was visited
+  bool isList = false;
+  Bytes data;  // numbers
+  std::vector<StateColumn> fields;
+  // Of a list with an entry per cell: each time that it was visited. Bytes do not keep them.
+  std::vector<CellOrder> orders;
+};
+
+inline constexpr std::uint32_t kStateVersion = 1;
+
+struct SavedState {
+  std::uint32_t version = kStateVersion;
+  std::uint64_t fingerprint = 0;  // of what it is a state of
+  StateColumn root;
+};
+
+template <typename State>
+SavedState saveState(const State& state, std::uint64_t fingerprint);
+Bytes toBytes(const SavedState& saved);
+// Throws Error when the bytes are no state, or cut off or damaged.
+SavedState stateFromBytes(std::span<const std::byte> bytes);
+
+// Overwrites the state's fields. Of a version before this one a field that is not there stays as it
+// is; otherwise every field must be there and no other: Error names the first that is not. What the
+// numbers mean is for the caller to check.
+template <typename State>
+void loadState(State& state, const SavedState& saved);
+
+// The first field in which two states differ, as "organs.tissue.u.1, cell (12, 3, 40)"; where
+// several structs have such a list (organs), as "organs.tissue.u.1, list 0, cell (12, 3, 40)".
+// Cells are told when one of the states has not gone through bytes.
+std::optional<std::string> firstDifference(const SavedState& a, const SavedState& b);
+
+class ColumnWriter final : public StateVisitor {
+ public:
+  explicit ColumnWriter(StateColumn& root) : path_{&root} {}
+
+ protected:
+  void numbers(const char* name, void* data, std::size_t count, std::size_t size) override;
+  std::size_t enterList(const char* name, std::size_t count) override;
+  void enter(const char* name) override;
+  void leave() override { path_.pop_back(), next_.pop_back(); }
+
+ private:
+  StateColumn& field(const char* name);
+  std::vector<StateColumn*> path_;
+  std::vector<std::size_t> next_{0};  // where in the struct the coming field is expected
+};
+
+class ColumnReader final : public StateVisitor {
+ public:
+  explicit ColumnReader(const SavedState& saved);
+  // After all has been visited: Error when something was not asked for.
+  void finish() const;
+
+ protected:
+  void numbers(const char* name, void* data, std::size_t count, std::size_t size) override;
+  std::size_t enterList(const char* name, std::size_t count) override;
+  void enter(const char* name) override;
+  void leave() override { path_.pop_back(); }
+
+ private:
+  struct Place {
+    const StateColumn* column = nullptr;  // null: an older version has it not
+    std::size_t read = 0, lists = 0;      // bytes and counts
+    std::size_t next = 0;
+    std::vector<Place> fields;
+  };
+  Place* find(const char* name);
+  std::string pathTo(const char* name) const;
+  static std::size_t left(const Place& place);
+  static std::size_t entriesLeft(const Place& list);
+  static Place placeOf(const StateColumn& column);
+  void finish(const Place& place, const std::string& path) const;
+
+  const bool older_;
+  Place root_;
+  std::vector<Place*> path_;
+};
+
+template <typename State>
+SavedState saveState(const State& state, std::uint64_t fingerprint) {
+  SavedState saved{kStateVersion, fingerprint, {}};
+  ColumnWriter writer(saved.root);
+  visitState(state, writer);
+  return saved;
+}
+
+template <typename State>
+void loadState(State& state, const SavedState& saved) {
+  ColumnReader reader(saved);
+  state.visit(reader);
+  reader.finish();
+}
+
+}  // namespace resect

@@ -1,0 +1,254 @@
+// What does a state consist of? Every struct that holds state names its fields once, in
+//
+//     template <class Visitor> void visit(Visitor& v) { v("time", time); v("poses", poses); ... }
+//
+// and whoever wants something of all of them is a StateVisitor: digest (HashVisitor), save and load
+// (base/state/saved_state.h), memory held (HeldBytes). Fields that are made from others, or set up
+// and never changed, are no state; `visitMade` lists them, as v.made(field, another, ...), because
+// they take memory too, and so that a test can find a field that nobody listed.
+//
+// A field may be a number, an enum, a fixed-size Eigen object, a string, a struct with visit(), and
+// an array or vector of these. Names are literals. Reading visitors promise not to write:
+// visitState() lets them look at constants.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <type_traits>
+
+#include "base/state/state_hash.h"
+
+namespace resect {
+
+// How an array with an entry per cell is laid out: cell (x, y, z) is at front + x + strideY y +
+// strideZ z. So that a difference is told by its cell.
+struct CellOrder {
+  std::int64_t front = 0, strideY = 0, strideZ = 0;
+};
+
+[[noreturn]] void throwOtherCount(const char* name, std::size_t here);
+
+namespace state_detail {
+
+template <typename T>
+concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+template <typename T>
+concept FixedMatrix = requires {
+  T::SizeAtCompileTime;
+}
+&&(T::SizeAtCompileTime > 0);
+template <typename T>
+concept Turn = std::is_same_v<T, Eigen::Quaterniond>;
+// Lies in memory as numbers of one kind.
+template <typename T>
+concept Plain = Number<T> || FixedMatrix<T>;
+template <typename T>
+struct PlainOf {
+  using Scalar = T;
+  static constexpr std::size_t count = 1;
+};
+template <FixedMatrix T>
+struct PlainOf<T> {
+  using Scalar = typename T::Scalar;
+  static constexpr std::size_t count = T::SizeAtCompileTime;
+};
+template <typename T>
+struct IsArray : std::false_type {};
+template <typename T, std::size_t N>
+struct IsArray<std::array<T, N>> : std::true_type {};
+template <typename T>
+concept List = requires(T& t) {
+  t.data();
+  t.resize(std::size_t());
+  t.capacity();
+};
+
+inline constexpr const char* kPlace[] = {"0", "1", "2", "3", "4", "5", "6", "7", "8"};
+
+}  // namespace state_detail
+
+class StateVisitor {
+ public:
+  virtual ~StateVisitor() = default;
+
+  template <typename T>
+  void operator()(const char* name, T& field) {
+    using namespace state_detail;
+    object(&field, sizeof field);
+    if constexpr (Plain<T>) {
+      numbers(name, address(field), PlainOf<T>::count, sizeof(typename PlainOf<T>::Scalar));
+      if constexpr (std::is_same_v<T, bool>) makeBool(field);
+    } else if constexpr (Turn<T>) {
+      numbers(name, field.coeffs().data(), 4, sizeof(double));
+    } else if constexpr (IsArray<T>::value) {
+      array(name, field);
+    } else if constexpr (List<T>) {
+      list(name, field);
+    } else {
+      enter(name);
+      field.visit(*this);
+      leave();
+    }
+  }
+  // Fields that are no state.
+  template <typename... T>
+  void made(T&... fields) {
+    (madeOne(fields), ...);
+  }
+  // A list of structs that has as many as it has, for good: Error when a state has others.
+  template <typename T>
+  void fixed(const char* name, T& field) {
+    object(&field, sizeof field);
+    memory(field.capacity() * sizeof(typename T::value_type));
+    if (enterList(name, field.size()) != field.size()) throwOtherCount(name, field.size());
+    for (auto& element : field) element.visit(*this);
+    leave();
+  }
+  // A field with an entry per cell.
+  template <typename T>
+  void perCell(const char* name, T& field, const CellOrder& order) {
+    order_ = &order;
+    (*this)(name, field);
+    order_ = nullptr;
+  }
+
+ protected:
+  // A field lies here: called for each before what is in it.
+  virtual void object(const void*, std::size_t) {}
+  // A list holds so much memory outside itself.
+  virtual void memory(std::size_t) {}
+  // `count` numbers of `size` bytes.
+  virtual void numbers(const char* name, void* data, std::size_t count, std::size_t size) = 0;
+  // A list of `count` entries begins; returns how many it shall have. The entries follow: as one
+  // call of numbers() with `count` = 0 names given twice, or as fields of structs; then leave().
+  virtual std::size_t enterList(const char* name, std::size_t count) = 0;
+  virtual void enter(const char* name) = 0;
+  virtual void leave() = 0;
+  const CellOrder* order() const { return order_; }
+
+ private:
+  template <typename T>
+  void madeOne(T& field) {
+    object(&field, sizeof field);
+    madeMemory(field);
+  }
+  template <typename T>
+  void madeMemory(T& field) {
+    using namespace state_detail;
+    if constexpr (requires { field.bytes(); })
+      memory(field.bytes());
+    else if constexpr (List<T>)
+      memory(field.capacity() * sizeof(typename T::value_type));
+    else if constexpr (IsArray<T>::value)
+      for (auto& element : field) madeMemory(element);
+  }
+  // What was loaded into a bool may be neither 0 nor 1, which it must not be. Writes only then.
+  static void makeBool(bool& field) {
+    unsigned char byte = 0;
+    std::memcpy(&byte, &field, 1);
+    if (byte > 1) field = true;
+  }
+  template <typename T>
+  static void* address(T& field) {
+    if constexpr (state_detail::FixedMatrix<T>)
+      return field.data();
+    else
+      return &field;
+  }
+  template <typename T>
+  void array(const char* name, T& field) {
+    using namespace state_detail;
+    using Element = typename T::value_type;
+    if constexpr (Plain<Element>) {
+      numbers(name, field.data(), field.size() * PlainOf<Element>::count,
+              sizeof(typename PlainOf<Element>::Scalar));
+      if constexpr (std::is_same_v<Element, bool>)
+        for (bool& element : field) makeBool(element);
+    } else {
+      static_assert(std::tuple_size_v<T> <= std::size(kPlace));
+      enter(name);
+      for (std::size_t i = 0; i < field.size(); ++i) (*this)(kPlace[i], field[i]);
+      leave();
+    }
+  }
+  template <typename T>
+  void list(const char* name, T& field) {
+    using namespace state_detail;
+    using Element = typename T::value_type;
+    memory(field.capacity() * sizeof(Element));
+    const std::size_t count = enterList(name, field.size());
+    if constexpr (Plain<Element>) {
+      if (count != field.size()) field.resize(count);
+      numbers("", field.data(), count * PlainOf<Element>::count,
+              sizeof(typename PlainOf<Element>::Scalar));
+    } else {
+      // Grows while it is loaded: what ends early takes no memory for all of it.
+      if (count < field.size()) field.resize(count);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (i == field.size()) field.resize(std::min(count, i + std::max(i, std::size_t(64))));
+        field[i].visit(*this);
+      }
+    }
+    leave();
+  }
+
+  const CellOrder* order_ = nullptr;
+};
+
+// For visitors that only read.
+template <typename State>
+void visitState(const State& state, StateVisitor& reader) {
+  const_cast<State&>(state).visit(reader);
+}
+
+// Digest of all fields: of their values and order, not of their names.
+class HashVisitor final : public StateVisitor {
+ public:
+  std::uint64_t value() const { return hash_.value(); }
+
+ protected:
+  void numbers(const char*, void* data, std::size_t count, std::size_t size) override {
+    hash_.addBytes(data, count * size);
+  }
+  std::size_t enterList(const char*, std::size_t count) override {
+    hash_.add(std::uint64_t(count));
+    return count;
+  }
+  void enter(const char*) override {}
+  void leave() override {}
+
+ private:
+  StateHash hash_;
+};
+
+// Memory held by the lists among the fields, bytes.
+class HeldBytes final : public StateVisitor {
+ public:
+  std::size_t value() const { return bytes_; }
+
+ protected:
+  void memory(std::size_t bytes) override { bytes_ += bytes; }
+  void numbers(const char*, void*, std::size_t, std::size_t) override {}
+  std::size_t enterList(const char*, std::size_t count) override { return count; }
+  void enter(const char*) override {}
+  void leave() override {}
+
+ private:
+  std::size_t bytes_ = 0;
+};
+
+// Of a state with visit() and visitMade().
+template <typename State>
+std::size_t heldBytes(const State& state) {
+  HeldBytes held;
+  const_cast<State&>(state).visit(held);
+  const_cast<State&>(state).visitMade(held);
+  return held.value();
+}
+
+}  // namespace resect

@@ -1,0 +1,323 @@
+#include "inventor/gl/SoOrganShape.h"
+
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <Inventor/SoPrimitiveVertex.h>
+#include <Inventor/actions/SoGLRenderAction.h>
+#include <Inventor/bundles/SoMaterialBundle.h>
+#include <Inventor/elements/SoGLCacheContextElement.h>
+#include <Inventor/elements/SoModelMatrixElement.h>
+#include <Inventor/elements/SoProjectionMatrixElement.h>
+#include <Inventor/elements/SoViewingMatrixElement.h>
+#include <Inventor/misc/SoState.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace resect {
+
+namespace {
+
+enum Buffer { kPoints, kNormals, kRest, kCut, kTriangles, kBufferCount };
+
+constexpr std::size_t kElementBytes[kBufferCount] = {sizeof(Vec3f), sizeof(Vec3f), sizeof(Vec3f),
+                                                     sizeof(float), sizeof(Triangle)};
+
+// What an update can change without the others, and which of these each buffer holds.
+enum Part { kMovedPart, kNewPart, kTrianglesPart, kPartCount };
+constexpr Part kPartOf[kBufferCount] = {kMovedPart, kMovedPart, kNewPart, kNewPart, kTrianglesPart};
+
+}  // namespace
+
+struct SoOrganShape::ContextBuffers {
+  GLuint names[kBufferCount] = {};
+  std::size_t capacity[kBufferCount] = {};  // elements
+  std::vector<Range> unsent[kPartCount];    // may overlap
+
+  void free() const { glDeleteBuffers(kBufferCount, names); }
+};
+
+SO_NODE_SOURCE(SoOrganShape);
+
+// In their order, those that touch or overlap as one.
+void SoOrganShape::merge(std::vector<Range>& ranges) {
+  std::ranges::sort(ranges, {}, &Range::begin);
+  std::size_t count = 0;
+  for (const Range& r : ranges)
+    if (count > 0 && r.begin <= ranges[count - 1].end)
+      ranges[count - 1].end = std::max(ranges[count - 1].end, r.end);
+    else
+      ranges[count++] = r;
+  ranges.resize(count);
+}
+
+void SoOrganShape::initClass() {
+  if (classTypeId != SoType::badType()) return;
+  // Not SO_NODE_INIT_CLASS: it would keep the So in the name that files use.
+  PRIVATE_COMMON_INIT_CODE(SoOrganShape, "OrganShape", &SoOrganShape::createInstance, SoShape);
+}
+
+SoOrganShape::SoOrganShape() {
+  SO_NODE_CONSTRUCTOR(SoOrganShape);
+  SO_NODE_ADD_EMPTY_MFIELD(points);
+  SO_NODE_ADD_EMPTY_MFIELD(normals);
+  SO_NODE_ADD_EMPTY_MFIELD(cut);
+  SO_NODE_ADD_EMPTY_MFIELD(coordIndex);
+  SO_NODE_ADD_FIELD(revision, (0));
+}
+
+SoOrganShape::~SoOrganShape() = default;
+
+void SoOrganShape::notify(SoNotList* list) {
+  const SoField* field = list->getLastField();
+  if (field == &points || field == &normals || field == &cut || field == &coordIndex)
+    fieldsAreTaken_ = false;
+  SoShape::notify(list);
+}
+
+// What a file or an engine says the surface is. A triangle with an index without its point is left
+// out.
+void SoOrganShape::takeFields() {
+  if (fieldsAreTaken_) return;
+  fieldsAreTaken_ = true;
+  const int count = points.getNum();
+  std::vector<Vec3f> at(static_cast<std::size_t>(count)), up(at.size(), Vec3f::UnitY());
+  std::vector<float> share(at.size(), 0.0f);
+  for (int i = 0; i < count; ++i)
+    at[std::size_t(i)] = Vec3f(points[i][0], points[i][1], points[i][2]);
+  for (int i = 0; i < std::min(count, normals.getNum()); ++i)
+    up[std::size_t(i)] = Vec3f(normals[i][0], normals[i][1], normals[i][2]);
+  for (int i = 0; i < std::min(count, cut.getNum()); ++i) share[std::size_t(i)] = cut[i];
+  std::vector<Triangle> faces;
+  const std::int32_t* index = coordIndex.getValues(0);
+  for (int i = 0; i + 2 < coordIndex.getNum(); i += 4) {
+    const Triangle t{index[i], index[i + 1], index[i + 2]};
+    if (std::ranges::all_of(t, [&](std::int32_t v) { return v >= 0 && v < count; }))
+      faces.push_back(t);
+  }
+  const SbBool notified = enableNotify(FALSE);  // whoever asks is already looking
+  update(wholeSurface(at, up, share, faces));
+  enableNotify(notified);
+}
+
+void SoOrganShape::update(const SurfaceUpdate& update) {
+  if (update.empty()) return;
+  const auto rangesOf = [](const std::vector<IndexRange>& ranges) {
+    std::vector<Range> result;
+    for (const IndexRange& r : ranges)
+      result.push_back({std::size_t(r.first), std::size_t(r.first) + std::size_t(r.count)});
+    return result;
+  };
+  if (update.everything) {
+    growChanged({{0, surface_.points.size()}}, {});
+    blocks_ = {};
+    surface_ = {};
+    for (auto& [context, buffers] : contexts_)
+      for (std::vector<Range>& unsent : buffers->unsent) unsent.clear();
+  }
+  std::vector<Range> changed[kPartCount] = {
+      rangesOf(update.movedVertices), rangesOf(update.newVertices), rangesOf(update.newTriangles)};
+  std::vector<Range> vertices = changed[kMovedPart];
+  vertices.insert(vertices.end(), changed[kNewPart].begin(), changed[kNewPart].end());
+  merge(vertices);
+  // A brick that goes leaves no vertices behind, only holes in place of its triangles.
+  growChanged(vertices, changed[kTrianglesPart]);
+  const std::size_t end = surface_.points.size(), triangleEnd = surface_.triangles.size();
+  apply(update, surface_);
+  // What is new is sent whole, with what no range has named.
+  if (end < surface_.points.size()) {
+    changed[kMovedPart].push_back({end, surface_.points.size()});
+    changed[kNewPart].push_back({end, surface_.points.size()});
+  }
+  if (triangleEnd < surface_.triangles.size())
+    changed[kTrianglesPart].push_back({triangleEnd, surface_.triangles.size()});
+  for (auto& [context, buffers] : contexts_)
+    for (int part = 0; part < kPartCount; ++part)
+      buffers->unsent[part].insert(buffers->unsent[part].end(), changed[part].begin(),
+                                   changed[part].end());
+  for (const Range& r : changed[kMovedPart]) blocks_.verticesChanged(r.begin, r.end);
+  for (const Range& r : changed[kTrianglesPart]) blocks_.trianglesChanged(r.begin, r.end);
+  growChanged(vertices, changed[kTrianglesPart]);
+  revision = revision.getValue() + 1;
+}
+
+void SoOrganShape::refreshBlocks() { blocks_.refresh(surface_.points, surface_.triangles); }
+
+// By what the triangles fill that use these vertices, and by these triangles.
+void SoOrganShape::growChanged(const std::vector<Range>& vertices,
+                               const std::vector<Range>& triangles) {
+  const std::vector<Vec3f>& points = surface_.points;
+  const std::vector<Triangle>& all = surface_.triangles;
+  refreshBlocks();
+  const auto grow = [&](const TriangleBlocks::Box& box) {
+    changed_.low = changed_.low.cwiseMin(box.low);
+    changed_.high = changed_.high.cwiseMax(box.high);
+  };
+  std::size_t count = 0;
+  for (const Range& r : vertices)
+    count += std::min(r.end, points.size()) - std::min(r.begin, points.size());
+  if (count > points.size() / 2) {
+    grow(blocks_.box());
+  } else {
+    for (const Range& r : vertices)
+      grow(blocks_.around(r.begin, std::min(r.end, points.size()), points, all));
+  }
+  for (const Range& r : triangles)
+    for (std::size_t t = r.begin; t < std::min(r.end, all.size()); ++t)
+      if (all[t][0] != all[t][1])
+        for (const std::int32_t v : all[t])
+          if (std::size_t(v) < points.size()) changed_.grow(points[std::size_t(v)]);
+}
+
+std::optional<Vec3> SoOrganShape::firstPointOn(const Ray& ray) {
+  takeFields();
+  refreshBlocks();
+  double first = std::numeric_limits<double>::infinity();
+  const auto corner = [&](std::int32_t v) {
+    return Vec3(surface_.points[std::size_t(v)].cast<double>());
+  };
+  for (const TriangleBlocks::Run& run : blocks_.along(ray)) {
+    const std::size_t end = std::min(run.first + run.count, surface_.triangles.size());
+    for (std::size_t i = run.first; i < end; ++i) {
+      const Triangle& t = surface_.triangles[i];
+      if (t[0] != t[1])
+        first = std::min(first, firstMeeting(ray, corner(t[0]), corner(t[1]), corner(t[2])));
+    }
+  }
+  if (std::isinf(first)) return std::nullopt;
+  return ray.at(first);
+}
+
+Aabb SoOrganShape::takeChanged() {
+  Aabb box;
+  if (!changed_.empty()) box = {changed_.low.cast<double>(), changed_.high.cast<double>()};
+  changed_ = TriangleBlocks::emptyBox();
+  return box;
+}
+
+// The triangles that can lie within the view, or within the scissor box when there is one.
+std::vector<TriangleBlocks::Run> SoOrganShape::seen(SoState* state) {
+  refreshBlocks();
+  Eigen::Vector2f low(-1, -1), high(1, 1);
+  if (glIsEnabled(GL_SCISSOR_TEST)) {
+    GLint view[4], part[4];
+    glGetIntegerv(GL_VIEWPORT, view);
+    glGetIntegerv(GL_SCISSOR_BOX, part);
+    for (int a = 0; a < 2; ++a) {
+      const float size = 0.5f * float(std::max(view[2 + a], 1));
+      low[a] = std::max(low[a], float(part[a] - view[a]) / size - 1);
+      high[a] = std::min(high[a], float(part[a] + part[2 + a] - view[a]) / size - 1);
+    }
+  }
+  SbMatrix toClip = SoModelMatrixElement::get(state);
+  toClip.multRight(SoViewingMatrixElement::get(state));
+  toClip.multRight(SoProjectionMatrixElement::get(state));
+  return blocks_.within(halfSpacesOf(toClip.getValue(), low, high));
+}
+
+void SoOrganShape::upload(ContextBuffers& buffers) {
+  const void* data[kBufferCount] = {surface_.points.data(), surface_.normals.data(),
+                                    surface_.rest.data(), surface_.cut.data(),
+                                    surface_.triangles.data()};
+  for (std::vector<Range>& unsent : buffers.unsent) merge(unsent);
+  for (int b = 0; b < kBufferCount; ++b) {
+    const std::size_t size = kElementBytes[b];
+    const std::size_t count = b == kTriangles ? surface_.triangles.size() : surface_.points.size();
+    const GLenum target = b == kTriangles ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER;
+    if (buffers.names[b] == 0) glGenBuffers(1, &buffers.names[b]);
+    glBindBuffer(target, buffers.names[b]);
+    if (count > buffers.capacity[b]) {
+      // Room for half as much again, so that a growing surface is sent whole only now and then.
+      const bool first = buffers.capacity[b] == 0;
+      buffers.capacity[b] = first ? count : count + count / 2;
+      glBufferData(target, GLsizeiptr(buffers.capacity[b] * size), nullptr, GL_DYNAMIC_DRAW);
+      glBufferSubData(target, 0, GLsizeiptr(count * size), data[b]);
+      uploadedBytes_ += count * size;
+      if (b == kPoints) uploadedVertices_ += count;
+      continue;
+    }
+    for (const Range& r : buffers.unsent[kPartOf[b]]) {
+      const std::size_t bytes = (r.end - r.begin) * size;
+      glBufferSubData(target, GLintptr(r.begin * size), GLsizeiptr(bytes),
+                      static_cast<const char*>(data[b]) + r.begin * size);
+      uploadedBytes_ += bytes;
+      if (b == kPoints) uploadedVertices_ += r.end - r.begin;
+    }
+  }
+  for (std::vector<Range>& unsent : buffers.unsent) unsent.clear();
+}
+
+void SoOrganShape::GLRender(SoGLRenderAction* action) {
+  takeFields();
+  if (!shouldGLRender(action) || surface_.triangles.empty()) return;
+  SoState* state = action->getState();
+  const auto context = std::uint32_t(SoGLCacheContextElement::get(state));
+  ContextBuffers& buffers = contexts_[context];
+
+  SoMaterialBundle material(action);
+  material.sendFirst();
+
+  // The buffer bindings are part of what is pushed; each array starts at its buffer's start.
+  const auto bind = [&](Buffer b) { glBindBuffer(GL_ARRAY_BUFFER, buffers.names[b]); };
+  glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+  upload(buffers);
+  bind(kPoints);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(3, GL_FLOAT, 0, nullptr);
+  bind(kNormals);
+  glEnableClientState(GL_NORMAL_ARRAY);
+  glNormalPointer(GL_FLOAT, 0, nullptr);
+  bind(kRest);
+  glClientActiveTexture(GL_TEXTURE1);
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  glTexCoordPointer(3, GL_FLOAT, 0, nullptr);
+  bind(kCut);
+  glClientActiveTexture(GL_TEXTURE2);
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  glTexCoordPointer(1, GL_FLOAT, 0, nullptr);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.names[kTriangles]);
+  drawnTriangles_ = 0;
+  for (const TriangleBlocks::Run& run : seen(state)) {
+    const std::size_t count = std::min(run.count, surface_.triangles.size() - run.first);
+    // Not glDrawRangeElements: holes use vertex 0, which may lie outside of what a run uses.
+    glDrawElements(GL_TRIANGLES, GLsizei(3 * count), GL_UNSIGNED_INT,
+                   // OpenGL's offsets are pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
+                   reinterpret_cast<const void*>(run.first * sizeof(Triangle)));
+    drawnTriangles_ += std::int64_t(count);
+  }
+  glPopClientAttrib();
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+
+  SoGLCacheContextElement::shouldAutoCache(state, SoGLCacheContextElement::DONT_AUTO_CACHE);
+}
+
+void SoOrganShape::computeBBox(SoAction*, SbBox3f& box, SbVec3f& centre) {
+  takeFields();
+  // Over the triangles, not the points: a vertex that nothing uses may lie anywhere.
+  refreshBlocks();
+  const TriangleBlocks::Box all = blocks_.box();
+  box.makeEmpty();
+  if (!all.empty())
+    box.setBounds(all.low.x(), all.low.y(), all.low.z(), all.high.x(), all.high.y(), all.high.z());
+  if (!box.isEmpty()) centre = box.getCenter();
+}
+
+void SoOrganShape::generatePrimitives(SoAction* action) {
+  takeFields();
+  for (const Triangle& t : surface_.triangles) {
+    if (t[0] == t[1]) continue;
+    SoPrimitiveVertex corners[3];
+    for (int c = 0; c < 3; ++c) {
+      const Vec3f& p = surface_.points[std::size_t(t[c])];
+      const Vec3f& n = surface_.normals[std::size_t(t[c])];
+      corners[c].setPoint(SbVec3f(p.x(), p.y(), p.z()));
+      corners[c].setNormal(SbVec3f(n.x(), n.y(), n.z()));
+    }
+    invokeTriangleCallbacks(action, &corners[0], &corners[1], &corners[2]);
+  }
+}
+
+}  // namespace resect

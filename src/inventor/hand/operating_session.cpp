@@ -1,0 +1,307 @@
+#include "inventor/hand/operating_session.h"
+
+#include <Inventor/SbViewVolume.h>
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/SoDB.h>
+#include <Inventor/SoPickedPoint.h>
+#include <Inventor/actions/SoRayPickAction.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoSpotLight.h>
+#include <Inventor/sensors/SoSensorManager.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/moved_box.h"
+#include "inventor/gl/SoOrganShape.h"
+#include "operation/room.h"
+
+namespace resect {
+namespace {
+
+std::vector<ToolModel> modelsOf(const Simulation& simulation) {
+  std::vector<ToolModel> models;
+  for (const ToolState& state : simulation.tools()) models.push_back(state.tool->model);
+  return models;
+}
+
+std::vector<Pose> restsOf(const Scenario& scenario) {
+  std::vector<Pose> rests;
+  for (const ScenarioTool& tool : scenario.tools) rests.push_back(tool.rest);
+  return rests;
+}
+
+// A long thin thing that lies aslant fills little of its box, but most of those of its slices.
+std::vector<Aabb> slicesOf(const TriangleMesh& mesh) {
+  constexpr int kSlices = 8;
+  const Aabb whole = bounds(mesh);
+  std::vector<Aabb> slices(kSlices);
+  const auto sliceOf = [&](const Vec3& p) {
+    const double share = (p.z() - whole.min.z()) / std::max(whole.size().z(), 1e-9);
+    return std::clamp(int(share * kSlices), 0, kSlices - 1);
+  };
+  for (const Triangle& t : mesh.triangles) {
+    Aabb box;
+    for (const std::int32_t v : t) box.grow(mesh.points[std::size_t(v)]);
+    const int last = sliceOf(box.max);
+    for (int s = sliceOf(box.min); s <= last; ++s) {
+      // A triangle belongs to all slices it passes, to each with the part that lies there.
+      Aabb part = box;
+      part.min.z() = std::max(box.min.z(), whole.min.z() + s * whole.size().z() / kSlices);
+      part.max.z() = std::min(box.max.z(), whole.min.z() + (s + 1) * whole.size().z() / kSlices);
+      slices[std::size_t(s)].grow(part);
+    }
+  }
+  std::erase_if(slices, [](const Aabb& slice) { return slice.empty(); });
+  return slices;
+}
+
+Vec3 positionOf(const SoPerspectiveCamera* camera) {
+  const SbVec3f p = camera->position.getValue();
+  return {p[0], p[1], p[2]};
+}
+
+// At the far left corner of the table's field, where it hides nothing.
+Vec3 isoFoot(const Aabb& organ) {
+  return {organ.min.x() - 0.06, 0.0, organ.min.z() + 0.25 * organ.size().z()};
+}
+
+Aabb boxOfOrgans(const Simulation& simulation) {
+  Aabb box;
+  for (const OperatedOrgan& o : simulation.organs()) box.grow(o.organ.rest.lattice.box());
+  return box;
+}
+
+}  // namespace
+
+OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation,
+                                   double aspect)
+    : scenario_(scenario),
+      toolModels_(modelsOf(*simulation)),
+      cells_(simulation->organ().rest),
+      organBox_(boxOfOrgans(*simulation)),
+      view_(scenario, *simulation, aspect),
+      tools_(view_.room(), restsOf(scenario)),
+      camera_(view_.room().camera()),
+      iso_(view_.room().aids(), isoFoot(organBox_)),
+      marker_(view_.room().aids()),
+      events_(SbViewportRegion(640, 480)),
+      operation_(std::move(simulation), restsOf(scenario), scenario.frameRate) {
+  for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
+  tools_.changed = [this] { toolsChanged(); };
+  tools_.readyPlace = Vec3(organBox_.centre().x(), organBox_.max.y() + 0.02,
+                           organBox_.centre().z() + 0.15 * organBox_.size().z());
+  tools_.constrain = [this](int tool, const Pose& pose) {
+    double lowest = 0;
+    for (const Vec3& p : toolModels_[std::size_t(tool)].mesh.points)
+      lowest = std::min(lowest, (pose * p).y());
+    return Pose{pose.position - Vec3(0, lowest, 0), pose.rotation};
+  };
+  iso_.setValue(scenario.organs[0].source.settings.iso);
+  iso_.changed = [this](float iso) {
+    operation_.setIso(iso);
+    damage_.everything = true;
+  };
+  toolsChanged();
+  look(RoomView::Surgeon, aspect);
+}
+
+Vec3 OperatingSession::lampPosition() const {
+  const SbVec3f p = room().lamp(0)->location.getValue();
+  return {p[0], p[1], p[2]};
+}
+
+void OperatingSession::toolsChanged() {
+  if (tools_.held() >= 0) stopPlaying();
+  toolBoxes_.resize(std::size_t(tools_.toolCount()));
+  shownSlices_.resize(toolBoxes_.size());
+  for (int i = 0; i < tools_.toolCount(); ++i) {
+    const bool held = i == tools_.held();
+    operation_.setTool(i, {tools_.pose(i), held, held && !tools_.squeezing() ? 0.0 : 1.0});
+    const Aabb box = room().toolBounds(i);
+    Aabb& before = toolBoxes_[std::size_t(i)];
+    if (box.min == before.min && box.max == before.max) continue;
+    room().changedIn(before);
+    room().changedIn(box);
+    before = box;
+    // A manipulator is as wide as its box.
+    std::vector<Aabb> slices{box};
+    if (i != tools_.held() || tools_.how() == ToolHandling::Hold::Direct) {
+      slices = toolSlices_[std::size_t(i)];
+      for (Aabb& slice : slices) slice = movedBox(slice, tools_.pose(i));
+    }
+    for (const std::vector<Aabb>& places : {shownSlices_[std::size_t(i)], slices})
+      for (const Aabb& place : places) addWithShadow(damage_, place, lampPosition(), organBox_);
+    shownSlices_[std::size_t(i)] = slices;
+  }
+  if (tools_.held() < 0) {
+    marker_.hide();
+    damage_.boxes.push_back(markerBox_);
+  }
+}
+
+bool OperatingSession::handle(const SoEvent& event, const SbViewportRegion& viewport) {
+  events_.setViewportRegion(viewport);
+  events_.setEvent(&event);
+  events_.apply(root());
+  // A dragger lights up under the pointer.
+  if (events_.getGrabber()) damage_.everything = true;
+  if (events_.isHandled()) return true;
+  if (!camera_.handle(event, viewport)) return false;
+  damage_.everything = true;
+  return true;
+}
+
+Damage OperatingSession::update() {
+  SoSensorManager* sensors = SoDB::getSensorManager();
+  sensors->processTimerQueue();
+  sensors->processDelayQueue(TRUE);
+
+  std::vector<SurfaceUpdate> updates;
+  if (operation_.take(updates, state_)) {
+    view_.follow(updates);
+    Aabb changed;
+    for (int o = 0; o < room().organCount(); ++o) changed.grow(room().organ(o)->takeChanged());
+    const bool everything = std::ranges::any_of(updates, &SurfaceUpdate::everything);
+    if (everything) damage_.everything = true;
+    if (everything) room().changedIn({});
+    if (!everything && !changed.empty()) {
+      room().changedIn(changed);
+      addWithShadow(damage_, changed, lampPosition(), organBox_);
+    }
+    bool turned = false;
+    for (int i = 0; i < tools_.toolCount(); ++i)
+      turned |= room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);
+    if (turned) toolsChanged();
+    if (playing_) followMotion();
+    const int held = tools_.held();
+    if (held >= 0 && std::size_t(held) < state_.tips.size()) {
+      const TipPlace& place = state_.tips[std::size_t(held)];
+      const Vec3 tip = tools_.pose(held) * toolModels_[std::size_t(held)].tip;
+      Aabb box;
+      box.grow(tip);
+      box.grow(Vec3(tip.x(), std::min(place.below, tip.y()), tip.z()));
+      box = box.padded(0.008);
+      if (marker_.show(tip, place.below, place.distance, state_.touching[std::size_t(held)] != 0)) {
+        damage_.boxes.push_back(markerBox_);
+        damage_.boxes.push_back(box);
+      }
+      markerBox_ = box;
+    }
+  }
+  std::erase_if(damage_.boxes, [](const Aabb& box) { return box.empty(); });
+  return std::exchange(damage_, {});
+}
+
+void OperatingSession::play(double until) {
+  tools_.hold(-1, ToolHandling::Hold::None);
+  const std::int64_t all = frameCount(scenario_);
+  if (played_ >= all) played_ = 0;
+  playUntil_ = std::min<std::int64_t>(all, std::llround(until * scenario_.frameRate));
+  playing_ = true;
+  operation_.play([scenario = scenario_, frame = played_, end = playUntil_]() mutable {
+    return frame < end ? std::optional(frameInput(scenario, frame++)) : std::nullopt;
+  });
+}
+
+void OperatingSession::followMotion() {
+  std::vector<ToolInput> inputs = state_.played;
+  if (inputs.empty() && operation_.playing()) return;
+  if (inputs.empty()) {
+    // Over; of the last frames nothing may have been seen here.
+    playing_ = false;
+    played_ = playUntil_;
+    if (played_ > 0) inputs = frameInput(scenario_, played_ - 1).tools;
+    if (played_ == frameCount(scenario_))
+      for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].pose = scenario_.tools[i].rest;
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) room().setToolPose(int(i), inputs[i].pose);
+  toolsChanged();
+}
+
+void OperatingSession::stopPlaying() {
+  if (!playing_) return;
+  operation_.play({});
+  playing_ = false;
+  played_ = 0;
+}
+
+void OperatingSession::follow(const ViewMotion& motion) {
+  if (motion.move.isZero() && motion.turn.isZero()) return;
+  if (tools_.held() >= 0) {
+    if (!motion.move.isZero()) tools_.move(motion.move);
+    tools_.turn(motion.turn);
+    return;
+  }
+  const double distance = (camera_.pointOfInterest() - positionOf(room().camera())).norm();
+  camera_.pan(motion.move.x(), motion.move.y());
+  camera_.zoom(std::exp(motion.move.z() / std::max(distance, 0.05)));
+  camera_.orbit(motion.turn.y(), -motion.turn.x());
+  damage_.everything = true;
+}
+
+void OperatingSession::look(RoomView view, double aspect) {
+  // The surgeon sees what there is to take.
+  if (view == RoomView::Surgeon)
+    room().frame(view, allThereIs(), aspect);
+  else
+    room().look(view, organBox_, aspect);
+  damage_.everything = true;
+}
+
+void OperatingSession::viewAll(double aspect) {
+  room().viewAll(allThereIs(), aspect);
+  damage_.everything = true;
+}
+
+// The organ, the instruments in their tray, the iso scale.
+Aabb OperatingSession::allThereIs() const {
+  Aabb all = organBox_;
+  for (std::size_t i = 0; i < toolModels_.size(); ++i)
+    for (const Vec3& p : toolModels_[i].mesh.points) all.grow(scenario_.tools[i].rest * p);
+  all.grow(Vec3(isoFoot(organBox_) - Vec3(0.01, 0, 0)));
+  return all;
+}
+
+void OperatingSession::bringEverythingBack(double aspect) {
+  stopPlaying();
+  for (int i = 0; i < tools_.toolCount(); ++i) tools_.putBack(i);
+  look(RoomView::Surgeon, aspect);
+}
+
+bool OperatingSession::pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport,
+                                  Vec3& point) const {
+  // The organ is left out of Inventor's picking for speed's sake: it is asked itself.
+  constexpr double kReach = 5;  // m
+  const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
+  const SbVec2s size = viewport.getViewportSizePixels();
+  SbVec3f from, towards;
+  volume.projectPointToLine(SbVec2f(float(pixel[0]) / size[0], float(pixel[1]) / size[1]), from,
+                            towards);
+  Ray ray{Vec3(from[0], from[1], from[2]), Vec3(towards[0], towards[1], towards[2])};
+  ray.direction = (ray.direction - ray.origin).normalized();
+  double nearest = kReach;
+  for (int o = 0; o < room().organCount(); ++o)
+    if (const auto on = room().organ(o)->firstPointOn(ray))
+      nearest = std::min(nearest, (*on - ray.origin).norm());
+  const double table = -ray.origin.y() / ray.direction.y();  // its plane, y = 0
+  if (table >= 0) nearest = std::min(nearest, table);
+  point = ray.at(nearest);
+  return nearest < kReach;
+}
+
+SbVec2s OperatingSession::pixelOf(const Vec3& point, const SbViewportRegion& viewport) const {
+  const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
+  SbVec3f screen;
+  volume.projectToScreen(SbVec3f(float(point.x()), float(point.y()), float(point.z())), screen);
+  const SbVec2s size = viewport.getViewportSizePixels();
+  return {short(screen[0] * size[0]), short(screen[1] * size[1])};
+}
+
+Vec3 OperatingSession::middleOfTool(int tool) const {
+  const Aabb box = bounds(toolModels_.at(std::size_t(tool)).mesh);
+  return tools_.pose(tool) * box.centre();
+}
+
+}  // namespace resect

@@ -1,0 +1,322 @@
+#include "inventor/scene/operating_room.h"
+
+#include <Inventor/SoFullPath.h>
+#include <Inventor/actions/SoGetBoundingBoxAction.h>
+#include <Inventor/actions/SoSearchAction.h>
+#include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoCoordinate3.h>
+#include <Inventor/nodes/SoEventCallback.h>
+#include <Inventor/nodes/SoFaceSet.h>
+#include <Inventor/nodes/SoLightModel.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoPickStyle.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoShaderProgram.h>
+#include <Inventor/nodes/SoShapeHints.h>
+#include <Inventor/nodes/SoSpotLight.h>
+#include <Inventor/nodes/SoTransform.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "base/assert.h"
+#include "geometry/normals.h"
+#include "geometry/topology.h"
+#include "inventor/gl/SoOrganShape.h"
+#include "inventor/gl/SoShadeOnce.h"
+#include "inventor/gl/SoShadowMaps.h"
+#include "inventor/gl/materials.h"
+#include "inventor/init.h"
+#include "inventor/scene/model_nodes.h"
+
+namespace resect {
+
+namespace {
+
+SbVec3f toSb(const Vec3& v) { return SbVec3f(float(v.x()), float(v.y()), float(v.z())); }
+
+SoSeparator* uncachedSeparator() {
+  auto* separator = new SoSeparator;
+  separator->renderCaching = SoSeparator::OFF;
+  return separator;
+}
+
+SoSeparator* withMaterial(RoomMaterial material, std::initializer_list<SoNode*> nodes) {
+  SoSeparator* separator = uncachedSeparator();
+  separator->addChild(makeMaterial(material));
+  for (SoNode* node : nodes) separator->addChild(node);
+  return separator;
+}
+
+// A quad whose corners the vertex shader moves to those of the picture; tiny, so that it does not
+// count in the scene's bounds.
+SoNode* backgroundQuad() {
+  auto* quad = new SoSeparator;
+  auto* corners = new SoCoordinate3;
+  const float e = 1e-4f;
+  const SbVec3f points[4] = {{-e, -e, 0.0f}, {e, -e, 0.0f}, {e, e, 0.0f}, {-e, e, 0.0f}};
+  corners->point.setValues(0, 4, points);
+  quad->addChild(corners);
+  auto* face = new SoFaceSet;
+  face->numVertices = 4;
+  quad->addChild(face);
+  return quad;
+}
+
+// Colour, hints and shape of one tissue. The back of a closed surface need not be drawn.
+struct Tissue {
+  SoBaseColor* colour;
+  SoShapeHints* hints;
+  SoOrganShape* shape;
+};
+
+Tissue appendTissue(SoSeparator* tissue, const Vec3f& colour) {
+  SoSeparator* separator = uncachedSeparator();
+  auto* hints = new SoShapeHints;
+  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
+  hints->shapeType = SoShapeHints::UNKNOWN_SHAPE_TYPE;
+  auto* base = new SoBaseColor;
+  base->rgb.setValue(colour.data());
+  auto* shape = new SoOrganShape;
+  auto* once = new SoShadeOnce;
+  once->addChild(shape);
+  separator->addChild(base);
+  separator->addChild(hints);
+  separator->addChild(once);
+  tissue->addChild(separator);
+  return {base, hints, shape};
+}
+
+// An uncut surface with smooth normals.
+void setMesh(const Tissue& tissue, const TriangleMesh& mesh) {
+  const Topology form = topology(mesh);
+  tissue.hints->shapeType =
+      form.closed() && form.oriented() ? SoShapeHints::SOLID : SoShapeHints::UNKNOWN_SHAPE_TYPE;
+  std::vector<Vec3f> points(mesh.points.size()), normals(mesh.points.size());
+  std::ranges::transform(mesh.points, points.begin(),
+                         [](const Vec3& p) { return Vec3f(p.cast<float>()); });
+  std::ranges::transform(pointNormals(mesh), normals.begin(),
+                         [](const Vec3& n) { return Vec3f(n.cast<float>()); });
+  const std::vector<float> cut(points.size(), 0.0f);
+  tissue.shape->update(wholeSurface(points, normals, cut, mesh.triangles));
+}
+
+}  // namespace
+
+void setPose(SoTransform* transform, const Pose& pose) {
+  const Eigen::Quaterniond& q = pose.rotation;
+  transform->translation = toSb(pose.position);
+  transform->rotation = SbRotation(float(q.x()), float(q.y()), float(q.z()), float(q.w()));
+}
+
+Pose getPose(const SoTransform& transform) {
+  const SbVec3f& p = transform.translation.getValue();
+  const float* q = transform.rotation.getValue().getValue();
+  return {Vec3(p[0], p[1], p[2]), Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized()};
+}
+
+OperatingRoom::OperatingRoom() {
+  initInventor();
+  root_ = uncachedSeparator();
+  root_->ref();
+  camera_ = new SoPerspectiveCamera;
+  root_->addChild(camera_);
+  for (SoSpotLight*& lamp : lamps_) root_->addChild(lamp = new SoSpotLight);
+  lamps_[0]->color = SbColor(1.0f, 0.93f, 0.83f);
+  lamps_[0]->intensity = 1.0f;
+  lamps_[1]->color = SbColor(0.72f, 0.86f, 1.0f);
+  lamps_[1]->intensity = 0.28f;
+
+  shadows_ = new SoShadowMaps;
+  root_->addChild(shadows_);
+  casters_ = uncachedSeparator();
+  shadows_->casters = casters_;
+
+  table_ = uncachedSeparator();
+  toolbox_ = uncachedSeparator();
+  toolbox_->addChild(toolboxPose_ = new SoTransform);
+  tools_ = uncachedSeparator();
+  tissue_ = uncachedSeparator();
+  auto* unpickable = new SoPickStyle;
+  unpickable->style = SoPickStyle::UNPICKABLE;
+  tissue_->addChild(unpickable);
+  tissue_->addChild(organPose_ = new SoTransform);
+  const Tissue organ = appendTissue(tissue_, kLiverColour);
+  organColour_ = organ.colour;
+  organHints_ = organ.hints;
+  organs_ = {organ.shape};
+  for (SoNode* node : {toolbox_, tissue_}) casters_->addChild(node);
+  shadows_->movers = tools_;
+
+  root_->addChild(withMaterial(RoomMaterial::Liver, {tissue_}));
+  steel_ = makeMaterial(RoomMaterial::Steel);
+  steel_->ref();
+  root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_}));
+  root_->addChild(tools_);
+  root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
+  // Last: most of it is hidden already.
+  auto* room = withMaterial(RoomMaterial::Room, {backgroundQuad()});
+  auto* notPicked = new SoPickStyle;
+  notPicked->style = SoPickStyle::UNPICKABLE;
+  room->insertChild(notPicked, 0);
+  root_->addChild(room);
+  aids_ = uncachedSeparator();
+  auto* flatColours = new SoLightModel;
+  flatColours->model = SoLightModel::BASE_COLOR;
+  aids_->addChild(flatColours);
+  root_->addChild(aids_);
+}
+
+OperatingRoom::~OperatingRoom() {
+  steel_->unref();
+  root_->unref();
+}
+
+SoNode* OperatingRoom::root() const { return root_; }
+
+void OperatingRoom::setTable(SoNode* model) {
+  table_->removeAllChildren();
+  if (model) table_->addChild(model);
+}
+
+void OperatingRoom::setToolbox(SoNode* model, const Pose& pose) {
+  setPose(toolboxPose_, pose);
+  while (toolbox_->getNumChildren() > 1) toolbox_->removeChild(1);
+  if (model) toolbox_->addChild(model);
+}
+
+int OperatingRoom::addTool(SoNode* model) {
+  // The steel is the model's alone: a manipulator in the transform's place keeps its own colours.
+  SoSeparator* tool = uncachedSeparator();
+  tool->addChild(new SoTransform);
+  SoSeparator* body = uncachedSeparator();
+  body->addChild(steel_);
+  body->addChild(model);
+  tool->addChild(body);
+  tools_->addChild(tool);
+  jaws_.emplace_back();
+  SoSearchAction search;
+  search.setType(SoTransform::getClassTypeId());
+  search.setInterest(SoSearchAction::ALL);
+  search.apply(model);
+  for (int i = 0; i < search.getPaths().getLength(); ++i) {
+    auto* transform = static_cast<SoTransform*>(search.getPaths()[i]->getTail());
+    if (std::string_view(transform->getName().getString()).starts_with("Jaw"))
+      jaws_.back().push_back({transform, getPose(*transform).rotation.cast<float>()});
+  }
+  const int number = tools_->getNumChildren() - 1;
+  setToolSqueeze(number, 1);
+  tool->addChild(makePickProxy(model));
+  return number;
+}
+
+bool OperatingRoom::setToolSqueeze(int tool, double squeeze) {
+  bool turned = false;
+  for (const Jaw& jaw : jaws_.at(std::size_t(tool))) {
+    const Eigen::Quaternionf q = jaw.open.slerp(float(squeeze), Eigen::Quaternionf::Identity());
+    const SbRotation rotation(q.x(), q.y(), q.z(), q.w());
+    if (jaw.transform->rotation.getValue() == rotation) continue;
+    jaw.transform->rotation = rotation;
+    turned = true;
+  }
+  return turned;
+}
+
+SoTransform* OperatingRoom::toolTransform(int tool) const {
+  RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
+  return static_cast<SoTransform*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(0));
+}
+
+int OperatingRoom::toolOfPath(const SoFullPath& path) const {
+  for (int i = 0; i + 1 < path.getLength(); ++i)
+    if (path.getNode(i) == tools_) return tools_->findChild(path.getNode(i + 1));
+  return -1;
+}
+
+SoNode* OperatingRoom::tableModel() const {
+  return table_->getNumChildren() > 0 ? table_->getChild(0) : nullptr;
+}
+
+SoNode* OperatingRoom::toolboxModel() const {
+  return toolbox_->getNumChildren() > 1 ? toolbox_->getChild(1) : nullptr;
+}
+
+Pose OperatingRoom::toolboxPose() const { return getPose(*toolboxPose_); }
+
+int OperatingRoom::toolCount() const { return tools_->getNumChildren(); }
+
+SoNode* OperatingRoom::toolModel(int tool) const {
+  RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
+  const auto* body =
+      static_cast<SoSeparator*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(1));
+  return body->getChild(1);
+}
+
+Aabb OperatingRoom::toolBounds(int tool) const {
+  RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
+  SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
+  measure.apply(tools_->getChild(tool));
+  const SbBox3f box = measure.getBoundingBox();
+  if (box.isEmpty()) return {};
+  const SbVec3f &low = box.getMin(), &high = box.getMax();
+  return {Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])};
+}
+
+void OperatingRoom::changedIn(const Aabb& box) { shadows_->changedIn(box); }
+
+void OperatingRoom::setShadowResolution(int texels) {
+  if (shadows_->resolution.getValue() != texels) shadows_->resolution = texels;
+}
+
+void OperatingRoom::holdShadows(bool held) { shadows_->hold(held); }
+
+void OperatingRoom::addListener(SoEventCallback* listener) {
+  root_->insertChild(listener, root_->findChild(camera_) + 1);
+}
+
+void OperatingRoom::removeListener(SoEventCallback* listener) { root_->removeChild(listener); }
+
+void OperatingRoom::setToolPose(int tool, const Pose& pose) { setPose(toolTransform(tool), pose); }
+
+void OperatingRoom::setOrgan(const TriangleMesh& mesh, const Vec3f& colour) {
+  setOrganColour(colour);
+  setMesh({organColour_, organHints_, organs_[0]}, mesh);
+}
+
+void OperatingRoom::setOrganColour(const Vec3f& colour) {
+  organColour_->rgb.setValue(colour.data());
+}
+
+// The surface of an organ is closed.
+void OperatingRoom::addOrgan(const Vec3f& colour) {
+  const Tissue organ = appendTissue(tissue_, colour);
+  organ.hints->shapeType = SoShapeHints::SOLID;
+  organs_.push_back(organ.shape);
+}
+
+void OperatingRoom::addTissue(const TriangleMesh& mesh, const Vec3f& colour) {
+  setMesh(appendTissue(tissue_, colour), mesh);
+}
+
+void OperatingRoom::setOrganPose(const Pose& pose) { setPose(organPose_, pose); }
+
+void OperatingRoom::lightUp(const Aabb& box) {
+  if (box.empty()) return;
+  const Vec3 centre = box.centre();
+  const double radius = std::max(0.5 * box.size().norm(), 1e-3);
+  const Vec3 places[2] = {{-0.50, 1.20, -0.10}, {0.85, 0.95, 0.45}};
+  // Lamps hang 1.3 m from a liver; a model of another size is lit as if it were one.
+  const double scale = std::max(1.0, radius / 0.2);
+  for (int k = 0; k < 2; ++k) {
+    lamps_[k]->location = toSb(centre + scale * places[k]);
+    lamps_[k]->direction = toSb(-places[k].normalized());
+    lamps_[k]->cutOffAngle = k == 0 ? 0.42f : 0.60f;
+  }
+  shadows_->lampPosition = lamps_[0]->location.getValue();
+  shadows_->focus = toSb(centre);
+  shadows_->radius = float(std::max(0.46, 1.5 * radius));
+}
+
+}  // namespace resect

@@ -1,0 +1,82 @@
+#include "inventor/scene/operation_view.h"
+
+#include <Inventor/SoDB.h>
+#include <Inventor/SoInput.h>
+#include <Inventor/nodes/SoSeparator.h>
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "inventor/gl/SoOrganShape.h"
+#include "inventor/init.h"
+#include "io/data_folder.h"
+#include "operation/room.h"
+
+namespace resect {
+
+SoNode* readSceneFile(const std::filesystem::path& path) {
+  initInventor();
+  SoInput input;
+  SoSeparator* root = input.openFile(path.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;
+  if (!root)
+    throw error("cannot read {} as an Inventor file; install Resect's data again", path.string());
+  return root;
+}
+
+namespace {
+
+Vec3f colourOf(const OrganSource& organ) {
+  return organ.file == "gallbladder" ? kGallbladderColour : kLiverColour;
+}
+
+}  // namespace
+
+OperationView::OperationView(const Scenario& scenario, Simulation& simulation, double aspect) {
+  const auto view = roomView(scenario.view);
+  if (!view)
+    throw usageError("there is no view \"{}\"; use surgeon, assistant, top or laparoscope",
+                     scenario.view);
+  const auto tools = dataFolder() / "tools";
+  if (scenario.table) room_.setTable(readSceneFile(tools / "table.iv"));
+  if (scenario.toolBox) room_.setToolbox(readSceneFile(tools / "toolbox.iv"), toolBoxPose());
+  for (const ToolState& state : simulation.tools())
+    room_.addTool(readSceneFile(state.tool->model.file));
+  simulation.keepLook();
+  publishers_.assign(simulation.organs().size(), SurfacePublisher(0));
+  room_.setOrganColour(colourOf(scenario.organs[0].source));
+  for (std::size_t o = 1; o < simulation.organs().size(); ++o)
+    room_.addOrgan(colourOf(scenario.organs[o].source));
+  follow(simulation);
+  for (std::size_t i = 0; i < scenario.tools.size(); ++i)
+    room_.setToolPose(int(i), scenario.tools[i].rest);
+  Aabb box;
+  for (const OperatedOrgan& o : simulation.organs()) box.grow(o.organ.rest.lattice.box());
+  // What hangs or falls is seen down to the table that it may come to.
+  if (scenario.table) box.min.y() = std::min(box.min.y(), 0.0);
+  room_.lightUp(box);
+  if (scenario.closeUp)
+    room_.frame(*view, *scenario.closeUp, aspect);
+  else
+    room_.look(*view, box, aspect);
+}
+
+RgbImage OperationView::draw(OffscreenView& picture) const { return picture.render(room_.root()); }
+
+void OperationView::follow(const Simulation& simulation) {
+  for (std::size_t i = 0; i < simulation.tools().size(); ++i) {
+    room_.setToolPose(int(i), simulation.tools()[i].pose());
+    room_.setToolSqueeze(int(i), simulation.tools()[i].way.to.squeeze);
+  }
+  std::vector<SurfaceUpdate> updates;
+  for (std::size_t o = 0; o < publishers_.size(); ++o) {
+    publishers_[o].follow(presentSurface(simulation, o));
+    updates.push_back(publishers_[o].take());
+  }
+  follow(updates);
+}
+
+void OperationView::follow(std::span<const SurfaceUpdate> updates) {
+  for (std::size_t o = 0; o < updates.size(); ++o) room_.organ(int(o))->update(updates[o]);
+}
+
+}  // namespace resect

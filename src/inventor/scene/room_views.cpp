@@ -1,0 +1,116 @@
+// From where the operating room is looked at.
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoSeparator.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+#include "inventor/scene/operating_room.h"
+
+namespace resect {
+namespace {
+
+SbVec3f toSb(const Vec3& v) { return SbVec3f(float(v.x()), float(v.y()), float(v.z())); }
+
+struct Direction {
+  Vec3 towards;        // from what is looked at to the camera
+  double heightAngle;  // rad
+  double margin;       // the sphere round the box is this much smaller than the picture
+  Vec3 aside;  // what is looked at, off the middle of the box, in its radii, per (aspect - 1)
+};
+
+Direction direction(RoomView view) {
+  switch (view) {
+    case RoomView::Surgeon:
+      return {{0.06, 0.62, 1.0}, 0.50, 1.08, {0.66, -0.06, 0.0}};
+    case RoomView::Assistant:
+      return {{-1.0, 0.55, -0.55}, 0.48, 1.0, {0.0, 0.0, 0.0}};
+    case RoomView::Top:
+      return {{0.0, 1.0, 1e-3}, 0.48, 1.0, {0.0, 0.0, 0.0}};
+    case RoomView::Laparoscope:
+      return {{0.35, 0.48, 0.85}, 1.15, 0.80, {0.0, 0.0, 0.0}};
+  }
+  RESECT_ASSERT(false);
+  return {};
+}
+
+struct ViewAxes {
+  Vec3 right, up, back;  // unit
+};
+
+// From the middle of the box to a camera that sees all of it. Inventor takes the angle across the
+// narrower side.
+double distanceToFit(const Aabb& box, const ViewAxes& axes, double heightAngle, double aspect) {
+  const double narrow = 0.93 * std::tan(0.5 * heightAngle);
+  const double tanX = narrow * std::max(1.0, aspect), tanY = narrow * std::max(1.0, 1 / aspect);
+  double distance = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p = box.corner(corner) - box.centre();
+    const double nearer = p.dot(axes.back);
+    distance = std::max({distance, nearer + std::abs(p.dot(axes.right)) / tanX,
+                         nearer + std::abs(p.dot(axes.up)) / tanY});
+  }
+  return distance;
+}
+
+}  // namespace
+
+std::optional<RoomView> roomView(std::string_view name) {
+  if (name == "surgeon") return RoomView::Surgeon;
+  if (name == "assistant") return RoomView::Assistant;
+  if (name == "top") return RoomView::Top;
+  if (name == "laparoscope") return RoomView::Laparoscope;
+  return std::nullopt;
+}
+
+void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
+  RESECT_ASSERT(aspect > 0.0);
+  if (box.empty()) return;
+  const Direction from = direction(view);
+  const double radius = std::max(0.5 * box.size().norm(), 1e-3);
+  // Only wide pictures have room for the tool box beside the organ.
+  const bool beside = toolbox_->getNumChildren() > 1;
+  const double aside = beside ? std::clamp(aspect - 1.0, 0.0, 0.8) : 0.0;
+  // The sphere round the box fits; Inventor takes the angle across the narrower side.
+  place(view, box.centre() + aside * radius * from.aside,
+        from.margin * radius / std::sin(0.5 * from.heightAngle));
+}
+
+void OperatingRoom::frame(RoomView view, const Aabb& box, double aspect) {
+  RESECT_ASSERT(aspect > 0.0);
+  if (box.empty()) return;
+  const Direction from = direction(view);
+  const Vec3 back = from.towards.normalized(), right = Vec3::UnitY().cross(back).normalized();
+  place(view, box.centre(),
+        distanceToFit(box, {right, back.cross(right), back}, from.heightAngle, aspect));
+}
+
+void OperatingRoom::viewAll(const Aabb& box, double aspect) {
+  RESECT_ASSERT(aspect > 0.0);
+  if (box.empty()) return;
+  Vec3 axes[3];
+  for (int a = 0; a < 3; ++a) {
+    SbVec3f axis;
+    camera_->orientation.getValue().multVec(SbVec3f(a == 0, a == 1, a == 2), axis);
+    axes[a] = Vec3(axis[0], axis[1], axis[2]);
+  }
+  const double distance = distanceToFit(box, {axes[0], axes[1], axes[2]},
+                                        double(camera_->heightAngle.getValue()), aspect);
+  camera_->position = toSb(box.centre() + distance * axes[2]);
+  camera_->focalDistance = float(distance);
+  camera_->nearDistance = float(0.05 * distance);
+  camera_->farDistance = float(20.0 * distance);
+}
+
+void OperatingRoom::place(RoomView view, const Vec3& target, double distance) {
+  const Direction from = direction(view);
+  camera_->heightAngle = float(from.heightAngle);
+  camera_->position = toSb(target + distance * from.towards.normalized());
+  camera_->pointAt(toSb(target), SbVec3f(0.0f, 1.0f, 0.0f));
+  camera_->focalDistance = float(distance);
+  camera_->nearDistance = float(0.05 * distance);
+  camera_->farDistance = float(20.0 * distance);
+}
+
+}  // namespace resect

@@ -1,0 +1,35 @@
+// How is an operation kept as an Inventor file that any Inventor viewer shows, and how does it come
+// back?
+//
+// Plain nodes only: camera, lamps, materials, transforms, and the organ as an IndexedFaceSet with
+// normals, named Organ. What was cut stays cut: reading it back makes new cells of that surface.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "inventor/scene/operating_room.h"
+#include "surface/surface_tracker.h"
+
+namespace resect {
+
+constexpr const char* kOrganNode = "Organ";  // the part of the file that is the organ
+
+// Writes atomically; an Error in one sentence when that fails.
+void writeSceneFile(const std::filesystem::path& path, const OperatingRoom& room,
+                    const SurfaceTracker::Compact& organ);
+
+struct ScenePlaces {
+  std::vector<Pose> tools;  // in the order of the room that was written
+  Pose camera;
+  double heightAngle = 0;    // rad
+  double focalDistance = 0;  // m
+};
+
+// Tools and camera of a file that writeSceneFile wrote; nothing for other files. Reads it in this
+// process: only after readModel has been through it without harm.
+std::optional<ScenePlaces> readScenePlaces(const std::filesystem::path& path);
+void setCamera(OperatingRoom& room, const ScenePlaces& places);
+
+}  // namespace resect

@@ -1,0 +1,53 @@
+#include "io/scenario/label_reader.h"
+
+#include <algorithm>
+
+#include "io/scenario/region_reader.h"
+
+namespace resect {
+namespace {
+
+constexpr int kLastLabel = 255;
+
+}  // namespace
+
+std::vector<OrganLabel> readLabels(const TomlTable& organ) {
+  std::vector<OrganLabel> labels;
+  for (const TomlTable& t : organ.tables("label")) {
+    OrganLabel label{t.integer("label", 1, kLastLabel), t.text("name", ""), readRegion(t)};
+    for (const OrganLabel& before : labels)
+      if (before.label == label.label && !label.name.empty() && !before.name.empty() &&
+          before.name != label.name)
+        t.complain("name", "is \"" + label.name + "\", and label " + std::to_string(label.label) +
+                               " was \"" + before.name + "\" before; a label has one name");
+    t.refuseUnknownKeys();
+    labels.push_back(std::move(label));
+  }
+  return labels;
+}
+
+TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& missing) {
+  TissueMaterial material = missing;
+  material.young = t.number("young", 1, 1e9, missing.young);
+  material.poisson = t.number("poisson", 0, 0.4999, missing.poisson);
+  material.density = t.number("density", 1, 1e5, missing.density);
+  material.tearStretch = t.number("tear_stretch", 1, 1e9, missing.tearStretch);
+  return material;
+}
+
+std::vector<LabelMaterial> readMaterials(const TomlTable& tissue, const TissueMaterial& own) {
+  std::vector<LabelMaterial> materials;
+  for (const TomlTable& t : tissue.tables("material")) {
+    LabelMaterial one{t.integer("label", 1, kLastLabel), readMaterial(t, own)};
+    one.material.name = t.text("name", "label " + std::to_string(one.label));
+    if (std::any_of(materials.begin(), materials.end(),
+                    [&](const LabelMaterial& before) { return before.label == one.label; }))
+      t.complain("label", "is " + std::to_string(one.label) +
+                              ", which has a material already; keep one of the two");
+    t.refuseUnknownKeys();
+    materials.push_back(std::move(one));
+  }
+  return materials;
+}
+
+}  // namespace resect

@@ -1,0 +1,249 @@
+#include "io/scenario/scenario_file.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "io/data_folder.h"
+#include "io/scenario/label_reader.h"
+#include "io/scenario/length.h"
+#include "io/scenario/region_reader.h"
+#include "io/scenario/toml_table.h"
+#include "operation/room.h"
+
+namespace resect {
+namespace {
+
+constexpr double kMinSpacing = 1e-5, kMaxSpacing = 0.1;  // m
+
+Vec3i readDims(const TomlTable& t) {
+  const Vec3 dims = t.vec3("dims");
+  for (int a = 0; a < 3; ++a)
+    if (dims[a] < 1 || dims[a] > 2000 || dims[a] != std::floor(dims[a]))
+      t.complain("dims", "is not three whole numbers from 1 to 2000");
+  return dims.cast<int>();
+}
+
+OrganSource readOrgan(const TomlTable& t) {
+  OrganSource organ;
+  organ.name = t.text("name", "organ");
+  organ.beside = t.text("beside", "");
+  const std::string source = t.text("source", "liver");
+  organ.file = organFile(source);
+  organ.part = t.text("part", "");
+  organ.unit = parseUnit(t.text("unit", "m"), "organ.unit");
+  organ.repair = t.flag("repair", false);
+  if (t.has("spacing")) organ.spacing = t.length("spacing", kMinSpacing, kMaxSpacing);
+  if (t.has("dims")) organ.dims = readDims(t);
+  if (organ.spacing && organ.dims) t.complain("dims", "and spacing are both given; keep one");
+  if (!organ.spacing && !organ.dims) organ.spacing = 0.005;
+  organ.pose = {t.vec3("position", Vec3::Zero()), t.rotation("rotation")};
+  organ.onTable = t.flag("on_table", true);
+  organ.settle = t.flag("settle", true);
+  organ.settings.refine = t.integer("refine", 1, 4, organ.settings.refine);
+  organ.settings.iso = float(t.number("iso", kMinIso, kMaxIso, organ.settings.iso));
+  organ.landmarks = readLandmarks(t);
+  organ.labels = readLabels(t);
+  return organ;
+}
+
+std::string readResponse(const TomlTable& t) {
+  const std::string response = t.text("response", "own");
+  if (response != "own" && response != "remove")
+    t.complain("response", "is \"" + response + "\"; use \"own\" or \"remove\"");
+  return response == "own" ? "" : response;
+}
+
+TissueAttachment readAttachment(const TomlTable& t) {
+  TissueAttachment attachment;
+  const std::string kind = t.text("kind", "pin");
+  if (kind != "pin" && kind != "ligament")
+    t.complain("kind", "is \"" + kind + "\"; use \"pin\" or \"ligament\"");
+  attachment.kind = kind == "pin" ? TissueAttachment::Kind::Pin : TissueAttachment::Kind::Ligament;
+  static_cast<Region&>(attachment) = readRegion(t);
+  attachment.stiffness = t.number("stiffness", 0, 1e6, attachment.stiffness);
+  t.refuseUnknownKeys();
+  return attachment;
+}
+
+TissueSetup readTissue(const TomlTable& t) {
+  TissueSetup tissue;
+  const std::string model = t.text("model", "still");
+  if (model != "still" && model != "elastic")
+    t.complain("model", "is \"" + model + "\"; use \"still\" or \"elastic\"");
+  tissue.elastic = model == "elastic";
+  tissue.material = readMaterial(t, tissue.material);
+  tissue.materials = readMaterials(t, tissue.material);
+  tissue.settings.gravity = {0, -t.number("gravity", -1000, 1000, 9.81), 0};
+  tissue.settings.damping = t.number("damping", 0, 0.5, tissue.settings.damping);
+  tissue.settings.drag = t.number("drag", 0, 1e4, 3);
+  tissue.settings.threads = t.integer("threads", 0, 64, 0);
+  for (const TomlTable& attachment : t.tables("attachment"))
+    tissue.attachments.push_back(readAttachment(attachment));
+  t.refuseUnknownKeys();
+  return tissue;
+}
+
+ScenarioTool readScenarioTool(const TomlTable& t, int number) {
+  ScenarioTool tool;
+  tool.model = t.text("model");
+  if (t.has("response")) tool.response = readResponse(t);
+  tool.rest = toolBoxPlace(number);
+  if (const auto rest = t.table("rest")) {
+    tool.rest = {rest->vec3("position"), rest->rotation("rotation")};
+    rest->refuseUnknownKeys();
+  }
+  for (const TomlTable& key : t.tables("keys")) {
+    const double time = key.number("time", 0, 1e5);
+    if (!tool.keys.empty() && time <= tool.keys.back().time)
+      key.complain("time", "is not later than that of the key before");
+    tool.keys.push_back({time,
+                         {key.vec3("position"), key.rotation("rotation")},
+                         key.number("squeeze", 0, 1, 0),
+                         key.number("pedal", 0, 1, 0)});
+    key.refuseUnknownKeys();
+  }
+  t.refuseUnknownKeys();
+  return tool;
+}
+
+// Without the key: that of the thesis where tissue is still.
+OperationMode readMode(const TomlTable& t, bool elastic) {
+  const std::string mode = t.text("mode", elastic ? "operation" : "thesis");
+  if (mode != "thesis" && mode != "operation")
+    t.complain("mode", "is \"" + mode + "\"; use \"thesis\" or \"operation\"");
+  if (mode == "thesis" && elastic)
+    t.complain("mode",
+               "is \"thesis\", where tissue is still; leave it out, or set model = \"still\"");
+  return mode == "thesis" ? OperationMode::Thesis : OperationMode::Operation;
+}
+
+// One [organ] with [tissue], or [[organ]] any number of times, each with [organ.tissue] of its own;
+// one that has none is of [tissue].
+void readOrgans(const TomlTable& t, Scenario& scenario) {
+  TissueSetup common;
+  if (const auto tissue = t.table("tissue")) common = readTissue(*tissue);
+  const auto read = [&](const TomlTable& organ) {
+    ScenarioOrgan one{readOrgan(organ), common};
+    if (const auto tissue = organ.table("tissue")) one.tissue = readTissue(*tissue);
+    organ.refuseUnknownKeys();
+    return one;
+  };
+  std::vector<ScenarioOrgan> organs;
+  if (t.isList("organ"))
+    for (const TomlTable& organ : t.tables("organ")) {
+      organs.push_back(read(organ));
+      const std::string& name = organs.back().source.name;
+      if (std::ranges::count(organs, name, [](const auto& o) { return o.source.name; }) > 1)
+        organ.complain("name",
+                       "is \"" + name + "\", as another organ's; give each a name of its own");
+    }
+  else if (const auto organ = t.table("organ"))
+    organs.push_back(read(*organ));
+  if (organs.empty()) {
+    organs.push_back({{}, common});
+    organs[0].source.spacing = 0.005;
+  }
+  const auto known = [&](const std::string& name) {
+    return std::ranges::any_of(organs, [&](const auto& o) { return o.source.name == name; });
+  };
+  for (std::size_t i = 0; i < organs.size(); ++i)
+    if (const std::string& beside = organs[i].source.beside; !beside.empty()) {
+      const bool before = std::any_of(organs.begin(), organs.begin() + std::ptrdiff_t(i),
+                                      [&](const auto& o) { return o.source.name == beside; });
+      if (!before)
+        t.complain("organ", "\"" + organs[i].source.name + "\" lies beside \"" + beside +
+                                "\", which is no organ before it");
+    }
+  for (const TomlTable& joint : t.tables("joint")) {
+    OrganJoint one;
+    const std::vector<std::string> names = joint.texts("organs");
+    if (names.size() != 2 || names[0] == names[1] || !known(names[0]) || !known(names[1]))
+      joint.complain("organs", "is not the names of two organs; give organs = [\"...\", \"...\"]");
+    one.organs[0] = names[0];
+    one.organs[1] = names[1];
+    if (joint.has("reach")) one.reach = joint.length("reach", 1e-5, 1);
+    one.stiffness = joint.number("stiffness", 0, 1e6, one.stiffness);
+    joint.refuseUnknownKeys();
+    scenario.joints.push_back(one);
+  }
+  scenario.organs = std::move(organs);
+  scenario.mode = readMode(t, moves(scenario));
+}
+
+Scenario toScenario(const TomlTable& t) {
+  Scenario scenario;
+  scenario.title = t.text("title");
+  scenario.description = t.text("description", "");
+  scenario.frameRate = t.number("frame_rate", 1, 1000, 60);
+  scenario.duration = t.number("duration", 1e-3, 3600);
+  scenario.view = t.text("view", "surgeon");
+  if (t.has("close_up")) {
+    scenario.closeUp = readBox(t, "close_up", "close_up = [[x, y, z], [x, y, z]]");
+    if (!(scenario.closeUp->size().maxCoeff() > 0)) t.complain("close_up", "has no size");
+  }
+  readOrgans(t, scenario);
+  if (const auto room = t.table("room")) {
+    scenario.table = room->flag("table", true);
+    scenario.toolBox = room->flag("tool_box", true);
+    room->refuseUnknownKeys();
+  }
+  for (const TomlTable& tool : t.tables("tool"))
+    scenario.tools.push_back(readScenarioTool(tool, int(scenario.tools.size())));
+  t.refuseUnknownKeys();
+  return scenario;
+}
+
+// A file named in another one: beside it, or as named.
+std::string resolved(const std::string& name, const std::filesystem::path& from) {
+  std::error_code ec;
+  const auto beside = from.parent_path() / name;
+  return std::filesystem::is_regular_file(beside, ec) ? beside.string() : name;
+}
+
+}  // namespace
+
+Scenario readScenario(const std::filesystem::path& path) {
+  Scenario scenario = toScenario(TomlTable::readFile(path));
+  scenario.name = path.stem().string();
+  for (ScenarioOrgan& organ : scenario.organs)
+    if (!isBuiltIn(organ.source)) organ.source.file = resolved(organ.source.file, path);
+  for (ScenarioTool& tool : scenario.tools) tool.model = resolved(tool.model, path);
+  return scenario;
+}
+
+Scenario parseScenario(const std::string& text, const std::string& name) {
+  Scenario scenario = toScenario(TomlTable::parse(text, name));
+  scenario.name = name;
+  return scenario;
+}
+
+ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh) {
+  const TomlTable t = TomlTable::readFile(path);
+  ToolModel model;
+  model.name = t.text("name");
+  model.kind = t.text("kind");
+  model.description = t.text("description", "");
+  model.tip = t.vec3("tip", Vec3::Zero());
+  model.axis = t.vec3("axis", Vec3::UnitZ());
+  if (model.axis.norm() < 1e-9) t.complain("axis", "has no length");
+  model.axis.normalize();
+  model.edge = t.points("edge");
+  model.hook = t.points("hook");
+  model.jaws.pivot = t.vec3("jaw_pivot", Vec3::Zero());
+  model.jaws.axis = t.vec3("jaw_axis", Vec3::UnitX());
+  if (model.jaws.axis.norm() < 1e-9) t.complain("jaw_axis", "has no length");
+  model.jaws.axis.normalize();
+  model.jaws.opening = t.number("jaw_opening", 0, 3, 0);
+  model.point = t.vec3("point", Vec3::Zero());
+  model.contactRadius = t.number("contact_radius", 0, 1, 0);
+  model.parts = t.texts("parts");
+  model.response = readResponse(t);
+  model.friction = t.number("friction", 0, 10, model.friction);
+  model.slipForce = t.number("slip_force", 0, 1e4, model.slipForce);
+  model.file = path.parent_path() / t.text("model");
+  t.refuseUnknownKeys();
+  model.mesh = readMesh(model.file);
+  return model;
+}
+
+}  // namespace resect

@@ -1,0 +1,121 @@
+#include "isosurface/cell_triangles.h"
+
+#include <bit>
+
+#include "base/instruction_set.h"
+#include "isosurface/marching_cubes_table.h"
+
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+namespace resect {
+namespace {
+
+constexpr int nodePlace(int axis, int node) {
+  return EdgeTable::place(axis, node & 3, node >> 2 & 3, node >> 4);
+}
+
+// From a cell's first edge along an axis on, to each of its edges.
+constexpr std::array<std::uint8_t, 12> kStepTo = [] {
+  std::array<std::uint8_t, 12> steps{};
+  for (std::size_t e = 0; e < 12; ++e) {
+    const CellEdge& edge = kCellEdges[e];
+    steps[e] = std::uint8_t(
+        EdgeTable::place(edge.axis, edge.from & 1, edge.from >> 1 & 1, edge.from >> 2) -
+        EdgeTable::place(edge.axis, 0, 0, 0));
+  }
+  return steps;
+}();
+
+}  // namespace
+
+int EdgeTable::ofCell(int cell, int edge) {
+  return nodePlace(edge / 4, cell) + kStepTo[std::size_t(edge)];
+}
+
+Triangle* drawCellsPlainly(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
+                           Triangle* out) {
+  const auto& drawnIn = marchingCubesTable();
+  for (; cells != 0; cells &= cells - 1) {
+    const int cell = std::countr_zero(cells);
+    const CellTriangles& drawn = drawnIn[kinds[std::size_t(cell)]];
+    for (std::size_t t = 0; t < drawn.count; ++t, ++out)
+      for (std::size_t v = 0; v < 3; ++v)
+        (*out)[v] = table.vertex[std::size_t(EdgeTable::ofCell(cell, drawn.edges[t][v]))];
+  }
+  return out;
+}
+
+#if defined(__x86_64__)
+
+namespace {
+
+// Of each cell, where its first edge along x and along y stands; along z: an axis further.
+constexpr auto kFirstEdges = [] {
+  std::array<std::array<std::uint16_t, 2>, kBrickSize> places{};
+  for (int cell = 0; cell < kBrickSize; ++cell)
+    places[std::size_t(cell)] = {std::uint16_t(nodePlace(0, cell)),
+                                 std::uint16_t(nodePlace(1, cell))};
+  return places;
+}();
+
+// Two numbers and the two that stand a plane or row further.
+RESECT_AVX2 inline __m128i fourEdges(const std::int32_t* first, int further) {
+  const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(first));
+  return _mm_castps_si128(
+      _mm_loadh_pi(_mm_castsi128_ps(low), reinterpret_cast<const __m64*>(first + further)));
+}
+
+// A cell has up to five triangles, 15 corners: all are written, and the next cell writes over the
+// surplus. Aims at 32 instructions a cell and no branch that depends on it.
+RESECT_AVX2 Triangle* drawCellsWide(const EdgeTable& table, const CellKinds& kinds,
+                                    std::uint64_t cells, Triangle* out, const Triangle* limit) {
+  static_assert(sizeof(CellTriangles) == 16 && sizeof(Triangle) == 12);
+  constexpr int kRow = EdgeTable::kSpan, kPlane = kRow * kRow, kMost = 5;
+  const CellTriangles* drawnIn = marchingCubesTable().data();
+  for (; cells != 0 && limit - out >= kMost; cells &= cells - 1) {
+    const auto cell = std::size_t(std::countr_zero(cells));
+    const CellTriangles& drawn = drawnIn[kinds[cell]];
+    const auto* corners = reinterpret_cast<const std::uint8_t*>(drawn.edges.data());
+    const std::int32_t *alongX = table.vertex.data() + kFirstEdges[cell][0],
+                       *alongY = table.vertex.data() + kFirstEdges[cell][1];
+    const __m256i xy = _mm256_inserti128_si256(_mm256_castsi128_si256(fourEdges(alongX, kPlane)),
+                                               fourEdges(alongY, kPlane), 1),
+                  z = _mm256_castsi128_si256(fourEdges(alongY + EdgeTable::kAxis, kRow));
+    // Eight corners from `first` on: edges 0 to 7 are those of xy, 8 to 11 those of z.
+    const auto write = [&](int first) RESECT_AVX2 {
+      const __m256i edges =
+          _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(corners + first)));
+      const __m256i numbers = _mm256_castps_si256(
+          _mm256_blendv_ps(_mm256_castsi256_ps(_mm256_permutevar8x32_epi32(xy, edges)),
+                           _mm256_castsi256_ps(_mm256_permutevar8x32_epi32(z, edges)),
+                           _mm256_castsi256_ps(_mm256_slli_epi32(edges, 28))));
+      _mm256_storeu_si256(reinterpret_cast<__m256i*>(out->data() + first), numbers);
+    };
+    write(0);
+    write(7);
+    out += drawn.count;
+  }
+  return drawCellsPlainly(table, kinds, cells, out);
+}
+
+}  // namespace
+
+Triangle* drawCells(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
+                    Triangle* out, const Triangle* limit) {
+  static const bool wide = __builtin_cpu_supports("avx2");
+  return wide ? drawCellsWide(table, kinds, cells, out, limit)
+              : drawCellsPlainly(table, kinds, cells, out);
+}
+
+#else
+
+Triangle* drawCells(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
+                    Triangle* out, const Triangle*) {
+  return drawCellsPlainly(table, kinds, cells, out);
+}
+
+#endif
+
+}  // namespace resect

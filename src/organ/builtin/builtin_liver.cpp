@@ -1,0 +1,29 @@
+#include "organ/builtin/builtin_liver.h"
+
+#include "base/assert.h"
+#include "isosurface/polygonise.h"
+#include "organ/builtin/blended_shape.h"
+
+namespace resect {
+namespace {
+
+const BlendedEllipsoid kEllipsoids[] = {
+#include "organ/builtin/builtin_liver_shape.inl"
+};
+
+const BlendedShape& shape() {
+  static const BlendedShape shape(kEllipsoids);
+  return shape;
+}
+
+}  // namespace
+
+double builtinLiverDistance(const Vec3& p) { return shape()(p); }
+
+TriangleMesh builtinLiver(double edge) {
+  RESECT_ASSERT(edge >= 0.0005 && edge <= 0.005);
+  const Aabb box{{-0.075, -0.110, -0.102}, {0.132, 0.082, 0.111}};  // a centimetre all around
+  return polygonise(builtinLiverDistance, box, {.edge = edge});
+}
+
+}  // namespace resect

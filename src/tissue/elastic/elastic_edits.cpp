@@ -1,0 +1,167 @@
+// What is done to elastic tissue from outside: bonds severed, cells removed, held, pulled.
+#include <algorithm>
+#include <cmath>
+
+#include "tissue/elastic/elastic_setup.h"
+#include "tissue/elastic/elastic_tissue.h"
+
+namespace resect {
+
+void ElasticTissue::settle() {
+  for (auto* list : {&bondsChanged_, &holdsChanged_, &cut_}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  if (!bondsChanged_.empty()) {
+    refreshCells(state_, bondsChanged_);
+    fibres_ = findFibres(state_, fibres_);
+    uneven_ = findUnevenBonds(state_);
+  }
+  if (!holdsChanged_.empty()) refreshChunks(state_, holdsChanged_);
+  bondsChanged_.clear();
+  holdsChanged_.clear();
+}
+
+void ElasticTissue::sever(std::int64_t cell, int direction) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!(state_.bonds[i] >> direction & 1)) return;
+  severBond(state_, i, direction);
+  contacts_.keepApart(state_, i, direction);
+  bondsChanged_.push_back(i);
+  bondsChanged_.push_back(i + state_.box.step[direction]);
+  cut_.push_back(i);
+  cut_.push_back(i + state_.box.step[direction]);
+}
+
+void ElasticTissue::remove(std::int64_t cell) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i]) return;
+  bondsChanged_.push_back(i);
+  for (int d = 0; d < kDirections; ++d)
+    if (state_.bonds[i] >> d & 1) bondsChanged_.push_back(i + state_.box.step[d]);
+  removeCell(state_, i);
+  contacts_.forgetCell(i);
+  std::erase(pulled_, i);
+  loosen(springs_.drop([&](const TissueSpring& spring) { return spring.cell == i; }));
+}
+
+std::int64_t ElasticTissue::attach(const TissueAttachment& attachment) {
+  std::vector<std::int64_t> cells;
+  for (std::int64_t c = 0; c < lattice_.cellCount(); ++c)
+    if (solid(c) && attachment.holds(lattice_.centre(lattice_.cell(c)))) cells.push_back(c);
+  for (const std::int64_t c : cells) {
+    if (attachment.kind == TissueAttachment::Kind::Pin) {
+      hold(c, kHeldAll);
+      continue;
+    }
+    const std::int32_t i = state_.box.fromLattice(c);
+    // A spring stiffer than the substep can follow would explode.
+    const double most = 0.2 * mass(c) / (longestSubstep_ * longestSubstep_);
+    const double stiffness = std::min(attachment.stiffness / double(cells.size()), most);
+    springs_.add({i, -1, lattice_.centre(lattice_.cell(c)), stiffness,
+                  0.5 * std::sqrt(stiffness * mass(c))});
+    state_.loaded[i] = 1;
+    holdsChanged_.push_back(i);
+  }
+  return std::int64_t(cells.size());
+}
+
+void ElasticTissue::grip(std::int64_t cell, std::int32_t tool, const Pose& pose) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i] || gripper_[i] >= 0) return;
+  const double dt = longestSubstep_;
+  springs_.add({i, tool,
+                pose.inverse() * (lattice_.centre(lattice_.cell(cell)) + displacement(cell)),
+                0.2 * mass(cell) / (dt * dt), 0.5 * mass(cell) / dt});
+  gripper_[i] = tool;
+  state_.loaded[i] = 1;
+  holdsChanged_.push_back(i);
+}
+
+void ElasticTissue::release(std::int32_t tool) {
+  loosen(springs_.drop([&](const TissueSpring& spring) { return spring.tool == tool; }));
+}
+
+// Cells that have lost a spring; another one may still hold them.
+void ElasticTissue::loosen(std::span<const std::int32_t> cells) {
+  for (const std::int32_t i : cells) {
+    gripper_[i] = -1;
+    const bool pulled = std::ranges::binary_search(pulled_, i) ||
+                        std::ranges::any_of(springs_.all(), [&](const TissueSpring& spring) {
+                          return spring.cell == i;
+                        });
+    state_.loaded[i] = std::uint8_t(pulled);
+    for (int a = 0; a < 3; ++a) state_.load[a][i] = 0;
+    holdsChanged_.push_back(i);
+  }
+}
+
+void ElasticTissue::mayPull(std::int64_t cell) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i]) return;
+  const auto at = std::ranges::lower_bound(pulled_, i);
+  if (at != pulled_.end() && *at == i) return;
+  pulled_.insert(at, i);
+  state_.loaded[i] = 1;
+  holdsChanged_.push_back(i);
+}
+
+void ElasticTissue::pull(std::int64_t cell, const Vec3& force) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i]) return;
+  for (int a = 0; a < 3; ++a) state_.load[a][i] += float(force[a]);
+}
+
+const TissueMaterial* ElasticTissue::material(std::int64_t cell) const {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  return state_.solid[i] ? &state_.materials[state_.material[i]] : nullptr;
+}
+
+void ElasticTissue::setMaterial(std::int64_t cell, const TissueMaterial& material) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i]) return;
+  checkMaterial(material);
+  if (material.waveSpeed() * longestSubstep_ > settings_.stepShare * state_.spacing)
+    longestSubstep_ = settings_.stepShare * state_.spacing / material.waveSpeed();
+  state_.material[i] = materialNumber(state_, material);
+  remakeCells(state_, {&i, 1});
+  bondsChanged_.push_back(i);
+  for (int d = 0; d < kDirections; ++d)
+    if (state_.solid[i + state_.box.step[d]]) bondsChanged_.push_back(i + state_.box.step[d]);
+}
+
+std::int32_t ElasticTissue::gripped(std::int32_t tool) const {
+  std::int32_t count = 0;
+  for (const TissueSpring& spring : springs_.all()) count += spring.tool == tool;
+  return count;
+}
+
+void ElasticTissue::hold(std::int64_t cell, int axes, const Vec3& velocity) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i]) return;
+  if (state_.held[i] != axes) holdsChanged_.push_back(i);
+  state_.held[i] = std::uint8_t(axes);
+  for (int a = 0; a < 3; ++a)
+    if (axes >> a & 1) state_.v[a][i] = float(velocity[a]);
+}
+
+void ElasticTissue::setLoad(std::int64_t cell, const Vec3& force) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (!state_.solid[i]) return;
+  const std::uint8_t loaded = force != Vec3::Zero();
+  if (state_.loaded[i] != loaded) holdsChanged_.push_back(i);
+  state_.loaded[i] = loaded;
+  for (int a = 0; a < 3; ++a) state_.load[a][i] = float(force[a]);
+}
+
+void ElasticTissue::setDisplacement(std::int64_t cell, const Vec3& u) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  for (int a = 0; a < 3; ++a) state_.u[a][i] = state_.ahead[a][i] = float(u[a]);
+}
+
+void ElasticTissue::setVelocity(std::int64_t cell, const Vec3& v) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  for (int a = 0; a < 3; ++a) state_.v[a][i] = float(v[a]);
+}
+
+}  // namespace resect

@@ -1,0 +1,139 @@
+// What can be read off elastic tissue: deformation, stress, force and energy, in double precision.
+#include <cmath>
+
+#include "base/parallel.h"
+#include "tissue/elastic/elastic_tissue.h"
+
+namespace resect {
+namespace {
+
+Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
+  return {field[0][i], field[1][i], field[2][i]};
+}
+
+// Weights of neighbours by kind, as the arrays of an ElasticState count them.
+std::array<double, 4> edgeWeights() {
+  std::array<double, 4> weights = bondWeights();
+  for (const double edge = weights[2]; double& weight : weights) weight /= edge;
+  return weights;
+}
+
+Mat3 inverseMoment(const ElasticState& s, std::int32_t i) {
+  const auto& l = s.inverseMoment;
+  Mat3 m;
+  m << l[0][i], l[3][i], l[4][i], l[3][i], l[1][i], l[5][i], l[4][i], l[5][i], l[2][i];
+  return m;
+}
+
+// H = F - I.
+Mat3 gradient(const ElasticState& s, std::int32_t i) {
+  const std::array<double, 4> weights = edgeWeights();
+  Mat3 sum = Mat3::Zero();
+  for (int d = 0; d < kDirections; ++d)
+    if (s.bonds[i] >> d & 1)
+      sum += weights[neighbourKind(d)] * (at(s.u, i + s.box.step[d]) - at(s.u, i)) *
+             offsetOf(d).cast<double>().transpose();
+  return sum * inverseMoment(s, i);
+}
+
+Mat3 cofactors(const Mat3& f) {
+  Mat3 c;
+  c.row(0) = f.row(1).cross(f.row(2));
+  c.row(1) = f.row(2).cross(f.row(0));
+  c.row(2) = f.row(0).cross(f.row(1));
+  return c;
+}
+
+}  // namespace
+
+Mat3 ElasticTissue::deformation(std::int64_t cell) const {
+  return Mat3::Identity() + gradient(state_, state_.box.fromLattice(cell));
+}
+
+// Cells in one chunk that stand beside each other in the list are looked at together.
+void ElasticTissue::place(std::span<const std::int64_t> cells,
+                          std::span<CellPlacement> places) const {
+  ElasticState& state = const_cast<ElasticState&>(state_);  // a view serves writers too
+  const ElasticView view = viewOf(state);
+  const std::array<double, 4> weights = edgeWeights();
+  const float weight[4] = {0, float(weights[1]), float(weights[2]), float(weights[3])};
+  parallelFor(cells.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t n = begin; n < end;) {
+      const std::int32_t start = state_.box.fromLattice(cells[n]) / kChunk * kChunk;
+      std::int32_t lane[kChunk];
+      std::uint32_t wanted = 0;
+      std::size_t last = n;
+      for (; last < end && last - n < kChunk; ++last) {
+        const std::int32_t at = state_.box.fromLattice(cells[last]) - start;
+        if (at < 0 || at >= kChunk) break;
+        lane[last - n] = at;
+        wanted |= 1u << at;
+      }
+      float found[12][kChunk];
+      kernel_->placements(view, weight, start, wanted, found);
+      for (std::size_t first = n; n < last; ++n) {
+        const std::int32_t at = lane[n - first];
+        CellPlacement& to = places[n];
+        to.displacement = {found[0][at], found[1][at], found[2][at]};
+        for (int k = 0; k < 9; ++k) to.gradient(k / 3, k % 3) = found[3 + k][at];
+      }
+    }
+  });
+}
+
+Mat3 ElasticTissue::stress(std::int64_t cell) const {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  if (state_.kappa[i] == 0) return Mat3::Zero();
+  const TissueMaterial& m = state_.materials[state_.material[i]];
+  const Mat3 f = deformation(cell), cof = cofactors(f);
+  const double limit = std::min(1.0, kMostStiffening / cof.squaredNorm());
+  return m.shear() * (f - cof) + limit * (m.lame() + m.shear()) * (f.determinant() - 1) * cof;
+}
+
+Vec3 ElasticTissue::elasticForce(std::int64_t cell) const {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  const std::array<double, 4> weights = edgeWeights();
+  const auto stressAt = [&](std::int32_t j) {
+    Mat3 a;
+    for (int k = 0; k < 9; ++k) a(k / 3, k % 3) = state_.stress[k][j];
+    return a;
+  };
+  Vec3 force = stressAt(i) * at(state_.skew, i);
+  for (int d = 0; d < kDirections; ++d)
+    if (state_.bonds[i] >> d & 1)
+      force +=
+          weights[neighbourKind(d)] * stressAt(i + state_.box.step[d]) * offsetOf(d).cast<double>();
+  return force + at(state_.bondForce, i);
+}
+
+TissueEnergy ElasticTissue::energy() {
+  settle();
+  const std::array<double, 4> weights = bondWeights();
+  const double s = state_.spacing, volume = s * s * s;
+  TissueEnergy sum;
+  for (const TissueChunk& chunk : state_.chunks)
+    for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i) {
+      if (!state_.solid[i]) continue;
+      const double mass = 1 / double(state_.inverseMass[i]);
+      sum.kinetic += 0.5 * mass * at(state_.v, i).squaredNorm();
+      sum.gravity -= mass * settings_.gravity.dot(at(state_.u, i));
+      if (state_.kappa[i] == 0) continue;
+      const TissueMaterial& m = state_.materials[state_.material[i]];
+      const Mat3 h = gradient(state_, i), f = h + Mat3::Identity();
+      const double growth = f.determinant() - 1;
+      sum.elastic += volume * (m.shear() / 2 * (f.squaredNorm() - 3) - m.shear() * growth +
+                               (m.lame() + m.shear()) / 2 * growth * growth);
+      double misfit = 0;
+      for (int d = 0; d < kDirections; ++d)
+        if (state_.bonds[i] >> d & 1)
+          misfit += weights[neighbourKind(d)] / (s * s) *
+                    (s * (h * offsetOf(d).cast<double>()) -
+                     (at(state_.u, i + state_.box.step[d]) - at(state_.u, i)))
+                        .squaredNorm();
+      sum.elastic += state_.kappa[i] / 2 * misfit;
+    }
+  sum.elastic += fibreEnergy(fibres_, state_);
+  return sum;
+}
+
+}  // namespace resect

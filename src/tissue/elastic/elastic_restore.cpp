@@ -1,0 +1,93 @@
+// How elastic tissue is kept and brought back: its state by fields, and what is made from it.
+#include <algorithm>
+#include <bit>
+
+#include "base/error.h"
+#include "tissue/elastic/elastic_setup.h"
+#include "tissue/elastic/elastic_tissue.h"
+
+namespace resect {
+
+void ElasticTissue::visit(StateVisitor& v) {
+  state_.visit(v);
+  v("halvings", halvings_), v("calmFrames", calmFrames_);
+  v("contacts", contacts_), v("springs", springs_), v("fibres", fibres_);
+  v("cut", cut_), v("pulled", pulled_);
+}
+
+void ElasticTissue::visitMade(StateVisitor& v) {
+  state_.visitMade(v);
+  contacts_.visitMade(v);
+  springs_.visitMade(v);
+  v.made(lattice_, settings_, kernel_, longestSubstep_, uneven_, gripper_);
+  v.made(bondsChanged_, holdsChanged_, frame_, before_, kept_);
+}
+
+void ElasticTissue::beginRestore() {
+  // A state that did not fit has left others here; what is made is still of those before.
+  if (!before_.solid.empty()) return;
+  settle();
+  before_ = {state_.solid, state_.material, state_.held, state_.loaded, state_.bonds};
+}
+
+// Numbers come from outside: whatever is used as an index is looked at.
+void ElasticTissue::checkRestored() const {
+  const ElasticState& s = state_;
+  const auto cells = std::size_t(s.box.size);
+  const auto sized = [&](const auto& array) { return array.size() == cells; };
+  const auto inBox = [&](std::int32_t i) { return s.box.inLattice(i); };
+  bool fits =
+      sized(s.solid) && sized(s.material) && sized(s.bonds) && sized(s.held) && sized(s.loaded);
+  for (int a = 0; a < 3 && fits; ++a) fits = sized(s.u[a]) && sized(s.v[a]) && sized(s.load[a]);
+  if (fits) {
+    for (std::int32_t i = 0; i < s.box.size && fits; ++i) {
+      if (!s.solid[i]) {
+        fits = s.bonds[i] == 0;
+        continue;
+      }
+      fits = s.solid[i] == 1 && s.material[i] < s.materials.size() && s.box.inLattice(i);
+      for (std::uint32_t bonds = s.bonds[i]; bonds != 0 && fits; bonds &= bonds - 1) {
+        const int d = std::countr_zero(bonds);
+        fits = d < kDirections && s.solid[i + s.box.step[d]];
+      }
+    }
+  }
+  for (const TissueSpring& spring : springs_.all()) fits = fits && inBox(spring.cell);
+  for (const Fibre& fibre : fibres_) fits = fits && inBox(fibre.a) && inBox(fibre.b);
+  for (const auto* list : {&cut_, &pulled_})
+    for (const std::int32_t i : *list) fits = fits && inBox(i);
+  fits = fits && contacts_.fit(s.box.size) && halvings_ >= 0 && halvings_ <= kMostHalvings;
+  if (!fits)
+    throw error(
+        "the state does not fit the organ's tissue; restore it into the operation that it "
+        "was saved from");
+}
+
+void ElasticTissue::endRestore(std::span<const std::uint8_t>) {
+  checkRestored();
+  for (const TissueMaterial& material : state_.materials) checkMaterial(material);
+  double fastest = 0;
+  for (const TissueMaterial& m : state_.materials) fastest = std::max(fastest, m.waveSpeed());
+  longestSubstep_ = settings_.stepShare * state_.spacing / fastest;
+  std::vector<std::int32_t> changed, held;
+  for (std::int32_t i = 0; i < state_.box.size; ++i) {
+    if (before_.solid[i] != state_.solid[i] || before_.material[i] != state_.material[i] ||
+        before_.bonds[i] != state_.bonds[i])
+      changed.push_back(i);
+    if (before_.held[i] != state_.held[i] || before_.loaded[i] != state_.loaded[i])
+      held.push_back(i);
+  }
+  before_ = {};
+  remakeCells(state_, changed);
+  refreshCells(state_, changed);
+  refreshChunks(state_, held);
+  fibres_ = findFibres(state_, fibres_);
+  uneven_ = findUnevenBonds(state_);
+  std::ranges::fill(gripper_, -1);
+  for (const TissueSpring& spring : springs_.all())
+    if (spring.tool >= 0) gripper_[spring.cell] = spring.tool;
+  bondsChanged_.clear();
+  holdsChanged_.clear();
+}
+
+}  // namespace resect

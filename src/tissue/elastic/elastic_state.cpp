@@ -1,0 +1,255 @@
+#include "tissue/elastic/elastic_state.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "base/error.h"
+#include "tissue/elastic/elastic_setup.h"
+#include "tissue/elastic/kernel/elastic_kernel.h"
+
+namespace resect {
+namespace {
+
+constexpr double kLeastMoment = 0.15;  // smallest eigenvalue of a moment that can be inverted
+
+template <std::size_t N>
+void allocate(std::array<FloatArray, N>& arrays, std::int32_t size) {
+  for (FloatArray& a : arrays) a.assign(size, 0);
+}
+
+void putMoment(ElasticState& s, std::int32_t i, const std::array<double, 4>& weights, float kappa) {
+  Mat3 moment = Mat3::Zero();
+  Vec3 skew = Vec3::Zero();
+  for (int d = 0; d < kDirections; ++d) {
+    if (!(s.bonds[i] >> d & 1)) continue;
+    const Vec3 x = offsetOf(d).cast<double>();
+    moment += weights[neighbourKind(d)] * x * x.transpose();
+    skew += weights[neighbourKind(d)] * x;
+  }
+  // Beyond rounding, so that kernels may leave out what is zero.
+  if (s.bonds[i] == kAllBonds) {
+    moment = moment(0, 0) * Mat3::Identity();
+    skew.setZero();
+  }
+  Mat3 inverse = Mat3::Zero();
+  Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+  eigen.computeDirect(moment, Eigen::EigenvaluesOnly);
+  const bool deforms = eigen.eigenvalues().minCoeff() >= kLeastMoment;
+  if (deforms) inverse = moment.inverse();
+  const std::array<double, 6> packed = {inverse(0, 0), inverse(1, 1), inverse(2, 2),
+                                        inverse(0, 1), inverse(0, 2), inverse(1, 2)};
+  const double edge = weights[2];
+  for (int k = 0; k < 6; ++k) s.inverseMoment[k][i] = float(packed[k] * edge / s.spacing);
+  for (int a = 0; a < 3; ++a) s.skew[a][i] = float(skew[a] / edge);
+  s.kappa[i] = deforms ? kappa : 0;
+}
+
+// ElasticState::planeWeight of the cells of the row up to one before and behind each given one, in
+// the rows beside it too.
+void putPlaneWeights(ElasticState& s, std::span<const std::int32_t> cells) {
+  const std::array<double, 4> weights = bondWeights();
+  const auto weigh = [&](std::int32_t p) {
+    Vec3 sum = Vec3::Zero();
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) {
+        const std::int32_t q = p + y * s.box.strideY + z * s.box.strideZ;
+        if (q < 0 || q >= s.box.size || !s.solid[q]) continue;  // a margin cell has no margin
+        sum += weights[1 + y * y + z * z] / weights[2] * Vec3(1, y, z);
+      }
+    for (int k = 0; k < 3; ++k) s.planeWeight[k][p] = float(sum[k]);
+  };
+  for (const std::int32_t i : cells)
+    for (int y = -1; y <= 1; ++y)
+      for (int z = -1; z <= 1; ++z) weigh(i + y * s.box.strideY + z * s.box.strideZ);
+}
+
+// Nothing is there any more.
+void clearCell(ElasticState& s, std::int32_t i) {
+  s.inverseMass[i] = s.shearVolume[i] = s.lameVolume[i] = 0;
+  for (int a = 0; a < 3; ++a) {
+    s.u[a][i] = s.ahead[a][i] = s.v[a][i] = s.load[a][i] = s.bondForce[a][i] = 0;
+    for (int b = 0; b < 3; ++b) s.stress[3 * a + b][i] = 0;
+  }
+}
+
+// Is every neighbour that is there bonded?
+bool uncut(const ElasticState& s, std::int32_t i) {
+  for (int d = 0; d < kDirections; ++d)
+    if (s.solid[i + s.box.step[d]] && !(s.bonds[i] >> d & 1)) return false;
+  return true;
+}
+
+// Does a cell lack a gradient, or is it bonded to one of another stiffness?
+bool uneven(const ElasticState& s, std::int32_t i) {
+  if (s.kappa[i] == 0) return true;
+  for (int d = 0; d < kDirections; ++d)
+    if ((s.bonds[i] >> d & 1) && s.kappa[i + s.box.step[d]] != s.kappa[i]) return true;
+  return false;
+}
+
+}  // namespace
+
+ElasticState makeElasticState(const TissueCells& cells, double penalty) {
+  const Lattice& lattice = cells.lattice;
+  if (!lattice.cubic())
+    throw error(
+        "the organ's cells are {:.4g} x {:.4g} x {:.4g} mm; only cubic cells can deform: "
+        "discretise the organ again with one spacing",
+        1e3 * lattice.spacing.x(), 1e3 * lattice.spacing.y(), 1e3 * lattice.spacing.z());
+  ElasticState s;
+  s.box = CellBox(lattice.dims);
+  s.spacing = lattice.spacing.x();
+  s.penalty = penalty;
+  s.materials = cells.materials;
+  allocate(s.u, s.box.size);
+  allocate(s.ahead, s.box.size);
+  allocate(s.v, s.box.size);
+  allocate(s.stress, s.box.size);
+  allocate(s.bondForce, s.box.size);
+  allocate(s.inverseMoment, s.box.size);
+  allocate(s.skew, s.box.size);
+  allocate(s.planeWeight, s.box.size);
+  allocate(s.load, s.box.size);
+  for (FloatArray* a : {&s.inverseMass, &s.shearVolume, &s.lameVolume, &s.kappa})
+    a->assign(s.box.size, 0);
+  s.bonds.assign(s.box.size, 0);
+  for (auto* a : {&s.solid, &s.held, &s.loaded, &s.material}) a->assign(s.box.size, 0);
+
+  std::vector<std::int32_t> all;
+  for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell) {
+    if (!cells.solid[cell]) continue;
+    const std::int32_t i = s.box.fromLattice(cell);
+    all.push_back(i);
+    s.solid[i] = 1;
+    s.material[i] = cells.material.empty() ? 0 : cells.material[cell];
+  }
+  for (const std::int32_t i : all)
+    for (int d = 0; d < kDirections; ++d)
+      if (s.solid[i + s.box.step[d]]) s.bonds[i] |= 1u << d;
+  remakeCells(s, all);
+  refreshCells(s, all);
+  return s;
+}
+
+void checkMaterial(const TissueMaterial& m) {
+  if (!(m.young > 0 && m.poisson >= 0 && m.poisson <= 0.4999 && m.density > 0))
+    throw usageError(
+        "material \"{}\" has young = {} Pa, poisson = {}, density = {} kg/m^3; young and density "
+        "are positive, poisson is from 0 to 0.4999",
+        m.name, m.young, m.poisson, m.density);
+}
+
+std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material) {
+  const auto known = std::ranges::find(s.materials, material);
+  const auto number = std::size_t(known - s.materials.begin());
+  if (number > 255)
+    throw error("the tissue has 256 materials already; use one of them for \"{}\"", material.name);
+  if (known == s.materials.end()) s.materials.push_back(material);
+  return std::uint8_t(number);
+}
+
+void remakeCells(ElasticState& s, std::span<const std::int32_t> cells) {
+  const double volume = s.spacing * s.spacing * s.spacing;
+  for (const std::int32_t i : cells) {
+    if (!s.solid[i]) {
+      clearCell(s, i);
+      continue;
+    }
+    const TissueMaterial& material = s.materials[s.material[i]];
+    s.inverseMass[i] = float(1 / (material.density * volume));
+    s.shearVolume[i] = float(material.shear() * volume);
+    s.lameVolume[i] = float((material.lame() + material.shear()) * volume);
+  }
+  putPlaneWeights(s, cells);
+}
+
+void severBond(ElasticState& s, std::int32_t i, int direction) {
+  s.bonds[i] &= ~(1u << direction);
+  s.bonds[i + s.box.step[direction]] &= ~(1u << opposite(direction));
+}
+
+void removeCell(ElasticState& s, std::int32_t i) {
+  for (int d = 0; d < kDirections; ++d)
+    if (s.bonds[i] >> d & 1) severBond(s, i, d);
+  s.solid[i] = s.held[i] = s.loaded[i] = 0;
+  clearCell(s, i);
+  putPlaneWeights(s, {&i, 1});
+}
+
+void refreshCells(ElasticState& s, std::span<const std::int32_t> cells) {
+  const std::array<double, 4> weights = bondWeights();
+  const double volume = s.spacing * s.spacing * s.spacing;
+  for (const std::int32_t i : cells)
+    putMoment(s, i, weights,
+              s.solid[i] ? float(s.penalty * s.materials[s.material[i]].shear() * volume) : 0.f);
+  refreshChunks(s, cells);
+}
+
+void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells) {
+  // Chunks that hold a cell or a neighbour of one.
+  std::vector<std::int32_t> starts;
+  for (const std::int32_t i : cells)
+    for (int row = -1; row <= 1; ++row)
+      for (int plane = -1; plane <= 1; ++plane)
+        for (int x = -1; x <= 1; ++x)
+          starts.push_back((i + x + row * s.box.strideY + plane * s.box.strideZ) / kChunk * kChunk);
+  std::sort(starts.begin(), starts.end());
+  starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+
+  std::vector<TissueChunk> fresh;
+  for (const std::int32_t start : starts) {
+    TissueChunk chunk;
+    chunk.start = start;
+    for (int half = 0; half < 2; ++half) {
+      chunk.full[half] = true;
+      for (std::int32_t i = start + half * kChunk / 2; i < start + (half + 1) * kChunk / 2; ++i) {
+        chunk.full[half] &= s.bonds[i] == kAllBonds;
+        if (!s.solid[i]) continue;
+        chunk.first = std::min(chunk.first, std::int8_t(i - start));
+        chunk.last = std::int8_t(i - start);
+        chunk.steered |= s.held[i] || s.loaded[i];
+        chunk.uneven |= uneven(s, i);
+        chunk.whole &= uncut(s, i);
+      }
+    }
+    if (chunk.last >= 0) fresh.push_back(chunk);
+  }
+  // Merge: a chunk looked at again replaces the old one, or drops out.
+  std::vector<TissueChunk> merged;
+  merged.reserve(s.chunks.size() + fresh.size());
+  auto next = fresh.begin();
+  auto looked = starts.begin();
+  for (const TissueChunk& old : s.chunks) {
+    for (; next != fresh.end() && next->start < old.start; ++next) merged.push_back(*next);
+    while (looked != starts.end() && *looked < old.start) ++looked;
+    if (looked == starts.end() || *looked != old.start) merged.push_back(old);
+  }
+  merged.insert(merged.end(), next, fresh.end());
+  s.chunks = std::move(merged);
+}
+
+ElasticView viewOf(ElasticState& s) {
+  ElasticView view{};
+  for (int a = 0; a < 3; ++a) {
+    view.u[a] = s.u[a].data();
+    view.ahead[a] = s.ahead[a].data();
+    view.v[a] = s.v[a].data();
+    view.bondForce[a] = s.bondForce[a].data();
+    view.skew[a] = s.skew[a].data();
+    view.planeWeight[a] = s.planeWeight[a].data();
+    view.load[a] = s.load[a].data();
+  }
+  for (int k = 0; k < 9; ++k) view.stress[k] = s.stress[k].data();
+  for (int k = 0; k < 6; ++k) view.inverseMoment[k] = s.inverseMoment[k].data();
+  view.inverseMass = s.inverseMass.data();
+  view.shearVolume = s.shearVolume.data();
+  view.lameVolume = s.lameVolume.data();
+  view.kappa = s.kappa.data();
+  view.bonds = s.bonds.data();
+  view.held = s.held.data();
+  view.chunks = s.chunks.data();
+  std::copy(s.box.step.begin(), s.box.step.end(), view.step);
+  return view;
+}
+
+}  // namespace resect

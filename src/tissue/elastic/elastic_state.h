@@ -1,0 +1,79 @@
+// Everything that is known about elastic tissue between two substeps, as arrays over the cells of a
+// padded box.
+//
+// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 5) + 4 = 180. Lengths in m, masses in kg;
+// offsets to neighbours are counted in spacings. With L, S, A and q as in docs/methods/tissue.md
+// and w the weight of an edge neighbour (bondWeights()): weights in sums are counted in w, and what
+// that leaves out is in the arrays, where it costs nothing.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tissue/elastic/aligned_array.h"
+#include "tissue/elastic/cell_box.h"
+#include "tissue/material.h"
+
+namespace resect {
+
+using FloatArray = AlignedArray<float>;
+
+// Bits of ElasticState::held.
+enum HeldAxis : std::int32_t { kHeldX = 1, kHeldY = 2, kHeldZ = 4, kHeldAll = 7 };
+
+// Sixteen cells of a row, at least one of them solid.
+struct TissueChunk {
+  std::int32_t start = 0;  // index in the box, a multiple of kChunk
+  // A cell is held or loaded.
+  bool steered = false;
+  // A cell has no deformation gradient, or is bonded to one of another stiffness.
+  bool uneven = false;
+  // No bond of a cell here is severed: every neighbour that is there is bonded.
+  bool whole = true;
+  // All cells of the half are solid and have all their bonds.
+  bool full[2] = {false, false};
+  std::int8_t first = kChunk, last = -1;  // first and last solid cell
+};
+
+struct ElasticState {
+  CellBox box;
+  double spacing = 0;  // m
+  double penalty = 0;  // alpha
+  std::vector<TissueMaterial> materials;
+  std::array<FloatArray, 3> u, ahead, v;    // displacement; u + beta dt v; velocity
+  std::array<FloatArray, 9> stress;         // A w / spacing, row by row, N
+  std::array<FloatArray, 3> bondForce;      // q, N
+  std::array<FloatArray, 6> inverseMoment;  // L w / spacing: xx yy zz xy xz yz, 1/m
+  std::array<FloatArray, 3> skew;           // S / w, in spacings
+  // What the cells of a plane across the row weigh together, round their middle cell, over the
+  // weight of an edge neighbour: sum, and the sums times offsets along y and z. The cell may be
+  // missing.
+  std::array<FloatArray, 3> planeWeight;
+  std::array<FloatArray, 3> load;              // force from outside on the cell, N
+  FloatArray inverseMass;                      // 1/kg, 0 where nothing is
+  FloatArray shearVolume, lameVolume;          // mu V and (lambda + mu) V, J
+  FloatArray kappa;                            // alpha mu V, J; 0 for a cell without gradient
+  AlignedArray<std::uint32_t> bonds;           // bit d: bonded to the neighbour in direction d
+  AlignedArray<std::uint8_t> solid, material;  // material: index into materials
+  AlignedArray<std::uint8_t> held, loaded;     // held: HeldAxis bits; loaded: `load` counts
+  std::vector<TissueChunk> chunks;             // ascending
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    const CellOrder order = box.order();
+    v.perCell("u", u, order), v.perCell("v", this->v, order);
+    v.perCell("solid", solid, order), v.perCell("material", material, order);
+    v.perCell("bonds", bonds, order);
+    v.perCell("held", held, order), v.perCell("loaded", loaded, order);
+    v.perCell("load", load, order);
+    v("materials", materials);
+  }
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(box, spacing, penalty, ahead, stress, bondForce, inverseMoment, skew, planeWeight);
+    v.made(inverseMass, shearVolume, lameVolume, kappa, chunks);
+  }
+};
+
+}  // namespace resect

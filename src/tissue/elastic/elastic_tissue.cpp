@@ -1,0 +1,241 @@
+#include "tissue/elastic/elastic_tissue.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "tissue/elastic/chunk_bounds.h"
+#include "tissue/elastic/elastic_setup.h"
+#include "tissue/move_tissues.h"
+
+namespace resect {
+namespace {
+
+constexpr int kCalmFrames = 60;     // after which a halved substep is doubled again
+constexpr double kMostCells = 20;   // spacings per substep: faster is an explosion
+constexpr std::size_t kGrain = 64;  // chunks per block of a pass
+
+void check(const TissueCells& cells, const TissueSettings& settings) {
+  if (std::find(cells.solid.begin(), cells.solid.end(), 1) == cells.solid.end())
+    throw error("the tissue has no solid cell; give an organ with particles");
+  if (cells.materials.empty()) throw error("the tissue has no material; give at least one");
+  for (const TissueMaterial& m : cells.materials) checkMaterial(m);
+  if (!(settings.damping >= 0 && settings.damping <= 0.5))
+    throw usageError("tissue damping is {}; give a value from 0 to 0.5", settings.damping);
+  if (!(settings.drag >= 0))
+    throw usageError("tissue drag is {} 1/s; give 0 or more", settings.drag);
+  if (!(settings.penalty > 0 && settings.penalty <= 3))
+    throw usageError("tissue penalty is {}; give a value above 0, up to 3", settings.penalty);
+  if (!(settings.stepShare > 0 && settings.stepShare <= 1))
+    throw usageError("tissue stepShare is {}; give a value above 0, up to 1", settings.stepShare);
+}
+
+}  // namespace
+
+ElasticTissue::ElasticTissue(const TissueCells& cells, const TissueSettings& settings)
+    : lattice_(cells.lattice), settings_(settings), kernel_(&fastestKernel()) {
+  check(cells, settings);
+  state_ = makeElasticState(cells, settings.penalty);
+  double fastest = 0;
+  for (const TissueMaterial& m : cells.materials) fastest = std::max(fastest, m.waveSpeed());
+  longestSubstep_ = settings.stepShare * state_.spacing / fastest;
+  gripper_.assign(state_.box.size, -1);
+  fibres_ = findFibres(state_, {});
+  uneven_ = findUnevenBonds(state_);
+}
+
+SubstepConstants ElasticTissue::constants(double dt) const {
+  SubstepConstants c;
+  const std::array<double, 4> weights = bondWeights();
+  c.faceShare = float(weights[1] / weights[2]);
+  c.cornerShare = float(weights[3] / weights[2]);
+  c.edgePerLength = float(weights[2] / state_.spacing);
+  c.bondStiffness = float(2 * weights[2] / (state_.spacing * state_.spacing));
+  c.dt = float(dt);
+  c.lookAhead = float(settings_.damping * dt);
+  c.keep = float(std::exp(-settings_.drag * dt));
+  for (int a = 0; a < 3; ++a) c.gravity[a] = float(settings_.gravity[a]);
+  const double most = kMostCells * state_.spacing / dt;
+  c.mostSpeedSquared = float(most * most);
+  return c;
+}
+
+// pass(begin, end) over all chunks. Blocks are as large as keeps it to the threads wished for.
+void ElasticTissue::forChunks(const RangeBody& pass) const {
+  const std::size_t chunks = state_.chunks.size();
+  if (settings_.threads == 1) return pass(0, chunks);
+  const std::size_t most = std::size_t(std::max(0, settings_.threads));
+  parallelFor(chunks, most == 0 ? kGrain : std::max(kGrain, (chunks + most - 1) / most), pass);
+}
+
+void ElasticTissue::stressPass(const SubstepConstants& c) {
+  const ElasticView view = viewOf(state_);
+  forChunks([&](std::size_t begin, std::size_t end) { kernel_->stressPass(view, c, begin, end); });
+  pullUnevenBonds(uneven_, state_);
+  pullFibres(fibres_, state_);
+}
+
+bool ElasticTissue::motionPass(const SubstepConstants& c) {
+  const ElasticView view = viewOf(state_);
+  std::atomic<bool> calm = true;
+  forChunks([&](std::size_t begin, std::size_t end) {
+    if (!kernel_->motionPass(view, c, begin, end)) calm = false;
+  });
+  return calm;
+}
+
+int ElasticTissue::substepsWanted() const {
+  if (!frame_.calm) return 0;
+  const double longest = longestSubstep_ / double(1 << halvings_);
+  return std::max(1, int(std::ceil(frame_.duration / longest - 1e-9)));
+}
+
+void ElasticTissue::beginFrame(double duration, std::span<const Obstacle> obstacles) {
+  settle();
+  if (halvings_ > 0 && ++calmFrames_ > kCalmFrames) {
+    --halvings_;
+    calmFrames_ = 0;
+  }
+  frame_ = {duration, obstacles, {}, 0, 0, true};
+  keepState();
+  contacts_.list(state_, lattice_.origin, duration, obstacles, gripper_);
+  springs_.forgetImpulses(obstacles.size());
+}
+
+bool ElasticTissue::substep(int number, int count) {
+  if (!frame_.calm) return true;
+  const double share = double(number) / count, dt = frame_.duration / count;
+  if (number == 1) {
+    frame_.constants = constants(dt);
+    lookAhead(frame_.constants.lookAhead);
+  }
+  stressPass(frame_.constants);
+  springs_.pull(state_, lattice_.origin, frame_.obstacles, share, frame_.duration, dt);
+  ++frame_.substeps;
+  const bool calm = motionPass(frame_.constants);
+  clearPulls();
+  if (calm) contacts_.push(state_, share, frame_.constants.lookAhead);
+  return calm;
+}
+
+bool ElasticTissue::startAgain(bool exploded) {
+  restoreState();
+  clearPulls();
+  contacts_.forgetImpulses();
+  springs_.forgetImpulses(frame_.obstacles.size());
+  if (!exploded) return frame_.calm;
+  calmFrames_ = 0;
+  if (halvings_ == kMostHalvings) {
+    stopMotion();
+    frame_.calm = false;
+    return false;
+  }
+  ++halvings_;
+  ++frame_.retries;
+  return true;
+}
+
+void ElasticTissue::endFrame(TissueStep& step) {
+  step.substeps = frame_.substeps;
+  step.retries = frame_.retries;
+  step.calm = frame_.calm;
+  step.force.resize(frame_.obstacles.size());
+  step.letGo.clear();
+  for (std::size_t b = 0; b < frame_.obstacles.size(); ++b) {
+    const Obstacle& o = frame_.obstacles[b];
+    const Vec3 grip = springs_.impulse()[b] / frame_.duration;
+    step.force[b] = contacts_.impulse()[b] / frame_.duration + grip;
+    if (o.tool >= 0 && o.slipForce > 0 && grip.norm() > o.slipForce) step.letGo.push_back(o.tool);
+  }
+  findTears(step.letGo, step.torn);
+  frame_.obstacles = {};
+}
+
+ElasticTissue::Advance ElasticTissue::advance(double duration) {
+  TissueStep step;
+  if (duration > 0) moveTissue(*this, {}, duration, step);
+  return {step.substeps, step.retries, step.calm};
+}
+
+// Where forces are asked for in the first substep.
+void ElasticTissue::lookAhead(float time) {
+  for (const TissueChunk& chunk : state_.chunks)
+    for (int a = 0; a < 3; ++a)
+      for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i)
+        state_.ahead[a][i] = state_.u[a][i] + time * state_.v[a][i];
+}
+
+// Springs and joints pull anew at every substep.
+void ElasticTissue::clearPulls() {
+  const auto clear = [&](std::int32_t i) {
+    for (int a = 0; a < 3; ++a) state_.load[a][i] = 0;
+  };
+  for (const TissueSpring& spring : springs_.all()) clear(spring.cell);
+  for (const std::int32_t i : pulled_) clear(i);
+}
+
+// Held cells excepted.
+void ElasticTissue::stopMotion() {
+  for (const TissueChunk& chunk : state_.chunks)
+    for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i)
+      for (int a = 0; a < 3; ++a)
+        if (!(state_.held[i] >> a & 1)) state_.v[a][i] = 0;
+}
+
+void ElasticTissue::keepState() {
+  kept_.resize(state_.chunks.size() * 6 * kChunk);
+  float* to = kept_.data();
+  for (const TissueChunk& chunk : state_.chunks)
+    for (const auto* field : {&state_.u, &state_.v})
+      for (const FloatArray& component : *field)
+        to = std::copy_n(component.data() + chunk.start, kChunk, to);
+}
+
+void ElasticTissue::restoreState() {
+  const float* from = kept_.data();
+  for (const TissueChunk& chunk : state_.chunks)
+    for (auto* field : {&state_.u, &state_.v})
+      for (FloatArray& component : *field) {
+        std::copy_n(from, kChunk, component.data() + chunk.start);
+        from += kChunk;
+      }
+}
+
+void ElasticTissue::evaluateForces() {
+  settle();
+  state_.ahead = state_.u;
+  stressPass(constants(longestSubstep_));
+}
+
+Vec3 ElasticTissue::displacement(std::int64_t cell) const {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  return {state_.u[0][i], state_.u[1][i], state_.u[2][i]};
+}
+
+std::vector<std::int64_t> ElasticTissue::cellsIn(const Aabb& box) const {
+  std::vector<std::int64_t> cells;
+  for (const TissueChunk& chunk : state_.chunks) {
+    if (!meets(chunkBounds(state_, chunk, lattice_.origin), box)) continue;
+    for (std::int32_t i = chunk.start + chunk.first; i <= chunk.start + chunk.last; ++i) {
+      if (!state_.solid[i]) continue;
+      const std::int64_t cell = state_.box.toLattice(i);
+      if (box.contains(lattice_.centre(lattice_.cell(cell)) + displacement(cell)))
+        cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+Vec3 ElasticTissue::velocity(std::int64_t cell) const {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  return {state_.v[0][i], state_.v[1][i], state_.v[2][i]};
+}
+
+double ElasticTissue::mass(std::int64_t cell) const {
+  const float inverse = state_.inverseMass[state_.box.fromLattice(cell)];
+  return inverse > 0 ? 1 / double(inverse) : 0;
+}
+
+}  // namespace resect

@@ -1,0 +1,176 @@
+// How does elastic tissue move under its weight, its own stiffness and what holds it?
+//
+// Explicit total-Lagrangian SPH on the lattice of the organ; docs/methods/tissue.md derives it.
+// A frame is cut into substeps shorter than a pressure wave needs from cell to cell. Cost: two
+// passes over the solid cells per substep. The same bits at any number of threads and on any
+// instruction set. Cells are named by their index in the lattice.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/parallel.h"
+#include "tissue/attachment.h"
+#include "tissue/elastic/contact.h"
+#include "tissue/elastic/elastic_state.h"
+#include "tissue/elastic/fibres.h"
+#include "tissue/elastic/kernel/elastic_kernel.h"
+#include "tissue/elastic/springs.h"
+#include "tissue/elastic/uneven_bonds.h"
+#include "tissue/material.h"
+#include "tissue/tissue_model.h"
+
+namespace resect {
+
+inline constexpr int kMostHalvings = 6;  // of the substep, before tissue is stopped instead
+
+struct TissueSettings {
+  Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
+  // Forces are those of the place reached this share of a substep ahead: 0 keeps energy, 0.5 damps
+  // the fastest waves most and slow motion hardly; more is unstable.
+  double damping = 0.1;
+  // Share of the velocity lost per second, 1/s: 0 for none; the surroundings' friction.
+  double drag = 0;
+  // Stiffness of the bonds against motions that the cells' gradients do not see, in shear moduli.
+  // At 1.55 the second-order error of bending and torsion vanishes; less is too soft and lets the
+  // lattice wrinkle, more is too stiff. Above 0, up to 3.
+  double penalty = 1.55;
+  // Substep as a share of the time of a pressure wave from cell to cell; beyond 0.5 tissue that is
+  // sheared or stretched as a whole may blow up (docs/methods/tissue.md).
+  double stepShare = 0.5;
+  // Threads for the two passes: at most so many, or, with 0, all that the program may use. More
+  // than there are idle cores is slower than one.
+  int threads = 1;
+};
+
+struct TissueEnergy {
+  double kinetic = 0, elastic = 0, gravity = 0;  // J; gravity is 0 at rest positions
+  double total() const { return kinetic + elastic + gravity; }
+};
+
+class ElasticTissue final : public TissueModel {
+ public:
+  // Throws Error when the lattice is not cubic, a setting is out of range or no cell is solid.
+  ElasticTissue(const TissueCells& cells, const TissueSettings& settings);
+
+  // Holds the cells of the region. Returns how many there are.
+  std::int64_t attach(const TissueAttachment& attachment);
+
+  // A frame by itself, with nothing round it and without tearing.
+  struct Advance {
+    int substeps = 0;
+    int retries = 0;
+    bool calm = true;
+  };
+  Advance advance(double duration);
+
+  // A state that explodes is put back to where it was and tried again with substeps of half the
+  // length.
+  void beginFrame(double duration, std::span<const Obstacle> obstacles) override;
+  int substepsWanted() const override;
+  bool substep(int number, int count) override;
+  bool startAgain(bool exploded) override;
+  void endFrame(TissueStep& step) override;
+  void pull(std::int64_t cell, const Vec3& force) override;
+  void mayPull(std::int64_t cell) override;
+
+  void sever(std::int64_t cell, int direction) override;
+  void remove(std::int64_t cell) override;
+  void grip(std::int64_t cell, std::int32_t tool, const Pose& pose) override;
+  void release(std::int32_t tool) override;
+  void settle() override;
+  std::int32_t gripped(std::int32_t tool) const override;
+  const TissueMaterial* material(std::int64_t cell) const override;
+  void setMaterial(std::int64_t cell, const TissueMaterial& material) override;
+  // Moves the cell along the axes (HeldAxis bits) with a given velocity instead of by forces, m/s;
+  // 0 axes lets it go.
+  void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
+  // Force on the cell from outside until changed, N.
+  void setLoad(std::int64_t cell, const Vec3& force);
+  void setDisplacement(std::int64_t cell, const Vec3& u);
+  void setVelocity(std::int64_t cell, const Vec3& v);
+
+  bool moves() const override { return true; }
+  Vec3 displacement(std::int64_t cell) const override;
+  std::vector<std::int64_t> cellsIn(const Aabb& box) const override;
+  Vec3 velocity(std::int64_t cell) const override;
+  bool solid(std::int64_t cell) const override {
+    return state_.solid[state_.box.fromLattice(cell)];
+  }
+  std::uint32_t bonds(std::int64_t cell) const override {
+    return state_.bonds[state_.box.fromLattice(cell)];
+  }
+  double mass(std::int64_t cell) const override;       // kg
+  Mat3 deformation(std::int64_t cell) const override;  // F; identity where a cell has no gradient
+  Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff, Pa
+  Vec3 elasticForce(std::int64_t cell) const;          // at the last substep, N
+  TissueEnergy energy();
+  void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override;
+  void visit(StateVisitor& visitor) override;
+  void visitMade(StateVisitor& visitor) override;
+  void beginRestore() override;
+  void endRestore(std::span<const std::uint8_t> alive) override;
+  double longestSubstep() const { return longestSubstep_; }  // s
+
+  const Lattice& lattice() const { return lattice_; }
+  const TissueSettings& settings() const { return settings_; }
+  const ElasticState& state() const { return state_; }
+  void useKernel(const ElasticKernel& kernel) { kernel_ = &kernel; }
+
+  // The forces of the present displacements, without moving: fills stress and elasticForce.
+  void evaluateForces();
+  void stopMotion();
+
+ private:
+  // What goes on between beginFrame() and endFrame().
+  struct Frame {
+    double duration = 0;
+    std::span<const Obstacle> obstacles;
+    SubstepConstants constants;
+    std::int32_t substeps = 0, retries = 0;
+    bool calm = true;
+  };
+  // What restored cells are compared with.
+  struct Before {
+    AlignedArray<std::uint8_t> solid, material, held, loaded;
+    AlignedArray<std::uint32_t> bonds;
+  };
+
+  void loosen(std::span<const std::int32_t> cells);
+  void findTears(std::span<const std::int32_t> letGo, std::vector<TissueBond>& torn) const;
+  void forChunks(const RangeBody& pass) const;
+  void stressPass(const SubstepConstants& constants);
+  bool motionPass(const SubstepConstants& constants);
+  SubstepConstants constants(double dt) const;
+  void lookAhead(float time);
+  void clearPulls();
+  void keepState();
+  void restoreState();
+  void checkRestored() const;
+
+  // State.
+  ElasticState state_;
+  int halvings_ = 0;    // of the substep, at present
+  int calmFrames_ = 0;  // since the last halving
+  TissueContacts contacts_;
+  TissueSprings springs_;
+  std::vector<Fibre> fibres_;
+  std::vector<std::int32_t> cut_;     // cells at which a bond was severed
+  std::vector<std::int32_t> pulled_;  // cells that may be pulled from outside, ascending
+
+  // Set up, or made from the state.
+  Lattice lattice_;
+  TissueSettings settings_;
+  const ElasticKernel* kernel_;
+  double longestSubstep_ = 0;
+  std::vector<UnevenBond> uneven_;
+  std::vector<std::int32_t> gripper_;  // per cell of the box: tool that holds it, or -1
+  std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // until settle()
+  Frame frame_;
+  Before before_;
+  FloatArray kept_;  // u and v of the chunks at the frame's beginning
+};
+
+}  // namespace resect

@@ -1,0 +1,65 @@
+// How do forces and motion of one substep come about? Two passes over the cells, each in the widest
+// vector instructions that the machine has; and a third for those who look at the result.
+//
+// Total-Lagrangian SPH with corrected gradient and bond penalty (Ganzenmueller 2015 in the energy
+// form of docs/methods/tissue.md). Each cell only gathers, and every lane does the same operations
+// in the same order, and the path that is taken is chosen for kChunk cells at a time, so the
+// results depend neither on the instruction set nor on the number of threads.
+#pragma once
+
+#include <cstddef>
+
+#include "tissue/elastic/elastic_state.h"
+
+namespace resect {
+
+// |cof F|^2, 3 at rest, beyond which a cell answers to volume change as much less: so one length of
+// substep is stable for all that tissue goes through.
+inline constexpr float kMostStiffening = 6;
+
+// What both passes read besides the state.
+struct SubstepConstants {
+  float faceShare = 0;         // weight of a face neighbour (tissue/stencil.h) over an edge one's
+  float cornerShare = 0;       // the same of a corner neighbour
+  float edgePerLength = 0;     // an edge neighbour's weight over the spacing, 1/m
+  float bondStiffness = 0;     // twice that weight over the spacing squared, 1/m^2
+  float dt = 0;                // s
+  float lookAhead = 0;         // beta dt, s
+  float keep = 1;              // share of the velocity that drag leaves per substep
+  float gravity[3] = {};       // m/s^2
+  float mostSpeedSquared = 0;  // beyond it the state counts as exploded, m^2/s^2
+};
+
+// The arrays of an ElasticState by address.
+struct ElasticView {
+  float *u[3], *ahead[3], *v[3], *stress[9], *bondForce[3];
+  const float *inverseMoment[6], *skew[3], *planeWeight[3], *load[3];
+  const float *inverseMass, *shearVolume, *lameVolume, *kappa;
+  const std::uint32_t* bonds;
+  const std::uint8_t* held;
+  const TissueChunk* chunks;
+  std::int32_t step[kDirections];
+};
+ElasticView viewOf(ElasticState& state);
+
+struct ElasticKernel {
+  const char* name;
+  // For chunks [begin, end): stress and bondForce from `ahead`.
+  void (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                     std::size_t end);
+  // Then v, u and `ahead` from them; false when a speed is beyond the most or not a number.
+  bool (*motionPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                     std::size_t end);
+  // Displacement (rows 0 to 2 of `out`) and gradient of displacement (then, row by row) of the
+  // `wanted` of kChunk cells from `start` on, a multiple of kChunk; bit n: cell start + n. Others
+  // may be written. weight: by kind of neighbour, over that of an edge neighbour.
+  void (*placements)(const ElasticView& s, const float weight[4], std::int32_t start,
+                     std::uint32_t wanted, float (*out)[kChunk]);
+};
+
+// The fastest for this machine, and each by itself ("baseline", "avx2", "avx512"; those the machine
+// lacks are null).
+const ElasticKernel& fastestKernel();
+const ElasticKernel* kernelNamed(const char* name);
+
+}  // namespace resect

@@ -1,0 +1,270 @@
+// The two passes, written once for vectors of up to kLanes cells. Included by one source file per
+// instruction set, inside a namespace of its own, after the file has set the target; uses nothing
+// from other headers that would be compiled for that target under a shared name.
+//
+// Rows of an organ are short: where sixteen cells go at once, a half that holds nothing costs as
+// much as one that is full, so there a vector of N cells is sixteen or eight of them.
+
+#include "tissue/elastic/kernel/elastic_lanes.inl"
+
+constexpr int kHalf = kLanes > 8 ? kLanes / 2 : kLanes;
+
+// What the sums over the neighbours of a cell yield; w in units of an edge neighbour's weight.
+template <int N>
+struct Strains {
+  Lanes<N> gradient[9];    // sum of w u_ij d_ij, row by row, m
+  Lanes<N> difference[3];  // sum of w u_ij, m
+};
+template <int N>
+struct Forces {
+  Lanes<N> along[3];  // sum of w A_j d_ij, N
+};
+
+#include "tissue/elastic/kernel/elastic_bonds.inl"
+#include "tissue/elastic/kernel/elastic_planes.inl"
+
+// L of the cells: symmetric, and a multiple of the identity where all neighbours are there.
+template <bool Full, int N>
+struct InverseMoment {
+  __attribute__((always_inline)) InverseMoment(const ElasticView& s, std::int32_t i) {
+    for (int k = 0; k < (Full ? 1 : 6); ++k) l[k] = load<N>(s.inverseMoment[k] + i);
+  }
+  __attribute__((always_inline)) void multiply(const Lanes<N>* row, Lanes<N>* product) const {
+    if constexpr (Full) {
+      for (int b = 0; b < 3; ++b) product[b] = row[b] * l[0];
+    } else {
+      product[0] = row[0] * l[0] + row[1] * l[3] + row[2] * l[4];
+      product[1] = row[0] * l[3] + row[1] * l[1] + row[2] * l[5];
+      product[2] = row[0] * l[4] + row[1] * l[5] + row[2] * l[2];
+    }
+  }
+  Lanes<N> l[Full ? 1 : 6];
+};
+
+// The material's answer: stress and bond force of the cells. Full: all neighbours are there, so the
+// moment is that of the whole stencil. Aims at 230 instructions for a vector then, 370 else.
+template <bool Full, int N>
+RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
+                           const Strains<N>& strains) {
+  const Lanes<N> kappa = load<N>(s.kappa + i);
+  const Lanes<N> bondStiffness = c.bondStiffness * kappa, penalty = c.edgePerLength * kappa;
+  IntLanes<N> there = {};
+  if constexpr (!Full) there = load<N>(s.inverseMass + i) > Lanes<N>{};
+  // Zero where no cell is: the force sums rely on it.
+  const auto put = [&](float* to, const Lanes<N>& value) {
+    store(to + i, Full ? value : masked(value, there));
+  };
+  for (int a = 0; a < 3; ++a) put(s.bondForce[a], strains.difference[a] * bondStiffness);
+  const Lanes<N>* g = strains.gradient;
+  const InverseMoment<Full, N> moment(s, i);
+  Lanes<N> h[9];  // H = G L
+  for (int a = 0; a < 9; a += 3) moment.multiply(g + a, h + a);
+  // Cofactors of H; those of F = I + H are (1 + tr H) I - H^T + cof H.
+  Lanes<N> cof[9] = {
+      h[4] * h[8] - h[5] * h[7], h[5] * h[6] - h[3] * h[8], h[3] * h[7] - h[4] * h[6],
+      h[2] * h[7] - h[1] * h[8], h[0] * h[8] - h[2] * h[6], h[1] * h[6] - h[0] * h[7],
+      h[1] * h[5] - h[2] * h[4], h[2] * h[3] - h[0] * h[5], h[0] * h[4] - h[1] * h[3]};
+  const Lanes<N> trace = h[0] + h[4] + h[8];
+  const Lanes<N> growth = trace + (cof[0] + cof[4] + cof[8]) +
+                          (h[0] * cof[0] + h[1] * cof[1] + h[2] * cof[2]);  // J - 1
+  // With d = H^T - cof H: cof F = (1 + tr H) I - d and F - cof F = H + d - tr H I.
+  Lanes<N> squares[3];
+  for (int a = 0; a < 3; ++a) {
+    Lanes<N> square[3];
+    for (int b = 0; b < 3; ++b) {
+      Lanes<N>& d = cof[3 * a + b];
+      d = h[3 * b + a] - d;
+      const Lanes<N> ofF = a == b ? (1.0f + trace) - d : d;
+      square[b] = ofF * ofF;
+    }
+    squares[a] = square[0] + square[1] + square[2];
+  }
+  // See kMostStiffening; without this a cut at stretch 2 explodes.
+  const Lanes<N> sum = squares[0] + squares[1] + squares[2], most = all<N>(kMostStiffening);
+  const Lanes<N> limit = sum > most ? most / sum : all<N>(1.0f);
+  const Lanes<N> pressure = limit * (load<N>(s.lameVolume + i) * growth);
+  const Lanes<N> mu = load<N>(s.shearVolume + i);
+  const Lanes<N> diagonal = pressure * (1.0f + trace) - mu * trace, both = mu - pressure;
+  for (int a = 0; a < 3; ++a) {
+    Lanes<N> p[3], pl[3];
+    for (int b = 0; b < 3; ++b) p[b] = mu * h[3 * a + b] + both * cof[3 * a + b];
+    p[a] += diagonal;
+    moment.multiply(p, pl);
+    for (int b = 0; b < 3; ++b) put(s.stress[3 * a + b], pl[b] - penalty * h[3 * a + b]);
+  }
+}
+
+// Speed and place after the substep. Full: as above. Steered: some cells are held or loaded. In
+// `exploded`, one per lane: all bits where a speed is beyond the most. Aims at 80 instructions for
+// a vector where all neighbours are there.
+template <bool Full, bool Steered, int N>
+RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
+                        const Forces<N>& neighbours, std::int32_t* exploded) {
+  const Lanes<N> inverseMass = load<N>(s.inverseMass + i);
+  const IntLanes<N> there = inverseMass > Lanes<N>{};
+  IntLanes<N> held = {};
+  if constexpr (Steered)
+    for (int lane = 0; lane < N; ++lane) held[lane] = s.held[i + lane];
+  const Lanes<N> dt = all<N>(c.dt), keep = all<N>(c.keep), lookAhead = all<N>(c.lookAhead);
+  Lanes<N> speed2 = {};
+  for (int a = 0; a < 3; ++a) {
+    Lanes<N> force = neighbours.along[a];
+    if constexpr (!Full)
+      for (int b = 0; b < 3; ++b)
+        force += load<N>(s.stress[3 * a + b] + i) * load<N>(s.skew[b] + i);
+    force += load<N>(s.bondForce[a] + i);
+    if constexpr (Steered) force += load<N>(s.load[a] + i);
+    const Lanes<N> pull = force * inverseMass + all<N>(c.gravity[a]);
+    const Lanes<N> before = load<N>(s.v[a] + i);
+    Lanes<N> v = keep * (before + dt * pull);
+    if constexpr (!Full) v = masked(v, there);
+    if constexpr (Steered) v = (held & (1 << a)) != 0 ? before : v;
+    const Lanes<N> u = load<N>(s.u[a] + i) + dt * v;
+    store(s.v[a] + i, v);
+    store(s.u[a] + i, u);
+    store(s.ahead[a] + i, u + lookAhead * v);
+    speed2 += v * v;
+  }
+  IntLanes<N> beyond;
+  __builtin_memcpy(&beyond, exploded, sizeof beyond);
+  beyond |= ~(speed2 <= all<N>(c.mostSpeedSquared));  // true for what is not a number too
+  __builtin_memcpy(exploded, &beyond, sizeof beyond);
+}
+
+// Numbers below 1e-38 count as zero while it lives: the faint front of a wave that spreads through
+// tissue at rest would otherwise cost ten times the rest.
+struct NoDenormals {
+  NoDenormals() : before(__builtin_ia32_stmxcsr()) { __builtin_ia32_ldmxcsr(before | 0x8040u); }
+  ~NoDenormals() { __builtin_ia32_ldmxcsr(before); }
+  NoDenormals(const NoDenormals&) = delete;
+  NoDenormals& operator=(const NoDenormals&) = delete;
+  unsigned before;
+};
+
+// Chunks that lie behind each other in memory and can be summed by planes.
+struct PlaneRun {
+  int chunks;          // 0 when the first cannot
+  std::int32_t first;  // cell one chunk before them
+  int begin, end;  // planes that matter, from `first` on: of the solid cells and one more each way
+};
+static PlaneRun planeRun(const TissueChunk* chunk, const TissueChunk* end) {
+  int n = 0;
+  while (n < kRunChunks && chunk + n < end && chunk[n].whole &&
+         chunk[n].start == chunk[0].start + n * kChunk)
+    ++n;
+  if (n == 0) return {0, 0, 0, 0};
+  return {n, chunk[0].start - kChunk, kChunk + chunk[0].first - 1,
+          n * kChunk + chunk[n - 1].last + 2};
+}
+
+// sum(at) for vectors of planes from `at` on that hold [begin, end). They start at multiples of
+// their length, so that no load of a whole row of cells straddles two cache lines.
+template <typename Sum>
+RESECT_INLINE void forPlanes(int begin, int end, Sum sum) {
+  int at = begin / kHalf * kHalf;
+  if (kLanes > kHalf && at % kLanes != 0) {
+    sum.template operator()<kHalf>(at);
+    at += kHalf;
+  }
+  for (; at + kHalf < end; at += kLanes) sum.template operator()<kLanes>(at);
+  if (at < end) sum.template operator()<kHalf>(at);
+}
+
+// visit(at, full) for the vectors of a chunk that hold solid cells. Full: all cells are solid with
+// all their bonds.
+template <typename Visit>
+RESECT_INLINE void forVectors(const TissueChunk& chunk, Visit visit) {
+  if (kLanes > kHalf && chunk.first < kHalf && chunk.last >= kHalf)
+    return visit.template operator()<kLanes>(0, chunk.full[0] && chunk.full[1]);
+  for (int at = 0; at < kChunk; at += kHalf)
+    if (chunk.first < at + kHalf && chunk.last >= at)
+      visit.template operator()<kHalf>(at, chunk.full[at / 8]);
+}
+
+// A chunk with a cut. Not inlined: there are few of them, and the loops over the others stay short.
+static __attribute__((noinline)) void stressByBonds(const ElasticView& s, const SubstepConstants& c,
+                                                    const TissueChunk& chunk) {
+  forVectors(
+      chunk, [&]<int N>(int at, bool) __attribute__((always_inline)) {
+        const std::int32_t i = chunk.start + at;
+        respond<false>(s, c, i, strainsFromBonds<N>(s, c, i));
+      });
+}
+static __attribute__((noinline)) void moveByBonds(const ElasticView& s, const SubstepConstants& c,
+                                                  const TissueChunk& chunk,
+                                                  std::int32_t* exploded) {
+  forVectors(
+      chunk, [&]<int N>(int at, bool) __attribute__((always_inline)) {
+        const std::int32_t i = chunk.start + at;
+        const Forces<N> force = forcesFromBonds<N>(s, c, i);
+        if (chunk.steered)
+          move<false, true>(s, c, i, force, exploded);
+        else
+          move<false, false>(s, c, i, force, exploded);
+      });
+}
+
+static void stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                       std::size_t end) {
+  const NoDenormals guard;
+  const PlaneSteps step = planeSteps(s);
+  StrainPlanes planes = {};  // planes beyond solid cells are read, and count for nothing
+  for (const TissueChunk *chunk = s.chunks + begin, *last = s.chunks + end; chunk < last;) {
+    const PlaneRun run = planeRun(chunk, last);
+    if (run.chunks > 0) {
+      forPlanes(
+          run.begin, run.end, [&]<int N>(int at) __attribute__((always_inline)) {
+            sumStrainPlanes<N>(s, c, step, run.first, at, planes);
+          });
+      for (const TissueChunk* after = chunk + run.chunks; chunk < after; ++chunk)
+        forVectors(
+            *chunk, [&]<int N>(int at, bool full) __attribute__((always_inline)) {
+              const std::int32_t i = chunk->start + at;
+              if (full)
+                respond<true>(s, c, i, strainsFromPlanes<true, N>(s, planes, i, i - run.first));
+              else
+                respond<false>(s, c, i, strainsFromPlanes<false, N>(s, planes, i, i - run.first));
+            });
+      continue;
+    }
+    stressByBonds(s, c, *chunk++);
+  }
+}
+
+static bool motionPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                       std::size_t end) {
+  const NoDenormals guard;
+  const PlaneSteps step = planeSteps(s);
+  std::int32_t exploded[kChunk] = {};
+  ForcePlanes planes = {};
+  for (const TissueChunk *chunk = s.chunks + begin, *last = s.chunks + end; chunk < last;) {
+    const PlaneRun run = planeRun(chunk, last);
+    if (run.chunks > 0) {
+      forPlanes(
+          run.begin, run.end, [&]<int N>(int at) __attribute__((always_inline)) {
+            sumForcePlanes<N>(s, c, step, run.first, at, planes);
+          });
+      for (const TissueChunk* after = chunk + run.chunks; chunk < after; ++chunk)
+        forVectors(
+            *chunk, [&]<int N>(int at, bool full) __attribute__((always_inline)) {
+              const std::int32_t i = chunk->start + at;
+              const Forces<N> force = forcesFromPlanes<N>(planes, i - run.first);
+              if (chunk->steered)
+                move<false, true>(s, c, i, force, exploded);
+              else if (full)
+                move<true, false>(s, c, i, force, exploded);
+              else
+                move<false, false>(s, c, i, force, exploded);
+            });
+      continue;
+    }
+    moveByBonds(s, c, *chunk++, exploded);
+  }
+  std::int32_t any = 0;
+  for (const std::int32_t lane : exploded) any |= lane;
+  return any == 0;
+}
+
+#include "tissue/elastic/kernel/elastic_placements.inl"
+
+#undef RESECT_INLINE

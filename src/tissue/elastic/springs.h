@@ -1,0 +1,67 @@
+// What pulls at single cells? Ligaments to fixed places, and the grips of tools.
+//
+// Each is a damped spring between a cell and an anchor, in the world or in a tool's frame. While a
+// cell has springs, its load (ElasticState::load) is theirs.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tissue/elastic/elastic_state.h"
+#include "tissue/tissue_model.h"
+
+namespace resect {
+
+struct TissueSpring {
+  std::int32_t cell = 0;   // in the box
+  std::int32_t tool = -1;  // that holds it; -1: anchored in the world
+  Vec3 anchor =
+      Vec3::Zero();      // in the tool's frame or the world, m; no force when the cell is there
+  double stiffness = 0;  // N/m
+  double damping = 0;    // N s/m
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("cell", cell), v("tool", tool), v("anchor", anchor);
+    v("stiffness", stiffness), v("damping", damping);
+  }
+};
+
+class TissueSprings {
+ public:
+  void add(const TissueSpring& spring) { springs_.push_back(spring); }
+  // Takes out the springs for which drop(spring) is true; their cells are returned.
+  template <typename Drop>
+  std::vector<std::int32_t> drop(Drop drop) {
+    std::vector<std::int32_t> cells;
+    std::erase_if(springs_, [&](const TissueSpring& spring) {
+      if (drop(spring)) cells.push_back(spring.cell);
+      return drop(spring);
+    });
+    return cells;
+  }
+  std::span<const TissueSpring> all() const { return springs_; }
+
+  // Adds to the loads for a substep of dt that ends at `share` of the frame. Springs of tools that
+  // are not among the obstacles pull towards nothing.
+  void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
+            double share, double frame, double dt);
+  // Momentum given to each of the obstacles since forgetImpulses(), kg m/s.
+  std::span<const Vec3> impulse() const { return impulse_; }
+  void forgetImpulses(std::size_t obstacles) { impulse_.assign(obstacles, Vec3::Zero()); }
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("springs", springs_);
+  }
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(impulse_);
+  }
+
+ private:
+  std::vector<TissueSpring> springs_;
+  std::vector<Vec3> impulse_;  // by obstacle
+};
+
+}  // namespace resect

@@ -1,0 +1,26 @@
+// Bonds between cells of different penalty stiffness: of two materials, or of which one has no
+// deformation gradient.
+//
+// The stress pass takes a cell's own kappa for both ends of its bonds, which keeps it one sum;
+// these few bonds are put right after it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tissue/elastic/elastic_state.h"
+
+namespace resect {
+
+struct UnevenBond {
+  std::int32_t a, b;  // cells of the box
+  float stiffness;    // w (kappa_b - kappa_a) / spacing^2, N/m
+};
+
+// All of them, in ascending order. Cost: some ns per cell of the chunks that have one.
+std::vector<UnevenBond> findUnevenBonds(const ElasticState& state);
+
+// Adds what is missing to the bond forces of the stress pass.
+void pullUnevenBonds(std::span<const UnevenBond> bonds, ElasticState& state);
+
+}  // namespace resect

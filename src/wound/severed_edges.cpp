@@ -1,0 +1,179 @@
+#include "wound/severed_edges.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/assert.h"
+
+namespace resect {
+namespace {
+
+// What a cell shows depends on nodes from two below its lowest corner to two above its highest.
+constexpr int kNodesBelow = 3, kNodesAbove = 2;    // cells seen from an edge's lower node
+constexpr std::uint8_t kInSight = 1, kWithin = 2;  // bits of a brick that waits for update()
+constexpr float kSamePoint = 1e-4f;                // ends of lines that are one point
+constexpr float kStraight = 1e-3f;                 // a line bent by less is one line
+
+float distanceToLine(const Eigen::Vector2f& p, const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
+  const Eigen::Vector2f d = b - a, r = p - a;
+  const float length = d.norm();
+  return length > 0 ? std::abs(d.x() * r.y() - d.y() * r.x()) / length : r.norm();
+}
+
+// Does `next` go on straight from the end of `line`? Then line is made to end where next does.
+bool extend(FaceTrace& line, const FaceTrace& next) {
+  const bool on = (next.from - line.to).norm() < kSamePoint &&
+                  (line.to - line.from).dot(next.to - next.from) > 0 &&
+                  distanceToLine(line.to, line.from, next.to) < kStraight;
+  if (on) line.to = next.to;
+  return on;
+}
+
+FaceTrace reversed(const FaceTrace& line) { return {line.to, line.from}; }
+
+}  // namespace
+
+SeveredEdges::Record::Record() {
+  for (auto& along : share) along.fill(kWhole);
+  for (auto& along : normal) along.fill(Vec3f::Zero());
+  firstTrace.fill(-1);
+}
+
+SeveredEdges::Record& SeveredEdges::takeRecord(const Vec3i& node) {
+  RESECT_ASSERT(contains(node));
+  const std::size_t bricks = std::size_t(brickDims_.x()) * brickDims_.y() * brickDims_.z();
+  if (recordOf_.empty()) {
+    recordOf_.assign(bricks, -1);
+    near_.assign(bricks, 0);
+    pendingOf_.assign(bricks, 0);
+  }
+  std::int32_t& r = recordOf_[std::size_t(brickIndex(node / 4))];
+  if (r < 0) {
+    r = std::int32_t(records_.size());
+    records_.emplace_back();
+  }
+  return records_[std::size_t(r)];
+}
+
+// visit(brick) for the bricks of the nodes low to high.
+template <typename Visit>
+void SeveredEdges::visitBricks(const Vec3i& lowNode, const Vec3i& highNode, Visit visit) const {
+  const Vec3i low = lowNode.cwiseMax(0) / 4,
+              high = (highNode / 4).cwiseMin(brickDims_ - Vec3i::Ones());
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) visit(std::size_t(brickIndex({x, y, z})));
+}
+
+// Notes the bricks in sight of the edges and faces at `node`.
+void SeveredEdges::touch(const Vec3i& node) {
+  // With three nodes to a cell the lattice's cubes lie across the bricks' borders.
+  const int below = refine_ == 3 ? kNodesBelow : 1, above = refine_ == 3 ? kNodesAbove : 0;
+  visitBricks(node - Vec3i::Constant(kNodesBelow), node + Vec3i::Constant(kNodesAbove),
+              [&](std::size_t b) {
+                if (!pendingOf_[b]) pending_.push_back(std::int64_t(b));
+                pendingOf_[b] |= kInSight;
+              });
+  visitBricks(node - Vec3i::Constant(below), node + Vec3i::Constant(above), [&](std::size_t b) {
+    near_[b] = 1;
+    pendingOf_[b] |= kWithin;
+  });
+}
+
+bool SeveredEdges::betweenCells(const Vec3i& node, int axis) const {
+  Vec3i n = node;
+  n[axis] -= n[axis] % refine_;  // the middle planes of cells are every refine-th from node 0 on
+  for (int k = 0; k < refine_; ++k, ++n[axis])
+    if (at(n, axis) != kWhole) return true;
+  return false;
+}
+
+bool SeveredEdges::sever(const Vec3i& node, int axis, double t, const Vec3& normal) {
+  Record& r = takeRecord(node);
+  const int s = slot(node, 0);
+  std::uint64_t& mask = r.severed[std::size_t(axis)];
+  if (mask >> s & 1) return false;
+  mask |= std::uint64_t(1) << s;
+  r.share[std::size_t(axis)][std::size_t(s)] = std::clamp(float(t), kCutMargin, 1 - kCutMargin);
+  const Vec3 up = normal[axis] < 0 ? Vec3(-normal) : normal;
+  const double length = up.norm();
+  r.normal[std::size_t(axis)][std::size_t(s)] =
+      length > 0 ? Vec3f((up / length).cast<float>()) : Vec3f(Vec3f::Unit(axis));
+  ++count_;
+  touch(node);
+  return true;
+}
+
+void SeveredEdges::trace(const Vec3i& node, int axis, const FaceTrace& line) {
+  Record& r = takeRecord(node);
+  std::int32_t* last = &r.firstTrace[std::size_t(slot(node, axis))];
+  touch(node);
+  while (*last >= 0) {
+    Trace& t = r.traces[std::size_t(*last)];
+    if (extend(t.line, line) || extend(t.line, reversed(line))) return;
+    FaceTrace back = reversed(t.line);
+    if (extend(back, line) || extend(back, reversed(line))) {
+      t.line = reversed(back);
+      return;
+    }
+    last = &t.next;
+  }
+  *last = std::int32_t(r.traces.size());
+  r.traces.push_back({line, -1});
+}
+
+float SeveredEdges::at(const Vec3i& node, int axis) const {
+  const Record* r = record(node);
+  return r ? r->share[std::size_t(axis)][std::size_t(slot(node, 0))] : kWhole;
+}
+
+Vec3f SeveredEdges::normal(const Vec3i& node, int axis) const {
+  const Record* r = record(node);
+  return r ? r->normal[std::size_t(axis)][std::size_t(slot(node, 0))] : Vec3f(Vec3f::Unit(axis));
+}
+
+std::span<const TouchedBrick> SeveredEdges::update() {
+  touched_.clear();
+  std::sort(pending_.begin(), pending_.end());
+  for (const std::int64_t b : pending_) {
+    std::uint8_t& pending = pendingOf_[std::size_t(b)];
+    if (near_[std::size_t(b)]) touched_.push_back({b, (pending & kWithin) != 0});
+    pending = 0;
+  }
+  pending_.clear();
+  return touched_;
+}
+
+bool SeveredEdges::fit() const {
+  const std::size_t bricks = std::size_t(brickDims_.x()) * brickDims_.y() * brickDims_.z();
+  for (const std::size_t size : {recordOf_.size(), near_.size(), pendingOf_.size()})
+    if (size != (records_.empty() ? 0 : bricks)) return false;
+  const auto below = [](std::int64_t i, std::size_t end) { return i < std::int64_t(end); };
+  for (const std::int32_t r : recordOf_)
+    if (r < -1 || !below(r, records_.size())) return false;
+  for (const std::int64_t b : pending_)
+    if (b < 0 || !below(b, bricks)) return false;
+  for (const Record& record : records_) {
+    for (const auto& shares : record.share)
+      for (const float share : shares)
+        if (!(share == kWhole || (share >= kCutMargin && share <= 1 - kCutMargin))) return false;
+    for (const std::int32_t t : record.firstTrace)
+      if (t < -1 || !below(t, record.traces.size())) return false;
+    // Lines of a face follow each other upwards, so that their list ends.
+    for (std::size_t t = 0; t < record.traces.size(); ++t) {
+      const std::int32_t next = record.traces[t].next;
+      if (next != -1 && (next <= std::int32_t(t) || !below(next, record.traces.size())))
+        return false;
+    }
+  }
+  return true;
+}
+
+std::size_t SeveredEdges::bytes() const {
+  std::size_t sum = records_.capacity() * sizeof(Record) + recordOf_.capacity() * 4 +
+                    near_.capacity() + pendingOf_.capacity();
+  for (const Record& r : records_) sum += r.traces.capacity() * sizeof(Trace);
+  return sum;
+}
+
+}  // namespace resect
