@@ -15,9 +15,9 @@ function(resect_component export layers)
   install(TARGETS ${targets} resect_${component} EXPORT resect${export} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT resect${export} NAMESPACE resect:: DESTINATION ${package_folder} FILE resect${export}.cmake)
   install(CODE "set(resect_layers ${layers})
-                set(resect_source \"${CMAKE_SOURCE_DIR}/src\")
+                set(resect_source \"${PROJECT_SOURCE_DIR}/src\")
                 set(resect_include ${CMAKE_INSTALL_INCLUDEDIR})")
-  install(SCRIPT ${CMAKE_SOURCE_DIR}/cmake/install_headers.cmake)
+  install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/install_headers.cmake)
 endfunction()
 
 resect_component(Core "${RESECT_CORE_LAYERS}")
@@ -28,10 +28,10 @@ endif()
 if(RESECT_APP)
   install(TARGETS resect RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
-install(FILES ${CMAKE_BINARY_DIR}/include/resect/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/resect)
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/data/ DESTINATION ${resect_data})
-configure_package_config_file(cmake/resectConfig.cmake.in ${CMAKE_BINARY_DIR}/resectConfig.cmake
+install(FILES ${PROJECT_BINARY_DIR}/include/resect/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/resect)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/ DESTINATION ${resect_data})
+configure_package_config_file(cmake/resectConfig.cmake.in ${PROJECT_BINARY_DIR}/resectConfig.cmake
                               INSTALL_DESTINATION ${package_folder} PATH_VARS resect_data)
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/resectConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/resectConfig.cmake ${CMAKE_BINARY_DIR}/resectConfigVersion.cmake
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/resectConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/resectConfig.cmake ${PROJECT_BINARY_DIR}/resectConfigVersion.cmake
         DESTINATION ${package_folder})

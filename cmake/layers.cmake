@@ -6,7 +6,7 @@
 function(resect_precompile target)
   # Qt asks for options of its own in all that uses it: that needs headers of its own.
   if(target STREQUAL "resect_base" OR target STREQUAL "resect_app")
-    target_precompile_headers(${target} PRIVATE ${CMAKE_SOURCE_DIR}/src/base/precompiled.h)
+    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/base/precompiled.h)
   elseif(target STREQUAL "resect")
     target_precompile_headers(resect REUSE_FROM resect_app)
   else()
@@ -15,11 +15,11 @@ function(resect_precompile target)
 endfunction()
 
 function(resect_layer name)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
-  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.h)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.h)
   add_library(resect_${name} STATIC ${sources} ${headers})
-  target_include_directories(resect_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
-                             $<BUILD_INTERFACE:${CMAKE_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_include_directories(resect_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
+                             $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(resect_${name} PUBLIC ${ARGN})
   resect_precompile(resect_${name})
 endfunction()
@@ -28,7 +28,7 @@ endfunction()
 # finding; what was freed is kept for a while, but not so much that it looks like growth; libraries keep some
 # memory until the end.
 set(RESECT_TEST_ENVIRONMENT ASAN_OPTIONS=allocator_may_return_null=1:quarantine_size_mb=16
-    LSAN_OPTIONS=suppressions=${CMAKE_SOURCE_DIR}/test/library_leaks.txt:print_suppressions=0)
+    LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/test/library_leaks.txt:print_suppressions=0)
 
 # How many times as long a test may take: under a sanitizer everything is some ten times slower.
 if(RESECT_SANITIZE)
@@ -40,14 +40,14 @@ list(APPEND RESECT_TEST_ENVIRONMENT RESECT_PATIENCE=${RESECT_PATIENCE})
 math(EXPR RESECT_TEST_SECONDS "900 * ${RESECT_PATIENCE}")
 
 function(resect_layer_test name)
-  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/test/${name}/*_test.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/test/${name}/*_test.cpp)
   if(NOT sources)
     return()
   endif()
-  add_executable(test_${name} ${CMAKE_SOURCE_DIR}/test/support/doctest_main.cpp ${sources})
-  target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/test)
+  add_executable(test_${name} ${PROJECT_SOURCE_DIR}/test/support/doctest_main.cpp ${sources})
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/test)
   target_link_libraries(test_${name} PRIVATE resect_${name} resect_test_support ${ARGN})
   resect_precompile(test_${name})
-  add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${CMAKE_BINARY_DIR})
+  add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_BINARY_DIR})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${RESECT_TEST_SECONDS} ENVIRONMENT "${RESECT_TEST_ENVIRONMENT}")
 endfunction()

@@ -191,9 +191,9 @@ void OrganLoader::poll() {
   if (!job->organs.empty() && result.problem.empty()) try {
       // Here and not in the thread: Inventor, which reads the tools, belongs to the window's
       // thread.
-      result.simulation =
-          std::make_unique<Simulation>(std::move(job->organs), loadTools(job->scenario, &readModel),
-                                       std::move(job->joints), job->scenario.table);
+      result.simulation = std::make_unique<Simulation>(
+          assemble(job->scenario, std::move(job->organs), std::move(job->joints),
+                   loadTools(job->scenario, &readModel)));
     } catch (const std::exception& e) {
       result.problem = e.what();
     }

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "collision/columns.h"
 #include "geometry/moved_box.h"
+#include "geometry/rotation.h"
 
 namespace resect {
 namespace {
@@ -157,7 +158,7 @@ std::vector<std::uint8_t> sweptInside(const TriangleMesh& tool, const Pose& from
 
   // How finely to cut the motion: a chord leaves a path that turns by `angle` at distance r from
   // the tool's origin while it moves by `way` by at most (r angle^2 + 2 angle way) / 8.
-  const double angle = from.rotation.angularDistance(to.rotation);
+  const double angle = angleBetween(from.rotation, to.rotation);
   const double way = (to.position - from.position).norm();
   const bool turns = angle > kNoTurn;
   int steps = 1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "collision/inside.h"
 #include "geometry/point_triangle.h"
 
@@ -18,7 +19,7 @@ SignedDistance::SignedDistance(const TriangleMesh& mesh, double margin, double c
   if (mesh.triangles.empty()) return;
   const Aabb region = box_.padded(margin);
   const double nodes = (region.size() / cell_ + Vec3::Constant(2)).prod();
-  if (nodes > kMostNodes) cell_ *= std::cbrt(nodes / kMostNodes);
+  if (nodes > kMostNodes) cell_ *= math::cbrt(nodes / kMostNodes);
   origin_ = region.min;
   for (int a = 0; a < 3; ++a) dims_[a] = int(std::ceil(region.size()[a] / cell_)) + 1;
 

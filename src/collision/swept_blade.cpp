@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/assert.h"
+#include "geometry/rotation.h"
 
 namespace resect {
 namespace {
@@ -34,7 +35,7 @@ void addStrip(SweptBlade& blade, std::span<const Vec3> before, std::span<const V
 int stepsOf(std::span<const Vec3> edge, const Pose& from, const Pose& to, double flatness) {
   double reach = 0;
   for (const Vec3& p : edge) reach = std::max(reach, p.norm());
-  const double angle = from.rotation.angularDistance(to.rotation);
+  const double angle = angleBetween(from.rotation, to.rotation);
   // Sagitta of a step: reach (1 - cos(step / 2)) <= reach step^2 / 8.
   const double step = std::sqrt(8 * flatness / std::max(reach, 1e-9));
   return std::clamp(int(std::ceil(angle / step)), 1, kMostSteps);

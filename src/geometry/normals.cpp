@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
+
 namespace resect {
 
 std::vector<Vec3> pointNormals(const TriangleMesh& mesh) {
@@ -15,7 +17,7 @@ std::vector<Vec3> pointNormals(const TriangleMesh& mesh) {
     if (doubleArea == 0.0) continue;
     const Vec3 normal = cross / doubleArea;
     const auto angle = [&](const Vec3& from, const Vec3& p, const Vec3& q) {
-      return std::atan2(doubleArea, (p - from).dot(q - from));
+      return math::atan2(doubleArea, (p - from).dot(q - from));
     };
     normals[std::size_t(t[0])] += angle(a, b, c) * normal;
     normals[std::size_t(t[1])] += angle(b, c, a) * normal;

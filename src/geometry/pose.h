@@ -1,9 +1,8 @@
 // Where is a rigid body and how is it turned?
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "base/vec.h"
+#include "geometry/rotation.h"
 
 namespace resect {
 
@@ -26,7 +25,7 @@ struct Pose {
 
 // From a at share 0 to b at share 1: positions linearly, rotations along the shorter great circle.
 inline Pose interpolate(const Pose& a, const Pose& b, double share) {
-  return {a.position + share * (b.position - a.position), a.rotation.slerp(share, b.rotation)};
+  return {a.position + share * (b.position - a.position), slerp(a.rotation, b.rotation, share)};
 }
 
 }  // namespace resect

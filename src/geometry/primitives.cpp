@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.h"
+
 namespace resect {
 
 TriangleMesh boxMesh(const Aabb& box) {
@@ -24,9 +26,9 @@ TriangleMesh sphereMesh(const Vec3& centre, double radius, int rings) {
   mesh.points.push_back(centre + Vec3(0, radius, 0));
   for (int i = 1; i < rings; ++i)
     for (int j = 0; j < sectors; ++j)
-      mesh.points.push_back(centre + radius * Vec3(std::sin(i * step) * std::sin(j * step),
-                                                   std::cos(i * step),
-                                                   std::sin(i * step) * std::cos(j * step)));
+      mesh.points.push_back(centre + radius * Vec3(math::sin(i * step) * math::sin(j * step),
+                                                   math::cos(i * step),
+                                                   math::sin(i * step) * math::cos(j * step)));
   mesh.points.push_back(centre - Vec3(0, radius, 0));
   const int south = int(mesh.points.size()) - 1;
   const auto at = [&](int i, int j) { return 1 + (i - 1) * sectors + j % sectors; };
@@ -46,8 +48,8 @@ TriangleMesh torusMesh(const Vec3& centre, double ring, double tube, int around,
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < across; ++j) {
       const double a = 2 * std::numbers::pi * i / around, b = 2 * std::numbers::pi * j / across;
-      const double r = ring + tube * std::cos(b);
-      mesh.points.push_back(centre + Vec3(r * std::sin(a), tube * std::sin(b), r * std::cos(a)));
+      const double r = ring + tube * math::cos(b);
+      mesh.points.push_back(centre + Vec3(r * math::sin(a), tube * math::sin(b), r * math::cos(a)));
     }
   const auto at = [&](int i, int j) { return (i % around) * across + j % across; };
   for (int i = 0; i < around; ++i)

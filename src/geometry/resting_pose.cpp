@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.h"
 #include "base/parallel.h"
 #include "geometry/farthest_point.h"
 #include "geometry/measures.h"
@@ -17,7 +18,7 @@ std::vector<Vec3> directions(int count) {
   for (int i = 0; i < count; ++i) {
     const double y = 1 - 2 * (i + 0.5) / count, angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
     const double r = std::sqrt(1 - y * y);
-    result.emplace_back(r * std::cos(angle), y, r * std::sin(angle));
+    result.emplace_back(r * math::cos(angle), y, r * math::sin(angle));
   }
   return result;
 }
@@ -52,7 +53,7 @@ Eigen::Quaterniond restingRotation(const TriangleMesh& mesh) {
     Vec3 best = down;
     for (int i = 0; i < 16; ++i) {
       const double angle = 2 * std::numbers::pi * i / 16;
-      const Vec3 d = (down + step * (std::cos(angle) * u + std::sin(angle) * v)).normalized();
+      const Vec3 d = (down + step * (math::cos(angle) * u + math::sin(angle) * v)).normalized();
       if (const double h = height(d); h < lowest) {
         lowest = h;
         best = d;

@@ -11,6 +11,7 @@
 #include "io/data_folder.h"
 #include "io/organ_mesh.h"
 #include "io/scenario/scenario_file.h"
+#include "operation/room.h"
 #include "organ/builtin/builtin_gallbladder.h"
 #include "organ/builtin/builtin_liver.h"
 #include "organ/cell_labels.h"
@@ -236,12 +237,28 @@ std::vector<TissueJoint> makeJoints(const Scenario& scenario,
   return joints;
 }
 
+Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
+                    std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools) {
+  Simulation simulation(std::move(organs), std::move(tools), std::move(joints), scenario.table);
+  if (!scenario.toolBox) return simulation;
+  const TriangleMesh walls = toolBoxWalls();
+  const Aabb tray = bounds(transformed(walls, toolBoxPose()));
+  for (const OperatedOrgan& o : simulation.organs()) {
+    const Lattice& lattice = o.organ.rest.lattice;
+    const Aabb reach = tray.padded(0.5 * lattice.spacing.x());
+    for (std::int64_t c = 0; c < lattice.cellCount(); ++c)
+      if (o.organ.alive[std::size_t(c)] && reach.contains(lattice.centre(lattice.cell(c))))
+        return simulation;
+  }
+  simulation.addObstacle(walls, toolBoxPose());
+  return simulation;
+}
+
 Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress, std::vector<std::string>* notes) {
   std::vector<OperatedOrgan> organs = loadOrgans(scenario, readModel, progress, notes);
   std::vector<TissueJoint> joints = makeJoints(scenario, organs);
-  return Simulation(std::move(organs), loadTools(scenario, readModel), std::move(joints),
-                    scenario.table);
+  return assemble(scenario, std::move(organs), std::move(joints), loadTools(scenario, readModel));
 }
 
 }  // namespace resect

@@ -50,6 +50,11 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs);
 
+// Organs, their joints and tools in the scenario's room: on its table, beside its tray. A tray that
+// an organ lies in from the start does not push it out.
+Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
+                    std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools);
+
 // All of the above: the scenario, ready for its first frame.
 Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress = {}, std::vector<std::string>* notes = nullptr);

@@ -21,7 +21,7 @@ std::string plausibleUnit(const Aabb& box) {
   std::string best;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [name, metres] : kUnits) {
-    const double off = side > 0 ? std::abs(std::log(side * metres / kLiver)) : least;
+    const double share = side * metres / kLiver, off = std::max(share, 1 / share);
     if (off < least) least = off, best = name;
   }
   return best;

@@ -8,16 +8,23 @@
 #include <numbers>
 
 #include "geometry/pose.h"
+#include "geometry/rotation.h"
+#include "geometry/triangle_mesh.h"
 
 namespace resect {
 
 // Centre of the tool box's bottom.
 inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::Identity()}; }
 
+// Its four walls as one closed frame, in its own coordinates, for tissue to meet: 30 x 22 cm
+// outside, 25 mm high, 12 mm thick inwards, since a shell of a millimetre would hold back no cell.
+// Its floor lies on the table.
+TriangleMesh toolBoxWalls();
+
 // Where tool number i lies in the tool box, side by side, handle towards the surgeon: on its side,
 // so that it lies flat. The box has four places; further tools lie on the table beside it.
 inline Pose toolBoxPlace(int i) {
-  const Eigen::Quaterniond onItsSide(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
+  const Eigen::Quaterniond onItsSide = rotationAbout(Vec3::UnitZ(), std::numbers::pi / 2);
   constexpr double kPlaces[] = {-0.085, -0.01, 0.065, 0.104};  // x, m
   const double x = i < 4 ? kPlaces[i] : 0.19 + 0.05 * (i - 4);
   return {toolBoxPose() * Vec3(x, 0.008, -0.085), onItsSide};

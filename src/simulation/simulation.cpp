@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/assert.h"
+#include "base/elementary.h"
 #include "base/error.h"
 #include "tools/contacts.h"
 
@@ -56,6 +57,16 @@ Simulation::Simulation(std::vector<OperatedOrgan> organs, std::vector<std::uniqu
 Simulation::Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
                        std::unique_ptr<TissueModel> tissue, bool table)
     : Simulation(one(std::move(organ), std::move(tissue)), std::move(tools), {}, table) {}
+
+void Simulation::addObstacle(const TriangleMesh& shape, const Pose& pose) {
+  if (!moves()) return;
+  double coarsest = 0;
+  for (const OperatedOrgan& o : organs_)
+    coarsest = std::max(coarsest, o.organ.rest.lattice.spacing.x());
+  standingShapes_.push_back(std::make_unique<SignedDistance>(
+      shape, 2 * coarsest, std::clamp(coarsest / 3, 0.001, 0.003)));
+  standingPoses_.push_back(pose);
+}
 
 StepReport Simulation::step(const FrameInput& input, StageClock* clock) {
   StepReport report;
@@ -192,6 +203,8 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
                            model.friction, model.slipForce});
     }
     if (table_) obstacles.push_back(tableTop(spacing));
+    for (std::size_t i = 0; i < standingShapes_.size(); ++i)
+      obstacles.push_back(standing(*standingShapes_[i], standingPoses_[i], spacing));
     work_.moving.push_back({organs_[o].tissue.get(), obstacles, &report.tissue[o]});
   }
   findJoined();
@@ -212,7 +225,7 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
           "the tissue exploded and was stopped for a frame; make it softer, its cells larger or "
           "the tool slower");
   }
-  const double share = 1 - std::exp(-input.duration / kFeltTime);
+  const double share = 1 - math::exp(-input.duration / kFeltTime);
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     tools_[i].force = report.toolForce[i];
     tools_[i].feltForce += share * (tools_[i].force - tools_[i].feltForce);

@@ -85,6 +85,9 @@ class Simulation {
   // One organ; tissue null: it does not move.
   Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
              std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
+  // Tissue that moves does not go into this closed body either, which stands still: the tray. For
+  // before the first step.
+  void addObstacle(const TriangleMesh& shape, const Pose& pose);
 
   // One frame. `clock`, when given, gets a lap per stage, under the stage's name.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
@@ -136,7 +139,7 @@ class Simulation {
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(table_, keepsLook_, shapes_, joined_, work_);
+    v.made(table_, keepsLook_, shapes_, standingShapes_, standingPoses_, joined_, work_);
   }
 
  private:
@@ -175,8 +178,10 @@ class Simulation {
 
   // Set up, or made from the state.
   bool table_, keepsLook_ = false;
-  std::vector<std::unique_ptr<SignedDistance>> shapes_;  // of the tools, where tissue moves
-  std::vector<JoinedOrgan> joined_;                      // by organ, where there are joints
+  std::vector<std::unique_ptr<SignedDistance>> shapes_;          // of the tools, where tissue moves
+  std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // see addObstacle
+  std::vector<Pose> standingPoses_;
+  std::vector<JoinedOrgan> joined_;  // by organ, where there are joints
   Work work_;
 };
 

@@ -1,4 +1,4 @@
-// What can tissue not move into? Rigid bodies round it: instruments, the table.
+// What can tissue not move into? Rigid bodies round it: instruments, the table, what stands on it.
 #pragma once
 
 #include "collision/signed_distance.h"
@@ -23,6 +23,15 @@ inline Obstacle tableTop(double spacing) {
   table.halfSpace = true;
   table.standOff = 0.5 * spacing;
   return table;
+}
+
+// A body that stands still, such as the tray.
+inline Obstacle standing(const SignedDistance& shape, const Pose& pose, double spacing) {
+  Obstacle body;
+  body.shape = &shape;
+  body.from = body.to = pose;
+  body.standOff = 0.5 * spacing;
+  return body;
 }
 
 }  // namespace resect

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "collision/collider.h"
 #include "collision/inside.h"
 #include "geometry/moved_box.h"
+#include "geometry/rotation.h"
 
 namespace resect {
 namespace {
@@ -30,12 +32,12 @@ bool clip(const Aabb& box, const Vec3& p, const Vec3& d, double& t0, double& t1)
 Aabb sweptBox(const Aabb& tool, const Pose& from, const Pose& to) {
   // A corner strays from the chord of its arc by less than the sagitta of the rotation about the
   // tool's origin.
-  const double half = 0.5 * from.rotation.angularDistance(to.rotation);
+  const double half = 0.5 * angleBetween(from.rotation, to.rotation);
   const double reach = std::max(tool.min.norm(), tool.max.norm()) + tool.size().norm();
   const Pose back = to.inverse();
   Aabb box = tool;
   for (int i = 0; i < 8; ++i) box.grow(back * (from * tool.corner(i)));
-  return box.padded(reach * (1 - std::cos(std::min(half, 3.2))) + 1e-9);
+  return box.padded(reach * (1 - math::cos(std::min(half, 3.2))) + 1e-9);
 }
 
 // The three stages of collision/collider.h; the organ's image is made only in the pixels that the

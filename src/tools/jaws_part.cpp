@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/rotation.h"
 #include "tools/parting.h"
 #include "tools/tool.h"
 
@@ -12,7 +13,8 @@ namespace {
 // One edge of the jaws, `side` 1 or -1, in the world; from tip to heel for one, back for the other,
 // so that both strips look to the same side where they meet.
 std::vector<Vec3> jawEdge(const ToolModel& tool, const ToolStance& at, double side) {
-  const Eigen::AngleAxisd turn(side * 0.5 * (1 - at.squeeze) * tool.jaws.opening, tool.jaws.axis);
+  const Eigen::Quaterniond turn =
+      rotationAbout(tool.jaws.axis, side * 0.5 * (1 - at.squeeze) * tool.jaws.opening);
   std::vector<Vec3> edge;
   for (const Vec3& p : tool.edge)
     edge.push_back(at.pose * (tool.jaws.pivot + turn * (p - tool.jaws.pivot)));

@@ -4,6 +4,7 @@
 
 #include "geometry/measures.h"
 #include "io/scenario/scenario_file.h"
+#include "operation/room.h"
 #include "organ/builtin/builtin_gallbladder.h"
 
 using namespace resect;
@@ -20,4 +21,35 @@ TEST_CASE("the source \"gallbladder\" is the built-in gallbladder, no file") {
   const TriangleMesh mesh = loadOrganMesh(scenario.organs[0].source, noFile, nullptr);
   CHECK(mesh.points == builtinGallbladder().points);
   CHECK(mesh.triangles == builtinGallbladder().triangles);
+}
+
+namespace {
+
+// Points of a soft gallbladder's skin that lie deeper than 3 mm in the tray's walls, after it fell
+// on their rim.
+int pointsInWalls(const std::string& room) {
+  const Scenario scenario = parseScenario(
+      "title = \"Fall\"\nduration = 0.6\nframe_rate = 60\n" + room +
+          "[organ]\nsource = \"gallbladder\"\nspacing = \"8mm\"\nsettle = false\nposition = [0.27, "
+          "0.06, 0.12]\n[tissue]\nmodel = \"elastic\"\ndrag = 6\n",
+      "test.toml");
+  Simulation simulation = makeSimulation(scenario, {});
+  StepReport report;
+  for (std::int64_t frame = 0; frame < frameCount(scenario); ++frame)
+    simulation.step(frameInput(scenario, frame), report);
+  const Aabb outer = bounds(toolBoxWalls()).padded(-0.003);
+  const Aabb hollow{{-0.138 - 0.003, -1, -0.098 - 0.003}, {0.138 + 0.003, 1, 0.098 + 0.003}};
+  int inside = 0;
+  for (const Vec3& point : simulation.surfaceMesh().points) {
+    const Vec3 p = toolBoxPose().inverse() * point;
+    inside += outer.contains(p) && !hollow.contains(p);
+  }
+  return inside;
+}
+
+}  // namespace
+
+TEST_CASE("tissue that falls on the rim of the tray does not go into its walls") {
+  CHECK(pointsInWalls("[room]\ntool_box = false\n") > 20);
+  CHECK(pointsInWalls("") == 0);
 }

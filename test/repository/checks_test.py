@@ -116,6 +116,12 @@ class Files(Tree):
         status, output = self.check("check_files.py", {**files, "docs/b.md": "# B\n"})
         self.assertEqual(status, 0, output)
 
+    def test_a_function_that_differs_between_machines_is_refused_below_the_pictures(self):
+        self.refused("check_files.py", {"src/base/a.cpp": "\ndouble a = std::sin(1);\n"}, "src/base/a.cpp:2: std::sin")
+        self.refused("check_files.py", {"src/base/a.cpp": "Eigen::AngleAxisd a;\n"}, "a.cpp:1: AngleAxis")
+        status, output = self.check("check_files.py", {"src/inventor/a.cpp": "double a = std::sin(1);\n"})
+        self.assertEqual(status, 0, output)
+
     def test_a_path_of_one_machine_is_refused(self):
         place = "/".join(["", "home", "somebody", "x"])
         self.refused("check_files.py", {"docs/a.md": "\nsee " + place + "\n"}, "docs/a.md:2:")

@@ -15,13 +15,13 @@ STILL = {
 }
 # On tissue that moves: the same with and without vector instructions.
 ELASTIC = {
-    "press": "94cdb8b39fcf6f12",
-    "lift": "6f503c65b783c800",
-    "incise": "9e2beca103d94d4f",
-    "incise-under-traction": "6dd5c7daa220766e",
-    "snip": "4e1df3c5351b4608",
-    "resect-segment-elastic": "9adfba252cea5bc9",
-    "liver-and-gallbladder": "10cb80808d9f217c",
-    "hang": "f514851576592b71",
-    "drop": "4b5b317bc9bba7e4",
+    "press": "3f9ab92c511ddb85",
+    "lift": "82b9eee147f5b960",
+    "incise": "525e57730f9020a1",
+    "incise-under-traction": "6308851084f3de8c",
+    "snip": "8c100320d6927cff",
+    "resect-segment-elastic": "9ac2ea8247d0faa9",
+    "liver-and-gallbladder": "e461b2085c0157f5",
+    "hang": "15b0662567d20dad",
+    "drop": "2722569b760e8778",
 }

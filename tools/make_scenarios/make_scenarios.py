@@ -117,7 +117,7 @@ def resect_segment(spacing):
     return [("scalpel", path), ("hook", None), ("baton", None)]
 
 
-def ligaments(x=0.0):
+def ligaments(x):
     """Where a living liver is held, at rest: behind the dome; x: where its middle lies, m."""
     return f"""[[tissue.attachment]]
 kind = "ligament"
@@ -126,7 +126,7 @@ stiffness = 300
 """
 
 
-LIGAMENTS = ligaments()
+ASIDE = -0.07  # m: where a sagging liver is clear of the tray
 PINNED_TOP = """[[tissue.attachment]]
 kind = "pin"
 box = [[-0.08, 0.19, -0.08], [0.06, 0.25, 0.05]]
@@ -287,8 +287,13 @@ def no_tools():
     return [("scalpel", None), ("hook", None), ("baton", None)]
 
 
-def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None):
-    """A scenario whose tissue moves."""
+def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None, x=0.0):
+    """A scenario whose tissue moves; x: organ and instruments stand so far to the side, m."""
+    if x:
+        for _, path in tools:
+            if path:
+                path.keys = [(time, (tip[0] + x, *tip[1:]), squeeze) for time, tip, squeeze in path.keys]
+        organ = f"position = [{x:g}, 0, 0]  # clear of the tray\n"
     text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration, thesis=False)
     if close_up:
         text = text.replace('view = "surgeon"\n', f'view = "surgeon"\nclose_up = {close_up}\n', 1)
@@ -332,26 +337,27 @@ def all_scenarios():
         "Left lateral part of the liver taken off", "A scalpel path that parts the liver completely, in three strokes",
         3.0, resect_segment(0.003), "surgeon", tail=0.8)
     yield "press", elastic("The baton presses on a soft liver", "Elastic tissue on the table, pressed twice", 8.0,
-                           press(), LIGAMENTS)
+                           press(), ligaments(ASIDE), x=ASIDE)
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, lift(),
-                          LIGAMENTS)
+                          ligaments(ASIDE), x=ASIDE)
     yield "incise", elastic("An incision over the dome", "The blade is drawn towards the surgeon; nothing is lost",
-                            8.0, incise(), LIGAMENTS, close_up="[[-0.06, 0.05, -0.05], [0.02, 0.1, 0.06]]")
+                            8.0, incise(), ligaments(ASIDE), x=ASIDE,
+                            close_up="[[-0.13, 0.05, -0.05], [-0.05, 0.1, 0.06]]")
     yield "incise-under-traction", elastic(
         "An incision under traction", "The hook pulls, the scalpel cuts across the pull, and the wound opens", 6.0,
         incise_under_traction(), ligaments(-0.035),
         organ="position = [-0.035, 0, 0]  # so that the lobe does not come to lie on the tray\n",
         close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]")
     yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
-                          snip(), LIGAMENTS)
+                          snip(), ligaments(ASIDE), x=ASIDE)
     yield "resect-segment-elastic", elastic(
         "A piece of a soft liver taken off", "The scalpel parts the left lateral part; the hook lifts it away", 8.0,
-        resect_segment_elastic(), LIGAMENTS)
+        resect_segment_elastic(), ligaments(ASIDE), x=ASIDE)
     yield "liver-and-gallbladder", liver_and_gallbladder()
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n")
     yield "drop", elastic("The liver is dropped on the table", "From 12 cm; it flattens, and comes to rest", 8.0,
-                          no_tools(), "", 'drag = 1.5\n', duration=3, organ="position = [0, 0.12, 0]\n")
+                          no_tools(), "", 'drag = 1.5\n', duration=3, organ=f"position = [{ASIDE:g}, 0.12, 0]  # clear of the tray\n")
 
 
 def main():

@@ -17,7 +17,7 @@ double ownVolume(const TriangleMesh& mesh) { return volumeAbout(mesh, bounds(mes
 bool isSpeck(double area, double volume) {
   // A ball of area A holds A^1.5 / (6 sqrt(pi)).
   constexpr double kLeastShareOfBall = 1e-6;
-  const double ball = std::pow(area, 1.5) / (6 * std::sqrt(std::numbers::pi));
+  const double ball = area * std::sqrt(area) / (6 * std::sqrt(std::numbers::pi));
   return std::abs(volume) <= kLeastShareOfBall * ball;
 }
 

@@ -1,13 +1,12 @@
 #include "io/cells/cells_file.h"
 
-#include <zlib.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 
+#include "base/crc32.h"
 #include "base/error.h"
 #include "io/atomic_file.h"
 #include "io/cells/byte_runs.h"
@@ -29,14 +28,7 @@ constexpr double kFarthest = 1e6;                // m
 constexpr int kLongestSide = 1'000'000;          // cells
 constexpr double kLargestScale = 1e6;            // of the skin
 
-std::string checksum(std::string_view bytes) {
-  uLong sum = crc32(0, nullptr, 0);
-  constexpr std::size_t kPiece = 1 << 30;  // zlib counts in 32 bits
-  for (; !bytes.empty(); bytes.remove_prefix(std::min(kPiece, bytes.size())))
-    sum = crc32(sum, reinterpret_cast<const Bytef*>(bytes.data()),
-                uInt(std::min(kPiece, bytes.size())));
-  return fmt::format("{:08x}", std::uint32_t(sum));
-}
+std::string checksum(std::string_view bytes) { return fmt::format("{:08x}", crc32(bytes)); }
 
 // With the fewest digits that restore it, and never a whole number of the header's language.
 std::string exact(double number) {

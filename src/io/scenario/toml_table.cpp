@@ -18,6 +18,7 @@ namespace {
 #pragma pop_macro("NDEBUG")
 
 #include "base/error.h"
+#include "geometry/rotation.h"
 #include "io/scenario/length.h"
 
 namespace resect {
@@ -205,8 +206,8 @@ Eigen::Quaterniond TomlTable::rotation(const std::string& key) const {
   if (t->has("axis")) {
     const Vec3 axis = t->vec3("axis");
     if (axis.norm() < 1e-9) complain(key, "has a zero axis");
-    return Eigen::Quaterniond(Eigen::AngleAxisd(
-        t->number("degrees", -3600, 3600) * std::numbers::pi / 180, axis.normalized()));
+    return rotationAbout(axis.normalized(),
+                         t->number("degrees", -3600, 3600) * std::numbers::pi / 180);
   }
   const Vec3 handle = t->vec3("handle"), edge = t->vec3("edge");
   Mat3 frame;

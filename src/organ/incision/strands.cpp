@@ -171,10 +171,12 @@ std::int64_t partStrands(Organ& organ, const TissueModel& tissue,
   const auto concerned = [&](std::int64_t particle) {
     const Vec3i centre = refine * (lattice.cell(particle) + Vec3i::Constant(2));
     const int reach = NodeOwners::kFar + 1 + refine;
-    return std::ranges::any_of(changed, [&](const Vec3i& brick) {
+    for (const Vec3i& brick : changed) {
       const Vec3i low = kBrickNodes * brick, high = low + Vec3i::Constant(kBrickNodes);
-      return ((centre - high).array() <= reach).all() && ((low - centre).array() <= reach).all();
-    });
+      if (((centre - high).array() <= reach).all() && ((low - centre).array() <= reach).all())
+        return true;
+    }
+    return false;
   };
   std::vector<Parting> partings;
   const auto addParting = [&](std::int64_t particle, NodeSet::Which which) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/moved_box.h"
+#include "geometry/rotation.h"
 #include "tissue/elastic/chunk_bounds.h"
 
 namespace resect {
@@ -57,10 +58,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     const Obstacle& o = body.obstacle = obstacles[b];
     body.cells.clear();
     body.velocity = (o.to.position - o.from.position) / duration;
-    Eigen::Quaterniond turn = o.to.rotation * o.from.rotation.conjugate();
-    if (turn.w() < 0) turn.coeffs() *= -1;
-    const Eigen::AngleAxisd angle(turn);
-    body.spin = angle.angle() / duration * angle.axis();
+    body.spin = rotationVector(o.to.rotation * o.from.rotation.conjugate()) / duration;
     reach[b].up[0] = o.from.rotation * Vec3::UnitY();
     reach[b].up[1] = o.to.rotation * Vec3::UnitY();
     if (!o.shape) continue;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "tissue/elastic/chunk_bounds.h"
@@ -55,7 +56,7 @@ SubstepConstants ElasticTissue::constants(double dt) const {
   c.bondStiffness = float(2 * weights[2] / (state_.spacing * state_.spacing));
   c.dt = float(dt);
   c.lookAhead = float(settings_.damping * dt);
-  c.keep = float(std::exp(-settings_.drag * dt));
+  c.keep = float(math::exp(-settings_.drag * dt));
   for (int a = 0; a < 3; ++a) c.gravity[a] = float(settings_.gravity[a]);
   const double most = kMostCells * state_.spacing / dt;
   c.mostSpeedSquared = float(most * most);

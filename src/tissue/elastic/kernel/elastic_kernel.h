@@ -17,6 +17,11 @@ namespace resect {
 // substep is stable for all that tissue goes through.
 inline constexpr float kMostStiffening = 6;
 
+// Speeds below this count as zero (m/s). The front of a wave spreads through tissue at rest ever
+// more faintly; as denormal numbers, which are slow, it would cost ten times the rest. Processors
+// that flush those to zero do it each in its own way, or, as WebAssembly, not at all.
+inline constexpr float kAtRest = 1e-12f;
+
 // What both passes read besides the state.
 struct SubstepConstants {
   float faceShare = 0;         // weight of a face neighbour (tissue/stencil.h) over an edge one's

@@ -117,6 +117,7 @@ RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::in
     const Lanes<N> pull = force * inverseMass + all<N>(c.gravity[a]);
     const Lanes<N> before = load<N>(s.v[a] + i);
     Lanes<N> v = keep * (before + dt * pull);
+    v = masked(v, ~((v <= all<N>(kAtRest)) & (v >= all<N>(-kAtRest))));
     if constexpr (!Full) v = masked(v, there);
     if constexpr (Steered) v = (held & (1 << a)) != 0 ? before : v;
     const Lanes<N> u = load<N>(s.u[a] + i) + dt * v;
@@ -130,16 +131,6 @@ RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::in
   beyond |= ~(speed2 <= all<N>(c.mostSpeedSquared));  // true for what is not a number too
   __builtin_memcpy(exploded, &beyond, sizeof beyond);
 }
-
-// Numbers below 1e-38 count as zero while it lives: the faint front of a wave that spreads through
-// tissue at rest would otherwise cost ten times the rest.
-struct NoDenormals {
-  NoDenormals() : before(__builtin_ia32_stmxcsr()) { __builtin_ia32_ldmxcsr(before | 0x8040u); }
-  ~NoDenormals() { __builtin_ia32_ldmxcsr(before); }
-  NoDenormals(const NoDenormals&) = delete;
-  NoDenormals& operator=(const NoDenormals&) = delete;
-  unsigned before;
-};
 
 // Chunks that lie behind each other in memory and can be summed by planes.
 struct PlaneRun {
@@ -206,7 +197,6 @@ static __attribute__((noinline)) void moveByBonds(const ElasticView& s, const Su
 
 static void stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                        std::size_t end) {
-  const NoDenormals guard;
   const PlaneSteps step = planeSteps(s);
   StrainPlanes planes = {};  // planes beyond solid cells are read, and count for nothing
   for (const TissueChunk *chunk = s.chunks + begin, *last = s.chunks + end; chunk < last;) {
@@ -233,7 +223,6 @@ static void stressPass(const ElasticView& s, const SubstepConstants& c, std::siz
 
 static bool motionPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                        std::size_t end) {
-  const NoDenormals guard;
   const PlaneSteps step = planeSteps(s);
   std::int32_t exploded[kChunk] = {};
   ForcePlanes planes = {};

@@ -2,6 +2,7 @@
 #include "tissue/elastic/kernel/elastic_kernel.h"
 #include "tissue/elastic/kernel/elastic_kernels.h"
 
+#if defined(__x86_64__)
 #pragma GCC target("avx2")
 namespace resect::avx2 {
 
@@ -19,3 +20,4 @@ const ElasticKernel& avx2Kernel() {
 }
 
 }  // namespace resect
+#endif

@@ -2,6 +2,7 @@
 #include "tissue/elastic/kernel/elastic_kernel.h"
 #include "tissue/elastic/kernel/elastic_kernels.h"
 
+#if defined(__x86_64__)
 #pragma GCC target("avx512f,avx512vl,avx512dq,avx512bw,prefer-vector-width=512")
 namespace resect::avx512 {
 
@@ -19,3 +20,4 @@ const ElasticKernel& avx512Kernel() {
 }
 
 }  // namespace resect
+#endif
