@@ -52,13 +52,18 @@ void plain(benchmark::State& state, Size size, bool passOverFar) {
                             kSmoothingPerSpacing * lattice.spacing.x(), 50);
   double colour = 100;
   std::size_t triangles = 0;
+  StageClock clock;
   for (auto _ : state) {
     colour = 100 - colour;
     for (const std::int64_t cell : onTool) particles[numberOf[cell]].colour = colour;
-    const test::ThesisSurface surface = thesis.update(particles, passOverFar);
+    const test::ThesisSurface surface = thesis.update(particles, passOverFar, &clock);
     triangles = surface.mesh.triangles.size();
     benchmark::DoNotOptimize(surface.normals.data());
   }
+  double whole = 0;
+  for (const StageTimes& function : clock.stages()) whole += summarise(function.seconds).total;
+  for (const StageTimes& function : clock.stages())
+    state.counters["% " + function.name] = 100 * summarise(function.seconds).total / whole;
   const double nodes = double(thesis.grid().count());
   state.counters["per node"] = benchmark::Counter(
       nodes, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);

@@ -11,6 +11,7 @@
 #include "cli/json_output.h"
 #include "cli/organ_options.h"
 #include "cli/progress_bar.h"
+#include "cli/thesis_profile.h"
 #include "io/cells/particle_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
@@ -23,7 +24,7 @@ struct Options {
   std::string scenario = "cut", organ, json;
   int threads = 0;
   double most = 1e6;
-  bool once = false;
+  bool once = false, thesis = false, profile = false;
 };
 
 BenchReport measure(const Scenario& scenario, const std::string& title) {
@@ -41,11 +42,12 @@ void run(const Options& options, const OrganOptions& organOptions) {
   const ThreadLimit threads(options.threads);
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
   organOptions.applyTo(scenario, options.organ);
+  if (options.thesis) makeThesis(scenario);
 
   const BenchReport report = measure(scenario, scenario.name);
   std::optional<RealTimeLimit> limit;
   // A file of particles is as fine as it is.
-  if (!options.once && !isParticleFile(scenario.organs[0].source.file))
+  if (!options.once && !options.profile && !isParticleFile(scenario.organs[0].source.file))
     limit = findRealTimeLimit(
         report,
         [&](double spacing) {
@@ -54,8 +56,14 @@ void run(const Options& options, const OrganOptions& organOptions) {
           return measure(other, fmt::format("{} at {:.3g} mm", scenario.name, 1e3 * spacing));
         },
         4, options.most);
-  if (!options.json.empty()) writeJson(options.json, toJson(report, limit, scenario));
-  if (options.json != "-") fmt::print("{}", toText(report, limit, scenario));
+  if (!options.json.empty()) {
+    nlohmann::ordered_json json = toJson(report, limit, scenario);
+    if (options.profile) json["profile"] = profileJson(report);
+    writeJson(options.json, json);
+  }
+  if (options.json == "-") return;
+  fmt::print("{}", toText(report, limit, scenario));
+  if (options.profile) fmt::print("{}", profileText(report));
 }
 
 }  // namespace
@@ -77,6 +85,12 @@ void addBenchCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--once", options->once,
                     "Measure the scenario as it is; do not look for the largest organ");
+  command->add_flag(
+      "--thesis", options->thesis,
+      "As the original system: tissue is still, instruments take out what they touch");
+  command->add_flag(
+      "--profile", options->profile,
+      "The stages by their time beside the profile in the original thesis (implies --once)");
   command->add_option("--most", options->most, "Particles of the largest organ to try")
       ->check(CLI::Range(100.0, 1e8))
       ->capture_default_str();
@@ -86,6 +100,7 @@ void addBenchCommand(CLI::App& app) {
       "Examples:\n"
       "  resect bench\n"
       "  resect bench incise --threads 1\n"
+      "  resect bench cut-950 --thesis --profile\n"
       "  resect bench cut --spacing 1.15mm --once --json cut.json");
   command->callback([options, organ] { run(*options, *organ); });
 }

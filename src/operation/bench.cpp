@@ -40,10 +40,14 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
 
   StageClock clock;
   StepReport step;
-  double moved = 0;  // particles times substeps
+  double moved = 0;                  // particles times substeps
+  std::vector<std::size_t> updates;  // frames
   const std::int64_t frames = frameCount(scenario);
   while (report.frames < frames) {
     simulation.step(frameInput(scenario, report.frames), step, &clock);
+    report.inHand += std::ranges::any_of(simulation.tools(), &ToolState::inHand);
+    if (step.touchedBricks > 0) updates.push_back(std::size_t(report.frames));
+    report.updates.bricks += step.touchedBricks;
     ++report.frames;
     for (std::size_t o = 0; o < step.tissue.size(); ++o) {
       report.substeps += step.tissue[o].substeps;
@@ -54,11 +58,15 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
 
   std::vector<double> wholeFrames(std::size_t(report.frames), 0.0);
   for (const StageTimes& stage : clock.stages()) {
-    report.stages.push_back({stage.name, summarise(stage.seconds)});
+    report.stages.push_back(
+        {stage.name, summarise(stage.seconds), std::int64_t(stage.seconds.size())});
+    if (stage.name == "updateField" || stage.name == "updateSurface")
+      for (const std::size_t frame : updates) report.updates.seconds += stage.seconds[frame];
     for (std::size_t i = 0; i < stage.seconds.size(); ++i) wholeFrames[i] += stage.seconds[i];
     if (stage.name == "moveTissue" && moved > 0)
       report.perParticleAndSubstep = report.stages.back().time.total / moved;
   }
+  report.updates.frames = std::int64_t(updates.size());
   report.missed =
       std::ranges::count_if(wholeFrames, [&](double s) { return s > report.frameDuration; });
   report.frame = summarise(std::move(wholeFrames));

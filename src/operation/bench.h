@@ -19,6 +19,12 @@ struct BenchReport {
   struct Stage {
     std::string name;
     TimeSummary time;
+    std::int64_t calls = 0;  // one a frame
+  };
+  // Frames in which edits changed the surface.
+  struct Updates {
+    std::int64_t frames = 0, bricks = 0;  // bricks looked at, in all of them
+    double seconds = 0;                   // of updateField and updateSurface in them
   };
   double spacing = 0;                                    // cube root of a cell's volume, m
   std::int64_t particles = 0, triangles = 0, bytes = 0;  // before the operation
@@ -27,7 +33,9 @@ struct BenchReport {
   double frameDuration = 0;             // s
   TimeSummary frame;                    // time of all stages together
   std::vector<Stage> stages;            // in the order of the step
-  std::int64_t substeps = 0;            // of tissue that moves
+  std::int64_t inHand = 0;              // frames in which an instrument is
+  Updates updates;
+  std::int64_t substeps = 0;         // of tissue that moves
   double perParticleAndSubstep = 0;  // s, of the stage moveTissue; 0 for tissue that stands still
   std::string instructionSet;        // of the kernels that move tissue
   std::uint64_t stateHash = 0;       // at the end, as of runScenario()

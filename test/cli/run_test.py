@@ -8,6 +8,7 @@ import os
 import re
 import subprocess
 import sys
+import time
 import unittest
 from pathlib import Path
 
@@ -148,6 +149,49 @@ class Bench(unittest.TestCase):
         elastic = bench("press", "--once", "--spacing", "10mm")
         self.assertGreater(elastic["substeps"], elastic["frames"])
         self.assertGreater(elastic["ns_per_particle_and_substep"], 0)
+
+
+    def test_a_profile_has_every_stage_with_its_calls_and_its_share_of_the_run(self):
+        file = FOLDER / "profile.json"
+        for scenario, particles, frames in (("cut-120", 120, 468), ("cut-950", 950, 342)):
+            began = time.monotonic()
+            done = resect("bench", scenario, "--thesis", "--profile", "--json", file)
+            elapsed = 1e3 * (time.monotonic() - began)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            figures = json.loads(file.read_text())
+            self.assertEqual(figures["state_hash"], STILL[scenario])
+            self.assertLess(figures["frame_ms"]["total"], elapsed)
+            self.assertNotIn("verdict", figures)  # no other size was run
+            profile, times = figures["profile"], figures["stages_ms"]
+            self.assertEqual({row["stage"] for row in profile["stages"]}, set(times))
+            self.assertEqual({row["calls"] for row in profile["stages"]}, {frames})
+            for row in profile["stages"]:
+                self.assertEqual(row["total_ms"], times[row["stage"]]["total"])
+                self.assertAlmostEqual(row["share"], 100 * row["total_ms"] / figures["frame_ms"]["total"])
+            shares = [row["share"] for row in profile["stages"]]
+            self.assertEqual(shares, sorted(shares, reverse=True))
+            self.assertAlmostEqual(sum(shares), 100)
+            # Each update takes part of updateField's and updateSurface's time.
+            updated = profile["surface_updates"] * profile["ms_an_update"]
+            self.assertGreater(updated, 0)
+            self.assertLess(updated, times["updateField"]["total"] + times["updateSurface"]["total"])
+            self.assertLess(profile["surface_updates"], profile["frames_in_hand"])
+            self.assertLess(profile["frames_in_hand"], frames)
+            # The same is printed, beside the thesis's figures for this size.
+            table = done.stdout[done.stdout.index("its functions"):]
+            rows = re.findall(r"^ +([\d.]+)% +([\d.]+) +(\d+) +[\d.]+  (\w+) +([\d.]+%|-)", table, re.M)
+            self.assertEqual([row[3] for row in rows], [row["stage"] for row in profile["stages"]])
+            self.assertAlmostEqual(sum(float(row[0]) for row in rows), 100, delta=0.05 * len(rows))
+            self.assertEqual({int(row[2]) for row in rows}, {frames})
+            self.assertAlmostEqual(float(re.search(r"^ +100.0% +([\d.]+)$", table, re.M)[1]),
+                                   figures["frame_ms"]["total"], delta=0.001)
+            self.assertRegex(table, rf"particles +\d+ +{particles}\n")
+            self.assertGreater(float(next(row[4] for row in rows if row[3] == "updateField")[:-1]), 85)
+
+        moving = resect("bench", "press", "--thesis", "--profile", "--spacing", "10mm").stdout
+        self.assertIn("moveTissue", moving)
+        self.assertNotIn("substeps", moving)  # it stands still
+        self.assertNotIn("27000", moving)  # of another size than the thesis's
 
 
 class Complaints(unittest.TestCase):

@@ -25,7 +25,12 @@ double ThesisMethod::getLevelSetNear(std::span<const ThesisParticle> particles,
   return sum;
 }
 
-ThesisSurface ThesisMethod::update(std::span<const ThesisParticle> particles, bool passOverFar) {
+ThesisSurface ThesisMethod::update(std::span<const ThesisParticle> particles, bool passOverFar,
+                                   StageClock* clock) {
+  const auto done = [&](const char* function) {
+    if (clock) clock->lap(function);
+  };
+  if (clock) clock->start();
   const Vec3 spacing = grid_.spacing();
   field_.resize(grid_.count());
   for (int z = 0; z < grid_.nodes.z(); ++z)
@@ -35,8 +40,12 @@ ThesisSurface ThesisMethod::update(std::span<const ThesisParticle> particles, bo
         field_[node(x, y, z)] =
             passOverFar ? getLevelSetNear(particles, r) : getLevelSet(particles, r);
       }
+  done("getLevelSet");
   calcGradients();
-  return calcPoints();
+  done("calcGradients");
+  ThesisSurface surface = calcPoints();
+  done("calcPoints");
+  return surface;
 }
 
 void ThesisMethod::calcGradients() {

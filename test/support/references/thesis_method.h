@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/stage_clock.h"
 #include "geometry/aabb.h"
 #include "geometry/triangle_mesh.h"
 
@@ -47,8 +48,9 @@ class ThesisMethod {
   // distance: what a careful programmer would have done then.
   double getLevelSetNear(std::span<const ThesisParticle> particles, const Vec3& r) const;
 
-  // One surface update: all nodes, all cells.
-  ThesisSurface update(std::span<const ThesisParticle> particles, bool passOverFar = false);
+  // One surface update: all nodes, all cells. clock: gets a lap per function, under its name.
+  ThesisSurface update(std::span<const ThesisParticle> particles, bool passOverFar = false,
+                       StageClock* clock = nullptr);
 
   const ThesisGrid& grid() const { return grid_; }
   std::span<const double> field() const { return field_; }  // of the last update, x fastest
