@@ -1,4 +1,9 @@
 // What mouse and keys do beyond the first operation: manipulators dragged, modifiers, views.
+#include <Inventor/SoPath.h>
+#include <Inventor/actions/SoGetBoundingBoxAction.h>
+#include <Inventor/actions/SoSearchAction.h>
+#include <Inventor/draggers/SoDragger.h>
+#include <Inventor/nodekits/SoBaseKit.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <doctest/doctest.h>
 
@@ -27,6 +32,58 @@ TEST_CASE(
   const SbVec2s on = bench.pixelOf(2);
   bench.drag(on, {short(on[0] + 50), short(on[1] + 30)});
   CHECK(bench.tools().pose(2).rotation.angularDistance(moved.rotation) > 0.1);
+}
+
+TEST_CASE("a handle box's cube for scaling neither grows its tool nor moves it") {
+  Bench bench;
+  bench.click(bench.pixelOf(2));
+  REQUIRE(bench.tools().how() == ToolHandling::Hold::HandleBox);
+  REQUIRE(bench.key(SoKeyboardEvent::UP_ARROW));
+  const Pose before = bench.tools().pose(2);
+  const Vec3 middle = bench.session->middleOfTool(2);
+  // Near enough that the cube is more than a few pixels.
+  SoPerspectiveCamera* camera = bench.session->room().camera();
+  camera->position.setValue(float(middle.x()) + 0.06f, 0.25f, 0.25f);
+  camera->pointAt(SbVec3f(float(middle.x()), float(middle.y()), float(middle.z())));
+  camera->nearDistance = 0.01f;
+
+  SoTransform* transform = bench.session->room().toolTransform(2);
+  SoDragger* box = static_cast<SoTransformManip*>(transform)->getDragger();
+  struct Drag {
+    SoNode* cube;
+    int begun = 0;
+  } drag{box->getPart("uniform3", false)};
+  box->addStartCallback(
+      [](void* told, SoDragger* dragger) {
+        auto& [cube, begun] = *static_cast<Drag*>(told);
+        begun += static_cast<const SoFullPath*>(dragger->getPickPath())->containsNode(cube);
+      },
+      &drag);
+  double strayed = 0;  // at any time
+  bench.tools().changed = [&, next = bench.tools().changed] {
+    next();
+    strayed = std::max(strayed, (bench.tools().pose(2).position - before.position).norm());
+  };
+
+  SoSearchAction find;
+  find.setNode(drag.cube);
+  find.setSearchingAll(true);
+  SoBaseKit::setSearchingChildren(true);
+  find.apply(bench.session->root());
+  SoBaseKit::setSearchingChildren(false);
+  REQUIRE(find.getPath());
+  SoGetBoundingBoxAction measure(bench.viewport);
+  measure.apply(find.getPath());
+  const SbVec3f centre = measure.getBoundingBox().getCenter();
+  const SbVec2s at = bench.session->pixelOf({centre[0], centre[1], centre[2]}, bench.viewport);
+  bench.drag(at, {short(at[0] + 40), short(at[1] + 30)});
+
+  CHECK(drag.begun == 1);
+  CHECK(strayed < 1e-6);
+  CHECK(bench.tools().pose(2).rotation.angularDistance(before.rotation) < 1e-3);
+  CHECK(transform->scaleFactor.getValue().equals(SbVec3f(1, 1, 1), 1e-8f));
+  const Vec3 after = bench.session->middleOfTool(2);
+  CHECK((after - middle).norm() < 1e-5);
 }
 
 TEST_CASE(

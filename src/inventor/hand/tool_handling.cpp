@@ -133,6 +133,7 @@ void ToolHandling::attach(int tool, Hold how) {
   manipulator->replaceNode(path);
   path->unref();
   manipulator->unrefNoDelete();
+  place_ = manipulator->translation.getValue();
   manipulator->getDragger()->addValueChangedCallback(draggerMoved, this);
 }
 
@@ -152,10 +153,18 @@ void ToolHandling::detach() {
 void ToolHandling::draggerMoved(void* closure, SoDragger*) {
   auto* self = static_cast<ToolHandling*>(closure);
   SoTransform* transform = self->room_.toolTransform(self->held_);
-  // Instruments do not grow. A scale that only rounding made is left: writing it would have the
-  // dragger write its own again, and so on for ever.
-  if (!transform->scaleFactor.getValue().equals(SbVec3f(1, 1, 1), kScaleRounding))
+  // Instruments do not grow, nor go where growing about the box's middle would take them. A scale
+  // that only rounding made is left: writing it would have the dragger write its own again, and so
+  // on for ever.
+  if (transform->scaleFactor.getValue().equals(SbVec3f(1, 1, 1), kScaleRounding)) {
+    self->place_ = transform->translation.getValue();
+  } else {
+    // Told with the scale: between the two the instrument would be seen to jump.
+    transform->translation.enableNotify(FALSE);
+    transform->translation = self->place_;
+    transform->translation.enableNotify(TRUE);
     transform->scaleFactor = {1, 1, 1};
+  }
   self->notify();
 }
 

@@ -2,10 +2,11 @@
 //
 // As in the original thesis: a left click on a tool replaces its SoTransform by a handle box, which
 // moves it; a middle click toggles to a trackball, which turns it, and back; a click elsewhere
-// lets go and restores the SoTransform. And directly: pressing on a tool and dragging moves it in
-// the plane of the view, the wheel in depth, with Shift it turns about its tip; arrow keys and page
-// keys do the same, 1 2 3 take tools, Escape puts the tool back, C held down closes its jaws. One
-// tool is held at a time.
+// lets go and restores the SoTransform. The scale that a handle box's cubes and sides would set is
+// ignored: instruments neither grow nor move by it. And directly: pressing on a tool and dragging
+// moves it in the plane of the view, the wheel in depth, with Shift it turns about its tip; arrow
+// keys and page keys do the same, 1 2 3 take tools, Escape puts the tool back, C held down closes
+// its jaws. One tool is held at a time.
 //
 // Listens through an SoEventCallback at the start of the scene, so whoever sends events through it
 // (a window, a test) gets the same behaviour. The camera's moves are not its business: events that
@@ -13,6 +14,7 @@
 #pragma once
 
 #include <Inventor/SbVec2s.h>
+#include <Inventor/SbVec3f.h>
 
 #include <functional>
 #include <vector>
@@ -42,7 +44,7 @@ class ToolHandling {
   int held() const { return held_; }  // -1: none
   Hold how() const { return how_; }
   bool squeezing() const { return squeezing_; }  // the held tool's jaws are being closed
-  // World pose of a tool, without the scale that a handle box may write.
+  // World pose of a tool; it has no scale.
   Pose pose(int tool) const;
 
   // Takes a tool in hand in this way, letting go of another; tool -1 or Hold::None lets go. A tool
@@ -91,6 +93,7 @@ class ToolHandling {
   Hold how_ = Hold::None;
   bool squeezing_ = false;
   Hold precise_ = Hold::HandleBox;  // which manipulator comes on a click
+  SbVec3f place_;                   // of the tool in it, before its dragger scales
 
   // From a press until the release.
   int pressed_ = -1;            // tool that the drag moves
