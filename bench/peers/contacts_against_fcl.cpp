@@ -167,7 +167,7 @@ Findings contactsAgainstFcl(const Effort& effort) {
       Comparison line;
       line.row = "F";
       line.work = refit ? "particles touched and ml shared, organ changed"
-                        : "the same, organ unchanged since the last frame";
+                        : "particles touched and ml shared, organ unchanged";
       line.peer = refit ? "FCL 0.7 refit + collide" : "FCL 0.7 collide alone";
       line.size = double(surface.triangles.size());
       line.sizeUnit = "triangles";
@@ -189,12 +189,11 @@ Findings contactsAgainstFcl(const Effort& effort) {
       for (const bool refit : {true, false}) compare(refit, threads);
     const ThreadLimit limit(1);
     const auto size = surface.triangles.size();
-    findings.figures.push_back(
-        costWithoutContact(organ, *tool, ways, {0, 0.5, 0},
-                           fmt::format("an instrument away from an organ of {} triangles", size)));
     findings.figures.push_back(costWithoutContact(
-        organ, *tool, ways, {0, 0, 0.012},
-        fmt::format("an instrument 2 mm beside the skin of {} triangles", size)));
+        organ, *tool, ways, {0, 0.5, 0}, fmt::format("away from the organ, {} triangles", size)));
+    findings.figures.push_back(
+        costWithoutContact(organ, *tool, ways, {0, 0, 0.012},
+                           fmt::format("2 mm beside the skin, {} triangles", size)));
   }
   return findings;
 }

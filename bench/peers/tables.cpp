@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 #include <thread>
+#include <vector>
 
 namespace resect::bench {
 namespace {
@@ -37,20 +38,44 @@ std::string machineName() {
 }
 
 std::string asMarkdown(const Findings& findings) {
+  std::vector<std::vector<Comparison>> tables;  // one for each row, work and peer
+  for (const Comparison& c : findings.comparisons) {
+    auto table = std::ranges::find_if(tables, [&](const auto& lines) {
+      const Comparison& o = lines.front();
+      return o.row == c.row && o.work == c.work && o.peer == c.peer;
+    });
+    if (table == tables.end()) table = tables.insert(tables.end(), std::vector<Comparison>{});
+    table->push_back(c);
+  }
   std::string text;
-  if (!findings.comparisons.empty())
-    text +=
-        "| row | work | size | threads | Resect | peer | peer's time | times faster | goal | runs "
-        "| "
-        "drift | agreement |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n";
-  for (const Comparison& c : findings.comparisons)
+  for (const std::vector<Comparison>& lines : tables) {
+    const Comparison& first = lines.front();
     text += fmt::format(
-        "| {} | {} | {:.0f} {} | {} | {} | {} | {} | {} | {} | {} / {} | {:.2f} | {} |\n", c.row,
-        c.work, c.size, c.sizeUnit, c.threads, timeText(c.resect), c.peer, timeText(c.peerTime),
-        ratioText(c.ratio()), ratioText(c.goal), c.resectRuns, c.peerRuns, c.drift, c.agreement);
-  if (!findings.figures.empty()) text += "\n| row | what | figure | goal |\n|---|---|---|---|\n";
-  for (const Figure& f : findings.figures)
-    text += fmt::format("| {} | {} | {} | {} |\n", f.row, f.what, f.value, f.goal);
+        "**{}. {}** (peer: {})\n\n"
+        "| {} | threads | Resect | peer | times faster | goal | runs | drift |\n"
+        "|---|---|---|---|---|---|---|---|\n",
+        first.row, first.work, first.peer, first.sizeUnit);
+    for (const Comparison& c : lines)
+      text += fmt::format("| {:.0f} | {} | {} | {} | {} | {} | {} / {} | {:.2f} |\n", c.size,
+                          c.threads, timeText(c.resect), timeText(c.peerTime), ratioText(c.ratio()),
+                          ratioText(c.goal), c.resectRuns, c.peerRuns, c.drift);
+    text += "\nAnswers compared:\n\n";
+    std::string told;  // the same at any number of threads, so once for each size
+    for (const Comparison& c : lines) {
+      const std::string line = fmt::format("- {:.0f}: {}\n", c.size, c.agreement);
+      if (line != told) text += line;
+      told = line;
+    }
+    text += '\n';
+  }
+  std::string row;
+  for (const Figure& f : findings.figures) {
+    if (f.row != row)
+      text += fmt::format("{}**{}. Our own figures**\n\n| what | figure | goal |\n|---|---|---|\n",
+                          row.empty() ? "" : "\n", f.row);
+    row = f.row;
+    text += fmt::format("| {} | {} | {} |\n", f.what, f.value, f.goal);
+  }
   return text;
 }
 

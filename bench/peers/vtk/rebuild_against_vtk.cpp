@@ -52,7 +52,7 @@ Findings rebuildAgainstVtk(const Effort& effort) {
                line);
       findings.comparisons.push_back(line);
       if (threads == 1) {
-        line.work = "the same with normals for a picture, " + nodes;
+        line.work = "field, surface and normals, " + nodes;
         line.goal = 0;
         timeBoth(
             [&] {
