@@ -65,7 +65,7 @@ def breaches(file, name, lines, exceptions):
             if found:
                 yield number, f"{found[0]} gives other bits on other machines: base/elementary.h, geometry/rotation.h"
         if file.suffix == ".h" and not lines[0].startswith("//"):
-            yield 1, "a header begins with a comment that says which question it answers"
+            yield 1, "a header begins with a comment: one sentence that says what it gives"
         if file.suffix == ".h" and "#pragma once" not in lines:
             yield 1, "#pragma once is missing"
     for number, line in enumerate(lines, 1):
