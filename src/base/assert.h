@@ -1,5 +1,5 @@
-// Is our own code wrong here? Then stop at once and say where; errors of the outside world are
-// `Error`s.
+// RESECT_ASSERT: stops the program where our own code is wrong, with file and line. Errors of the
+// outside world are `Error`s.
 #pragma once
 
 namespace resect {

@@ -1,5 +1,5 @@
-// Which bits of a word are set? Their numbers as a list, made without a branch that depends on
-// them where they are few.
+// The indices of a word's set bits as a list, without unpredictable branches where few bits are
+// set.
 #pragma once
 
 #include <bit>
@@ -8,9 +8,9 @@
 
 namespace resect {
 
-// Appends first + the number of each set bit, ascending; returns the end of the list. Writes up to
-// 8 numbers more than there are. first: at most 192. Aims at four instructions a number, eight at a
-// time: short loops over set bits end where no processor guesses.
+// Appends first + the index of each set bit, ascending; returns the end of the list. May write up
+// to 8 elements beyond it. first: at most 192. Aims at four instructions an index, eight at a time:
+// a plain loop over few set bits ends with a mispredicted branch.
 [[gnu::always_inline]] inline std::uint8_t* appendSetBits(std::uint64_t word, unsigned first,
                                                           std::uint8_t* list) {
   std::uint8_t* const end = list + std::popcount(word);

@@ -1,6 +1,5 @@
-// How does Resect tell a person that what came from outside (file, mesh, setting, argument) is
-// unusable? By throwing one sentence: what is wrong, where (file:line or field), what to do about
-// it.
+// The exception for unusable input (file, mesh, setting, argument). Its text is one sentence: what
+// is wrong, where (file:line or field), what to do about it.
 #pragma once
 
 #include <fmt/format.h>

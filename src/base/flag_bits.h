@@ -1,4 +1,4 @@
-// Comparisons of numbers, and of bytes, as the bits of one word.
+// Vectorised comparisons of numbers or bytes whose results are bits of one word.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ namespace resect {
 
 #ifdef __SSE2__
 
-// Four numbers in a row, as compared16() shows them to its test: a test gives all ones in each lane
-// where it holds.
+// Four consecutive numbers, as compared16() passes them to its test. The test returns all ones in
+// each lane where it holds.
 typedef float FourValues __attribute__((vector_size(16)));
 typedef std::int32_t FourFlags __attribute__((vector_size(16)));
 
-// Bit i of the result: does the test hold for values[i], i below 16? test: (FourValues) ->
-// FourFlags, a comparison. Aims at 12 instructions.
+// Bit i of the result: the test holds for values[i], i below 16. test: (FourValues) -> FourFlags, a
+// comparison. Aims at 12 instructions.
 template <typename Test>
 [[gnu::always_inline]] inline std::uint64_t compared16(const float* values, Test test) {
   __m128i four[4];
@@ -55,7 +55,7 @@ template <typename Test>
          compared16(values + 32, test) << 32 | compared16(values + 48, test) << 48;
 }
 
-// Bit i: is byte i of 64 other than 0? And: is its upper bit set?
+// Bit i of nonZero64: byte i of 64 is not 0. Bit i of upperBits64: the top bit of byte i is set.
 #ifdef __SSE2__
 
 template <typename Test>

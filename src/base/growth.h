@@ -1,4 +1,5 @@
-// How does a large array grow without copying itself at every frame, nor doubling?
+// Growing of large arrays by a thirty-second instead of doubling, so that memory stays small and
+// reallocation rare.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +11,7 @@
 
 namespace resect {
 
-// reserve(size), on large pages where the system has them.
+// reserve(size); requests large pages for the new memory.
 template <typename T, typename Allocator>
 void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
   if (size <= array.capacity()) return;
@@ -18,9 +19,9 @@ void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
   wantLargePages(array.data() + array.size(), (size - array.size()) * sizeof(T));
 }
 
-// resize(size) with room for a thirty-second more, from the first time on: an organ that is cut
-// gets some more surface, and copying tens of megabytes would cost it a frame. The caller writes
-// what is new.
+// resize(size), with a thirty-second of spare capacity from the first call on: cutting adds a
+// little surface, and copying tens of megabytes would cost a frame. New elements are uninitialised;
+// the caller writes them.
 template <typename T>
 void growTo(RawArray<T>& array, std::size_t size) {
   if (size > array.capacity()) reserveFor(array, size + size / 32);

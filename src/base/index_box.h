@@ -1,5 +1,5 @@
-// A box of a grid's places, numbered densely: where a window of a large grid is looked at often,
-// and the grid itself is too large to keep something for each place of it.
+// A box of grid coordinates with dense numbering, for windows into a grid that is too large to keep
+// a value for each of its points.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 namespace resect {
 
 struct IndexBox {
-  Vec3i low = Vec3i::Zero(), dims = Vec3i::Zero();  // first place; places along each axis, >= 0
+  Vec3i low = Vec3i::Zero(), dims = Vec3i::Zero();  // first point; points along each axis, >= 0
 
   std::size_t count() const { return std::size_t(dims.cast<std::int64_t>().prod()); }
   bool contains(const Vec3i& place) const {
@@ -19,7 +19,7 @@ struct IndexBox {
   IndexBox widened(int places) const {  // each way
     return {low - Vec3i::Constant(places), dims + Vec3i::Constant(2 * places)};
   }
-  // Numbers run along x first; the box must hold fewer than 2^31 places.
+  // Indices run along x first; the box must hold fewer than 2^31 points.
   std::int32_t step(int axis) const {
     return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y();
   }
@@ -33,7 +33,7 @@ struct IndexBox {
   }
 };
 
-// The smallest that holds all of the places, which are not none.
+// The smallest box that holds all of these points, at least one.
 inline IndexBox boxRound(std::span<const Vec3i> places) {
   Vec3i low = places[0], high = low;
   for (const Vec3i& place : places) {

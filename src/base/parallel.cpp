@@ -41,7 +41,7 @@ void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
   const auto run = [&](std::size_t block) {
     body(block * grain, std::min(count, (block + 1) * grain));
   };
-  // One thread needs nobody to hand out its blocks.
+  // One thread needs no scheduler.
   if (blocks <= 1 || threadsAllowed() <= 1)
     for (std::size_t block = 0; block < blocks; ++block) run(block);
   else
@@ -51,7 +51,7 @@ void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
 #else
 
 // Without oneTBB: threads of the standard library, started anew for each loop. So does the build
-// for the thread sanitizer, which cannot see into a oneTBB library that was built without it.
+// for the thread sanitizer, which reports false races in a oneTBB library built without it.
 namespace {
 std::atomic<std::size_t> threadLimit{0};  // 0: none
 thread_local bool inLoop = false;         // loops within loops start no threads
@@ -70,7 +70,7 @@ ThreadLimit::~ThreadLimit() {
 
 std::size_t threadsAllowed() {
 #ifdef __SANITIZE_THREAD__
-  constexpr std::size_t kLeast = 2;  // so that there is something to judge on a machine of one core
+  constexpr std::size_t kLeast = 2;  // so that thread errors can show on a machine of one core
 #else
   constexpr std::size_t kLeast = 1;
 #endif
@@ -98,7 +98,7 @@ void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
     try {
       for (std::size_t i = 1; i < most; ++i) others.emplace_back(work);
     } catch (const std::system_error&) {
-      // No more threads are to be had: those that there are do it.
+      // No more threads can be started: the present ones do the work.
     }
     work();
   }

@@ -1,4 +1,4 @@
-// How is work spread over threads without changing its result?
+// Parallel loops whose results do not depend on the number of threads.
 //
 // parallelFor runs body(begin, end) over fixed blocks of [0, count); block borders depend on
 // `count` and `grain` alone, never on the number of threads, so a body that writes only to its own
@@ -10,8 +10,8 @@
 
 namespace resect {
 
-// Limits how many threads parallelFor uses while it lives; threads >= 1, 0 = all the machine has.
-// Of several that live at once the lowest holds.
+// Limits how many threads parallelFor uses during its lifetime; threads >= 1, 0 = all the machine
+// has. Of several at once the lowest holds.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -23,8 +23,8 @@ class ThreadLimit {
   void* control_;
 };
 
-// How many threads parallelFor may use now: for deciding how much room to give, never what comes
-// out.
+// How many threads parallelFor may use now: for sizing buffers, never for anything that changes
+// results.
 std::size_t threadsAllowed();
 
 // What parallelFor runs: refers to a callable (begin, end) that lives at least as long as the call.

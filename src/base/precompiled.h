@@ -1,4 +1,4 @@
-// Which headers does almost every file read? Compiled once for the whole build
+// The precompiled header: what almost every file includes, compiled once for the whole build
 // (cmake/layers.cmake); never included by name.
 #pragma once
 

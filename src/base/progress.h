@@ -1,13 +1,13 @@
-// How does long work show how far it is, and how is it cancelled?
+// Callback for the progress of long work, by which it can also be cancelled.
 #pragma once
 
 #include <functional>
 
 namespace resect {
 
-// Called now and then with the share done in [0, 1], or with -1 while nobody knows it; returns
-// false to cancel, upon which the work throws `Cancelled` and leaves nothing half made. An empty
-// function is allowed: nobody watches.
+// Called from time to time with the share done in [0, 1], or with -1 while it is unknown; returns
+// false to cancel, upon which the work throws `Cancelled` and leaves nothing half made. May be an
+// empty function.
 using Progress = std::function<bool(double share)>;
 
 struct Cancelled {};

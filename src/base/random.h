@@ -1,5 +1,4 @@
-// Which numbers look random and are the same on every machine? splitmix64 (Steele, Lea, Flood
-// 2014).
+// Pseudo-random numbers that are the same on every machine: splitmix64 (Steele, Lea, Flood 2014).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// An array whose new elements are left as they are in memory, for data that is written at once.
+// A vector whose resize() leaves new elements uninitialised, for data that is written at once.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,8 @@
 
 namespace resect {
 
-// Makes an element without writing it where nothing is said of its value: what `new T` does.
+// Default-initialises elements that are given no value, as `new T` does: numbers are left
+// unwritten.
 template <typename T>
 struct UnwrittenAllocator : std::allocator<T> {
   template <typename U>

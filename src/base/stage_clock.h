@@ -1,4 +1,4 @@
-// Where does the time of a step go? One row of durations per stage, summarised at the end.
+// Measures the stages of a step: one list of durations per stage, and their summary.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace resect {
 
-// s of the steady clock, to compare with another of its times.
+// Time of the steady clock, s; only differences have a meaning.
 double steadySeconds();
 
 struct StageTimes {

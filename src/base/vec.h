@@ -1,4 +1,4 @@
-// What are the vector types of Resect? Eigen's, under short names, and one for inner loops.
+// The vector types of Resect: Eigen's under short names, and one for inner loops.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@ using Vec3f = Eigen::Vector3f;  // bulk storage for viewers
 using Vec3i = Eigen::Vector3i;  // lattice, node and brick indices
 using Mat3 = Eigen::Matrix3d;
 
-// A vector of three and a number unused, worked on in one register.
+// Three numbers and an unused one in one vector register.
 typedef float Column __attribute__((vector_size(16)));
 inline Column column(const Vec3f& v) { return Column{v.x(), v.y(), v.z(), 0}; }
 

@@ -10,8 +10,8 @@ namespace {
 
 enum Which : unsigned { kWords, kAgain, kZeros, kOnes };
 
-constexpr std::size_t kLikelyGrowth = 64;  // of bytes that are unpacked
-constexpr std::size_t kShortestRun = 3;    // words: shorter ones are cheaper as they are
+constexpr std::size_t kLikelyGrowth = 64;  // initial guess: unpacked size over packed size
+constexpr std::size_t kShortestRun = 3;    // words: shorter runs are cheaper as literals
 
 template <typename Word>
 void appendRunsOf(Bytes& to, std::span<const std::byte> data) {
@@ -86,7 +86,7 @@ std::span<const std::byte> ByteReader::bytes(std::size_t count) {
 void ByteReader::runs(Bytes& to, std::size_t size, std::size_t word) {
   if (size % word != 0) throwDamagedState();
   const std::size_t end = to.size() + size;
-  // A damaged size takes no more memory than what is there can be meant for.
+  // A damaged size must not reserve more memory than the data can need.
   to.reserve(to.size() + std::min(size, kLikelyGrowth * rest_.size()));
   while (to.size() < end) {
     const std::uint64_t head = number(), words = head >> 2;

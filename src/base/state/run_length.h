@@ -1,8 +1,8 @@
-// How are long arrays with much that is equal kept short? Words of 1, 2, 4 or 8 bytes as runs.
+// Run-length coding of arrays of words of 1, 2, 4 or 8 bytes, for saved states.
 //
-// A run is a head h (7 bits a byte, the lowest first, the eighth bit: there is more) of h / 4
-// words. h % 4 tells which: 0 those that follow, 1 the one that follows again and again, 2 zeros, 3
-// ones. Cost: some ns a word.
+// A run is a head h, then data. h has 7 bits a byte, lowest first; the eighth bit is set on all
+// bytes but the last. The run is h / 4 words long; h % 4 is its type: 0 literal words that follow,
+// 1 one word that follows, repeated, 2 zeros, 3 ones. Cost: some ns a word.
 #pragma once
 
 #include <cstddef>

@@ -73,7 +73,7 @@ StateColumn readColumn(ByteReader& from, std::size_t& bytesLeft, int depth) {
   return column;
 }
 
-// Where number `number` of a column is, for people.
+// Readable path of number `number` of a column.
 std::string placeIn(const StateColumn& column, std::span<const CellOrder> orders,
                     std::size_t number) {
   std::uint64_t entries = 0;
@@ -194,7 +194,7 @@ ColumnReader::Place ColumnReader::placeOf(const StateColumn& column) {
   return place;
 }
 
-// Null where the state, an older one, has it not.
+// Null where the state is of an older version that lacks it.
 ColumnReader::Place* ColumnReader::find(const char* name) {
   Place* in = path_.back();
   if (!in) return nullptr;
@@ -208,14 +208,14 @@ ColumnReader::Place* ColumnReader::find(const char* name) {
       pathTo(name));
 }
 
-// How often a field can be visited yet.
+// How many more times a field can be visited.
 std::size_t ColumnReader::left(const Place& place) {
   const StateColumn& column = *place.column;
   if (column.isList) return column.counts.size() - place.lists;
   return entriesLeft(place);
 }
 
-// Of how many entries a list has all fields yet. So a damaged count takes no memory.
+// For how many more entries a list has all fields: a damaged count then takes no memory.
 std::size_t ColumnReader::entriesLeft(const Place& list) {
   const StateColumn& column = *list.column;
   if (column.size > 0) return (column.data.size() - list.read) / column.size;

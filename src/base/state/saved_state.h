@@ -1,11 +1,11 @@
-// How is a state kept, and how do two differ? As columns: for every field, by its name, the values
+// A state as columns, for saving, loading and comparing: for every field, by its name, the values
 // that it has in all the structs that it belongs to, one after the other.
 //
-// So a state that was saved can be read after structs have got fields more or changed their order,
-// and a difference is told by field. The format: "resect-state", its version, a fingerprint of what
-// the state is of, then the columns depth first, numbers packed by base/state/run_length.h in the
-// order of bytes of the processor (little endian on all that Resect runs on), and a digest of all
-// that (base/state/state_hash.h): bytes that were cut off or damaged on their way are refused.
+// So a saved state can be read after structs gained fields or changed their order, and a difference
+// is reported by field. The format: "resect-state", its version, a fingerprint of what the state is
+// of, then the columns depth first, numbers packed by base/state/run_length.h in the order of bytes
+// of the processor (little endian on all that Resect runs on), and a digest of all that
+// (base/state/state_hash.h): truncated or damaged bytes are refused.
 #pragma once
 
 #include <memory>
@@ -22,11 +22,11 @@ namespace resect {
 struct StateColumn {
   std::string name;
   std::uint8_t size = 0;              // bytes a number; 0: a struct
-  std::vector<std::uint64_t> counts;  // of a list: entries, each time that it was visited
+  std::vector<std::uint64_t> counts;  // of a list: entries, one count for each visit
   bool isList = false;
   Bytes data;  // numbers
   std::vector<StateColumn> fields;
-  // Of a list with an entry per cell: each time that it was visited. Bytes do not keep them.
+  // Of a list with an entry per cell, one for each visit. Not part of the bytes.
   std::vector<CellOrder> orders;
 };
 
@@ -44,15 +44,15 @@ Bytes toBytes(const SavedState& saved);
 // Throws Error when the bytes are no state, or cut off or damaged.
 SavedState stateFromBytes(std::span<const std::byte> bytes);
 
-// Overwrites the state's fields. Of a version before this one a field that is not there stays as it
-// is; otherwise every field must be there and no other: Error names the first that is not. What the
-// numbers mean is for the caller to check.
+// Overwrites the state's fields. A field that an older version lacks keeps its value; of the
+// present version exactly these fields must be there: Error names the first that is missing or
+// unknown. What the numbers mean is for the caller to check.
 template <typename State>
 void loadState(State& state, const SavedState& saved);
 
 // The first field in which two states differ, as "organs.tissue.u.1, cell (12, 3, 40)"; where
 // several structs have such a list (organs), as "organs.tissue.u.1, list 0, cell (12, 3, 40)".
-// Cells are told when one of the states has not gone through bytes.
+// Cells are named only if one of the two states was not made from bytes.
 std::optional<std::string> firstDifference(const SavedState& a, const SavedState& b);
 
 class ColumnWriter final : public StateVisitor {
@@ -68,13 +68,13 @@ class ColumnWriter final : public StateVisitor {
  private:
   StateColumn& field(const char* name);
   std::vector<StateColumn*> path_;
-  std::vector<std::size_t> next_{0};  // where in the struct the coming field is expected
+  std::vector<std::size_t> next_{0};  // where in the struct the next field is expected
 };
 
 class ColumnReader final : public StateVisitor {
  public:
   explicit ColumnReader(const SavedState& saved);
-  // After all has been visited: Error when something was not asked for.
+  // After everything was visited: Error when a column was not read.
   void finish() const;
 
  protected:
@@ -85,7 +85,7 @@ class ColumnReader final : public StateVisitor {
 
  private:
   struct Place {
-    const StateColumn* column = nullptr;  // null: an older version has it not
+    const StateColumn* column = nullptr;  // null: an older version lacks it
     std::size_t read = 0, lists = 0;      // bytes and counts
     std::size_t next = 0;
     std::vector<Place> fields;

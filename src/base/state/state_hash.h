@@ -1,6 +1,6 @@
-// Are two states the same, bit for bit? A 64-bit digest of their bytes answers.
+// A 64-bit digest of a state's bytes, to see whether two states are the same bit for bit.
 //
-// Not cryptographic. Depends on the order of the calls and on every bit fed in. Mixing steps: the
+// Not cryptographic. Depends on the order of the calls and on every bit added. Mixing steps: the
 // finaliser of splitmix64 (Steele, Lea, Flood 2014) on 8-byte words.
 #pragma once
 

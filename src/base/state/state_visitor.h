@@ -1,15 +1,16 @@
-// What does a state consist of? Every struct that holds state names its fields once, in
+// The visitor by which everything that concerns state is done. Every struct that holds state names
+// its fields once, in
 //
 //     template <class Visitor> void visit(Visitor& v) { v("time", time); v("poses", poses); ... }
 //
-// and whoever wants something of all of them is a StateVisitor: digest (HashVisitor), save and load
-// (base/state/saved_state.h), memory held (HeldBytes). Fields that are made from others, or set up
-// and never changed, are no state; `visitMade` lists them, as v.made(field, another, ...), because
-// they take memory too, and so that a test can find a field that nobody listed.
+// and each thing done with all fields is a StateVisitor: digest (HashVisitor), save and load
+// (base/state/saved_state.h), memory held (HeldBytes). Derived fields, and those set up once and
+// never changed, are no state; `visitMade` lists them, as v.made(field, another, ...), because they
+// take memory too, and so that a test can find a field that is in neither list.
 //
 // A field may be a number, an enum, a fixed-size Eigen object, a string, a struct with visit(), and
-// an array or vector of these. Names are literals. Reading visitors promise not to write:
-// visitState() lets them look at constants.
+// an array or vector of these. Names are string literals. Visitors that only read must not write:
+// visitState() passes them constants.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -25,8 +26,8 @@
 
 namespace resect {
 
-// How an array with an entry per cell is laid out: cell (x, y, z) is at front + x + strideY y +
-// strideZ z. So that a difference is told by its cell.
+// Layout of an array with an entry per cell, so that a difference can be reported by cell: (x, y,
+// z) is at front + x + strideY y + strideZ z.
 struct CellOrder {
   std::int64_t front = 0, strideY = 0, strideZ = 0;
 };
@@ -44,7 +45,7 @@ concept FixedMatrix = requires {
 &&(T::SizeAtCompileTime > 0);
 template <typename T>
 concept Turn = std::is_same_v<T, Eigen::Quaterniond>;
-// Lies in memory as numbers of one kind.
+// Numbers of one type, contiguous in memory.
 template <typename T>
 concept Plain = Number<T> || FixedMatrix<T>;
 template <typename T>
@@ -100,7 +101,7 @@ class StateVisitor {
   void made(T&... fields) {
     (madeOne(fields), ...);
   }
-  // A list of structs that has as many as it has, for good: Error when a state has others.
+  // A list of structs whose length never changes: Error when a state has another length.
   template <typename T>
   void fixed(const char* name, T& field) {
     object(&field, sizeof field);
@@ -118,13 +119,13 @@ class StateVisitor {
   }
 
  protected:
-  // A field lies here: called for each before what is in it.
+  // Called for each field, with its address and size, before its contents.
   virtual void object(const void*, std::size_t) {}
-  // A list holds so much memory outside itself.
+  // Memory that a list holds on the heap, bytes.
   virtual void memory(std::size_t) {}
   // `count` numbers of `size` bytes.
   virtual void numbers(const char* name, void* data, std::size_t count, std::size_t size) = 0;
-  // A list of `count` entries begins; returns how many it shall have. The entries follow: as one
+  // A list of `count` entries begins; returns how many it must have. The entries follow: as one
   // call of numbers() with `count` = 0 names given twice, or as fields of structs; then leave().
   virtual std::size_t enterList(const char* name, std::size_t count) = 0;
   virtual void enter(const char* name) = 0;
@@ -147,7 +148,7 @@ class StateVisitor {
     else if constexpr (IsArray<T>::value)
       for (auto& element : field) madeMemory(element);
   }
-  // What was loaded into a bool may be neither 0 nor 1, which it must not be. Writes only then.
+  // Loaded bytes may make a bool neither 0 nor 1: then it becomes true. Writes only then.
   static void makeBool(bool& field) {
     unsigned char byte = 0;
     std::memcpy(&byte, &field, 1);
@@ -187,7 +188,7 @@ class StateVisitor {
       numbers("", field.data(), count * PlainOf<Element>::count,
               sizeof(typename PlainOf<Element>::Scalar));
     } else {
-      // Grows while it is loaded: what ends early takes no memory for all of it.
+      // Grows while it is loaded, so a count that is too large takes no memory for all of it.
       if (count < field.size()) field.resize(count);
       for (std::size_t i = 0; i < count; ++i) {
         if (i == field.size()) field.resize(std::min(count, i + std::max(i, std::size_t(64))));
