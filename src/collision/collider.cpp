@@ -62,7 +62,7 @@ LayeredDepthImage intersectionVolume(const LayeredDepthImage& a, const LayeredDe
       const DepthInterval common{std::max(first[m].entry, second[n].entry),
                                  std::min(first[m].exit, second[n].exit)};
       if (common.entry < common.exit) image.intervals.push_back(common);
-      // The one that ends first can meet nothing more.
+      // The interval that ends first has no further overlap.
       first[m].exit < second[n].exit ? ++m : ++n;
     }
     image.offsets.push_back(std::uint32_t(image.intervals.size()));

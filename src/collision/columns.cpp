@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kPart = 1024;  // triangles that one thread takes at a time
 
-// Where a point lies among the columns, and the cells of columns, half-open, between some points.
+// A point's cell among the columns; and a half-open range of cells between points.
 struct Cell {
   std::int32_t x, y;
 };
@@ -31,7 +31,8 @@ class GridColumns {
         y_(mesh.origin.y(), mesh.step, grid.origin.y(), grid.pitch.y(), grid.countY) {}
 
   Cell cell(const SnappedMesh::Place& p) const { return {x_.lowerBound(p.x), y_.lowerBound(p.y)}; }
-  // A line at a triangle's lowest place may be covered; one at its highest, moved by e, is not.
+  // A line at a triangle's lowest coordinate may be covered; one at its highest, shifted by e, is
+  // not.
   Reach between(const Cell& low, const Cell& high) const { return {low.x, high.x, low.y, high.y}; }
   // visit(column, x, y)
   template <typename Visit>
@@ -53,7 +54,7 @@ class GridColumns {
       for (int i = 0; i < count; ++i)
         at[std::size_t(i)] = snapColumn(origin + i * pitch - meshOrigin, step);
     }
-    // By estimate, then exactly.
+    // Estimated first, then corrected exactly.
     std::int32_t lowerBound(std::int32_t place) const {
       const auto count = std::int32_t(at.size());
       auto i = std::int32_t(std::clamp(offset + place * perStep, 0.0, double(count)));
@@ -65,7 +66,7 @@ class GridColumns {
   Lines x_, y_;
 };
 
-// Columns at any places, in the cells of a coarse grid over them.
+// Columns at given positions, sorted into the cells of a coarse grid.
 class ListedColumns {
  public:
   // place(i): x, y of column i, m. Columns beside the mesh are left out.
@@ -116,8 +117,7 @@ class ListedColumns {
     std::int32_t x, y;
     std::uint32_t column;
   };
-  // -1 below the columns, side_ above. Any rounding will do that never lets a greater place have a
-  // lesser cell.
+  // -1 below the columns, side_ above. Rounding only has to be monotonic.
   std::int32_t cellX(std::int32_t x) const { return cell((double(x) - low_.x) * perStepX_); }
   std::int32_t cellY(std::int32_t y) const { return cell((double(y) - low_.y) * perStepY_); }
   std::int32_t cell(double at) const {
@@ -137,8 +137,8 @@ struct Hit {
   std::uint32_t column;
 };
 
-// The crossings that keep(column, depth) wants, in the order of the triangles: those of kPart of
-// them each.
+// The crossings for which keep(column, depth) is true, in the order of the triangles, one list for
+// every kPart triangles.
 template <typename Columns, typename Keep>
 std::vector<std::vector<Hit>> hitsOf(const SnappedMesh& mesh, const Columns& columns,
                                      const Keep& keep) {
@@ -213,7 +213,7 @@ SnappedMesh snapToRaster(const TriangleMesh& mesh) {
   const double extent = box.size().head<2>().maxCoeff();
   if (extent > 0) snapped.step = extent / kRaster;
   snapped.places.resize(mesh.points.size());
-  // The highest point may round to one step beyond the raster; it stays on it.
+  // The highest point may round to one step beyond the raster; it is clamped.
   const auto stepsTo = [&](double offset) {
     return std::int32_t(std::min(offset / snapped.step + 0.5, double(kRaster)));
   };

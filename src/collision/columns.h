@@ -1,13 +1,12 @@
-// Where does a vertical line (along +z) enter and leave a closed body? Exactly, for many lines at
-// once.
+// Scanline rasteriser: all crossings of lines along +z (columns) with a closed mesh, exactly.
 //
 // x and y of the mesh's points and of the columns are snapped to one integer raster (2^30 steps
 // over the mesh's larger extent in x, y: 0.2 nm on a liver), so that every edge function is an
-// exact 64-bit integer. A column that meets an edge or a point of the raster counts as moved by (e,
-// e^2) with e > 0 infinitely small, so neighbouring triangles never share nor miss it: the signs of
-// the crossings of every column of a closed, oriented mesh sum to zero, whatever its triangles look
-// like. The raster depends on the mesh alone, so a column gives the same crossings alone or among
-// others, on a grid or in a list, at any number of threads.
+// exact 64-bit integer. A column through an edge or a vertex counts as shifted by (e, e^2) with e >
+// 0 infinitesimal, so exactly one of the neighbouring triangles covers it: for a closed, oriented
+// mesh the signs of every column's crossings sum to zero, whatever its triangles look like. The
+// raster depends on the mesh alone, so a column has the same crossings alone or among others, on a
+// grid or in a list, at any number of threads.
 //
 // Cost: a pass over the mesh's points and triangles, then work in proportion to the crossings.
 // Sources: layered depth images for collisions (Heidelberger, Teschner, Gross 2003); fill rule as
@@ -31,7 +30,7 @@ struct Crossing {
   std::int32_t sign;  // +1 entering, -1 leaving the body as z grows
 };
 
-// The crossings of many columns, each column's sorted by depth (entering first where equal).
+// The crossings of many columns, each column's sorted by depth (equal depths: entries first).
 struct Crossings {
   std::vector<std::uint32_t> offsets;  // columns + 1 entries: at most 2^32 - 1 crossings
   RawArray<Crossing> all;
@@ -51,8 +50,8 @@ struct ColumnGrid {
   std::size_t count() const { return std::size_t(countX) * std::size_t(countY); }
 };
 
-// A mesh made ready for casting. It refers to the points and triangles of `mesh`, which must live
-// longer.
+// A mesh snapped to its raster. Refers to the points and triangles of the mesh, which must outlive
+// it.
 struct SnappedMesh {
   struct Place {
     std::int32_t x, y;  // raster steps from `origin`, in [0, 2^30]
@@ -63,7 +62,7 @@ struct SnappedMesh {
   };
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
-  RawArray<Place> places;      // apart from depths: most triangles are put aside by places alone
+  RawArray<Place> places;      // separate from depths: most triangles are rejected by x and y alone
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
 
@@ -80,15 +79,15 @@ SnappedMesh snapToRaster(const TriangleMesh&& mesh) = delete;  // would outlive 
 // Layered depth image: all crossings of a regular grid of columns.
 Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid);
 
-// All crossings of columns at any places (x, y), m.
+// All crossings of columns at given positions (x, y), m.
 Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns);
 
-// Sum of the signs of the crossings below each point (depth < z): how many closed shells are round
-// it. 0 outside; > 0 inside.
+// Sum of the signs of the crossings below each point (depth < z): the number of closed shells that
+// surround it. 0 outside; > 0 inside.
 std::vector<std::int32_t> windingNumbers(const SnappedMesh& mesh, std::span<const Vec3> points);
 
-// Calls visit(z0, z1) for every stretch of a column that lies inside the body (winding number > 0),
-// z0 <= z1, upwards; shells that overlap or touch give one stretch. z is inside if z0 < z <= z1.
+// Calls visit(z0, z1) for every interval of a column inside the body (winding number > 0), z0 <=
+// z1, ascending; shells that overlap or touch give one interval. z is inside if z0 < z <= z1.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, Visit&& visit) {
   int winding = 0;
@@ -107,12 +106,12 @@ struct SampleLine {
   std::int32_t count;   // >= 0
 
   double at(std::int32_t i) const { return first + i * pitch; }
-  // How many of them stand at `depth` (finite) or below.
+  // How many of the points lie at `depth` (finite) or below.
   std::int32_t upTo(double depth) const;
 };
 
-// Calls visit(i0, i1) for every stretch of points [i0, i1) of the line that lie inside, i0 < i1,
-// upwards. Where no point lies between two stretches, one begins where the other ends.
+// Calls visit(i0, i1) for every range of points [i0, i1) of the line inside the body, i0 < i1,
+// ascending. If no point lies between two ranges, one begins where the other ends.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, const SampleLine& line, Visit&& visit) {
   forEachInside(column, [&](double entered, double left) {

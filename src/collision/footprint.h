@@ -1,5 +1,5 @@
-// Does a triangle cover a column of the raster, and at which depth? The exact test under all of
-// collision/columns.h; not for use elsewhere.
+// Triangle setup for the rasteriser of collision/columns.h: edge functions, fill rule and depth of
+// one triangle. Not for use elsewhere.
 #pragma once
 
 #include <cstdint>
@@ -9,31 +9,32 @@
 namespace resect {
 
 inline constexpr std::int32_t kRaster = 1 << 30;
-// Where columns beside the mesh are put: no triangle reaches them.
+// Raster coordinates of columns beside the mesh: no triangle covers them.
 inline constexpr std::int32_t kBelow = -1, kAbove = kRaster + 1;
 
 inline std::int32_t snapColumn(double offset, double step) {
-  const double steps = offset / step + 0.5;  // whole steps are counted from 0 on: no floor() needed
+  const double steps = offset / step + 0.5;  // truncation is floor() here, since steps >= 0
   return !(steps >= 0) ? kBelow : steps >= kRaster + 1.0 ? kAbove : std::int32_t(steps);
 }
 
-// One triangle over the raster, turned so that its area is positive.
+// One triangle on the raster, oriented so that its area is positive.
 class Footprint {
  public:
   Footprint(const SnappedMesh::Point& a, const SnappedMesh::Point& b, const SnappedMesh::Point& c)
       : x0_(a.x), y0_(a.y), z_(a.z), dz1_(b.z - a.z), dz2_(c.z - a.z) {
     const std::int64_t bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
     const std::int64_t area = bx * cy - by * cx;
-    // A face that looks up is where the column leaves. One that looks down has its edges turned.
-    const std::int64_t turn = 2 * std::int64_t(area > 0) - 1;  // no branch: nobody guesses it
+    // An upward face is an exit of the column. A downward face has its edges reversed.
+    const std::int64_t turn =
+        2 * std::int64_t(area > 0) - 1;  // branch-free: the sign is unpredictable
     sign_ = std::int32_t(-turn);
     area_ = turn * area;
     edge_[0] = {turn * (cx - bx), turn * (cy - by), area_};
     edge_[1] = {turn * -cx, turn * -cy, 0};
     edge_[2] = {turn * bx, turn * by, 0};
     for (Edge& e : edge_) {
-      // At (x + e, y + e^2) the value grows by -dy e + dx e^2: a column on the edge is covered if
-      // that is positive.
+      // At (x + e, y + e^2) the edge function grows by -dy e + dx e^2: a column on the edge is
+      // covered if that is positive.
       e.notOwned = !((e.dy < 0) | ((e.dy == 0) & (e.dx > 0)));
       e.start -= e.notOwned;
     }
@@ -52,8 +53,8 @@ class Footprint {
   }
 
  private:
-  // The value of edge i, opposite of corner i, is not negative if the column lies left of it, or on
-  // it and the edge owns it. Taken from corner 0, its size is below 2^62.
+  // The edge function of edge i, opposite to corner i: not negative if the column lies left of the
+  // edge, or on it and the edge owns it. Evaluated relative to corner 0; its size is below 2^62.
   struct Edge {
     std::int64_t dx, dy, start;
     std::int64_t notOwned = 0;  // 1 if columns on the edge belong to the triangle beyond it
@@ -64,7 +65,7 @@ class Footprint {
 
   Edge edge_[3];
   std::int64_t x0_, y0_;   // corner 0
-  double z_, dz1_, dz2_;   // depth of corner 0, rise to corners 1 and 2
+  double z_, dz1_, dz2_;   // depth of corner 0, depth differences to corners 1 and 2
   std::int64_t area_ = 0;  // twice the area, raster steps squared
   std::int32_t sign_ = 0;
 };

@@ -24,8 +24,8 @@ bool meets(const Aabb& box, const Vec3& a, const Vec3& b) {
          (a.cwiseMin(b).array() <= box.max.array()).all();
 }
 
-// Six slabs, slanting over the edges of its box, between which a tool lies: what is near a corner
-// of the box is beside a round or pointed tool, and most of what an instrument passes is.
+// Six diagonal slabs that bound a tool, besides its box (an 18-DOP without the box's axes): they
+// reject points near an edge of the box, which are most of those that an instrument passes.
 class SlantedSlabs {
  public:
   SlantedSlabs(const TriangleMesh& tool, const Aabb& box)
@@ -38,11 +38,11 @@ class SlantedSlabs {
       low_ = low_.min(at);
       high_ = high_.max(at);
     }
-    // More than the raster of the exact test moves a point by.
+    // More than snapping to the raster of the exact test moves a point.
     low_ -= kAside;
     high_ += kAside;
   }
-  // Whether a point that moves from a to b may be in all of them at once.
+  // Whether a point that moves from a to b may be in all slabs at once.
   bool mayHold(const Vec3& a, const Vec3& b) const {
     const Six from = along(a), to = along(b);
     return ((from.max(to) >= low_) && (from.min(to) <= high_)).all();
@@ -67,7 +67,7 @@ struct Chord {
   Vec3 a, b;
 };
 
-// All chords have the same direction and length: columns along it.
+// All chords have the same direction and length: columns are cast along it.
 void touchAlong(const TriangleMesh& tool, std::span<const Chord> chords,
                 std::vector<std::uint8_t>& touched) {
   const Vec3 motion = chords[0].b - chords[0].a;
@@ -93,9 +93,9 @@ void touchAlong(const TriangleMesh& tool, std::span<const Chord> chords,
   }
 }
 
-// Does the segment meet a face? Seen along the segment, everything projects to a plane in which the
-// segment is the origin; corners are snapped to integers there, so neighbouring faces agree about
-// their shared edge and nothing slips between them.
+// Whether the segment meets a face. Projected along the segment it is the origin of a plane;
+// corners are snapped to integers there, so neighbouring faces agree about their shared edge and no
+// segment passes between them.
 bool segmentMeets(const TriangleMesh& tool, std::span<const Aabb> boxes, const Vec3& a,
                   const Vec3& b) {
   const Vec3 d = b - a;
@@ -104,7 +104,7 @@ bool segmentMeets(const TriangleMesh& tool, std::span<const Aabb> boxes, const V
   if (!(std::abs(d[axis]) > 0)) return false;
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const double slopeU = d[u] / d[axis], slopeV = d[v] / d[axis], reach = d[axis];
-  // Chords of one path share their ends; a face exactly there must not fall between the two.
+  // Consecutive chords share an end; a face exactly there must be met by one of them.
   const double nearEnd = kSnap / std::abs(reach);
   for (std::size_t t = 0; t < tool.triangles.size(); ++t) {
     if (!meets(boxes[t], a, b)) continue;
@@ -123,7 +123,7 @@ bool segmentMeets(const TriangleMesh& tool, std::span<const Aabb> boxes, const V
     const bool covers = (w0 >= 0 && w1 >= 0 && w2 >= 0) || (w0 <= 0 && w1 <= 0 && w2 <= 0);
     if (!covers) continue;
     const double sum = double(w0) + double(w1) + double(w2);
-    // A face seen edge-on covers no area; its neighbours decide.
+    // A face seen edge-on has no area; its neighbours decide.
     if (sum == 0) continue;
     const double at = (double(w0) * along[0] + double(w1) * along[1] + double(w2) * along[2]) / sum;
     if (at >= -nearEnd && at <= 1 + nearEnd) return true;

@@ -1,9 +1,9 @@
-// Which points lie inside a closed rigid or deformed body, and which does a moving tool touch?
+// Exact inside tests: which points lie in a closed body, and which a moving tool touches.
 //
-// Exact: columns are cast through the points themselves (collision/columns.h), nothing is looked up
-// in pixels. Meshes are closed, oriented and look outwards; shells that overlap count as their
-// union. Half-open at the surface: a point on a lower face is outside, on an upper face inside
-// (along z), so bodies that share a face share no point.
+// Columns are cast through the points themselves (collision/columns.h); there are no pixels. Meshes
+// are closed and oriented outwards; overlapping shells count as their union. Half-open at the
+// surface: a point on a lower face is outside, on an upper face inside (along z), so bodies that
+// share a face share no point.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,10 @@ namespace resect {
 std::vector<std::uint8_t> insideFlags(const TriangleMesh& mesh, std::span<const Vec3> points);
 
 // One flag per world point: 1 if the rigid tool, moving from pose `from` to pose `to` (position
-// linearly, rotation along the shorter great circle), touches it on the way. However far it jumps
-// and however thin it is, nothing is skipped.
+// linearly, rotation along the shorter great circle), touches it on the way. No point is skipped,
+// however far the tool jumps and however thin it is.
 //
-// Contains the points inside at either pose. Without rotation the answer is exact: in the tool's
+// Includes the points inside at either pose. Without rotation the answer is exact: in the tool's
 // frame all points move along one direction, and columns are cast along it. With rotation the
 // motion is cut into steps of at most 2 degrees (finer if a path would leave its chord by more than
 // 1e-4 of the tool's diagonal); in each step a point's path in the tool's frame is taken as its

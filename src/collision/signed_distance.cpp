@@ -48,7 +48,7 @@ SignedDistance::SignedDistance(const TriangleMesh& mesh, double margin, double c
       for (int y = low.y(); y <= high.y(); ++y)
         for (int x = low.x(); x <= high.x(); ++x) consider({x, y, z}, std::int32_t(t));
   }
-  // Sweeps there and back along each axis hand the nearest triangle on.
+  // Sweeps in both directions along each axis propagate the nearest triangle.
   for (int pass = 0; pass < 2; ++pass)
     for (int direction = -1; direction <= 1; direction += 2) {
       const auto from = [&](int axis) { return direction < 0 ? dims_[axis] - 1 : 0; };

@@ -1,9 +1,10 @@
-// How deep is a point in a rigid body, and which way is out?
+// Signed distance to a rigid body, and its direction, from a precomputed grid.
 //
 // The distance to a closed mesh on a regular grid in the body's frame, negative inside. At the
-// grid's nodes within one and a half cells of the surface it is exact, further off nearly (nearest
-// triangles handed from node to node, after Danielsson 1980); between nodes it is trilinear. A body
-// thinner than a cell keeps its place, but its inside is not negative everywhere.
+// grid's nodes within one and a half cells of the surface it is exact, farther away approximate
+// (nearest triangles propagated from node to node, after Danielsson 1980); between nodes it is
+// trilinear. A body thinner than a cell keeps its position, but its inside is not negative
+// everywhere.
 #pragma once
 
 #include <vector>
@@ -15,7 +16,7 @@ namespace resect {
 
 class SignedDistance {
  public:
-  // `margin` > 0, m: how far round the mesh the grid reaches. `cell` > 0, m; grown when the grid
+  // `margin` > 0, m: how far the grid extends beyond the mesh. `cell` > 0, m; grown when the grid
   // would have more than 2 million nodes. An empty mesh is infinitely far from everything.
   SignedDistance(const TriangleMesh& mesh, double margin, double cell);
 

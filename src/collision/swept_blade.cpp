@@ -16,7 +16,7 @@ void addTriangle(SweptBlade& blade, const Vec3& a, const Vec3& b, const Vec3& c)
   const Vec3 u = b - a, v = c - a;
   const Vec3 cross = u.cross(v);
   const double area2 = cross.squaredNorm(), size = std::max(u.squaredNorm(), v.squaredNorm());
-  // Flat to rounding: nothing passes through a line.
+  // Degenerate up to rounding: no segment crosses a line.
   if (!(area2 > 1e-24 * size * size)) return;
   blade.triangles.push_back(
       {a, cross / std::sqrt(area2), v.cross(cross) / area2, cross.cross(u) / area2, b, c});
@@ -31,7 +31,8 @@ void addStrip(SweptBlade& blade, std::span<const Vec3> before, std::span<const V
   }
 }
 
-// Steps such that the furthest point of the edge strays from its chord by at most `flatness`.
+// Number of steps at which the farthest point of the edge deviates from its chord by at most
+// `flatness`.
 int stepsOf(std::span<const Vec3> edge, const Pose& from, const Pose& to, double flatness) {
   double reach = 0;
   for (const Vec3& p : edge) reach = std::max(reach, p.norm());

@@ -1,11 +1,11 @@
-// Which segments does a cutting edge cross while it moves from one pose to the next?
+// The surface that a cutting edge sweeps between two poses, and the segments that cross it.
 //
 // The edge, a poly-line in the tool's frame, sweeps a strip of triangles that share their corners
 // exactly; a motion that turns is cut into steps so that the strip stays within `flatness` of the
-// edge's true path. Nothing slips through a seam: a triangle reaches over its sides by kBladeReach
-// of its size. Nothing is cut twice at a point that lies in the strip: a point within rounding of
-// a triangle's plane counts as above it, so of the segments that end there only those that come
-// from below are crossed.
+// edge's true path. Seams are closed: each triangle extends beyond its sides by kBladeReach of its
+// size. A point that lies in the strip is not crossed twice: a point within rounding of a
+// triangle's plane counts as above it, so of the segments that end there only those from below
+// cross.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@
 
 namespace resect {
 
-// How far a triangle of the strip reaches over its sides, in barycentric coordinates.
+// How far a triangle of the strip extends beyond its sides, in barycentric coordinates.
 inline constexpr double kBladeReach = 1e-4;
 
 struct BladeTriangle {

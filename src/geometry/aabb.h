@@ -1,4 +1,4 @@
-// Which axis-aligned box holds these points, and do two boxes meet?
+// Axis-aligned boxes: bounds of points, intersection, overlap.
 #pragma once
 
 #include <limits>
@@ -8,7 +8,7 @@
 
 namespace resect {
 
-// Closed box [min, max], m. A default box is empty: it holds nothing and grows from nothing.
+// Closed box [min, max], m. A default box is empty and can be grown.
 struct Aabb {
   Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -16,7 +16,7 @@ struct Aabb {
   bool empty() const { return (min.array() > max.array()).any(); }
   Vec3 size() const { return empty() ? Vec3(Vec3::Zero()) : Vec3(max - min); }
   Vec3 centre() const { return 0.5 * (min + max); }
-  // Bit a of the number, 0 to 7: the upper end along axis a.
+  // number: 0 to 7; bit a set: the upper end along axis a.
   Vec3 corner(int number) const {
     return {(number & 1 ? max : min).x(), (number & 2 ? max : min).y(),
             (number & 4 ? max : min).z()};
@@ -37,7 +37,7 @@ struct Aabb {
   }
 };
 
-// Have the boxes a point in common?
+// Whether the boxes have a point in common.
 inline bool meets(const Aabb& a, const Aabb& b) {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }

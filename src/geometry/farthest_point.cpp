@@ -55,7 +55,7 @@ std::uint32_t FarthestPoint::along(const Vec3& direction) const {
       if (r > reach || (r == reach && order_[k] < best)) reach = r, best = order_[k];
     }
   };
-  // First the box that reaches farthest: what it holds rules out nearly all others.
+  // First the cluster whose box reaches farthest: its points rule out nearly all others.
   const Cluster* foremost = &clusters_.front();
   double most = reachOf(*foremost);
   for (const Cluster& c : clusters_)

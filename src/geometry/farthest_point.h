@@ -1,7 +1,7 @@
-// Which of many points sticks out farthest in a direction, asked for many directions?
+// The farthest of many points in a direction (a support query), for many directions.
 //
-// Points that lie together share a box; a question looks into the few boxes that reach so far.
-// Cost: two passes over the points to build, then a pass over some thousand boxes per question.
+// Points are clustered; a query looks only into clusters whose boxes reach far enough. Cost: two
+// passes over the points to build, then a pass over some thousand boxes per query.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ class FarthestPoint {
   // At least one point, all finite, fewer than 2^32.
   explicit FarthestPoint(std::span<const Vec3> points);
 
-  // Number of the point with the largest p.dot(direction), the first of equals: exactly what a loop
+  // Index of the point with the largest p.dot(direction), the first of equals: exactly what a loop
   // over all points finds.
   std::uint32_t along(const Vec3& direction) const;
 
@@ -26,10 +26,10 @@ class FarthestPoint {
     Aabb box;
     std::uint32_t begin, end;  // in points_
   };
-  std::vector<Vec3> points_;          // those of a cluster together
-  std::vector<std::uint32_t> order_;  // their numbers
+  std::vector<Vec3> points_;          // sorted by cluster
+  std::vector<std::uint32_t> order_;  // their original indices
   std::vector<Cluster> clusters_;
-  double rounding_ = 0;  // that a box's reach may be wrong by, for directions of length 1
+  double rounding_ = 0;  // bound of the rounding error of a box's reach, for unit directions
 };
 
 }  // namespace resect

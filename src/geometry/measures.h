@@ -1,4 +1,4 @@
-// How large is a surface, and how much does it enclose?
+// Area, volume and centroid of a triangle mesh.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -13,8 +13,8 @@ double area(const TriangleMesh& mesh);
 // that depends on where the origin is.
 double volume(const TriangleMesh& mesh);
 
-// The same with the tetrahedra's tips at `tip` instead of the origin: for a closed mesh the same
-// number, but not drowned in rounding when the mesh lies far from the origin and the tip is near.
+// The same with tetrahedra to `tip` instead of the origin: the same number for a closed mesh, with
+// less rounding when the mesh lies far from the origin and near the tip.
 double volumeAbout(const TriangleMesh& mesh, const Vec3& tip);
 
 // Volume centroid of a closed mesh, m; centre of the bounding box when it encloses nothing.

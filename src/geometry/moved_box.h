@@ -1,4 +1,4 @@
-// Which box holds another one that stands in a pose?
+// The axis-aligned box round a box in a pose.
 #pragma once
 
 #include "geometry/aabb.h"

@@ -1,4 +1,4 @@
-// Which way does a smooth surface look at each of its points?
+// Vertex normals of a smooth surface.
 #pragma once
 
 #include <vector>

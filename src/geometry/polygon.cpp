@@ -35,7 +35,8 @@ void triangulatePolygon(std::span<const Vec3> points, std::span<const std::int32
   bool convex = true;
   for (std::size_t i = 0; i < n && convex; ++i)
     convex = turn(corner(i), corner(i + 1), corner(i + 2), normal) >= 0;
-  // All turns left does not exclude a star polygon; the fan must not turn back either.
+  // Left turns at all corners do not exclude a star polygon; the fan's triangles must not turn back
+  // either.
   for (std::size_t i = 1; i + 1 < n && convex; ++i)
     convex = turn(corner(0), corner(i), corner(i + 1), normal) >= 0;
   if (convex) return fan(rest);

@@ -1,4 +1,4 @@
-// Where is a rigid body and how is it turned?
+// Position and rotation of a rigid body.
 #pragma once
 
 #include "base/vec.h"

@@ -1,4 +1,4 @@
-// What simple closed bodies are there to test and to build with? All look outwards.
+// Box, sphere and torus as closed meshes with outward normals.
 #pragma once
 
 #include "geometry/triangle_mesh.h"

@@ -7,7 +7,7 @@
 namespace resect {
 
 double firstMeeting(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
-  // Rounding of the shares of a corner, which are between 0 and 1 inside.
+  // Tolerance for rounding of barycentric coordinates, which are 0 to 1 inside.
   constexpr double kSlack = 1e-9;
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const Vec3 ab = b - a, ac = c - a, across = ray.direction.cross(ac);

@@ -1,4 +1,4 @@
-// Where does a ray meet a triangle or a box?
+// Intersection of a ray with a triangle or a box.
 #pragma once
 
 #include "base/vec.h"
@@ -12,12 +12,12 @@ struct Ray {
   Vec3 at(double t) const { return origin + t * direction; }
 };
 
-// t where it first meets the triangle a, b, c, from either side; infinity when it does not. Edges
-// belong to the triangle, so that no ray slips through between two of a closed surface (Moeller and
-// Trumbore 1997). A ray in the triangle's plane meets nothing.
+// Smallest t at which the ray meets the triangle a, b, c, from either side; infinity if it does
+// not. Edges belong to the triangle, so no ray passes between two triangles of a closed surface
+// (Moeller and Trumbore 1997). A ray in the triangle's plane meets nothing.
 double firstMeeting(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c);
 
-// Has it a point in common with the box? Not with an empty one.
+// Whether the ray meets the box; false for an empty box.
 bool meets(const Ray& ray, const Aabb& box);
 
 }  // namespace resect

@@ -23,8 +23,8 @@ std::vector<Vec3> directions(int count) {
   return result;
 }
 
-// Points that stick out farthest in many directions: nearly all corners of the hull that a table
-// can touch.
+// The farthest points in many directions: nearly all vertices of the convex hull that a table can
+// touch.
 std::vector<Vec3> outermostPoints(const TriangleMesh& mesh, const Vec3& centre) {
   const FarthestPoint farthest(mesh.points);
   std::vector<Vec3> result = directions(1500);

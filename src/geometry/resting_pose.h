@@ -1,18 +1,18 @@
-// How does a rigid body lie on a table when it is put down?
+// The pose in which a rigid body comes to rest on a table.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
 
-// The rotation that takes the body, held as it is, to the nearest pose in which it lies still on a
-// horizontal table (Y up): its centre of mass, of even density, as low as it gets by rolling. Turns
-// by the shortest way; identity for a mesh that encloses nothing. Found by descent on the height of
-// the centre over the supporting plane, to about 0.1 degrees.
+// The rotation from the body's present orientation to the nearest in which it rests on a horizontal
+// table (Y up): its centre of mass, at uniform density, at a local minimum of height. Identity for
+// a mesh that encloses nothing. Found by descent on the height of the centre over the supporting
+// plane, to about 0.1 degrees.
 Eigen::Quaterniond restingRotation(const TriangleMesh& mesh);
 
-// The pose that turns the mesh so and stands it on the table: its box's lowest side at y = 0,
-// centred over the origin.
+// The pose with this rotation in which the mesh stands on the table: the lowest side of its box at
+// y = 0, centred over the origin.
 Pose standOnTable(const TriangleMesh& mesh, const Eigen::Quaterniond& rotation);
 
 }  // namespace resect

@@ -6,9 +6,9 @@
 namespace resect {
 namespace {
 
-// The edges of a mesh by their lower corners, the few of each corner ascending. An edge is its
-// higher corner, with the direction it was used in as the lowest bit. Aims at 4 bytes of memory for
-// each of a triangle's three edges, written once and read once.
+// The edges of a mesh, grouped by their lower point index and sorted within a group. An edge is
+// stored as its higher index, with the direction of use as the lowest bit: 4 bytes for each of a
+// triangle's three edges, written once and read once.
 struct EdgesByCorner {
   std::vector<std::uint32_t> end;  // per corner, one past its edges
   std::vector<std::uint32_t> edges;
@@ -20,7 +20,7 @@ EdgesByCorner edgesByCorner(const TriangleMesh& mesh) {
       for (int i = 0; i < 3; ++i) visit(std::uint32_t(t[i]), std::uint32_t(t[(i + 1) % 3]));
   };
   EdgesByCorner result;
-  std::vector<std::uint32_t>& next = result.end;  // where the corner's next edge goes
+  std::vector<std::uint32_t>& next = result.end;  // where the group's next edge is written
   next.assign(mesh.points.size() + 1, 0);
   forEachEdge([&](std::uint32_t a, std::uint32_t b) { ++next[std::min(a, b) + 1]; });
   for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];

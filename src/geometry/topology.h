@@ -1,6 +1,6 @@
-// Is a surface the skin of a body: closed, consistently oriented, manifold, in how many pieces?
+// Whether a mesh is closed, consistently oriented and manifold, and its connected components.
 //
-// Counts by sorted edges: O(n log n), deterministic. Points are told apart by index; weld first
+// Counts by sorted edges: O(n log n), deterministic. Points are identified by index; weld first
 // (geometry/repair/weld.h) when a reader repeats positions.
 #pragma once
 
@@ -15,8 +15,8 @@ namespace resect {
 struct Topology {
   int boundaryEdges = 0;     // edges of an odd number of triangles: where the surface is open
   int nonManifoldEdges = 0;  // edges of more than two triangles
-  int unorientedEdges = 0;   // edges whose two directions are not used equally often, but for the
-                             // one use too many of a boundary edge
+  int unorientedEdges = 0;   // edges whose two directions are not used equally often; at a
+                             // boundary edge one more use is allowed
   int components = 0;        // pieces connected over shared points
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first open edge
 

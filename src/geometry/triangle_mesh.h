@@ -1,4 +1,4 @@
-// What is a surface in Resect? Points and triangles that index them.
+// Triangle meshes: points, and triangles that index them.
 #pragma once
 
 #include <array>
@@ -20,13 +20,13 @@ struct TriangleMesh {
 
 Aabb bounds(const TriangleMesh& mesh);
 
-// Every point moved by the pose.
+// The mesh with every point transformed by the pose.
 TriangleMesh transformed(TriangleMesh mesh, const Pose& pose);
 
 // Appends b's points and triangles to a.
 void append(TriangleMesh& a, const TriangleMesh& b);
 
-// Makes every triangle look the other way.
+// Reverses the orientation of every triangle.
 void flip(TriangleMesh& mesh);
 
 }  // namespace resect

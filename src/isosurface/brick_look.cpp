@@ -8,19 +8,19 @@
 #include "base/instruction_set.h"
 #include "isosurface/vertex_fours.h"
 
-// Functions that give rows of eight are inlined; no call hands one on.
+// All functions that return rows of eight are inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace resect {
 namespace {
 
-// Nodes -1 to 5 of a brick along each axis, x fastest. A row takes eight places, of which the last
-// counts for nothing.
+// Nodes -1 to 5 of a brick along each axis, x fastest. A row has eight elements; the last is
+// unused.
 constexpr int kHalo = 7, kRow = 8;
 typedef float Row __attribute__((vector_size(kRow * sizeof(float))));
 using Halo = std::array<std::array<Row, kHalo>, kHalo>;  // [z + 1][y + 1]
 
-// Nodes of three bricks beside each other along x.
+// Nodes of three consecutive bricks along x.
 struct BrickRow {
   const float *left, *middle, *right;
 };
@@ -38,7 +38,7 @@ struct BrickRow {
 // 0 outside the grid.
 [[gnu::always_inline]] inline void gatherHalo(const ColourField& field, const Vec3i& brick,
                                               Halo& halo) {
-  // Along an axis the brick below gives its last node, the one above its first two.
+  // Along an axis: the last node of the brick below, the first two of the brick above.
   constexpr int kFirst[3] = {kBrickNodes - 1, 0, 0}, kEnd[3] = {kBrickNodes, kBrickNodes, 2};
   for (int dz = -1; dz <= 1; ++dz)
     for (int dy = -1; dy <= 1; ++dy) {
@@ -59,8 +59,7 @@ struct BrickRow {
     }
 }
 
-// What is known of the nodes 0 to 4 of a brick: their values, and per axis the field's growth
-// there, in 32 times the growth from node to node.
+// Nodes 0 to 4 of a brick: their values, and per axis 32 times the field's difference per node.
 constexpr int kNodes = kBrickNodes + 1;
 constexpr int placeOf(int x, int y, int z) { return (z * kNodes + y) * kRow + x; }
 using NodeNumbers = std::array<float, kNodes * kNodes * kRow>;  // by placeOf()
@@ -68,7 +67,7 @@ struct Slopes {
   NodeNumbers value, along[3];
 };
 
-// One and two nodes on along x; the last numbers count for nothing.
+// The row shifted by one, by two nodes along x; the last elements are unused.
 [[gnu::always_inline]] inline Row next(const Row& r) {
   return __builtin_shufflevector(r, r, 1, 2, 3, 4, 5, 6, 7, 7);
 }
@@ -81,7 +80,7 @@ struct Slopes {
 
 [[gnu::always_inline]] inline void findSlopes(const Halo& halo, Slopes& slopes) {
   for (int z = 0; z < kNodes; ++z) {
-    // The planes before, at and behind the nodes, averaged along z and differences along z.
+    // Averages and differences along z of the planes before, at and after the nodes.
     std::array<Row, kHalo> mean, growth;
     for (int y = 0; y < kHalo; ++y) {
       const Row &before = halo[z][y], &here = halo[z + 1][y], &behind = halo[z + 2][y];
@@ -102,7 +101,7 @@ struct Slopes {
   }
 }
 
-// For each edge of a brick, by number, the places of its nodes among the slopes.
+// For each edge of a brick, by number: the indices of its nodes in Slopes.
 struct EdgeEnds {
   std::array<std::uint8_t, kBrickEdges + 1> low{}, high{};
 };
@@ -117,8 +116,8 @@ constexpr EdgeEnds kEnds = [] {
   return ends;
 }();
 
-// Colour values below the iso level of the original field over which skin turns into cut
-// parenchyma.
+// Range of the original field's value above the iso level over which the cut share goes from 0 to
+// 1.
 constexpr float kCutRange = 15;
 
 }  // namespace
@@ -135,7 +134,7 @@ void brickLook(const ColourField& field, const NodeGrid& grid, std::int64_t bric
   findSlopes(halo, slopes);
   const bool edited = field.edited(brick);
   for (std::size_t i = 0; i < edges.size(); i += 4) {
-    // Beyond the last vertex: as if on the last one's edge.
+    // Beyond the last vertex the last one's edge is used.
     std::size_t low[4], high[4];
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint8_t edge = edges[std::min(i + k, edges.size() - 1)];
@@ -149,7 +148,7 @@ void brickLook(const ColourField& field, const NodeGrid& grid, std::int64_t bric
         wayAlong(four(slopes.value, low), four(slopes.value, high), grid.iso, kEndMargin);
     FourFloats along[3], square{};
     for (int k = 0; k < 3; ++k) {
-      // A stretched lattice turns growth per node into slopes by its own spacings.
+      // Differences per node become slopes by the spacing of each axis.
       along[k] = ((1 - way) * four(slopes.along[k], low) + way * four(slopes.along[k], high)) *
                  grid.perSpacing[k];
       square += along[k] * along[k];

@@ -9,19 +9,19 @@
 namespace resect {
 namespace {
 
-// A brick's own nodes, then those of the first plane of its neighbours above along x, y and z: all
-// that its vertices depend on.
+// A brick's own nodes, then the first planes of its upper neighbours along x, y and z: all that its
+// vertices depend on.
 constexpr int kPlane = kBrickNodes * kBrickNodes;
 using NodesAbove = std::array<float, kBrickSize + 3 * kPlane>;
 
-// For each edge of a brick, by number: the place of its upper node there. That of the lower one is
-// the last six bits of its number.
+// For each edge of a brick, by number: the index of its upper node in that array. The lower node's
+// is the last six bits of the edge's number.
 constexpr std::array<std::uint8_t, kBrickEdges + 1> kUpperEnd = [] {
   std::array<std::uint8_t, kBrickEdges + 1> place{};
   for (int edge = 0; edge < kBrickEdges; ++edge) {
     const int node = edge % kBrickSize, axis = edge / kBrickSize,
               n[3] = {node & 3, node >> 2 & 3, node >> 4};
-    // In a plane the other two axes follow each other as in the brick.
+    // In a plane the other two axes keep their order.
     const int inPlane = axis == 0 ? 4 * n[2] + n[1] : axis == 1 ? 4 * n[2] + n[0] : 4 * n[1] + n[0];
     place[std::size_t(edge)] = std::uint8_t(
         n[axis] + 1 < kBrickNodes ? node + (1 << 2 * axis) : kBrickSize + axis * kPlane + inPlane);
@@ -31,7 +31,7 @@ constexpr std::array<std::uint8_t, kBrickEdges + 1> kUpperEnd = [] {
 
 [[gnu::always_inline]] inline void gather(const ColourField& field, std::int64_t brick,
                                           const Vec3i& place, NodesAbove& nodes) {
-  // Where the grid ends no edge is crossed; any brick may be read.
+  // At the end of the grid no edge is crossed; any brick may be read instead.
   const auto neighbour = [&](int axis, std::int64_t away) {
     return field.nodes(place[axis] + 1 < field.brickDims()[axis] ? brick + away : brick);
   };
@@ -49,7 +49,7 @@ constexpr std::array<std::uint8_t, kBrickEdges + 1> kUpperEnd = [] {
 typedef std::int32_t FourInts __attribute__((vector_size(16)));
 typedef double FourDoubles __attribute__((vector_size(32)));
 
-// Of four numbers those that the last two bits of `which` name.
+// Selects from four numbers by the last two bits of each element of `which`.
 [[gnu::always_inline]] inline FourFloats chosen(const FourFloats& numbers, const FourInts& which) {
 #ifdef __clang__
   return FourFloats{numbers[which[0] & 3], numbers[which[1] & 3], numbers[which[2] & 3],
@@ -59,7 +59,7 @@ typedef double FourDoubles __attribute__((vector_size(32)));
 #endif
 }
 
-// The places of a brick's four nodes along each axis, m.
+// The coordinates of a brick's four nodes along each axis, m.
 using BrickPlaces = std::array<FourFloats, 3>;
 
 [[gnu::always_inline]] inline BrickPlaces placesOf(const ColourField& field, const NodeGrid& grid,

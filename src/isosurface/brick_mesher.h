@@ -1,7 +1,7 @@
-// What piece of the iso-surface lies in one brick of the colour field?
+// Vertices of the iso-surface in one brick of the colour field.
 //
-// Its vertices: those on the edges that belong to it (isosurface/crossed_edges.h). How they look is
-// in isosurface/brick_look.h. Cost: some hundred operations for a brick, 25 for a vertex.
+// They lie on the edges that belong to the brick (isosurface/crossed_edges.h). Normals are in
+// isosurface/brick_look.h. Cost: some hundred operations for a brick, 25 for a vertex.
 #pragma once
 
 #include "base/vec.h"
@@ -11,10 +11,10 @@
 
 namespace resect {
 
-// Vertices keep this share of an edge away from its ends, so that no two of them fall together.
+// Vertices keep this fraction of an edge away from its ends, so that no two of them coincide.
 constexpr float kEndMargin = 1e-3f;
 
-// Where a field's nodes lie to each other, and at which level the surface runs.
+// Distances between a field's nodes, and the iso level.
 struct NodeGrid {
   float iso;
   Vec3 step;                  // from node to node (rest space, m)
@@ -27,9 +27,8 @@ struct NodeGrid {
         perSpacing(spacing.cwiseInverse()) {}
 };
 
-// Writes the places of signs.vertexCount() vertices (rest space, m), and on which edge each lies.
-// What follows them up to the next multiple of CrossedEdges::kStep may be written too, and counts
-// for nothing.
+// Writes the positions of signs.vertexCount() vertices (rest space, m) and the edge of each. Both
+// arrays may be overwritten up to the next multiple of CrossedEdges::kStep.
 void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
                    const BrickSigns& signs, Vec3f* points, std::uint8_t* edges);
 

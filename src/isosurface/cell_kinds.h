@@ -1,6 +1,7 @@
-// Which corners of a brick's 64 cells are inside? All cells at once, as bits.
+// Marching cubes cases of a brick's 64 cells: which corners are inside, found for all cells at once
+// with bit operations.
 //
-// Inlined, so that they are made for the instruction set of the function that calls them.
+// Inlined, so that they are compiled for the instruction set of their caller.
 #pragma once
 
 #include <array>
@@ -14,25 +15,25 @@
 
 namespace resect {
 
-// Keeps the compiler from reading several words as one vector. Words that were just written one by
-// one cannot be handed on to such a read, and waiting for them takes as long as 64 cells.
+// Keeps the compiler from loading several words as one vector. Words that were just stored one by
+// one cannot be forwarded to a wider load, and the stall costs as much as 64 cells.
 [[gnu::always_inline]] inline std::uint64_t keptAlone(std::uint64_t word) {
   asm("" : "+r"(word));
   return word;
 }
 
-// Which of a brick's 64 nodes are inside (value >= iso)? Bit = node, x fastest.
+// Which of a brick's 64 nodes are inside (value >= iso). Bit = node, x fastest.
 [[gnu::always_inline]] inline std::uint64_t insideMask(std::span<const float, kBrickSize> nodes,
                                                        float iso) {
   return compared64(nodes.data(), [iso](const FourValues& v) -> FourFlags { return v >= iso; });
 }
 
-// Which corners of its 64 cells are inside, given the inside masks of the brick and of its seven
-// neighbours above (number: 1 for a step along x, 2 along y, 4 along z)? Mask c holds corner c, bit
+// Which corners of the 64 cells are inside, from the inside masks of the brick and of its seven
+// upper neighbours (index: 1 for a step along x, 2 along y, 4 along z). Mask c is for corner c, bit
 // = cell; corner 0 is the brick's own mask.
 [[gnu::always_inline]] inline std::array<std::uint64_t, 8> cornerMasks(
     const std::array<std::uint64_t, 8>& inside) {
-  // The masks one node further along an axis: bits move down, those of the neighbour come in.
+  // The mask shifted by one node along an axis; bits of the neighbour fill the gap.
   const auto alongX = [](std::uint64_t own, std::uint64_t next) {
     return (own >> 1 & 0x7777777777777777) | (next & 0x1111111111111111) << 3;
   };
@@ -40,7 +41,7 @@ namespace resect {
     return (own >> 4 & 0x0fff0fff0fff0fff) | (next & 0x000f000f000f000f) << 12;
   };
   const auto alongZ = [](std::uint64_t own, std::uint64_t next) { return own >> 16 | next << 48; };
-  // Word by word: copied as a whole, words that were just written one by one would be waited for.
+  // Copied word by word: a wide load of words just stored would stall.
   std::array<std::uint64_t, 8> mask;
 #pragma GCC unroll 4
   for (std::size_t d = 0; d < 8; d += 2) {
@@ -52,7 +53,7 @@ namespace resect {
   return mask;
 }
 
-// The cells that the surface runs through: those with corners on both sides.
+// The cells that the surface crosses: those with corners inside and outside.
 inline std::uint64_t crossedCells(const std::array<std::uint64_t, 8>& corners) {
   std::uint64_t any = 0, all = ~std::uint64_t(0);
   for (const std::uint64_t mask : corners) {
@@ -69,8 +70,8 @@ typedef std::uint16_t Pairs __attribute__((vector_size(16)));
 typedef std::uint32_t Fours __attribute__((vector_size(16)));
 typedef std::uint64_t Words __attribute__((vector_size(16)));
 
-// Each word as eight rows of eight bits: rows and columns change places, by blocks of one bit, two
-// and four (Knuth, The Art of Computer Programming 4A, 7.1.3).
+// Transposes each word as a matrix of 8 x 8 bits, by swapping blocks of one, two and four bits
+// (Knuth, The Art of Computer Programming 4A, 7.1.3).
 [[gnu::always_inline]] inline Words transposeBits(Words w) {
   const auto swap = [&w](int way, std::uint64_t which) {
     const Words moved = (w ^ w >> way) & which;
@@ -84,11 +85,11 @@ typedef std::uint64_t Words __attribute__((vector_size(16)));
 
 }  // namespace bits
 
-// Per cell its eight corner bits: the same 512 bits, cell by cell.
+// The case of each cell: its eight corner bits.
 using CellKinds = std::array<std::uint8_t, kBrickSize>;
 
-// The bytes of the eight masks are laid side by side, eight cells of all corners to a word; then
-// the bits of each word are turned. Aims at 120 instructions.
+// Transposes the eight masks to 64 bytes: first bytes, so that a word holds all corners of eight
+// cells, then the bits of each word. Aims at 120 instructions.
 [[gnu::always_inline]] inline CellKinds cellKinds(const std::array<std::uint64_t, 8>& corners) {
   bits::Pairs two[4];  // corners 2 k and 2 k + 1 of cells 0 to 7, 8 to 15, ...
   for (std::size_t k = 0; k < 4; ++k) {
@@ -114,16 +115,16 @@ using CellKinds = std::array<std::uint8_t, kBrickSize>;
   return kinds;
 }
 
-// How many triangles marching cubes draws in a cell of a kind, beyond those of a cell with as many
-// crossed edges whose surface hangs together: a loop of n edges is n - 2 triangles.
+// By case: number of triangles minus (crossed edges - 2), which is the number for a single loop. A
+// loop of n edges is n - 2 triangles, so each further loop subtracts 2.
 const std::array<std::int8_t, 256>& trianglesBeyondOneLoop();
 
-// How many triangles it draws in `cells`, all of them crossed. Cells whose surface may be in parts
-// have a face with inside corners on one diagonal, or opposite corners alike and all others
-// unlike; they are few, and looked up. Aims at 110 instructions.
+// Number of triangles in `cells`, all of them crossed. Cells that may have several loops have a
+// face with inside corners on one diagonal only, or two opposite corners that differ from all
+// others; they are few and looked up. Aims at 110 instructions.
 [[gnu::always_inline]] inline int countTriangles(const std::array<std::uint64_t, 8>& c,
                                                  std::uint64_t cells) {
-  // Crossed edges, along x, y and z, from the corners that have 0 there.
+  // Crossed edges along x, y and z, by their lower corners.
   const std::uint64_t x[4] = {c[0] ^ c[1], c[2] ^ c[3], c[4] ^ c[5], c[6] ^ c[7]},
                       y[4] = {c[0] ^ c[2], c[1] ^ c[3], c[4] ^ c[6], c[5] ^ c[7]},
                       z[4] = {c[0] ^ c[4], c[1] ^ c[5], c[2] ^ c[6], c[3] ^ c[7]};

@@ -16,7 +16,7 @@ constexpr int nodePlace(int axis, int node) {
   return EdgeTable::place(axis, node & 3, node >> 2 & 3, node >> 4);
 }
 
-// From a cell's first edge along an axis on, to each of its edges.
+// Offset in the table from a cell's first edge along an axis to each of its edges.
 constexpr std::array<std::uint8_t, 12> kStepTo = [] {
   std::array<std::uint8_t, 12> steps{};
   for (std::size_t e = 0; e < 12; ++e) {
@@ -51,7 +51,8 @@ Triangle* drawCellsPlainly(const EdgeTable& table, const CellKinds& kinds, std::
 
 namespace {
 
-// Of each cell, where its first edge along x and along y stands; along z: an axis further.
+// For each cell the table index of its first edge along x and along y; along z it is one axis block
+// further than along y.
 constexpr auto kFirstEdges = [] {
   std::array<std::array<std::uint16_t, 2>, kBrickSize> places{};
   for (int cell = 0; cell < kBrickSize; ++cell)
@@ -60,15 +61,15 @@ constexpr auto kFirstEdges = [] {
   return places;
 }();
 
-// Two numbers and the two that stand a plane or row further.
+// Loads two neighbouring entries, and the two a row or plane further.
 RESECT_AVX2 inline __m128i fourEdges(const std::int32_t* first, int further) {
   const __m128i low = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(first));
   return _mm_castps_si128(
       _mm_loadh_pi(_mm_castsi128_ps(low), reinterpret_cast<const __m64*>(first + further)));
 }
 
-// A cell has up to five triangles, 15 corners: all are written, and the next cell writes over the
-// surplus. Aims at 32 instructions a cell and no branch that depends on it.
+// A cell has up to five triangles, 15 corners: all are written, and the next cell overwrites the
+// surplus. Aims at 32 instructions a cell, branch-free.
 RESECT_AVX2 Triangle* drawCellsWide(const EdgeTable& table, const CellKinds& kinds,
                                     std::uint64_t cells, Triangle* out, const Triangle* limit) {
   static_assert(sizeof(CellTriangles) == 16 && sizeof(Triangle) == 12);
@@ -83,7 +84,7 @@ RESECT_AVX2 Triangle* drawCellsWide(const EdgeTable& table, const CellKinds& kin
     const __m256i xy = _mm256_inserti128_si256(_mm256_castsi128_si256(fourEdges(alongX, kPlane)),
                                                fourEdges(alongY, kPlane), 1),
                   z = _mm256_castsi128_si256(fourEdges(alongY + EdgeTable::kAxis, kRow));
-    // Eight corners from `first` on: edges 0 to 7 are those of xy, 8 to 11 those of z.
+    // Eight corners from `first` on: edges 0 to 7 come from xy, 8 to 11 from z.
     const auto write = [&](int first) RESECT_AVX2 {
       const __m256i edges =
           _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(corners + first)));

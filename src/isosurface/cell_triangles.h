@@ -1,9 +1,8 @@
-// Which vertices do the triangles of a brick's cells join?
+// Triangles of a brick's cells, from the marching cubes table and the indices of vertices on edges.
 //
-// The numbers of the vertices stand in a table of all edges that the brick's cells can use: its own
-// and those that it shares with the bricks above. A cell's four edges along an axis lie in two
-// pairs of neighbours there, so that all twelve come as six loads, and its triangles as a choice
-// among twelve.
+// A table holds the vertex index of every edge that the brick's cells can use: its own edges and
+// those shared with the bricks above. A cell's four edges along an axis are two pairs of neighbours
+// in the table, so all twelve take six loads; its triangles are then a shuffle of these twelve.
 #pragma once
 
 #include <array>
@@ -17,22 +16,21 @@ namespace resect {
 struct EdgeTable {
   static constexpr int kSpan = kBrickNodes + 1;  // nodes 0 to 4 of the brick along each axis
   static constexpr int kAxis = kSpan * kSpan * kSpan, kNone = 3 * kAxis;
-  std::array<std::int32_t, kNone + 1> vertex;  // by place(); kNone stands for no edge
+  std::array<std::int32_t, kNone + 1> vertex;  // by place(); entry kNone stands for no edge
 
-  // Of the edge along an axis from a node, each coordinate 0 to 4: y before x for edges along x, x
-  // before y for others.
+  // Index of the edge along an axis from a node, whose coordinates are 0 to 4: y fastest for edges
+  // along x, x fastest for others.
   static constexpr int place(int axis, int x, int y, int z) {
     return axis * kAxis + (z * kSpan + (axis == 0 ? x : y)) * kSpan + (axis == 0 ? y : x);
   }
-  // Of a cell's edge (isosurface/marching_cubes_table.h).
+  // Index of a cell's edge (isosurface/marching_cubes_table.h).
   static int ofCell(int cell, int edge);
 };
 
-// Draws the triangles of `cells`, one after the other; returns their end. Between it and `limit`
-// anything may be written.
+// Writes the triangles of `cells`; returns their end. The rest up to `limit` may be overwritten.
 Triangle* drawCells(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                     Triangle* out, const Triangle* limit);
-// The same edge by edge, as machines without AVX2 draw them.
+// The same edge by edge, for machines without AVX2.
 Triangle* drawCellsPlainly(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                            Triangle* out);
 

@@ -1,4 +1,4 @@
-// Which edges of a brick cross the surface, and which vertex lies on each?
+// The grid edges of a brick that cross the surface, and the numbering of their vertices.
 //
 // A vertex belongs to the grid edge that it lies on, and the edge to the brick of its lower node.
 // A brick's edges are numbered 64 axis + lower node; its vertices in the order of those numbers, so
@@ -17,15 +17,16 @@
 namespace resect {
 
 constexpr int kBrickEdges = 3 * kBrickSize;
-constexpr std::uint8_t kNoEdge = kBrickEdges;  // a number for none
+constexpr std::uint8_t kNoEdge = kBrickEdges;  // stands for no edge
 
 // Which of the brick's 64 nodes are inside, and which of its 192 edges cross the surface.
 struct BrickSigns {
   std::uint64_t inside = 0;
-  std::array<std::uint64_t, 3> crossing{};    // per axis, bit = lower node
-  std::array<std::uint8_t, 4> firstVertex{};  // per axis: number of its first one; then the count
+  std::array<std::uint64_t, 3> crossing{};  // per axis, bit = lower node
+  std::array<std::uint8_t, 4>
+      firstVertex{};  // per axis: number of its first vertex; then the count
 
-  // Returns whether that is another set than before.
+  // Returns whether the set has changed.
   bool setCrossing(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
     const bool changed = ((x ^ crossing[0]) | (y ^ crossing[1]) | (z ^ crossing[2])) != 0;
     crossing[0] = x, crossing[1] = y, crossing[2] = z;
@@ -41,10 +42,11 @@ struct BrickSigns {
   }
 };
 
-// The numbers of the crossed edges, one per vertex; up to the next multiple of kStep, kNoEdge.
+// The numbers of the crossed edges, one per vertex; filled up to the next multiple of kStep with
+// kNoEdge.
 struct CrossedEdges {
   static constexpr int kStep = 8, kMost = kBrickEdges + kStep;
-  std::array<std::uint8_t, kMost> number;  // beyond that: not written
+  std::array<std::uint8_t, kMost> number;  // beyond that: uninitialised
 
   explicit CrossedEdges(const BrickSigns& signs) {
     std::uint8_t* end = number.data();

@@ -35,7 +35,7 @@ std::array<std::array<int, 4>, 6> cellFaces() {
   return faces;
 }
 
-// next[e] = the edge that the line entering the cell's surface at e leads to, or -1.
+// next[e]: the edge where the line that starts at edge e ends, or -1.
 std::array<int, 12> fenceLines(int inside) {
   std::array<int, 12> next;
   next.fill(-1);
@@ -60,7 +60,7 @@ bool onOneFace(int e, int f) {
   return false;
 }
 
-// Badness of a triangle: 1 for an equilateral one, growing with slenderness.
+// Shape measure of a triangle: 1 if equilateral, larger the more slender it is.
 double badness(int a, int b, int c) {
   const Vec3 p = edgeMiddle(a), q = edgeMiddle(b), r = edgeMiddle(c);
   const double area = 0.5 * (q - p).cross(r - p).norm();
@@ -68,8 +68,8 @@ double badness(int a, int b, int c) {
   return area < 1e-9 ? 1e3 : sides / (4 * std::sqrt(3.0) * area);
 }
 
-// Cuts the loop's corners i..j into triangles of least total badness; diagonals in a face are as
-// good as forbidden.
+// Triangulates the loop's corners i..j with the least total badness; diagonals in a face get a
+// prohibitive penalty.
 struct Triangulation {
   double cost = 0;
   std::vector<std::array<std::uint8_t, 3>> triangles;

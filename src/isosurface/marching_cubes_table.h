@@ -1,12 +1,12 @@
-// Which triangles does marching cubes draw in a cell, given which of its corners are inside?
+// The marching cubes table: triangles of a cell for each of the 256 cases of its corners.
 //
 // Corner c of a cell stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Edges are numbered by axis: edge 4
-// a + i runs along axis a from the i-th corner that has coordinate 0 there. The table is made by a
-// rule, not typed in: on each face every run of inside corners is fenced off by one line (so two
-// inside corners on a diagonal stay apart), which depends on the face alone, so that neighbouring
-// cells agree and the surface is closed; lines link to loops, and each loop is cut into the
-// triangulation of best shape that has no diagonal in a face of the cell. Source: Lorensen and
-// Cline 1987 (the method); Durst 1988 (its ambiguity).
+// a + i runs along axis a from the i-th corner that has coordinate 0 there. The table is computed:
+// on each face every run of inside corners is separated by one line, so that two inside corners on
+// a diagonal stay apart. This depends on the face alone, so neighbouring cells agree and the
+// surface is closed. Lines link to loops; each loop gets the best-shaped triangulation without a
+// diagonal in a face of the cell. Source: Lorensen and Cline 1987 (the method); Durst 1988 (its
+// ambiguity).
 #pragma once
 
 #include <array>

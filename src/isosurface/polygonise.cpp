@@ -17,8 +17,9 @@ using Value = ScalarFunction;
 using Tetrahedron = std::array<std::int64_t, 4>;
 using LatticeEdge = std::pair<std::int64_t, std::int64_t>;  // node inside, node outside
 
-constexpr double kCellOfEdge = 1.8;  // side of a cube whose triangles have a mean edge of 0.77
-constexpr int kLeaf = 4;             // cells a side of the smallest box that is skipped as a whole
+constexpr double kCellOfEdge =
+    1.8;                  // side of a cube, in edges: triangles then have a mean edge of 0.77
+constexpr int kLeaf = 4;  // cells a side of the smallest box that is skipped as a whole
 constexpr std::size_t kGrain = 512;
 
 // Nodes with an even number are corners of the cubes, those with an odd number centres.
@@ -44,7 +45,7 @@ class Lattice {
                    int(n % nodes_.z()));
     return origin_ + cell_ * (at.cast<double>() + Vec3::Constant(node % 2 ? 0.5 : 0.0));
   }
-  // The function, cut by the box: so every surface closes.
+  // The function clipped to the box, so that every surface is closed.
   double valueAt(const Vec3& p) const {
     const double beyond = (box_.min - p).cwiseMax(p - box_.max).maxCoeff();
     const double v = value_(p);
@@ -81,7 +82,7 @@ void findNear(const Lattice& lattice, const CubeRange& range, double lipschitz,
   const Vec3i size = range.high - range.low;
   if ((size.array() <= 0).any()) return;
   if (std::isfinite(lipschitz)) {
-    // The tetrahedra reach one cube further on the high side.
+    // The tetrahedra extend one cube further on the high side.
     const Vec3 half = 0.5 * lattice.cell() * (size.cast<double>() + Vec3::Ones());
     const Vec3 middle = lattice.point(lattice.node(range.low, false)) + half;
     if (std::abs(lattice.valueAt(middle)) > std::max(lipschitz, 1.0) * half.norm()) return;
@@ -167,7 +168,7 @@ class Crossings {
     }
   }
   int point(std::int64_t inside, std::int64_t outside) {
-    // Looked up, never iterated: the numbers follow the order of first use.
+    // The map is only looked up, never iterated: numbers follow the order of first use.
     const auto [at, fresh] = numbers_.try_emplace({inside, outside}, int(edges.size()));
     if (fresh) edges.emplace_back(inside, outside);
     return at->second;
@@ -184,7 +185,7 @@ class Crossings {
   std::unordered_map<LatticeEdge, int, Hash> numbers_;
 };
 
-// Where the edge crosses zero: regula falsi with the Illinois step.
+// The zero crossing on the edge: regula falsi, Illinois variant.
 Vec3 crossing(const Lattice& lattice, const LatticeEdge& edge) {
   Vec3 a = lattice.point(edge.first), b = lattice.point(edge.second), p = b;
   double va = lattice.value(edge.first), vb = lattice.value(edge.second);

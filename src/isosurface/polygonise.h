@@ -1,10 +1,10 @@
-// What triangles stand for the surface where a function is zero?
+// Triangle mesh of the zero surface of a function.
 //
-// The function is sampled on a body-centred cubic lattice, whose tetrahedra are all alike and
-// nearly regular; each tetrahedron that the surface crosses gives one or two triangles, so the
-// result is closed, oriented and manifold by construction, whatever the function does. The mesh is
-// then evened out, and edges that cut off a sharp margin are split (isosurface/relax.h). Cost: 1.5
-// evaluations a cubic lattice cell and about 30 a point; same bits at any number of threads.
+// The function is sampled on a body-centred cubic lattice, whose tetrahedra are congruent and
+// nearly regular; each crossed tetrahedron gives one or two triangles, so the result is closed,
+// oriented and manifold for any function. The mesh is then smoothed, and edges that cut off a sharp
+// margin are split (isosurface/relax.h). Cost: 1.5 evaluations a cubic lattice cell and about 30 a
+// point; same bits at any number of threads.
 //
 // Sources: marching tetrahedra, Doi, Koide (1991); the lattice, Labelle, Shewchuk (2007).
 #pragma once
@@ -17,14 +17,14 @@
 namespace resect {
 
 struct PolygoniseSettings {
-  // m, > 0: longest edge of most triangles; the mean is three quarters of it. Places thinner than
-  // it may get lost.
+  // m, > 0: longest edge of most triangles; the mean is three quarters of it. Parts thinner than
+  // that may be lost.
   double edge = 0.0025;
-  // Most that the function changes a metre: boxes that are too far from zero are skipped as a
-  // whole. Infinite: nothing is skipped. Too small: pieces of the surface are lost.
+  // Lipschitz constant of the function: boxes whose value is too far from zero are skipped as a
+  // whole. Infinite: nothing is skipped. Too small: parts of the surface are lost.
   double lipschitz = std::numeric_limits<double>::infinity();
-  // Rounds of evening out and splitting; 0 leaves the triangles, slivers too, as the lattice cuts
-  // them.
+  // Rounds of smoothing and splitting; 0 leaves the triangles as the lattice makes them, slivers
+  // included.
   int smoothing = 2;
 };
 

@@ -23,8 +23,8 @@ using Edge = std::pair<std::int32_t, std::int32_t>;  // smaller index first
 
 Edge edgeOf(const Triangle& t, int side) { return std::minmax({t[side], t[(side + 1) % 3]}); }
 
-// Where the surface meets the line from p along the unit direction outwards, at most `reach` away;
-// p itself when it does not.
+// The surface's intersection with the line from p along the unit direction `outwards`, at most
+// `reach` away; p if there is none.
 Vec3 onSurface(const ScalarFunction& value, const Vec3& p, const Vec3& outwards, double reach) {
   double near = 0, atNear = value(p);
   const double sign = atNear < 0 ? 1 : -1;
@@ -44,7 +44,7 @@ Vec3 onSurface(const ScalarFunction& value, const Vec3& p, const Vec3& outwards,
   return p + 0.5 * (near + far) * outwards;
 }
 
-// The parts of a triangle of which some sides got a point in their middle (-1: none).
+// Appends the parts of a triangle, of which some sides are split at a point (-1: none).
 void addParts(const Triangle& t, const std::int32_t (&middle)[3], std::vector<Triangle>& out) {
   const int split = (middle[0] >= 0) + (middle[1] >= 0) + (middle[2] >= 0);
   if (split == 0) {
@@ -55,7 +55,7 @@ void addParts(const Triangle& t, const std::int32_t (&middle)[3], std::vector<Tr
     out.push_back({middle[2], middle[1], t[2]});
     out.push_back({middle[0], middle[1], middle[2]});
   } else {
-    // Turned so that the first side is split and the last is not.
+    // Rotated so that the first side is split and the last is not.
     int s = 0;
     while (middle[s] < 0 || middle[(s + 2) % 3] >= 0) ++s;
     const std::int32_t a = t[s], b = t[(s + 1) % 3], c = t[(s + 2) % 3];
@@ -105,7 +105,7 @@ int splitCuttingEdges(const ScalarFunction& value, TriangleMesh& mesh, double to
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 
-  // Area-weighted normals of the mesh: on a thin margin they are steadier than the gradient.
+  // Area-weighted normals of the mesh: more stable than the gradient on a thin margin.
   std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
   for (const Triangle& t : mesh.triangles) {
     const Vec3 n =
@@ -119,7 +119,7 @@ int splitCuttingEdges(const ScalarFunction& value, TriangleMesh& mesh, double to
       const auto [a, b] = edges[i];
       const Vec3 middle = 0.5 * (mesh.points[a] + mesh.points[b]);
       const double length = (mesh.points[a] - mesh.points[b]).norm();
-      // The value is about the distance: most edges are done with one evaluation.
+      // The value approximates the distance, so most edges need one evaluation only.
       if (std::abs(value(middle)) < 0.5 * tolerance * length) continue;
       const Vec3 mean = normals[a].normalized() + normals[b].normalized();
       if (!(mean.norm() > 1e-3)) continue;

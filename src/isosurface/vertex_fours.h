@@ -1,6 +1,6 @@
-// Numbers of four vertices at a time, for the loops over a brick's vertices.
+// Vector operations on four vertices at a time, for the loops over a brick's vertices.
 //
-// Inlined, so that they are made for the instruction set of the function that calls them.
+// Inlined, so that they are compiled for the instruction set of their caller.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ typedef float FourFloats __attribute__((vector_size(16)));
   std::memcpy(to + 8, &third, sizeof third);
 }
 
-// How far along its edge each of four vertices lies, 0 to 1, between nodes of these values.
+// Position of each of four vertices along its edge, 0 to 1, from the values at its ends.
 [[gnu::always_inline]] inline FourFloats wayAlong(const FourFloats& lower, const FourFloats& upper,
                                                   float iso, float margin) {
   const FourFloats crossing = (iso - lower) / (upper - lower);

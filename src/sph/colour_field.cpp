@@ -15,26 +15,25 @@ namespace resect {
 namespace {
 
 constexpr unsigned kAllPlanes = 0xf, kPending = 0x10;  // bits of a brick that waits for update()
-constexpr int kMostBricks = 6;       // that a cell reaches along an axis: 17 nodes at refine 4
-constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 20 us
+constexpr int kMostBricks = 6;       // in reach of a cell along an axis: 17 nodes at refine 4
+constexpr std::size_t kGrain = 128;  // bricks per block of work: some 20 us
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-// Nodes reach from cell -2 to cell cells + 1: there the kernel of the outermost cell has just
-// vanished.
+// Nodes extend from cell -2 to cell cells + 1, where the kernel of the outermost cell is just 0.
 int bricksAlong(int cells, int refine) {
   return ((cells + 3) * refine + kBrickNodes) / kBrickNodes;
 }
 
-// Of a word of cells, along x, those in which bricks begin, one bit after the other: every fourth
-// where there is one node a cell, and so on.
+// Compacts a word of cells along x to the bits of cells in which bricks begin: every fourth for one
+// node a cell, every second for two, all for four.
 std::uint64_t bitsOfBricks(std::uint64_t cells, int refine) {
   constexpr std::uint64_t kFirst = 0x1111111111111111;
   std::uint64_t bits = refine == 2   ? (cells & kFirst) | (cells >> 1 & kFirst << 1)
                        : refine == 1 ? cells & kFirst
                        : refine == 3 ? cells & 7 * kFirst
                                      : cells;
-  // Of neighbouring fields of bits the upper one moves down.
+  // Moves the upper of two neighbouring bit fields down.
   const int gap = kBrickNodes - refine;
   constexpr std::uint64_t kLower[] = {0x0f0f0f0f0f0f0f0f, 0x00ff00ff00ff00ff, 0x0000ffff0000ffff,
                                       0x00000000ffffffff};
@@ -42,7 +41,7 @@ std::uint64_t bitsOfBricks(std::uint64_t cells, int refine) {
   return bits;
 }
 
-// Writes kFull for each of `count` bricks whose bit is set, kEmpty for others.
+// Writes kFull for each of `count` bricks whose bit is set, else kEmpty.
 RESECT_WIDEST
 void markFull(std::uint64_t full, int count, std::int32_t* slots) {
   static_assert(ColourField::kFull == ColourField::kEmpty - 1);
@@ -105,20 +104,21 @@ void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
   });
 }
 
-// The lowest cell that the brick's nodes reach.
+// The lowest cell in reach of the brick's nodes.
 Vec3i ColourField::windowCell(const Vec3i& b) const {
   return {cellOf(kBrickNodes * b.x()) - 3, cellOf(kBrickNodes * b.y()) - 3,
           cellOf(kBrickNodes * b.z()) - 3};
 }
 
-// The highest cell that the nodes of brick b and the plane of nodes after them reach along an axis:
-// two on from the last node's cell, but the kernel has just vanished on a cell exactly two away.
+// The highest cell in reach, along an axis, of the nodes of brick b and the plane of nodes after
+// them: two beyond the last node's cell, or one if the node lies on its cell's centre, since the
+// kernel is 0 at two cells.
 int ColourField::highestCell(int b) const {
   const int last = kBrickNodes * (b + 1);
   return last / refine_ - 2 + (last % refine_ == 0 ? 1 : 2);
 }
 
-// What do the cells hold that the nodes of a brick and the plane of nodes after them reach?
+// Occupancy of the cells in reach of a brick's nodes and the plane of nodes after them.
 PaddedCells::Held ColourField::held(const Vec3i& b) const {
   const Vec3i high(highestCell(b.x()), highestCell(b.y()), highestCell(b.z()));
   return cells_.heldIn(windowCell(b), high - windowCell(b) + Vec3i::Ones());
@@ -129,7 +129,7 @@ void ColourField::classifyBricks(const HeldBits& held) {
   slotOf_.resize(std::size_t(brickCount()));
   const auto across = std::size_t(brickDims_.x()),
              rows = std::size_t(brickDims_.y()) * std::size_t(brickDims_.z());
-  RawArray<std::int32_t> mixed(rows * across);  // of each row, one after the other
+  RawArray<std::int32_t> mixed(rows * across);  // row by row
   RawArray<std::int32_t> mixedOf(rows);
   parallelFor(rows, 64, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint64_t> bits(held.row);
@@ -147,9 +147,9 @@ void ColourField::classifyBricks(const HeldBits& held) {
     }
 }
 
-// The same of a row of bricks: the rows of cells that it reaches are combined as words, 64 cells at
-// a time. bits: room for held.row words. Writes the mixed bricks, whose slots are still to be
-// given, and returns how many they are.
+// The same for a row of bricks: the rows of cells in reach are combined as words, 64 cells at a
+// time. bits: room for held.row words. Writes the mixed bricks, which have no slots yet, and
+// returns their number.
 std::int32_t ColourField::classifyRow(const HeldBits& held, std::size_t row, std::uint64_t* bits,
                                       std::int32_t* mixed) {
   const auto down = std::size_t(cells_.dims().y());
@@ -202,8 +202,8 @@ void ColourField::setCellValue(std::int64_t cell, float value) {
   if (cells_.value(at) == value) return;
   cells_.set(at, value);
   if (pendingOf_.empty()) pendingOf_.assign(slotOf_.size(), 0);
-  // Nodes nearer than two cells change; a vertex lies up to one node below them, and its normal
-  // reads one node further both ways.
+  // Nodes nearer than two cells change; a dependent vertex lies up to one node below them, and its
+  // normal reads one node more in either direction.
   const int reach = 2 * refine_;
   const Vec3i middle = refine_ * (c + Vec3i::Constant(2));
   Vec3i low, high;

@@ -12,7 +12,7 @@ void ColourValues::set(std::size_t cell, float value) {
     growTo(numbers_, levels_.size());
     std::transform(levels_.begin(), levels_.end(), numbers_.begin(),
                    [](std::uint8_t number) { return float(number) * kLevel; });
-    levels_ = RawArray<std::uint8_t>();  // {} would keep its memory
+    levels_ = RawArray<std::uint8_t>();  // assigning {} would keep the memory
   }
   if (areLevels())
     levels_[cell] = level;

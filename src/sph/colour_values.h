@@ -1,10 +1,10 @@
-// How much of each cell of a lattice is tissue? Colour values in [0, 100].
+// Colour values of a lattice's cells: which percentage of each is tissue, 0 to 100.
 //
-// Held as 128ths of a full cell, levels, a byte each, while all values are such: an organ from a
-// mesh has no others, for discretize() gives each cell the share of 4 x 4 x 4 samples inside,
-// fitSurface() rounds what it corrects, and tools empty cells. As numbers levels are exact: 100/128
-// has few digits. From the first other value on all are held as numbers. A large organ's cells so
-// take a quarter of the waiting for memory.
+// Stored as levels, 128ths of a full cell, in a byte each, as long as every value is a whole level.
+// An organ made from a mesh has no others: discretize() counts 4 x 4 x 4 samples, fitSurface()
+// rounds its corrections, and tools empty cells. Levels are exact as floats, since 100/128 has few
+// digits. From the first other value on all are stored as floats. Levels need a quarter of the
+// memory traffic.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace resect {
 
-constexpr float kLevel = 100.f / 128;  // the colour value of one
+constexpr float kLevel = 100.f / 128;  // the colour value of one level
 constexpr std::uint8_t kFullLevel = 128;
 
 // value: in [0, 100]. False if it is not a whole number of levels.
@@ -36,16 +36,15 @@ class ColourValues {
   float operator[](std::size_t cell) const {
     return areLevels() ? float(levels_[cell]) * kLevel : numbers_[cell];
   }
-  // value: in [0, 100]. The first one that is not a whole number of levels costs a pass over all
-  // cells.
+  // value: in [0, 100]. The first value that is not a whole level costs a pass over all cells.
   void set(std::size_t cell, float value);
 
   bool areLevels() const { return numbers_.empty(); }
-  // One of them holds the cells.
+  // One of these two holds the values; the other is empty.
   std::span<const std::uint8_t> levels() const { return levels_; }
   std::span<const float> numbers() const { return numbers_; }
 
-  // The same values, however they are held.
+  // Equal values, however they are stored.
   bool operator==(const ColourValues& other) const;
   std::size_t bytes() const { return levels_.capacity() + numbers_.capacity() * sizeof(float); }
 

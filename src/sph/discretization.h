@@ -1,5 +1,4 @@
-// What is an organ before it comes to life? Colour values on a lattice: how much of each cell is
-// tissue.
+// An organ before the operation: colour values on a lattice, with particles, labels and landmarks.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +16,22 @@ struct Discretization {
   Lattice lattice;
   // Per cent of the cell inside the organ (0 or 100 in the thesis's files).
   ColourValues value;
-  // 1 where the cell's centre is inside: these cells are the particles. Cells with value > 0 that
-  // are no particle are the skin's share outside; each belongs to a particle beside it.
+  // 1 where the cell's centre is inside: these cells are the particles. Other cells with value > 0
+  // are skin cells, partly filled with the centre outside; each belongs to a particle beside it.
   std::vector<std::uint8_t> inside;
-  // Fitted values (organ/fit_surface.h) draw the body's surface rather than fill its cells; those
-  // between 0 and 100 times this add up to its volume.
+  // Fitted values (organ/fit_surface.h) reproduce the body's surface, not its volume; values
+  // between 0 and 100 are multiplied by this so that the volumes add up.
   double skinScale = 1;
   // Which structure each cell belongs to; 0 is the organ's own parenchyma. Empty: all 0.
   std::vector<std::uint8_t> label;
-  std::vector<std::string> labelNames;  // by label; what has none is empty or beyond the end
+  std::vector<std::string>
+      labelNames;  // by label; labels without a name are empty or beyond the end
   std::vector<Landmark> landmarks;
 
   std::uint8_t labelOf(std::int64_t cell) const {
     return label.empty() ? std::uint8_t(0) : label[std::size_t(cell)];
   }
-  // For people: "tumour", or "label 3" for one that was given no name.
+  // Readable name: "tumour", or "label 3" for a label without a name.
   std::string labelName(int number) const {
     if (std::size_t(number) < labelNames.size() && !labelNames[std::size_t(number)].empty())
       return labelNames[std::size_t(number)];

@@ -7,7 +7,7 @@
 #include "sph/kernel.h"
 #include "sph/mirrored_sums.h"
 
-// Every function that gives such vectors is inlined: how they would be passed does not matter.
+// All functions that return such vectors are inlined, so the calling convention does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace resect {
@@ -15,7 +15,7 @@ namespace {
 
 float weightAt(const Vec3& cells) { return float(kernel(cells.norm(), kSmoothingPerSpacing)); }
 
-// ---- one or two nodes a cell: cells in mirror places are added first ----
+// ---- one or two nodes a cell: mirrored sums ----
 
 template <int kRefine>
 [[gnu::always_inline]] inline Mirrored<Row> mirroredAlongX(const float* cell) {
@@ -26,7 +26,7 @@ template <int kRefine>
           __builtin_shufflevector(a, a, 0, 0, 1, 1) + __builtin_shufflevector(b, b, 1, 2, 2, 3)};
 }
 
-// The rows y and y + 1 of a plane of cells, as two rows of nodes see them.
+// The rows y and y + 1 of a plane of cells, arranged for two rows of nodes.
 template <int kRefine, std::size_t kRows>
 [[gnu::always_inline]] inline void pairRows(const float* plane, std::ptrdiff_t alongY,
                                             Mirrored<Half> (&rows)[kRows]) {
@@ -39,14 +39,15 @@ template <int kRefine, std::size_t kRows>
   }
 }
 
-// One node a cell: each lies on its cell and reaches the 26 round it; those that as many axes lead
-// to weigh alike. Rows 0 and 1 of the nodes go together, and 2 and 3. Aims at 19 sums and products
-// a node, eight nodes at a time.
+// One node a cell: each lies on its cell's centre and reaches the 26 neighbours; face, edge and
+// corner neighbours have one weight each. Rows 0 and 1 of the nodes are processed together, then 2
+// and 3. Aims at 19 additions and products a node, eight nodes at a time.
 [[gnu::always_inline]] inline void sumOnCells(const FieldStencil& stencil, const float* low,
                                               std::ptrdiff_t alongY, std::ptrdiff_t alongZ,
                                               unsigned planes, float* out) {
-  constexpr int kCells = 6;  // that a brick reaches along an axis
-  // Of each plane of cells: that in line with the node, those beside it and those across.
+  constexpr int kCells = 6;  // in reach of a brick along an axis
+  // Sums of each plane of cells: the node's own column, its four face neighbours, its four diagonal
+  // neighbours.
   Half own[2][kCells], beside[2][kCells], across[2][kCells];
 #pragma GCC unroll 6
   for (int z = 0; z < kCells; ++z) {
@@ -106,19 +107,19 @@ void makeMirrored(FieldStencil& stencil) {
 
 // ---- three or four nodes a cell: the plain sum ----
 
-constexpr int kReach = 4;     // cells that a node reaches along an axis
-constexpr int kMostRows = 5;  // that a brick reaches
+constexpr int kReach = 4;     // cells in reach of a node along an axis
+constexpr int kMostRows = 5;  // in reach of a brick
 
-// Cells round a brick as two rows of its nodes see them: at [z][y][dx] the cells dx on from where
-// the nodes of the first row begin in row y of plane z. The second row of nodes sees row y as well,
+// Cells round a brick, gathered for a pair of rows of its nodes: [z][y][dx] holds, for each node,
+// the cell dx beyond its first cell in row y of plane z. The second row of nodes reads row y too,
 // or the next.
 using CellTable = Half[kMostRows][kMostRows][kReach];
 
-// Places of a brick's nodes along the axes: cells on from the first node's.
+// For a brick's nodes along each axis: their cell relative to the first node's.
 using CellSteps = int[3][kBrickNodes];
 
-// Fills the tables that the brick's pairs of rows use: [0] where both rows of nodes see the same
-// row of cells, [1] where the second one sees the next.
+// Fills the tables for the brick's pairs of rows: [0] for pairs in the same row of cells, [1] for
+// pairs whose second row lies in the next.
 [[gnu::always_inline]] inline void gatherCells(const float* low, std::ptrdiff_t alongY,
                                                std::ptrdiff_t alongZ, const CellSteps& place,
                                                CellTable* tables) {
@@ -143,10 +144,10 @@ using CellSteps = int[3][kBrickNodes];
   }
 }
 
-// Two planes that lie alike in their cells at a time, so that a weight is read once for both. Every
-// node adds its cells in the same order whatever its plane or brick; a tap that does not reach it
-// adds an exact zero. Aims at a product and a sum per tap and eight nodes; the four sums of a pair
-// of planes hide each other's latency.
+// Processes two planes of equal phase at a time, so that each weight is loaded once for both. Every
+// node adds its cells in the same order in any plane or brick; a tap out of its reach adds an exact
+// zero. Aims at one product and one addition per tap for eight nodes; the four independent sums of
+// a pair of planes hide the latency.
 [[gnu::always_inline]] inline void sumTaps(const FieldStencil& stencil, const Vec3i& phase,
                                            const float* low, std::ptrdiff_t alongY,
                                            std::ptrdiff_t alongZ, unsigned planes, float* out) {
@@ -156,14 +157,14 @@ using CellSteps = int[3][kBrickNodes];
     for (int i = 0; i < kBrickNodes; ++i) place[a][i] = (phase[a] + i) / refine;
   CellTable tables[2];
   gatherCells(low, alongY, alongZ, place, tables);
-  // What the two halves of plane z see.
+  // The cells for the two halves of plane z.
   const auto seenBy = [&](int z, int half) {
     const int y = place[1][2 * half], step = place[1][2 * half + 1] - y;
     return &tables[step][place[2][z]][y][0];
   };
   for (int z = 0; z < kBrickNodes; ++z) {
     if (!(planes >> z & 1)) continue;
-    // The next plane that lies alike; where there is none, the plane is its own partner.
+    // The next plane of the same phase; if there is none, the plane itself.
     const int other = z + refine < kBrickNodes && (planes >> (z + refine) & 1) ? z + refine : z;
     planes &= ~(1u << other);
     const Half *cells0 = seenBy(z, 0), *cells1 = seenBy(z, 1);
@@ -187,7 +188,7 @@ using CellSteps = int[3][kBrickNodes];
   }
 }
 
-// A node reaches the cells nearer than the kernel's support of two cells.
+// In reach of a node are the cells nearer than the kernel's radius of two cells.
 void makeTaps(FieldStencil& stencil) {
   const int refine = stencil.refine;
   for (int z = 0; z < refine; ++z)

@@ -1,9 +1,11 @@
-// How much of each cell round a node is in the node's sum?
+// Stencils of the colour field: the weights of the cells in reach of a node, and their sums for a
+// brick.
 //
-// The rest lattice is regular, so nodes at the same place within their cells have the same weights.
-// With one or two nodes a cell every node lies midway between cells or on one, and cells in mirror
-// places weigh the same along each axis: their values are added first, axis by axis, and what is
-// left of up to 36 products a node are four to eight. Other refinements take the plain sum.
+// The rest lattice is regular, so nodes at the same position within their cells have the same
+// weights. With one or two nodes a cell every node lies on a cell centre or midway between two,
+// along each axis. Cells mirrored about the node then have equal weights: their values are added
+// first, axis by axis, which leaves four to eight products a node instead of up to 36. Other
+// refinements take the plain sum.
 #pragma once
 
 #include <array>
@@ -20,22 +22,23 @@ constexpr int kBrickSize = 64;                // nodes of a brick
 constexpr double kSmoothingPerSpacing = 0.8;  // h / spacing: support of exactly two cells
 
 struct FieldStencil {
-  // Numbers for half a plane of a brick's nodes, two rows of four.
+  // Values for half a plane of a brick's nodes: two rows of four.
   struct alignas(32) HalfPlane : std::array<float, 8> {};
-  // The share of a cell in the nodes of a plane. Neighbouring nodes differ in their place within
-  // their cells, so each has its own weight; 0 where it does not reach the cell.
+  // The weights of a cell for the nodes of a plane. Nodes differ in their position within their
+  // cells, so each has its own weight; 0 where the cell is out of its reach.
   struct Tap {
     std::array<HalfPlane, 2> weight;
     int offset;  // into a table of cells, from the node's own cell less one
   };
 
   int refine;  // nodes per cell and axis, 1 to 4
-  int phases;  // kinds of bricks per axis: 3 for refine 3, whose bricks begin anywhere in a cell
-  // refine 1 and 2: [node's place in y, half a cell][in z][which of the sums along z, y and x: 0
-  // the nearest cells, 1 those one further, x fastest].
+  int phases;  // phases of bricks per axis: 3 for refine 3, else 1
+  // refine 1 and 2: [node midway in y: 0 or 1][in z][which sums along z, y and x, one bit each, x
+  // lowest: 0 the nearest cells, 1 the next ones].
   std::array<std::array<std::array<HalfPlane, 8>, 2>, 2> mirrored;
-  std::vector<std::vector<Tap>> taps;  // refine 3 and 4: per place z of the plane, phase y, phase x
-  std::vector<float> full;             // the nodes of a brick in solid tissue, per phase
+  std::vector<std::vector<Tap>>
+      taps;                 // refine 3 and 4: per position z of the plane, phase y, phase x
+  std::vector<float> full;  // the nodes of a brick in solid tissue, per phase
 
   std::size_t phaseIndex(const Vec3i& phase) const {
     return std::size_t((phase.z() * phases + phase.y()) * phases + phase.x());
@@ -52,8 +55,9 @@ const FieldStencil& fieldStencil(int refine);
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 
-// The same of cells in levels (sph/colour_values.h), the same bits; strides in cells. Reads up to
-// 16 cells along x. With AVX2 where there is; the plain one for comparison.
+// The same for cells stored as levels (sph/colour_values.h), with the same bits; strides in cells.
+// Reads up to 16 cells along x. sumBrick uses AVX2 where the machine has it; sumBrickPlainly is for
+// comparison.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 

@@ -7,8 +7,8 @@
 namespace resect {
 namespace {
 
-// Of the box's rows, cell by cell: anything, and less than all it can? Aims at 6 instructions for
-// 256 bits of a row.
+// Combines the box's rows cell by cell: any tissue; not full. Aims at 6 instructions for 256 bits
+// of a row.
 RESECT_WIDEST
 void holdOfRows(const HeldBits& held, std::size_t first, int rows, int planes, std::size_t perPlane,
                 std::uint64_t* bits) {
@@ -26,7 +26,7 @@ void holdOfRows(const HeldBits& held, std::size_t first, int rows, int planes, s
   }
 }
 
-// From each cell of a row on: what `width` cells hold.
+// For each start in a row: combines `width` consecutive cells.
 void holdAlong(std::size_t words, int width, std::uint64_t* bits) {
   for (std::size_t w = 0; w < words; ++w) {
     const std::uint64_t here = bits[w], next = w + 1 < words ? bits[w + 1] : 0;

@@ -1,5 +1,4 @@
-// How much does a particle contribute at a distance? The quartic spline kernel M5 of the thesis,
-// corrected.
+// The quartic spline kernel M5 of the thesis, corrected.
 //
 // Source: Schoenberg's quartic B-spline as used in SPH (Monaghan 1985). The thesis prints the
 // second branch with
@@ -11,7 +10,7 @@
 
 namespace resect {
 
-constexpr double kKernelSupport = 2.5;  // the kernel vanishes from r = 2.5 h on
+constexpr double kKernelSupport = 2.5;  // the kernel is 0 from r = 2.5 h on
 
 // The spline's shape for s = r / h >= 0; 0 from 2.5 on. Continuous with its first three
 // derivatives.

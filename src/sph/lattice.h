@@ -1,4 +1,4 @@
-// Where are the cells of an organ in rest space, and how are they numbered?
+// The regular lattice of an organ's cells in rest space, and their numbering.
 #pragma once
 
 #include <cmath>

@@ -14,7 +14,7 @@ struct Axis {
   int count;
   bool reached(double spacing) const { return first + count * spacing == last; }
   double spacing() const { return (last - first) / count; }
-  // How much the spacing may vary before the far corner moves.
+  // By how much the spacing may vary without changing the far corner.
   double slack() const {
     return (std::nextafter(std::abs(last), std::numeric_limits<double>::infinity()) -
             std::abs(last)) /

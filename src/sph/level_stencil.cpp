@@ -1,8 +1,9 @@
-// How is a brick summed from cells in levels? With one or two nodes a cell and AVX2 cells in mirror
-// places are added as whole numbers, which are half as wide; otherwise levels become colour values,
-// like any other cells.
+// Sums of a brick from cells stored as levels. With one or two nodes a cell and AVX2 mirrored cells
+// are added as 16-bit integers; otherwise levels are converted to colour values and summed like
+// floats.
 //
-// The same bits both ways: sums of levels have so few digits that they are exact as numbers too.
+// Both ways give the same bits: sums of levels have so few digits that they are exact as floats
+// too.
 #include "base/instruction_set.h"
 #include "sph/colour_values.h"
 #include "sph/field_stencil.h"
@@ -12,7 +13,7 @@
 #include <immintrin.h>
 #endif
 
-// Every function that gives such vectors is inlined: how they would be passed does not matter.
+// All functions that return such vectors are inlined, so the calling convention does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace resect {
@@ -20,7 +21,7 @@ namespace {
 
 using Level = std::uint8_t;
 
-// Cells that a brick reaches along an axis, at most, and those of a row that are read.
+// Most cells in reach of a brick along an axis; cells of a row that are read.
 constexpr int kWindow = 6, kWindowRow = 8;
 int sideOf(const FieldStencil& stencil) { return stencil.refine == 1 ? kWindow : kWindow - 1; }
 
@@ -51,8 +52,8 @@ RESECT_AVX2 void widenRows(const Level* low, std::ptrdiff_t alongY, std::ptrdiff
 RESECT_AVX2 inline __m128i rowAt(const Level* from) {
   return _mm_loadu_si128(reinterpret_cast<const __m128i*>(from));
 }
-// Two rows of cells as four nodes of each see them: in either half of the vector eight sums along
-// x, 16 bits each, of the pairs of cells that `pairs` names; -1: none.
+// Two rows of cells, arranged for four nodes each: each half of the vector holds eight sums along
+// x, 16 bits each, of the pairs of cells given by `pairs`; -1: none.
 RESECT_AVX2 inline __m256i alongX(__m128i first, __m128i second, __m128i pairs) {
   const __m256i cells = _mm256_inserti128_si256(_mm256_castsi128_si256(first), second, 1);
   return _mm256_maddubs_epi16(_mm256_shuffle_epi8(cells, _mm256_broadcastsi128_si256(pairs)),
@@ -65,20 +66,22 @@ RESECT_AVX2 inline __m256 colour(__m256i levels) {
 
 // ---- one node a cell ----
 
-// Of a plane of cells, for each of a brick's 16 nodes: the cell in line with it, those four beside
-// that and those four across. 16 bits each.
+// For each of the 16 nodes of a plane, from a plane of cells: its own cell, the sum of the four
+// face neighbours, the sum of the four diagonal ones. 16 bits each.
 struct PlaneSums {
   __m256i own, beside, across;
 };
 
-// Rows of cells two apart: the four cells in line, then the sums of the two beside each along x.
+// Two rows of cells, two apart: for each the four nodes' own cells, then the sums of the two
+// neighbours along x.
 RESECT_AVX2 inline __m256i twoRows(const Level* row, std::ptrdiff_t alongY) {
   return alongX(rowAt(row), rowAt(row + 2 * alongY),
                 _mm_setr_epi8(1, -1, 2, -1, 3, -1, 4, -1, 0, 2, 1, 3, 2, 4, 3, 5));
 }
 
 RESECT_AVX2 inline PlaneSums planeSums(const Level* plane, std::ptrdiff_t alongY) {
-  // Rows 0 and 2 of the nodes see the rows of cells 0 to 2 and 2 to 4, rows 1 and 3 one further.
+  // Rows 0 and 2 of the nodes use the rows of cells 0 to 2 and 2 to 4, rows 1 and 3 those one
+  // further.
   const __m256i first = twoRows(plane, alongY), second = twoRows(plane + alongY, alongY),
                 third = twoRows(plane + 2 * alongY, alongY),
                 fourth = twoRows(plane + 3 * alongY, alongY);
@@ -88,8 +91,7 @@ RESECT_AVX2 inline PlaneSums planeSums(const Level* plane, std::ptrdiff_t alongY
           _mm256_unpackhi_epi64(even, odd)};
 }
 
-// As sumOnCells() in field_stencil.cpp does, cells in mirror places first. Aims at 6 instructions a
-// node.
+// Mirrored sums as in sumOnCells() of field_stencil.cpp. Aims at 6 instructions a node.
 RESECT_AVX2 void sumLevels(const FieldStencil& stencil, const Level* low, std::ptrdiff_t alongY,
                            std::ptrdiff_t alongZ, unsigned planes, float* out) {
   const auto& numbers = stencil.mirrored[0][0];
@@ -118,7 +120,7 @@ RESECT_AVX2 void sumLevels(const FieldStencil& stencil, const Level* low, std::p
     below = level;
     level = above;
     if (!(planes >> plane & 1)) continue;
-    // Nodes in even places and in odd ones: no number is moved to be made longer.
+    // Even and odd nodes apart: widening then needs no shuffle.
     const __m256 first = weighed(even(own), even(faces), even(edges), even(corners)),
                  second = weighed(odd(own), odd(faces), odd(edges), odd(corners));
     const __m256 rows02 = _mm256_unpacklo_ps(first, second),
@@ -132,12 +134,12 @@ RESECT_AVX2 void sumLevels(const FieldStencil& stencil, const Level* low, std::p
 
 // ---- two nodes a cell ----
 
-// Neighbouring rows of cells: of each node the nearest along x, then those one further.
+// Two neighbouring rows of cells: for each node the near sum along x, then the far sum.
 RESECT_AVX2 inline __m256i pairOfRows(__m128i first, __m128i second) {
   return alongX(first, second, _mm_setr_epi8(1, -1, 1, 2, 2, -1, 2, 3, 0, 2, 0, 3, 1, 3, 1, 4));
 }
 
-// Sums of the nearest and further rows along y become colour values, as weighBetween() takes them.
+// Converts near and far sums along y to colour values, in the layout of weighBetween().
 RESECT_AVX2 inline void widen(__m256i near, __m256i far, Half* to) {
   const __m256i zero = _mm256_setzero_si256();
   to[0] = colour(_mm256_unpacklo_epi16(near, zero));
@@ -146,7 +148,7 @@ RESECT_AVX2 inline void widen(__m256i near, __m256i far, Half* to) {
   to[3] = colour(_mm256_unpackhi_epi16(far, zero));
 }
 
-// As sumBetweenCells() in field_stencil.cpp; what is added along x and y are whole numbers.
+// As sumBetweenCells() in field_stencil.cpp, with integer sums along x and y.
 RESECT_AVX2 void sumLevelsBetween(const FieldStencil& stencil, const Level* low,
                                   std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes,
                                   float* out) {

@@ -1,7 +1,8 @@
-// Cells in mirror places round a node are added first, then weighed: what the sums over numbers
-// (sph/field_stencil.cpp) and over levels (sph/level_stencil.cpp) have in common. For them alone.
+// Mirrored sums: cells with equal weights about a node are added before they are weighed. Shared by
+// the sums over floats (sph/field_stencil.cpp) and over levels (sph/level_stencil.cpp); not for use
+// elsewhere.
 //
-// Inlined, so that it is made for the instruction set of the function that calls it.
+// Inlined, so that it is compiled for the instruction set of its caller.
 #pragma once
 
 #include <cstring>
@@ -9,12 +10,12 @@
 
 #include "sph/field_stencil.h"
 
-// Every function that gives such vectors is inlined: how they would be passed does not matter.
+// All functions that return such vectors are inlined, so the calling convention does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace resect {
 
-// The four nodes of a row of a brick, and two rows, which machines with eight lanes add at once.
+// The four nodes of a row of a brick; and two rows, for machines with eight lanes.
 typedef float Row __attribute__((vector_size(16)));
 typedef float Half __attribute__((vector_size(32)));
 
@@ -32,15 +33,15 @@ typedef float Half __attribute__((vector_size(32)));
   return half;
 }
 
-// The sums of cells in mirror places round a node along an axis: the nearest (its own cell, or the
-// two that it lies between) and those one further.
+// Sums of mirrored cells along an axis: near, the node's own cell or the two that it lies between;
+// far, the next ones.
 template <typename T>
 struct Mirrored {
   T near, far;
 };
 
-// Two nodes a cell. For node i of a brick along an axis, from the cells (or sums of cells) along
-// it.
+// For two nodes a cell: the mirrored sums for node i of a brick along an axis. at(k): cell, or sum
+// of cells, k along it.
 template <typename At>
 [[gnu::always_inline]] inline auto mirrored(int i, At at) {
   using T = std::decay_t<decltype(at(0))>;
@@ -49,8 +50,8 @@ template <typename At>
   return Mirrored<T>{at(h + 1) + at(h + 2), at(h) + at(h + 3)};
 }
 
-// Does a node at such a place along y and z reach the cells that are one further along the axes
-// named by the bits of k (x, y, z)? Midway between cells it is half a cell nearer to some.
+// Whether a node with these indices along y and z reaches the far cells along the axes given by the
+// bits of k (x, y, z). Nodes with odd indices lie midway between cells.
 constexpr bool reaches(int y, int z, int k) {
   const auto square = [](int node, bool further) {  // in half cells
     return (node % 2 + 2 * further) * (node % 2 + 2 * further);
@@ -58,12 +59,12 @@ constexpr bool reaches(int y, int z, int k) {
   return square(0, k & 1) + square(y, k & 2) + square(z, k & 4) < 16;
 }
 
-// Two nodes a cell: of the cells along x and y, as rows 0 and 2 of a brick's nodes see them, which
-// lie alike in neighbouring rows of cells, and as rows 1 and 3 do; per plane of cells, x fastest.
-constexpr int kCellsBetween = 5;  // that a brick reaches along an axis
+// For two nodes a cell: mirrored sums along x and y, per plane of cells, x fastest. [0] for rows 0
+// and 2 of a brick's nodes, which lie on cell centres in y, [1] for rows 1 and 3, midway.
+constexpr int kCellsBetween = 5;  // in reach of a brick along an axis
 using SumsBetween = Half[2][kCellsBetween][4];
 
-// Aims, with what makes the sums, at 27 sums and products a node, eight nodes at a time.
+// Aims, together with making the sums, at 27 additions and products a node, eight nodes at a time.
 [[gnu::always_inline]] inline void weighBetween(const FieldStencil& stencil,
                                                 const SumsBetween& sumsOf, unsigned planes,
                                                 float* out) {

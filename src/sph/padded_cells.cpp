@@ -13,15 +13,16 @@
 namespace resect {
 namespace {
 
-constexpr std::size_t kGrain = 4;  // planes that one thread takes
-// Bytes that are fetched ahead: a large organ's cells come from memory, and rows are short.
+constexpr std::size_t kGrain = 4;  // planes per block of work
+// Prefetch distance in bytes: a large organ's cells come from memory, and rows are too short for
+// the hardware prefetcher.
 constexpr std::size_t kAhead = 2048, kLine = 64;
 constexpr std::size_t kStep = 32;  // bytes that are copied at once
 constexpr std::size_t kWord = HeldBits::kWord;
-constexpr std::size_t kBehind = 16;  // cells after the last one that may be read
+constexpr std::size_t kBehind = 16;  // cells beyond the last one that may be read
 constexpr std::size_t kAdded = PaddedCells::kBelow + PaddedCells::kAbove;
 
-// Which of 64 cells hold anything, and which all they can? Bit = cell.
+// Occupancy of 64 cells: which hold any tissue, which are full. Bit = cell.
 struct HeldBy64 {
   std::uint64_t some, full;
 };
@@ -35,7 +36,7 @@ struct HeldBy64 {
           compared64(numbers, [](const FourValues& v) -> FourFlags { return v == 100.f; })};
 }
 
-// The words of a row of `count` cells and of the added ones, with the bits of the former set.
+// Masks for a row of `count` cells with halo: bits of the cells are set, those of the halo are not.
 std::vector<std::uint64_t> bitsOfCells(std::size_t count, std::size_t words) {
   std::vector<std::uint64_t> bits(words, 0);
   for (std::size_t i = PaddedCells::kBelow; i < PaddedCells::kBelow + count; ++i)
@@ -43,10 +44,10 @@ std::vector<std::uint64_t> bitsOfCells(std::size_t count, std::size_t words) {
   return bits;
 }
 
-// Copies a row of cells, with empty ones behind it that reach into the next row, and tells what
-// they hold. Up to kStep bytes more may be written; `from` can be read from kBelow cells before the
-// row on, ofCells.size() words of them. What was just written is not read: such a read would wait.
-// Aims at 40 instructions for 64 cells.
+// Copies a row of cells and the empty cells after it, and finds the occupancy masks. Up to kStep
+// bytes more may be written. `from` must be readable from kBelow cells before the row on, for
+// ofCells.size() words of cells. Reads the source only, since loads from just written memory would
+// stall. Aims at 40 instructions for 64 cells.
 template <typename Cell>
 [[gnu::always_inline]] inline void layRow(const Cell* from, std::size_t width,
                                           std::span<const std::uint64_t> ofCells, Cell* to,
@@ -65,8 +66,8 @@ template <typename Cell>
   }
 }
 
-// The rows of a plane of cells, `across` cells and `row` words apart, the first at `to`.
-// Rows so near the ends of `all` that more would be read than there is are copied first.
+// Copies the rows of a plane, `across` cells and `row` words apart, the first at `to`. Rows so near
+// the ends of `all` that reads would leave it are copied to a buffer first.
 template <typename Cell>
 void layRows(std::span<const Cell> all, std::size_t first, std::size_t width, std::size_t rows,
              std::span<const std::uint64_t> ofCells, std::size_t across, std::size_t row, Cell* to,
@@ -84,7 +85,7 @@ void layRows(std::span<const Cell> all, std::size_t first, std::size_t width, st
   }
 }
 
-// Copies all cells and finds what they hold.
+// Copies all cells and finds their occupancy masks.
 template <typename Cell>
 ColourValues padded(std::span<const Cell> cells, const Vec3i& dims, const Vec3i& paddedDims,
                     HeldBits& held) {

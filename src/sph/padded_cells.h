@@ -1,5 +1,5 @@
-// The colour values of a lattice's cells, with empty cells round them, so that who looks beyond the
-// lattice's ends need not ask where they are.
+// The colour values of a lattice's cells with a halo of empty cells, so that readers need no bounds
+// test.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,15 @@ namespace resect {
 
 class PaddedCells {
  public:
-  static constexpr int kBelow = 3, kAbove = 7;  // cells added before and behind, along each axis
+  static constexpr int kBelow = 3,
+                       kAbove = 7;  // width of the halo before and behind, along each axis
 
   PaddedCells() = default;
-  // held: becomes what the cells hold, rows of cells along x as rows, the added ones too.
+  // held: receives the occupancy masks; its rows are the rows of cells along x, halo included.
   PaddedCells(const Discretization& cells, HeldBits& held);
 
   const Vec3i& dims() const { return dims_; }
-  // Place of a cell of the lattice, from -kBelow on, x fastest.
+  // Index of a cell of the lattice, whose coordinates may be from -kBelow on; x fastest.
   std::int64_t place(const Vec3i& cell) const {
     const Vec3i c = cell + Vec3i::Constant(kBelow);
     return (std::int64_t(c.z()) * dims_.y() + c.y()) * dims_.x() + c.x();
@@ -28,11 +29,12 @@ class PaddedCells {
   float value(std::int64_t at) const { return values_[std::size_t(at)]; }
   // value: in [0, 100]. See ColourValues::set().
   void set(std::int64_t at, float value) { values_.set(std::size_t(at), value); }
-  // Do all cells of a box hold nothing, all they can, or neither? low: the lattice's cell where it
-  // begins.
+  // Whether the cells of a box are all empty, all full, or neither. low: the lattice's cell where
+  // the box begins.
   enum class Held { Nothing, All, Mixed };
   Held heldIn(const Vec3i& low, const Vec3i& dims) const;
-  // look(cells): with the cells from place `at` on, std::uint8_t (levels) or float.
+  // Calls look(cells) with a pointer to the cells from index `at` on: std::uint8_t (levels) or
+  // float.
   template <typename Look>
   [[gnu::always_inline]] void lookAt(std::int64_t at, Look look) const {
     values_.areLevels() ? look(values_.levels().data() + at) : look(values_.numbers().data() + at);

@@ -15,7 +15,7 @@ ParticleSums::ParticleSums(std::span<const Vec3> positions, std::span<const doub
   RESECT_ASSERT(h > 0);
   if (positions.empty()) box_ = {Vec3::Zero(), Vec3::Zero()};
   const double cell = kKernelSupport * h;
-  // A cell is at least the support wide; wider where the box would need absurdly many.
+  // A cell is at least as wide as the kernel's radius; wider if the box would need too many cells.
   for (int a = 0; a < 3; ++a)
     dims_[a] = int(std::clamp(std::floor(box_.size()[a] / cell), 1.0, 256.0));
   const auto cellOf = [&](const Vec3& p) {
@@ -42,7 +42,7 @@ ParticleSums::ParticleSums(std::span<const Vec3> positions, std::span<const doub
   }
 }
 
-// visit(j, distance, slot) for every particle nearer than the support, in the grid's fixed order.
+// visit(i, W) for every particle i in reach of r, by its sorted index, in the grid's fixed order.
 template <typename Visit>
 void ParticleSums::visitNeighbours(const Vec3& r, Visit visit) const {
   const double support = kKernelSupport * h_;

@@ -1,8 +1,8 @@
-// What is the value of any attribute at a point, interpolated from particles anywhere in space?
+// SPH interpolation of any attribute at any point, from particles anywhere in space.
 //
-// The SPH sums of the thesis (equations 3.2 to 3.6). One query costs the particles within 2.5 h,
-// found on a uniform grid of that size built once in O(n). Organs on a lattice use the much faster
-// sph/colour_field.h; this is the general form and the reference that it is tested against. Source:
+// The SPH sums of the thesis (equations 3.2 to 3.6). A query costs the particles within 2.5 h,
+// found in a uniform grid of that cell size that is built once in O(n). Organs on a lattice use the
+// much faster sph/colour_field.h; this is the general form and the reference in its tests. Source:
 // Gingold and Monaghan 1977; Muller, Charypar and Gross 2003.
 #pragma once
 

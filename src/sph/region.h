@@ -1,5 +1,5 @@
-// Which part of an organ is meant? By place and never by cell numbers, so that it holds at any
-// spacing: a box or a ball, in the world or relative to the organ, and how deep under its surface.
+// A part of an organ, given by geometry and never by cell numbers, so that it holds at any spacing:
+// a box or a ball, in the world or relative to the organ, and a depth under its surface.
 // docs/scenarios.md, "Regions", has the keys by which files name one.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace resect {
 
-// A named place of an organ, in fractions of its box: (0, 0, 0) at the lowest corner, (1, 1, 1) at
+// A named point of an organ, in fractions of its box: (0, 0, 0) at the lowest corner, (1, 1, 1) at
 // the highest.
 struct Landmark {
   std::string name;
@@ -32,26 +32,27 @@ struct Region {
   Aabb box;
   Vec3 centre = Vec3::Zero();  // of the ball
   double radius = 0;           // > 0, m
-  std::string landmark;        // not empty: the ball's centre is there
-  // How far inwards from the organ's surface, m. A particle in the skin, whose centre the surface
-  // cuts off, counts as at 0.
+  std::string landmark;        // if not empty: the ball's centre is this landmark
+  // Depth inwards from the organ's surface, m. A particle whose centre lies outside the surface
+  // counts as at depth 0.
   double shallowest = 0;
   double deepest = std::numeric_limits<double>::infinity();
-  // Of the organ at rest; must be there where depths are asked for.
+  // Of the organ at rest; required if a depth is given.
   std::shared_ptr<const SignedDistance> skin;
 
   bool asksDepth() const {
     return shallowest > 0 || deepest < std::numeric_limits<double>::infinity();
   }
-  // In metres of the world, with all that holds() needs?
+  // Whether it is in metres of the world and has all that holds() needs.
   bool isPlaced() const {
     return frame == Frame::World && landmark.empty() && (skin || !asksDepth());
   }
-  // Is a point of the world in it? For a region that is placed.
+  // Whether a point of the world lies in the region, which must be placed.
   bool holds(const Vec3& p) const;
 };
 
-// The place of a landmark in fractions, if there is one of that name; of several the last counts.
+// The position of a landmark in fractions, if there is one of that name; of several the last
+// counts.
 std::optional<Vec3> landmarkPlace(const std::vector<Landmark>& landmarks, const std::string& name);
 
 // A point given in fractions of a box, m.

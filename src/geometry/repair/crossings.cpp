@@ -7,11 +7,13 @@
 namespace resect {
 namespace {
 
-// Does the edge cross the half-line from p along +Y, seen along X: +1 upwards in Z, -1 downwards?
+// Whether the edge crosses the half-line from p along +Y, seen along X: +1 upwards in Z, -1
+// downwards, 0 not.
 int crossing(const Vec3& from, const Vec3& to, const Vec3& p) {
   const bool fromAbove = from.z() > p.z(), toAbove = to.z() > p.z();
   if (fromAbove == toAbove) return 0;
-  // Always from the lower to the upper end, so that both neighbours of the edge round alike.
+  // Always from the lower to the upper end, so that both neighbours of the edge get the same
+  // rounding.
   const Vec3& low = fromAbove ? to : from;
   const Vec3& high = fromAbove ? from : to;
   const bool right =
@@ -19,7 +21,7 @@ int crossing(const Vec3& from, const Vec3& to, const Vec3& p) {
   return right ? (toAbove ? 1 : -1) : 0;
 }
 
-// The triangles that reach into each of some slabs of equal thickness.
+// The triangles that overlap each of a number of slabs of equal thickness.
 class Slabs {
  public:
   explicit Slabs(const TriangleMesh& mesh) {

@@ -8,14 +8,14 @@
 namespace resect {
 namespace {
 
-constexpr std::size_t kLongestExactLoop = 300;  // 300^3 / 6 = 4.5 million triangles looked at
+constexpr std::size_t kLongestExactLoop = 300;  // 300^3 / 6 = 4.5 million triangles tried
 
 struct DirectedEdge {
   std::int32_t from, to;
   bool operator<(const DirectedEdge& e) const { return from != e.from ? from < e.from : to < e.to; }
 };
 
-// Each edge that lacks its opposite, turned round: what the filling must contain.
+// Each edge without an opposite, reversed: the edges that the filling must contain.
 std::vector<DirectedEdge> missingEdges(const TriangleMesh& mesh) {
   struct Use {
     DirectedEdge edge;  // from < to
@@ -78,14 +78,14 @@ void fillWithLeastArea(std::span<const Vec3> points, std::span<const std::int32_
   }
 }
 
-// Cuts ears, always the one with the shortest new edge, until `length` corners are left.
+// Clips ears, always the one with the shortest new edge, until `length` corners are left.
 std::vector<std::int32_t> shorten(std::span<const Vec3> points, std::span<const std::int32_t> loop,
                                   std::size_t length, std::vector<Triangle>& triangles) {
   const std::size_t n = loop.size();
   struct Ear {
     double diagonal;
     std::size_t corner, version;
-    bool operator<(const Ear& e) const {  // for a queue that gives the shortest first
+    bool operator<(const Ear& e) const {  // for a priority queue with the shortest first
       return diagonal != e.diagonal ? diagonal > e.diagonal : corner > e.corner;
     }
   };
@@ -124,7 +124,7 @@ std::vector<std::int32_t> shorten(std::span<const Vec3> points, std::span<const 
 std::vector<std::vector<std::int32_t>> holeLoops(const TriangleMesh& mesh) {
   const std::vector<DirectedEdge> missing = missingEdges(mesh);
   std::vector<char> walked(missing.size(), 0);
-  // Position on the current walk, so that a point met again closes a loop of its own.
+  // Index on the current walk: a point that is met again closes a loop.
   std::vector<std::int32_t> position(mesh.points.size(), -1);
   const auto nextFrom = [&](std::int32_t point) {
     auto e = std::lower_bound(missing.begin(), missing.end(), DirectedEdge{point, -1});

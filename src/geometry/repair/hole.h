@@ -1,4 +1,4 @@
-// Where is a surface open, and which triangles close it?
+// The holes of a surface as closed loops, and triangles that fill them.
 #pragma once
 
 #include <span>
@@ -9,8 +9,8 @@ namespace resect {
 
 // The edges that are missing for every edge of the mesh to be used equally often in both
 // directions, as closed loops of at least three points, each point once per loop; a triangulation
-// of every loop, in its direction, closes the mesh. They always join to loops, since what bounds a
-// set of triangles has no ends. Deterministic, O(n log n).
+// of every loop, in its direction, closes the mesh. They always form loops, since a boundary has no
+// ends. Deterministic, O(n log n).
 std::vector<std::vector<std::int32_t>> holeLoops(const TriangleMesh& mesh);
 
 // Appends loop.size() - 2 triangles that span the loop; see repair.h.

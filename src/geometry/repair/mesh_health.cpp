@@ -41,7 +41,7 @@ std::vector<int> outermostOf(const std::vector<TriangleMesh>& components) {
   }
   std::stable_sort(bySize.begin(), bySize.end(),
                    [&](int a, int b) { return volumes[a] > volumes[b]; });
-  // What surrounds a body is larger, so the largest that is not yet in another is outermost.
+  // A surrounding body is larger, so the largest component that is in no other yet is outermost.
   std::vector<int> candidates;
   std::vector<Vec3> voters;
   for (std::size_t k = 0; k < bySize.size(); ++k) {

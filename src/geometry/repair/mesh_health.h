@@ -1,4 +1,4 @@
-// Can this surface be the skin of an organ, and if not, what is wrong with it?
+// Whether a mesh can be the surface of an organ, and what is wrong with it if not.
 #pragma once
 
 #include <optional>
@@ -24,18 +24,18 @@ struct MeshHealth {
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first open edge, m
 };
 
-// Looks at a welded mesh; nothing is changed. O(n log n) for bodies side by side or in one another.
-// An empty mesh has no component and is not closed.
+// Examines a welded mesh without changing it. O(n log n) for disjoint or nested bodies. An empty
+// mesh has no component and is not closed.
 MeshHealth examine(const TriangleMesh& mesh);
 // The same where the mesh's topology is known already.
 MeshHealth examine(const TriangleMesh& mesh, const Topology& topology);
 
-// Is a closed component too thin to hold anything: less than a millionth of what a ball of the same
-// area holds? Two sheets on each other, a needle, a folded triangle.
+// Whether a closed component has practically no volume: less than a millionth of that of a ball of
+// the same area. Examples: two coincident sheets, a needle, a folded triangle.
 bool isSpeck(const TriangleMesh& component);
 
 // For each closed component the outermost component that it lies in, itself when it is outermost.
-// Decided by five points of it (crossings.h).
+// Decided by a vote of five of its points (crossings.h).
 std::vector<int> outermostOf(const std::vector<TriangleMesh>& components);
 
 }  // namespace resect

@@ -53,7 +53,7 @@ TriangleMesh without(const TriangleMesh& mesh, const std::vector<std::int32_t>& 
 
 void orientConsistently(TriangleMesh& mesh, RepairReport& report) {
   // Neighbours over edges of exactly two triangles; at such an edge "same direction" means that one
-  // of the two must turn.
+  // of the two must be flipped.
   struct Neighbour {
     std::int32_t triangle;
     bool turned;

@@ -1,4 +1,4 @@
-// How does a damaged surface become the skin of a body, and what did that change?
+// Repair of a damaged mesh: orientation, holes, specks; with a report of what was changed.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -19,8 +19,8 @@ struct RepairReport {
 // Each function takes a welded mesh, changes it in place and adds what it did to the report.
 // Deterministic; O(n log n) but for the holes.
 
-// Turns triangles so that neighbours over an edge of two triangles agree; per component the side
-// that most triangles had wins. A one-sided surface (Moebius) keeps some disagreeing edges.
+// Flips triangles so that neighbours over an edge of two triangles agree; per component the
+// orientation of most triangles wins. A one-sided surface (Moebius) keeps some disagreeing edges.
 void orientConsistently(TriangleMesh& mesh, RepairReport& report);
 
 // Closes every hole of a mesh: afterwards each edge is used equally often in both directions, so
@@ -33,8 +33,8 @@ void closeHoles(TriangleMesh& mesh, RepairReport& report);
 // Drops components without volume (isSpeck). The mesh must be closed.
 void dropSpecks(TriangleMesh& mesh, RepairReport& report);
 
-// Turns every outermost component that looks inwards, together with all that lies in it, so that
-// cavities stay cavities. The mesh must be closed and oriented.
+// Flips every outermost component with inward normals, together with all components inside it, so
+// that cavities stay cavities. The mesh must be closed and oriented.
 void turnOutwards(TriangleMesh& mesh, RepairReport& report);
 
 }  // namespace resect

@@ -9,7 +9,7 @@
 namespace resect {
 namespace {
 
-// parent[i] leads to the smallest index of the points that are the same as i.
+// Union-find: parent[i] leads to the smallest index of the points equal to i.
 std::int32_t findFirst(std::vector<std::int32_t>& parent, std::int32_t i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
@@ -21,9 +21,9 @@ void join(std::vector<std::int32_t>& parent, std::int32_t a, std::int32_t b) {
   if (a != b) parent[std::max(a, b)] = std::min(a, b);
 }
 
-// Even over all 64 bits (the finisher of MurmurHash3, Appleby); equal for equal positions, so 0 and
-// -0 are one. Another function in each run, so that no file can be made whose points all fall
-// together; what is welded does not depend on it.
+// Uniform over all 64 bits (the finaliser of MurmurHash3, Appleby); equal for equal positions, so 0
+// and -0 hash alike. Seeded differently in each run, so that no file can be made whose points all
+// collide; the result of welding does not depend on the seed.
 std::uint64_t hashOf(const Vec3& p) {
   static const std::uint64_t start = std::uint64_t(std::random_device()()) << 32 | 0x9e3779b9u;
   std::uint64_t hash = start;
@@ -35,8 +35,8 @@ std::uint64_t hashOf(const Vec3& p) {
   return hash ^ hash >> 33;
 }
 
-// For each point the first one at the very same place. Aims at one visit to a table that is at most
-// half full, 8 bytes for each point.
+// For each point the first one at exactly the same position. Aims at one probe of a hash table that
+// is at most half full, 8 bytes a point.
 std::vector<std::int32_t> firstsOfPlaces(const std::vector<Vec3>& points) {
   constexpr std::int32_t kNobody = -1;
   std::vector<std::int32_t> table(std::bit_ceil(2 * points.size() + 1), kNobody);

@@ -1,7 +1,8 @@
-// Which points of a surface are the same point, so that triangles meet instead of only touching?
+// Welding: merges points at the same position, so that triangles share their points.
 //
 // The same result on every machine: points keep the order in which they first appear, triangles
-// keep theirs. Exact equals are found by a hash of the place, as a rule O(n); near ones by sorting.
+// keep theirs. Equal points are found by a hash of the position, usually O(n); near ones by
+// sorting.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -9,7 +10,7 @@
 namespace resect {
 
 struct WeldReport {
-  int mergedPoints = 0;         // points that were another's twin
+  int mergedPoints = 0;         // points merged into another
   int unusedPoints = 0;         // points that no triangle used
   int degenerateTriangles = 0;  // triangles dropped because two of their corners became one
 };
