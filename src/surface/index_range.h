@@ -1,4 +1,4 @@
-// Which elements of an array? Those from `first` on.
+// A range of array elements: `count` of them from `first` on.
 #pragma once
 
 #include <cstdint>

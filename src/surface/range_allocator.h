@@ -1,4 +1,4 @@
-// Where in a growing array does a piece of so many elements fit?
+// Allocates ranges of elements in a growing array.
 #pragma once
 
 #include <cstdint>

@@ -10,8 +10,8 @@
 namespace resect {
 namespace {
 
-constexpr std::size_t kGrain = 128;     // bricks that one thread takes: some 50 us
-constexpr std::size_t kWoundGrain = 8;  // the same of bricks that are cut
+constexpr std::size_t kGrain = 128;     // bricks per block of work: some 50 us
+constexpr std::size_t kWoundGrain = 8;  // the same for bricks with cuts
 
 RESECT_WIDEST
 void insideMasks(const ColourField& field, std::span<const std::int64_t> bricks, float iso,
@@ -46,8 +46,8 @@ void SurfaceTracker::update(const ColourField& field, std::span<const std::int64
   withWound_.assign(touched.begin(), touched.end());
   for (const TouchedBrick& b : severed)
     if (b.within || looksFar(b.brick)) withWound_.push_back(b.brick);
-  // At the skin the wound's rule looks two nodes round a cell: there a brick changes with those
-  // beside it.
+  // At the organ's surface the wound's rules use two nodes round a cell: there a brick changes with
+  // its neighbours.
   if (!wound.severed.empty())
     for (const std::int64_t b : touched) {
       const Vec3i at = field.brick(b);
@@ -130,7 +130,7 @@ void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64
   });
 }
 
-// Which bricks hold a mesh, and which of their nodes are inside? Marks those that changed.
+// Finds which bricks hold a mesh and which of their nodes are inside. Marks those that changed.
 void SurfaceTracker::findInside(const ColourField& field, std::span<const std::int64_t> bricks,
                                 const Wound* wound) {
   newInside_.resize(bricks.size());
@@ -156,8 +156,8 @@ void SurfaceTracker::findInside(const ColourField& field, std::span<const std::i
   }
 }
 
-// Which edges cross the surface, and how many triangles do the bricks' cells hold? Marks bricks
-// where that changed.
+// Finds the crossed edges and the number of triangles of the bricks' cells. Marks bricks where
+// these changed.
 void SurfaceTracker::findCrossings(const ColourField& field, std::span<const std::int64_t> bricks) {
   parallelFor(bricks.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -176,8 +176,8 @@ void SurfaceTracker::meshWounds(const ColourField& field, const Wound& wound) {
   });
 }
 
-// Gives each brick room for its vertices. Its own triangles and those of the bricks below it, which
-// share its vertices, are to be drawn again if their numbers changed.
+// Allocates each brick's vertices. If their indices change, the triangles of the brick and of the
+// bricks below, which share its vertices, are written again.
 void SurfaceTracker::placeVertices(const ColourField& field, std::span<const std::int64_t> bricks) {
   retriangulate_.clear();
   for (std::size_t i = 0; i < bricks.size(); ++i) {
@@ -246,7 +246,7 @@ std::int32_t SurfaceTracker::triangleCountOf(const ColourField& field, std::int6
          std::int32_t(cut.triangles.size());
 }
 
-// Gives each brick that is to be drawn again room for its triangles.
+// Allocates the triangles of each brick whose triangles are written again.
 void SurfaceTracker::placeTriangles(const ColourField& field) {
   for (const std::int64_t b : retriangulate_) {
     BrickMesh& mesh = meshOf(b);

@@ -1,17 +1,16 @@
-// What is the organ's surface now, and which part of it did the last edit change?
+// The organ's surface, kept up to date with its edits, and the ranges that the last update changed.
 //
 // Incremental marching cubes over the bricks of a colour field (Lorensen and Cline 1987). The mesh
 // is a function of the field and the iso level alone: after any edits it equals a rebuild from
 // scratch bit for bit (compare mesh()), is closed, and looks outwards. Cost of an update: the
 // touched bricks, whatever the size of the organ.
 //
-// Incisions are drawn in the same bricks (wound/wound_brick.h): nothing is removed, two lips lie
-// on each other until the tissue moves. An organ that was never cut keeps its path.
+// Incisions are meshed in the same bricks (wound/wound_brick.h): nothing is removed, two lips
+// coincide until the tissue moves. Bricks without cuts take the usual path.
 //
-// points(), normals(), cut() and triangles() are arrays with holes, made for viewers: a brick keeps
-// its ranges while they suffice, unused triangles are (0, 0, 0), and changes() lists what to
-// upload. How the surface looks, normals and shares of cut, is made when somebody asks for it
-// (updateLook()): only pictures need it.
+// points(), normals(), cut() and triangles() are arrays with holes, for viewers: a brick keeps its
+// ranges while they suffice, unused triangles are (0, 0, 0), and changes() lists what to upload.
+// Normals and cut shares are made on demand (updateLook()): only pictures need them.
 #pragma once
 
 #include <array>
@@ -36,16 +35,16 @@ struct FieldAndSurface;
 
 class SurfaceTracker {
  public:
-  // Meshes all of the field. iso in [kMinIso, kMaxIso]. wound: null for an organ that is whole.
+  // Meshes all of the field. iso in [kMinIso, kMaxIso]. wound: null for an organ without incisions.
   SurfaceTracker(const ColourField& field, float iso, const Wound* wound = nullptr);
 
   // After field.update() returned `touched`: meshes those bricks again.
   void update(const ColourField& field, std::span<const std::int64_t> touched);
-  // The same for an organ with incisions, after severed.update() returned `severed`. A wound that
-  // was given once must be given ever after.
+  // The same for an organ with incisions, after severed.update() returned `severed`. Once a wound
+  // was given, every later call must give one.
   void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
               std::span<const TouchedBrick> severed);
-  // Another iso level: meshes all again.
+  // Sets another iso level and meshes everything again.
   void setIso(const ColourField& field, float iso, const Wound* wound = nullptr);
   float iso() const { return iso_; }
 
@@ -59,8 +58,8 @@ class SurfaceTracker {
   std::span<const Triangle> triangles() const { return triangles_; }
   std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
 
-  // visit(first vertex, bindings) for each brick near a wound: what its vertices follow, one after
-  // the other. Vertices of other bricks follow all particles round them.
+  // visit(first vertex, bindings) for each brick near a wound, with the bindings of its vertices in
+  // order. Vertices of other bricks follow all particles round them.
   template <typename Visit>
   void visitBindings(Visit visit) const {
     for (const std::int32_t record : recordOf_)
@@ -71,8 +70,8 @@ class SurfaceTracker {
       }
   }
 
-  // visit(triangle) for each of the bricks that the box meets (rest space, m; it may be endless);
-  // holes too.
+  // visit(triangle) for each triangle of the bricks that the box meets (rest space, m; may be
+  // infinite), holes included.
   template <typename Visit>
   void visitTriangles(const ColourField& field, const Aabb& box, Visit visit) const {
     const IndexBox bricks = field.bricksIn(box);
@@ -83,7 +82,7 @@ class SurfaceTracker {
     }
   }
 
-  // What the last update or setIso wrote: ranges of vertices and of triangles.
+  // Ranges of vertices and triangles that the last update or setIso wrote.
   struct Changes {
     std::vector<IndexRange> vertices, triangles;
     std::int64_t bricks = 0;
@@ -91,12 +90,12 @@ class SurfaceTracker {
   };
   const Changes& changes() const { return changes_; }
 
-  // The surface without holes, in the order of the bricks: the same for the same field, however it
-  // came about.
+  // The surface without holes, in the order of the bricks: the same for the same field, whatever
+  // its history.
   TriangleMesh mesh() const { return mesh(points_); }
-  // The same at other places: one point per vertex of the arrays.
+  // The same with other positions: one point per vertex of the arrays.
   TriangleMesh mesh(std::span<const Vec3f> points) const;
-  // The mesh and how it looks, by point; after updateLook().
+  // The mesh with normals and cut shares by point; after updateLook().
   struct Compact {
     TriangleMesh mesh;
     std::vector<Vec3f> normals;
@@ -104,12 +103,11 @@ class SurfaceTracker {
   };
   Compact compact() const { return compact(points_, normals()); }
   Compact compact(std::span<const Vec3f> points, std::span<const Vec3f> normals) const;
-  // For each point of mesh(): a node of the field inside the tissue that it is the skin of.
+  // For each point of mesh(): a node of the field inside the tissue that the point bounds.
   std::vector<Vec3i> anchorNodes(const ColourField& field) const;
 
-  // The triangles (rest space) that some of a grid's columns can meet, as a mesh of their own: all
-  // that a wanted column meets, whatever their depth. wanted: one flag per column. Cost: the bricks
-  // over wanted columns.
+  // A mesh (rest space) of all triangles that the wanted columns of a grid can meet, at any depth.
+  // wanted: one flag per column. Cost: the bricks over wanted columns.
   TriangleMesh meshOver(const ColourField& field, const ColumnGrid& grid,
                         std::span<const std::uint8_t> wanted) const;
 
@@ -117,14 +115,14 @@ class SurfaceTracker {
 
  private:
   static constexpr std::int32_t kNone = -1;
-  // The first two records stand for all bricks that hold no surface, outside and inside tissue: so
-  // whether a neighbour's nodes are inside is read without asking which kind it is.
+  // The first two records stand for all bricks without surface, outside and inside tissue, so a
+  // neighbour's inside mask is read without a branch on its kind.
   static constexpr std::int32_t kOutside = 0, kInside = 1, kFirstOwn = 2;
   struct BrickMesh {
     BrickSigns signs;
     std::int32_t firstVertex = 0, vertices = 0;
     std::int32_t firstTriangle = 0, triangles = 0;
-    std::int16_t wholeTriangles = 0;  // of its cells as if none were cut
+    std::int16_t wholeTriangles = 0;  // number of its triangles if no cell were cut
     bool drawAgain = false;           // in retriangulate_
     std::int32_t wound = kNone;       // into wounds_
   };
@@ -145,7 +143,7 @@ class SurfaceTracker {
   }
   friend FieldAndSurface buildFieldAndSurface(const Discretization&, int, float);
   SurfaceTracker() = default;
-  // The steps of making all anew.
+  // The stages of meshing everything.
   void meshAll(const ColourField& field, const RangeBody* evaluate, const Wound* wound);
   RawArray<std::int32_t> numberRecords(const ColourField& field, const Wound* wound);
   void clear(const ColourField& field, std::size_t bricks);
@@ -153,7 +151,7 @@ class SurfaceTracker {
                   std::size_t end);
   void placeAll(const ColourField& field, std::span<const std::int32_t> bricks, std::size_t begin,
                 std::size_t end, std::vector<std::int32_t>& surfaced);
-  // The steps of a remeshing.
+  // The stages of meshing some bricks again.
   void remesh(const ColourField& field, std::span<const std::int64_t> bricks, const Wound* wound);
   void findInside(const ColourField& field, std::span<const std::int64_t> bricks,
                   const Wound* wound);
@@ -164,7 +162,7 @@ class SurfaceTracker {
   void writeVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
   void lookIsDue(std::span<const std::int64_t> bricks);
   void writeLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
-  // visit(vertex, is it one point with the vertex before it?) in the order of mesh().
+  // visit(vertex, whether it is the same point as the vertex before it) in the order of mesh().
   template <typename Visit>
   void visitVertices(Visit visit) const;
   void placeTriangles(const ColourField& field);
@@ -187,7 +185,7 @@ class SurfaceTracker {
   }
 
   float iso_ = 50;
-  RawArray<std::int32_t> recordOf_;  // per brick, and some beyond the last: into bricks_
+  RawArray<std::int32_t> recordOf_;  // index into bricks_ per brick, and some beyond the last
   std::vector<BrickMesh> bricks_;
   std::vector<std::int32_t> freeRecords_;
   std::vector<BrickWound> wounds_;
@@ -195,20 +193,20 @@ class SurfaceTracker {
   RangeAllocator vertexSpace_, triangleSpace_;
   RawArray<Vec3f> points_, normals_;
   RawArray<float> cut_;
-  RawArray<std::uint8_t> edges_;  // of each vertex that no wound made, see CrossedEdges
+  RawArray<std::uint8_t> edges_;  // of each vertex not made by a wound, see CrossedEdges
   RawArray<Triangle> triangles_;
   std::int64_t triangleCount_ = 0;
   Changes changes_;
   std::vector<std::int64_t> lookDue_;  // bricks meshed since the last updateLook()
   bool allLookDue_ = true;             // or all of them
-  // Working lists, kept so that a steady update allocates nothing.
+  // Work lists, kept so that a steady update allocates nothing.
   std::vector<std::uint64_t> newInside_;
   std::vector<std::uint8_t> renumbered_;
   std::vector<std::int64_t> retriangulate_, withWound_, woundBricks_;
 };
 
-// The field of cells and its surface, made together: the same bits as one after the other, but
-// bricks are meshed while their nodes are still in the cache. refine, iso: as theirs.
+// Builds field and surface together: the same bits as one after the other, but bricks are meshed
+// while their nodes are still in the cache. refine, iso: as for the two classes.
 struct FieldAndSurface {
   ColourField field;
   SurfaceTracker surface;

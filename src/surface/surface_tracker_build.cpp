@@ -1,9 +1,10 @@
-// The whole surface anew, in one walk over the bricks; following edits is in surface_tracker.cpp.
+// Meshes the whole surface in one pass over the bricks; updates after edits are in
+// surface_tracker.cpp.
 //
-// A brick's vertices and triangles depend on the bricks above it. So the walk goes on in short
-// stretches, and each stage follows the one before it at the distance of one layer of bricks: what
-// it reads was written a moment ago and is still in the second cache. Evaluating the nodes can be
-// the first stage.
+// A brick's vertices and triangles depend on the bricks above it. So the pass advances in short
+// blocks of bricks, and each stage runs one layer of bricks behind the stage before it: its input
+// was just written and is still in the second-level cache. Evaluating the nodes can be the first
+// stage.
 #include <algorithm>
 
 #include "base/assert.h"
@@ -15,12 +16,12 @@
 namespace resect {
 namespace {
 
-constexpr std::size_t kGrain = 128;  // bricks that one thread takes: some 50 us
-// Bricks that the walk takes at once, for each thread: their nodes are a quarter of a megabyte.
+constexpr std::size_t kGrain = 128;  // bricks per block of work: some 50 us
+// Bricks that the pass advances by, for each thread: their nodes take a quarter of a megabyte.
 constexpr std::size_t kStretch = 1024;
 
-// Room for the vertices and triangles of a stored brick that there is from the start: a tenth more
-// than a liver takes, with what its ranges are rounded up by. What is not needed is not touched.
+// Vertices and triangles reserved for each stored brick: a tenth more than a liver takes, rounding
+// of ranges included. Memory that is not needed is not touched.
 struct Expected {
   std::size_t vertices, triangles;
 };
@@ -29,7 +30,7 @@ Expected expectedOf(const ColourField& field, std::size_t bricks) {
                              : Expected{10 * bricks, 17 * bricks};
 }
 
-// resize(size); beyond what was expected it grows by half.
+// resize(size); beyond the reserved size the array grows by half.
 template <typename T>
 void makeRoom(RawArray<T>& array, std::size_t size) {
   if (size > array.capacity()) reserveFor(array, size + size / 2);
@@ -56,7 +57,7 @@ FieldAndSurface buildFieldAndSurface(const Discretization& cells, int refine, fl
   return both;
 }
 
-// Numbers the records of the bricks that shall hold a mesh, and returns these, ascending.
+// Numbers the records of the bricks that will hold a mesh, and returns these bricks, ascending.
 RawArray<std::int32_t> SurfaceTracker::numberRecords(const ColourField& field, const Wound* wound) {
   const auto bricks = std::size_t(field.brickCount());
   recordOf_.resize(bricks + std::size_t(field.brickIndex({1, 1, 1})));
@@ -82,7 +83,7 @@ RawArray<std::int32_t> SurfaceTracker::numberRecords(const ColourField& field, c
   return withMesh;
 }
 
-// Drops all there was; `bricks` will hold a mesh.
+// Clears everything; `bricks` bricks will hold a mesh.
 void SurfaceTracker::clear(const ColourField& field, std::size_t bricks) {
   bricks_.clear();
   reserveFor(bricks_, bricks + kFirstOwn);
@@ -103,7 +104,7 @@ void SurfaceTracker::clear(const ColourField& field, std::size_t bricks) {
   reserveFor(triangles_, expected.triangles);
 }
 
-// Which nodes of bricks [begin, end) of the walk are inside?
+// Finds which nodes of the bricks [begin, end) of the pass are inside.
 RESECT_WIDEST
 void SurfaceTracker::tellInside(const ColourField& field, std::span<const std::int32_t> bricks,
                                 std::size_t begin, std::size_t end) {
@@ -114,8 +115,8 @@ void SurfaceTracker::tellInside(const ColourField& field, std::span<const std::i
   }
 }
 
-// Gives bricks [begin, end) of the walk room for their vertices and triangles, and appends those
-// that have any.
+// Allocates vertices and triangles for the bricks [begin, end) of the pass, and appends those that
+// have any.
 void SurfaceTracker::placeAll(const ColourField& field, std::span<const std::int32_t> bricks,
                               std::size_t begin, std::size_t end,
                               std::vector<std::int32_t>& surfaced) {
@@ -134,8 +135,8 @@ void SurfaceTracker::placeAll(const ColourField& field, std::span<const std::int
   makeRoom(triangles_, std::size_t(triangleSpace_.end()));
 }
 
-// evaluate(begin, end): evaluates the nodes of field.builtBricks() [begin, end); null where all are
-// known, as they must be for a wound.
+// evaluate(begin, end): evaluates the nodes of field.builtBricks() [begin, end); null if all are
+// known, as they must be with a wound.
 void SurfaceTracker::meshAll(const ColourField& field, const RangeBody* evaluate,
                              const Wound* wound) {
   RESECT_ASSERT(iso_ >= kMinIso && iso_ <= kMaxIso);
@@ -151,9 +152,9 @@ void SurfaceTracker::meshAll(const ColourField& field, const RangeBody* evaluate
   const std::size_t stretch = kStretch * threadsAllowed();
   std::vector<std::int32_t> surfaced;  // bricks that hold a piece of the surface
   surfaced.reserve(bricks.size());
-  // To the last brick that one's vertices and triangles depend on.
+  // Distance to the last brick that a brick's vertices and triangles depend on.
   const std::int64_t reach = field.brickIndex({1, 1, 1});
-  // How many of `all` depend on none of the bricks from the done-th on.
+  // How many of `all`, from `first` on, are independent of the bricks from index `done` on.
   const auto ready = [&](std::span<const std::int32_t> all, std::size_t first, std::size_t done) {
     if (done == bricks.size()) return all.size();
     while (first < all.size() && all[first] + reach < bricks[done]) ++first;

@@ -1,5 +1,4 @@
-// How the surface looks, made when a picture asks for it; following the organ is in
-// surface_tracker.cpp.
+// Normals and cut shares of the surface, made when a picture needs them.
 #include <algorithm>
 
 #include "base/assert.h"
@@ -11,12 +10,12 @@
 namespace resect {
 namespace {
 
-constexpr std::size_t kGrain = 64;  // bricks that one thread takes: some 50 us
+constexpr std::size_t kGrain = 64;  // bricks per block of work: some 50 us
 
 }  // namespace
 
 void SurfaceTracker::lookIsDue(std::span<const std::int64_t> bricks) {
-  // Where nobody asks for it a list would grow for ever.
+  // Without calls of updateLook() the list would grow without limit.
   allLookDue_ = allLookDue_ || changes_.everything ||
                 lookDue_.size() + bricks.size() > std::size_t(recordOf_.size());
   if (allLookDue_)
@@ -33,7 +32,7 @@ void SurfaceTracker::updateLook(const ColourField& field) {
     for (std::int64_t b = 0; b < field.brickCount(); ++b)
       if (hasMesh(b)) lookDue_.push_back(b);
   }
-  // Bricks of several updates: each once.
+  // Bricks of several updates, each once.
   std::sort(lookDue_.begin(), lookDue_.end());
   lookDue_.erase(std::unique(lookDue_.begin(), lookDue_.end()), lookDue_.end());
   const NodeGrid grid(field, iso_);

@@ -1,4 +1,4 @@
-// The surface as meshes of their own; following the organ is in surface_tracker.cpp, drawing a
+// Extracts meshes from the surface's arrays; updates are in surface_tracker.cpp, triangles of a
 // brick in surface_tracker_triangles.cpp.
 #include <algorithm>
 #include <bit>
@@ -9,8 +9,8 @@
 namespace resect {
 namespace {
 
-// Does a rectangle in x and y hold one of the wanted columns? Rounded outwards by a little, for
-// columns and triangles are snapped to a raster before they meet.
+// Tests whether a rectangle in x and y holds a wanted column. Slightly enlarged, since columns and
+// triangles are snapped to a raster before they are intersected.
 class WantedColumns {
  public:
   WantedColumns(const ColumnGrid& grid, std::span<const std::uint8_t> wanted)
@@ -74,7 +74,7 @@ SurfaceTracker::Compact SurfaceTracker::compact(std::span<const Vec3f> points,
   result.cut.reserve(result.mesh.points.size());
   const std::span<const float> cutShares = cut();
   visitVertices([&](std::size_t v, bool twin) {
-    if (twin) return;  // one point of the body's skin
+    if (twin) return;  // the same point of the mesh
     result.normals.push_back(normals[v]);
     result.cut.push_back(cutShares[v]);
   });

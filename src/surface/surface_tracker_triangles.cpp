@@ -1,4 +1,4 @@
-// How are the triangles of a brick drawn, with vertices that it shares with the bricks above it?
+// The triangles of a brick, with vertices that it shares with the bricks above it.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,7 +11,7 @@
 namespace resect {
 namespace {
 
-// Where a brick's own edges stand in an EdgeTable, by number (isosurface/crossed_edges.h).
+// Index in an EdgeTable of each of a brick's own edges (isosurface/crossed_edges.h).
 constexpr std::array<std::uint16_t, kNoEdge + 1> kOwnPlace = [] {
   std::array<std::uint16_t, kNoEdge + 1> places{};
   for (int edge = 0; edge < kBrickEdges; ++edge)
@@ -21,7 +21,7 @@ constexpr std::array<std::uint16_t, kNoEdge + 1> kOwnPlace = [] {
   return places;
 }();
 
-// An edge that a brick's cells share with one of the bricks above, to which it belongs.
+// An edge of a brick's cells that belongs to one of the bricks above.
 struct SharedEdge {
   std::uint8_t owner, axis, node;  // owner: 1 for a step along x, 2 along y, 4 along z
   std::uint16_t place;
@@ -54,10 +54,9 @@ constexpr std::array<SharedEdge, kSharedEdges> kSharedEdge = [] {
 
 }  // namespace
 
-// The brick itself and its seven neighbours above, numbered as in cornerMasks(). Where the grid
-// ends the brick read instead is the first of the next row or plane, or one beyond the last: it
-// holds nothing at its first nodes, and no others are asked for, as the field's outermost nodes are
-// 0.
+// The brick and its seven upper neighbours, numbered as in cornerMasks(). At the end of the grid
+// the first brick of the next row or plane, or one beyond the last, is read instead: its first
+// nodes are outside, and only those are used, since the field's outermost nodes are 0.
 SurfaceTracker::Above SurfaceTracker::above(const ColourField& field, std::int64_t brick) const {
   Above result;
   const std::int64_t alongY = field.brickDims().x(), alongZ = alongY * field.brickDims().y();
@@ -75,20 +74,20 @@ bool SurfaceTracker::findCrossings(const ColourField& field, std::int64_t brick)
   BrickMesh& mesh = meshOf(brick);
   const std::uint64_t cells = crossedCells(corners);
   mesh.wholeTriangles = 0;
-  if (cells == 0) return mesh.signs.setCrossing(0, 0, 0);  // half of a liver's are such
+  if (cells == 0) return mesh.signs.setCrossing(0, 0, 0);  // half of a liver's bricks
   mesh.wholeTriangles = std::int16_t(countTriangles(corners, cells));
   return mesh.signs.setCrossing(corners[0] ^ corners[1], corners[0] ^ corners[2],
                                 corners[0] ^ corners[4]);
 }
 
-// Which of the edges that a brick shares with those above are crossed? The neighbour along an axis
-// shares those in the plane of its first nodes, the neighbour across an edge those on that edge.
+// Finds which edges shared with the bricks above are crossed. The neighbour along an axis shares
+// those in the plane of its first nodes, the neighbour across an edge those on that edge.
 template <typename Meshes>
 [[gnu::always_inline]] inline SharedCrossings sharedCrossings(const Meshes& mesh) {
   const auto crossing = [&](std::size_t owner, std::size_t axis) {
     return mesh[owner]->signs.crossing[axis];
   };
-  // Two sets of edges side by side, their bits pushed together: eight, then the rest.
+  // Compacts two sets of edges to adjacent bits.
   constexpr std::uint64_t kFirstX = 0x1111111111111111, kFirstY = 0x000f000f000f000f;
   const auto pushBytes = [](std::uint64_t w) {
     w = (w | w >> 8) & 0x0000ffff0000ffff;
@@ -99,7 +98,7 @@ template <typename Meshes>
   x = pushBytes((x | x >> 4) & 0x00ff00ff00ff00ff);
   const std::uint64_t y = pushBytes((crossing(2, 0) & kFirstY) | (crossing(2, 2) & kFirstY) << 4);
   const std::uint64_t z = (crossing(4, 0) & 0xffff) | (crossing(4, 1) & 0xffff) << 16;
-  // The four bits of an edge, brought side by side by one product.
+  // Gathers the four bits of an edge with one multiplication.
   const std::uint64_t alongX = crossing(6, 0) & 0xf,
                       alongY = (crossing(5, 1) & 0x1111) * 0x1248 >> 12 & 0xf,
                       alongZ =
@@ -107,8 +106,8 @@ template <typename Meshes>
   return {x | y << 32, z | alongX << 32 | alongY << 36 | alongZ << 40};
 }
 
-// Aims at 5 instructions for each vertex of the brick, 10 for each crossed edge that it shares, and
-// those of its cells (drawCells).
+// Aims at 5 instructions for each vertex of the brick and 10 for each shared crossed edge, plus
+// those of drawCells().
 RESECT_WIDEST
 void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick) {
   const Above around = above(field, brick);
@@ -137,7 +136,7 @@ void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick)
   while (out < limit) *out++ = {0, 0, 0};
 }
 
-// A wound's triangles name their corners by cell; here they get numbers.
+// Translates the corners of a wound's triangles, which are numbered by cell, to vertex indices.
 void SurfaceTracker::drawWound(const Above& around, const BrickWound& wound, const EdgeTable& table,
                                Triangle* out) const {
   const auto vertex = [&](const BrickWound::Triangle& t, int corner) {

@@ -1,10 +1,9 @@
-// What is new about an organ's surface, for somebody who holds a copy of it: a viewer, a graphics
-// card?
+// Changes of an organ's surface, for viewers and graphics cards that hold a copy of it.
 //
-// Three kinds of change: vertices that are new, vertices that are at another place, triangles that
-// are others. Each is a list of ranges of the surface's arrays and, one range after the other, the
-// values that stand there now; a later range overwrites an earlier one. Tissue that only moves
-// sends points and normals: 24 bytes a vertex. Cost of everything here: the changes.
+// Three kinds of change: new vertices, moved vertices, new triangles. Each is a list of ranges of
+// the surface's arrays and, range by range, the present values; a later range overwrites an earlier
+// one. Tissue that only moves sends points and normals: 24 bytes a vertex. Cost of everything here:
+// the changes.
 #pragma once
 
 #include <algorithm>
@@ -19,13 +18,13 @@
 namespace resect {
 
 struct SurfaceUpdate {
-  bool everything = false;  // forget all vertices and triangles that there were
+  bool everything = false;  // all earlier vertices and triangles are void
 
   std::vector<IndexRange> newVertices;
-  std::vector<Vec3f> rest;  // where the tissue was at rest, m
+  std::vector<Vec3f> rest;  // rest positions, m
   std::vector<float> cut;   // 0 = capsule, 1 = cut parenchyma
 
-  std::vector<IndexRange> movedVertices;  // new ones too
+  std::vector<IndexRange> movedVertices;  // new vertices included
   std::vector<Vec3f> points, normals;     // now, world, m; unit, outwards
 
   std::vector<IndexRange> newTriangles;
@@ -36,15 +35,15 @@ struct SurfaceUpdate {
   }
 };
 
-// Add a range, with its part of the surface's arrays. Ranges of nothing are left out.
+// Adds a range with its part of the surface's arrays. Empty ranges are left out.
 void addNewVertices(SurfaceUpdate& update, IndexRange range, std::span<const Vec3f> rest,
                     std::span<const float> cut);
 void addMovedVertices(SurfaceUpdate& update, IndexRange range, std::span<const Vec3f> points,
                       std::span<const Vec3f> normals);
 void addNewTriangles(SurfaceUpdate& update, IndexRange range, std::span<const Triangle> triangles);
 
-// The update that makes any copy this surface. Spans of vertices are equally long, but `rest` may
-// be empty: then the tissue is at rest.
+// The update that turns any copy into this surface. Spans of vertices are equally long, but `rest`
+// may be empty: then the tissue is at rest.
 SurfaceUpdate wholeSurface(std::span<const Vec3f> points, std::span<const Vec3f> normals,
                            std::span<const float> cut, std::span<const Triangle> triangles,
                            std::span<const Vec3f> rest = {});
@@ -57,7 +56,7 @@ struct SurfaceCopy {
 };
 
 // Ranges may reach beyond the present end: the copy grows; triangles in between are holes. A range
-// that does not fit its values is a fault of ours.
+// that does not fit its values fails an assertion.
 void apply(const SurfaceUpdate& update, SurfaceCopy& copy);
 
 }  // namespace resect

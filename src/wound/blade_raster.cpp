@@ -17,7 +17,7 @@ using Vec2 = Eigen::Vector2d;
 
 int at(const Vec3i& n) { return (n.z() * kSide + n.y()) * kSide + n.x(); }
 
-// The nodes of a brick, their places, and how high they lie above one of the blade's triangles.
+// The nodes of a brick: positions, and heights above one of the blade's triangles.
 struct PlacedBrick {
   Vec3i first;
   std::array<Vec3, kPlacedNodes> place;
@@ -30,19 +30,19 @@ struct PlacedBrick {
   bool known(int i) const { return !std::isnan(height[std::size_t(i)]); }
 };
 
-// Share of the way from i to j at which the triangle's plane is met.
+// Fraction of the way from i to j at which the triangle's plane is met.
 double planeShare(const PlacedBrick& b, int i, int j) {
   const double from = b.height[std::size_t(i)], to = b.height[std::size_t(j)];
   return std::clamp(from / (from - to), 0.0, 1.0);
 }
 
-// Signed heights over the triangle's sides, each >= 0 inside, as shares of the triangle.
+// Barycentric coordinates, each >= 0 inside.
 Vec3 inTriangle(const BladeTriangle& t, const Vec3& p) {
   const double u = t.alongU.dot(p - t.corner), v = t.alongV.dot(p - t.corner);
   return {u, v, 1 - u - v};
 }
 
-// How the height grows along the grid's axes: the blade's normal in rest space.
+// Gradient of the height along the grid's axes: the blade's normal in rest space.
 Vec3 restNormal(const PlacedBrick& b, const Vec3i& n, int axis) {
   const int i = at(n), j = i + kStep[axis];
   Vec3 normal;
@@ -68,8 +68,8 @@ void severEdge(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle&
   severed.sever(b.first + n, axis, share, restNormal(b, n, axis));
 }
 
-// Half of a face is a triangle in the world too, so the line in which the blade meets it is
-// straight, in the world and at rest.
+// Half of a face stays a triangle in the world, so its intersection with the blade is straight in
+// the world and at rest.
 void traceHalf(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle& t, const Vec3i& n,
                int axis, const std::array<Vec2, 3>& corners) {
   std::array<int, 3> index;
@@ -122,8 +122,8 @@ void visitCells(Visit visit) {
       for (int x = 0; x < kBrickNodes; ++x) visit(std::size_t(cell++), Vec3i(x, y, z));
 }
 
-// Of the cells, from bounds of neighbouring nodes along x, of those along y, of those along z. What
-// is not known is left out.
+// Bounds of the cells, merged from neighbouring nodes along x, then y, then z. Nodes without a
+// position are left out.
 void findBounds(PlacedBrick& b) {
   std::array<Aabb, kPlacedNodes> box;
   for (std::size_t i = 0; i < kPlacedNodes; ++i) {
@@ -141,7 +141,7 @@ void findBounds(PlacedBrick& b) {
 }
 
 // A sweep's triangles are far smaller than a brick: most miss most of its cells. reach: bounds of
-// what the triangle can sever.
+// the region in which the triangle can sever.
 void severBrick(SeveredEdges& severed, PlacedBrick& b, const BladeTriangle& t, const Aabb& reach) {
   bool heightsKnown = false;
   visitCells([&](std::size_t cell, const Vec3i& n) {
@@ -185,7 +185,7 @@ std::int64_t severAlong(SeveredEdges& severed, const ColourField& field, const S
 std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade) {
   if (blade.empty()) return 0;
   const IndexBox within = field.bricksIn(blade.bounds);
-  // A brick's edges and faces matter where its nodes, or those of a brick below, are not all empty.
+  // A brick's edges and faces matter if its nodes, or those of a brick below, are not all empty.
   const auto matters = [&](const Vec3i& b) {
     for (int d = 0; d < 8; ++d) {
       const Vec3i n = b - Vec3i(d & 1, d >> 1 & 1, d >> 2 & 1);

@@ -1,4 +1,5 @@
-// What lies in and round a brick of the colour field, side by side, for the rules of the wound?
+// Dense windows of node values and severed edges round a brick, or round any box of nodes, for the
+// rules of the wound.
 #pragma once
 
 #include "base/index_box.h"
@@ -7,8 +8,9 @@
 
 namespace resect {
 
-// The nodes -2 to 6 of a brick along each axis, their values and the severed edges between them; 0
-// and whole outside the grid. Not copied: `grid` points into it. Made in some microseconds.
+// A brick with its halo: the nodes -2 to 6 along each axis, their values and the severed edges
+// between them; outside the grid nodes are 0 and edges whole. Not copyable: `grid` points into it.
+// Cost: some microseconds.
 struct BrickWindow {
   static constexpr int kHalo = 2, kSide = 9, kNodes = kSide * kSide * kSide;
 
@@ -20,13 +22,13 @@ struct BrickWindow {
   BrickWindow(const BrickWindow&) = delete;
   BrickWindow& operator=(const BrickWindow&) = delete;
 
-  // Of a node of the brick, each coordinate -2 to 6.
+  // Index of a node given relative to the brick, each coordinate -2 to 6.
   static int index(const Vec3i& n) {
     return ((n.z() + kHalo) * kSide + n.y() + kHalo) * kSide + n.x() + kHalo;
   }
 };
 
-// The same of any box of nodes.
+// The same for any box of nodes.
 struct BoxWindow {
   std::vector<float> value;
   std::array<std::vector<float>, 3> severed;

@@ -1,10 +1,10 @@
-// What do the rules of the wound see of an organ? A dense window of grid nodes: how much tissue
-// there is at each, and where the edges between them are severed.
+// A dense window of grid nodes as the rules of the wound use it: tissue at each node, and where the
+// edges between them are severed.
 //
-// The window is a view: a brick of the organ with two nodes round its cells, or in tests the whole
-// grid. Nodes outside the window count as empty, edges that lead there as whole. Corners, edges and
-// faces are named by their lowest node (its index in the window) and an axis; a face's axis is that
-// of its normal. Lengths are in node spacings, positions from the window's first node.
+// The window is a view: a brick with a halo of two nodes, or in tests the whole grid. Nodes outside
+// the window count as empty, edges to them as whole. Corners, edges and faces are identified by
+// their lowest node (its index in the window) and an axis; a face's axis is that of its normal.
+// Lengths are in node spacings, positions from the window's first node.
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@
 namespace resect {
 
 struct CutGrid {
-  Vec3i first = Vec3i::Zero();  // the organ's node that is the window's node (0, 0, 0)
+  Vec3i first = Vec3i::Zero();  // organ node of the window's node (0, 0, 0)
   Vec3i dims = Vec3i::Zero();   // nodes of the window
   float iso = 50;
   const float* value = nullptr;           // per node, x fastest; inside where >= iso
   std::array<const float*, 3> severed{};  // per axis and lower node: the cut's share, or kWhole
-  const SeveredEdges* wound = nullptr;    // traces and normals; null: none are known
+  const SeveredEdges* wound = nullptr;    // traces and normals; null: none
 
   int stride(int axis) const { return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y(); }
   int index(const Vec3i& n) const { return (n.z() * dims.y() + n.y()) * dims.x() + n.x(); }
@@ -36,12 +36,12 @@ struct CutGrid {
   bool whole(int i, int axis) const { return severed[std::size_t(axis)][i] == kWhole; }
 };
 
-// The two axes that span a face, in the order in which its corners go round.
+// The two axes that span a face, in the order of its corners.
 constexpr int nextAxis(int axis) { return (axis + 1) % 3; }
 constexpr int lastAxis(int axis) { return (axis + 2) % 3; }
 
-// A set of nodes near a place: bit (z * 4 + y) * 4 + x is the node that lies (x, y, z) above the
-// node one below the place in every direction.
+// A set of nodes round a reference node r, as a mask: bit (z * 4 + y) * 4 + x is node r + (x, y, z)
+// - (1, 1, 1).
 using NearbyNodes = std::uint64_t;
 constexpr NearbyNodes nearbyNode(int x, int y, int z) {
   return NearbyNodes(1) << (((z + 1) * 4 + y + 1) * 4 + x + 1);
@@ -49,13 +49,13 @@ constexpr NearbyNodes nearbyNode(int x, int y, int z) {
 inline NearbyNodes nearbyNode(const Vec3i& offset) {
   return nearbyNode(offset.x(), offset.y(), offset.z());
 }
-// The same nodes seen from the place one lower along the axis; those out of its sight are dropped.
+// The same set relative to the node one lower along the axis; nodes out of range are dropped.
 constexpr NearbyNodes seenFromBelow(NearbyNodes nodes, int axis) {
   return axis == 0   ? (nodes & 0x7777777777777777) << 1
          : axis == 1 ? (nodes & 0x0fff0fff0fff0fff) << 4
                      : nodes << 16;
 }
-// visit(offset from the place) for each, in ascending order.
+// visit(offset from the reference node) for each, in ascending order.
 template <typename Visit>
 void visitNearby(NearbyNodes nodes, Visit visit) {
   for (; nodes != 0; nodes &= nodes - 1) {

@@ -7,7 +7,8 @@
 namespace resect {
 namespace {
 
-// A search beyond a node's cube stays in the window of its brick, whoever else is asked for.
+// A search beyond a node's cube stays in the window of the node's brick, so it does not depend on
+// the other nodes.
 struct FarSearch {
   Vec3i brick;
   BrickWindow window;
@@ -27,7 +28,7 @@ std::vector<VertexBinding> bindNodes(const ColourField& field, const Wound& woun
   if (nodes.empty()) return bindings;
   bindings.reserve(nodes.size());
   const int refine = field.refine();
-  const IndexBox box = boxRound(nodes).widened(refine);  // the lattice cubes that they lie in
+  const IndexBox box = boxRound(nodes).widened(refine);  // the lattice cubes that contain them
   const BoxWindow window(field, wound.severed, box, iso);
   VertexBinder binder(window.grid, field.lattice(), refine, wound.particles);
   std::optional<FarSearch> far;

@@ -1,10 +1,10 @@
-// Where are the nodes of the grid now that the tissue has moved?
+// Present positions of grid nodes in tissue that has moved.
 //
-// A blade meets tissue where it is, not where it was at rest: before edges are severed
-// (wound/blade_raster.h), the nodes near the blade follow their particles as the surface's
-// vertices do (wound/vertex_binding.h). A node outside tissue follows all particles of its
-// lattice cube; one with none has no place. Cost: in proportion to the nodes, and a pass over the
-// box round all of them.
+// Blades are tested against the moved tissue: before edges are severed (wound/blade_raster.h), the
+// nodes near the blade are moved with their particles, as the surface's vertices are
+// (wound/vertex_binding.h). A node outside tissue follows all particles of its lattice cube;
+// without any it has no position. Cost: proportional to the nodes, plus a pass over the box round
+// all of them.
 #pragma once
 
 #include <limits>
@@ -16,12 +16,12 @@
 
 namespace resect {
 
-// What each of some nodes of the grid follows, in their order; count 0 where nothing is near.
+// The bindings of grid nodes, in their order; count 0 if no particle is near.
 std::vector<VertexBinding> bindNodes(const ColourField& field, const Wound& wound, float iso,
                                      std::span<const Vec3i> nodes);
 
-// The places of some nodes (world, m), in their order; NaN for those that follow nothing.
-// motionOf(cell) gives the motion of a particle by its lattice index.
+// The positions of grid nodes (world, m), in their order; NaN for those without a binding.
+// motionOf(cell): motion of a particle by its lattice index.
 template <typename MotionOf>
 std::vector<Vec3> placeNodes(const ColourField& field, const Wound& wound, float iso,
                              std::span<const Vec3i> nodes, const MotionOf& motionOf) {

@@ -1,5 +1,5 @@
-// Where does a particle take the tissue round it? To X + shift + gradient X, with X at rest; what
-// follows several particles goes where the mean of their motions takes it.
+// The affine motion of the tissue round a particle: X + shift + gradient X, with X at rest.
+// Vertices that follow several particles use the weighted mean of their motions.
 #pragma once
 
 #include "base/vec.h"
@@ -22,7 +22,7 @@ inline void add(ParticleMotion& sum, float share, const ParticleMotion& motion) 
   for (int a = 0; a < 3; ++a) sum.gradient[a] += weight * motion.gradient[a];
 }
 
-// How far X is moved.
+// The displacement at X.
 inline Column displacementAt(const ParticleMotion& motion, const Vec3f& X) {
   const Column* g = motion.gradient;
   return motion.shift + (g[0] * X.x() + g[1] * X.y() + g[2] * X.z());

@@ -8,11 +8,11 @@
 namespace resect {
 namespace {
 
-// What a cell shows depends on nodes from two below its lowest corner to two above its highest.
-constexpr int kNodesBelow = 3, kNodesAbove = 2;    // cells seen from an edge's lower node
-constexpr std::uint8_t kInSight = 1, kWithin = 2;  // bits of a brick that waits for update()
-constexpr float kSamePoint = 1e-4f;                // ends of lines that are one point
-constexpr float kStraight = 1e-3f;                 // a line bent by less is one line
+// The surface in a cell depends on nodes from two below its lowest corner to two above its highest.
+constexpr int kNodesBelow = 3, kNodesAbove = 2;    // cells affected, from an edge's lower node
+constexpr std::uint8_t kInSight = 1, kWithin = 2;  // bits of a brick pending for update()
+constexpr float kSamePoint = 1e-4f;                // ends closer than this are one point
+constexpr float kStraight = 1e-3f;                 // traces that bend by less are joined
 
 float distanceToLine(const Eigen::Vector2f& p, const Eigen::Vector2f& a, const Eigen::Vector2f& b) {
   const Eigen::Vector2f d = b - a, r = p - a;
@@ -20,7 +20,7 @@ float distanceToLine(const Eigen::Vector2f& p, const Eigen::Vector2f& a, const E
   return length > 0 ? std::abs(d.x() * r.y() - d.y() * r.x()) / length : r.norm();
 }
 
-// Does `next` go on straight from the end of `line`? Then line is made to end where next does.
+// If `next` continues `line` straight, extends line to next's end and returns true.
 bool extend(FaceTrace& line, const FaceTrace& next) {
   const bool on = (next.from - line.to).norm() < kSamePoint &&
                   (line.to - line.from).dot(next.to - next.from) > 0 &&
@@ -65,9 +65,9 @@ void SeveredEdges::visitBricks(const Vec3i& lowNode, const Vec3i& highNode, Visi
       for (int x = low.x(); x <= high.x(); ++x) visit(std::size_t(brickIndex({x, y, z})));
 }
 
-// Notes the bricks in sight of the edges and faces at `node`.
+// Marks the bricks whose surface depends on the edges and faces at `node`.
 void SeveredEdges::touch(const Vec3i& node) {
-  // With three nodes to a cell the lattice's cubes lie across the bricks' borders.
+  // With three nodes a cell the lattice's cubes cross the borders of bricks.
   const int below = refine_ == 3 ? kNodesBelow : 1, above = refine_ == 3 ? kNodesAbove : 0;
   visitBricks(node - Vec3i::Constant(kNodesBelow), node + Vec3i::Constant(kNodesAbove),
               [&](std::size_t b) {
@@ -82,7 +82,7 @@ void SeveredEdges::touch(const Vec3i& node) {
 
 bool SeveredEdges::betweenCells(const Vec3i& node, int axis) const {
   Vec3i n = node;
-  n[axis] -= n[axis] % refine_;  // the middle planes of cells are every refine-th from node 0 on
+  n[axis] -= n[axis] % refine_;  // every refine-th node from 0 on lies on the mid-plane of a cell
   for (int k = 0; k < refine_; ++k, ++n[axis])
     if (at(n, axis) != kWhole) return true;
   return false;
@@ -159,7 +159,7 @@ bool SeveredEdges::fit() const {
         if (!(share == kWhole || (share >= kCutMargin && share <= 1 - kCutMargin))) return false;
     for (const std::int32_t t : record.firstTrace)
       if (t < -1 || !below(t, record.traces.size())) return false;
-    // Lines of a face follow each other upwards, so that their list ends.
+    // Indices ascend along a face's list, so that the list ends.
     for (std::size_t t = 0; t < record.traces.size(); ++t) {
       const std::int32_t next = record.traces[t].next;
       if (next != -1 && (next <= std::int32_t(t) || !below(next, record.traces.size())))

@@ -1,10 +1,9 @@
-// Where has a blade gone through the tissue? The grid edges that it severed, and the lines that it
-// left on the grid's faces.
+// The severed grid edges of an organ, and the traces of blades on the grid's faces.
 //
 // The grid is that of the colour field's nodes; all lengths are in node spacings. An edge keeps the
-// place and the direction of the first blade that severed it, for good: tissue does not heal.
-// Storage is sparse, a record for each brick of 4 x 4 x 4 nodes that a blade went through; a whole
-// organ costs nothing. Severing costs O(1).
+// position and the normal of the first blade that severed it; it is never restored. Storage is
+// sparse: a record for each brick that a blade went through; an uncut organ costs nothing. Severing
+// costs O(1).
 #pragma once
 
 #include <array>
@@ -17,19 +16,19 @@
 
 namespace resect {
 
-constexpr float kWhole = -1;  // in place of the cut's share of an edge that is not severed
-// Cuts keep this share of an edge away from its ends, so that both sides have a piece of it.
+constexpr float kWhole = -1;  // cut position of an edge that is not severed
+// Cuts keep this fraction of an edge away from its ends, so that both sides have a piece of it.
 constexpr float kCutMargin = 0.03f;
 
-// A straight line that a blade left on a face: its two ends, in the face's own coordinates (along
-// the next axis after the face's normal, then the one after that), each in [0, 1].
+// A straight line that a blade left on a face: its two ends in face coordinates (along the next
+// axis after the face's normal, then the one after that), each in [0, 1].
 struct FaceTrace {
   Eigen::Vector2f from = Eigen::Vector2f::Zero(), to = Eigen::Vector2f::Zero();
 };
 
 struct TouchedBrick {
   std::int64_t brick;
-  bool within;  // something changed in its own cells; else only in sight of them
+  bool within;  // something changed in its own cells; else only in their neighbourhood
 };
 
 class SeveredEdges {
@@ -40,21 +39,21 @@ class SeveredEdges {
   bool empty() const { return records_.empty(); }
   std::int64_t count() const { return count_; }  // severed edges
 
-  // Severs the edge from `node` along `axis` at the share t of its length; t is kept in
-  // [kCutMargin, 1 - kCutMargin]. normal: of the blade in rest space, any length and side. False,
-  // and nothing changes, when the edge was severed before.
+  // Severs the edge from `node` along `axis` at the fraction t of its length; t is kept in
+  // [kCutMargin, 1 - kCutMargin]. normal: of the blade in rest space, of any length and sign.
+  // False, and nothing changes, when the edge was severed before.
   bool sever(const Vec3i& node, int axis, double t, const Vec3& normal);
-  // Notes the line on the face at `node` whose normal is along `axis`. A line that goes on where an
-  // earlier one ended, in the same direction, makes that one longer.
+  // Records the trace on the face at `node` whose normal is along `axis`. A trace that continues an
+  // earlier one in the same direction extends it.
   void trace(const Vec3i& node, int axis, const FaceTrace& line);
 
   // Nodes may lie outside the grid: nothing is severed there.
   float at(const Vec3i& node, int axis) const;  // kWhole where not severed
-  // Is the edge severed, or another one of the straight way between the middle planes of two cells
-  // that it lies on?
+  // Whether the edge is severed, or another one on the same line between the mid-planes of two
+  // cells.
   bool betweenCells(const Vec3i& node, int axis) const;
-  Vec3f normal(const Vec3i& node, int axis) const;  // unit, upwards along the axis
-  // visit(const FaceTrace&) for the lines on a face, in the order in which they were made.
+  Vec3f normal(const Vec3i& node, int axis) const;  // unit, positive along the axis
+  // visit(const FaceTrace&) for the traces on a face, in the order of recording.
   template <typename Visit>
   void visitTraces(const Vec3i& node, int axis, Visit visit) const {
     const Record* r = record(node);
@@ -63,8 +62,8 @@ class SeveredEdges {
       visit(r->traces[std::size_t(i)].line);
   }
 
-  // The severed edges of a brick along an axis, bit = lower node; and their shares, 64 per axis,
-  // null where the brick has none.
+  // The severed edges of a brick along an axis, bit = lower node; and the cut positions, 64 per
+  // axis, null if the brick has no record.
   std::uint64_t mask(std::int64_t brick, int axis) const {
     const Record* r = recordOfBrick(brick);
     return r ? r->severed[std::size_t(axis)] : 0;
@@ -73,14 +72,14 @@ class SeveredEdges {
     const Record* r = recordOfBrick(brick);
     return r ? r->share[std::size_t(axis)].data() : nullptr;
   }
-  // Is an edge severed in the brick's cells, or in the lattice cubes that they lie in? Elsewhere
-  // the surface is that of a whole organ.
+  // Whether an edge is severed in the brick's cells or in the lattice cubes that contain them.
+  // Elsewhere the surface is that of an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
-  // The bricks near() a cut in which something drawn depends on what was severed or traced since
-  // the last call, ascending, each once. Valid until the next call.
+  // The bricks near() a cut whose surface depends on what was severed or traced since the last
+  // call, ascending, each once. Valid until the next call.
   std::span<const TouchedBrick> update();
-  // The bricks that the next update() will look at, in any order.
+  // The bricks that the next update() will consider, in any order.
   std::span<const std::int64_t> pending() const { return pending_; }
 
   std::size_t bytes() const;
@@ -94,7 +93,7 @@ class SeveredEdges {
   void visitMade(Visitor& v) {
     v.made(brickDims_, refine_, touched_);
   }
-  // After fields were loaded: are all numbers of bricks and lines in their ranges?
+  // After loading: whether all brick numbers and trace indices are in range.
   bool fit() const;
 
  private:

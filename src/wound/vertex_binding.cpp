@@ -10,13 +10,13 @@
 namespace resect {
 namespace {
 
-constexpr double kLeastWeight = 0.02;  // per axis: a particle on the right side always counts
+constexpr double kLeastWeight = 0.02;  // per axis: a particle on the vertex's side always counts
 
 int floorDiv(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
 void normalise(VertexBinding& binding) {
   float sum = 0;
-  for (const float weight : binding.weight) sum += weight;  // those that do not count are 0
+  for (const float weight : binding.weight) sum += weight;  // unused ones are 0
   for (float& weight : binding.weight) weight /= sum;
 }
 
@@ -31,7 +31,8 @@ VertexBinder::VertexBinder(const CutGrid& grid, const Lattice& lattice, int refi
   cubes_.reserve(27);
 }
 
-// By its lowest cell: that of the last particle's place at or before the organ's node.
+// A cube is identified by its lowest cell: the last whose centre lies at or before the organ's
+// node, along each axis.
 Vec3i VertexBinder::cubeAt(const Vec3i& node) const {
   return Vec3i(floorDiv(node.x(), refine_), floorDiv(node.y(), refine_),
                floorDiv(node.z(), refine_)) -
@@ -83,15 +84,15 @@ void VertexBinder::addCorners(VertexBinding& binding, const Cube& cube, const Ve
   }
 }
 
-// The nodes of a cube as bits, x fastest; room for the 125 of a cube of four edges a side.
+// Mask of the nodes of a cube, x fastest; at most 125, of a cube of four edges a side.
 __extension__ typedef unsigned __int128 CubeNodes;
 
-// Which nodes of the cube are inside, and from which does a whole edge lead to the next in the
-// cube?
+// Which nodes of the cube are inside, and from which a whole edge leads to the next node in the
+// cube.
 struct VertexBinder::CubeEdges {
   CubeNodes inside = 0;
   std::array<CubeNodes, 3> whole{};  // per axis
-  bool unbroken = true;              // all are, all do
+  bool unbroken = true;              // all nodes inside, all edges whole
 };
 
 VertexBinder::CubeEdges VertexBinder::edgesOf(const Vec3i& low) const {
@@ -139,11 +140,11 @@ const VertexBinder::Cube& VertexBinder::cubeOf(const Vec3& p) {
   return made;
 }
 
-// Parts grow from their first nodes by an edge in all directions at a time.
+// Flood fill: a component grows from its first node by one edge in all directions at a time.
 void VertexBinder::findParts(const CubeEdges& edges, Cube& made) const {
   const int side = refine_ + 1;
   const std::array<int, 3> step = {1, side, side * side};
-  std::array<CubeNodes, 3> edge = edges.whole;  // in tissue from end to end
+  std::array<CubeNodes, 3> edge = edges.whole;  // with both ends in tissue
   for (std::size_t a = 0; a < 3; ++a) edge[a] &= edges.inside >> step[a];
   made.part.fill(kOutside);
   std::uint8_t parts = 0;
@@ -171,7 +172,7 @@ VertexBinding VertexBinder::bindWithin(const Vec3& p, const Vec3i& place, Nearby
   const Cube& within = cubeOf(p);
   const Vec3i& low = within.low;
   const int side = refine_ + 1;
-  std::bitset<kOutside + 1> wanted;  // parts of the cube
+  std::bitset<kOutside + 1> wanted;  // components of the cube
   visitNearby(anchors, [&](const Vec3i& offset) {
     const Vec3i d = place + offset - low;
     if ((d.array() >= 0).all() && (d.array() < side).all())
@@ -195,8 +196,8 @@ VertexBinding VertexBinder::bind(const Vec3& p, const Vec3i& place, NearbyNodes 
   return binding;
 }
 
-// The particles fewest steps over whole edges away from the anchors, and those a step farther: a
-// wider search would find the other side round the end of a cut.
+// The particles fewest whole edges away from the anchors, and those one edge farther: a wider
+// search would reach the other side round the front of a cut.
 VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
                                        NearbyNodes anchors) const {
   VertexBinding binding;
@@ -235,7 +236,7 @@ VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
   return binding;
 }
 
-// A crumb without a particle of its own goes with the nearest, whatever the blade left between.
+// A piece without a particle follows the nearest one, even across a cut.
 VertexBinding VertexBinder::bindToNearest(const Vec3& p) const {
   VertexBinding binding;
   const Vec3 at = (p + grid_.first.cast<double>()) / refine_ - Vec3::Constant(2);  // cells

@@ -1,10 +1,10 @@
-// Which particles does a vertex near a wound follow, and how much each?
+// Bindings: the particles that a vertex near a wound follows, with their weights.
 //
 // Far from wounds a vertex follows the particles at the corners of the lattice cube that it lies
-// in. Beside a cut it must follow those on its own side only: of the cube's particles, the ones
-// that are connected within the cube, over whole grid edges through tissue, with the nodes that the
-// vertex goes with (its anchors). Where a piece is too thin to hold a particle in the cube, the
-// search widens. A vertex at the end of a cut has anchors on both sides and follows both.
+// in. Beside a cut it must follow only those on its own side: the cube's particles that are
+// connected, within the cube and over whole grid edges through tissue, to the vertex's anchors
+// (nodes of its piece of tissue). If that finds no particle, the search is widened. A vertex at the
+// front of a cut has anchors on both sides and follows both.
 #pragma once
 
 #include <span>
@@ -30,13 +30,13 @@ class VertexBinder {
   VertexBinder(const CutGrid& grid, const Lattice& lattice, int refine,
                std::span<const std::uint8_t> particles);
 
-  // p: in the window; anchors: round `place`, a node of the window. Cells by the same weight come
-  // in lattice order. No particle within two cells: count is 0. The window is that of a brick.
+  // p: in the window; anchors: relative to `place`, a node of the window. Cells of equal weight are
+  // in lattice order. Without a particle within two cells count is 0. The window must be a brick's.
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
-  // The same without a search beyond the lattice cube that p lies in, in any window that holds the
-  // cube: count is 0 where that finds nothing.
+  // The same without searching beyond the lattice cube that contains p, in any window that holds
+  // the cube: count is 0 if that finds nothing.
   VertexBinding bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
-  // Did any search go beyond the cube so far?
+  // Whether any search so far went beyond its cube.
   bool lookedFar() const { return lookedFar_; }
   // All particles of the lattice cube that p lies in.
   VertexBinding bindAll(const Vec3& p);
@@ -53,17 +53,17 @@ class VertexBinder {
   // The lattice cell at a node of the window, or -1 where there is no particle.
   std::int64_t particleAt(const Vec3i& node) const;
   std::int64_t particleOf(const Vec3i& cell) const;
-  // What a coordinate of p gives to the weight of a particle at the node.
+  // Factor of a particle's weight along one axis, p and node being coordinates on it.
   double weightAlong(double p, int node) const;
   static void add(VertexBinding& binding, double weight, std::int64_t cell);
-  // Those of the cube's particles whose corner c counts(c); there are none yet.
+  // Adds the cube's particles for whose corner c counts(c) is true; the binding must be empty.
   template <typename Counts>
   void addCorners(VertexBinding& binding, const Cube& cube, const Vec3& p,
                   const Counts& counts) const;
 
   struct Cube {
     Vec3i low;
-    std::array<std::uint8_t, 125> part;    // per node: number of its connected part, or kOutside
+    std::array<std::uint8_t, 125> part;    // per node: its connected component, or kOutside
     std::array<std::int64_t, 8> particle;  // per corner
     std::array<std::uint8_t, 8> partOfCorner;
   };

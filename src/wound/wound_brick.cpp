@@ -72,7 +72,7 @@ class BrickCutter {
     }
   }
 
-  // The cells with a severed edge, inside or not.
+  // The cells with a severed edge, inside tissue or not.
   std::uint64_t severedCells() const {
     std::uint64_t cells = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -96,7 +96,7 @@ class BrickCutter {
     return true;
   }
 
-  // Each face's lines are found once for the brick. Nodes 0 to 4.
+  // The lines of each face are computed once for the brick. Nodes 0 to 4.
   const FaceLines& face(const Vec3i& n, int axis) {
     std::int16_t& at = faceAt_[std::size_t(((n.z() * 5 + n.y()) * 5 + n.x()) * 3 + axis)];
     if (at < 0) {
@@ -180,7 +180,7 @@ class BrickCutter {
     return slope.cwiseQuotient(field_.lattice().spacing.cast<float>()).normalized();
   }
 
-  // Out of the tissue at a node of a face's ring, if it lies at a cut.
+  // Normal out of the tissue at an edge point of a face's ring, if it lies at a cut.
   Vec3f outwards(const Vec3i& n, int axis, int node) const {
     if (node % 3 == kIsoNode) return Vec3f::Zero();
     const RingEdge e = ringEdge(axis, node / 3);
@@ -194,7 +194,7 @@ class BrickCutter {
     return node % 3 == kLower ? up : Vec3f(-up);
   }
 
-  // Of a cell's own point: the mean over the lips' nodes that it is joined with.
+  // Normal at a cell's own point: the mean over the lips' points that it is connected with.
   Vec3f lipNormal(const Vec3i& cell, int point) const {
     Vec3f sum = Vec3f::Zero(), any = Vec3f::Zero();
     for (const CellTriangle& t : surface_.triangles) {
@@ -210,7 +210,7 @@ class BrickCutter {
     return sum.norm() > 0.1f ? sum : any;
   }
 
-  // A vertex on the skin with a twin on the lip, or one on the lip alone.
+  // Adds a vertex on the organ's surface with a twin on the lip, or one on the lip alone.
   void addBoth(const Vec3& p, const Vec3f& lipNormal, bool onSkin, const Vec3i& n,
                NearbyNodes anchors) {
     const float length = lipNormal.norm();
@@ -234,7 +234,7 @@ class BrickCutter {
         {std::int8_t(anchor.x()), std::int8_t(anchor.y()), std::int8_t(anchor.z())});
   }
 
-  // How much the field grows along an axis at a node of the window: as in isosurface/brick_look.h.
+  // Difference of the field along an axis at a node of the window, as in isosurface/brick_look.h.
   float growth(int i, int axis) const {
     constexpr int kStep[3] = {1, kSide, kSide * kSide};
     constexpr float kWeight[3] = {1, 2, 1};
@@ -250,7 +250,8 @@ class BrickCutter {
     return sum;
   }
 
-  // Looks like the skin round it: the field's slope, and how deep in what was tissue.
+  // Normal and cut share as on the surface round it: from the field's gradient and its original
+  // value.
   void addOnSkin(const Vec3& p, const Vec3i& n, NearbyNodes anchors) {
     Vec3f slope = Vec3f::Zero();
     float before = 0;
@@ -294,8 +295,8 @@ class BrickCutter {
   std::array<std::int16_t, 375> faceAt_;
   std::vector<FaceLines> faceLines_;
   CellSurface surface_;
-  std::vector<std::int16_t> firstOfFace_;  // as it was before
-  bool mixed_ = false;                     // a cell with a severed edge is not all inside
+  std::vector<std::int16_t> firstOfFace_;  // of the previous result
+  bool mixed_ = false;                     // some cell with a severed edge is not entirely inside
 };
 
 }  // namespace

@@ -1,10 +1,10 @@
-// What piece of a wound lies in one brick of the colour field?
+// Vertices and triangles of wounds in one brick of the colour field.
 //
 // Adds to a brick's iso vertices (isosurface/brick_mesher.h) those that cuts make: two for each cut
-// edge, then those of the faces, then those of the cells, in the order of nodes. They are found
-// again from neighbouring bricks by counting bits. Where the lips meet the skin a vertex has a twin
-// beside it at the same place, with the lip's normal and look, so that the edge of a wound is
-// sharp. Cost: 2 us a cut cell, some 10 us a brick.
+// edge, then those of the faces, then those of the cells, in the order of nodes. Neighbouring
+// bricks find them by counting bits. Where a lip meets the organ's surface a vertex has a twin at
+// the same position, with the lip's normal and cut share, so that the edge of a wound is sharp.
+// Cost: 2 us a cut cell, some 10 us a brick.
 #pragma once
 
 #include <bit>
@@ -17,7 +17,7 @@
 
 namespace resect {
 
-// What the surface needs to know of incisions.
+// Input of the surface tracker for an organ with incisions.
 struct Wound {
   const SeveredEdges& severed;
   std::span<const std::uint8_t> particles;  // per lattice cell: is there a particle?
@@ -38,24 +38,24 @@ struct BrickWound {
     std::array<std::int16_t, 3> corners;
   };
 
-  std::uint64_t cells = 0;                   // those drawn by the wound's rule
+  std::uint64_t cells = 0;                   // cells drawn by the wound's rules
   std::array<std::uint64_t, 3> edges{};      // per axis, bit = lower node: cut edges
   std::array<std::uint64_t, 3> faces{};      // faces with vertices
-  std::array<std::uint64_t, 3> skinFaces{};  // of those, where the vertices have twins
+  std::array<std::uint64_t, 3> skinFaces{};  // of these, faces whose vertices have twins
   std::vector<std::int16_t> firstOfFace;     // vertex, in the order of `faces`
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
-  // Of the brick's iso vertices, then of `vertices`: what each follows, and a node of the grid, as
-  // an offset from the brick's first, that lies in the same piece of tissue.
+  // For the brick's iso vertices, then for `vertices`: the binding, and a grid node in the same
+  // piece of tissue, as an offset from the brick's first node.
   std::vector<VertexBinding> bindings;
   std::vector<std::array<std::int8_t, 3>> anchors;
   int unbalanced = 0;  // cells whose volume could not be kept
-  // Does this depend on more than the brick's own cells and lattice cubes?
+  // Whether this depends on more than the brick's own cells and lattice cubes.
   bool looksFar = false;
-  // Have numbers changed that neighbouring bricks use, since it was made before?
+  // Whether vertex numbers that neighbouring bricks use have changed since the last time.
   bool renumbered = false;
 
-  // Numbers among `vertices`.
+  // Indices into `vertices`.
   int edgeVertex(int axis, int node, int side) const {
     int before = std::popcount(edges[std::size_t(axis)] & ((std::uint64_t(1) << node) - 1));
     for (int a = 0; a < axis; ++a) before += std::popcount(edges[std::size_t(a)]);

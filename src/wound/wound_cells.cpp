@@ -7,12 +7,12 @@
 namespace resect {
 namespace {
 
-constexpr double kFarSlide = 0.35;      // farthest that the skin's apex slides from its place
-constexpr double kLeastArea = 0.2;      // twice, of a lip that may make up for volume
-constexpr double kWildSlide = 2;        // what noise is allowed, to keep its volume
-constexpr double kFarthestSlide = 0.6;  // from the middle of its loop, the second try
+constexpr double kFarSlide = 0.35;  // most that the skin's apex is moved from its first position
+constexpr double kLeastArea = 0.2;  // twice the area, of a lip that may correct the volume
+constexpr double kWildSlide = 2;    // the same in degenerate cells, to keep their volume
+constexpr double kFarthestSlide = 0.6;  // from the middle of its loop, second attempt
 
-// The cell while it is capped.
+// Work on one cell while it is capped.
 class Cap {
  public:
   Cap(const CutGrid& grid, CellLoops& cell, CellSurface& out)
@@ -47,12 +47,13 @@ class Cap {
       if (cell_.skinOf[cell_.table->edges[std::size_t(t)][0]] == l) drawTableTriangle(t);
   }
 
-  // What the table's triangles of a skin loop hold and span, and where its nodes lie.
+  // Volume and area of the table's triangles of a skin loop, and the middle of its points.
   struct SkinMeasure {
     double volume = 0;  // six times
     Vec3 twiceArea = Vec3::Zero();
     Vec3 middle = Vec3::Zero();
-    // The volume, six times, of the fan round y is y . twiceArea: how far must y go along d?
+    // Six times the volume of the fan round y is y . twiceArea. Returns the displacement of y along
+    // d that gives the right volume.
     Vec3 slide(const Vec3& y, const Vec3& d) const {
       return d * ((volume - y.dot(twiceArea)) / std::max(d.dot(twiceArea), 1e-300));
     }
@@ -78,8 +79,8 @@ class Cap {
     return m;
   }
 
-  // The apex of skin loop l: where the blade meets the skin, then moved so that the fan round it
-  // holds what the table's triangles hold.
+  // Places the apex of skin loop l: where the blade meets the surface, then moved so that its fan
+  // has the volume of the table's triangles.
   void placeSkinApex(int l) {
     SkinMeasure m = measureSkin(l);
     Vec3 apex = Vec3::Zero();
@@ -90,7 +91,7 @@ class Cap {
     });
     apex /= skinPoints;
     skinPoints_ += skinPoints;
-    if (skinPoints == 1) {  // the incision ends in this cell: as far along the skin as the blade
+    if (skinPoints == 1) {  // the incision ends in this cell: as far along the surface as the blade
       Vec3 along = tips() > 0 ? Vec3(tipMiddle() - apex) : Vec3(m.middle - apex);
       const Vec3 normal = m.twiceArea.normalized();
       along -= normal * normal.dot(along);
@@ -99,7 +100,7 @@ class Cap {
       apex += along;
       needsSkinApex_ = true;
     }
-    const Vec3 across = bladeNormal();  // stay in the blade's plane if that leads anywhere
+    const Vec3 across = bladeNormal();  // stay in the blade's plane if possible
     Vec3 direction = m.twiceArea - across * across.dot(m.twiceArea);
     if (direction.dot(m.twiceArea) < 0.25 * m.twiceArea.squaredNorm()) direction = m.twiceArea;
     Vec3 moved = m.slide(apex, direction);
@@ -121,11 +122,11 @@ class Cap {
     skinApex_[std::size_t(l)] = apex + moved;
   }
 
-  // Cuts off the corners of skin loop l that the blade leaves alone, by the table's own triangles:
-  // the loop that remains is shorter and flatter. Was there any?
+  // Cuts off those corners of skin loop l that no cut touches, by triangles of the table: the
+  // remaining loop is shorter and flatter. Returns whether there was any.
   bool peel(int l) {
     std::array<std::int8_t, 12> next;
-    std::array<bool, 12> cut{};  // does the blade cross the line to the next?
+    std::array<bool, 12> cut{};  // whether a cut crosses the line to the next
     next.fill(-1);
     cell_.visitSkinLines([&](int from, int to, bool crossed) {
       next[std::size_t(from)] = std::int8_t(to);
@@ -142,7 +143,7 @@ class Cap {
         peeled_[b] = peeledTriangle_[std::size_t(t)] = any = true;
         next[a] = std::int8_t(c);
         drawTableTriangle(t);
-        t = -1;  // others may have come free
+        t = -1;  // others may have become removable
         break;
       }
     }
@@ -168,7 +169,7 @@ class Cap {
     return sum / tips();
   }
 
-  // Unit normal of the blade in the cell, to either side; zero where it is not known.
+  // Unit normal of the blade in the cell, of either sign; zero if unknown.
   Vec3 bladeNormal() const {
     Vec3 sum = Vec3::Zero();
     if (grid_.wound)
@@ -217,7 +218,7 @@ class Cap {
     return CellVertex(kFirstCellVertex + out_.points.size() - 1);
   }
 
-  // Caps loop number `which`: skin stretches first, each replaced by its apex; then the rest.
+  // Caps loop number `which`: first its skin parts, each replaced by its apex; then the rest.
   void drawLoop(std::size_t which) {
     const std::size_t begin = which == 0 ? 0 : cell_.loopEnds[which - 1],
                       end = cell_.loopEnds[which];
@@ -225,7 +226,7 @@ class Cap {
     const auto at = [&](std::size_t k) -> const CellLoops::Vertex& {
       return cell_.loop[begin + k % size];
     };
-    std::size_t first = 0;  // not within a stretch
+    std::size_t first = 0;  // not within a skin part
     while (first < size && at(first).iso) ++first;
     rest_.clear();
     NearbyNodes all = 0;
@@ -252,7 +253,7 @@ class Cap {
       while (at(next).iso && peeled_[at(next).vertex / 3]) ++next;
       out_.triangles.push_back({{rest_[lastApex], at(k).vertex, at(next).vertex}, true});
     }
-    // A plain cut through the cell needs no apex: its two lips are one polygon, drawn alike.
+    // A plain cut through the cell needs no apex: its two lips are the same polygon.
     if (plainSheet()) {
       const auto least = std::min_element(rest_.begin(), rest_.end(),
                                           [](CellVertex a, CellVertex b) { return a / 3 < b / 3; });
@@ -266,8 +267,8 @@ class Cap {
     }
   }
 
-  // What the skin's apexes could not hold is held by one lip's apex, apart from the other's: how
-  // far? Seen in noise only.
+  // The displacement of one lip's apex that makes up for volume which the skin's apexes could not.
+  // Occurs with random cuts only.
   Vec3 makeUp() {
     Vec3 twiceArea = Vec3::Zero();
     if (missing_ == 0) return twiceArea;
@@ -277,7 +278,7 @@ class Cap {
     return twiceArea * (std::exchange(missing_, 0) / twiceArea.squaredNorm());
   }
 
-  // Fans the rest round its own vertex `centre`.
+  // Caps the rest with a fan round its own vertex `centre`.
   void fan(std::size_t centre, std::size_t sides) {
     for (std::size_t k = 1; k < sides; ++k)
       out_.triangles.push_back({{rest_[centre], rest_[(centre + k) % rest_.size()],
@@ -285,7 +286,8 @@ class Cap {
                                 false});
   }
 
-  // Two loops of cut nodes alone, whose fan has no side in a face of the cell but the loop's own.
+  // Whether there are two loops of cut points only, whose fan has no inner side in a face of the
+  // cell.
   bool plainSheet() const {
     if (any_ || cell_.loopEnds.size() != 2 || cell_.loopEnds[0] * 2 != cell_.loopEnds[1])
       return false;
@@ -297,8 +299,8 @@ class Cap {
     return true;
   }
 
-  // One skin loop, no point within, at least two where the blade meets the skin, and each loop with
-  // one stretch: then the skin's apex serves the lips too.
+  // Whether there is one skin loop, no inner point, at least two points where the cut meets the
+  // surface, and each loop has one skin part: then the skin's apex serves the lips too.
   bool onlySkinApex() const {
     int loops = 0;
     for (int l = 0; l < cell_.skins; ++l) loops += cell_.touched[std::size_t(l)];
@@ -317,13 +319,13 @@ class Cap {
   const CutGrid& grid_;
   CellLoops& cell_;
   CellSurface& out_;
-  std::array<bool, 12> peeled_{};  // per edge: cut off its loop with a triangle of the table
+  std::array<bool, 12> peeled_{};  // per edge: cut off from its loop by a triangle of the table
   std::array<bool, 5> peeledTriangle_{};
   std::array<Vec3, 4> skinApex_;
   int skinPoints_ = 0;
   bool needsSkinApex_ = false, inner_ = false, any_ = false, unevenLips_ = false;
   Vec3 innerApex_ = Vec3::Zero();
-  double missing_ = 0;  // six times the volume that the skin's apexes could not hold
+  double missing_ = 0;  // six times the volume that the skin's apexes could not make up for
   std::vector<CellVertex>& rest_ = cell_.rest;
 };
 

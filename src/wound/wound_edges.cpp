@@ -8,10 +8,10 @@
 namespace resect {
 namespace {
 
-constexpr float kThinnest = 0.04f;  // shortest piece between cut and skin that is drawn
+constexpr float kThinnest = 0.04f;  // shortest piece between cut and surface that is drawn
 
-// Are the face's corners alternately inside and outside? There the skin itself parts them, and a
-// piece of an edge could go with either.
+// Whether the face's corners are alternately inside and outside: then a piece of an edge could
+// belong to either inside corner.
 bool ambiguous(const CutGrid& grid, const Vec3i& n, int axis) {
   const Vec3i u = Vec3i::Unit(nextAxis(axis)), v = Vec3i::Unit(lastAxis(axis));
   if (!grid.contains(n) || !grid.contains(n + u + v)) return false;
@@ -80,7 +80,7 @@ CutEdge cutEdge(const CutGrid& grid, int i, int axis) {
                      1 - kEndMargin);
   e.owner = e.lowerInside ? i : j;
   if (!severed) return e;
-  const float skin = e.lowerInside ? e.iso - e.cut : e.cut - e.iso;  // length from cut to skin
+  const float skin = e.lowerInside ? e.iso - e.cut : e.cut - e.iso;  // length from cut to surface
   if (skin <= kThinnest) {
     e.open = true;
     return e;

@@ -12,7 +12,7 @@ using Vec2 = Eigen::Vector2d;  // in the face
 
 constexpr double kMargin = 0.03;  // points of a face keep away from its border and from nodes
 
-// Where a node of the ring lies in the face.
+// Position of an edge point of the ring in the face.
 Vec2 place(const Ring& ring, int node) {
   const int i = node / 3;
   const CutEdge& e = ring.edge[std::size_t(i)];
@@ -31,8 +31,8 @@ Vec2 place(const Ring& ring, int node) {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Share of a..b at which the line p..q crosses it, both as segments (`within`) or as lines; NaN
-// where they do not.
+// Fraction of a..b at which p..q crosses it, both as segments (`within`) or as lines; NaN if they
+// do not cross.
 double crossing(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, bool within) {
   const Vec2 d = b - a, e = q - p;
   const double scale = cross(d, e);
@@ -50,8 +50,8 @@ void visitTraces(const CutGrid& grid, int i, int axis, Visit visit) {
     });
 }
 
-// The end of a cut that enters the face by one edge only: the blade's farthest point; under the
-// skin a..b where that is given.
+// The end of a cut that enters the face by one edge only: the blade's farthest point; below the
+// surface a..b if that is given.
 Vec2 tip(const CutGrid& grid, int i, int axis, const Vec2& from, const Vec2* a, const Vec2* b) {
   Vec2 far = from;
   double farthest = 0;
@@ -70,14 +70,14 @@ Vec2 tip(const CutGrid& grid, int i, int axis, const Vec2& from, const Vec2* a, 
   return far.cwiseMax(kMargin).cwiseMin(1 - kMargin);
 }
 
-// Where the cut meets the skin a..b: share of it.
+// Where the cut meets the surface a..b, as a fraction of a..b.
 double onSkin(const CutGrid& grid, int i, int axis, const Ring& ring, const Vec2& a,
               const Vec2& b) {
   double share = std::numeric_limits<double>::quiet_NaN();
   visitTraces(grid, i, axis, [&](const Vec2& p, const Vec2& q) {
     if (std::isnan(share)) share = crossing(a, b, p, q, true);
   });
-  if (std::isnan(share)) {  // across from the cut edges
+  if (std::isnan(share)) {  // opposite the cut edges
     Vec2 middle = Vec2::Zero();
     for (int g = 0; g < ring.gaps; ++g)
       if (!ring.gap[std::size_t(g)].outside)
@@ -87,8 +87,7 @@ double onSkin(const CutGrid& grid, int i, int axis, const Ring& ring, const Vec2
   return std::clamp(share, kMargin, 1 - kMargin);
 }
 
-// Where three or four cuts meet: on the chord between two opposite cut edges, across from the
-// third.
+// Where three or four cuts meet: on the chord between two opposite cut edges, opposite the third.
 Vec2 junction(const Ring& ring) {
   std::array<Vec2, 4> cut;
   std::array<bool, 4> has{};
@@ -138,7 +137,7 @@ Ring ringOf(const CutGrid& grid, int i, int axis) {
   }
   if (first < 0) return ring;
 
-  NearbyNodes run = 0, head = 0;  // anchors of the present run, and of the one we begin in
+  NearbyNodes run = 0, head = 0;  // anchors of the present run, and of the first run
   const auto end = [&](int node) {
     (ring.gaps == 0 ? head : ring.gap[std::size_t(ring.gaps - 1)].anchors) |= run;
     ring.gap[std::size_t(ring.gaps)].end = std::uint8_t(node);
@@ -155,7 +154,7 @@ Ring ringOf(const CutGrid& grid, int i, int axis) {
     if (inside[std::size_t(c)]) run |= nearbyNode(corner[std::size_t(c)]);
     const CutEdge& e = ring.edge[std::size_t(c)];
     if (e.kind == EdgeKind::None) continue;
-    const bool upwards = c < 2;  // edges 2 and 3 are run through from their upper end
+    const bool upwards = c < 2;  // edges 2 and 3 are traversed from their upper end
     const int here = 3 * c + (upwards ? kLower : kUpper),
               there = 3 * c + (upwards ? kUpper : kLower);
     const int skin = 3 * c + kIsoNode;
@@ -187,10 +186,11 @@ FaceLines linesOf(const CutGrid& grid, int i, int axis, const Ring& ring, bool s
   FaceLines result;
   if (ring.gaps == 0) return result;
   const auto gap = [&](int g) -> const Gap& { return ring.gap[std::size_t(g % ring.gaps)]; };
-  // The gaps that part the runs; a skin that holds is a line by itself and parts nothing.
+  // The gaps that separate the runs; a continuous surface is a line by itself and separates
+  // nothing.
   std::array<Gap, FaceLines::kMost> parts;
   int count = 0;
-  Vec2 a = Vec2::Zero(), b = Vec2::Zero();  // the skin
+  Vec2 a = Vec2::Zero(), b = Vec2::Zero();  // the surface
   int firstGap = 0;                         // one after an arc, so that its runs are joined below
   for (int g = 0; g < ring.gaps; ++g)
     if (gap(g).outside) {
@@ -245,7 +245,7 @@ bool skinHolds(const CutGrid& grid, int i, int axis) {
     }
   if (from < 0 || from == to) return true;
 
-  // Walk over whole edges within tissue, in the face's two cells and one node round them.
+  // Flood fill over whole edges within tissue, in the face's two cells and one node round them.
   const Vec3i n = grid.node(i);
   const Vec3i low = (n - Vec3i::Ones() - Vec3i::Unit(axis)).cwiseMax(0);
   const Vec3i high = (n + Vec3i::Constant(2)).cwiseMin(grid.dims - Vec3i::Ones());

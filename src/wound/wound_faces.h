@@ -1,18 +1,18 @@
-// Along which lines does the surface of a cut organ meet a face of the grid?
+// The lines in which the surface of a cut organ meets a face of the grid.
 //
-// Both cells of a face ask this, and the answer depends on the face alone; that is what closes the
-// surface. Going once round the face, solid stretches of its border ("runs") alternate with gaps: a
-// cut edge is a gap of no width, the outside is another. Every end of a run is joined by one line
-// to one start of a run, so each node is the end of one line and the start of another. Where three
-// or more gaps meet, where a cut ends in the face, and where it meets the skin, the lines pass one
-// point of the face, each through a vertex of its own there.
+// The lines depend on the face alone, so both of its cells get the same ones; therefore the surface
+// is closed. Along the face's border solid parts ("runs") alternate with gaps: a cut edge is a gap
+// of no width, the outside is another. Every end of a run is joined by one line to one start of a
+// run, so each edge point is the end of one line and the start of another. Where three or more gaps
+// meet, where a cut ends in the face, and where a cut meets the organ's surface ("skin"), the lines
+// pass through one point of the face, each with a vertex of its own there.
 #pragma once
 
 #include "wound/wound_edges.h"
 
 namespace resect {
 
-// What a face's own point is.
+// Kind of a face's own point.
 enum class FacePoint : std::uint8_t {
   None,
   Tip,       // the cut ends here
@@ -21,10 +21,11 @@ enum class FacePoint : std::uint8_t {
 };
 
 struct FaceLine {
-  // Nodes as 3 * ring edge + EdgeNode; solid tissue lies to the left, seen from above the face.
+  // Edge points as 3 * ring edge + EdgeNode; solid tissue lies to the left, seen from above the
+  // face.
   std::uint8_t end = 0, start = 0;
-  bool bent = false;      // passes the face's point, through a vertex of its own
-  NearbyNodes anchors{};  // nodes of the grid that the line's vertex goes with
+  bool bent = false;      // passes through the face's point, with a vertex of its own
+  NearbyNodes anchors{};  // nodes of the piece of tissue of the line's vertex
 };
 
 struct FaceLines {
@@ -53,13 +54,13 @@ inline RingEdge ringEdge(int axis, int i) {
   return {Vec3i::Zero(), i == 0 ? u : v};
 }
 
-// Does the skin run on unbroken through the face at node i, although edges of the face are cut? No
-// where the blade passes through it outside, or where its two ends belong to pieces that are not
-// connected within the face's two cells and one beyond.
+// Whether the organ's surface continues through the face at node i although edges of the face are
+// cut. False if the blade crosses it, or if its two ends belong to pieces that are not connected
+// within the face's two cells and one node beyond.
 bool skinHolds(const CutGrid& grid, int i, int axis);
 
 // The lines of the face at node i. holds(): skinHolds() or, in tests, anything: any answer gives a
-// closed surface. Asked only where it matters.
+// closed surface. Called only if it matters.
 template <typename Holds>
 FaceLines faceLines(const CutGrid& grid, int i, int axis, const Holds& holds);
 FaceLines faceLines(const CutGrid& grid, int i, int axis);

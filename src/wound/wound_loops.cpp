@@ -54,7 +54,7 @@ void CellLoops::set(const CutGrid& grid, int i, const std::array<const FaceLines
   trace();
 }
 
-// Where the nodes of the cell's edges lie, and what each goes with.
+// Positions and anchors of the cell's edge points.
 void CellLoops::setNodes(const CutGrid& grid) {
   for (int e = 0; e < 12; ++e) {
     const CellEdge& edge = kCellEdges[std::size_t(e)];
@@ -76,8 +76,8 @@ void CellLoops::setNodes(const CutGrid& grid) {
   }
 }
 
-// Which loops would the skin have, had nothing been cut? Triangles of the table that share a node
-// belong to one.
+// The loops of the surface without cuts: triangles of the table that share a point belong to one
+// loop.
 void CellLoops::joinSkin() {
   skinOf.fill(-1);
   for (int t = 0; t < table->count; ++t) {
@@ -95,8 +95,8 @@ void CellLoops::joinSkin() {
   }
 }
 
-// The lines of a face as this cell follows them: seen from within, solid tissue to the left. A
-// line of the lower face is seen from above, of the upper face from below.
+// Links the lines of the faces in this cell's direction: seen from inside, solid tissue to the
+// left. Lines of a lower face are seen from above, of an upper face from below.
 void CellLoops::link() {
   for (int face = 0; face < 6; ++face) {
     const FaceLines& lines = *faces[std::size_t(face)];

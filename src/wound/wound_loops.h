@@ -1,7 +1,7 @@
-// Which closed loops does the surface make on the border of a cell?
+// The closed loops in which the surface meets the border of a cell.
 //
-// The lines on the cell's six faces lead from node to node; each node is the end of one and the
-// start of another, so they close, whatever was cut.
+// The lines on the cell's six faces lead from edge point to edge point; each point is the end of
+// one line and the start of another, so they always form closed loops.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace resect {
 
-// A vertex as seen from a cell: one of 36 nodes (3 * cell edge + EdgeNode), of the face points (of
-// face 2 * axis + side, the line's number among the bent ones), or of the cell's own points.
+// A vertex of a cell: one of its 36 edge points (3 * cell edge + EdgeNode), a face point (of face 2
+// * axis + side, with the line's number among the bent ones), or one of the cell's own points.
 using CellVertex = std::uint8_t;
 constexpr int kCellNodes = 36;
 constexpr int kFirstFaceVertex = kCellNodes, kFirstCellVertex = kFirstFaceVertex + 6 * 8;
@@ -23,38 +23,39 @@ constexpr CellVertex faceVertex(int face, int number) {
 // The cell edge that is ring edge `ring` of a face.
 int cellEdgeOfRing(int face, int ring);
 
-// Set for one cell after another; keeps its memory.
+// Reused for one cell after another; keeps its memory.
 struct CellLoops {
-  // One corner of a loop: a node, or the vertex at a face's point.
+  // One corner of a loop: an edge point, or the vertex at a face's point.
   struct Vertex {
     CellVertex vertex;
     bool iso;
-    NearbyNodes anchors;  // also of the line that leads on from here
+    NearbyNodes anchors;  // including those of the line that starts here
   };
 
   // faces: the lines of the faces of the cell at node i, by number.
   void set(const CutGrid& grid, int i, const std::array<const FaceLines*, 6>& faces);
 
   Vec3i node;
-  Vec3 corner;  // the same: where the cell begins in the window
+  Vec3 corner;  // the same as a position in the window
   std::array<const FaceLines*, 6> faces;
-  const CellTriangles* table;  // what would be drawn, had nothing been cut
+  const CellTriangles* table;  // triangles of the uncut cell
 
-  std::vector<Vertex> loop;           // all loops that were cut, one after another
-  std::vector<std::size_t> loopEnds;  // in loop
-  std::array<int, 12> skinOf;         // per edge with an iso node: its uncut loop
+  std::vector<Vertex> loop;           // all loops that were cut, concatenated
+  std::vector<std::size_t> loopEnds;  // in `loop`
+  std::array<int, 12> skinOf;         // per edge with an iso point: its uncut loop
   int skins;                          // numbers given to uncut loops; some may be unused
   std::array<bool, 4> touched;        // per uncut loop: was it cut?
-  std::vector<CellVertex> rest;       // room for the capping
+  std::vector<CellVertex> rest;       // work space for capping
 
-  // Of a node or a face point; in the cell.
+  // Position of an edge point or face point, relative to the cell.
   Vec3 position(CellVertex v) const {
     return v < kFirstFaceVertex
                ? position_[v]
                : Vec3(faces[std::size_t((v - kFirstFaceVertex) / 8)]->point - corner);
   }
 
-  // visit(edge, next edge, is it crossed?) for the skin's lines in the cell, whatever was cut.
+  // visit(edge, next edge, whether a cut crosses it) for the lines of the organ's surface in the
+  // cell.
   template <typename Visit>
   void visitSkinLines(Visit visit) const {
     for (int face = 0; face < 6; ++face) {
@@ -77,7 +78,7 @@ struct CellLoops {
     }
   }
 
-  // visit(place) for each point where the blade meets skin loop l, each face's once.
+  // visit(position) for each point where the cut meets skin loop l, once for each face.
   template <typename Visit>
   void visitSkinPoints(int l, Visit visit) const {
     for (int face = 0; face < 6; ++face) {
