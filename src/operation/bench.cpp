@@ -8,14 +8,14 @@
 namespace resect {
 namespace {
 
-// A size is aimed at where the 95th percentile should be at this share of a frame.
+// The next size is chosen so that the 95th percentile should be this fraction of a frame.
 constexpr double kAim = 0.9;
-constexpr double kCloseEnough = 1.15;  // of the sizes that hold and fail
-// Time of a frame goes with this power of the particles: when nothing moves an instrument touches a
-// share of the surface; tissue that moves needs more and shorter substeps.
+constexpr double kCloseEnough = 1.15;  // ratio of the sizes that fail and hold
+// Assumed exponent of a frame's time in the number of particles: for still tissue an instrument
+// touches a share of the surface; moving tissue needs more, shorter substeps.
 constexpr double kStillPower = 2.0 / 3, kElasticPower = 4.0 / 3;
 
-// m, to a hundredth of a millimetre or a thousandth of itself, as one would type it.
+// m, rounded to 0.01 mm or to three digits, whichever is finer.
 double rounded(double spacing) {
   const double step = std::min(1e-5, std::pow(10, std::floor(std::log10(spacing)) - 2));
   return std::round(spacing / step) * step;

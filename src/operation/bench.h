@@ -1,7 +1,6 @@
-// How fast is an operation on this machine, and how large an organ could be operated on in real
-// time?
+// Measures the speed of an operation on this machine, and the largest organ that keeps real time.
 //
-// An operation keeps real time when 95 of 100 frames are computed within the time that they last.
+// An operation keeps real time if 95 % of its frames are computed within their duration.
 #pragma once
 
 #include <functional>
@@ -29,14 +28,14 @@ struct BenchReport {
   double spacing = 0;                                    // cube root of a cell's volume, m
   std::int64_t particles = 0, triangles = 0, bytes = 0;  // before the operation
   bool tissueMoves = false;
-  std::int64_t frames = 0, missed = 0;  // missed: computed in more time than they last
+  std::int64_t frames = 0, missed = 0;  // missed: computed in more than their duration
   double frameDuration = 0;             // s
   TimeSummary frame;                    // time of all stages together
   std::vector<Stage> stages;            // in the order of the step
   std::int64_t inHand = 0;              // frames in which an instrument is
   Updates updates;
   std::int64_t substeps = 0;         // of tissue that moves
-  double perParticleAndSubstep = 0;  // s, of the stage moveTissue; 0 for tissue that stands still
+  double perParticleAndSubstep = 0;  // s, of the stage moveTissue; 0 for still tissue
   std::string instructionSet;        // of the kernels that move tissue
   std::uint64_t stateHash = 0;       // at the end, as of runScenario()
 
@@ -48,14 +47,15 @@ struct BenchReport {
 BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
                           const FrameObserver& observer = {});
 
-// What searching for the largest organ found. Sizes are tried, not extrapolated.
+// Result of the search for the largest organ. Sizes are measured, not extrapolated.
 struct RealTimeLimit {
-  std::optional<BenchReport> holds;  // the largest that was tried and kept real time
-  std::optional<BenchReport> fails;  // the smallest that was tried and did not
+  std::optional<BenchReport> holds;  // the largest measured that kept real time
+  std::optional<BenchReport> fails;  // the smallest measured that did not
 };
 
-// `measure` runs the operation at another spacing, m. `first`: what is known already. Tries at most
-// `trials` spacings and up to `mostParticles`; stops when the two sizes are 15 % apart.
+// `measure` runs the operation at another spacing, m. `first`: a result at the present spacing.
+// Tries at most `trials` spacings and up to `mostParticles`; stops when the two sizes are 15 %
+// apart.
 RealTimeLimit findRealTimeLimit(const BenchReport& first,
                                 const std::function<BenchReport(double spacing)>& measure,
                                 int trials = 4, double mostParticles = 1e6);

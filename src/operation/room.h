@@ -1,5 +1,4 @@
-// Where do things stand in the operating room? One place for the scenario's defaults and for the
-// pictures.
+// Positions in the operating room, shared by the scenario's defaults and the pictures.
 //
 // World: m, Y up, table top at y = 0, the patient's left at +X, the surgeon at +Z. The organ lies
 // round the origin.
@@ -21,8 +20,8 @@ inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::I
 // Its floor lies on the table.
 TriangleMesh toolBoxWalls();
 
-// Where tool number i lies in the tool box, side by side, handle towards the surgeon: on its side,
-// so that it lies flat. The box has four places; further tools lie on the table beside it.
+// Rest pose of tool number i in the tool box: side by side, handle towards the surgeon, lying on
+// its side. The box has four places; further tools lie on the table beside it.
 inline Pose toolBoxPlace(int i) {
   const Eigen::Quaterniond onItsSide = rotationAbout(Vec3::UnitZ(), std::numbers::pi / 2);
   constexpr double kPlaces[] = {-0.085, -0.01, 0.065, 0.104};  // x, m
@@ -30,8 +29,8 @@ inline Pose toolBoxPlace(int i) {
   return {toolBoxPose() * Vec3(x, 0.008, -0.085), onItsSide};
 }
 
-// How a tool is held over the organ: handle up and towards the surgeon, edge towards the surgeon,
-// as one draws a cut.
+// Rotation of a tool held over the organ for a cut: handle up and towards the surgeon, edge towards
+// the surgeon.
 inline Eigen::Quaterniond workingRotation() {
   const Vec3 handle = Vec3(0, 0.9, 0.45).normalized(), edge = Vec3(0, -0.45, 0.9).normalized();
   Mat3 axes;  // of the tool's frame: the edge looks to -Y, the handle to +Z

@@ -18,7 +18,7 @@ std::vector<LabelSummary> summariseLabels(const Organ& organ, const TissueSetup&
   std::vector<LabelSummary> all(256);
   for (std::int64_t cell = 0; cell < rest.lattice.cellCount(); ++cell) {
     const bool particle = rest.inside[std::size_t(cell)];
-    // What skin cells hold counts with their particle; those without one are on their own.
+    // Skin cells count with their particle; those without one count by themselves.
     if (!particle && !(rest.value[std::size_t(cell)] > 0 && ownerCell(rest, cell) == cell))
       continue;
     LabelSummary& label = all[rest.labelOf(cell)];

@@ -1,4 +1,4 @@
-// What came of an operation? Runs a scenario frame by frame and sums it up.
+// Runs a scenario frame by frame and summarises it.
 #pragma once
 
 #include <functional>
@@ -18,16 +18,16 @@ struct SurfaceSummary {
 };
 SurfaceSummary summarise(const TriangleMesh& surface);
 
-// A body that the organ has come apart into.
+// One of the bodies into which an organ was divided.
 struct PieceSummary {
   SurfaceSummary surface;
   std::int64_t particles = 0;
   double tissue = 0;  // m^3
   double mass = 0;    // kg
-  std::string organ;  // that it is of
+  std::string organ;  // organ that it belongs to
 };
 
-// What became of the cells of a label.
+// Totals for the cells of a label.
 struct LabelSummary {
   struct Amount {
     std::int64_t particles = 0;
@@ -39,14 +39,14 @@ struct LabelSummary {
   Amount before, removed, remaining;
   std::string organ;
 };
-// Of each label that particles have, ascending; before what was removed in `organ` and after.
+// One for each label that particles have, ascending; amounts before, removed and remaining.
 std::vector<LabelSummary> summariseLabels(const Organ& organ, const TissueSetup& tissue);
 
 // The force on a tool over the frames, N.
 struct ToolForces {
   std::string tool;
-  double peak = 0;              // of the mean force of a frame
-  std::vector<float> perFrame;  // its size
+  double peak = 0;              // of the frames' mean forces
+  std::vector<float> perFrame;  // magnitude
 };
 
 struct RunSummary {
@@ -55,8 +55,8 @@ struct RunSummary {
   std::int64_t removed = 0;    // particles
   double removedVolume = 0;    // m^3
   double remainingVolume = 0;  // m^3 of tissue left in all cells
-  double deepestOverlap = 0;   // m^3: most that tools and organ shared at the end of a frame
-  bool touched = false;        // some instrument met an organ
+  double deepestOverlap = 0;   // m^3: largest overlap of tools and organ at the end of a frame
+  bool touched = false;        // whether any instrument touched an organ
   std::int64_t frames = 0;
   double simulatedSeconds = 0;
   double computedSeconds = 0;  // spent in the steps, pictures not counted

@@ -7,7 +7,7 @@ namespace resect {
 
 ToolInput toolInputAt(const ScenarioTool& tool, double time) {
   const auto& keys = tool.keys;
-  // Times are sums of frame durations: a key counts as reached a rounding error early.
+  // Times are sums of frame durations: a key counts as reached within rounding.
   const double now = time + 1e-9;
   if (keys.empty() || now < keys.front().time || time - 1e-9 > keys.back().time)
     return {tool.rest, false, 1};

@@ -1,4 +1,4 @@
-// What is set up and what happens in an operation that is run from a file? Plain data;
+// A scenario: set-up and motions of an operation that is run from a file. Plain data;
 // io/scenario/scenario_file.h reads it.
 #pragma once
 
@@ -19,35 +19,36 @@ struct OrganLabel {
   Region region;
 };
 
-// Where the organ comes from and how finely it is taken.
+// Source of an organ and size of its cells.
 struct OrganSource {
-  std::string name = "organ";     // how others in the scenario name it
-  std::string beside;             // laid as the organ of that name is, not by itself; or ""
+  std::string name = "organ";     // its name in the scenario
+  std::string beside;             // placed like the organ of that name, not by itself; or ""
   std::string file;               // model or discretisation file; or see isBuiltIn
   std::string part;               // named part of the file, or "" for all
   double unit = 1;                // metres per unit of the file
   bool repair = false;            // close the holes of an open mesh instead of refusing it
   std::optional<double> spacing;  // cell side, m; or
   std::optional<Vec3i> dims;      // the thesis's grid over the bounding box
-  bool resample = false;          // so too where the file is a discretisation with cells of its own
-  Pose pose;  // turns the organ before it is laid on the table; the position is added after
+  bool resample = false;  // applies spacing or dims also to a file that has cells of its own
+  Pose pose;  // rotation applied before it is laid on the table; position added afterwards
   bool onTable = true;  // moved so that it stands centred on the table top, y = 0
   bool settle = true;   // on the table, rolled to the nearest pose in which it lies still
   OrganSettings settings;
   std::vector<Landmark> landmarks;  // besides those of a file of cells
-  std::vector<OrganLabel> labels;  // besides those of a file of cells; where they meet the last one
+  std::vector<OrganLabel>
+      labels;  // besides those of a file of cells; where they overlap the last one holds
 };
 
-// Resect's own models: "" is the liver, "gallbladder" the gallbladder.
+// Whether it is a built-in model: "" is the liver, "gallbladder" the gallbladder.
 inline bool isBuiltIn(const OrganSource& source) {
   return source.file.empty() || source.file == "gallbladder";
 }
 
-// As people name an organ: "liver", "gallbladder" or a file.
+// File for an organ as people name it: "liver", "gallbladder" or a file.
 inline std::string organFile(const std::string& name) { return name == "liver" ? "" : name; }
 
-// A tool is here at this time; between keys it moves linearly and turns along the shorter great
-// circle.
+// Pose of a tool at a time; between keys positions are interpolated linearly, rotations along the
+// shorter great circle.
 struct ToolKey {
   double time;         // s from the start
   Pose pose;           // of the tool's frame: tip at the position
@@ -55,8 +56,8 @@ struct ToolKey {
   double pedal = 0;    // of an energy device, 0 to 1
 };
 
-// How instruments act. Thesis: tissue is still, each takes out what it touches, and one is held at
-// a time. Operation: by their working parts.
+// How instruments act. Thesis: tissue is still, each instrument removes what it touches, one is in
+// hand at a time. Operation: by their working parts.
 enum class OperationMode { Thesis, Operation };
 
 struct ScenarioTool {
@@ -67,7 +68,7 @@ struct ScenarioTool {
       keys;  // ascending times; in hand from the first key's time to the last one's
 };
 
-// What cells of a label are of.
+// The material of a label.
 struct LabelMaterial {
   int label = 1;  // 1 to 255
   TissueMaterial material;
@@ -113,27 +114,26 @@ struct Scenario {
   double duration = 1;                // s
   bool table = true, toolBox = true;  // what stands in the room
   std::string view = "surgeon";       // camera
-  std::optional<Aabb> closeUp;        // what pictures show, room space; without it the organ
+  std::optional<Aabb> closeUp;        // region shown in pictures, world; without it the organ
 };
 
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
-// Without the organs beside the first one.
+// Removes all organs but the first.
 void keepFirstOrgan(Scenario& scenario);
-// The first organ in cells of this size, m; the others' cells grow or shrink in proportion to what
-// the first one's were before. Others that are given by dims keep theirs.
+// Sets the first organ's spacing, m, and scales the others' in proportion; before: the first one's
+// spacing so far. Others that are given by dims keep theirs.
 void setSpacing(Scenario& scenario, double before, double spacing);
-// The tissue of all organs moves, and instruments act by their working parts.
+// Makes the tissue of all organs elastic and instruments act by their working parts.
 void makeElastic(Scenario& scenario);
-// The same operation as the original system would have it: tissue is still, instruments take out
-// what they touch, one at a time.
+// Sets thesis mode: tissue is still, instruments remove what they touch, one at a time.
 void makeThesis(Scenario& scenario);
 
-// Where a scenario's tool is, and whether it is in hand, at a time.
+// Pose of a scenario's tool at a time, and whether it is in hand.
 ToolInput toolInputAt(const ScenarioTool& tool, double time);
 
-// Input of frame number `frame` (from 0), which ends at (frame + 1) / frameRate. In thesis mode the
-// first tool that is in hand is the only one.
+// Input of frame number `frame` (from 0), which ends at (frame + 1) / frameRate. In thesis mode
+// only the first tool in hand counts.
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame);
 std::int64_t frameCount(const Scenario& scenario);
 

@@ -9,8 +9,8 @@
 namespace resect {
 namespace {
 
-// What each kind of edit does. Bonds and blades are remembered: where they went through, strands of
-// surface are parted once all is done.
+// What each kind of edit does. Severed bonds and blades are recorded, so that strands can be
+// severed after all edits.
 struct Application {
   OperatedOrgan& to;
   std::int32_t tool = -1;
@@ -41,7 +41,7 @@ struct Application {
     inciseMoved(to.organ, *to.tissue, edit.blade, edit.cells);
     nearBlades.insert(nearBlades.end(), edit.cells.begin(), edit.cells.end());
   }
-  // Only a tool holds on to something; what nobody holds is attached for good.
+  // Only tools grip; springs without a tool are permanent attachments.
   void operator()(const Grip& edit) {
     if (there(edit.cell) && tool >= 0) to.tissue->grip(edit.cell, tool, edit.pose);
   }

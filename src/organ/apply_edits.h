@@ -1,4 +1,4 @@
-// The one place where tissue is changed by edits.
+// Applies edits to an organ: the only function by which edits change tissue.
 #pragma once
 
 #include <span>
@@ -16,10 +16,10 @@ struct EditSummary {
   std::int64_t severed = 0;  // bonds
 };
 
-// Applies those edits that are for the organ of this number, in their order. What is gone already
-// is passed over, two tools may take the same particle; so is what names a cell that there is not,
-// and a grip or a release by nobody. Field and surface follow with updateField()
-// and updateSurface(). `removedCells`: the particles that were there and are no more are appended.
+// Applies the edits for the organ of this number, in their order. Edits of something that is gone
+// already are skipped (two tools may take the same particle); so are edits of a cell that does not
+// exist, and a grip or release without a tool. Field and surface follow with updateField() and
+// updateSurface(). Removed particles are appended to `removedCells`.
 EditSummary applyEdits(OperatedOrgan& organ, std::int32_t number, std::span<const TissueEdit> edits,
                        std::vector<std::int64_t>& removedCells);
 

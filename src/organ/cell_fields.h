@@ -1,8 +1,8 @@
-// What is known of every cell besides how full it is? Which structure it belongs to.
+// Cell fields: one value per cell beside its colour value. At present the label of its structure.
 //
-// A field costs nothing until one of its values is another than it was from the start. One more
-// field is a member here and its lines in visit() and fit(): saving, comparing and digests follow
-// by themselves (docs/how-to/add_a_cell_field.md).
+// A field takes no memory until one of its values differs from the start value. One more field is a
+// member here and its lines in visit() and fit(): saving, comparing and digests follow by
+// themselves (docs/how-to/add_a_cell_field.md).
 #pragma once
 
 #include <cstdint>

@@ -21,7 +21,7 @@ Lattice makeLattice(const Vec3& origin, const Vec3& spacing, const Vec3& counts)
   return settled({origin, spacing, counts.cast<int>()});
 }
 
-// Cells needed to cover `extent`; a hair's breadth beyond the last cell gets none.
+// Cells needed to cover `extent`; an excess within rounding gets no further cell.
 Vec3 cellsOver(const Vec3& extent, double spacing) {
   return (extent / spacing - Vec3::Constant(1e-9)).array().ceil().cwiseMax(1);
 }
@@ -70,7 +70,7 @@ Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
   const Crossings centres = castColumns(snapped, ColumnGrid{origin, spacing, nx, ny});
   const SampleLine along{lattice.origin.z(), lattice.spacing.z(), nz};
   report(progress, 0.1);
-  // The samples stand at (k + 1/2) / 4 of the cell.
+  // The samples lie at (k + 1/2) / 4 of the cell.
   const double shift = 0.5 / kSamples - 0.5;
   const Crossings fine = castColumns(
       snapped,

@@ -1,4 +1,4 @@
-// Which cells of a lattice does a closed mesh fill, and how much of each?
+// Discretisation: the cells of a lattice that a closed mesh fills, and the share of each.
 #pragma once
 
 #include "base/progress.h"
@@ -8,7 +8,7 @@
 
 namespace resect {
 
-// Most cells a lattice may have; finer ones are refused by an Error that says so.
+// Most cells of a lattice; for more an Error is thrown.
 inline constexpr std::int64_t kMaxCells = 200'000'000;
 
 // Cubic cells of side `spacing` > 0, m, that tile the box from its lowest corner on: cell centres
@@ -17,20 +17,20 @@ inline constexpr std::int64_t kMaxCells = 200'000'000;
 Lattice latticeForSpacing(const Aabb& box, double spacing);
 
 // The thesis's grid as its text describes it: dims >= 1 samples along each axis of the box, the
-// first at min, spacing (max - min) / dims per axis; one more cell at each far end, so that what
-// lies beyond the last sample has a cell too. Such an organ is not cubic unless the box is: it can
-// be shown and carved but not deform.
+// first at min, spacing (max - min) / dims per axis; one more cell at each far end, for the part
+// beyond the last sample. Such a lattice is not cubic unless the box is: its organ can be shown and
+// carved but cannot deform.
 Lattice latticeForDims(const Aabb& box, const Vec3i& dims);
 
 // The thesis's grid as its files show it (docs/decisions/0002-thesis-grid-is-cubic.md): cubic, the
 // box's longest side / dims, the first sample at min; as many cells as cover the box.
 Lattice cubicLatticeForDims(const Aabb& box, int dims);
 
-// `mesh` is closed, oriented and looks outwards; what lies outside the lattice's box is left out.
-// inside: the cell's centre is inside, exactly (collision/columns.h). value: 100 x the share of
-// 4 x 4 x 4 samples of the cell that are inside, at least 100/64 where the centre is inside.
-// `progress` is called from the calling thread. Same bits at any number of threads. Cost: 17
-// columns per column of cells (collision/columns.h) and a pass over the cells.
+// `mesh` is closed, oriented and looks outwards; the part outside the lattice's box is ignored.
+// inside: the cell's centre is inside, exactly (collision/columns.h). value: 100 x the share of 4 x
+// 4 x 4 samples of the cell that are inside, at least 100/64 where the centre is inside. `progress`
+// is called from the calling thread. Same bits at any number of threads. Cost: 17 columns per
+// column of cells (collision/columns.h) and a pass over the cells.
 Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
                           const Progress& progress = {});
 

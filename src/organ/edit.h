@@ -1,8 +1,8 @@
-// What can be done to tissue? Edits: each says what, to which organ, and carries all that it takes.
+// Edits: what can be done to tissue. Each is a value with its organ and all data that it needs.
 //
-// Instruments queue them, and so may a script, a test, whoever takes something back: who made an
-// edit makes no difference. They are applied in the order in which they were queued, in one place
-// (organ/apply_edits.h). A new kind is a struct here and a function there.
+// Instruments queue them, and so may a script, a test or an undo: their origin makes no difference.
+// They are applied in the order in which they were queued, by one function (organ/apply_edits.h). A
+// new kind of edit is a struct here and a function there.
 #pragma once
 
 #include <cstdint>
@@ -24,23 +24,23 @@ struct SeverBond {
   std::int64_t cell = -1;
   std::int32_t direction = -1;
 };
-struct Incision {                   // the surface is parted where a blade has passed
+struct Incision {                   // cuts the surface where a blade has passed
   SweptBlade blade;                 // world, where the tissue is now
   std::vector<std::int64_t> cells;  // particles near it, ascending
 };
-struct Grip {  // the tool takes hold of the cell, where both are
+struct Grip {  // the tool grips the cell at their present positions
   std::int64_t cell = -1;
   Pose pose;  // of the tool
 };
-struct Release {};  // the tool lets go of all that it holds
-struct SetLabel {   // the cell belongs to another structure (organ/cell_fields.h)
+struct Release {};  // the tool releases all its cells
+struct SetLabel {   // the cell gets another label (organ/cell_fields.h)
   std::int64_t cell = -1;
   std::uint8_t label = 0;
 };
 
 struct TissueEdit {
   std::int32_t organ = 0;  // its number in the simulation
-  std::int32_t tool = -1;  // who did it: number of the tool, -1 for nobody
+  std::int32_t tool = -1;  // number of the tool that made it; -1: none
   std::variant<RemoveCell, SeverBond, Incision, Grip, Release, SetLabel> what;
 };
 

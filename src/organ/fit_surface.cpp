@@ -16,16 +16,16 @@ namespace {
 
 constexpr int kRounds = 6;
 constexpr double kPerCell = 2;  // points for every cell-sized piece of the surface
-constexpr double kStride = 2;   // of the mean misfit; from 3 on it swings
+constexpr double kStride = 2;   // relaxation factor on the mean misfit; from 3 on it oscillates
 constexpr float kLeast = 2 * kLevel;
 
-// The cells in the kernel's reach of some points that follow each other, and what they weigh there:
-// found once, since every round asks twice. Some 33 cells to a point.
+// The cells in the kernel's reach of a block of points, with their weights: computed once, since
+// every round uses them twice. Some 33 cells per point.
 struct Reach {
   std::vector<std::uint32_t> end;  // per point, one past its cells
   std::vector<std::int32_t> cell;
   std::vector<double> weight;
-  std::vector<double> misfit;  // per point: what the field there lacks of 50
+  std::vector<double> misfit;  // per point: 50 less the field there
 
   // visit(point, cell, weight), points in their order
   template <typename Visit>
@@ -37,7 +37,7 @@ struct Reach {
 
 Reach reachOf(std::span<const Vec3> points, const Lattice& lattice) {
   constexpr double kReach = kKernelSupport * kSmoothingPerSpacing;
-  constexpr std::size_t kCells = 34;  // of a point, on the average
+  constexpr std::size_t kCells = 34;  // per point, on average
   Reach reach;
   reach.end.reserve(points.size());
   reach.cell.reserve(kCells * points.size());
@@ -126,7 +126,7 @@ void fitSurface(const TriangleMesh& mesh, Discretization& cells) {
       });
     for (std::size_t i = 0; i < fitted.size(); ++i) {
       if (!fitted[i] || !(weight[i] > 0)) continue;
-      // Where few points are near, their mean says little.
+      // Damped where few points are near.
       const double trust = std::min(1.0, double(weight[i]) / (0.3 * kPerCell));
       const float moved = value[i] + float(kStride * trust * change[i] / weight[i]);
       value[i] = std::clamp(moved, kLeast, 100 - kLeast);

@@ -1,4 +1,5 @@
-// An organ on the table: its cells and surface, how its tissue moves, where its surface is now.
+// An organ in an operation: its cells and surface, its tissue model, and its surface as moved by
+// the tissue.
 #pragma once
 
 #include <memory>
@@ -14,7 +15,7 @@ struct OperatedOrgan {
   std::string name;
   Organ organ;
   std::unique_ptr<TissueModel> tissue;
-  SurfaceSkin skin;  // of tissue that moves
+  SurfaceSkin skin;  // used if the tissue moves
 
   // One point, and after Simulation::keepLook() one normal, per vertex of the surface's arrays.
   std::span<const Vec3f> points() const {  // world, m
@@ -35,15 +36,15 @@ struct OperatedOrgan {
   }
 };
 
-// tissue: null for one that does not move.
+// tissue: null for still tissue.
 OperatedOrgan operatedOrgan(std::string name, Organ organ,
                             std::unique_ptr<TissueModel> tissue = nullptr);
 
-// After a state was loaded into `organ.organ` and its tissue: field, surface and skin follow.
+// Call after a state was loaded into `organ.organ` and its tissue: derives field, surface and skin.
 // Throws Error when the state does not fit.
 void remake(OperatedOrgan& organ, bool keepsLook);
 
-// Of what was there before any operation: two organs of the same fingerprint can have each other's
+// Fingerprint of the organ before the operation: organs with equal fingerprints can exchange
 // states.
 std::uint64_t fingerprint(const Organ& organ);
 

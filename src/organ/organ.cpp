@@ -7,8 +7,7 @@
 namespace resect {
 namespace {
 
-// visit(index of neighbour) for the up to 26 cells round `cell` that are in the lattice, in lattice
-// order.
+// visit(index of neighbour) for the up to 26 neighbours of `cell` in the lattice, in lattice order.
 template <typename Visit>
 void visitNeighbours(const Lattice& lattice, std::int64_t cell, Visit visit) {
   const Vec3i c = lattice.cell(cell);

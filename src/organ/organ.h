@@ -1,5 +1,4 @@
-// What is an organ while it is operated on? Its cells, the colour field they make, the surface that
-// is seen.
+// An organ during an operation: its cells, their colour field, and the surface.
 #pragma once
 
 #include <cstdint>
@@ -15,23 +14,23 @@
 namespace resect {
 
 struct OrganSettings {
-  // Nodes of the colour field per cell, 1 to 4: 1 is coarse and fast; 2 shows the skin to a tenth
-  // of a cell; more costs memory and time with the square and shows hardly more.
+  // Nodes of the colour field per cell, 1 to 4: 1 is coarse and fast; 2 gives the surface to a
+  // tenth of a cell; more costs memory and time with the square and improves little.
   int refine = 2;
-  // Iso level of the surface, kMinIso to kMaxIso: lower swells the organ, higher shrinks it; 50
+  // Iso level of the surface, kMinIso to kMaxIso: lower enlarges the organ, higher shrinks it; 50
   // keeps the volume.
   float iso = 50;
 };
 
-// A particle is a cell whose centre was inside the mesh. The skin cells outside, which hold the
-// rest of the volume, each belong to a particle beside them and go with it, so that the volumes of
-// all particles add up to the organ's. A skin cell with no particle beside it (a feather edge
-// thinner than the lattice) is treated as a particle of its own.
+// A particle is a cell whose centre was inside the mesh. Skin cells hold the rest of the volume;
+// each belongs to a neighbouring particle and is removed with it, so that the volumes of all
+// particles add up to the organ's. A skin cell without a neighbouring particle (an edge thinner
+// than the lattice) is treated as a particle.
 struct Organ {
   Discretization rest;  // as built; never changes
   ColourField field;    // of the tissue that is left
   SurfaceTracker surface;
-  SeveredEdges severed;             // what blades went through
+  SeveredEdges severed;             // grid edges that blades severed
   std::vector<std::uint8_t> alive;  // per cell: 1 where a particle is and has not been removed
   std::int64_t particles = 0;       // alive now
   std::int64_t removed = 0;         // since built
@@ -58,26 +57,26 @@ struct Organ {
 // Throws Error when `cells` holds no tissue, or a setting is out of range.
 Organ makeOrgan(Discretization cells, const OrganSettings& settings);
 
-// The particle that a cell of tissue belongs to: itself, or for a skin cell the particle beside it
-// (the nearest; among equals the fullest, then the first).
+// The particle that a cell of tissue belongs to: itself, or for a skin cell the neighbouring
+// particle (the nearest; among equals the fullest, then the first).
 std::int64_t ownerCell(const Discretization& rest, std::int64_t cell);
 
 // Volume of a particle with its skin cells, m^3.
 double particleVolume(const Discretization& rest, std::int64_t cell);
 
-// Takes a particle out that is there; the field follows with updateField(). What becomes of its
-// bonds is the tissue model's.
+// Removes a particle that exists; the field follows with updateField(). Its bonds are left to the
+// tissue model.
 struct RemovedParticle {
-  std::int64_t particles = 0;  // 1; 0 for a skin cell of its own
+  std::int64_t particles = 0;  // 1; 0 for a skin cell without a particle
   double volume = 0;           // m^3, with its skin cells
 };
 RemovedParticle removeParticle(Organ& organ, std::int64_t cell);
-// Gives its cells the colour values that they have at rest, or none.
+// Sets the colour values of the particle's cells: to those at rest if `there`, else to 0.
 void setParticle(Organ& organ, std::int64_t cell, bool there);
 
-// Cuts along the blade without taking anything away; the surface follows with updateSurface(). The
-// first one is for tissue at rest; in the second, `place` tells where the nodes of the bricks are
-// now. Returns the number of grid edges severed.
+// Cuts along the blade without removing anything; the surface follows with updateSurface(). The
+// first overload is for tissue at rest; in the second `place` gives the present positions of the
+// bricks' nodes. Returns the number of grid edges severed.
 std::int64_t incise(Organ& organ, const SweptBlade& blade);
 std::int64_t incise(Organ& organ, const SweptBlade& blade, std::span<const std::int64_t> bricks,
                     const PlaceNodes& place);
@@ -85,7 +84,7 @@ std::int64_t incise(Organ& organ, const SweptBlade& blade, std::span<const std::
 // Evaluates the touched bricks, then meshes them.
 std::span<const std::int64_t> updateField(Organ& organ);
 void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks);
-// Another iso level: meshes all again.
+// Sets another iso level and meshes everything again.
 void setIso(Organ& organ, float iso);
 
 }  // namespace resect

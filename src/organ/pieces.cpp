@@ -10,8 +10,8 @@
 namespace resect {
 namespace {
 
-// The piece at the node of a cell's centre, or of the nearest node of the cell that lies in tissue
-// where the skin has sunk below the centre; -1 when the whole cell has.
+// The piece at the node of a cell's centre; if that lies outside the surface, at the nearest node
+// of the cell in tissue; -1 if there is none.
 std::int32_t pieceOfCell(const Organ& organ, const std::vector<std::int32_t>& pieceOf,
                          std::int64_t cell) {
   const int refine = organ.field.refine();
@@ -35,8 +35,8 @@ std::int32_t pieceOfCell(const Organ& organ, const std::vector<std::int32_t>& pi
   return piece;
 }
 
-// Joins each piece without a particle to one that it touches across a cut; returns the number that
-// each piece goes under.
+// Merges each piece without a particle into one that it touches across a cut; returns the resulting
+// number of each piece.
 std::vector<std::int32_t> joinSlivers(const Organ& organ, const std::vector<std::int32_t>& pieceOf,
                                       std::vector<std::uint8_t> holdsParticle) {
   const Vec3i dims = organ.field.nodeDims();
@@ -77,8 +77,8 @@ std::vector<TriangleMesh> bodies(const TriangleMesh& surface) {
   result.reserve(skins.size());
   for (const std::size_t i : order) result.push_back(skins[i]);
   for (const TriangleMesh& cavity : cavities) {
-    // The smallest skin round a point of the cavity; the surface never touches itself, so one point
-    // decides.
+    // The smallest surface round a point of the cavity; the surface never touches itself, so one
+    // point decides.
     for (std::size_t i = result.size(); i-- > 0;)
       if (insideFlags(skins[order[i]], std::span(cavity.points.data(), 1))[0]) {
         append(result[i], cavity);

@@ -41,7 +41,7 @@ SurfaceSkin::Binding SurfaceSkin::bind(const Vec3f& vertex, const Lattice& latti
     candidates[count++] = {cell, weight + 1e-6};
   }
   if (count == 0) {
-    // A thin edge of skin: the nearest particle within two cells.
+    // A thin edge without neighbouring particles: the nearest one within two cells.
     double nearest = 1e9;
     for (int dz = -2; dz <= 3; ++dz)
       for (int dy = -2; dy <= 3; ++dy)
@@ -70,7 +70,7 @@ void SurfaceSkin::findMotions(const Lattice& lattice, const TissueModel& tissue)
     restOfCell_.push_back(lattice.centre(lattice.cell(cells_[i])).cast<float>());
   placements_.resize(cells_.size());
   motions_.resize(
-      std::max<std::size_t>(1, cells_.size()));  // vertices on nothing look at the first
+      std::max<std::size_t>(1, cells_.size()));  // vertices without particles use the first entry
   tissue.place(cells_, placements_);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
     const auto& [displacement, gradient] = placements_[i];
@@ -78,7 +78,7 @@ void SurfaceSkin::findMotions(const Lattice& lattice, const TissueModel& tissue)
   }
 }
 
-// Motions are blended first and applied once: four products of a column per particle.
+// Motions are averaged first and applied once: four vector products per particle.
 ParticleMotion SurfaceSkin::motionOf(const Binding& binding) const {
   ParticleMotion mean;
   const auto blend = [&](std::size_t begin, std::size_t end) {
@@ -148,7 +148,7 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
       for (std::int32_t v = range.first; v < range.first + range.count; ++v)
         bindings_[v] = bind(rest[v], lattice, tissue);
   }
-  // Beside a wound the tracker knows which particles are on a vertex's side.
+  // Beside a wound the tracker's bindings name the particles on a vertex's side.
   if (surface.changes().everything || !surface.changes().vertices.empty())
     surface.visitBindings([&](std::int32_t first, std::span<const VertexBinding> bindings) {
       for (std::size_t v = 0; v < bindings.size(); ++v) {

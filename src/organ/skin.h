@@ -1,10 +1,10 @@
-// Where is the surface when the tissue has moved? Vertices of the rest surface follow the particles
-// round them; nothing is triangulated again.
+// The surface of tissue that has moved: vertices of the rest surface follow the particles round
+// them, without meshing again.
 //
-// A vertex hangs on the up to eight particles round it: x = sum w_i (x_i + F_i (X - X_i)), weights
-// as of trilinear interpolation, shared among those that are there; beside a wound the tracker
-// names those on the vertex's own side (wound/vertex_binding.h). Normals turn with the cofactor
-// of F. Cost: a few products per vertex and frame, a look round for vertices that changed.
+// A vertex follows up to eight particles round it: x = sum w_i (x_i + F_i (X - X_i)), with
+// trilinear weights normalised over the particles that exist; beside a wound the tracker's bindings
+// name those on the vertex's own side (wound/vertex_binding.h). Normals are transformed by the
+// cofactor of F. Cost: a few products per vertex and frame; a search for vertices that changed.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ class SurfaceSkin {
   // withLook: after surface.updateLook(), normals too.
   void follow(const SurfaceTracker& surface, const Lattice& lattice, const TissueModel& tissue,
               std::span<const std::int64_t> changedCells, bool withLook);
-  // Normals for the surface as it was followed last.
+  // Computes normals for the positions of the last follow().
   void turnNormals(const SurfaceTracker& surface);
 
   // One per vertex of the surface's arrays.
@@ -36,7 +36,7 @@ class SurfaceSkin {
  private:
   struct Binding {
     std::array<std::int32_t, 8> place{};  // into cells_
-    std::array<float, 8> weight{};        // 0: this place and those after it do not count
+    std::array<float, 8> weight{};        // 0: this entry and those after it are unused
   };
   Binding bind(const Vec3f& vertex, const Lattice& lattice, const TissueModel& tissue);
   void findMotions(const Lattice& lattice, const TissueModel& tissue);
@@ -45,7 +45,7 @@ class SurfaceSkin {
   std::int32_t placeOf(std::int64_t cell);
 
   std::vector<Binding> bindings_;
-  std::vector<std::int64_t> cells_;        // that vertices hang on
+  std::vector<std::int64_t> cells_;        // that vertices follow
   std::vector<std::int32_t> placeOfCell_;  // per lattice cell: into cells_, or -1
   std::vector<Vec3f> restOfCell_;
   std::vector<CellPlacement> placements_;

@@ -10,7 +10,7 @@ struct Nearest {
   double squared = std::numeric_limits<double>::infinity();  // distance, m^2
 };
 
-// Of the cells up to `reach` away from one along each axis.
+// The nearest among the cells up to `reach` away from one along each axis.
 Nearest nearestRound(const Lattice& lattice, std::span<const std::uint8_t> alive, const Vec3i& at,
                      int reach, const Vec3& point) {
   Nearest nearest;
@@ -37,7 +37,7 @@ std::int64_t nearestParticle(const Lattice& lattice, std::span<const std::uint8_
     return -1;
   const Vec3i at = place.cast<int>();
   const Nearest beside = nearestRound(lattice, alive, at, 1, point);
-  // Cells further off are one and a half cells away at least.
+  // Cells farther away are at least one and a half cells away.
   const double sure = 1.5 * lattice.spacing.minCoeff();
   if (beside.squared <= sure * sure) return beside.cell;
   return nearestRound(lattice, alive, at, 2, point).cell;

@@ -100,8 +100,7 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   done("measure");
 }
 
-// Tools go to their new poses. One that was just taken in hand starts there: it swept nothing on
-// its way.
+// Sets the tools' new poses. A tool just taken in hand starts at its pose, without a sweep.
 void Simulation::moveTools(const FrameInput& input, StepReport& report) {
   RESECT_ASSERT(input.tools.size() == tools_.size());
   report.faults.clear();
@@ -112,7 +111,7 @@ void Simulation::moveTools(const FrameInput& input, StepReport& report) {
       report.faults.push_back(fmt::format(
           "the pose of tool \"{}\" is not a number; it stays where it was: check the tool's motion",
           state.tool->model.name));
-      // Nor does it go its last way once more.
+      // The motion of the frame before is cleared too.
       state.wasInHand = state.inHand;
       state.way = {state.way.from, state.way.to, state.way.to};
       continue;
@@ -125,7 +124,7 @@ void Simulation::moveTools(const FrameInput& input, StepReport& report) {
   }
 }
 
-// Which particles does each tool in hand sweep over?
+// Finds the particles that each tool in hand sweeps over.
 void Simulation::findContacts() {
   work_.contacts.resize(tools_.size() * organs_.size());
   auto contacts = work_.contacts.begin();
@@ -142,7 +141,7 @@ void Simulation::findContacts() {
   }
 }
 
-// Each working part turns what it touches into edits; nothing changes yet.
+// Each working part queues edits; nothing changes yet.
 void Simulation::actTools(const FrameInput& input) {
   work_.edits.assign(input.edits.begin(), input.edits.end());
   for (const ToolContacts& contacts : work_.contacts) {
@@ -180,8 +179,7 @@ void Simulation::applyEdits(StepReport& report) {
   dropJoints();
 }
 
-// Tissue moves for the frame, pushed and pulled by the tools on their way. What ought to tear is
-// queued.
+// Moves the tissue for the frame, with the moving tools as obstacles. Tears are queued.
 void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
   report.toolForce.assign(tools_.size(), Vec3::Zero());
   report.tissue.resize(organs_.size());
@@ -234,7 +232,7 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
 
 void Simulation::applyTears(StepReport& report) { report.torn = apply(work_.tears).severed; }
 
-// Bricks of the colour field that the edits reach are evaluated again.
+// Evaluates the bricks of the colour field in reach of the edits.
 void Simulation::updateField(StepReport& report) {
   report.touchedBricks = 0;
   for (std::size_t o = 0; o < organs_.size(); ++o) {
@@ -243,7 +241,7 @@ void Simulation::updateField(StepReport& report) {
   }
 }
 
-// The same bricks are meshed again; all of them when the iso level changed.
+// Meshes the same bricks; all bricks if the iso level changed.
 void Simulation::updateSurface(const FrameInput& input) {
   for (std::size_t i = 0; i < organs_.size(); ++i) {
     OperatedOrgan& o = organs_[i];
@@ -258,7 +256,7 @@ void Simulation::updateSurface(const FrameInput& input) {
   }
 }
 
-// The books: time, frame, and faults of nature or of settings.
+// Updates time and frame, and reports faults.
 void Simulation::measure(const FrameInput& input, StepReport& report) {
   if (input.iso && !(*input.iso >= kMinIso && *input.iso <= kMaxIso))
     report.faults.push_back(

@@ -1,9 +1,9 @@
-// What happens in one frame of an operation? Tools move, touch, act; tissue answers; the surface
-// follows.
+// The simulation of an operation, frame by frame: tools move, touch and act; tissue moves; the
+// surface follows.
 //
-// A simulation knows no file, window, thread or clock: it is driven by inputs alone, so it runs
-// headless, several times in one process, and gives the same bits for the same inputs at any number
-// of threads. docs/step.md walks through a step.
+// A simulation knows no file, window, thread or clock: it is driven by its inputs alone, so it runs
+// headless and several times in one process, and gives the same bits for the same inputs at any
+// number of threads. docs/step.md walks through a step.
 #pragma once
 
 #include <cstdint>
@@ -22,23 +22,24 @@
 
 namespace resect {
 
-// What the outside says about a tool for this frame.
+// Input for a tool in this frame.
 struct ToolInput {
   Pose pose;           // at the end of the frame, world, m
-  bool inHand = true;  // false: it lies in the tool box, or is being put there, and touches nothing
+  bool inHand = true;  // false: it is in the tool box or on its way there and touches nothing
   double squeeze = 0;  // of a tool with jaws, at the end of the frame: 0 wide open, 1 closed
-  double pedal = 0;    // of an energy device, 0 to 1: how far it is pressed
+  double pedal = 0;    // of an energy device: 0 released to 1 pressed
 };
 
 struct FrameInput {
   double duration = 1.0 / 60;    // s
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
   std::optional<float> iso;      // another iso level from this frame on
-  // Done to tissue whatever the tools do, before what they queue; their parts do not see it yet.
+  // Edits from outside, applied before those of the tools; working parts do not see their effect in
+  // this frame.
   std::vector<TissueEdit> edits;
 };
 
-// What happened in a frame. No stage reads it.
+// Result of a frame. Output only: no stage reads it.
 struct StepReport {
   std::int64_t frame = 0;              // number of the frame, from 0
   double time = 0;                     // at the end of the frame, s
@@ -48,8 +49,8 @@ struct StepReport {
   std::int64_t touchedBricks = 0;      // bricks evaluated and meshed again
   // Tool after tool, for each one per organ; empty for a tool not in hand.
   std::vector<ToolContacts> contacts;
-  std::vector<TissueEdit> edits;    // in order, also those passed over; but those for what tore
-  std::vector<TissueEdit> tears;    // bonds that tore, grips that slipped
+  std::vector<TissueEdit> edits;    // in order, skipped ones included; without tears
+  std::vector<TissueEdit> tears;    // edits for bonds that tore and grips that slipped
   std::vector<TissueStep> tissue;   // one per organ
   std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero when nothing moves
   std::vector<std::string> faults;  // sentences, each naming the setting to change
@@ -57,7 +58,7 @@ struct StepReport {
 
 struct ToolState {
   ToolWay way;
-  // On the tool, N: of this frame, and smoothed over some 0.05 s as a hand feels it.
+  // Force on the tool, N: of this frame, and smoothed over 0.05 s as a hand feels it.
   Vec3 force = Vec3::Zero(), feltForce = Vec3::Zero();
   bool inHand = false;
   bool wasInHand = false;
@@ -78,8 +79,8 @@ struct ToolState {
 
 class Simulation {
  public:
-  // At least one organ. joints: between organs, by their numbers. table: tissue that moves rests on
-  // a level top at y = 0.
+  // At least one organ. joints: between organs, by their numbers. table: whether moving tissue can
+  // rest on a table at y = 0.
   Simulation(std::vector<OperatedOrgan> organs, std::vector<std::unique_ptr<Tool>> tools,
              std::vector<TissueJoint> joints = {}, bool table = true);
   // One organ; tissue null: it does not move.
@@ -89,10 +90,10 @@ class Simulation {
   // before the first step.
   void addObstacle(const TriangleMesh& shape, const Pose& pose);
 
-  // One frame. `clock`, when given, gets a lap per stage, under the stage's name.
+  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
-  // The same into a report that is kept from frame to frame: then a frame in which no tool comes
-  // near tissue allocates no memory.
+  // The same with a report that is reused: then a frame of still tissue in which no tool comes near
+  // allocates no memory.
   void step(const FrameInput& input, StepReport& report, StageClock* clock = nullptr);
 
   const std::vector<OperatedOrgan>& organs() const { return organs_; }
@@ -102,31 +103,30 @@ class Simulation {
   std::int64_t frame() const { return frame_; }
   bool moves() const;  // does the tissue of any organ move?
 
-  // Of the first organ, where there is but one.
+  // Of the first organ, for simulations with one.
   const Organ& organ() const { return organs_[0].organ; }
   const TissueModel& tissue() const { return *organs_[0].tissue; }
   std::span<const Vec3f> surfacePoints() const { return organs_[0].points(); }
 
-  // The surface of all organs where it is now, world, without the arrays' holes.
+  // The present surface of all organs, world, without the arrays' holes.
   TriangleMesh surfaceMesh() const;
 
-  // From now on each step keeps up how the surface looks, for pictures of it: nothing else of a
-  // step depends on it.
+  // From now on each step updates normals and cut shares, for pictures; nothing else depends on it.
   void keepLook();
-  // Of a simulation that keeps its look: surfaceMesh() and how it looks.
+  // After keepLook(): surfaceMesh() with normals and cut shares.
   SurfaceTracker::Compact surface() const;
 
   // Memory held for organs, their tissue and surfaces.
   std::size_t bytes() const;
 
-  // All that decides what comes next, for restore(). Cost: about a pass over the state; at most 48
-  // bytes a particle of elastic tissue, a bit a particle of still tissue, and what was cut.
+  // The whole state, for restore(). Cost: about a pass over the state; at most 48 bytes a particle
+  // of elastic tissue, a bit a particle of still tissue, and what was cut.
   Bytes save() const;
-  // Goes on from a state that save() gave for the same organs and as many tools: from here on the
-  // same inputs give the same bits. The pictures' arrays are made anew. Error, and nothing changes,
-  // when the state is not of these organs or is damaged.
+  // Continues from a state that save() gave for the same organs and number of tools: from here on
+  // the same inputs give the same bits. Normals and cut shares are made anew. If the state is of
+  // other organs or damaged, Error is thrown and nothing changes.
   void restore(std::span<const std::byte> state);
-  // The state by its fields, for comparing (base/state/saved_state.h).
+  // The state by its fields, for comparison (base/state/saved_state.h).
   SavedState fields() const { return saveState(*this, fingerprint()); }
 
   // Digest of the state, and of the surface that follows from it (where it is, not how it looks).
@@ -143,7 +143,7 @@ class Simulation {
   }
 
  private:
-  // What the stages of a frame hand each other; its memory is used again.
+  // Data that the stages of a frame pass on; memory is reused.
   struct Work {
     std::vector<ToolContacts> contacts;
     std::vector<TissueEdit> edits, tears;
@@ -176,12 +176,12 @@ class Simulation {
   double time_ = 0;
   std::int64_t frame_ = 0;
 
-  // Set up, or made from the state.
+  // Set up once, or derived from the state.
   bool table_, keepsLook_ = false;
-  std::vector<std::unique_ptr<SignedDistance>> shapes_;          // of the tools, where tissue moves
+  std::vector<std::unique_ptr<SignedDistance>> shapes_;          // of the tools, if tissue moves
   std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // see addObstacle
   std::vector<Pose> standingPoses_;
-  std::vector<JoinedOrgan> joined_;  // by organ, where there are joints
+  std::vector<JoinedOrgan> joined_;  // by organ, if there are joints
   Work work_;
 };
 

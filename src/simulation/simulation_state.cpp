@@ -1,4 +1,4 @@
-// How a simulation is saved, restored and compared.
+// Saving, restoring and comparing the state of a simulation.
 #include <algorithm>
 
 #include "base/error.h"

@@ -1,5 +1,5 @@
-// Where is an organ held by the body it lies in, and how? Regions of rest space, so that they hold
-// at any spacing.
+// Attachments: regions of an organ that are pinned or held by a ligament. Given in rest space, so
+// that they hold at any spacing.
 #pragma once
 
 #include "sph/region.h"
@@ -10,7 +10,7 @@ namespace resect {
 struct TissueAttachment : Region {
   enum class Kind {
     Pin,      // the cells do not move
-    Ligament  // each cell is drawn back to its rest position by a spring
+    Ligament  // a spring pulls each cell to its rest position
   };
   Kind kind = Kind::Pin;
   double stiffness = 200;  // of the whole ligament, N/m, spread over its cells

@@ -35,11 +35,11 @@ std::vector<TissueJoint> joinNear(const JoinedOrgan& a, const JoinedOrgan& b, do
     joint.rest = to.centre(to.cell(nearest)) - centre;
     joints.push_back(joint);
   }
-  std::vector<std::int64_t> ends;  // cells of `b`, one as often as there are springs at it
+  std::vector<std::int64_t> ends;  // cells of `b`, repeated for each spring
   for (const TissueJoint& joint : joints) ends.push_back(joint.cell[1]);
   std::ranges::sort(ends);
   for (TissueJoint& joint : joints) {
-    // Springs at the same cell share its mass: together they must not pull it too fast either.
+    // Springs at the same cell share its mass: together they must stay stable too.
     double lighter = std::numeric_limits<double>::infinity();
     if (const double mass = a.tissue->mass(joint.cell[0]); mass > 0) lighter = mass;
     if (const double mass = b.tissue->mass(joint.cell[1]); mass > 0)

@@ -1,9 +1,9 @@
-// What holds two organs together: a ligament, a gallbladder on its bed? Damped springs, each from a
-// cell of one organ to a cell of another.
+// Joints: damped springs that hold two organs together, each from a cell of one organ to a cell of
+// another.
 //
-// A spring keeps the vector that its cells have between them at rest, in the world's axes: joined
-// organs part and slide like things glued at points, not like hinges. Forces act at every substep,
-// on both ends alike.
+// A spring's rest state is the vector between its cells at rest, in world axes: joined organs
+// behave as if glued at points, not hinged. Equal and opposite forces act on both ends at every
+// substep.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@
 namespace resect {
 
 struct TissueJoint {
-  std::array<std::int32_t, 2> organ{};  // numbers, not the same
+  std::array<std::int32_t, 2> organ{};  // organ numbers, different
   std::array<std::int64_t, 2> cell{};   // in the organs' lattices
   Vec3 rest = Vec3::Zero();             // from the first cell to the second at rest, m
   double stiffness = 0;                 // N/m
@@ -37,8 +37,8 @@ struct JoinedOrgan {
 };
 
 // A spring from each cell of `a` to the nearest cell of `b`, if that is within `reach`, m, both at
-// rest and solid. `stiffness` of all together, N/m, shared evenly; less where a cell could not
-// follow in a substep of `shortest` s.
+// rest and solid. `stiffness` of all together, N/m, shared evenly; less where that would be
+// unstable with a substep of `shortest` s.
 std::vector<TissueJoint> joinNear(const JoinedOrgan& a, const JoinedOrgan& b, double reach,
                                   double stiffness, double shortest);
 

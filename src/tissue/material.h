@@ -1,9 +1,8 @@
-// How stiff, how heavy and how tough is tissue?
+// Materials of tissue: stiffness, density, toughness.
 //
 // Neo-Hookean solid: Psi(F) = mu/2 (F:F - 3) - mu (J - 1) + (lambda + mu)/2 (J - 1)^2, which has
-// the small-strain constants E and nu and stays finite when a cell is turned inside out (after
-// Smith, de Goes, Kim 2018, without their barrier term). Defaults and their sources:
-// docs/methods/tissue.md.
+// the small-strain constants E and nu and stays finite when a cell is inverted (after Smith, de
+// Goes, Kim 2018, without their barrier term). Defaults and their sources: docs/methods/tissue.md.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +16,7 @@ namespace resect {
 struct TissueMaterial {
   std::string name = "liver";
   double young = 5000;    // Pa, > 0
-  double poisson = 0.45;  // 0 to 0.499; near 0.5 waves run fast and substeps become many
+  double poisson = 0.45;  // 0 to 0.499; near 0.5 waves are fast and substeps many
   double density = 1060;  // kg/m^3, > 0
   // A bond longer than this many times its rest length tears; 1.46 = exp(0.38), the ultimate true
   // strain of liver. > 1; infinity never tears.
@@ -42,7 +41,7 @@ TissueMaterial tumourTissue();
 TissueMaterial vesselWallTissue();
 TissueMaterial capsuleTissue();
 
-// A body before it moves: which cells of a cubic lattice are solid, and of what.
+// Input of elastic tissue: which cells of a cubic lattice are solid, and of which material.
 struct TissueCells {
   Lattice lattice;                        // cubic
   std::vector<std::uint8_t> solid;        // per cell: 1 where tissue is

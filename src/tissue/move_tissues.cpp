@@ -5,7 +5,7 @@
 namespace resect {
 namespace {
 
-// One attempt at the frame; the tissue that exploded, or null.
+// One attempt at the frame; returns the tissue that exploded, or null.
 TissueModel* tryFrame(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
                       std::span<const JoinedOrgan> organs) {
   int count = 0;
@@ -24,7 +24,7 @@ void moveTogether(std::span<const MovingTissue> tissues, std::span<const TissueJ
   while (const TissueModel* exploded = tryFrame(tissues, joints, organs)) {
     bool goOn = true;
     for (const MovingTissue& t : tissues) goOn = t.tissue->startAgain(t.tissue == exploded) && goOn;
-    // Nothing shorter: what is joined to it waits with it for a frame.
+    // No shorter substep: the tissues joined to it stay where they are for this frame.
     if (!goOn) break;
   }
   for (const MovingTissue& t : tissues) t.tissue->endFrame(*t.step);

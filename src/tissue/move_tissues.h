@@ -1,5 +1,4 @@
-// How do tissues move through a frame? Each by itself, or all together where springs join them:
-// then they take the same substeps, and what one pulls with the other feels in the same substep.
+// Moves tissues through a frame: each by itself, or in common substeps where joints connect them.
 #pragma once
 
 #include <span>
@@ -10,16 +9,16 @@
 
 namespace resect {
 
-// One tissue in a frame, among the obstacles that it can touch.
+// One tissue in a frame, with the obstacles that it can touch.
 struct MovingTissue {
   TissueModel* tissue = nullptr;
   std::span<const Obstacle> obstacles;
-  TissueStep* step = nullptr;  // overwritten; its memory is used again
+  TissueStep* step = nullptr;  // overwritten; its memory is reused
 };
 
-// duration > 0, s. organs: for the joints, by organ number; may be empty without joints. Tissue
-// that explodes is put back and tried again with substeps of half the length, with all that it is
-// joined to.
+// duration > 0, s. organs: for the joints, by organ number; may be empty without joints. A frame in
+// which a tissue explodes is restored and repeated with substeps of half the length, for all
+// tissues joined to it.
 void moveTissues(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
                  std::span<const JoinedOrgan> organs, double duration);
 void moveTissue(TissueModel& tissue, std::span<const Obstacle> obstacles, double duration,

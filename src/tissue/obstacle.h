@@ -1,4 +1,4 @@
-// What can tissue not move into? Rigid bodies round it: instruments, the table, what stands on it.
+// Obstacles: rigid bodies that tissue cannot enter: instruments, the table, the tray.
 #pragma once
 
 #include "collision/signed_distance.h"
@@ -6,18 +6,19 @@
 
 namespace resect {
 
-// As tissue feels it in one frame.
+// An obstacle's motion and properties in one frame.
 struct Obstacle {
-  std::int32_t tool = -1;                 // its number in the simulation; -1: it is no instrument
+  std::int32_t tool = -1;                 // number of the instrument; -1: not an instrument
   const SignedDistance* shape = nullptr;  // in its frame; null: see halfSpace
-  bool halfSpace = false;  // without a shape: all below y = 0 of its frame, or nothing
-  Pose from, to;           // at the start and the end of the frame
-  double standOff = 0;     // cells' centres are kept this far from its surface, m
+  bool halfSpace =
+      false;      // without a shape: everything below y = 0 of its frame if true, else nothing
+  Pose from, to;  // at the start and the end of the frame
+  double standOff = 0;  // cells' centres are kept this far from its surface, m
   double friction = 0.3;
-  double slipForce = 0;  // of an instrument's grip, N: beyond it all that it holds is let go
+  double slipForce = 0;  // of an instrument's grip, N: beyond it the grip releases all cells
 };
 
-// A level top at y = 0. spacing: of the cells that come to lie on it, m.
+// A level top at y = 0. spacing: of the cells that will rest on it, m.
 inline Obstacle tableTop(double spacing) {
   Obstacle table;
   table.halfSpace = true;

@@ -1,9 +1,10 @@
-// Which neighbours does a cell have, and how much does each weigh?
+// The 26 neighbours of a cell, their numbering and their weights.
 //
 // The 26 cells round a cell, numbered so that direction d and direction 25 - d are opposite; the
-// last 13 are "forward": each bond is forward from one of its two ends. Weights are those of the
-// quartic kernel (sph/kernel.h) with h = 0.8 spacings, whose support of 2 spacings, exclusive,
-// holds exactly these cells; they depend on the kind of neighbour alone: face, edge or corner.
+// last 13 are "forward": each bond is forward as seen from one of its two ends. Weights are those
+// of the quartic kernel (sph/kernel.h) with h = 0.8 spacings, whose radius of 2 spacings,
+// exclusive, contains exactly these cells; they depend only on whether the neighbour is a face,
+// edge or corner neighbour.
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
-// Tissue that never moves: what the original system had. It costs nothing but a byte a cell.
+// Tissue that never moves, as in the original system. It costs a byte a cell.
 //
-// What is done to it is done all the same: bonds are severed, so that the surface parts there, and
-// tools hold on to cells, so that an instrument acts on it as on any other.
+// Edits apply to it as to any tissue: bonds are severed, so that the surface parts there, and tools
+// can grip cells.
 #pragma once
 
 #include "sph/lattice.h"
@@ -76,7 +76,7 @@ class StillTissue : public TissueModel {
   std::vector<Severed> severed_;  // ascending by cell
   std::vector<Held> held_;
 
-  // Set up, or as the organ has it.
+  // Set up once, or copied from the organ.
   std::vector<std::uint8_t> solid_;
   Lattice lattice_;
   std::size_t obstacles_ = 0;  // of the frame

@@ -6,12 +6,13 @@
 namespace resect {
 namespace {
 
-// Does the edge move along its blade and not back out of the cut? `motion`: of the edge's middle,
-// in the tool's frame, m.
+// Whether the edge moves within the blade's plane and not back out of the cut. `motion`: of the
+// edge's middle, in the tool's frame, m.
 bool cuts(const ToolModel& tool, const Vec3& motion) {
   const Vec3 chord = (tool.edge.back() - tool.edge.front()).normalized();
   const Vec3 middle = 0.5 * (tool.edge.back() + tool.edge.front());
-  // The flat's normal: across the belly of the edge, or across edge and spine when it is straight.
+  // Normal of the blade: from the curvature of the edge, or, if the edge is straight, from edge and
+  // centre of the mesh.
   Vec3 normal = Vec3::Zero();
   for (const Vec3& p : tool.edge) {
     const Vec3 n = chord.cross(p - tool.edge.front());

@@ -1,9 +1,9 @@
-// A cutting edge: tissue is parted where it passes, and nothing is taken out. With its flat a blade
-// pushes.
+// Working part with a cutting edge: parts tissue where the edge passes, removes nothing. The flat
+// of a blade pushes.
 //
-// Only motion along the blade parts tissue: moving sideways it pushes, moving back it leaves by the
-// way it came. The way of the frame before is tested again, for tissue may have moved through the
-// edge meanwhile.
+// Only motion within the blade's plane parts tissue: moving sideways the blade pushes, moving back
+// it only leaves the cut. The motion of the frame before is tested again, since tissue may have
+// moved through the edge meanwhile.
 #pragma once
 
 #include "tools/working_part.h"

@@ -12,7 +12,7 @@
 namespace resect {
 namespace {
 
-// The stretch of the line p + t d, t in [t0, t1], inside the box; false when there is none.
+// Clips the line p + t d, t in [t0, t1], to the box; false if nothing is left.
 bool clip(const Aabb& box, const Vec3& p, const Vec3& d, double& t0, double& t1) {
   for (int a = 0; a < 3; ++a) {
     if (std::abs(d[a]) < 1e-30) {
@@ -27,10 +27,9 @@ bool clip(const Aabb& box, const Vec3& p, const Vec3& d, double& t0, double& t1)
   return t0 <= t1;
 }
 
-// The box of the moving tool, in its own frame at `to`: it holds every place that the tool passes
-// through.
+// Box of the moving tool in its own frame at `to`: contains the whole sweep.
 Aabb sweptBox(const Aabb& tool, const Pose& from, const Pose& to) {
-  // A corner strays from the chord of its arc by less than the sagitta of the rotation about the
+  // A corner deviates from the chord of its arc by less than the sagitta of the rotation about the
   // tool's origin.
   const double half = 0.5 * angleBetween(from.rotation, to.rotation);
   const double reach = std::max(tool.min.norm(), tool.max.norm()) + tool.size().norm();
@@ -55,13 +54,13 @@ double overlapVolume(const Organ& organ, const TriangleMesh& tool, const Pose& p
   return volume(intersectionVolume(toolImage, layeredDepthImage(skin, box, pixels, covered)));
 }
 
-// Living particles in the box of the tool's frame at `to`, where they are now, ascending.
+// Particles whose present positions are in the box, given in the tool's frame at `to`; ascending.
 struct NearCells {
   std::vector<std::int64_t> cells;
   std::vector<Vec3> positions;  // world
 };
 
-// Of tissue at rest: rows of cells along x, clipped against the box.
+// For tissue at rest: rows of cells along x, clipped to the box.
 NearCells nearAtRest(const Organ& organ, const Aabb& box, const Aabb& region, const Pose& to) {
   NearCells near;
   const Lattice& lattice = organ.rest.lattice;

@@ -19,7 +19,7 @@ struct Bend {
         normal((line.front() - centre).cross(line[line.size() / 2] - centre).normalized()) {
     for (const Vec3& p : line) radius = std::max(radius, (p - centre).norm());
   }
-  // Within the circle, or not a cell away?
+  // Whether p is in the circle or less than a cell away.
   bool holds(const Vec3& p, double spacing) const {
     const double off = (p - centre).dot(normal);
     return std::abs(off) < spacing && (p - centre - off * normal).norm() < radius + 0.5 * spacing;

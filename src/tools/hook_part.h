@@ -1,6 +1,5 @@
-// A hook: it catches the tissue in its bend while it is pulled towards its handle, and holds it
-// until the pull is too much (ToolModel::slipForce). One catch per pull: what it holds is not added
-// to.
+// Working part of a hook: grips the tissue in its bend while it is pulled towards its handle, until
+// the pull exceeds ToolModel::slipForce. It grips once per pull: what it holds is not added to.
 #pragma once
 
 #include "tools/working_part.h"

@@ -10,8 +10,8 @@
 namespace resect {
 namespace {
 
-// One edge of the jaws, `side` 1 or -1, in the world; from tip to heel for one, back for the other,
-// so that both strips look to the same side where they meet.
+// One edge of the jaws, `side` 1 or -1, in the world; from tip to heel for one, reversed for the
+// other, so that both sweeps have the same normal where they meet.
 std::vector<Vec3> jawEdge(const ToolModel& tool, const ToolStance& at, double side) {
   const Eigen::Quaterniond turn =
       rotationAbout(tool.jaws.axis, side * 0.5 * (1 - at.squeeze) * tool.jaws.opening);
@@ -22,9 +22,9 @@ std::vector<Vec3> jawEdge(const ToolModel& tool, const ToolStance& at, double si
   return edge;
 }
 
-// What the edges of closing jaws sweep; nothing while they open.
+// The sweep of the edges of closing jaws; empty while they open.
 SweptBlade sweepOfJaws(const ToolModel& tool, const ToolStance& from, const ToolStance& to) {
-  constexpr double kStep = 0.06;  // rad: an edge of 40 mm strays 0.02 mm from its arc
+  constexpr double kStep = 0.06;  // rad: an edge of 40 mm deviates 0.02 mm from its arc
   SweptBlade blade;
   if (!(to.squeeze > from.squeeze)) return blade;
   const double angle = 0.5 * (to.squeeze - from.squeeze) * tool.jaws.opening;

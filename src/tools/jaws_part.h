@@ -1,5 +1,5 @@
-// Two edges that part what is between them as they close, wherever the tool goes meanwhile. Tissue
-// feels the surface of open jaws throughout.
+// Working part of scissors: two edges that part the tissue between them as they close, however the
+// tool moves meanwhile. Tissue feels the surface of open jaws throughout.
 #pragma once
 
 #include "tools/working_part.h"

@@ -1,4 +1,4 @@
-// How does an edge part tissue that it has passed through, be it a blade's or that of closing jaws?
+// Parts tissue along the sweep of an edge: a blade's or that of closing jaws.
 #pragma once
 
 #include "collision/swept_blade.h"
@@ -6,11 +6,11 @@
 
 namespace resect {
 
-// Queues the incision along what the edge swept, world, and the bonds that it crosses where the
-// particles are now. Cost: in proportion to the particles near the blade.
+// Queues an incision along the edge's sweep (world) and the severing of the bonds that cross it at
+// the particles' present positions. Cost: proportional to the particles near the blade.
 void partAlong(const Touch& touch, SweptBlade blade, std::vector<TissueEdit>& edits);
 
-// One blade out of two.
+// Appends the triangles of another sweep.
 void append(SweptBlade& blade, const SweptBlade& more);
 
 }  // namespace resect

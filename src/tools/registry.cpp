@@ -48,7 +48,7 @@ std::span<const ToolKind> toolKinds() {
   static const std::array<ToolKind, 4> kinds = {{
       {"scalpel", {"blade"}},
       {"hook", {"hook"}},
-      {"baton", {}},  // it is blunt: its shape alone pushes
+      {"baton", {}},  // blunt: only its shape pushes
       {"scissors", {"jaws"}},
   }};
   return kinds;

@@ -1,4 +1,4 @@
-// Which kinds of instrument and which working parts are there, and how is an instrument made?
+// The kinds of instrument and of working part, and how an instrument is made.
 #pragma once
 
 #include <memory>
@@ -14,19 +14,19 @@ struct PartKind {
   std::string_view name;
   std::unique_ptr<WorkingPart> (*make)();
 };
-// A new kind of part is one more line there.
+// The list of working parts; a new one is one more line.
 std::span<const PartKind> partKinds();
 
 struct ToolKind {
   std::string_view name;
   std::vector<std::string_view> parts;
 };
-// All kinds, in the order that people are shown.
+// All kinds of instrument, in the order in which they are shown to people.
 std::span<const ToolKind> toolKinds();
 
-// Makes the tool with the parts that model.parts names, or else those of model.kind; an Error lists
-// what there is when there is none of that name. A tool whose response is "remove" has a Remover
-// instead of all of them.
+// Makes the tool with the parts that model.parts names, or else those of model.kind; for an unknown
+// name an Error lists the known ones. A tool whose response is "remove" has a Remover instead of
+// all of them.
 std::unique_ptr<Tool> makeTool(ToolModel model);
 
 }  // namespace resect

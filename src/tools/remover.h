@@ -1,4 +1,5 @@
-// The response of the thesis, open to every instrument: each particle that it touches is taken out.
+// Working part with the response of the thesis, usable by every instrument: removes each particle
+// that it touches.
 #pragma once
 
 #include "tools/working_part.h"

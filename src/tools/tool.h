@@ -1,4 +1,4 @@
-// What is an instrument? A shape, and a list of working parts that act on tissue.
+// An instrument: a shape, and a list of working parts that act on tissue.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace resect {
 
-// Two blades that turn against each other about a pivot, in the tool's frame.
+// Two blades that rotate against each other about a pivot, in the tool's frame.
 struct Jaws {
   Vec3 pivot = Vec3::Zero();  // m
   Vec3 axis = Vec3::UnitX();  // unit
@@ -34,17 +34,17 @@ struct ToolModel {
   std::vector<Vec3> hook;     // centre line of a hook's bend; empty without one
   Vec3 point = Vec3::Zero();  // end of the hook
   double contactRadius = 0;   // of a round tip; 0 when the tool has none
-  // "": its working parts act; "remove": it takes out what it touches, as all instruments of the
+  // "": its working parts act; "remove": it removes what it touches, as all instruments of the
   // thesis did.
   std::string response;
   double friction = 0.3;   // Coulomb's, on tissue
-  double slipForce = 6.0;  // N: a hook lets go beyond it
+  double slipForce = 6.0;  // N: a hook releases beyond it
 };
 
 struct Tool {
   ToolModel model;
   Aabb bounds;  // of the mesh, in the tool's frame
-  // They act one after the other. None: the instrument pushes with its shape and does no more.
+  // They act one after the other. Empty: the instrument only pushes with its shape.
   std::vector<std::unique_ptr<WorkingPart>> parts;
 };
 

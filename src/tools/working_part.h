@@ -1,6 +1,5 @@
-// What does a working part of an instrument do to the tissue that it meets? Blade, jaws, hook: one
-// class each. A part finds what it touches and queues edits; it changes nothing itself, and it need
-// not know whether the tissue moves.
+// Interface of working parts: blade, jaws, hook, one class each. A part finds what it touches and
+// queues edits; it changes nothing itself, and it need not know whether the tissue moves.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@ namespace resect {
 
 struct ToolModel;
 
-// Where a tool is and what the hand does with it at one time.
+// Pose, squeeze and pedal of a tool at one time.
 struct ToolStance {
   Pose pose;           // world
   double squeeze = 1;  // of its jaws: 0 wide open, 1 closed
@@ -26,7 +25,7 @@ struct ToolStance {
   }
 };
 
-// At the start of the frame before, at the start of this one, and at its end.
+// The stances at the start of the frame before, at the start of this frame, and at its end.
 struct ToolWay {
   ToolStance earlier, from, to;
 
@@ -40,9 +39,9 @@ struct ToolWay {
 struct ToolContacts {
   std::int32_t tool = -1, organ = -1;
   std::vector<std::int64_t> cells;  // particles inside the volume that the tool swept, ascending
-  // m^3 of organ and tool in the same place at the end of the frame; tissue that does not move.
+  // overlap of organ and tool at the end of the frame, m^3; for still tissue only.
   double overlapVolume = 0;
-  Aabb volumeOfInterest;  // where both can meet; empty when they do not
+  Aabb volumeOfInterest;  // common part of their boxes; empty if they do not meet
 };
 
 // One tool at one organ in one frame.
@@ -64,8 +63,8 @@ struct Touch {
 class WorkingPart {
  public:
   virtual ~WorkingPart() = default;
-  // Called for each organ in each frame that the tool is in hand. Cost when nothing is near:
-  // little, and no memory.
+  // Called for each organ in each frame that the tool is in hand. Must be cheap and allocate
+  // nothing when no tissue is near.
   virtual void act(const Touch& touch, std::vector<TissueEdit>& edits) const = 0;
 };
 

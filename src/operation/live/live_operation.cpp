@@ -92,7 +92,7 @@ void LiveOperation::waitFor(std::int64_t frame) {
   newFrame_.wait(lock, [&] { return state_.frame >= frame; });
 }
 
-// Waits for the time of the next frame; nothing: the operation ends.
+// Waits until the next frame is due; returns nothing when the operation ends.
 std::optional<LiveOperation::Frame> LiveOperation::nextFrame(
     std::chrono::steady_clock::time_point due) {
   std::unique_lock lock(mutex_);
@@ -118,7 +118,7 @@ void LiveOperation::work() {
   auto due = Clock::now();
   while (std::optional<Frame> frame = nextFrame(due)) {
     FrameInput& input = frame->input;
-    if (frame->played.empty())  // a hand holds them
+    if (frame->played.empty())  // moved by hand
       for (std::size_t i = 0; i < input.tools.size(); ++i)
         input.tools[i].squeeze = squeezeTowards(
             input.tools[i].squeeze, simulation_->tools()[i].way.to.squeeze, input.duration);

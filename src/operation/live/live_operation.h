@@ -1,9 +1,9 @@
-// How does an operation go on while a person looks at it?
+// An operation that runs in a thread of its own while a person looks at it.
 //
-// A thread of its own steps the simulation at the frame rate of real time; the window never waits
-// for it. Inputs are handed in at any moment and used from the next frame on; what has changed is
-// taken out in pieces the size of the change. Frames that the machine cannot do in time are not
-// made up for: the operation then runs slower than the clock, and realTimeFactor says so.
+// The thread steps the simulation at the frame rate of real time; the window never waits for it.
+// Inputs can be set at any moment and apply from the next frame on; surface changes are taken as
+// updates. Frames that take too long are not caught up: the operation then runs slower than the
+// clock, and realTimeFactor says so.
 #pragma once
 
 #include <chrono>
@@ -23,37 +23,37 @@ namespace resect {
 
 class LiveOperation {
  public:
-  // Starts at once, with all tools out of hand where they lie (`rests`, one per tool). frameRate:
-  // simulated frames per second, 1 to 1000.
+  // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
+  // frameRate: simulated frames per second, 1 to 1000.
   LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                 double frameRate = 60);
-  ~LiveOperation();  // ends the thread after the frame in work
+  ~LiveOperation();  // ends the thread after the current frame
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;
 
-  // From the next frame on. May be called from any thread. Jaws follow their squeeze as fast as a
-  // hand closes them.
+  // From the next frame on. May be called from any thread. Jaws close at the speed of a hand
+  // (squeeze_speed.h).
   void setTool(int tool, const ToolInput& input);
   void setIso(float iso);
-  // From the next frame on the tools follow `motion`, which is asked once a frame, in the
-  // operation's thread, until it gives nothing; an empty function ends it.
+  // From the next frame on `motion` supplies the input: it is called once a frame in the
+  // operation's thread until it returns nothing; an empty function ends it.
   void play(std::function<std::optional<FrameInput>()> motion);
   bool playing() const;
   void setPaused(bool paused);
 
-  // Moves out what has changed since the last call and copies the state. False: no frame since.
-  // updates: one per organ.
+  // Takes the changes since the last call and copies the state. False: no frame since. updates: one
+  // per organ.
   bool take(std::vector<SurfaceUpdate>& updates, LiveState& state);
 
-  // The surface where it is now, for saving; waits for the frame in work, and no longer.
+  // The present surface, for saving; waits for the end of the current frame only.
   SurfaceTracker::Compact surface();
-  // Waits until at least this frame has been done (for tests).
+  // Waits until at least this frame is done (for tests).
   void waitFor(std::int64_t frame);
 
  private:
   struct Frame {
     FrameInput input;
-    std::vector<ToolInput> played;  // when a motion gave the input
+    std::vector<ToolInput> played;  // set when a motion supplied the input
   };
   void work();
   std::optional<Frame> nextFrame(std::chrono::steady_clock::time_point due);
@@ -66,8 +66,8 @@ class LiveOperation {
   FrameInput input_;
   std::function<std::optional<FrameInput>()> motion_;
   bool paused_ = false, ending_ = false, fresh_ = false;
-  bool stepping_ = false;  // a frame is in work: the simulation is the thread's alone
-  int readers_ = 0;        // who wait for the end of the frame; none begins before they are served
+  bool stepping_ = false;  // a frame is being computed: only the thread may use the simulation
+  int readers_ = 0;  // callers waiting for the end of the frame; the next frame waits for them
   std::vector<SurfacePublisher> publishers_;  // one per organ
   LiveState state_;
   std::thread thread_;

@@ -6,7 +6,7 @@ namespace resect {
 
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
               double before) {
-  constexpr double kTouchShows = 0.1;    // s: tissue that is taken at once is touched for a frame
+  constexpr double kTouchShows = 0.1;    // s: removed tissue is in contact for one frame only
   constexpr double kFeltContact = 0.01;  // N
   state.frame = report.frame + 1;
   state.time = report.time;

@@ -1,4 +1,4 @@
-// What is there to show of an operation besides its surface: counts, volumes, forces, times?
+// The state of an operation besides its surface, for panels: counts, volumes, forces, times.
 #pragma once
 
 #include <cstdint>
@@ -21,19 +21,19 @@ struct LiveState {
   float iso = 50;
   bool moves = false;               // the tissue is elastic
   std::vector<std::string> faults;  // of the last frame
-  std::vector<ToolInput> played;    // what a motion made the tools do; empty: none did
+  std::vector<ToolInput> played;    // tool inputs by a motion; empty: none is played
   StepTimes times;
   // One per tool.
   std::vector<TipPlace> tips;          // meaningful for those in hand
   std::vector<double> squeeze;         // of its jaws
-  std::vector<double> forces;          // of the tissue on it as a hand feels it, N
-  std::vector<double> peakForces;      // greatest mean force of a frame so far, N
+  std::vector<double> forces;          // smoothed force of the tissue on it, N
+  std::vector<double> peakForces;      // largest mean force of a frame so far, N
   std::vector<double> lastTouch;       // simulated time when it last touched tissue, s; -1 never
-  std::vector<std::uint8_t> touching;  // 1 if that was lately (0.1 s)
+  std::vector<std::uint8_t> touching;  // 1 if that was within the last 0.1 s
 };
 
-// After a step of a simulation that keeps its look: all but what was played, and the times.
-// `before`: volume of the tissue before the operation, m^3.
+// Updates everything except `played` and `times` after a step; keepLook() must be on. `before`:
+// volume of the tissue before the operation, m^3.
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
               double before);
 

@@ -1,4 +1,4 @@
-// Where is an organ's surface at this moment?
+// The present surface of an organ.
 #pragma once
 
 #include <span>
@@ -7,15 +7,15 @@
 
 namespace resect {
 
-// What is seen of one organ after a step; good until the next. Its tracker's arrays, moved with the
-// tissue.
+// View of an organ's surface after a step: the tracker's arrays, moved with the tissue. Valid until
+// the next step.
 struct PresentSurface {
   const Organ& organ;
   std::span<const Vec3f> points, normals;  // world, m; unit, outwards; one per vertex
   bool moves = false;                      // the tissue is elastic
 };
 
-// Of a simulation that keeps its look.
+// The simulation must keep its look (keepLook()).
 inline PresentSurface presentSurface(const Simulation& simulation, std::size_t organ = 0) {
   const OperatedOrgan& o = simulation.organs()[organ];
   return {o.organ, o.points(), o.normals(), o.tissue->moves()};

@@ -1,4 +1,4 @@
-// How far do jaws close within a frame, as fast as a hand can squeeze them?
+// Limits the closing of jaws to the speed of a hand.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@ namespace resect {
 
 constexpr double kSqueezeTime = 0.25;  // s, from wide open to closed
 
-// What they reach of `wanted` (0 wide open to 1 closed) within `duration`, s, from where they are.
+// The squeeze reached after `duration`, s, from `now` towards `wanted` (0 wide open to 1 closed).
 inline double squeezeTowards(double wanted, double now, double duration) {
   const double most = duration / kSqueezeTime;
   return std::clamp(wanted, now - most, now + most);

@@ -1,4 +1,4 @@
-// How fast is an operation, by its steps of the last second?
+// Speed of an operation, from its steps of the last second.
 #pragma once
 
 #include <string>
@@ -22,9 +22,9 @@ struct StepTimes {
 class LastSecond {
  public:
   explicit LastSecond(double frameRate);  // simulated frames per second
-  // clock: of one step. arrival: when it was done, s of the steady clock.
+  // clock: of one step. arrival: time of its end, steady clock, s.
   void add(const StageClock& clock, double arrival);
-  // Since that number of steps that a second should have. Cost: sorting them, for each stage.
+  // Over as many steps as a second should have. Cost: a sort for each stage.
   StepTimes times() const;
 
  private:

@@ -9,7 +9,7 @@ namespace resect {
 void SurfacePublisher::follow(const PresentSurface& surface) {
   const SurfaceTracker& tracker = surface.organ.surface;
   const SurfaceTracker::Changes& changes = tracker.changes();
-  // Whoever does not keep up is told the whole once instead of the same ranges many times.
+  // A viewer that falls behind gets the whole surface once instead of the same ranges many times.
   const bool late = update_.rest.size() > 2 * tracker.points().size() ||
                     update_.triangles.size() > 2 * tracker.triangles().size();
   if (!std::exchange(begun_, true) || update_.everything || changes.everything || late)
@@ -23,7 +23,7 @@ void SurfacePublisher::follow(const PresentSurface& surface) {
       addMovedVertices(update_, r, surface.points, surface.normals);
     return;
   }
-  // What an earlier step said of moving vertices is past.
+  // Moved vertices of earlier steps are superseded.
   update_.movedVertices.clear(), update_.points.clear(), update_.normals.clear();
   findUnseen(surface.points, changes.vertices);
   for (std::size_t c = 0; c < unseen_.size(); ++c) {
@@ -46,7 +46,7 @@ void SurfacePublisher::tellEverything(const PresentSurface& surface) {
   unseen_.assign((told_.size() + kChunk - 1) / kChunk, 0);
 }
 
-// Marks the chunks with vertices that are new, or have moved enough to be seen.
+// Marks the blocks with vertices that are new or have moved visibly.
 void SurfacePublisher::findUnseen(std::span<const Vec3f> points,
                                   std::span<const IndexRange> changed) {
   const Vec3f nowhere = Vec3f::Constant(std::numeric_limits<float>::quiet_NaN());

@@ -1,9 +1,9 @@
-// What must somebody be told of an organ's surface who looks now and then?
+// Collects the changes of an organ's surface for a viewer that takes them from time to time.
 //
-// Follows the surface step by step and gathers what has changed until it is taken. Of tissue that
-// moves that is, in chunks of 64 vertices, what has moved far enough to be seen since it was told
-// last; rest places and shares of cut go with new vertices only. Cost of a step: its changes, and
-// for tissue that moves a look at each vertex. One publisher per organ and viewer.
+// Follows the surface step by step and collects changes until they are taken. For moving tissue
+// these are blocks of 64 vertices in which one has moved visibly since it was last published; rest
+// positions and cut shares are sent with new vertices only. Cost of a step: its changes, and for
+// moving tissue a pass over the vertices. One publisher per organ and viewer.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,19 @@ namespace resect {
 
 class SurfacePublisher {
  public:
-  static constexpr int kChunk = 64;            // vertices of moving tissue that are told together
-  static constexpr float kSeenMotion = 5e-5f;  // m: an eye takes what moved less to be still
+  static constexpr int kChunk = 64;  // vertices of moving tissue that are published together
+  static constexpr float kSeenMotion = 5e-5f;  // m: smaller motions are not visible
 
-  // Vertices that moved by no more than this since they were told last are passed over, m.
+  // Vertices that moved by no more than this since they were last published are left out, m.
   explicit SurfacePublisher(float seenMotion = kSeenMotion) : seenMotion_(seenMotion) {}
 
-  // After every step, for the changes of the surface are those of the last one. The first makes an
-  // update of everything; so does one after which the update would be larger than the surface.
+  // Call after every step, since the surface keeps only the last step's changes. The first call
+  // makes an update of everything; so does one after which the update would be larger than the
+  // surface.
   void follow(const PresentSurface& surface);
 
-  // Moves out all that has changed since the last call. Whoever applies all updates in their order
-  // holds the surface, to within the motion that is passed over.
+  // Returns all changes since the last call. A viewer that applies all updates in order has the
+  // surface, up to the motion that is left out.
   SurfaceUpdate take();
 
  private:
@@ -38,8 +39,8 @@ class SurfacePublisher {
   float seenMotion_;
   bool begun_ = false;
   SurfaceUpdate update_;
-  std::vector<Vec3f> told_;           // of moving tissue: where each vertex was last said to be
-  std::vector<std::uint8_t> unseen_;  // 1 for each chunk of these that has not been taken yet
+  std::vector<Vec3f> told_;           // for moving tissue: last published position of each vertex
+  std::vector<std::uint8_t> unseen_;  // 1 for each block whose motion has not been taken yet
 };
 
 }  // namespace resect

@@ -20,7 +20,7 @@ TipPlace placeOf(const PresentSurface& surface, const Vec3& tip) {
       inside = away.dot(normals[std::size_t(v)]) < 0;
     }
   };
-  // Seen from above: does the plumb line through the tip meet the triangle?
+  // Intersects the vertical line through the tip with the triangle.
   const auto lookUnder = [&](const Triangle& t) {
     const Vec3f &a = points[std::size_t(t[0])], &b = points[std::size_t(t[1])],
                 &c = points[std::size_t(t[2])];
@@ -38,7 +38,7 @@ TipPlace placeOf(const PresentSurface& surface, const Vec3& tip) {
   const Organ& organ = surface.organ;
   const double spacing = organ.rest.lattice.spacing.maxCoeff();
   if (surface.moves) {
-    // No side of a triangle is longer than this, also where tissue is stretched.
+    // Margin for the sides of triangles in stretched tissue: vertices outside it need no test.
     const float reach = float(kTipReach + 4 * spacing);
     for (const Triangle& t : organ.surface.triangles()) {
       const Vec3f& corner = points[std::size_t(t[0])];

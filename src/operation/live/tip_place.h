@@ -1,8 +1,7 @@
-// Where is the tip of a tool, as seen by the tissue where it is now: what lies under it, how near
-// is tissue?
+// What lies under a tool's tip and how near tissue is, with the tissue at its present position.
 //
-// Cost: of a still organ the bricks round the tip and under it, of one that moves a look at all its
-// triangles, for its bricks are at rest.
+// Cost: for still tissue the bricks round and under the tip; for moving tissue a pass over all
+// triangles, since bricks are in rest space.
 #pragma once
 
 #include "operation/live/present_surface.h"

@@ -37,8 +37,8 @@ BlendedShape::BlendedShape(std::span<const BlendedEllipsoid> ellipsoids) {
 }
 
 double BlendedShape::operator()(const Vec3& p) const {
-  // All ellipsoids side by side: |q| is 1 on the ellipsoid, |q| (|q| - 1) / |q / radii| about the
-  // distance from it.
+  // All ellipsoids at once: |q| is 1 on the ellipsoid; |q| (|q| - 1) / |q / radii| approximates the
+  // distance.
   Row k0 = Row::Zero(fillet_.size()), k1 = Row::Zero(fillet_.size());
   for (int m = 0; m < 3; ++m) {
     const Row q =
@@ -49,7 +49,7 @@ double BlendedShape::operator()(const Vec3& p) const {
   k0 = k0.sqrt();
   const Row ellipsoid = k0 * (k0 - 1) / k1.sqrt().max(1e-9);
 
-  // One after the other; carving is adding to what is outside.
+  // Blended one after the other; carving is adding to the outside.
   double value = std::numeric_limits<double>::infinity();
   for (Eigen::Index i = 0; i < ellipsoid.size(); ++i) {
     const double body = sign_[i] * value, width = fillet_[i];

@@ -1,10 +1,10 @@
-// Which points lie inside a body that is blended from ellipsoids?
+// A body blended from ellipsoids, as a signed function.
 //
-// The body is made like clay: ellipsoids are added to it or carved out of it one after the other,
-// each with a fillet of its own width where it meets what is already there. The result is a signed
-// value in metres, negative inside; near the surface it is close to the distance, and it is smooth
-// (C2) but for the ellipsoids' centres, where it jumps by less than their largest radius. Cost: two
-// square roots and two divisions an ellipsoid; allocates nothing; safe from several threads.
+// Ellipsoids are added to the body or carved out of it one after the other, each with a fillet of
+// its own width. The value is signed, in metres, negative inside; near the surface it approximates
+// the distance. It is smooth (C2) except at the ellipsoids' centres, where it jumps by less than
+// their largest radius. Cost: two square roots and two divisions an ellipsoid; allocates nothing;
+// thread-safe.
 //
 // Sources: blending of implicit bodies, A. Ricci (1973); cubic smooth minimum and first-order
 // distance of an ellipsoid, I. Quilez (articles "smooth minimum", "ellipsoid distance", 2013).
@@ -16,7 +16,7 @@
 
 namespace resect {
 
-// How an ellipsoid changes the body that the ones before it made.
+// How an ellipsoid changes the body made by those before it.
 enum class Blend { Add, Carve };
 
 struct BlendedEllipsoid {
@@ -24,7 +24,7 @@ struct BlendedEllipsoid {
   Vec3 centre = Vec3::Zero();           // m
   Eigen::Vector4d turn = {0, 0, 0, 1};  // quaternion x, y, z, w: from its own axes to the body's
   Vec3 radii = Vec3::Constant(0.01);    // m, each > 0
-  double fillet = 0.01;                 // m, > 0: width over which it melts into the body
+  double fillet = 0.01;                 // m, > 0: width of the blend with the body
 };
 
 class BlendedShape {
@@ -34,13 +34,13 @@ class BlendedShape {
   // At most kMost ellipsoids, in the order in which they are blended.
   explicit BlendedShape(std::span<const BlendedEllipsoid> ellipsoids);
 
-  // Signed value at p (m), m; a shape of nothing is infinitely far from every point.
+  // Signed value at p (m), m; an empty shape has the value infinity everywhere.
   double operator()(const Vec3& p) const;
 
  private:
   using Row = Eigen::Array<double, Eigen::Dynamic, 1, 0, kMost, 1>;  // one number an ellipsoid
 
-  // Row m of the map to the unit ball is toUnit_[m]; offset_ is where it takes the origin.
+  // toUnit_[m] is row m of the linear map to the unit ball; offset_ is the image of the origin.
   Row toUnit_[3][3], offset_[3], inverseRadii_[3], fillet_, sign_;
 };
 

@@ -18,7 +18,7 @@ namespace {
 const Vec3 kFossaCentre(-0.00700, -0.01850, 0.05000);
 const Eigen::Vector4d kFossaTurn(0.12864, -0.19553, 0.00000, 0.97223);
 
-// An ellipsoid of revolution but for its flattening, in the frame of the fossa.
+// An ellipsoid in the frame of the fossa, given by its long axis, width and height.
 struct Piece {
   Vec3 centre, along;                // m; direction of the long axis, any length
   double width, height, halfLength;  // radii, m
@@ -60,7 +60,7 @@ BlendedShape pear() {
 double builtinGallbladderDistance(const Vec3& p) {
   static const BlendedShape shape = pear();
   const double free = shape(p), bed = kGap - builtinLiverDistance(p);
-  // The larger of the two, rounded where they meet as in BlendedShape.
+  // Smooth maximum of the two, as in BlendedShape.
   const double overlap = std::max(kBedFillet - std::abs(free - bed), 0.0);
   return std::max(free, bed) + overlap * overlap * overlap / (6 * kBedFillet * kBedFillet);
 }

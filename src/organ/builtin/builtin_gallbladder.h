@@ -1,10 +1,10 @@
-// What does the gallbladder on the built-in liver look like?
+// The built-in gallbladder, as a signed function and as a mesh.
 //
 // A filled gallbladder of our own making, in the coordinates of the built-in liver: fundus, body,
 // infundibulum with its pouch (Hartmann), neck, and a stump of the cystic duct. It lies in the
-// gallbladder fossa and is moulded by it: where the pear would reach into the liver its wall
-// follows the bed at a fifth of a millimetre. The fundus looks out beyond the inferior margin, the
-// neck bends down and to the left towards the porta hepatis. Size as in the adult, 7 to 10 cm long,
+// gallbladder fossa and is shaped by it: where it would enter the liver its wall follows the bed at
+// a distance of a fifth of a millimetre. The fundus extends beyond the inferior margin, the neck
+// bends down and to the left towards the porta hepatis. Size as in the adult, 7 to 10 cm long,
 // about 3.5 cm wide, 30 to 50 ml (Gray's Anatomy, ed. Standring, 2016);
 // docs/methods/builtin_liver.md has its own figures. In metres, Y up, +Z anterior, +X the patient's
 // left.

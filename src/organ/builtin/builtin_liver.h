@@ -1,7 +1,7 @@
-// What does the built-in human liver look like?
+// The built-in human liver, as a signed function and as a mesh.
 //
-// A liver of our own making, so that nothing has to be downloaded: right and left lobe under a
-// domed diaphragmatic face, a hollow visceral face with the gallbladder fossa, the umbilical
+// A liver computed from a formula, so that nothing has to be downloaded: right and left lobe under
+// a domed diaphragmatic face, a hollow visceral face with the gallbladder fossa, the umbilical
 // fissure and the groove of the vena cava, and a sharp inferior margin. Blended from ellipsoids
 // that tools/fit_liver fitted to the liver of the Visible Human Male; docs/methods/builtin_liver.md
 // says how, and how close it comes. In metres, Y up, +Z anterior, +X the patient's left, its centre

@@ -9,14 +9,14 @@
 namespace resect {
 namespace {
 
-// How the particles in a box of cells have moved.
+// The motions of the particles in a box of cells.
 class Motions {
  public:
   struct Motion : ParticleMotion {
-    Column reach;  // half extents of the box round a cell that the particle takes
+    Column reach;  // half extents of the deformed cell's bounding box
   };
 
-  // `wanted`: per cell of the box; others are asked one by one.
+  // `wanted`: per cell of the box; others are computed on demand.
   Motions(const Organ& organ, const TissueModel& tissue, const IndexBox& box,
           std::span<const std::uint8_t> wanted)
       : lattice_(organ.rest.lattice), tissue_(tissue), box_(box), number_(box.count(), -1) {
@@ -50,8 +50,8 @@ class Motions {
     const std::int32_t n = number_[std::size_t(box_.index(cell))];
     return n < 0 ? nullptr : &motions_[std::size_t(n)];
   }
-  // Of a particle by its lattice index, wherever it lies. Valid until the next call. Many nodes
-  // follow the same particles: what was found is kept where it is found again without dividing.
+  // Motion of any particle by its lattice index. Valid until the next call. Many nodes follow the
+  // same particles, so results are cached in a table that needs no division.
   const ParticleMotion& of(std::int32_t cell) {
     Found& found = found_[std::size_t(cell) % kFound];
     if (found.cell != cell) found = {cell, numberOf(cell)};
@@ -83,7 +83,7 @@ class Motions {
   ParticleMotion far_;
 };
 
-// The blade as boxes of its triangles.
+// Bounding boxes of the blade's triangles.
 class BladeBoxes {
  public:
   explicit BladeBoxes(const SweptBlade& blade) : all_(boxOf(blade.bounds)) {
@@ -93,7 +93,7 @@ class BladeBoxes {
       triangles_.push_back(boxOf(box));
     }
   }
-  // Can the blade meet something in the box?
+  // Whether the blade may meet the box.
   bool mayMeet(const Column& low, const Column& high) const {
     return meets(all_, low, high) &&
            std::ranges::any_of(triangles_, [&](const Box& t) { return meets(t, low, high); });
@@ -127,10 +127,10 @@ bool nearCut(const Organ& organ, const Vec3i& cube) {
   return false;
 }
 
-// Lattice cubes, by the cell at their lowest corner: a node lies among the places that the
-// particles of its cube take it to; beside a cut some follow particles farther away. So the blade
-// can meet a cube only where it meets the box of all that they take it to. A fine grid's cubes are
-// looked at in halves along each axis.
+// Lattice cubes, by the cell at their lowest corner. A node's position is a weighted mean of the
+// positions that the particles of its cube give it (beside a cut also particles farther away), so
+// the blade can meet a cube only if it meets the box of all these positions. For a fine grid cubes
+// are tested in halves along each axis.
 class Cubes {
  public:
   Cubes(const Organ& organ, const Motions& motions, const BladeBoxes& blade)
@@ -141,8 +141,8 @@ class Cubes {
         halves_(refine_ == 4 ? 2 : 1),
         spacing_(float(organ.rest.lattice.spacing.maxCoeff())) {}
 
-  // visit(first node, nodes along an axis up to the next) for the parts that the blade may meet.
-  // cut: is there a cut near the cube?
+  // visit(first node, nodes along an axis) for the parts that the blade may meet. cut: whether
+  // there is a cut near the cube.
   template <typename Visit>
   void visitMet(const Vec3i& cube, bool cut, Visit visit) const {
     const Vec3i first = refine_ * (cube + Vec3i::Constant(2));
@@ -158,7 +158,7 @@ class Cubes {
     constexpr float kFar = 1e30f, kRounding = 1e-3f, kBesideCut = 0.25f;  // the last in spacings
     const float share = 1 / float(halves_);
     const Lattice& lattice = organ_.rest.lattice;
-    // Cells are half a spacing off the cubes between them.
+    // Cubes are offset by half a spacing from cells.
     const Vec3 inCube = share * (part.cast<double>() + Vec3::Constant(0.5));
     const Vec3f middle =
         (lattice.centre(cube) + lattice.spacing.cwiseProduct(inCube)).cast<float>();
@@ -185,7 +185,7 @@ class Cubes {
   float spacing_;
 };
 
-// Nodes, each once, and the bricks whose cells they belong to.
+// A set of nodes, and the bricks whose cells use them.
 class NodeList {
  public:
   // nodes: all that will be added lie in it.
@@ -194,7 +194,7 @@ class NodeList {
     bricks_ = {low, high - low + Vec3i::Ones()};
     holdsCells_.assign(bricks_.count(), 0);
   }
-  // Those of `side` cells of the grid along each axis.
+  // Adds the nodes of `side` grid cells along each axis.
   void add(const Vec3i& first, int side) {
     for (int z = 0; z <= side; ++z)
       for (int y = 0; y <= side; ++y)
@@ -217,7 +217,7 @@ class NodeList {
       if (holdsCells_[i]) found.push_back(field.brickIndex(bricks_.place(std::int32_t(i))));
     return found;
   }
-  // Those of a brick among `places`, which are in the order of nodes().
+  // Copies a brick's positions from `places`, which are in the order of nodes().
   void copyPlaces(const Vec3i& brick, std::span<const Vec3> places,
                   std::span<Vec3, kPlacedNodes> out) const {
     const Vec3 none = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
@@ -242,7 +242,7 @@ class NodeList {
 
 // Marks what lies within `low` to `high` of a mark, both in [-1, 1], along each axis.
 void spread(std::vector<std::uint8_t>& marks, const IndexBox& box, int low, int high) {
-  std::uint8_t* mark = marks.data();  // not asked for again after each byte
+  std::uint8_t* mark = marks.data();  // local copy: a store of a byte may alias the member
   for (int axis = 0; axis < 3; ++axis) {
     const std::size_t step = std::size_t(box.step(axis)), n = marks.size();
     if (low < 0)
@@ -258,8 +258,8 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
                          std::span<const std::int64_t> nearCells) {
   if (blade.empty() || nearCells.empty()) return 0;
   if (!tissue.moves()) return incise(organ, blade);
-  // Cubes round the near cells, and the cells that are asked where the nodes of those are: their
-  // corners, beside a cut one more each way.
+  // Cubes round the near cells; and the cells that determine their nodes' positions: their corners,
+  // beside a cut one more cell each way.
   std::vector<Vec3i> near;
   for (const std::int64_t cell : nearCells) near.push_back(organ.rest.lattice.cell(cell));
   const IndexBox box = boxRound(near).widened(3);

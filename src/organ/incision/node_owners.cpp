@@ -10,7 +10,7 @@ namespace resect {
 TissueGrid::TissueGrid(const Organ& organ, const IndexBox& nodes) : organ_(organ) {
   const Vec3i low = brickOf(nodes.low - Vec3i::Ones());
   const Vec3i high = brickOf(nodes.low + nodes.dims);
-  box_ = {low, high - low + Vec3i::Constant(2)};  // and the brick above, for edges that lead there
+  box_ = {low, high - low + Vec3i::Constant(2)};  // and the bricks above, for edges that lead there
   bricks_.resize(box_.count());
 }
 

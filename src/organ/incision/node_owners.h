@@ -1,4 +1,4 @@
-// Which particle does a node of the grid go with, where cuts run through the tissue?
+// Owners of grid nodes near cuts: the particle that each node goes with.
 #pragma once
 
 #include <array>
@@ -11,17 +11,17 @@
 
 namespace resect {
 
-// Which nodes of a box lie in tissue, and which whole edges lead from one to the next? Found brick
-// by brick, 64 nodes at a time, where asked.
+// The nodes of a box that lie in tissue and the whole edges between them. Computed lazily, brick by
+// brick, 64 nodes at a time.
 class TissueGrid {
  public:
   // For the nodes of the box and those beside it, which may lie outside the field.
   TissueGrid(const Organ& organ, const IndexBox& nodes);
 
   bool inTissue(const Vec3i& node) { return inside(brickOf(node)) >> bitOf(node) & 1; }
-  // The whole edges from a node in tissue to others in tissue: bit 2 axis + up.
+  // The whole edges from a node in tissue to others in tissue: bit 2 * axis + (1 if upwards).
   unsigned ways(const Vec3i& node);
-  // Are all edges of the `side` cells of the grid along each axis from a node on whole?
+  // Whether all edges are whole in a block of `side` grid cells along each axis, from a node on.
   bool whole(const Vec3i& first, int side);
 
  private:
@@ -43,14 +43,14 @@ class TissueGrid {
   std::vector<Brick> bricks_;
 };
 
-// The particle that a node of the grid goes with: the one fewest whole edges away through tissue;
-// of several the first. -1 when none is within kFar.
+// The owner of a grid node: the particle the fewest whole edges away through tissue; of several the
+// first. -1 if none is within kFar.
 class NodeOwners {
  public:
   static constexpr int kFar = 6;  // edges
 
-  // For the nodes of a box; grid: for it and kFar nodes round it. Cost: four bytes per node of
-  // both, and work in proportion to those that a search comes by.
+  // For the nodes of a box; grid: must cover it and kFar nodes round it. Cost: four bytes per node
+  // of both, and work proportional to the nodes that searches visit.
   NodeOwners(const Organ& organ, TissueGrid& grid, const IndexBox& box);
 
   // node: in tissue.
@@ -64,8 +64,9 @@ class NodeOwners {
 
   struct Known {
     std::int32_t owner = kNobody;
-    std::int8_t searched = 0;  // edges: there is no owner within them, or it is found
-    std::uint8_t ways;         // as of TissueGrid
+    std::int8_t searched =
+        0;              // radius searched, edges: either the owner is known or none is that near
+    std::uint8_t ways;  // as of TissueGrid
   };
   Known& known(std::int32_t i) {
     std::int32_t& number = number_[std::size_t(i)];
@@ -74,8 +75,7 @@ class NodeOwners {
   }
   std::int32_t lookAt(std::int32_t i);
 
-  // The owner if it is so many edges away at most, without a branch that goes one way as often as
-  // the other.
+  // The owner if it is at most that many edges away; without an unpredictable branch.
   std::int32_t within(int edges, std::int32_t i) {
     const Known* own = &known(i);
     if (own->owner == kNobody && own->searched < edges) {
@@ -85,7 +85,7 @@ class NodeOwners {
     const std::int32_t near = -std::int32_t(own->searched <= edges);  // all bits
     return (own->owner & near) | (kNobody & ~near);
   }
-  // It is that of a neighbour which has one an edge less away.
+  // The owner is that of a neighbour whose owner is one edge nearer.
   void search(int edges, std::int32_t i);
 
   std::int64_t particleAt(const Vec3i& node) const;

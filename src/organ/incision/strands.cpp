@@ -11,14 +11,15 @@
 namespace resect {
 namespace {
 
-// The nodes of some lattice cubes, each once, in ascending order.
+// The set of nodes of some lattice cubes, in ascending order.
 class NodeSet {
  public:
   enum Which : std::uint8_t { kBesideCuts = 1, kAll = 2 };
 
   explicit NodeSet(const IndexBox& box) : box_(box), wanted_(box.count(), 0) {}
 
-  // The nodes of `side` cells along each axis from a node on: all, or those in bricks near a cut.
+  // Adds the nodes of `side` grid cells along each axis from a node on: all, or those in bricks
+  // near a cut.
   void add(const Vec3i& first, int side, unsigned which) {
     for (int z = 0; z <= side; ++z)
       for (int y = 0; y <= side; ++y) {
@@ -57,19 +58,19 @@ class NodeSet {
   std::vector<Vec3i> nodes_;
 };
 
-// A particle that has lost bonds to others that are still there.
+// A particle that has lost bonds to other remaining particles.
 struct Parting {
   Vec3i cell;
   std::uint32_t lost;  // by direction
   NodeSet::Which which;
 };
 
-// Lattice cubes by the cell at their lowest corner: those round the particles whose nodes may go
-// with particles that do not hold each other. In a cube whose edges are whole a node goes with one
-// of the corners, and if none of their bonds is lost these hold each other.
+// Lattice cubes, by the cell at their lowest corner, whose nodes may have owners that are not
+// bonded. In a cube whose edges are all whole a node's owner is one of the corners; if none of the
+// bonds between corners is lost, no edge needs severing.
 class PartingCubes {
  public:
-  explicit PartingCubes(std::span<const Parting> partings) {  // not none
+  explicit PartingCubes(std::span<const Parting> partings) {  // at least one
     std::vector<Vec3i> cells;
     for (const Parting& p : partings)
       for (const int step : {-1, 0}) cells.push_back(p.cell + Vec3i::Constant(step));
@@ -98,7 +99,7 @@ class PartingCubes {
  private:
   static constexpr std::uint8_t kLost = 4;  // beside NodeSet::Which
 
-  // The directions in which the other corners of a cube lie from the one that it lies beside.
+  // The directions from one corner of a cube to its other corners.
   static std::uint32_t within(const Vec3i& up) {
     std::uint32_t directions = 0;
     for (int c = 1; c < 8; ++c) {
@@ -121,7 +122,7 @@ class PartingCubes {
   std::vector<std::uint8_t> marks_;
 };
 
-// Are two particles bonded, or both to a third one? The same pairs are asked about again and again.
+// Whether two particles are bonded, or both to a third one; with a cache, since pairs repeat.
 class Holds {
  public:
   Holds(const Lattice& lattice, const TissueModel& tissue) : lattice_(lattice), tissue_(tissue) {}
@@ -167,7 +168,8 @@ std::int64_t partStrands(Organ& organ, const TissueModel& tissue,
   std::vector<Vec3i> changed;  // bricks
   for (const std::int64_t brick : organ.severed.pending())
     changed.push_back(organ.field.brick(brick));
-  // Can what was severed since the last picture have changed the owner of a node round here?
+  // Whether edges severed since the last update can have changed the owner of a node near this
+  // particle.
   const auto concerned = [&](std::int64_t particle) {
     const Vec3i centre = refine * (lattice.cell(particle) + Vec3i::Constant(2));
     const int reach = NodeOwners::kFar + 1 + refine;

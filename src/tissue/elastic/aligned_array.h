@@ -1,10 +1,10 @@
-// Arrays that start on a cache line, as wide vector instructions like it, and large ones each on
-// another line of its page.
+// Arrays aligned to cache lines, the large ones with different offsets within a page to avoid cache
+// conflicts.
 //
-// What the passes over tissue read and write of a cell lies in some fifty arrays. Were all of them
-// to start at the same place of a page, as large blocks from the system do, the same cell would
-// fall into the same few lines of the first-level cache in every one of them, and each would push
-// out the others: a substep would wait for memory instead of working (docs/methods/tissue.md).
+// The passes over tissue use some fifty arrays. If all started at the same offset in a page, as
+// large blocks from the system do, the entries of one cell would map to the same few sets of the
+// first-level cache and evict each other, and substeps would be bound by memory
+// (docs/methods/tissue.md).
 #pragma once
 
 #include <atomic>
@@ -17,10 +17,10 @@ namespace resect {
 
 inline constexpr std::size_t kCacheLine = 64, kPage = 4096;
 
-// Bytes, one place after the other, by which large arrays are shifted in their pages.
+// Next offset within a page for a large array, bytes.
 inline std::size_t nextShift() {
   static std::atomic<std::size_t> next = 0;
-  constexpr std::size_t kStep = 5 * kCacheLine;  // comes to every line of a page before it repeats
+  constexpr std::size_t kStep = 5 * kCacheLine;  // visits every line of a page before it repeats
   return next.fetch_add(kStep, std::memory_order_relaxed) % kPage;
 }
 
@@ -34,7 +34,7 @@ struct LineAllocator {
   template <typename U>
   LineAllocator(const LineAllocator<U>&) {}
 
-  // Of a large array, the line before it tells how far it was shifted.
+  // The cache line before a large array holds its offset.
   T* allocate(std::size_t n) {
     if (!large(n)) return static_cast<T*>(::operator new(n * sizeof(T), kAlignment));
     const std::size_t shift = nextShift() + kCacheLine;

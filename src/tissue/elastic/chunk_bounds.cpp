@@ -6,7 +6,8 @@
 namespace resect {
 namespace {
 
-constexpr double kRounding = 1e-9;  // m: cells are placed by sums in another order elsewhere
+constexpr double kRounding =
+    1e-9;  // m: positions are computed in another order of summation elsewhere
 
 typedef float Lanes __attribute__((vector_size(16)));
 constexpr int kLanes = 4;
@@ -19,7 +20,8 @@ Lanes load(const float* p) {
 
 }  // namespace
 
-// Displacements of all sixteen: where nothing is they are zero, which can only widen the bounds.
+// Uses the displacements of all sixteen cells: those of missing cells are zero, which can only
+// enlarge the bounds.
 Aabb chunkBounds(const ElasticState& s, const TissueChunk& chunk, const Vec3& origin) {
   const Vec3i row = s.box.cell(chunk.start);
   Aabb box = {origin + s.spacing * (row + Vec3i(chunk.first, 0, 0)).cast<double>(),

@@ -1,5 +1,5 @@
-// Which chunks of cells can be in a place now? So that whoever looks for cells near something asks
-// sixteen at a time first.
+// Bounds of the present positions and speeds of a chunk's cells, to reject sixteen cells at a time
+// in searches.
 #pragma once
 
 #include "geometry/aabb.h"
@@ -7,11 +7,11 @@
 
 namespace resect {
 
-// Bounds of the centres of the chunk's solid cells where they are now, m; `origin`: of the cell
-// (0, 0, 0) at rest. May be larger than need be, never smaller.
+// Bounds of the present centres of the chunk's solid cells, m; `origin`: rest position of cell (0,
+// 0, 0). Conservative: may be too large, never too small.
 Aabb chunkBounds(const ElasticState& state, const TissueChunk& chunk, const Vec3& origin);
 
-// At least the speed of its fastest cell, m/s.
+// Upper bound of the speed of its cells, m/s.
 double chunkSpeed(const ElasticState& state, const TissueChunk& chunk);
 
 }  // namespace resect

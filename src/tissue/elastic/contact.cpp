@@ -10,13 +10,14 @@
 namespace resect {
 namespace {
 
-constexpr double kMostPush = 0.25;  // spacings per substep: a tool that jumps squeezes cells out
+constexpr double kMostPush =
+    0.25;  // spacings per substep: limits the speed of cells when a tool jumps
 
 Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
   return {field[0][i], field[1][i], field[2][i]};
 }
 
-// Puts a cell back out of a body and takes the momentum that this costs, kg m/s. `depth` > 0.
+// Moves a cell out of an obstacle; returns the momentum that it loses, kg m/s. `depth` > 0.
 Vec3 pushOut(ElasticState& s, std::int32_t i, double depth, const Vec3& outwards,
              const Vec3& bodyVelocity, double friction, double lookAhead) {
   const Vec3 relative = at(s.v, i) - bodyVelocity;
@@ -62,7 +63,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     reach[b].up[0] = o.from.rotation * Vec3::UnitY();
     reach[b].up[1] = o.to.rotation * Vec3::UnitY();
     if (!o.shape) continue;
-    // Cells that are within reach of it at the end of the frame, or on its way there.
+    // Cells within reach of the obstacle at any time of the frame.
     Aabb box = o.shape->box();
     const Aabb still = box;
     const Pose back = o.to.inverse();
@@ -73,7 +74,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     reach[b].world = movedBox(box, o.to);
   }
   constexpr double kDiagonal = 1.75;  // of a cube, at most
-  // May something of a box, whose cells go `way` in the frame, come to lie on a half space?
+  // Whether a box, whose cells move by at most `way` in the frame, can touch a half space.
   const auto nearHalfSpace = [&](std::size_t b, const Aabb& box, double way) {
     const Obstacle& o = bodies_[b].obstacle;
     const double most = o.standOff + s.spacing + way;
@@ -153,7 +154,7 @@ void TissueContacts::forgetCell(std::int32_t cell) {
 }
 
 void TissueContacts::pushCutFaces(ElasticState& s, double lookAhead) {
-  constexpr float kShare = 0.2f;  // of what is missing, per substep
+  constexpr float kShare = 0.2f;  // of the missing distance, per substep
   for (const CutPair& pair : cut_) {
     const auto [a, b] = std::pair(pair.a, pair.b);
     Vec3f along = pair.rest, speed;

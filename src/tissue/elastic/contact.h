@@ -1,12 +1,13 @@
-// Which cells do obstacles (instruments, the table) touch in a frame, and how are they pushed?
+// Contact of tissue cells with obstacles (instruments, the table), and between the faces of a cut.
 //
-// Cut faces of one body do not pass through each other either: the ends of cut bonds are pushed
-// apart like balls that do not rebound.
+// Faces of a cut do not pass through each other: the two ends of a cut bond are pushed apart like
+// inelastic balls.
 //
-// Once per frame the cells that can come near are listed; after every substep each of them that is
-// nearer to a body than its stand-off is put back along the surface's normal, loses its speed
-// towards the body and, up to Coulomb's limit, its speed along it. The momentum so taken, over the
-// frame, is the force on the body: in rest it equals what the tissue presses with.
+// Once per frame the cells that can come near are listed. After every substep each of them that is
+// nearer to an obstacle than its stand-off is moved back along the surface's normal and loses its
+// velocity towards the obstacle and, up to Coulomb's limit, its tangential velocity. The momentum
+// lost, over the frame's duration, is the force on the obstacle; at rest it equals the pressure of
+// the tissue.
 #pragma once
 
 #include <vector>
@@ -19,19 +20,20 @@ namespace resect {
 class TissueContacts {
  public:
   // Lists the cells for a frame of `duration` s. `world` gives rest positions: world = rest + u.
-  // `gripper[cell of the box]`, when not empty, is the tool that holds the cell, or -1: it is not
-  // pushed by its holder.
+  // `gripper[cell of the box]`, when not empty, is the tool that holds the cell, or -1: a tool does
+  // not push the cells that it holds.
   void list(const ElasticState& state, const Vec3& origin, double duration,
             std::span<const Obstacle> obstacles, std::span<const std::int32_t> gripper);
 
-  // After a substep that ends at `share` of the frame; `lookAhead` as in the passes.
+  // After a substep that ends at `share` of the frame; `lookAhead`: as in the passes
+  // (SubstepConstants).
   void push(ElasticState& state, double share, double lookAhead);
 
-  // The two ends of a bond that is cut meet again but do not pass each other: from now on they keep
-  // nine tenths of their distance at rest, or what they have now.
+  // From now on keeps the two ends of a cut bond at least nine tenths of their rest distance apart,
+  // or their present distance if that is less.
   void keepApart(const ElasticState& state, std::int32_t cell, int direction);
   void forgetCell(std::int32_t cell);
-  // Do all pairs lie in a box of so many cells?
+  // Whether all pairs lie in a box of so many cells.
   bool fit(std::int32_t cells) const;
 
   // Momentum given to each obstacle since list(), kg m/s.
@@ -59,7 +61,7 @@ class TissueContacts {
   };
   struct CutPair {
     std::int32_t a = 0, b = 0;
-    float distance = 0;          // kept, m
+    float distance = 0;          // minimum, m
     Vec3f rest = Vec3f::Zero();  // from a to b at rest, m
 
     template <class Visitor>

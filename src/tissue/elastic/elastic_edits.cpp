@@ -1,4 +1,4 @@
-// What is done to elastic tissue from outside: bonds severed, cells removed, held, pulled.
+// Edits of elastic tissue: bonds severed, cells removed, held, loaded.
 #include <algorithm>
 #include <cmath>
 
@@ -55,7 +55,7 @@ std::int64_t ElasticTissue::attach(const TissueAttachment& attachment) {
       continue;
     }
     const std::int32_t i = state_.box.fromLattice(c);
-    // A spring stiffer than the substep can follow would explode.
+    // A spring too stiff for the substep would be unstable.
     const double most = 0.2 * mass(c) / (longestSubstep_ * longestSubstep_);
     const double stiffness = std::min(attachment.stiffness / double(cells.size()), most);
     springs_.add({i, -1, lattice_.centre(lattice_.cell(c)), stiffness,
@@ -82,7 +82,7 @@ void ElasticTissue::release(std::int32_t tool) {
   loosen(springs_.drop([&](const TissueSpring& spring) { return spring.tool == tool; }));
 }
 
-// Cells that have lost a spring; another one may still hold them.
+// Updates cells that have lost a spring; they may have others.
 void ElasticTissue::loosen(std::span<const std::int32_t> cells) {
   for (const std::int32_t i : cells) {
     gripper_[i] = -1;

@@ -1,4 +1,4 @@
-// What can be read off elastic tissue: deformation, stress, force and energy, in double precision.
+// Measures of elastic tissue in double precision: deformation, stress, force, energy.
 #include <cmath>
 
 #include "base/parallel.h"
@@ -11,7 +11,7 @@ Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
   return {field[0][i], field[1][i], field[2][i]};
 }
 
-// Weights of neighbours by kind, as the arrays of an ElasticState count them.
+// Weights of neighbours by kind, in the units of an ElasticState's arrays.
 std::array<double, 4> edgeWeights() {
   std::array<double, 4> weights = bondWeights();
   for (const double edge = weights[2]; double& weight : weights) weight /= edge;
@@ -50,10 +50,10 @@ Mat3 ElasticTissue::deformation(std::int64_t cell) const {
   return Mat3::Identity() + gradient(state_, state_.box.fromLattice(cell));
 }
 
-// Cells in one chunk that stand beside each other in the list are looked at together.
+// Consecutive cells of the list that lie in one chunk are processed together.
 void ElasticTissue::place(std::span<const std::int64_t> cells,
                           std::span<CellPlacement> places) const {
-  ElasticState& state = const_cast<ElasticState&>(state_);  // a view serves writers too
+  ElasticState& state = const_cast<ElasticState&>(state_);  // a view is also for writing
   const ElasticView view = viewOf(state);
   const std::array<double, 4> weights = edgeWeights();
   const float weight[4] = {0, float(weights[1]), float(weights[2]), float(weights[3])};

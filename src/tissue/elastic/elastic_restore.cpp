@@ -1,4 +1,4 @@
-// How elastic tissue is kept and brought back: its state by fields, and what is made from it.
+// Saving and restoring elastic tissue.
 #include <algorithm>
 #include <bit>
 
@@ -24,13 +24,13 @@ void ElasticTissue::visitMade(StateVisitor& v) {
 }
 
 void ElasticTissue::beginRestore() {
-  // A state that did not fit has left others here; what is made is still of those before.
+  // After a state that did not fit, the derived data still belong to the cells kept before it.
   if (!before_.solid.empty()) return;
   settle();
   before_ = {state_.solid, state_.material, state_.held, state_.loaded, state_.bonds};
 }
 
-// Numbers come from outside: whatever is used as an index is looked at.
+// The numbers come from outside: everything used as an index is checked.
 void ElasticTissue::checkRestored() const {
   const ElasticState& s = state_;
   const auto cells = std::size_t(s.box.size);

@@ -1,8 +1,8 @@
-// How is the state of elastic tissue made, and kept right when bonds are severed and cells removed?
+// Sets up the state of elastic tissue and updates it after bonds are severed or cells removed.
 //
-// Edits change bonds; the moment matrices of the cells concerned and the kinds of their chunks
-// follow with refreshCells(), which costs microseconds per hundred cells and depends on nothing but
-// the cells named.
+// Edits change bonds; refreshCells() then updates the moment matrices of the cells concerned and
+// the flags of their chunks, in microseconds per hundred cells. The result depends on the named
+// cells alone.
 #pragma once
 
 #include <span>
@@ -17,17 +17,17 @@ namespace resect {
 // not cubic.
 ElasticState makeElasticState(const TissueCells& cells, double penalty);
 
-// Cells are indices in the box. The bond need not be there.
+// Cells are indices in the box. The bond need not exist.
 void severBond(ElasticState& s, std::int32_t cell, int direction);
-// The cell is no more: no bonds, no mass, no motion.
+// Removes the cell: no bonds, no mass, no motion.
 void removeCell(ElasticState& s, std::int32_t cell);
 
 // Throws Error when a value is out of range.
 void checkMaterial(const TissueMaterial& material);
-// Its number in the list, where it is put if it is not there; at most 256.
+// The material's index in the list; appended if it is new. At most 256.
 std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material);
-// After `solid` or `material` of these cells changed: masses, stiffnesses, plane weights; what is
-// not solid has no motion and no forces. refreshCells() follows.
+// After `solid` or `material` of these cells changed: masses, stiffnesses, plane weights; cells
+// that are not solid get no motion and no forces. refreshCells() follows.
 void remakeCells(ElasticState& s, std::span<const std::int32_t> cells);
 
 // After the bonds of these cells changed: inverse moments, skews, gradient flags, chunks.

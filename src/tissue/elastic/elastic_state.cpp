@@ -26,7 +26,7 @@ void putMoment(ElasticState& s, std::int32_t i, const std::array<double, 4>& wei
     moment += weights[neighbourKind(d)] * x * x.transpose();
     skew += weights[neighbourKind(d)] * x;
   }
-  // Beyond rounding, so that kernels may leave out what is zero.
+  // Exactly, without rounding: kernels leave out terms that are zero.
   if (s.bonds[i] == kAllBonds) {
     moment = moment(0, 0) * Mat3::Identity();
     skew.setZero();
@@ -44,8 +44,8 @@ void putMoment(ElasticState& s, std::int32_t i, const std::array<double, 4>& wei
   s.kappa[i] = deforms ? kappa : 0;
 }
 
-// ElasticState::planeWeight of the cells of the row up to one before and behind each given one, in
-// the rows beside it too.
+// Computes ElasticState::planeWeight for each given cell, the cells before and after it in the row,
+// and the same in neighbouring rows.
 void putPlaneWeights(ElasticState& s, std::span<const std::int32_t> cells) {
   const std::array<double, 4> weights = bondWeights();
   const auto weigh = [&](std::int32_t p) {
@@ -53,7 +53,8 @@ void putPlaneWeights(ElasticState& s, std::span<const std::int32_t> cells) {
     for (int y = -1; y <= 1; ++y)
       for (int z = -1; z <= 1; ++z) {
         const std::int32_t q = p + y * s.box.strideY + z * s.box.strideZ;
-        if (q < 0 || q >= s.box.size || !s.solid[q]) continue;  // a margin cell has no margin
+        if (q < 0 || q >= s.box.size || !s.solid[q])
+          continue;  // cells of the halo have no neighbours
         sum += weights[1 + y * y + z * z] / weights[2] * Vec3(1, y, z);
       }
     for (int k = 0; k < 3; ++k) s.planeWeight[k][p] = float(sum[k]);
@@ -63,7 +64,7 @@ void putPlaneWeights(ElasticState& s, std::span<const std::int32_t> cells) {
       for (int z = -1; z <= 1; ++z) weigh(i + y * s.box.strideY + z * s.box.strideZ);
 }
 
-// Nothing is there any more.
+// Clears a cell that was removed.
 void clearCell(ElasticState& s, std::int32_t i) {
   s.inverseMass[i] = s.shearVolume[i] = s.lameVolume[i] = 0;
   for (int a = 0; a < 3; ++a) {
@@ -72,14 +73,14 @@ void clearCell(ElasticState& s, std::int32_t i) {
   }
 }
 
-// Is every neighbour that is there bonded?
+// Whether every solid neighbour is bonded.
 bool uncut(const ElasticState& s, std::int32_t i) {
   for (int d = 0; d < kDirections; ++d)
     if (s.solid[i + s.box.step[d]] && !(s.bonds[i] >> d & 1)) return false;
   return true;
 }
 
-// Does a cell lack a gradient, or is it bonded to one of another stiffness?
+// Whether a cell lacks a gradient or has a bond to a cell of another stiffness.
 bool uneven(const ElasticState& s, std::int32_t i) {
   if (s.kappa[i] == 0) return true;
   for (int d = 0; d < kDirections; ++d)
@@ -186,7 +187,7 @@ void refreshCells(ElasticState& s, std::span<const std::int32_t> cells) {
 }
 
 void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells) {
-  // Chunks that hold a cell or a neighbour of one.
+  // Chunks that contain one of the cells or a neighbour of it.
   std::vector<std::int32_t> starts;
   for (const std::int32_t i : cells)
     for (int row = -1; row <= 1; ++row)
@@ -214,7 +215,7 @@ void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells) {
     }
     if (chunk.last >= 0) fresh.push_back(chunk);
   }
-  // Merge: a chunk looked at again replaces the old one, or drops out.
+  // Merge: an updated chunk replaces the old one, or is dropped if empty.
   std::vector<TissueChunk> merged;
   merged.reserve(s.chunks.size() + fresh.size());
   auto next = fresh.begin();

@@ -1,10 +1,9 @@
-// Everything that is known about elastic tissue between two substeps, as arrays over the cells of a
-// padded box.
+// The state of elastic tissue between two substeps, as arrays over the cells of a padded box.
 //
 // Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 5) + 4 = 180. Lengths in m, masses in kg;
 // offsets to neighbours are counted in spacings. With L, S, A and q as in docs/methods/tissue.md
-// and w the weight of an edge neighbour (bondWeights()): weights in sums are counted in w, and what
-// that leaves out is in the arrays, where it costs nothing.
+// and w the weight of an edge neighbour (bondWeights()): weights in sums are in units of w; the
+// remaining factors are folded into the arrays.
 #pragma once
 
 #include <array>
@@ -25,11 +24,11 @@ enum HeldAxis : std::int32_t { kHeldX = 1, kHeldY = 2, kHeldZ = 4, kHeldAll = 7 
 // Sixteen cells of a row, at least one of them solid.
 struct TissueChunk {
   std::int32_t start = 0;  // index in the box, a multiple of kChunk
-  // A cell is held or loaded.
+  // Some cell is held or loaded.
   bool steered = false;
-  // A cell has no deformation gradient, or is bonded to one of another stiffness.
+  // Some cell has no deformation gradient, or a bond to a cell of another stiffness.
   bool uneven = false;
-  // No bond of a cell here is severed: every neighbour that is there is bonded.
+  // No bond of these cells is severed: every solid neighbour is bonded.
   bool whole = true;
   // All cells of the half are solid and have all their bonds.
   bool full[2] = {false, false};
@@ -46,12 +45,11 @@ struct ElasticState {
   std::array<FloatArray, 3> bondForce;      // q, N
   std::array<FloatArray, 6> inverseMoment;  // L w / spacing: xx yy zz xy xz yz, 1/m
   std::array<FloatArray, 3> skew;           // S / w, in spacings
-  // What the cells of a plane across the row weigh together, round their middle cell, over the
-  // weight of an edge neighbour: sum, and the sums times offsets along y and z. The cell may be
-  // missing.
+  // Total weight of the cells of a plane across the row, about its middle cell (which may be
+  // missing), in units of an edge neighbour's weight: sum, and sums times offsets along y and z.
   std::array<FloatArray, 3> planeWeight;
-  std::array<FloatArray, 3> load;              // force from outside on the cell, N
-  FloatArray inverseMass;                      // 1/kg, 0 where nothing is
+  std::array<FloatArray, 3> load;              // outside force on the cell, N
+  FloatArray inverseMass;                      // 1/kg, 0 where no cell is
   FloatArray shearVolume, lameVolume;          // mu V and (lambda + mu) V, J
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without gradient
   AlignedArray<std::uint32_t> bonds;           // bit d: bonded to the neighbour in direction d

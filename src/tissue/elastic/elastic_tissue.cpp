@@ -63,7 +63,8 @@ SubstepConstants ElasticTissue::constants(double dt) const {
   return c;
 }
 
-// pass(begin, end) over all chunks. Blocks are as large as keeps it to the threads wished for.
+// Runs pass(begin, end) over all chunks, in blocks large enough to limit the number of threads to
+// settings_.threads.
 void ElasticTissue::forChunks(const RangeBody& pass) const {
   const std::size_t chunks = state_.chunks.size();
   if (settings_.threads == 1) return pass(0, chunks);
@@ -160,7 +161,7 @@ ElasticTissue::Advance ElasticTissue::advance(double duration) {
   return {step.substeps, step.retries, step.calm};
 }
 
-// Where forces are asked for in the first substep.
+// Computes the extrapolated positions at which the first substep evaluates forces.
 void ElasticTissue::lookAhead(float time) {
   for (const TissueChunk& chunk : state_.chunks)
     for (int a = 0; a < 3; ++a)
@@ -168,7 +169,7 @@ void ElasticTissue::lookAhead(float time) {
         state_.ahead[a][i] = state_.u[a][i] + time * state_.v[a][i];
 }
 
-// Springs and joints pull anew at every substep.
+// Clears the loads of springs and joints, which are set anew at every substep.
 void ElasticTissue::clearPulls() {
   const auto clear = [&](std::int32_t i) {
     for (int a = 0; a < 3; ++a) state_.load[a][i] = 0;
@@ -177,7 +178,7 @@ void ElasticTissue::clearPulls() {
   for (const std::int32_t i : pulled_) clear(i);
 }
 
-// Held cells excepted.
+// Except for held cells.
 void ElasticTissue::stopMotion() {
   for (const TissueChunk& chunk : state_.chunks)
     for (std::int32_t i = chunk.start; i < chunk.start + kChunk; ++i)

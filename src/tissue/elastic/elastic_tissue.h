@@ -1,9 +1,9 @@
-// How does elastic tissue move under its weight, its own stiffness and what holds it?
+// Elastic tissue: explicit total-Lagrangian SPH on the organ's lattice.
 //
-// Explicit total-Lagrangian SPH on the lattice of the organ; docs/methods/tissue.md derives it.
-// A frame is cut into substeps shorter than a pressure wave needs from cell to cell. Cost: two
-// passes over the solid cells per substep. The same bits at any number of threads and on any
-// instruction set. Cells are named by their index in the lattice.
+// docs/methods/tissue.md derives it. A frame is divided into substeps shorter than the time of a
+// pressure wave from cell to cell. Cost: two passes over the solid cells per substep. The same bits
+// at any number of threads and on any instruction set. Cells are named by their index in the
+// lattice.
 #pragma once
 
 #include <cstdint>
@@ -24,24 +24,24 @@
 
 namespace resect {
 
-inline constexpr int kMostHalvings = 6;  // of the substep, before tissue is stopped instead
+inline constexpr int kMostHalvings = 6;  // of the substep; after that the tissue is stopped
 
 struct TissueSettings {
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
-  // Forces are those of the place reached this share of a substep ahead: 0 keeps energy, 0.5 damps
-  // the fastest waves most and slow motion hardly; more is unstable.
+  // Forces are evaluated at positions extrapolated by this fraction of a substep: 0 conserves
+  // energy, 0.5 damps the fastest waves most and slow motion hardly; more is unstable.
   double damping = 0.1;
-  // Share of the velocity lost per second, 1/s: 0 for none; the surroundings' friction.
+  // Decay rate of the velocity by friction of the surroundings, 1/s; 0 for none.
   double drag = 0;
-  // Stiffness of the bonds against motions that the cells' gradients do not see, in shear moduli.
-  // At 1.55 the second-order error of bending and torsion vanishes; less is too soft and lets the
+  // Stiffness of the bonds against zero-energy modes of the cells' gradients, in shear moduli. At
+  // 1.55 the second-order error of bending and torsion vanishes; less is too soft and lets the
   // lattice wrinkle, more is too stiff. Above 0, up to 3.
   double penalty = 1.55;
-  // Substep as a share of the time of a pressure wave from cell to cell; beyond 0.5 tissue that is
-  // sheared or stretched as a whole may blow up (docs/methods/tissue.md).
+  // Substep as a fraction of the time of a pressure wave from cell to cell; beyond 0.5 tissue that
+  // is sheared or stretched as a whole may become unstable (docs/methods/tissue.md).
   double stepShare = 0.5;
-  // Threads for the two passes: at most so many, or, with 0, all that the program may use. More
-  // than there are idle cores is slower than one.
+  // Most threads for the two passes; 0: all that the program may use. More threads than idle cores
+  // are slower than one.
   int threads = 1;
 };
 
@@ -58,7 +58,7 @@ class ElasticTissue final : public TissueModel {
   // Holds the cells of the region. Returns how many there are.
   std::int64_t attach(const TissueAttachment& attachment);
 
-  // A frame by itself, with nothing round it and without tearing.
+  // Computes a frame without obstacles and without tearing.
   struct Advance {
     int substeps = 0;
     int retries = 0;
@@ -66,7 +66,7 @@ class ElasticTissue final : public TissueModel {
   };
   Advance advance(double duration);
 
-  // A state that explodes is put back to where it was and tried again with substeps of half the
+  // A frame that explodes is restored to its beginning and repeated with substeps of half the
   // length.
   void beginFrame(double duration, std::span<const Obstacle> obstacles) override;
   int substepsWanted() const override;
@@ -84,10 +84,9 @@ class ElasticTissue final : public TissueModel {
   std::int32_t gripped(std::int32_t tool) const override;
   const TissueMaterial* material(std::int64_t cell) const override;
   void setMaterial(std::int64_t cell, const TissueMaterial& material) override;
-  // Moves the cell along the axes (HeldAxis bits) with a given velocity instead of by forces, m/s;
-  // 0 axes lets it go.
+  // Prescribes the cell's velocity along the axes (HeldAxis bits), m/s; axes = 0 releases it.
   void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
-  // Force on the cell from outside until changed, N.
+  // Outside force on the cell until changed, N.
   void setLoad(std::int64_t cell, const Vec3& force);
   void setDisplacement(std::int64_t cell, const Vec3& u);
   void setVelocity(std::int64_t cell, const Vec3& v);
@@ -124,7 +123,7 @@ class ElasticTissue final : public TissueModel {
   void stopMotion();
 
  private:
-  // What goes on between beginFrame() and endFrame().
+  // Data of a frame between beginFrame() and endFrame().
   struct Frame {
     double duration = 0;
     std::span<const Obstacle> obstacles;
@@ -132,7 +131,7 @@ class ElasticTissue final : public TissueModel {
     std::int32_t substeps = 0, retries = 0;
     bool calm = true;
   };
-  // What restored cells are compared with.
+  // Cells before a restore, to find those that changed.
   struct Before {
     AlignedArray<std::uint8_t> solid, material, held, loaded;
     AlignedArray<std::uint32_t> bonds;
@@ -158,7 +157,7 @@ class ElasticTissue final : public TissueModel {
   TissueSprings springs_;
   std::vector<Fibre> fibres_;
   std::vector<std::int32_t> cut_;     // cells at which a bond was severed
-  std::vector<std::int32_t> pulled_;  // cells that may be pulled from outside, ascending
+  std::vector<std::int32_t> pulled_;  // cells that joints may pull, ascending
 
   // Set up, or made from the state.
   Lattice lattice_;

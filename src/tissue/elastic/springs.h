@@ -1,4 +1,4 @@
-// What pulls at single cells? Ligaments to fixed places, and the grips of tools.
+// Springs on single cells: ligaments to fixed points, and the grips of tools.
 //
 // Each is a damped spring between a cell and an anchor, in the world or in a tool's frame. While a
 // cell has springs, its load (ElasticState::load) is theirs.
@@ -13,12 +13,11 @@
 namespace resect {
 
 struct TissueSpring {
-  std::int32_t cell = 0;   // in the box
-  std::int32_t tool = -1;  // that holds it; -1: anchored in the world
-  Vec3 anchor =
-      Vec3::Zero();      // in the tool's frame or the world, m; no force when the cell is there
-  double stiffness = 0;  // N/m
-  double damping = 0;    // N s/m
+  std::int32_t cell = 0;       // in the box
+  std::int32_t tool = -1;      // that grips the cell; -1: anchored in the world
+  Vec3 anchor = Vec3::Zero();  // in the tool's frame or the world, m; the spring's rest position
+  double stiffness = 0;        // N/m
+  double damping = 0;          // N s/m
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -30,7 +29,7 @@ struct TissueSpring {
 class TissueSprings {
  public:
   void add(const TissueSpring& spring) { springs_.push_back(spring); }
-  // Takes out the springs for which drop(spring) is true; their cells are returned.
+  // Removes the springs for which drop(spring) is true; returns their cells.
   template <typename Drop>
   std::vector<std::int32_t> drop(Drop drop) {
     std::vector<std::int32_t> cells;
@@ -43,7 +42,7 @@ class TissueSprings {
   std::span<const TissueSpring> all() const { return springs_; }
 
   // Adds to the loads for a substep of dt that ends at `share` of the frame. Springs of tools that
-  // are not among the obstacles pull towards nothing.
+  // are not among the obstacles exert no force.
   void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
             double share, double frame, double dt);
   // Momentum given to each of the obstacles since forgetImpulses(), kg m/s.
@@ -61,7 +60,7 @@ class TissueSprings {
 
  private:
   std::vector<TissueSpring> springs_;
-  std::vector<Vec3> impulse_;  // by obstacle
+  std::vector<Vec3> impulse_;  // per obstacle
 };
 
 }  // namespace resect

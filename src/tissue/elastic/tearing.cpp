@@ -1,4 +1,4 @@
-// Where does tissue tear?
+// Finds the bonds and grips that tear.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -8,7 +8,8 @@
 namespace resect {
 namespace {
 
-// Per direction, the directions to that side: bit e for those that have a part along it.
+// Per direction, the directions on the same side: bit e if direction e has a positive component
+// along it.
 constexpr std::array<std::uint32_t, kDirections> kSide = [] {
   std::array<std::uint32_t, kDirections> side{};
   for (int d = 0; d < kDirections; ++d)
@@ -22,18 +23,18 @@ constexpr std::array<std::uint32_t, kDirections> kSide = [] {
 
 }  // namespace
 
-// Tissue tears where a tool pulls at it, and where cuts have left a strand: bonds that are
-// stretched beyond their material's limit, within some cells of a gripped one, or beyond
-// twice that where two thirds of a cell's bonds to that side are gone. At most twenty per frame, so
-// that a tear runs and does not happen at once. letGo: tools whose grip is no more.
+// Tissue tears where a tool pulls at it, and where cuts have left a strand: bonds stretched beyond
+// their material's limit within some cells of a gripped one, or beyond twice the limit where two
+// thirds of a cell's bonds to that side are gone. At most twenty per frame, so that a tear
+// propagates over several frames. letGo: tools whose grip has slipped.
 void ElasticTissue::findTears(std::span<const std::int32_t> letGo,
                               std::vector<TissueBond>& torn) const {
   constexpr int kReach = 4;
   constexpr double kStrand =
-      2;  // beside a blade's edge tissue is stretched that far and comes back
+      2;  // beside a blade's edge tissue is stretched that far without tearing
   constexpr std::size_t kMost = 20;
   torn.clear();
-  // What is torn already in this frame is still bonded in the state.
+  // Bonds torn in this frame are still set in the state.
   std::array<std::pair<std::int32_t, std::uint32_t>, 2 * kMost> gone;
   std::size_t goneCount = 0;
   const auto bondsOf = [&](std::int32_t i) {
@@ -69,7 +70,7 @@ void ElasticTissue::findTears(std::span<const std::int32_t> letGo,
           tearBond(state_.box.index({x, y, z}), d, 1);
 
   for (const std::int32_t i : cut_) {
-    std::uint32_t solid = 0;  // bit d: there is a cell in direction d
+    std::uint32_t solid = 0;  // bit d: solid cell in direction d
     for (int d = 0; d < kDirections; ++d)
       solid |= std::uint32_t(state_.solid[i + state_.box.step[d]]) << d;
     for (int d = 0; d < kDirections; ++d) {

@@ -20,8 +20,8 @@ std::vector<UnevenBond> findUnevenBonds(const ElasticState& s) {
   return bonds;
 }
 
-// kappa_a + kappa_b is 2 kappa_a + (kappa_b - kappa_a) for the one end and 2 kappa_b - (kappa_b -
-// kappa_a) for the other, whose difference of displacements has the other sign.
+// kappa_a + kappa_b is 2 kappa_a + (kappa_b - kappa_a) for one end and 2 kappa_b - (kappa_b -
+// kappa_a) for the other, whose displacement difference has the opposite sign.
 void pullUnevenBonds(std::span<const UnevenBond> bonds, ElasticState& s) {
   for (const UnevenBond& bond : bonds)
     for (int k = 0; k < 3; ++k) {

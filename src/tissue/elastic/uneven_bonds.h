@@ -1,8 +1,8 @@
-// Bonds between cells of different penalty stiffness: of two materials, or of which one has no
-// deformation gradient.
+// Correction of bonds between cells of different penalty stiffness: of two materials, or of which
+// one cell has no deformation gradient.
 //
-// The stress pass takes a cell's own kappa for both ends of its bonds, which keeps it one sum;
-// these few bonds are put right after it.
+// The stress pass uses a cell's own kappa for both ends of its bonds, so that it needs one sum
+// only; these few bonds are corrected afterwards.
 #pragma once
 
 #include <span>
@@ -20,7 +20,7 @@ struct UnevenBond {
 // All of them, in ascending order. Cost: some ns per cell of the chunks that have one.
 std::vector<UnevenBond> findUnevenBonds(const ElasticState& state);
 
-// Adds what is missing to the bond forces of the stress pass.
+// Adds the difference to the bond forces of the stress pass.
 void pullUnevenBonds(std::span<const UnevenBond> bonds, ElasticState& state);
 
 }  // namespace resect

@@ -1,7 +1,7 @@
-// The sums over the neighbours of a cell, bond by bond: for chunks with a cut or an end, where each
-// cell has its own neighbours (elastic_planes.inl has the rest).
+// Sums over a cell's neighbours bond by bond, for chunks with cuts or ends (elastic_planes.inl has
+// the others).
 
-// Neighbours of one kind have one weight: it is applied once to their sum.
+// Neighbours of one kind share a weight, which is applied once to their sum.
 template <int... D>
 struct Directions {};
 constexpr Directions<4, 10, 12, 13, 15, 21> kFaces;

@@ -1,10 +1,10 @@
-// How do forces and motion of one substep come about? Two passes over the cells, each in the widest
-// vector instructions that the machine has; and a third for those who look at the result.
+// The kernels of elastic tissue: two passes over the cells for each substep, and a third for those
+// who read the result; compiled for several instruction sets.
 //
 // Total-Lagrangian SPH with corrected gradient and bond penalty (Ganzenmueller 2015 in the energy
-// form of docs/methods/tissue.md). Each cell only gathers, and every lane does the same operations
-// in the same order, and the path that is taken is chosen for kChunk cells at a time, so the
-// results depend neither on the instruction set nor on the number of threads.
+// form of docs/methods/tissue.md). Each cell only gathers, every lane does the same operations in
+// the same order, and code paths are chosen for kChunk cells at a time, so the results depend
+// neither on the instruction set nor on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,16 @@
 
 namespace resect {
 
-// |cof F|^2, 3 at rest, beyond which a cell answers to volume change as much less: so one length of
-// substep is stable for all that tissue goes through.
+// Limit of |cof F|^2, which is 3 at rest: beyond it the response to volume change is reduced in
+// proportion, so that one length of substep is stable for any deformation.
 inline constexpr float kMostStiffening = 6;
 
-// Speeds below this count as zero (m/s). The front of a wave spreads through tissue at rest ever
-// more faintly; as denormal numbers, which are slow, it would cost ten times the rest. Processors
-// that flush those to zero do it each in its own way, or, as WebAssembly, not at all.
+// Speeds below this are set to zero (m/s). The front of a wave enters tissue at rest as ever
+// smaller numbers; as denormals they would make a pass ten times slower, and machines flush
+// denormals in different ways or not at all.
 inline constexpr float kAtRest = 1e-12f;
 
-// What both passes read besides the state.
+// Constants of a substep that both passes read.
 struct SubstepConstants {
   float faceShare = 0;         // weight of a face neighbour (tissue/stencil.h) over an edge one's
   float cornerShare = 0;       // the same of a corner neighbour
@@ -30,9 +30,9 @@ struct SubstepConstants {
   float bondStiffness = 0;     // twice that weight over the spacing squared, 1/m^2
   float dt = 0;                // s
   float lookAhead = 0;         // beta dt, s
-  float keep = 1;              // share of the velocity that drag leaves per substep
+  float keep = 1;              // factor of the velocity per substep by drag
   float gravity[3] = {};       // m/s^2
-  float mostSpeedSquared = 0;  // beyond it the state counts as exploded, m^2/s^2
+  float mostSpeedSquared = 0;  // faster counts as exploded, m^2/s^2
 };
 
 // The arrays of an ElasticState by address.
@@ -52,7 +52,7 @@ struct ElasticKernel {
   // For chunks [begin, end): stress and bondForce from `ahead`.
   void (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                      std::size_t end);
-  // Then v, u and `ahead` from them; false when a speed is beyond the most or not a number.
+  // Then v, u and `ahead` from them; false if a speed is beyond the limit or NaN.
   bool (*motionPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                      std::size_t end);
   // Displacement (rows 0 to 2 of `out`) and gradient of displacement (then, row by row) of the
@@ -62,8 +62,8 @@ struct ElasticKernel {
                      std::uint32_t wanted, float (*out)[kChunk]);
 };
 
-// The fastest for this machine, and each by itself ("baseline", "avx2", "avx512"; those the machine
-// lacks are null).
+// The fastest kernel for this machine; and by name ("baseline", "avx2", "avx512"; null if the
+// machine lacks its instructions).
 const ElasticKernel& fastestKernel();
 const ElasticKernel* kernelNamed(const char* name);
 

@@ -1,15 +1,15 @@
-// The two passes, written once for vectors of up to kLanes cells. Included by one source file per
-// instruction set, inside a namespace of its own, after the file has set the target; uses nothing
-// from other headers that would be compiled for that target under a shared name.
+// The two passes, for vectors of up to kLanes cells. Included by one source file per instruction
+// set, in a namespace of its own and after the file has set the target; it must not use inline
+// functions of other headers, which would be compiled for that target under a shared name.
 //
-// Rows of an organ are short: where sixteen cells go at once, a half that holds nothing costs as
-// much as one that is full, so there a vector of N cells is sixteen or eight of them.
+// Rows of an organ are short, and an empty half of sixteen lanes costs as much as a full one; so
+// with sixteen lanes vectors have N = 16 or N = 8 cells.
 
 #include "tissue/elastic/kernel/elastic_lanes.inl"
 
 constexpr int kHalf = kLanes > 8 ? kLanes / 2 : kLanes;
 
-// What the sums over the neighbours of a cell yield; w in units of an edge neighbour's weight.
+// Sums over the neighbours of a cell; w in units of an edge neighbour's weight.
 template <int N>
 struct Strains {
   Lanes<N> gradient[9];    // sum of w u_ij d_ij, row by row, m
@@ -23,7 +23,7 @@ struct Forces {
 #include "tissue/elastic/kernel/elastic_bonds.inl"
 #include "tissue/elastic/kernel/elastic_planes.inl"
 
-// L of the cells: symmetric, and a multiple of the identity where all neighbours are there.
+// L of the cells: symmetric, and a multiple of the identity if all neighbours are bonded.
 template <bool Full, int N>
 struct InverseMoment {
   __attribute__((always_inline)) InverseMoment(const ElasticView& s, std::int32_t i) {
@@ -41,8 +41,8 @@ struct InverseMoment {
   Lanes<N> l[Full ? 1 : 6];
 };
 
-// The material's answer: stress and bond force of the cells. Full: all neighbours are there, so the
-// moment is that of the whole stencil. Aims at 230 instructions for a vector then, 370 else.
+// The constitutive law: stress and bond force of the cells. Full: all neighbours are bonded, so the
+// moment is that of the whole stencil. Aims at 230 instructions for a vector then, else 370.
 template <bool Full, int N>
 RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
                            const Strains<N>& strains) {
@@ -50,7 +50,7 @@ RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std:
   const Lanes<N> bondStiffness = c.bondStiffness * kappa, penalty = c.edgePerLength * kappa;
   IntLanes<N> there = {};
   if constexpr (!Full) there = load<N>(s.inverseMass + i) > Lanes<N>{};
-  // Zero where no cell is: the force sums rely on it.
+  // Zero where no cell is: the force sums require it.
   const auto put = [&](float* to, const Lanes<N>& value) {
     store(to + i, Full ? value : masked(value, there));
   };
@@ -94,9 +94,9 @@ RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std:
   }
 }
 
-// Speed and place after the substep. Full: as above. Steered: some cells are held or loaded. In
-// `exploded`, one per lane: all bits where a speed is beyond the most. Aims at 80 instructions for
-// a vector where all neighbours are there.
+// Velocity and position after the substep. Full: as above. Steered: some cells are held or loaded.
+// exploded: per lane, all bits set if the speed is beyond the limit. Aims at 80 instructions for a
+// vector when all neighbours are bonded.
 template <bool Full, bool Steered, int N>
 RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
                         const Forces<N>& neighbours, std::int32_t* exploded) {
@@ -128,15 +128,16 @@ RESECT_INLINE void move(const ElasticView& s, const SubstepConstants& c, std::in
   }
   IntLanes<N> beyond;
   __builtin_memcpy(&beyond, exploded, sizeof beyond);
-  beyond |= ~(speed2 <= all<N>(c.mostSpeedSquared));  // true for what is not a number too
+  beyond |= ~(speed2 <= all<N>(c.mostSpeedSquared));  // also true for NaN
   __builtin_memcpy(exploded, &beyond, sizeof beyond);
 }
 
-// Chunks that lie behind each other in memory and can be summed by planes.
+// Consecutive chunks that can be summed by planes.
 struct PlaneRun {
-  int chunks;          // 0 when the first cannot
-  std::int32_t first;  // cell one chunk before them
-  int begin, end;  // planes that matter, from `first` on: of the solid cells and one more each way
+  int chunks;          // 0 if the first one cannot
+  std::int32_t first;  // index of the cell one chunk before them
+  int begin, end;  // planes needed, counted from `first`: those of the solid cells and one more on
+                   // each side
 };
 static PlaneRun planeRun(const TissueChunk* chunk, const TissueChunk* end) {
   int n = 0;
@@ -148,8 +149,8 @@ static PlaneRun planeRun(const TissueChunk* chunk, const TissueChunk* end) {
           n * kChunk + chunk[n - 1].last + 2};
 }
 
-// sum(at) for vectors of planes from `at` on that hold [begin, end). They start at multiples of
-// their length, so that no load of a whole row of cells straddles two cache lines.
+// Calls sum(at) for vectors of planes that cover [begin, end). They are aligned to their length, so
+// that loads do not straddle cache lines.
 template <typename Sum>
 RESECT_INLINE void forPlanes(int begin, int end, Sum sum) {
   int at = begin / kHalf * kHalf;
@@ -161,8 +162,8 @@ RESECT_INLINE void forPlanes(int begin, int end, Sum sum) {
   if (at < end) sum.template operator()<kHalf>(at);
 }
 
-// visit(at, full) for the vectors of a chunk that hold solid cells. Full: all cells are solid with
-// all their bonds.
+// visit(at, full) for the vectors of a chunk with solid cells. full: all cells are solid with all
+// their bonds.
 template <typename Visit>
 RESECT_INLINE void forVectors(const TissueChunk& chunk, Visit visit) {
   if (kLanes > kHalf && chunk.first < kHalf && chunk.last >= kHalf)
@@ -172,7 +173,8 @@ RESECT_INLINE void forVectors(const TissueChunk& chunk, Visit visit) {
       visit.template operator()<kHalf>(at, chunk.full[at / 8]);
 }
 
-// A chunk with a cut. Not inlined: there are few of them, and the loops over the others stay short.
+// For a chunk with a cut. Not inlined: such chunks are few, and the loop over the others stays
+// small.
 static __attribute__((noinline)) void stressByBonds(const ElasticView& s, const SubstepConstants& c,
                                                     const TissueChunk& chunk) {
   forVectors(
@@ -198,7 +200,7 @@ static __attribute__((noinline)) void moveByBonds(const ElasticView& s, const Su
 static void stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                        std::size_t end) {
   const PlaneSteps step = planeSteps(s);
-  StrainPlanes planes = {};  // planes beyond solid cells are read, and count for nothing
+  StrainPlanes planes = {};  // planes beyond the solid cells are read but have no effect
   for (const TissueChunk *chunk = s.chunks + begin, *last = s.chunks + end; chunk < last;) {
     const PlaneRun run = planeRun(chunk, last);
     if (run.chunks > 0) {

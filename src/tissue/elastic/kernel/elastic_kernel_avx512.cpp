@@ -1,4 +1,4 @@
-// The passes of tissue/elastic/kernel/elastic_kernel.inl for one instruction set.
+// The passes of tissue/elastic/kernel/elastic_kernel.inl compiled for one instruction set.
 #include "tissue/elastic/kernel/elastic_kernel.h"
 #include "tissue/elastic/kernel/elastic_kernels.h"
 

@@ -1,4 +1,4 @@
-// Which kernels were compiled? Each runs only on a machine that has its instructions.
+// The compiled kernels. Each runs only on a machine that has its instructions.
 #pragma once
 
 #include "tissue/elastic/kernel/elastic_kernel.h"

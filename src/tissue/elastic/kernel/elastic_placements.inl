@@ -1,5 +1,5 @@
-// Where cells are and how tissue is stretched round them: the sums of elastic_bonds.inl over the
-// displacements as they are. Weights are applied bond by bond, in the order of the directions.
+// Displacements and gradients of cells: the sums of elastic_bonds.inl over the present
+// displacements. Weights are applied bond by bond, in the order of the directions.
 
 constexpr Directions<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
                      22, 23, 24, 25>
@@ -36,7 +36,7 @@ static void placements(const ElasticView& s, const float weight[4], std::int32_t
       const float* u = s.u[a] + i;
       Lanes<kLanes> along[3] = {}, row[3];
       addStretches<kLanes>(along, weight, kEveryDirection, u, s.step, bonded);
-      // Sums in the order that written states of scenarios rest on.
+      // This order of summation determines the recorded state hashes of scenarios.
       const Lanes<kLanes>* l = moment.l;
       row[0] = along[0] * l[0] + (along[1] * l[3] + along[2] * l[4]);
       row[1] = along[0] * l[3] + (along[1] * l[1] + along[2] * l[5]);

@@ -1,15 +1,15 @@
-// The sums over the neighbours of a cell, plane by plane: for chunks in which every neighbour that
-// is there is bonded.
+// Sums over a cell's neighbours plane by plane, for chunks in which every solid neighbour is
+// bonded.
 //
-// The nine cells across the row at x - 1, x and x + 1 contribute what depends on the plane alone,
-// so each plane is summed once and read three times. Differences are taken from the cell in the
-// middle of their plane, never from zero: large displacements cost no digits. In units of an edge
-// neighbour's weight; a face neighbour has `faceShare`, a corner neighbour `cornerShare` of it.
+// The contribution of the nine cells in a plane across the row depends on the plane alone, so each
+// plane is summed once and used by the cells at x - 1, x and x + 1. Differences are taken relative
+// to the middle cell of the plane, so that large displacements lose no digits. In units of an edge
+// neighbour's weight; a face neighbour's is `faceShare`, a corner neighbour's `cornerShare` of it.
 
 constexpr int kRunChunks = 3;  // so that the sums of a run stay in the first-level cache
-constexpr int kRunCells = (kRunChunks + 2) * kChunk;  // a chunk more before and after
+constexpr int kRunCells = (kRunChunks + 2) * kChunk;  // one more chunk before and after
 
-// The eight cells round the middle of a plane.
+// The eight cells round the middle one of a plane.
 enum Round { kUp, kDown, kFore, kAft, kUpFore, kUpAft, kDownFore, kDownAft };
 
 struct PlaneSteps {
@@ -20,8 +20,8 @@ RESECT_INLINE PlaneSteps planeSteps(const ElasticView& s) {
   return {{y, -y, z, -z, y + z, y - z, -y + z, -y - z}};
 }
 
-// Of a plane, for each component of u: what it gives to the sums of its own middle cell (own), and
-// to those of the cells before and behind in the row (next), as seen from its middle cell.
+// Contributions of planes, per component of u: to the sums of the plane's middle cell (own), and to
+// those of the cells before and after it in the row (next), relative to the middle cell.
 struct alignas(kCacheLine) StrainPlanes {
   float middle[3][kRunCells];
   float own[3][3][kRunCells];  // [component of u][0: sum of w u_ij, 1: times d_y, 2: times d_z]
@@ -37,7 +37,7 @@ RESECT_INLINE void sumStrainPlanes(const ElasticView& s, const SubstepConstants&
   const std::int64_t p = first + at;
   std::int64_t to[8];
   for (int k = 0; k < 8; ++k) to[k] = p + step.to[k];
-  // Where no cell is in the middle, its neighbour in the row stands in.
+  // Where the middle cell is missing its neighbour in the row is the reference.
   const IntLanes<N> here = load<N>(s.inverseMass + p) > Lanes<N>{};
   const IntLanes<N> before = load<N>(s.inverseMass + p - 1) > Lanes<N>{};
   Lanes<N> middles[3];
@@ -66,7 +66,7 @@ RESECT_INLINE void sumStrainPlanes(const ElasticView& s, const SubstepConstants&
   }
 }
 
-// What the planes after and before the cells give to their k-th sum, seen from the cells
+// Contribution of the planes after and before the cells to their k-th sum, relative to the cells
 // themselves.
 template <int N>
 struct NextPlanes {
@@ -84,7 +84,7 @@ RESECT_INLINE NextPlanes<N> nextPlanes(const ElasticView& s, const StrainPlanes&
   return next;
 }
 
-// Of the cells from i on, which are `at` cells into the planes. Full: all neighbours are there.
+// For the cells from i on; `at`: their index in the planes. Full: all neighbours are bonded.
 template <bool Full, int N>
 RESECT_INLINE Strains<N> strainsFromPlanes(const ElasticView& s, const StrainPlanes& planes,
                                            std::int32_t i, int at) {
