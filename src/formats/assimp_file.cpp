@@ -19,7 +19,8 @@ namespace {
 
 constexpr std::array kExtensions{"obj", "stl", "ply", "off", "glb", "gltf"};
 constexpr int kDeepestNode = 500;
-constexpr const char* kNoObjName = "defaultobject";  // the library's for .obj without names
+constexpr const char* kNoObjName =
+    "defaultobject";  // the library's name for .obj parts without one
 
 std::string extensionOf(const std::filesystem::path& path) {
   std::string text = path.extension().string();
@@ -36,7 +37,7 @@ std::string nameOfFormat(const std::string& extension) {
   return name;
 }
 
-// What the library says, fit for one sentence: without the name it gives to bytes in memory.
+// The library's message on one line, without its name for in-memory files.
 std::string oneLine(std::string text) {
   const std::string unknown = "No suitable reader found";
   if (text.starts_with(unknown)) return "it does not begin as such a file does";
@@ -74,7 +75,7 @@ TriangleMesh meshOf(const aiMesh& source, const aiMatrix4x4& transform, const st
     }
     triangulatePolygon(mesh.points, loop, mesh.triangles);
   }
-  // A mirroring transform turns the triangles inside out; turn them back, as glTF 2.0 (3.5.3) asks.
+  // A mirroring transform reverses the triangles; flip them back, as glTF 2.0 (3.5.3) requires.
   if (transform.Determinant() < 0) flip(mesh);
   return mesh;
 }
@@ -99,8 +100,8 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above,
     collect(scene, *node.mChildren[i], transform, depth + 1, model);
 }
 
-// The library reads on when a glTF binary file is cut off, so its frame is checked here (glTF 2.0,
-// 4.4): a header of 12 bytes with the whole length, then chunks with theirs.
+// The library reads beyond the end of a truncated binary glTF file, so its structure is checked
+// here (glTF 2.0, 4.4): a header of 12 bytes with the total length, then chunks with their lengths.
 void checkGltfFrame(const std::string& path, std::string_view bytes) {
   const auto number = [&](std::size_t at) {
     std::uint64_t value = 0;
@@ -130,7 +131,7 @@ Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::p
   const std::string extension = extensionOf(formatName);
   if (extension == "glb") checkGltfFrame(path.string(), bytes);
   Assimp::Importer importer;
-  // Everything but surfaces is left out, so that no texture or animation can do harm.
+  // Everything but surfaces is skipped, so that no texture or animation can do harm.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
                                   aiComponent_CAMERAS | aiComponent_NORMALS |

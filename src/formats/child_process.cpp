@@ -27,11 +27,11 @@
 namespace resect {
 namespace {
 
-// What the child sends: the result or the sentence, then how long that is and of which kind.
-// Without the end a message is torn.
+// Message of the child: the result or the error sentence, then a trailer with length and kind. A
+// message without trailer is incomplete.
 enum Kind : char { kResult = 'r', kFailed = 'f', kUsage = 'u', kNoMemory = 'm', kOther = 'o' };
-constexpr int kAtOnce = 1 << 20;  // bytes that wait in the pipe, when the system allows as many
-constexpr int kCannotWrite = 3;   // exit status of a child whose parent no longer listens
+constexpr int kAtOnce = 1 << 20;  // pipe capacity, bytes, if the system allows it
+constexpr int kCannotWrite = 3;   // exit status of a child whose parent has closed the pipe
 
 void limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
   rlimit value{};
@@ -41,7 +41,7 @@ void limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard) {
   ::setrlimit(resource, &value);
 }
 
-// Address space of this process, bytes; 0 when the system does not say.
+// Address space of this process, bytes; 0 if unknown.
 rlim_t addressSpace() {
   long pages = 0;
   if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
@@ -55,20 +55,20 @@ void restrictThisProcess(const ChildLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_CORE, 0, 0);
   limit(RLIMIT_FSIZE, 0, 0);
-  ::signal(SIGXFSZ, SIG_IGN);  // writing fails instead: font caches live without it
+  ::signal(SIGXFSZ, SIG_IGN);  // writing then fails with an error, which font caches tolerate
   const auto cpu = rlim_t(std::ceil(limits.cpuSeconds));
   limit(RLIMIT_CPU, cpu, cpu + 1);
 #ifndef RESECT_SANITIZED
   const rlim_t memory = addressSpace() + rlim_t(limits.memoryBytes);
   limit(RLIMIT_AS, memory, memory);
-  // Sanitized builds keep standard error, so that a report is seen.
+  // Sanitized builds keep standard error, so that reports are visible.
   const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
   if (nowhere >= 0) {
     ::dup2(nowhere, STDOUT_FILENO);
     ::dup2(nowhere, STDERR_FILENO);
   }
 #endif
-  // A crash of a library ends this process quietly, whatever handlers the parent had.
+  // A crash of a library ends this process silently, whatever handlers the parent had.
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM})
     ::signal(signal, SIG_DFL);
   if (::signal(SIGINT, SIG_DFL) == SIG_IGN) ::signal(SIGINT, SIG_IGN);
@@ -97,7 +97,7 @@ void send(int pipe, Kind kind, const std::string& message) {
   writeAll(pipe, reinterpret_cast<const char*>(&end), sizeof end);
 }
 
-// Takes the end off a message; false when it is torn.
+// Removes the trailer of a message; false if it is incomplete.
 bool takeEnd(std::string& bytes, Kind& kind) {
   MessageEnd end;
   if (bytes.size() < sizeof end) return false;
@@ -109,8 +109,8 @@ bool takeEnd(std::string& bytes, Kind& kind) {
 }
 
 #ifdef __SANITIZE_ADDRESS__
-// The address sanitizer needs an address space without limit and ends a process that asks for more
-// than there is, where operator new would throw: answer in its place.
+// The address sanitizer needs unlimited address space, and aborts on a failed allocation where
+// operator new would throw: this hook sends the answer instead.
 int gPipeOfThisChild = -1;
 void answerWhenOutOfMemory(const char* report) {
   if (!std::strstr(report, "out of memory") && !std::strstr(report, "exceeds maximum")) return;
@@ -143,10 +143,10 @@ void answerWhenOutOfMemory(const char* report) {
     message = "unknown exception";
   }
   send(pipe, kind, message);
-  ::_exit(0);  // no destructors: they belong to the parent
+  ::_exit(0);  // no destructors: the objects are the parent's
 }
 
-// Reads until the child closes its end; false when the time is over.
+// Reads until the child closes its end; false on timeout.
 bool readAll(int pipe, double seconds, const std::function<void()>& meanwhile, std::string& bytes) {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
@@ -190,7 +190,7 @@ int waitFor(pid_t child) {
         "export it again",
         subject, ::strsignal(signal));
 #ifdef RESECT_SANITIZED
-  // A sanitizer found a mistake of ours in the child and reported it there; do not hide it.
+  // A sanitizer reported an error in the child: do not hide it.
   RESECT_ASSERT(WEXITSTATUS(status) == 0 || WEXITSTATUS(status) == kCannotWrite);
 #endif
   throw error(
@@ -209,7 +209,7 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
     throw error("{}: no pipe for its reader: {}; close other programs", subject,
                 std::strerror(errno));
   ::fcntl(ends[0], F_SETPIPE_SZ, kAtOnce);
-  // What is still in the buffers must not be written twice.
+  // Flushed before the fork, so that buffered output is not written twice.
   std::fflush(nullptr);
   const pid_t child = ::fork();
   if (child < 0) {
@@ -241,7 +241,7 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
                 subject, limits.wallSeconds);
   Kind kind{};
   if (!takeEnd(bytes, kind)) {
-    if (meanwhile) meanwhile();  // a person may have ended the child
+    if (meanwhile) meanwhile();  // the user may have killed the child
     throwOutcome(subject, limits, status);
   }
   if (kind == kResult) return bytes;
@@ -254,7 +254,7 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   throw error("{}: the reader failed ({}); export the model again", subject, bytes);
 }
 
-static_assert(std::atomic<double>::is_always_lock_free);  // a lock would be the process's own
+static_assert(std::atomic<double>::is_always_lock_free);  // a lock would not work across processes
 
 SharedNumber::SharedNumber(double value) {
   void* memory =

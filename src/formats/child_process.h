@@ -1,7 +1,7 @@
-// How is work on an untrusted file done so that nothing it does can harm this program?
+// Runs work on untrusted files in a forked child process with limits; its result comes back over a
+// pipe. Cost: about 2 ms per call plus the copy.
 //
-// In a forked child with limits, whose bytes come back over a pipe. About 2 ms per call plus the
-// copy.
+// Crashes, endless loops and excessive memory of the work do not affect this process.
 #pragma once
 
 #include <atomic>
@@ -18,21 +18,21 @@ struct ChildLimits {
                                                    // not limited in sanitized builds
 };
 
-// Runs `work` in a child and returns its bytes. An Error that `work` throws is thrown here with the
-// same sentence and status; any other end (crash, limit, exception) becomes an Error about
-// `subject`, the name of the file: what happened, and what to do.
+// Runs `work` in a child and returns its bytes. An Error that `work` throws is rethrown here with
+// the same sentence and status; any other end (crash, limit, exception) becomes an Error about
+// `subject`, the file's name, with what happened and what to do.
 //
-// `work` runs on the copy of the calling thread alone: it may use neither threads nor locks that
-// other threads of this process may hold, and what it changes in memory is lost. Its standard
-// output and error go to nowhere; it cannot write files or leave a core dump.
+// `work` runs on the copy of the calling thread alone: it must not use threads or locks that other
+// threads of this process may hold, and its changes in memory are lost. Its standard output and
+// error are discarded; it cannot write files or dump core.
 //
-// `meanwhile` is called here some ten times a second until the child is done, and once more when it
-// ended otherwise; what it throws ends the child and is passed on.
+// `meanwhile` is called here about ten times a second until the child is done, and once more if it
+// failed; an exception from it kills the child and is passed on.
 std::string runInChild(const std::string& subject, const ChildLimits& limits,
                        const std::function<std::string()>& work,
                        const std::function<void()>& meanwhile = {});
 
-// A number that a child of this process sets and this process reads, or the other way round.
+// A number in memory shared by this process and its children.
 class SharedNumber {
  public:
   explicit SharedNumber(double value);

@@ -38,14 +38,14 @@ std::string unpackGzip(const std::string& path, std::string_view bytes, std::siz
     if (result.size() > most)
       throw error("{}: unpacks to more than {} MB; simplify the model", path, most >> 20);
     if (status == Z_STREAM_END && (stream.avail_in > 0 || at < bytes.size())) {
-      // Another member may follow; anything else after the end is padding.
+      // Another member may follow; other data after the end is padding.
       const bool more =
           stream.avail_in >= 2 && stream.next_in[0] == 0x1f && stream.next_in[1] == 0x8b;
       if (!more) break;
       inflateReset(&stream);
     }
   }
-  // What zlib still holds back when the input is used up.
+  // Output that zlib still holds after the last input.
   while (status == Z_OK && stream.avail_out == 0) {
     stream.next_out = reinterpret_cast<Bytef*>(block.data());
     stream.avail_out = uInt(block.size());

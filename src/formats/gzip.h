@@ -1,4 +1,4 @@
-// What was in a gzip-compressed file?
+// Decompresses gzip files.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@ namespace resect {
 
 bool isGzip(std::string_view bytes);
 
-// All members of the file (RFC 1952) unpacked. An Error about `path` when the data are damaged, cut
-// off, or longer than `most` bytes unpacked.
+// All members of the file (RFC 1952) unpacked. Throws Error about `path` if the data are damaged,
+// truncated, or longer than `most` bytes when unpacked.
 std::string unpackGzip(const std::string& path, std::string_view bytes, std::size_t most);
 
 }  // namespace resect

@@ -20,7 +20,7 @@ struct Axis {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  // Widens to marks at 1, 2 or 5 times a power of ten, about `marks` of them.
+  // Extends the range to ticks at 1, 2 or 5 times a power of ten, about `marks` of them.
   void roundTo(int marks) {
     if (!(high > low)) high = low + 1;
     const double raw = (high - low) / marks, power = std::pow(10, std::floor(std::log10(raw)));

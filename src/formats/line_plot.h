@@ -1,4 +1,4 @@
-// How do numbers over time become a picture? Lines over common axes, as SVG text.
+// Line plots of numbers over time, as SVG text.
 #pragma once
 
 #include <string>
@@ -10,8 +10,7 @@ namespace resect {
 
 struct PlotLine {
   std::string name;
-  std::vector<Eigen::Vector2d>
-      points;  // in the order in which they are joined; what is not finite is a gap
+  std::vector<Eigen::Vector2d> points;  // in drawing order; a non-finite value makes a gap
 };
 
 struct LinePlot {
@@ -19,8 +18,8 @@ struct LinePlot {
   std::vector<PlotLine> lines;
 };
 
-// 900 x 360 pixels, readable on light and dark paper. The axes hold all points and y = 0, marked at
-// round numbers.
+// 900 x 360 pixels, readable on light and dark backgrounds. The axes include all points and y = 0,
+// with ticks at round numbers.
 std::string toSvg(const LinePlot& plot);
 
 }  // namespace resect

@@ -23,7 +23,7 @@ ModelInfo modelInfo(const Model& model) {
   WeldReport report;
   weld(mesh, 0, &report);
   info.vertices = int(mesh.points.size()) - report.mergedPoints - report.unusedPoints;
-  // Points of no triangle are no part of the surface.
+  // Points without a triangle are not counted.
   for (const Triangle& t : mesh.triangles)
     for (const std::int32_t i : t) info.bounds.grow(mesh.points[i]);
 

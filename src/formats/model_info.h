@@ -1,4 +1,4 @@
-// What is in a model file, in numbers that tell whether it can be an organ?
+// Numbers about a model file that tell whether it can be an organ.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -15,7 +15,7 @@ struct ModelInfo {
   std::vector<std::string> parts;
   // As read:
   int triangles = 0;
-  int vertices = 0;  // different positions: the same count whether a format shares points or not
+  int vertices = 0;  // distinct positions: independent of whether the format shares points
   double area = 0;   // m^2
   double volume =
       0;        // m^3, signed sum over the triangles about the origin, also of an open surface
@@ -24,12 +24,12 @@ struct ModelInfo {
   int components = 0;
   bool closed = false, oriented = false, insideOut = false;
   int boundaryEdges = 0, nonManifoldEdges = 0;
-  std::string unitHint;  // unit that would make it the size of an organ; empty when metres do
+  std::string unitHint;  // unit that would make it the size of an organ; empty if metres do
 };
 
 ModelInfo modelInfo(const Model& model);
 
-// The fields under the names that `resect info --json` promises, lengths in m, volume in ml.
+// The fields of `resect info --json`, lengths in m, volume in ml.
 nlohmann::ordered_json toJson(const ModelInfo& info);
 
 // A few lines for a person.

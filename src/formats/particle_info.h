@@ -1,4 +1,4 @@
-// What is in a file of particles, for `resect info`?
+// Report about a file of particles, for `resect info`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

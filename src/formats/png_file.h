@@ -1,4 +1,4 @@
-// How is a picture kept as a PNG file?
+// Writes and reads PNG files.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ struct RgbImage {
   const std::uint8_t* at(int x, int y) const { return &pixels[3 * (std::size_t(y) * width + x)]; }
 };
 
-// 8 bits per channel, sRGB. Width and height must be positive. Throws Error when the file cannot be
-// written; what stood there before is then untouched.
+// 8 bits per channel, sRGB. Width and height must be positive. Throws Error if the file cannot be
+// written; an earlier file is then untouched.
 void writePng(const std::filesystem::path& path, const RgbImage& image);
 
-// Reads any PNG as 8-bit RGB; transparent parts are laid over black.
+// Reads any PNG as 8-bit RGB; transparent parts are blended with black.
 RgbImage readPng(const std::filesystem::path& path);
 
 }  // namespace resect

@@ -68,7 +68,7 @@ VideoWriter::VideoWriter(const std::filesystem::path& path, int width, int heigh
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0)
     throw error("cannot start ffmpeg: no pipe to be had; close other programs");
-  ::signal(SIGPIPE, SIG_IGN);  // a dying ffmpeg shall be an Error, not our death
+  ::signal(SIGPIPE, SIG_IGN);  // if ffmpeg ends early, writing fails and becomes an Error
   process_ = ::fork();
   if (process_ == 0) {
     ::dup2(ends[0], STDIN_FILENO);

@@ -1,4 +1,4 @@
-// How does a row of pictures become a video file? Through the program ffmpeg, when it is installed.
+// Writes pictures to a video file with the program ffmpeg, if it is installed.
 #pragma once
 
 #include <filesystem>
@@ -11,16 +11,15 @@ namespace resect {
 class VideoWriter {
  public:
   // Starts ffmpeg; every picture must have this size (cut to even numbers for the codec). rate:
-  // pictures per second > 0. An Error in one sentence when ffmpeg is not installed or the name is
-  // not .mp4.
+  // pictures per second > 0. Throws Error if ffmpeg is not installed or the name is not .mp4.
   VideoWriter(const std::filesystem::path& path, int width, int height, double rate);
-  // Without finish() nothing is left behind.
+  // Without finish() no file is left.
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
   void add(const RgbImage& picture);
-  // Closes the video and gives it its name.
+  // Closes the video and renames it to its final name.
   void finish();
 
  private:
@@ -30,7 +29,7 @@ class VideoWriter {
   int process_ = -1;
 };
 
-// Is the program ffmpeg on the PATH?
+// Whether the program ffmpeg is on the PATH.
 bool haveFfmpeg();
 
 }  // namespace resect

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kMagic = "# vtk DataFile Version";
 
-// Bytes per number of a VTK type name; 0 for one that no section of ours may have.
+// Bytes per number of a VTK type name; 0 if unsupported.
 struct NumberType {
   int bytes = 0;
   bool isFloat = false, isSigned = true;

@@ -1,8 +1,8 @@
-// Which surface does a legacy VTK file of polygons hold?
+// Reads legacy VTK files of polygons.
 //
-// "VTK File Formats" (Kitware, VTK User's Guide): text and big-endian binary, versions 1.0 to 5.1,
-// DATASET POLYDATA with POINTS, POLYGONS and TRIANGLE_STRIPS; vertices, lines and all attributes
-// are skipped.
+// Source: "VTK File Formats" (Kitware, VTK User's Guide). Supported: text and big-endian binary,
+// versions 1.0 to 5.1, DATASET POLYDATA with POINTS, POLYGONS and TRIANGLE_STRIPS; vertices, lines
+// and all attributes are skipped.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@
 
 namespace resect {
 
-// Does it begin as such a file does?
+// Whether the bytes begin like such a file.
 bool isVtkFile(std::string_view bytes);
 
-// One part without a name. Metres, whatever the file means by its numbers. Every count and index is
-// checked; an Error names the section.
+// One part without a name. Numbers are taken as metres. Every count and index is checked; an Error
+// names the section.
 Model readVtkFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

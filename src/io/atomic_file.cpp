@@ -11,8 +11,8 @@
 namespace resect {
 namespace {
 
-// Has somebody taken every right to write away? Asked of the file itself: for the superuser the
-// system would allow it all the same.
+// Whether all write permissions are off. Reads the permission bits, since the system lets the
+// superuser write anyway.
 bool writeProtected(const std::filesystem::path& path) {
   namespace fs = std::filesystem;
   constexpr fs::perms kWrite =

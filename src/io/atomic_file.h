@@ -1,4 +1,4 @@
-// How is a file written so that nobody ever sees half of it?
+// Atomic writing of files: readers see the old file or the complete new one.
 #pragma once
 
 #include <filesystem>
@@ -10,14 +10,14 @@
 namespace resect {
 
 // Lets `write` fill a temporary file beside `path`, then renames it to `path`. When `write` throws
-// or the disk is full, the temporary file is removed, what stood at `path` before is untouched, and
+// or the disk is full, the temporary file is removed, an earlier file at `path` is untouched, and
 // an Error says why. Creates missing folders.
 void writeFileAtomically(const std::filesystem::path& path,
                          const std::function<void(std::ostream&)>& write);
 
-// Before long work: throws an Error when nothing can be written to `path` because a folder stands
-// there, or it or its folder is write-protected, and a usage Error when it is one of the files that
-// are read (`inputs`; those that do not exist are passed over).
+// To be called before long work: throws Error if `path` cannot be written because it is a folder,
+// or it or its folder is write-protected, and a usage Error if it is one of the files to be read
+// (`inputs`; missing ones are ignored).
 void checkTarget(const std::filesystem::path& path, std::span<const std::string> inputs = {});
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Where are the files that come with Resect: tools, room, scenarios?
+// Finds the files that are shipped with Resect: tools, room, scenarios.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 namespace resect {
 
 // $RESECT_DATA, else the folder beside the program (installed or in its build tree), else the
-// sources that it was built from, else where it was to be installed. An Error names the places
-// looked at when there is none.
+// sources that it was built from, else its install location. If there is none, an Error lists the
+// folders that were tried.
 std::filesystem::path dataFolder();
 
-// A file that a person names: as it is when it exists; else `name` with the extension in
-// dataFolder() / folder. An Error lists what there is to choose from.
+// The file `name` if it exists; else the shipped file of that name and extension in dataFolder() /
+// folder. If there is none, an Error lists the shipped names.
 std::filesystem::path findDataFile(const std::string& name, const std::string& folder,
                                    const std::string& extension);
 

@@ -20,7 +20,7 @@ static_assert(std::endian::native == std::endian::little);
 
 using Writer = void (*)(std::ostream&, const TriangleMesh&);
 
-// Collects a file's bytes and hands them on in large blocks.
+// Buffers a file's bytes and writes them in large blocks.
 class Buffer {
  public:
   explicit Buffer(std::ostream& out) : out_(out) {}

@@ -1,4 +1,4 @@
-// How does a surface become a file that other programs read?
+// Writes meshes to files of other programs.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace resect {
 
-// Before long work: a usage Error unless a surface can be written under that name: .obj .stl .ply
-// .vtk .iv (any case); else as checkTarget() (io/atomic_file.h).
+// To be called before long work: a usage Error unless the name's extension can be written: .obj
+// .stl .ply .vtk .iv (any case); else as checkTarget() (io/atomic_file.h).
 void checkWritableMeshFile(const std::filesystem::path& path,
                            std::span<const std::string> inputs = {});
 

@@ -9,9 +9,9 @@
 namespace resect {
 namespace {
 
-constexpr double kLargestCoordinate = 1e9;  // m; beyond it a double no longer tells 0.1 um apart
+constexpr double kLargestCoordinate = 1e9;  // m; beyond it a double no longer resolves 0.1 um
 
-// Names come from foreign files and end in one-line sentences.
+// Names from foreign files are shown in one-line messages.
 std::string printable(std::string_view name) {
   constexpr std::size_t kLongest = 60;
   std::string text;
@@ -35,7 +35,7 @@ class ByteReader {
  public:
   ByteReader(std::string_view bytes, const std::string& path) : bytes_(bytes), path_(path) {}
 
-  // `count` values of type T, or an Error when the bytes end before.
+  // `count` values of type T; Error if the bytes end before.
   template <typename T>
   void take(T* values, std::uint64_t count) {
     if (count > bytes_.size() / sizeof(T)) throw broken();

@@ -1,4 +1,4 @@
-// What did a model file hold? Named surfaces, as the file had them, in metres.
+// The content of a model file: named meshes as in the file, in metres.
 #pragma once
 
 #include <string>
@@ -24,21 +24,21 @@ struct Model {
 // All parts as one mesh.
 TriangleMesh merged(const Model& model);
 
-// Appends a surface to the part of that name; makes the part when there is none.
+// Appends a mesh to the part of that name, which is created if there is none.
 void addToPart(Model& model, const std::string& name, TriangleMesh mesh);
 
-// The part of that name, or the Error that lists the names there are.
+// The part of that name; an Error lists the names if there is none.
 const ModelPart& partNamed(const Model& model, const std::string& name);
 
 // "a, b, c and 23 more"; names longer than a line are cut.
 std::string partList(const Model& model, std::size_t most = 40);
 
-// Refuses, in one sentence, what no reader may hand on: no triangles at all, an index without its
-// point, a coordinate that is not finite or beyond 1e9 m.
+// Throws Error for what no reader may return: no triangles at all, an index out of range, a
+// coordinate that is not finite or beyond 1e9 m.
 void checkModel(const Model& model);
 
-// The model as bytes and back, to cross a pipe. bytesToModel trusts nothing: any damage is an
-// Error.
+// The model as bytes and back, for sending through a pipe. bytesToModel checks everything: any
+// damage is an Error.
 std::string modelToBytes(const Model& model);
 Model bytesToModel(std::string_view bytes, const std::string& path);
 

@@ -24,16 +24,16 @@
 namespace resect {
 namespace {
 
-// For people who have to move a region.
+// A box as text, for messages about regions.
 std::string boxText(const Aabb& box) {
   return fmt::format("[[{:.3f}, {:.3f}, {:.3f}], [{:.3f}, {:.3f}, {:.3f}]] m", box.min.x(),
                      box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z());
 }
 
-// What lays a box on the table: centred over the origin, lowest point on the table top.
+// Translation that puts a box on the table: centred over the origin, lowest point on the table top.
 Vec3 ontoTable(const Aabb& box) { return {-box.centre().x(), -box.min.y(), -box.centre().z()}; }
 
-// The cells that the source asks for, of a closed surface.
+// Samples a closed surface with the source's spacing or dims.
 Discretization sample(const TriangleMesh& surface, const OrganSource& source,
                       const Progress& progress) {
   const Aabb box = bounds(surface);
@@ -45,7 +45,7 @@ Discretization sample(const TriangleMesh& surface, const OrganSource& source,
   return cells;
 }
 
-// Landmarks and labels that the source names, on top of those that the cells have.
+// Adds the source's landmarks and labels to those of the cells.
 void label(Discretization& cells, const OrganSource& source) {
   cells.landmarks.insert(cells.landmarks.end(), source.landmarks.begin(), source.landmarks.end());
   RegionPlacer place(cells);
@@ -61,7 +61,7 @@ void label(Discretization& cells, const OrganSource& source) {
   if (!source.labels.empty()) labelSkin(cells);
 }
 
-// Per label that has particles: the number of its material, 0 for the organ's own.
+// Per label with particles: the index of its material, 0 for the organ's own.
 std::array<std::uint8_t, 256> materialNumbers(const TissueSetup& setup,
                                               const Discretization& cells) {
   std::array<std::uint8_t, 256> number{};
@@ -114,7 +114,7 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
 
 namespace {
 
-// The cells with what labels their file has.
+// The cells with the labels of their file, if any.
 Discretization sourceCells(const OrganSource& source, const ModelReader& readModel,
                            const Progress& progress, std::vector<std::string>* notes,
                            std::optional<Pose>* place) {

@@ -1,5 +1,5 @@
-// How does a scenario become a simulation that can be stepped? Reads what it names, builds what it
-// asks for.
+// Makes a simulation from a scenario: reads the files that it names and builds organs, tissue and
+// tools.
 #pragma once
 
 #include <functional>
@@ -15,35 +15,36 @@
 
 namespace resect {
 
-// Reads any model file; supplied by the layer that knows all formats
+// Function that reads any model file; supplied by a layer that knows all formats
 // (inventor/reading/model_file.h).
 using ModelReader = std::function<Model(const std::filesystem::path&)>;
 
 // The organ's closed, outward surface where the scenario puts it: turned by source.pose, then laid
 // on the table (lowest point at y = 0, bounding box centred over the origin) when source.onTable,
-// then moved by the pose's position. `place`, where given: a pose to be laid in instead, or what it
-// was laid in. `notes` gets what was repaired or noticed, a sentence each.
+// then moved by the pose's position. `place`, if given: if set, the pose to use instead; else it
+// receives the pose used. `notes` gets a sentence for each repair or finding.
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
                            std::vector<std::string>* notes = nullptr,
                            std::optional<Pose>* place = nullptr);
 
 // The organ's cells: from a file of particles (io/cells/particle_file.h, taken where its
 // coordinates put it unless onTable, and with its own cells unless source.resample), else from the
-// mesh; with the labels that the source names. Throws Error when one of them marks no particle.
+// mesh; with the labels of the source. Throws Error if one of them marks no particle.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr);
 
-// The scenario's tools, from their description files (named as files, or as shipped: "scalpel").
+// The scenario's tools, from their description files (given as files, or by shipped name:
+// "scalpel").
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 
-// The tissue that the scenario asks for, at rest. Throws Error when an attachment holds nothing, a
-// material is for a label that no particle has, or a setting is out of range.
+// The tissue that the scenario asks for, at rest. Throws Error if an attachment contains no
+// particle, a material is for a label without particles, or a setting is out of range.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ);
 
-// All organs of the scenario at rest, and the springs between them. Throws Error when a joint joins
-// nothing.
+// All organs of the scenario at rest, and the springs between them. Throws Error if a joint
+// connects no cells.
 std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress = {},
                                       std::vector<std::string>* notes = nullptr);

@@ -52,7 +52,7 @@ void addNotes(const OrganMeshOptions& options, OrganMesh& organ) {
     note("{} component{} inside out turned", r.componentsTurned, plural(r.componentsTurned));
   if (organ.health.components > 1) note("the surface has {} components", organ.health.components);
   if (!isOrganSized(organ.health.bounds)) {
-    // The hint is about the file's own numbers.
+    // The hint refers to the file's own numbers.
     Aabb own = organ.health.bounds;
     own.min /= options.metresPerUnit;
     own.max /= options.metresPerUnit;
@@ -61,12 +61,12 @@ void addNotes(const OrganMeshOptions& options, OrganMesh& organ) {
   }
 }
 
-// Makes organ.mesh, in the health that organ.health says, what an organ needs, or throws.
+// Repairs organ.mesh, whose health is organ.health, to a closed, oriented surface, or throws Error.
 void mend(const Model& model, const OrganMeshOptions& options, OrganMesh& organ) {
   const MeshHealth& raw = organ.health;
   const bool severalParts = model.parts.size() > 1 && options.part.empty();
   // Parts that overlap have edges of more than two triangles: closing the holes between them would
-  // make a closed surface of nonsense.
+  // give a meaningless closed surface.
   if (!raw.closed && (!options.repair || (severalParts && raw.nonManifoldEdges > 0)))
     throw openSurface(model, options, raw);
   if (!raw.closed || !raw.oriented) {

@@ -1,4 +1,4 @@
-// How does a model become the closed, outward-looking surface of an organ, and what had to be done?
+// Makes the closed, outward surface of an organ from a model, with a report of what was done.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct OrganMesh {
   TriangleMesh mesh;  // welded, closed, consistently oriented, looking outwards
   MeshHealth health;  // of that mesh
   RepairReport repairs;
-  std::vector<std::string> notes;  // one sentence per thing done or doubtful, for a person
+  std::vector<std::string> notes;  // one sentence for each repair or doubt, for a person
 };
 
 struct WeldedSurface {
@@ -29,17 +29,17 @@ struct WeldedSurface {
   Topology topology;  // of that mesh
 };
 
-// Merges equal points; when that leaves the surface open, also points nearer than a millionth of
-// the diagonal, if that closes it (mirrored or rotated copies meet only up to rounding).
+// Merges equal points; if that leaves the surface open, also points nearer than a millionth of the
+// diagonal, provided that closes it (mirrored or rotated copies match only up to rounding).
 WeldedSurface weldSurface(const TriangleMesh& mesh);
 
-// Takes the part (or all), scales, welds, drops specks, turns what looks inwards. Throws one
-// sentence when the surface is open and `repair` is off (number of boundary edges, place of the
-// first; the names of the parts when several were merged), when merged parts overlap, when the
-// triangles cannot agree on an outside, or when nothing encloses any volume.
+// Takes the part (or all), scales, welds, drops specks, orients outwards. Throws Error if the
+// surface is open and `repair` is off (number of boundary edges, place of the first; the names of
+// the parts when several were merged), if merged parts overlap, if the triangles cannot be oriented
+// consistently, or if no volume is enclosed.
 OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options = {});
 
-// The part of that name, or all parts as one; scaled to metres; nothing else is done.
+// The part of that name, or all parts as one; scaled to metres, otherwise unchanged.
 TriangleMesh chosenSurface(const Model& model, const std::string& part, double metresPerUnit);
 
 }  // namespace resect

@@ -14,7 +14,7 @@ bool isOrganSized(const Aabb& box) {
 
 std::string plausibleUnit(const Aabb& box) {
   constexpr double kLiver = 0.2;  // m
-  // Inches are rare, and too near to centimetres to be told from them.
+  // Inches are rare, and too near to centimetres to be distinguished.
   constexpr std::array<std::pair<const char*, double>, 3> kUnits{
       {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}};
   const double side = box.size().maxCoeff();

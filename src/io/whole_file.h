@@ -1,4 +1,4 @@
-// How are all bytes of a file read?
+// Reads all bytes of a file.
 #pragma once
 
 #include <filesystem>

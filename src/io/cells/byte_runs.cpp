@@ -29,8 +29,8 @@ std::string encoded(std::span<const Value> values) {
   return bytes;
 }
 
-// visit(length, bits) for each run; false when the last one is not whole, or a length is 0 or no
-// number that could be meant.
+// visit(length, bits) for each run; false if the last one is incomplete, or a length is 0 or too
+// large.
 template <typename Visit>
 bool visitRuns(std::string_view bytes, std::size_t width, Visit visit) {
   for (std::size_t at = 0; at < bytes.size();) {

@@ -1,5 +1,4 @@
-// How are long arrays kept in few bytes, the same on every machine? As runs: how often a value
-// comes one after the other, then the value.
+// Run-length coding of bytes and floats for files, the same on every machine.
 //
 // A run is its length (1 or more; seven bits a byte, lowest first, the top bit set on all bytes but
 // the last), then the value: a byte, or four of an IEEE 754 number, lowest first.
@@ -15,11 +14,11 @@ namespace resect {
 std::string toRuns(std::span<const std::uint8_t> values);
 std::string toRuns(std::span<const float> values);
 
-// Fills `values` and returns true; or returns false, having written nothing, when the bytes are not
-// whole runs of so many values.
+// Fills `values` and returns true; or returns false, having written nothing, if the bytes are not
+// complete runs of exactly that many values.
 bool fromRuns(std::string_view bytes, std::span<std::uint8_t> values);
 bool fromRuns(std::string_view bytes, std::span<float> values);
-// How many values the runs hold; -1 when they are not whole. To be asked before memory is taken.
+// Number of values in the runs; -1 if they are incomplete. To be called before allocating memory.
 std::int64_t countInRuns(std::string_view bytes, std::size_t bytesPerValue);
 
 }  // namespace resect

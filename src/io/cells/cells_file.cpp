@@ -22,7 +22,7 @@ constexpr std::string_view kHeaderEnd = "\n---\n";
 constexpr std::string_view kChecksum = "\ncrc32 ";
 constexpr std::size_t kTrailer = 7 + 8 + 1;      // "\ncrc32 0123abcd\n"
 constexpr std::size_t kLongestHeader = 1 << 20;  // bytes
-constexpr std::size_t kMostPerCell = 3 * 1 + 6;  // bytes: each cell a run of its own
+constexpr std::size_t kMostPerCell = 3 * 1 + 6;  // bytes, if each cell is a run of its own
 constexpr int kMostBytes = 2'000'000'000;        // of a block
 constexpr double kFarthest = 1e6;                // m
 constexpr int kLongestSide = 1'000'000;          // cells
@@ -30,7 +30,7 @@ constexpr double kLargestScale = 1e6;            // of the skin
 
 std::string checksum(std::string_view bytes) { return fmt::format("{:08x}", crc32(bytes)); }
 
-// With the fewest digits that restore it, and never a whole number of the header's language.
+// With the fewest digits that restore it exactly, and never as a TOML integer.
 std::string exact(double number) {
   char digits[40];
   std::string text(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
@@ -84,7 +84,7 @@ std::string header(const KeptCells& kept, const std::string (&blocks)[3]) {
   return text += kHeaderEnd;
 }
 
-// The header as a table whose complaints have the file's lines.
+// The header as a table whose Errors have the file's line numbers.
 TomlTable headerTable(std::string_view text, const std::string& name) {
   std::string comment = "#";
   comment += text;
@@ -120,7 +120,7 @@ void readNames(const TomlTable& t, Discretization& d) {
   }
 }
 
-// The values of one block, whose runs must be as many as the cells before memory is taken.
+// The values of one block; the number of values is checked before memory is allocated.
 template <typename Array>
 Array unpack(std::string_view bytes, std::int64_t cells, const char* what,
              const std::string& name) {

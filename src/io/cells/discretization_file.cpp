@@ -17,7 +17,7 @@
 namespace resect {
 namespace {
 
-constexpr double kLargestOffset = 0.02;  // of a cell: how far a rounded position may be off
+constexpr double kLargestOffset = 0.02;  // of a cell: tolerance for rounded positions
 
 std::vector<std::string_view> splitWords(std::string_view line) {
   constexpr std::string_view kBlank = " \t\r";
@@ -30,7 +30,7 @@ std::vector<std::string_view> splitWords(std::string_view line) {
   return words;
 }
 
-// The text line by line; every complaint names the line it is about.
+// The text line by line; every Error names its line.
 class Lines {
  public:
   Lines(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
@@ -57,7 +57,7 @@ class Lines {
     return error("{}:{}: {}", name_, line, fmt::format(format, std::forward<Args>(args)...));
   }
 
-  // The numbers behind the words of `key`, which the next line must begin with.
+  // The numbers after the words of `key`, with which the next line must begin.
   std::vector<std::string_view> expect(std::string_view key, std::size_t count) {
     if (!next()) {
       ++number_;
@@ -88,7 +88,7 @@ class Lines {
     return value;
   }
 
-  // What a stranger's file holds is shown short and printable.
+  // Text of the file, shortened and made printable for messages.
   static std::string shown(std::string_view word) {
     std::string text(word.substr(0, 24));
     for (char& c : text)
@@ -108,7 +108,7 @@ struct Row {
   float value;
 };
 
-// One reading of what the corners mean, followed through the rows as long as it fits.
+// One interpretation of the corners, tested row by row as long as it fits.
 struct Grid {
   Lattice lattice;
   double largestOffset = 0;  // of a cell, over all rows
@@ -186,7 +186,7 @@ Discretization parseDiscretization(std::string_view text, const std::string& nam
   Grid cubic = cubicGrid(first, last, dims);
   const int firstRowLine = lines.number() + 1;
   std::vector<Row> rows;
-  // A row has at least ten characters: a count that lies does not cost memory.
+  // A row has at least ten characters, so a false count reserves no memory.
   rows.reserve(std::min<std::size_t>(rowCount, text.size() / 10));
   std::int64_t positive = 0;
   for (std::int64_t i = 0; i < rowCount; ++i) {

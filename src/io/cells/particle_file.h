@@ -1,5 +1,5 @@
-// Which files hold particles, and how is one read or written? The thesis's text (*.dis) or cells
-// with all that is known of them (*.resect-cells), told by the name.
+// Files that hold particles, chosen by name: the thesis's text (*.dis) or cells with all their data
+// (*.resect-cells).
 #pragma once
 
 #include "io/cells/cells_file.h"
@@ -11,7 +11,7 @@ inline bool isParticleFile(const std::filesystem::path& path) {
   return isDiscretizationFile(path) || isCellsFile(path);
 }
 
-// unit: metres per unit of a *.dis file; other files are in metres, and 1 is asked for. Throws
+// unit: metres per unit of a *.dis file; must be 1 for other files, which are in metres. Throws
 // Error as the reader of the format does.
 KeptCells readParticleFile(const std::filesystem::path& path, double unit = 1);
 

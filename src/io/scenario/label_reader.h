@@ -1,5 +1,5 @@
-// Which structures does a scenario mark in its organ, and what are they of? [[organ.label]] and
-// [[tissue.material]] of docs/scenarios.md.
+// Reads the labels of an organ and their materials: [[organ.label]] and [[tissue.material]] of
+// docs/scenarios.md.
 #pragma once
 
 #include "io/scenario/toml_table.h"
@@ -7,13 +7,13 @@
 
 namespace resect {
 
-// All [[label]] of an organ's table; a label may come several times, with one name.
+// All [[label]] of an organ's table; a label may occur several times, with the same name.
 std::vector<OrganLabel> readLabels(const TomlTable& organ);
 
-// name, young, poisson, density and tear_stretch; missing ones are those of `missing`.
+// name, young, poisson, density and tear_stretch; missing keys have the values of `missing`.
 TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& missing);
 
-// All [[material]] of the tissue's table; missing keys are those of the organ's own.
+// All [[material]] of the tissue's table; missing keys have the values of the organ's own material.
 std::vector<LabelMaterial> readMaterials(const TomlTable& tissue, const TissueMaterial& own);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// How long is "5mm"? Lengths that people write, in metres.
+// Parses lengths with units, such as "5mm", to metres.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 namespace resect {
 
 // A number and a unit (um, mm, cm, m, in), e.g. "5mm", "0.5 cm", "0.005m"; no unit means metres. A
-// usage Error that names `what` (as "--spacing") when the text is no length or not finite.
+// usage Error that names `what` (such as "--spacing") if the text is no finite length.
 double parseLength(std::string_view text, std::string_view what);
 
 // Metres per unit: "mm" 0.001, "cm" 0.01, "m" 1, "um" 1e-6, "in" or "inch" 0.0254, or a plain

@@ -1,5 +1,5 @@
-// How does a settings file name a part of an organ? docs/scenarios.md, "Regions", lists the keys;
-// every table that asks for a region takes the same ones.
+// Reads a region of an organ from a table. docs/scenarios.md, "Regions", lists the keys; all tables
+// with a region have the same ones.
 #pragma once
 
 #include "io/scenario/toml_table.h"
@@ -7,11 +7,11 @@
 
 namespace resect {
 
-// key = [[x, y, z], [x, y, z]]: any two corners that face each other. `advice`: what to give.
+// key = [[x, y, z], [x, y, z]]: any two opposite corners. `advice`: text for the Error.
 Aabb readBox(const TomlTable& t, const std::string& key, const std::string& advice);
 
-// Asks for the keys of a region; the caller refuses those that are left. Throws Error when none or
-// several are named.
+// Reads the keys of a region; the caller reports unknown keys. Throws Error if no region or several
+// are given.
 Region readRegion(const TomlTable& t);
 
 // [landmark] with name = [x, y, z] for each, in fractions of the organ's box.

@@ -106,7 +106,7 @@ ScenarioTool readScenarioTool(const TomlTable& t, int number) {
   return tool;
 }
 
-// Without the key: that of the thesis where tissue is still.
+// Default: thesis mode if the tissue is still.
 OperationMode readMode(const TomlTable& t, bool elastic) {
   const std::string mode = t.text("mode", elastic ? "operation" : "thesis");
   if (mode != "thesis" && mode != "operation")
@@ -117,8 +117,8 @@ OperationMode readMode(const TomlTable& t, bool elastic) {
   return mode == "thesis" ? OperationMode::Thesis : OperationMode::Operation;
 }
 
-// One [organ] with [tissue], or [[organ]] any number of times, each with [organ.tissue] of its own;
-// one that has none is of [tissue].
+// One [organ] with [tissue], or any number of [[organ]], each with its own [organ.tissue] or else
+// with [tissue].
 void readOrgans(const TomlTable& t, Scenario& scenario) {
   TissueSetup common;
   if (const auto tissue = t.table("tissue")) common = readTissue(*tissue);
@@ -193,7 +193,7 @@ Scenario toScenario(const TomlTable& t) {
   return scenario;
 }
 
-// A file named in another one: beside it, or as named.
+// A file named in another one: relative to that file if it exists there, else as named.
 std::string resolved(const std::string& name, const std::filesystem::path& from) {
   std::error_code ec;
   const auto beside = from.parent_path() / name;

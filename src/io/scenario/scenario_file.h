@@ -1,5 +1,4 @@
-// What does a scenario file (TOML) or a tool's description file say? docs/scenarios.md lists the
-// keys.
+// Reads scenario files (TOML) and tools' description files. docs/scenarios.md lists the keys.
 #pragma once
 
 #include <filesystem>
@@ -11,12 +10,12 @@
 
 namespace resect {
 
-// Reads a model file as one closed, outward mesh in metres, or throws an Error. The caller supplies
-// it (the layer that knows Inventor files lies above this one).
+// Function that reads a model file as one closed, outward mesh in metres, or throws Error. Supplied
+// by the caller, since the layer that reads Inventor files lies above this one.
 using MeshReader = std::function<TriangleMesh(const std::filesystem::path&)>;
 
-// Reads and checks a scenario; Errors have file and line. Files named in it are looked for beside
-// it, then among the shipped ones.
+// Reads and checks a scenario; Errors have file and line. Files named in it are searched beside it,
+// then among the shipped ones.
 Scenario readScenario(const std::filesystem::path& path);
 Scenario parseScenario(const std::string& text, const std::string& name);
 

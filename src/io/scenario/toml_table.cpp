@@ -6,8 +6,9 @@
 #include <sstream>
 #include <stdexcept>
 
-// Some texts break what the parser asserts (3.3: a key that begins with no character of a key). It
-// would stop the program, or in an optimised build take for granted what is not so; here it throws.
+// Some texts violate the parser's assertions (3.3: a key that begins with an invalid character),
+// which would abort the program, or be undefined behaviour in an optimised build; here an assertion
+// throws.
 namespace {
 [[noreturn]] void refuseText() { throw std::logic_error("a key or value is cut short"); }
 }  // namespace
@@ -45,8 +46,8 @@ TomlTable TomlTable::readFile(const std::filesystem::path& path) {
 }
 
 TomlTable TomlTable::parse(const std::string& text, const std::string& name) {
-  // A parser that calls itself per level dies on a file of brackets; no settings file is nested so
-  // deep.
+  // The parser recurses per level and overflows the stack on a file of brackets; no settings file
+  // is nested that deep.
   int depth = 0;
   for (const char c : text) {
     depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;

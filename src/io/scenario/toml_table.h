@@ -1,8 +1,7 @@
-// What does a table of a settings file say, and where is it wrong?
+// A checked TOML table: values with their ranges, and Errors with file, line and key.
 //
-// Wraps one toml++ table: every value that is asked for is checked for kind and range, and every
-// complaint is an Error with file, line and key. Keys that nobody asked for are refused in the end,
-// so that a misspelt key is never silently ignored.
+// Wraps one toml++ table: every value that is read is checked for type and range. Keys that were
+// never read are an Error in the end, so that a misspelt key is not silently ignored.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +25,7 @@ namespace resect {
 class TomlTable {
  public:
   static TomlTable readFile(const std::filesystem::path& path);
-  // `name` stands for a file in complaints.
+  // `name` stands for a file in Errors.
   static TomlTable parse(const std::string& text, const std::string& name);
 
   bool has(const std::string& key) const;
@@ -43,8 +42,8 @@ class TomlTable {
   std::vector<std::string> texts(const std::string& key) const;  // empty when missing
   double length(const std::string& key, double low,
                 double high) const;  // "5mm", or a number of metres
-  // { axis = [x, y, z], degrees = 30 }, or { handle = [...], edge = [...] }: where a tool's handle
-  // (+Z of its frame) and edge (-Y) point. Identity when missing.
+  // { axis = [x, y, z], degrees = 30 }, or { handle = [...], edge = [...] }: directions of a tool's
+  // handle (+Z of its frame) and edge (-Y). Identity if missing.
   Eigen::Quaterniond rotation(const std::string& key) const;
 
   std::optional<TomlTable> table(const std::string& key) const;
@@ -54,7 +53,7 @@ class TomlTable {
 
   std::vector<std::string> keys() const;  // of the table itself, in the order of their names
 
-  // Throws when the table itself holds a key that was not asked for.
+  // Throws Error if the table itself has a key that was not read.
   void refuseUnknownKeys() const;
   // An Error about the key, with file and line.
   [[noreturn]] void complain(const std::string& key, const std::string& sentence) const;
