@@ -46,7 +46,7 @@ void ControlsOverlay::paintEvent(QPaintEvent*) {
     words = std::max(words, metrics.horizontalAdvance(what));
   }
   const QRect box(0, 0, keys + words + 84, row * (rows + 2) + 36);
-  // A small window shows it smaller, never cut off.
+  // Scaled down in a small window, never cut off.
   const double scale =
       std::min({1.0, (width() - 8.0) / box.width(), (height() - 8.0) / box.height()});
   painter.translate((width() - scale * box.width()) / 2, (height() - scale * box.height()) / 2);

@@ -1,4 +1,4 @@
-// What do mouse and keys do? Shown over the picture at the first start, and on F1.
+// Overlay with the mouse and keyboard controls, shown at the first start and on F1.
 #pragma once
 
 #include <QWidget>

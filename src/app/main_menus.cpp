@@ -148,9 +148,9 @@ void MainWindow::makeMenus() {
   for (QMenu* menu : menuBar()->findChildren<QMenu*>()) menu->setToolTipsVisible(true);
 }
 
-// The keys belong to the picture. Panels get them only where somebody went on purpose, by Tab or
-// into a field of numbers; Escape leads back from there, and Space is heard in fields too: it
-// brings the view back. On a button that Tab led to it presses the button, as everywhere.
+// Keys go to the picture. Panels get them only if focused by Tab or by clicking into a number
+// field; Escape returns the focus. Space in a field brings the view back; on a button focused by
+// Tab it presses the button, as usual.
 bool MainWindow::eventFilter(QObject* object, QEvent* event) {
   const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   const auto* widget = key ? qobject_cast<QWidget*>(object) : nullptr;

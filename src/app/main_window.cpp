@@ -32,7 +32,7 @@
 namespace resect {
 namespace {
 
-constexpr qint64 kPanelInterval = 150;  // ms between two looks of the panels at the state
+constexpr qint64 kPanelInterval = 150;  // ms between updates of the panels
 
 const char* nameOf(ToolHandling::Hold how) {
   switch (how) {
@@ -62,13 +62,13 @@ QString sentenceOf(ToolHandling::Hold how, const QString& tool) {
   return {};
 }
 
-// The first instrument in hand of the motions that are played; none: -1.
+// The first tool in hand in the motions being played; -1 for none.
 int playedTool(const LiveState& state) {
   const auto at = std::ranges::find_if(state.played, &ToolInput::inHand);
   return at == state.played.end() ? -1 : int(at - state.played.begin());
 }
 
-// Of a button or a key.
+// Whether the event is the press of a button or key.
 bool isPress(const SoEvent& event) {
   return event.isOfType(SoButtonEvent::getClassTypeId()) &&
          static_cast<const SoButtonEvent&>(event).getState() == SoButtonEvent::DOWN;
@@ -154,18 +154,18 @@ void MainWindow::makeDocks() {
   dock("Organ", organ_);
   dock("Removed", removed_);
   dock("Force", force_);
-  auto* stages = new QScrollArea;  // longer than a low window
+  auto* stages = new QScrollArea;  // may be higher than the window
   stages->setFrameShape(QFrame::NoFrame);
   stages->setWidgetResizable(true);
   stages->setFocusPolicy(Qt::NoFocus);
   stages->setWidget(timing_);
   dock("Timing", stages);
-  force_->parentWidget()->hide();  // until there is tissue that pushes back
-  // A width of their own from the start: the picture beside must not shift when numbers come.
+  force_->parentWidget()->hide();  // until tissue moves and exerts forces
+  // Fixed width from the start, so that the picture does not shift when numbers appear.
   QList<QDockWidget*> docks = findChildren<QDockWidget*>();
   resizeDocks(docks, QList<int>(docks.size(), 32 * fontMetrics().averageCharWidth()),
               Qt::Horizontal);
-  // In lines of text: what has most to say gets the most room.
+  // In lines of text.
   QList<int> heights;
   for (const int lines : {9, 14, 6, 5, 19}) heights.push_back(lines * fontMetrics().height());
   resizeDocks(docks, heights, Qt::Vertical);
@@ -221,7 +221,7 @@ void MainWindow::cancelLoading() {
   }
 }
 
-// The window is never empty: the liver that comes with Resect, coarse enough to be there at once.
+// Loads the built-in liver at the start, coarse enough to appear at once.
 void MainWindow::loadDefault() {
   Scenario scenario = options_.scenario;
   keepFirstOrgan(scenario);
@@ -313,7 +313,7 @@ void MainWindow::tick() {
   if (state.moves) force_->follow(state, session_->playing() ? playedTool(state) : tools.held());
   timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
   if (!options_.reports || state.frame == 0) return;
-  // Once the panels have settled round the picture.
+  // After the layout of the panels is final.
   const QSize size = viewer_->size();
   if (size == lastSize_ && size != placesSize_) {
     reportPlaces();

@@ -1,4 +1,4 @@
-// What the main window does with files: opens and saves, from menus, drops and scripts.
+// Opening and saving of files in the main window: menus, drops and scripts.
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QMimeData>
@@ -28,7 +28,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  // Asked for again: whoever it comes from may have gone, or be too slow to say.
+  // Queried again: the source may have closed or be too slow.
   const auto urls = event->mimeData()->urls();
   if (urls.isEmpty() || !urls.front().isLocalFile())
     return complain("what was dropped did not arrive; drop it again, or open it by the File menu");
@@ -36,7 +36,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
   openFile(urls.front().toLocalFile());
 }
 
-// Organ, scenario or saved scene: told by what is in it.
+// Organ, scenario or saved scene, recognised by content.
 void MainWindow::openFile(const QString& file) {
   try {
     const std::filesystem::path path = file.toStdString();
@@ -65,7 +65,7 @@ void MainWindow::askOrgan(const QString& file) {
     Scenario scenario = session_ ? session_->scenario() : options_.scenario;
     keepFirstOrgan(scenario);
     scenario.organs[0].source = dialog->source();
-    // What was saved from here lies as it lay.
+    // A saved scene keeps its position.
     if (scenario.organs[0].source.part == kOrganNode) scenario.organs[0].source.onTable = false;
     load(scenario);
     remember(file);

@@ -1,4 +1,4 @@
-// How what is seen in the window becomes a film.
+// Recording of the window's picture as a film.
 #include <QCloseEvent>
 #include <QDateTime>
 #include <QFileDialog>
@@ -41,8 +41,8 @@ void MainWindow::toggleVideo() {
   }
 }
 
-// A film shows what was seen, as long as it was seen: a picture that stood for long is in it more
-// than once. A full picture for each of its own would slow the operation down.
+// A film records the displayed pictures in real time; a picture that stays is repeated. Rendering
+// extra pictures for it would slow the operation down.
 void MainWindow::film(qint64 now) {
   constexpr auto kInterval = qint64(1000 / kVideoRate);
   if (!video_ || now - pictureTaken_ < kInterval) return;
@@ -60,7 +60,7 @@ void MainWindow::film(qint64 now) {
   }
 }
 
-// A film that runs is finished, not lost.
+// Finishes a film in progress.
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (video_) toggleVideo();
   QMainWindow::closeEvent(event);

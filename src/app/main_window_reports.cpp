@@ -1,4 +1,4 @@
-// What the main window tells scripts, and what it does when they ask.
+// Reports of the main window to scripts, and their commands.
 #include <Inventor/SbViewportRegion.h>
 #include <unistd.h>
 
@@ -15,9 +15,8 @@
 
 namespace resect {
 
-// A script may name files without going through their dialogs: "open FILE", "save-scene FILE",
-// "save-surface FILE", "save-picture FILE"; and give the picture a size: "picture-size WIDTH
-// HEIGHT".
+// Commands of scripts, which bypass the file dialogs: "open FILE", "save-scene FILE", "save-surface
+// FILE", "save-picture FILE"; and the picture's size: "picture-size WIDTH HEIGHT".
 void MainWindow::listenToScript() {
   auto* lines = new QSocketNotifier(0, QSocketNotifier::Read, this);
   connect(lines, &QSocketNotifier::activated, this, [this, lines] {
@@ -46,7 +45,7 @@ void MainWindow::listenToScript() {
   });
 }
 
-// The window becomes as large as it must for a picture of this size.
+// Resizes the window for a picture of this size.
 void MainWindow::resizePicture(const std::string& text) {
   std::istringstream in(text);
   int width = 0, height = 0;
@@ -55,7 +54,7 @@ void MainWindow::resizePicture(const std::string& text) {
   resize(size() - viewer_->size() + QSize(width, height));
 }
 
-// Where a script finds things: pixels of the screen.
+// Reports positions of objects in screen pixels.
 void MainWindow::reportPlaces() {
   const SbViewportRegion viewport = viewer_->viewport();
   const double ratio = viewer_->devicePixelRatioF();
@@ -78,7 +77,7 @@ void MainWindow::reportPlaces() {
   say("places");
 }
 
-// How smooth it is, while somebody operates.
+// Reports rates and latencies while somebody operates.
 void MainWindow::reportPace() {
   for (const double force : session_->state().forces) forceSaid_ = std::max(forceSaid_, force);
   const auto pace = viewer_->pace().take();

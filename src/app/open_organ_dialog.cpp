@@ -21,7 +21,7 @@
 namespace resect {
 namespace {
 
-// The health of a surface.
+// Text about the health of a surface.
 QString reportOf(const QJsonObject& info) {
   const auto count = [&](const char* field, const char* one, const char* many) {
     const int n = info[field].toInt();
@@ -95,12 +95,12 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   examine();
 }
 
-// The file, or the part of it that is chosen.
+// Examines the file or its chosen part.
 void OpenOrganDialog::examine() {
   open_->setEnabled(false);
   examiner_.examine(file_, part_->currentData().toString().toStdString(),
                     [this](const std::string& json, const std::string& problem) {
-                      // The process that has just ended may not be replaced from its own signal.
+                      // A finished process must not be replaced from its own signal.
                       if (!show(json, problem))
                         QTimer::singleShot(0, this, [this] { examine(); });
                       else if (examined)
@@ -108,7 +108,7 @@ void OpenOrganDialog::examine() {
                     });
 }
 
-// The dialog grows with what there is to read.
+// Shows text and enlarges the dialog for it.
 void OpenOrganDialog::tell(const QString& text) {
   report_->setText(text);
   layout()->activate();
@@ -124,7 +124,7 @@ void OpenOrganDialog::unitChanged() {
   size_->setText(size);
 }
 
-// False when what has been found out changes what is to be opened.
+// False if the result changes the choice of part, so that another examination follows.
 bool OpenOrganDialog::show(const std::string& json, const std::string& problem) {
   if (!problem.empty()) {
     tell(QString::fromStdString(problem));
@@ -157,7 +157,7 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   return true;
 }
 
-// A liver is 0.15 to 0.30 m long: the unit that comes nearest.
+// The unit in which the size is nearest to a liver's, 0.15 to 0.30 m.
 int OpenOrganDialog::likelyUnit() const {
   int best = 0;
   for (int i = 0; i < unit_->count(); ++i) {
@@ -169,8 +169,7 @@ int OpenOrganDialog::likelyUnit() const {
   return best;
 }
 
-// True when one of them was chosen: in a scene that was saved from here the organ is known by its
-// name.
+// True if one was chosen automatically: in a saved scene the organ is known by its name.
 bool OpenOrganDialog::listParts(const QJsonArray& parts) {
   if (parts.size() < 2) return false;
   for (const QJsonValue part : parts) {

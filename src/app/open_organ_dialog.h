@@ -1,4 +1,4 @@
-// Is this file fit to be an organ, in which unit, and which part of it? Asked before it is opened.
+// Dialog before a file is opened as an organ: its health, unit and part.
 #pragma once
 
 #include <QDialog>
@@ -25,7 +25,7 @@ class OpenOrganDialog : public QDialog {
 
   QPoint openButton() const;  // its middle on the screen
 
-  // Called when the file has been looked into, with what is shown of it.
+  // Called with the displayed report when the file was examined.
   std::function<void(const std::string&)> examined;
 
  private:
@@ -45,7 +45,7 @@ class OpenOrganDialog : public QDialog {
   QDoubleSpinBox* spacing_;
   QPushButton* open_;
   double longest_ = 0;            // of the bounds, file units
-  double area_ = 0, volume_ = 0;  // squared and cubed; volume 0: open, so it has none
+  double area_ = 0, volume_ = 0;  // squared and cubed; volume 0: the surface is open
   bool unitChosen_ = false;
 };
 

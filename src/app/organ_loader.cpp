@@ -32,14 +32,15 @@ std::string sentenceOf(QProcess& process) {
   return text.empty() ? "the file's reader ended without a word; try another file" : text;
 }
 
-// Models that this program wrote itself need no guard.
+// Models written by this program need no sandbox.
 Model readOwnFile(const std::filesystem::path& path) {
   std::string bytes(std::filesystem::file_size(path), '\0');
   std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
   return readAssimpFile(path, path, bytes);
 }
 
-// Leaves half of the machine to the drawing where the scenario does not say how many threads.
+// Uses half of the processor's threads unless the scenario sets a number, leaving the rest for
+// drawing.
 TissueSetup beside(TissueSetup setup) {
   if (setup.settings.threads == 0)
     setup.settings.threads = std::max(1, int(std::thread::hardware_concurrency()) / 2);
@@ -68,7 +69,7 @@ Scenario withAllInstruments(Scenario scenario) {
 // Cells, surface and tissue of an organ, made in a thread of its own.
 struct OrganLoader::Job {
   Scenario scenario;
-  Scenario wanted;  // the same, where files are what their readers wrote
+  Scenario wanted;  // the same with files replaced by those that readers wrote
   std::vector<std::string> notes;
   std::string problem;
   std::vector<OperatedOrgan> organs;
@@ -93,7 +94,7 @@ struct OrganLoader::Job {
             return !cancelled;
           },
           &notes);
-      share = -1;  // joints take their time too
+      share = -1;  // joints take time too
       joints = makeJoints(wanted, organs);
     } catch (const Cancelled&) {
       problem = "cancelled";
@@ -119,7 +120,7 @@ void OrganLoader::cancel() {
     reader_->waitForFinished(1000);
     reader_.reset();
   }
-  // Its thread sees it at its next look; nobody waits for it.
+  // Its thread notices at its next check; nobody waits for it.
   if (job_) {
     job_->cancelled = true;
     givenUp_.push_back(std::move(job_));
@@ -189,8 +190,8 @@ void OrganLoader::poll() {
   removeConverted();
   Result result{job->scenario, nullptr, std::move(job->notes), std::move(job->problem)};
   if (!job->organs.empty() && result.problem.empty()) try {
-      // Here and not in the thread: Inventor, which reads the tools, belongs to the window's
-      // thread.
+      // Here, not in the thread: tools are read by Inventor, which only the window's thread may
+      // use.
       result.simulation = std::make_unique<Simulation>(
           assemble(job->scenario, std::move(job->organs), std::move(job->joints),
                    loadTools(job->scenario, &readModel)));

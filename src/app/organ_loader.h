@@ -1,8 +1,8 @@
-// How does an organ come into the window while the window goes on?
+// Loads an organ in the background while the window goes on.
 //
-// Files that people give are read by a process of their own (this program's `info` and `convert`),
-// which can be stopped at any moment; the cells are made in a thread. Nothing of the running
-// operation is touched until all is done.
+// Files from outside are read by a separate process (this program's `info` and `convert`), which
+// can be stopped at any moment; the cells are made in a thread. The running operation is not
+// touched until all is done.
 #pragma once
 
 #include <QProcess>
@@ -17,14 +17,13 @@
 
 namespace resect {
 
-// The scenario with one of each instrument that comes with Resect, its own first, all in the tool
-// box: what a person operates with.
+// The scenario with one of each shipped instrument, its own first, all in the tool box.
 Scenario withAllInstruments(Scenario scenario);
 
 class OrganLoader {
  public:
   OrganLoader();
-  ~OrganLoader();  // gives up what is under way
+  ~OrganLoader();  // abandons loading in progress
 
   struct Result {
     Scenario scenario;
@@ -33,9 +32,9 @@ class OrganLoader {
     std::string problem;
   };
 
-  // One at a time; a new call gives up the one before, without waiting for it. `progress` gets
-  // shares 0..1, or -1 while nothing is known; `done` comes last, unless cancel() was called. Both
-  // on the window's thread.
+  // One at a time; a new call abandons the one before without waiting for it. `progress` gets
+  // shares 0..1, or -1 while nothing is known; `done` is called last, unless cancel() was called.
+  // Both on the window's thread.
   void load(const Scenario& scenario, std::function<void(double)> progress,
             std::function<void(Result)> done);
   void cancel();
@@ -51,15 +50,15 @@ class OrganLoader {
   std::function<void(Result)> done_;
   std::unique_ptr<QProcess> reader_;
   std::size_t next_ = 0;                // the organ whose file is read
-  std::vector<std::string> converted_;  // what readers wrote
+  std::vector<std::string> converted_;  // files that readers wrote
   int files_ = 0;
   std::unique_ptr<Job> job_;
-  std::vector<std::unique_ptr<Job>> givenUp_;  // whose threads have not noticed yet
+  std::vector<std::unique_ptr<Job>> givenUp_;  // abandoned jobs whose threads are still running
   QTimer timer_;
 };
 
-// What is in a file: runs `resect info` on it, or on its part of that name, in a process of its
-// own. `done` gets its JSON, or an empty text and the sentence that it ended with.
+// Examines a file: runs `resect info` on it, or on one of its parts, in a separate process. `done`
+// gets its JSON, or an empty text and the error sentence.
 class FileExaminer {
  public:
   ~FileExaminer() { cancel(); }

@@ -1,6 +1,7 @@
-// How many pictures come, and how soon do they show what the hand did and what was taken away?
+// Measures the rate of pictures and the latency from input, or from removal of tissue, to the
+// picture.
 //
-// An input is timed from when the display server saw it, so waiting in queues counts.
+// Latency counts from the display server's time stamp of the input, so it includes queues.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +10,14 @@
 
 namespace resect {
 
-// steadySeconds() of a display server's stamp (ms, its lower 32 bits), or now where that is another
-// clock.
+// A display server's time stamp (ms, lower 32 bits) as steadySeconds(); the present time if it is
+// of another clock.
 double steadySecondsOf(std::uint64_t stamp);
 
 class Pace {
  public:
   void inputCame(double at);
-  // A picture begins that shows all inputs until `looked` and all particles taken until
-  // `lastRemoval`.
+  // A picture begins that includes all inputs up to `looked` and all removals up to `lastRemoval`.
   void pictureBegins(double looked, double lastRemoval);
   void pictureIsDrawn();
   void pictureShown();
@@ -26,11 +26,11 @@ class Pace {
     double rate = 0;               // pictures per second
     double drawing = 0;            // s per picture, on average
     double latency = 0, most = 0;  // input to picture: median, longest; s
-    int pictures = 0;          // that came to the screen from an input until it was shown, at most
-    int inputs = 0, late = 0;  // shown, and of these with the third picture or later
-    int removal = 0;  // pictures begun after particles were taken until they were gone, at most
+    int pictures = 0;              // most pictures from an input to the one that shows it
+    int inputs = 0, late = 0;      // inputs shown; of these, with the third picture or later
+    int removal = 0;               // most pictures begun from a removal to the one that shows it
   };
-  // Once a second in which a picture was drawn; without input there is no latency: 0.
+  // Once a second if a picture was drawn. Latency is 0 without input.
   std::optional<Second> take();
 
  private:

@@ -21,9 +21,10 @@
 namespace resect {
 namespace {
 
-constexpr double kForceSeconds = 10;                     // that the force's plot shows
-constexpr int kLineGap = 5;                              // pixels
-constexpr double kSlowPicture = 0.04, kFewPictures = 5;  // s; in a second: too few to judge by
+constexpr double kForceSeconds = 10;  // that the force's plot shows
+constexpr int kLineGap = 5;           // pixels
+constexpr double kSlowPicture = 0.04,
+                 kFewPictures = 5;  // s; pictures in a second: too few to judge
 
 // "findContacts" as "find contacts".
 QString inWords(const std::string& name) {
@@ -33,7 +34,7 @@ QString inWords(const std::string& name) {
   return words;
 }
 
-// A line from `first` to `last` seconds across the plot, from 0 to `most` up it.
+// Draws a line; the plot's axes run from `first` to `last` s and from 0 to `most`.
 void drawHistory(QPainter& painter, const QRectF& plot, const History& history, double first,
                  double last, double most, const QColor& axis, const QColor& line) {
   painter.setPen(axis);
@@ -55,7 +56,7 @@ QString nameOf(const OrganSource& organ) {
   return QFileInfo(QString::fromStdString(organ.file)).fileName();
 }
 
-// As people find the operation's organs in the panel: "Built-in liver", "liver, gallbladder".
+// The organs' names for the panel: "Built-in liver", "liver, gallbladder".
 QString namesOf(const std::vector<ScenarioOrgan>& organs) {
   if (organs.size() == 1) return nameOf(organs[0].source);
   QStringList names;
@@ -155,7 +156,7 @@ OrganPanel::Settings OrganPanel::settings() const {
   return {spacing_->value(), refine_->value(), elastic_->isChecked()};
 }
 
-// Settings change nothing before the organ is made anew: the button says that they wait for it.
+// Settings apply only when the organ is rebuilt: the button shows that changes are pending.
 void OrganPanel::sayWhatWaits() {
   const bool waiting = settings() != running_;
   again_->setText(waiting ? "Begin again to apply" : "Begin again");
@@ -164,7 +165,7 @@ void OrganPanel::sayWhatWaits() {
 
 void OrganPanel::beginAgain() {
   const Settings wanted = settings();
-  std::optional<double> spacing;  // what is shown is rounded: untouched, cells stay what they are
+  std::optional<double> spacing;  // the display is rounded: set only if the user changed it
   if (wanted.spacing != running_.spacing) spacing = wanted.spacing * 1e-3;
   if (rebuild) rebuild(spacing, wanted.refine, wanted.elastic);
 }
@@ -217,7 +218,7 @@ void RemovedPanel::follow(const LiveState& state) {
       state.time - history_.back().first > 1)
     history_.emplace_back(state.time, removed_ * 1e6);
   if (history_.size() > 2000) {
-    // Every other point: the shape stays.
+    // Drops every other point.
     History fewer;
     for (std::size_t i = 0; i < history_.size(); i += 2) fewer.push_back(history_[i]);
     history_ = std::move(fewer);
@@ -298,7 +299,7 @@ void TimingPanel::follow(const LiveState& state, const Viewer::Drawing& drawing,
   update();
 }
 
-// What to change, when the simulation or the drawing has been slow for the last second.
+// Advice if simulation or drawing was slow during the last second.
 QString TimingPanel::advice(const StageTime* slowest) const {
   if (state_.times.realTimeFactor < 0.9 && state_.times.median > 0.9 / frameRate_ && slowest)
     return QString("Slower than real time: \"%1\" takes most. A larger spacing helps.")
@@ -329,7 +330,7 @@ void TimingPanel::paintEvent(QPaintEvent*) {
   for (const StageTime& stage : state_.times.stages)
     if (stage.median >= most) most = stage.median, slowest = &stage;
   const QString said = advice(slowest);
-  if (!said.isEmpty()) {  // above the stages: the panel may be too low for all of them
+  if (!said.isEmpty()) {  // above the stages, which may not all fit
     const QRect room(8, y, width() - 16, 4 * row);
     painter.setPen(QColor(220, 150, 60));
     painter.drawText(room, Qt::AlignLeft | Qt::TextWordWrap, said);

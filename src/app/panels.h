@@ -1,4 +1,4 @@
-// What stands beside the picture: instruments, organ, what has been removed, where the time goes.
+// The panels beside the picture: instruments, organ, removed tissue, forces, timing.
 #pragma once
 
 #include <QWidget>
@@ -22,7 +22,7 @@ class QVBoxLayout;
 
 namespace resect {
 
-// What a value was at each time, oldest first: simulated s, value.
+// A value over time, oldest first: simulated s, value.
 using History = std::vector<std::pair<double, double>>;
 
 // One button per instrument; pressed while it is in hand.
@@ -46,9 +46,9 @@ class OrganPanel : public QWidget {
   void setOrgans(const std::vector<ScenarioOrgan>& organs, double spacing, const QString& notes);
   void follow(const LiveState& state);
   void setIso(float iso);
-  void beginAgain();  // with what is set here
+  void beginAgain();  // restarts with the panel's settings
   std::function<void(float)> isoChanged;
-  // spacing: m, where it was changed.
+  // spacing: m, if it was changed.
   std::function<void(std::optional<double> spacing, int refine, bool elastic)> rebuild;
 
  private:
@@ -100,7 +100,7 @@ class ForcePanel : public QWidget {
   double peak_ = 0;  // N: of the instrument that was in hand last, since the operation began
 };
 
-// A live bar per stage of the step, the frame rates, and what to change where they are too low.
+// A bar per stage of the step, the frame rates, and advice if they are too low.
 class TimingPanel : public QWidget {
  public:
   explicit TimingPanel(QWidget* parent = nullptr);

@@ -1,4 +1,4 @@
-// What scripts are told on standard output: one line per event, at once.
+// Reports to scripts on standard output: one line per event, flushed at once.
 #pragma once
 
 #include <fmt/format.h>

@@ -23,7 +23,7 @@ const char* SpaceMouse::status() const {
 void SpaceMouse::read() {
   char byte = 0;
   if (recv(spnav_fd(), &byte, 1, MSG_PEEK | MSG_DONTWAIT) == 0) {
-    // The daemon has ended. Its notifier is at work: it goes once it is done.
+    // The daemon has ended. The notifier is executing, so it is deleted later.
     spnav_close();
     notifier_->setEnabled(false);
     notifier_.release()->deleteLater();

@@ -1,5 +1,4 @@
-// The 3D mouse, as the free daemon spacenavd reports it. Where there is no daemon or no device,
-// nothing happens.
+// 3D mouse through the free daemon spacenavd. Without daemon or device nothing happens.
 #pragma once
 
 #include <QSocketNotifier>

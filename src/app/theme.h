@@ -1,9 +1,9 @@
-// What colours have the panels?
+// Dark and light colours of the panels.
 #pragma once
 
 namespace resect {
 
-// Of all windows of the program.
+// Applies to all windows of the program.
 void setTheme(bool dark);
 
 }  // namespace resect

@@ -17,7 +17,7 @@
 namespace resect {
 namespace {
 
-constexpr double kStillSeconds = 0.25;  // after this the picture is drawn with smooth edges
+constexpr double kStillSeconds = 0.25;  // after this the picture is drawn antialiased
 constexpr int kStrips = 10;             // of a smooth picture, one a tick
 constexpr int kPicturesPerStrip = 6;    // while something moves
 
@@ -53,8 +53,8 @@ Viewer::Viewer(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   clock_.start();
   still_.start();
-  // A timer of no length waits until all input has been handled: what the hand did is in the
-  // picture that begins now, not in the next.
+  // A zero-length timer fires after all pending input is handled, so that the picture that begins
+  // now includes it.
   soon_.setSingleShot(true);
   QObject::connect(&timer_, &QTimer::timeout, &soon_, [this] {
     waitForNext();
@@ -68,7 +68,7 @@ Viewer::Viewer(QWidget* parent) : QWidget(parent) {
 
 void Viewer::setFpsLimit(double fps) { interval_ = 1 / fps; }
 
-// The timer counts whole milliseconds: what it is late or early by is made good in the next wait.
+// The timer counts whole milliseconds; the error is compensated in the next wait.
 void Viewer::waitForNext() {
   const double now = double(clock_.nsecsElapsed()) * 1e-9;
   due_ = std::max(due_ + interval_, now);
@@ -104,11 +104,11 @@ void Viewer::tick() {
   damage_.add(session_->update());
   const double still = double(still_.elapsed()) * 1e-3;
   if (!isVisible() || window()->isMinimized()) {
-    // What has changed is drawn when somebody looks again.
+    // Damage is drawn when the window is visible again.
   } else if (!damage_.empty() || image_.size() != pictureSize()) {
     drawChanges(looked);
     still_.restart();
-    // Tissue may move for long; what lies still behind it is not left coarse until it rests.
+    // While tissue moves, still parts behind it are drawn smooth strip by strip.
     if (behind_ < kStrips && ++sinceStrip_ >= kPicturesPerStrip) {
       drawStrip(behind_++);
       sinceStrip_ = 0;
@@ -150,7 +150,7 @@ QSize Viewer::pictureSize() const {
   return QSize(size[0], size[1]);
 }
 
-// Where the widget has changed. The picture counts device pixels, from below.
+// Returns the widget's changed region. The picture uses device pixels, from below.
 QRegion Viewer::fetch(std::span<const PixelRect> parts) {
   const double ratio = devicePixelRatioF();
   if (image_.size() != pictureSize()) image_ = QImage(pictureSize(), QImage::Format_RGB32);
@@ -227,7 +227,7 @@ void Viewer::mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool 
 }
 
 void Viewer::mouseMoveEvent(QMouseEvent* event) {
-  // A dialog that opens during a drag takes the release of its button.
+  // A dialog opened during a drag receives the button's release.
   for (const Qt::MouseButton button : {Qt::LeftButton, Qt::MiddleButton, Qt::RightButton})
     if (down_.testFlag(button) && !event->buttons().testFlag(button))
       mouseButton(*event, button, false);
@@ -236,7 +236,7 @@ void Viewer::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Viewer::wheelEvent(QWheelEvent* event) {
-  // A notch is 15 degrees; touch pads send parts of one.
+  // A wheel step is 15 degrees; touch pads send fractions.
   wheel_ +=
       (event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x()) / 8.0;
   while (std::abs(wheel_) >= 15) {

@@ -1,10 +1,10 @@
-// The picture in the window: draws the operation, and turns mouse and keyboard into Inventor
-// events. Once all stands still the picture is drawn with smooth edges, strip by strip, so that the
-// hand never waits for it.
+// The picture in the window: draws the operation, and turns mouse and keyboard input into Inventor
+// events. When nothing moves the picture is drawn antialiased, strip by strip, so that input never
+// waits for it.
 //
-// The picture is drawn offscreen and only what is new in it goes to the screen: a QOpenGLWidget
-// would put the whole window together anew each time, which on the processor costs as much as the
-// drawing (docs/decisions/0003).
+// The picture is drawn offscreen and only changed pixels go to the screen: a QOpenGLWidget would
+// compose the whole window each time, which in software costs as much as the drawing
+// (docs/decisions/0003).
 #pragma once
 
 #include <QElapsedTimer>
@@ -34,7 +34,7 @@ class Viewer : public QWidget {
   // Throws Error in one sentence where nothing can be drawn.
   explicit Viewer(QWidget* parent = nullptr);
 
-  // Shows this session; nullptr: nothing. The session must outlive its showing.
+  // Shows this session; nullptr: nothing. The session must outlive its display.
   void show(OperatingSession* session);
   void setFpsLimit(double framesPerSecond);
 
@@ -48,8 +48,8 @@ class Viewer : public QWidget {
   // The picture as shown; `smooth`: drawn anew with smooth edges.
   RgbImage grabPicture(bool smooth);
 
-  std::function<void()> ticked;  // after each look at the operation
-  // Asked first: true when it used the event.
+  std::function<void()> ticked;  // after each update from the operation
+  // Called first; true if it handled the event.
   std::function<bool(const SoEvent&, const SbViewportRegion&)> before;
   std::function<void(const std::string&)> failed;  // a sentence
 
@@ -70,7 +70,7 @@ class Viewer : public QWidget {
   void mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down);
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
-  void drawChanges(double looked);  // when the operation was looked at, s
+  void drawChanges(double looked);  // time of the update from the operation, s
   void drawStrip(int strip);
   QSize pictureSize() const;
   QRegion fetch(std::span<const PixelRect> parts);
@@ -83,11 +83,11 @@ class Viewer : public QWidget {
   QImage image_;  // what is on the screen
   Damage damage_;
   int strip_ = 0;       // the next of the smooth picture
-  int behind_ = 0;      // the same of what lies behind things that move, since all was drawn
+  int behind_ = 0;      // the same for still parts behind moving tissue
   int sinceStrip_ = 0;  // pictures
   Qt::MouseButtons down_;
   std::vector<std::pair<double, double>> drawn_;  // the last pictures: when, and how long, s
-  double due_ = 0;                                // when the next look at the operation is due, s
+  double due_ = 0;                                // time of the next update, s
   Pace pace_;
   double wheel_ = 0;  // degrees not yet turned into steps
 };

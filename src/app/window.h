@@ -1,4 +1,4 @@
-// The window: a person operates.
+// The interactive window.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ struct WindowOptions {
   int width = 1280, height = 720;
   double fpsLimit = 60;
   bool overlay = true;       // show the controls at the start
-  bool reports = false;      // say on standard output what happens, for scripts
-  std::optional<bool> dark;  // colours; none: as chosen last, dark at first
+  bool reports = false;      // report events on standard output, for scripts
+  std::optional<bool> dark;  // colours; none: as chosen last, initially dark
 };
 
 // Opens the window and returns its exit status when it is closed. Throws Error when there is no

@@ -1,4 +1,4 @@
-// resect bench: how fast an operation is here, and how large an organ could be.
+// resect bench: speed of an operation on this machine, and the largest organ in real time.
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
 
   const BenchReport report = measure(scenario, scenario.name);
   std::optional<RealTimeLimit> limit;
-  // A file of particles is as fine as it is.
+  // A file of particles has a fixed spacing.
   if (!options.once && !options.profile && !isParticleFile(scenario.organs[0].source.file))
     limit = findRealTimeLimit(
         report,

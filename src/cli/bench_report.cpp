@@ -19,7 +19,7 @@ nlohmann::ordered_json sizeJson(const BenchReport& r) {
 
 std::string millimetres(double metres) { return fmt::format("{:.4g}mm", 1e3 * metres); }
 
-// One sentence, and the setting to change.
+// A sentence with the result and the setting to change.
 std::string verdict(const BenchReport& report, const RealTimeLimit& limit) {
   const double frame = 1e3 * report.frameDuration;
   if (!limit.holds)

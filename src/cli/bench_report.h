@@ -1,5 +1,4 @@
-// How are the speed of an operation and the largest organ in real time told: to a program (JSON),
-// to a person (a small table)?
+// Reports of a benchmark as JSON and as a table.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,7 +9,7 @@
 
 namespace resect {
 
-// `limit`: none when it was not looked for.
+// `limit`: none if it was not searched.
 nlohmann::ordered_json toJson(const BenchReport& report, const std::optional<RealTimeLimit>& limit,
                               const Scenario& scenario);
 std::string toText(const BenchReport& report, const std::optional<RealTimeLimit>& limit,

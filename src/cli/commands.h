@@ -1,5 +1,4 @@
-// What can `resect` do? One function per subcommand, each in a file of its own, named
-// <subcommand>_command.cpp.
+// The subcommands of `resect`, one function each, in files named <subcommand>_command.cpp.
 #pragma once
 
 namespace CLI {

@@ -22,7 +22,7 @@ struct Options {
 };
 
 void convert(const Options& options) {
-  // A wrong name or unit is said before the work is done.
+  // Wrong names and units are reported before the work.
   checkWritableMeshFile(options.out, {&options.in, 1});
   const double metres = parseUnit(options.unit, "--unit");
   const Model model = readModelWatched(options.in, progressBar("reading"));

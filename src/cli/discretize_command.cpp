@@ -51,7 +51,7 @@ void addDiscretizeCommand(CLI::App& app) {
       if (scenario.organs.size() > 1)
         notes.push_back(fmt::format("of {} organs only the first, \"{}\", is written",
                                     scenario.organs.size(), scenario.organs[0].source.name));
-      source = scenario.organs[0].source;  // where it lies there, with its labels
+      source = scenario.organs[0].source;  // at its position there, with its labels
     } else {
       source.file = organFile(options->mesh);
       source.onTable = false;

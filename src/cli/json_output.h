@@ -1,4 +1,4 @@
-// Where does a command's JSON go? To a file, or with "-" to standard output.
+// Writes a command's JSON to a file, or for "-" to standard output.
 #pragma once
 
 #include <nlohmann/json.hpp>

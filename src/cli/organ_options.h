@@ -1,4 +1,4 @@
-// Which options say what organ to take? The same on every command that takes one.
+// Command-line options that choose an organ, the same for every command.
 #pragma once
 
 #include <memory>
@@ -17,10 +17,10 @@ struct OrganOptions {
   std::string part, unit, spacing, dims;
   bool repair = false;
 
-  // Overwrites what the person gave; leaves the rest of `source` as it is.
+  // Overwrites the given options in `source`; leaves the rest.
   void applyTo(OrganSource& source) const;
-  // The same for a scenario's first organ, which becomes `organ` when that is named; with cells of
-  // another size the other organs' change in proportion.
+  // The same for a scenario's first organ, which is replaced by `organ` if not empty; a new spacing
+  // scales the other organs' in proportion.
   void applyTo(Scenario& scenario, const std::string& organ) const;
 };
 

@@ -1,4 +1,4 @@
-// How does an operation become a row of numbered pictures, or a video?
+// Writes pictures of an operation as numbered files or a video.
 #pragma once
 
 #include <memory>
@@ -19,18 +19,18 @@ struct PictureSettings {
 
 class PictureWriter {
  public:
-  // Throws before any work when the size is wrong, EGL is missing, or a video is wanted without
-  // ffmpeg.
+  // Throws Error, before any work, if the size is invalid, EGL is missing, or ffmpeg is missing for
+  // a video.
   PictureWriter(const Scenario& scenario, Simulation& simulation, const PictureSettings& settings);
   ~PictureWriter();
   PictureWriter(const PictureWriter&) = delete;
   PictureWriter& operator=(const PictureWriter&) = delete;
 
-  // After every step; draws when a picture is due: at the start, then every 1 / rate seconds, and
-  // at the last frame.
+  // Call after every step; draws if a picture is due: at the start, then every 1 / rate seconds,
+  // and at the last frame.
   void follow(const Simulation& simulation, const StepReport& step);
 
-  // Makes the video; returns what was written, a line each.
+  // Finishes the video; returns a line for each file written.
   std::vector<std::string> finish();
 
  private:

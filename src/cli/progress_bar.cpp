@@ -12,13 +12,13 @@ namespace resect {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
-bool answered = false;  // did work hear of it?
+bool answered = false;  // whether the work has noticed Ctrl-C
 
 void interrupt(int) { interrupted = 1; }
 
-// Catches Ctrl-C while it lives, unless the program was started to ignore it, and wipes the bar
-// when work ends before its end. One may come while another waits. Ctrl-C that came after work last
-// asked ends the program when the outermost goes.
+// Catches Ctrl-C during its lifetime, unless the program was started ignoring it, and erases the
+// bar if work ends early. Bars can be nested. A Ctrl-C that the work did not notice ends the
+// program when the outermost bar is destroyed.
 struct Bar {
   Bar() {
     struct sigaction now {};

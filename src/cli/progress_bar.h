@@ -1,4 +1,4 @@
-// How does a person at a terminal see that long work goes on?
+// Progress bar for long work at a terminal.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@
 
 namespace resect {
 
-// A bar on standard error, drawn only at a terminal and only once the work has taken more than a
-// second, or the seconds that have passed while nobody knows the share; Ctrl-C cancels the work
-// cleanly while the returned function is in use. The bar is wiped at share 1.
+// A bar, or the elapsed seconds while the share is unknown, on standard error; only at a terminal
+// and after more than a second of work. Ctrl-C cancels the work cleanly while the returned function
+// is in use. The bar is erased at share 1.
 Progress progressBar(const std::string& title);
 
 }  // namespace resect

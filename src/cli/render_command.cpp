@@ -33,7 +33,7 @@ struct Options {
   bool noRoom = false, json = false;
 };
 
-// Screen colour of a tissue, told by its file's name as anatomists name things.
+// Screen colour of a tissue, by anatomical words in its file's name.
 Vec3f tissueColour(const std::string& file) {
   std::string name = std::filesystem::path(file).stem().string();
   std::ranges::transform(name, name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
@@ -59,7 +59,7 @@ void render(const Options& options) {
   if (std::filesystem::path(options.out).extension() != ".png")
     throw usageError("cannot write a picture as {}; give a name that ends in .png", options.out);
   checkTarget(options.out, options.models);
-  OffscreenView picture(width, height);  // before the reading, so that a missing EGL is said first
+  OffscreenView picture(width, height);  // before reading, so that a missing EGL is reported first
 
   std::vector<TriangleMesh> meshes;
   TriangleMesh all;
@@ -70,7 +70,7 @@ void render(const Options& options) {
       throw error("{}: all its triangles are degenerate; export the model again", file);
     append(all, meshes.back());
   }
-  // Lamps and patterns are made for organs: other sizes are shown as if they were one.
+  // Lamps and patterns are made for organs: other sizes are scaled to one.
   const double extent = bounds(all).size().maxCoeff();
   const double scale = extent < 0.01 || extent > 1.0 ? 0.2 / extent : 1.0;
   if (scale != 1.0)

@@ -51,7 +51,7 @@ std::vector<std::string> writePieces(const std::filesystem::path& folder,
   return files;
 }
 
-// A wrong name is said before the work is done, and nothing is left behind.
+// Reports wrong names before the work, without leaving files.
 void checkTargets(const Options& options) {
   int width = 0, height = 0;
   parseSize(options.size, width, height);

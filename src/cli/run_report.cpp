@@ -18,7 +18,7 @@ nlohmann::ordered_json toJson(const LabelSummary::Amount& amount) {
           {"mass_g", 1e3 * amount.mass}};
 }
 
-// Only the organ's own label is no news.
+// Whether there are labels besides the organ's own.
 bool hasLabels(const RunSummary& summary) {
   return summary.labels.size() > 1 || (summary.labels.size() == 1 && summary.labels[0].label > 0);
 }

@@ -1,4 +1,4 @@
-// How is the outcome of an operation told: to a program (JSON), to a person (a small table)?
+// Reports of a run as JSON, plot and text.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace resect {
 
 nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario);
 
-// The force on each instrument that was in touch with tissue, N over s.
+// The force on each instrument that touched tissue, N over s.
 LinePlot forcePlot(const RunSummary& summary, const Scenario& scenario);
 
 // `files`: what was written, one line each.

@@ -1,4 +1,4 @@
-// resect window: a person operates.
+// resect window: interactive operation.
 #include <CLI/CLI.hpp>
 #include <memory>
 

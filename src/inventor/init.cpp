@@ -14,8 +14,8 @@
 namespace resect {
 
 void initInventor() {
-  // Coin reads the variable when the first unknown type name is met; a model file must not be able
-  // to name a library that is then run.
+  // Coin reads the variable at the first unknown type name; a model file must not be able to load a
+  // library.
   ::setenv("COIN_NO_SOTYPE_DYNLOAD", "1", 1);
   SoDB::init();
   SoNodeKit::init();

@@ -1,4 +1,4 @@
-// How is Open Inventor made ready before its first node is made?
+// Initialises Open Inventor (Coin).
 #pragma once
 
 namespace resect {

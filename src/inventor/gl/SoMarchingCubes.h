@@ -1,5 +1,5 @@
-// Which surface does a field of numbers have, inside an Inventor scene? The engine of the original
-// thesis: values on a grid go in, a surface comes out, and follows whenever an input changes.
+// Inventor engine for marching cubes, as in the original thesis: values on a grid go in, a surface
+// comes out, and follows whenever an input changes.
 //
 //     OrganShape {
 //       points     = DEF SURFACE MarchingCubes { dims 20 20 20  value [ ... ]  iso 50 } . points
@@ -7,8 +7,8 @@
 //       coordIndex = USE SURFACE . coordIndex
 //     }
 //
-// Every change costs a pass over the whole grid; an organ that is operated on is better shown by
-// SurfaceTracker (surface/surface_tracker.h), which costs what has changed. Lorensen, Cline 1987.
+// Every change costs a pass over the whole grid; for an organ in an operation use SurfaceTracker
+// (surface/surface_tracker.h), whose cost is that of the changes. Source: Lorensen, Cline 1987.
 #pragma once
 
 #include <Inventor/engines/SoEngine.h>
@@ -31,9 +31,9 @@ class SoMarchingCubes : public SoEngine {
   SoMarchingCubes();
 
   SoSFVec3s dims;   // nodes along x, y, z, >= 2 each for a surface
-  SoMFFloat value;  // one per node, x fastest; missing ones count as 0, others are left out
-  SoSFVec3f min;    // where the first node is
-  SoSFVec3f max;    // where the last node is
+  SoMFFloat value;  // one per node, x fastest; missing ones count as 0, surplus ones are ignored
+  SoSFVec3f min;    // position of the first node
+  SoSFVec3f max;    // position of the last node
   SoSFFloat iso;    // inside: value >= iso. Open where the inside reaches the grid's border
 
   SoEngineOutput points;         // SoMFVec3f, shared by the triangles round them

@@ -25,7 +25,7 @@ enum Buffer { kPoints, kNormals, kRest, kCut, kTriangles, kBufferCount };
 constexpr std::size_t kElementBytes[kBufferCount] = {sizeof(Vec3f), sizeof(Vec3f), sizeof(Vec3f),
                                                      sizeof(float), sizeof(Triangle)};
 
-// What an update can change without the others, and which of these each buffer holds.
+// Parts of the surface that can change independently, and the part that each buffer holds.
 enum Part { kMovedPart, kNewPart, kTrianglesPart, kPartCount };
 constexpr Part kPartOf[kBufferCount] = {kMovedPart, kMovedPart, kNewPart, kNewPart, kTrianglesPart};
 
@@ -41,7 +41,7 @@ struct SoOrganShape::ContextBuffers {
 
 SO_NODE_SOURCE(SoOrganShape);
 
-// In their order, those that touch or overlap as one.
+// Sorts ranges and merges those that touch or overlap.
 void SoOrganShape::merge(std::vector<Range>& ranges) {
   std::ranges::sort(ranges, {}, &Range::begin);
   std::size_t count = 0;
@@ -77,7 +77,7 @@ void SoOrganShape::notify(SoNotList* list) {
   SoShape::notify(list);
 }
 
-// What a file or an engine says the surface is. A triangle with an index without its point is left
+// Takes the surface from the fields (file or engine). Triangles with an index out of range are left
 // out.
 void SoOrganShape::takeFields() {
   if (fieldsAreTaken_) return;
@@ -97,7 +97,7 @@ void SoOrganShape::takeFields() {
     if (std::ranges::all_of(t, [&](std::int32_t v) { return v >= 0 && v < count; }))
       faces.push_back(t);
   }
-  const SbBool notified = enableNotify(FALSE);  // whoever asks is already looking
+  const SbBool notified = enableNotify(FALSE);  // the scene is being traversed already
   update(wholeSurface(at, up, share, faces));
   enableNotify(notified);
 }
@@ -122,11 +122,11 @@ void SoOrganShape::update(const SurfaceUpdate& update) {
   std::vector<Range> vertices = changed[kMovedPart];
   vertices.insert(vertices.end(), changed[kNewPart].begin(), changed[kNewPart].end());
   merge(vertices);
-  // A brick that goes leaves no vertices behind, only holes in place of its triangles.
+  // A removed brick leaves holes in place of its triangles, and its vertices are unused.
   growChanged(vertices, changed[kTrianglesPart]);
   const std::size_t end = surface_.points.size(), triangleEnd = surface_.triangles.size();
   apply(update, surface_);
-  // What is new is sent whole, with what no range has named.
+  // New elements are sent whole, including those in no range.
   if (end < surface_.points.size()) {
     changed[kMovedPart].push_back({end, surface_.points.size()});
     changed[kNewPart].push_back({end, surface_.points.size()});
@@ -145,7 +145,7 @@ void SoOrganShape::update(const SurfaceUpdate& update) {
 
 void SoOrganShape::refreshBlocks() { blocks_.refresh(surface_.points, surface_.triangles); }
 
-// By what the triangles fill that use these vertices, and by these triangles.
+// Extends the changed box by the triangles that use these vertices, and by these triangles.
 void SoOrganShape::growChanged(const std::vector<Range>& vertices,
                                const std::vector<Range>& triangles) {
   const std::vector<Vec3f>& points = surface_.points;
@@ -229,7 +229,7 @@ void SoOrganShape::upload(ContextBuffers& buffers) {
     if (buffers.names[b] == 0) glGenBuffers(1, &buffers.names[b]);
     glBindBuffer(target, buffers.names[b]);
     if (count > buffers.capacity[b]) {
-      // Room for half as much again, so that a growing surface is sent whole only now and then.
+      // Room for half as much again, so that a growing surface is rarely sent whole.
       const bool first = buffers.capacity[b] == 0;
       buffers.capacity[b] = first ? count : count + count / 2;
       glBufferData(target, GLsizeiptr(buffers.capacity[b] * size), nullptr, GL_DYNAMIC_DRAW);
@@ -259,7 +259,7 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
   SoMaterialBundle material(action);
   material.sendFirst();
 
-  // The buffer bindings are part of what is pushed; each array starts at its buffer's start.
+  // The buffer bindings are part of the pushed state; each array starts at offset 0 of its buffer.
   const auto bind = [&](Buffer b) { glBindBuffer(GL_ARRAY_BUFFER, buffers.names[b]); };
   glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
   upload(buffers);
@@ -281,7 +281,7 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
   drawnTriangles_ = 0;
   for (const TriangleBlocks::Run& run : seen(state)) {
     const std::size_t count = std::min(run.count, surface_.triangles.size() - run.first);
-    // Not glDrawRangeElements: holes use vertex 0, which may lie outside of what a run uses.
+    // Not glDrawRangeElements: holes use vertex 0, which may be outside a run's range.
     glDrawElements(GL_TRIANGLES, GLsizei(3 * count), GL_UNSIGNED_INT,
                    // OpenGL's offsets are pointers. NOLINTNEXTLINE(performance-no-int-to-ptr)
                    reinterpret_cast<const void*>(run.first * sizeof(Triangle)));
@@ -296,7 +296,7 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
 
 void SoOrganShape::computeBBox(SoAction*, SbBox3f& box, SbVec3f& centre) {
   takeFields();
-  // Over the triangles, not the points: a vertex that nothing uses may lie anywhere.
+  // Bounds of the triangles, not the points: an unused vertex may lie anywhere.
   refreshBlocks();
   const TriangleBlocks::Box all = blocks_.box();
   box.makeEmpty();

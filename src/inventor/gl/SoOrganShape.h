@@ -1,11 +1,9 @@
-// How does the ever-changing surface of an organ reach the graphics card at the cost of its changes
-// only?
+// Inventor shape for an organ's changing surface: only changes are sent to the graphics card.
 //
-// A shape with vertex buffers of its own. A program hands what has changed to update(), and the
-// next rendering uploads those ranges to each context that draws the shape; of its triangles it
-// draws those blocks that can lie in the part of the picture that is drawn (the scissor box). The
-// field `revision` counts changes and notifies the scene. In an .iv file, and from an engine, the
-// surface comes through fields, whole each time: see inventor/gl/SoMarchingCubes.h.
+// It has vertex buffers of its own. update() receives changes; the next rendering uploads those
+// ranges to each context that draws the shape, and draws only blocks of triangles that can lie in
+// the scissor box. The field `revision` counts changes and notifies the scene. From an .iv file or
+// an engine the whole surface comes through fields: see inventor/gl/SoMarchingCubes.h.
 //
 // Attributes seen by a shader: gl_Vertex, gl_Normal, gl_MultiTexCoord1.xyz = rest position (for
 // patterns that stick to the tissue), gl_MultiTexCoord2.x = cut. In .iv files: `OrganShape {}`.
@@ -47,18 +45,19 @@ class SoOrganShape : public SoShape {
   // Number of changes so far. Written by update().
   SoSFInt32 revision;
 
-  // What has changed: ranges may reach beyond the present end, then the shape grows. Vertices that
-  // only moved cost the card their points and normals. wholeSurface() replaces everything.
+  // Applies changes. Ranges may extend beyond the present end: then the shape grows. For vertices
+  // that only moved, points and normals are uploaded. wholeSurface() makes an update that replaces
+  // everything.
   void update(const SurfaceUpdate& update);
 
   int vertexCount() const { return int(surface_.points.size()); }
   int triangleCount() const { return int(surface_.triangles.size()); }  // holes included
 
-  // Where the surface has become another since the last call: before and after. m, object space.
+  // Bounds of all changes since the last call, before and after them; m, object space.
   Aabb takeChanged();
 
-  // Where a ray first meets the surface as it is now, in object space; nothing: it does not. Cost:
-  // a box test per 128 triangles, and the triangles of the boxes it meets.
+  // First intersection of a ray with the present surface, in object space, if any. Cost: a box test
+  // per 128 triangles, and the triangles of the boxes that it meets.
   std::optional<Vec3> firstPointOn(const Ray& ray);
 
   // Triangles sent through the graphics pipeline at the last rendering.

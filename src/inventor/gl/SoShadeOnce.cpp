@@ -28,7 +28,7 @@ namespace {
 
 constexpr int kPlacesUnit = 3, kBendsUnit = 4;
 
-// The renderbuffer of depths that is drawn into; 0 when there is none, or none of single samples.
+// The current depth renderbuffer; 0 if there is none or it is multisampled.
 GLuint singleDepths() {
   GLint framebuffer = 0, samples = 0, kind = GL_NONE, name = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
@@ -98,7 +98,7 @@ SoShadeOnce::SoShadeOnce() {
 
 SoShadeOnce::~SoShadeOnce() { gathering_->unref(); }
 
-// Where the children can be, within the scissor box when there is one.
+// Pixels that the children can cover, within the scissor box if there is one.
 PixelRect SoShadeOnce::pixels(SoGLRenderAction* action) const {
   SoState* state = action->getState();
   GLint view[4], scissor[4];
@@ -123,7 +123,7 @@ PixelRect SoShadeOnce::pixels(SoGLRenderAction* action) const {
     const SbVec4f p((corner & 1 ? b : a)[0], (corner & 2 ? b : a)[1], (corner & 4 ? b : a)[2], 1);
     SbVec4f clip;
     toClip.multVecMatrix(p, clip);
-    if (clip[3] < 1e-6f) return drawn;  // reaches behind the eye
+    if (clip[3] < 1e-6f) return drawn;  // extends behind the eye
     for (int i = 0; i < 2; ++i) {
       const float place = std::clamp(clip[i] / clip[3], -2.0f, 2.0f);
       low[i] = std::min(low[i], place), high[i] = std::max(high[i], place);
@@ -178,7 +178,7 @@ bool SoShadeOnce::gather(SoGLRenderAction* action, ContextTextures& textures, un
   glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, 0);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(target));
   if (works) {
-    // Coin keeps a shadow copy of OpenGL's state: all is put back.
+    // Coin caches OpenGL's state: everything is restored.
     glGetIntegerv(GL_CURRENT_PROGRAM, &program);
     glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
     glPushAttrib(GL_ENABLE_BIT | GL_DEPTH_BUFFER_BIT | GL_TEXTURE_BIT | GL_POLYGON_BIT);

@@ -1,14 +1,14 @@
-// How is an organ of many tiny triangles drawn at the cost of its pixels?
+// Inventor group with deferred shading: each pixel is shaded once, however many triangles cover it.
 //
-// A processor shades 4 x 4 pixels at a time, triangle by triangle: where triangles are as small as
-// pixels each pixel is worked out some ten times over. This group draws its shapes with a program
-// that only writes down what the liver's shading must know of each pixel
-// (data/shaders/gather.frag), into two textures and the picture's own depths, and then shades each
-// pixel once (data/shaders/gathered.frag). So G-buffers work (Saito and Takahashi 1990).
+// A software renderer shades blocks of 4 x 4 pixels, triangle by triangle: with triangles as small
+// as pixels each pixel is shaded about ten times. This group draws its shapes into a G-buffer
+// (Saito and Takahashi 1990): a program stores the inputs of the liver's shading
+// (data/shaders/gather.frag) in two textures and the picture's depth buffer; then each pixel is
+// shaded once (data/shaders/gathered.frag).
 //
-// It does so where a program is in use and a pixel is one sample in a framebuffer with a
-// renderbuffer of depths; elsewhere, as for smooth pictures and on graphics cards, for shadow maps
-// and picking, it is a plain group. Its children must be shapes, with OrganShape's attributes.
+// It does so if a shader program is in use and the framebuffer is single-sampled with a depth
+// renderbuffer; otherwise (smooth pictures, graphics cards, shadow maps, picking) it is a plain
+// group. Its children must be shapes with OrganShape's attributes.
 #pragma once
 
 #include <Inventor/nodes/SoGroup.h>
@@ -29,7 +29,7 @@ class SoShadeOnce : public SoGroup {
   static void initClass();
   SoShadeOnce();
 
-  int pictures() const { return pictures_; }  // shaded once each
+  int pictures() const { return pictures_; }  // pictures drawn this way
 
  protected:
   ~SoShadeOnce() override;

@@ -42,7 +42,7 @@ SbMatrix clipToTexture() {
 // World space -> clip space, for row vectors.
 SbMatrix worldToClip(const SoCamera* camera) { return camera->getViewVolume(1.0f).getMatrix(); }
 
-// Where the camera sees this box in its picture, each way from 0 to 1.
+// Bounds of the box in the camera's picture, 0 to 1 along each axis.
 SbBox2f placesOf(const Aabb& box, const SoCamera* camera) {
   const SbViewVolume volume = camera->getViewVolume(1.0f);
   SbBox2f places;
@@ -57,7 +57,7 @@ SbBox2f placesOf(const Aabb& box, const SoCamera* camera) {
   return places;
 }
 
-// The texels that hold all of these places, and `margin` more on each side.
+// The texels that contain these bounds, with `margin` more on each side.
 PixelRect texelsOf(const SbBox2f& places, GLsizei texels, int margin) {
   const auto texel = [&](float place) {
     return int(std::clamp(place, 0.0f, 1.0f) * float(texels));
@@ -87,9 +87,9 @@ struct SoShadowMaps::ContextMaps {
   MapTexture lamp, above, grid;      // of casters and movers
   GLuint program = 0;
   SbUniqueId drawn = 0, drawnCasters = 0;  // the node ids that the maps show
-  SbMatrix drawnFrom;                      // how the lamp saw them
-  Aabb changed;                            // since then, where that is known
-  bool anywhere = false;                   // it is not
+  SbMatrix drawnFrom;                      // the lamp's matrix at that time
+  Aabb changed;                            // bounds of changes since then
+  bool anywhere = false;                   // bounds are unknown
   std::unique_ptr<SoGLRenderAction> action;
 
   void make(GLsizei size) {
@@ -132,7 +132,7 @@ SoShadowMaps::SoShadowMaps() {
     auto* flat = new SoLightModel;
     flat->model = SoLightModel::BASE_COLOR;
     root->addChild(flat);
-    // A little deeper than the truth, else a surface shades itself.
+    // Depth offset against self-shadowing.
     auto* offset = new SoPolygonOffset;
     offset->factor = 1.5f;
     offset->units = 4.0f;
@@ -153,7 +153,7 @@ void SoShadowMaps::changedIn(const Aabb& box) {
     box.empty() ? void(maps->anywhere = true) : maps->changed.grow(box);
 }
 
-// Lamp and sky as the fields say.
+// Sets the two cameras from the fields.
 void SoShadowMaps::aim() {
   const SbVec3f centre = focus.getValue();
   const float r = std::max(radius.getValue(), 1e-4f);
@@ -220,8 +220,8 @@ void SoShadowMaps::draw(ContextMaps& maps, std::uint32_t context) {
   ++redraws_;
 }
 
-// The texels of the grid that a change in this box can reach: those near enough to be darkened by
-// it, and those in its shadow on the table.
+// The texels of the grid that a change in this box can affect: those within reach of occlusion, and
+// those in its shadow on the table.
 PixelRect SoShadowMaps::gridPart(const Aabb& changed, std::int32_t texels) const {
   constexpr double kNear = 0.125, kSoft = 0.08;  // m; beyond the widest patterns of grid.frag
   const SbVec3f lamp = lampPosition.getValue(), centre = focus.getValue();
@@ -242,7 +242,7 @@ PixelRect SoShadowMaps::gridPart(const Aabb& changed, std::int32_t texels) const
   return texelsOf(places, texels, 1);
 }
 
-// One quad over the grid; what each texel is, is worked out in data/shaders/grid.frag.
+// Draws one quad over the grid; data/shaders/grid.frag computes each texel.
 void SoShadowMaps::drawGrid(ContextMaps& maps, const PixelRect& part) const {
   if (maps.program == 0) maps.program = makeProgram({"grid.vert"}, {"grid.frag"});
   if (maps.program == 0) return;
@@ -286,7 +286,7 @@ void SoShadowMaps::GLRender(SoGLRenderAction* action) {
   ContextMaps& maps = contexts_[context];
 
   if (maps.drawn != getNodeId() && !(held_ && maps.drawn != 0)) {
-    // Coin keeps a shadow copy of OpenGL's state: everything the inner drawing touches is put back.
+    // Coin caches OpenGL's state: everything that the inner drawing changes is restored.
     GLint drawBuffer = 0, readBuffer = 0, program = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawBuffer);
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &readBuffer);
@@ -298,7 +298,8 @@ void SoShadowMaps::GLRender(SoGLRenderAction* action) {
     glMatrixMode(GL_MODELVIEW);
     glPushMatrix();
     glUseProgram(0);
-    glDisable(GL_SCISSOR_TEST);  // a picture may be drawn in part, its shadows never
+    glDisable(
+        GL_SCISSOR_TEST);  // pictures may be drawn in part, shadow maps not by that scissor box
     draw(maps, context);
     maps.drawn = getNodeId();
     glUseProgram(GLuint(program));

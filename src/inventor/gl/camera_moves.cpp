@@ -37,7 +37,7 @@ void place(SoPerspectiveCamera& camera, const Vec3& position, const Vec3& target
 SbViewVolume viewVolumeOf(const SoPerspectiveCamera& camera, const SbViewportRegion& viewport) {
   const float aspect = viewport.getViewportAspectRatio();
   SbViewVolume volume = camera.getViewVolume(aspect);
-  // Coin's ADJUST_CAMERA: the angle is that across the narrower side.
+  // As Coin's ADJUST_CAMERA: the angle applies to the narrower side.
   if (aspect < 1) volume.scale(1 / aspect);
   return volume;
 }
@@ -48,7 +48,7 @@ Vec3 CameraMoves::pointOfInterest() const {
 }
 
 void CameraMoves::orbit(double right, double up) {
-  constexpr double kSteepest = 1.55;  // rad: short of straight down, where "up" has no meaning
+  constexpr double kSteepest = 1.55;  // rad: less than straight down, where "up" is undefined
   const Vec3 target = pointOfInterest();
   const Vec3 away = toVec(camera_->position.getValue()) - target;
   const double distance = away.norm();

@@ -1,8 +1,8 @@
-// How does a person look round the operating room? Orbit, pan and zoom about a point of interest.
+// Orbit, pan and zoom of the camera about a point of interest.
 //
-// Right button drag: orbit; with Shift: pan. Left button drag: orbit, when nothing else wants it.
+// Right button drag: orbit; with Shift: pan. Left button drag: orbit, if nothing else uses it.
 // Middle button drag: pan. Wheel: zoom towards the point of interest. The camera stays upright and
-// above the floor of its own sphere, so it cannot get lost upside down.
+// its elevation is limited, so it cannot turn upside down.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -16,15 +16,14 @@ class SoPerspectiveCamera;
 
 namespace resect {
 
-// What the camera sees in a picture of this size: as it is drawn, also in pictures higher than
-// wide.
+// The view volume of the camera for a picture of this size, also if it is higher than wide.
 SbViewVolume viewVolumeOf(const SoPerspectiveCamera& camera, const SbViewportRegion& viewport);
 
 class CameraMoves {
  public:
   explicit CameraMoves(SoPerspectiveCamera* camera) : camera_(camera) {}
 
-  // An event that nobody else wanted; true when the camera took it.
+  // Handles an event that nothing else has handled; true if it moved the camera.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
 
   // Angles in rad, about the point of interest: to the right and upwards.

@@ -16,7 +16,7 @@ constexpr double kFurniture = 0.03;  // m: height of the tool box
 constexpr int kMargin = 3;           // pixels
 constexpr int kTile = 16;            // pixels
 
-// The tiles that the rectangles touch, as rectangles that do not overlap.
+// The tiles that the rectangles touch, as disjoint rectangles.
 std::vector<PixelRect> withoutOverlap(const std::vector<PixelRect>& parts, int width, int height) {
   const int columns = (width + kTile - 1) / kTile, rows = (height + kTile - 1) / kTile;
   std::vector<std::uint8_t> touched(std::size_t(columns) * std::size_t(rows));
@@ -44,7 +44,7 @@ std::vector<PixelRect> withoutOverlap(const std::vector<PixelRect>& parts, int w
       else
         result.push_back(run);
     }
-    // Rectangles that were made longer may be made longer again.
+    // Extended rectangles may be extended again.
     while (before < result.size() && result[before].top <= row * kTile) ++before;
   }
   return result;
@@ -65,8 +65,8 @@ void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, const Aabb
     damage.everything = true;
     return;
   }
-  // The box of the slanted beam is wide where it need not be: in layers of height it is not. Above
-  // what else stands on the table there is only the organ to fall on.
+  // The bounding box of a slanted shadow volume is too wide; boxes per layer of height are tighter.
+  // Above the furniture on the table shadows can fall only on the organ.
   constexpr int kLayers = 5;
   const double ceiling = std::max(organ.max.y(), 2 * kFurniture);
   for (int layer = 0; layer <= kLayers; ++layer) {
@@ -81,7 +81,7 @@ void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, const Aabb
     }
     beam.min.y() = std::max(beam.min.y(), low);
     beam.max.y() = std::min(beam.max.y(), high);
-    // Shadows are the softer the farther they fall.
+    // Shadows get softer with distance.
     const double soft = std::min(0.008 + 0.08 * std::max(box.max.y() - low, 0.0), 0.03);
     const Vec3 margin(soft, 0.002, soft);
     beam = {beam.min - margin, beam.max + margin};

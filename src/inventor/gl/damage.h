@@ -1,7 +1,7 @@
-// Which part of the picture has to be drawn again?
+// The parts of the picture that must be drawn again (damage).
 //
-// Where the processor draws, a pixel costs some 200 ns: a tool that moves over a still organ must
-// cost its own pixels and those of its shadow, not the room's.
+// In software rendering a pixel costs some 200 ns, so a tool that moves over a still organ must
+// redraw only its own pixels and those of its shadow.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -21,13 +21,13 @@ namespace resect {
 struct Damage {
   bool everything = false;
   std::vector<Aabb> boxes;
-  std::vector<Aabb> shadows;  // where only a soft shadow has: an eye does not miss it for 0.1 s
+  std::vector<Aabb> shadows;  // changes of soft shadows only, which may be drawn up to 0.1 s later
   bool empty() const { return !everything && boxes.empty() && shadows.empty(); }
   void add(const Damage& other);
 };
 
-// Adds the box, and where its shadow falls when lit from `lamp`: on the organ, on low things that
-// stand on the table, and on the table top, y = 0.
+// Adds the box and the region of its shadow, lit from `lamp`: on the organ, on low objects on the
+// table, and on the table top, y = 0.
 void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, const Aabb& organ);
 
 // Pixels [left, right) x [bottom, top).
@@ -38,13 +38,13 @@ struct PixelRect {
     return empty() ? 0 : std::int64_t(right - left) * std::int64_t(top - bottom);
   }
 };
-// The least that holds both.
+// The smallest rectangle that contains both.
 inline PixelRect joined(const PixelRect& a, const PixelRect& b) {
   return {std::min(a.left, b.left), std::min(a.bottom, b.bottom), std::max(a.right, b.right),
           std::max(a.top, b.top)};
 }
-// The pixels that show any of the boxes, within the viewport, in rectangles that do not overlap. A
-// box that reaches behind the camera takes the whole picture.
+// The pixels of the viewport that show any of the boxes, as disjoint rectangles. A box that extends
+// behind the camera covers the whole picture.
 std::vector<PixelRect> pixelsOf(const Damage& damage, const SoPerspectiveCamera& camera,
                                 const SbViewportRegion& viewport);
 std::int64_t area(const std::vector<PixelRect>& parts);

@@ -1,4 +1,4 @@
-// How do files of data/shaders become a program of OpenGL, outside of Coin's scene graph?
+// OpenGL programs from files of data/shaders, outside of Coin's scene graph.
 #pragma once
 
 #include <GL/gl.h>
@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// Compiles and links in the current context. 0 when that fails; Coin's error handler is then told
-// why. Throws Error when a file cannot be read.
+// Compiles and links in the current context. Returns 0 on failure, with the reason reported to
+// Coin's error handler. Throws Error when a file cannot be read.
 GLuint makeProgram(std::initializer_list<std::string_view> vertexFiles,
                    std::initializer_list<std::string_view> fragmentFiles);
 

@@ -16,7 +16,7 @@ void MapTexture::make(GLsizei texels, bool isDepth) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-  // Outside nothing casts: depth is far; all is seen, of a surface at no height.
+  // Border: nothing casts there; far depth, unoccluded, height 0.
   const float outside[4] = {1.0f, 1.0f, 1.0f, isDepth ? 1.0f : 0.0f};
   glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, outside);
   if (isDepth) {

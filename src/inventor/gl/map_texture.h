@@ -1,5 +1,5 @@
-// What does a program draw into to look the result up afterwards? A square texture of depths or of
-// colours with its framebuffer. Its functions need the context current in which it was made.
+// A square render target: a texture of depths or of colours with its framebuffer. Its functions
+// need the context current in which it was made.
 #pragma once
 
 #include <GL/gl.h>
@@ -12,7 +12,7 @@ struct MapTexture {
 
   // Leaves the texture and the framebuffer bound.
   void make(GLsizei texels, bool isDepth);
-  void use() const;  // draws into all of it from now on
+  void use() const;  // makes it the render target, with its full size
   void free() const;
 };
 

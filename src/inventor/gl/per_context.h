@@ -1,8 +1,8 @@
-// What does a node keep in each graphics context, and how is it given back to OpenGL?
+// OpenGL objects of a node, kept and freed per graphics context.
 //
-// OpenGL's objects may be deleted only while their context is current. So each context's are freed
-// when Coin says that it is about to be destroyed, and, when the node goes first, when Coin says
-// that the context is current again.
+// OpenGL's objects may be deleted only while their context is current. So the objects of a context
+// are freed when Coin announces its destruction, or, if the node is destroyed first, when the
+// context is next current.
 #pragma once
 
 #include <Inventor/elements/SoGLCacheContextElement.h>
@@ -15,7 +15,7 @@
 namespace resect {
 
 // Kept::free() deletes its OpenGL objects; it is called with their context current. Kept may be
-// incomplete where a PerContext is declared, not where one is made, used or destroyed.
+// incomplete where a PerContext is declared, but not where one is constructed, used or destroyed.
 template <typename Kept>
 class PerContext {
  public:
@@ -41,7 +41,7 @@ class PerContext {
     return *kept;
   }
 
-  // Pairs of a context and a pointer to what is kept in it.
+  // Pairs of a context and a pointer to its objects.
   auto begin() { return contexts_.begin(); }
   auto end() { return contexts_.end(); }
 

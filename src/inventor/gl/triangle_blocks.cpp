@@ -29,7 +29,7 @@ void TriangleBlocks::refresh(std::span<const Vec3f> points, std::span<const Tria
          triangles.subspan(first, std::min(kTriangles, triangles.size() - first))) {
       if (t[0] == t[1]) continue;
       for (const std::int32_t v : t) {
-        if (std::size_t(v) >= points.size()) continue;  // still to come
+        if (std::size_t(v) >= points.size()) continue;  // vertices not set yet
         block.box.grow(points[std::size_t(v)]);
         block.low = std::min(block.low, v);
         block.high = std::max(block.high, v);
@@ -66,7 +66,7 @@ TriangleBlocks::Box TriangleBlocks::box() const {
   return all;
 }
 
-// The triangles of those blocks that hold some and are wanted, by their boxes.
+// Runs of the triangles of non-empty blocks for which wanted(box) is true.
 template <typename Wanted>
 std::vector<TriangleBlocks::Run> TriangleBlocks::runsOf(Wanted wanted) const {
   std::vector<Run> runs;
@@ -82,7 +82,7 @@ std::vector<TriangleBlocks::Run> TriangleBlocks::runsOf(Wanted wanted) const {
 }
 
 std::vector<TriangleBlocks::Run> TriangleBlocks::within(const HalfSpaces& spaces) const {
-  // The corner that lies farthest into each half space decides.
+  // Tests the corner of the box that is farthest inside each half space.
   return runsOf([&](const Box& box) {
     return std::ranges::all_of(spaces, [&](const Eigen::Vector4f& s) {
       const Vec3f corner = (s.head<3>().array() > 0).select(box.high, box.low);
@@ -93,7 +93,7 @@ std::vector<TriangleBlocks::Run> TriangleBlocks::within(const HalfSpaces& spaces
 
 std::vector<TriangleBlocks::Run> TriangleBlocks::along(const Ray& ray) const {
   return runsOf([&](const Box& box) {
-    // A little larger than it is: rounding must not lose the triangles in its sides.
+    // Slightly enlarged against rounding of triangles in its sides.
     const double margin = 1e-6 * double((box.high - box.low).maxCoeff());
     return meets(ray, Aabb{box.low.cast<double>(), box.high.cast<double>()}.padded(margin));
   });

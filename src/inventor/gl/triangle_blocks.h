@@ -1,8 +1,9 @@
-// Which triangles of a large, changing surface can lie in a part of the picture?
+// Finds the triangles of a large, changing surface that can lie in a part of the picture or on a
+// ray.
 //
-// Keeps the surface's triangles in blocks of 128 that follow each other, each with its box and the
-// vertices it uses, so that a few pixels cost a few blocks, whatever the size of the surface. Only
-// blocks that were changed are looked at again.
+// Divides the triangles into blocks of 128 consecutive ones, each with its box and its range of
+// vertices, so that a few pixels cost a few blocks, whatever the size of the surface. Only changed
+// blocks are updated.
 #pragma once
 
 #include <array>
@@ -32,20 +33,20 @@ class TriangleBlocks {
   };
   static Box emptyBox();
 
-  // Elements [begin, end) have other values since the last refresh().
+  // Elements [begin, end) have changed since the last refresh().
   void verticesChanged(std::size_t begin, std::size_t end) { vertices_.push_back({begin, end}); }
   void trianglesChanged(std::size_t begin, std::size_t end) { triangles_.push_back({begin, end}); }
-  // Looks again at the blocks that use them. Triangles with two equal corners count as holes.
+  // Updates the blocks that use changed elements. Triangles with two equal corners count as holes.
   void refresh(std::span<const Vec3f> points, std::span<const Triangle> triangles);
 
-  // After refresh(): what the triangles fill that use any of the vertices [begin, end).
+  // After refresh(): bounds of the triangles that use any of the vertices [begin, end).
   Box around(std::size_t begin, std::size_t end, std::span<const Vec3f> points,
              std::span<const Triangle> triangles) const;
-  // After refresh(): what all triangles fill, and those that may reach into all half spaces, in
-  // their order.
+  // After refresh(): bounds of all triangles; runs of triangles that may intersect all half spaces,
+  // in order.
   Box box() const;
   std::vector<Run> within(const HalfSpaces& spaces) const;
-  // The same: those that the ray may meet.
+  // The same for triangles that the ray may meet.
   std::vector<Run> along(const Ray& ray) const;
 
  private:
@@ -63,8 +64,8 @@ class TriangleBlocks {
   std::vector<Range> vertices_, triangles_;
 };
 
-// The half spaces whose meeting is seen in the part [x0, x1] x [y0, y1] of the picture, both from
-// -1 to 1, through this matrix, which takes row vectors to clip space.
+// The half spaces whose intersection is the view volume of the part [x0, x1] x [y0, y1] of the
+// picture, in clip coordinates -1 to 1; matrix: row vectors to clip space.
 TriangleBlocks::HalfSpaces halfSpacesOf(const float matrix[4][4], const Eigen::Vector2f& low,
                                         const Eigen::Vector2f& high);
 

@@ -26,7 +26,7 @@ namespace {
 constexpr float kLength = 0.16f;   // m, of the scale from 0 to 100
 constexpr float kHandle = 0.022f;  // m per unit of the dragger's own size
 
-// Inside the dragger's frame, which is scaled and turned so that its x runs up the scale.
+// In the dragger's frame, which is scaled and rotated so that its x axis points up the scale.
 float toDragger(float iso) { return iso / 100 * kLength / kHandle; }
 
 }  // namespace
@@ -64,8 +64,8 @@ IsoDragger::IsoDragger(SoSeparator* parent, const Vec3& foot) : parent_(parent),
   auto* label = new SoSeparator;
   auto* above = new SoTranslation;
   above->translation.setValue(0, kLength + 0.012f, 0);
-  // In the scene's size and not in pixels, so that it is the same on every screen and in pictures
-  // with fewer pixels.
+  // Sized in scene units, not pixels, so that it looks the same on every screen and at reduced
+  // resolution.
   auto* facing = new SoVRMLBillboard;
   facing->axisOfRotation.setValue(0, 0, 0);
   auto* font = new SoFont;
@@ -116,7 +116,7 @@ void IsoDragger::dragged(void* closure, SoDragger*) {
   auto* self = static_cast<IsoDragger*>(closure);
   if (self->writing_) return;
   const float at = self->dragger_->translation.getValue()[0];
-  // Whole levels: a person reads and repeats them.
+  // Rounded to integers, so that values are easy to read and repeat.
   self->setValue(std::round(at * kHandle / kLength * 100));
   if (self->changed) self->changed(self->value_);
 }

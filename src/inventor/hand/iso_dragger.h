@@ -1,5 +1,5 @@
-// Where in the scene is the iso level set, as in the original thesis? A dragger on a scale, with
-// its value written beside it.
+// The iso level's dragger on a scale in the scene, as in the original thesis, with its value
+// written beside it.
 #pragma once
 
 #include <functional>
@@ -15,14 +15,14 @@ namespace resect {
 
 class IsoDragger {
  public:
-  // `foot`: the lower end of the upright scale, world, m.
+  // `foot`: lower end of the vertical scale, world, m.
   IsoDragger(SoSeparator* parent, const Vec3& foot);
   ~IsoDragger();
   IsoDragger(const IsoDragger&) = delete;
   IsoDragger& operator=(const IsoDragger&) = delete;
 
   float value() const { return value_; }
-  // kMinIso to kMaxIso; beyond them the nearer.
+  // Clamped to kMinIso to kMaxIso.
   void setValue(float iso);
   Vec3 handle() const;  // middle of the dragger, world, m
 

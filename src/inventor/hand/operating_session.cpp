@@ -32,7 +32,7 @@ std::vector<Pose> restsOf(const Scenario& scenario) {
   return rests;
 }
 
-// A long thin thing that lies aslant fills little of its box, but most of those of its slices.
+// Boxes of slices along the mesh's axis: a slanted long object fills little of its own box.
 std::vector<Aabb> slicesOf(const TriangleMesh& mesh) {
   constexpr int kSlices = 8;
   const Aabb whole = bounds(mesh);
@@ -46,7 +46,7 @@ std::vector<Aabb> slicesOf(const TriangleMesh& mesh) {
     for (const std::int32_t v : t) box.grow(mesh.points[std::size_t(v)]);
     const int last = sliceOf(box.max);
     for (int s = sliceOf(box.min); s <= last; ++s) {
-      // A triangle belongs to all slices it passes, to each with the part that lies there.
+      // A triangle counts in every slice that it crosses, with its part there.
       Aabb part = box;
       part.min.z() = std::max(box.min.z(), whole.min.z() + s * whole.size().z() / kSlices);
       part.max.z() = std::min(box.max.z(), whole.min.z() + (s + 1) * whole.size().z() / kSlices);
@@ -62,7 +62,7 @@ Vec3 positionOf(const SoPerspectiveCamera* camera) {
   return {p[0], p[1], p[2]};
 }
 
-// At the far left corner of the table's field, where it hides nothing.
+// At the far left corner of the table, where it hides nothing.
 Vec3 isoFoot(const Aabb& organ) {
   return {organ.min.x() - 0.06, 0.0, organ.min.z() + 0.25 * organ.size().z()};
 }
@@ -125,7 +125,7 @@ void OperatingSession::toolsChanged() {
     room().changedIn(before);
     room().changedIn(box);
     before = box;
-    // A manipulator is as wide as its box.
+    // A manipulator fills its box.
     std::vector<Aabb> slices{box};
     if (i != tools_.held() || tools_.how() == ToolHandling::Hold::Direct) {
       slices = toolSlices_[std::size_t(i)];
@@ -145,7 +145,7 @@ bool OperatingSession::handle(const SoEvent& event, const SbViewportRegion& view
   events_.setViewportRegion(viewport);
   events_.setEvent(&event);
   events_.apply(root());
-  // A dragger lights up under the pointer.
+  // A dragger is highlighted under the pointer.
   if (events_.getGrabber()) damage_.everything = true;
   if (events_.isHandled()) return true;
   if (!camera_.handle(event, viewport)) return false;
@@ -209,7 +209,7 @@ void OperatingSession::followMotion() {
   std::vector<ToolInput> inputs = state_.played;
   if (inputs.empty() && operation_.playing()) return;
   if (inputs.empty()) {
-    // Over; of the last frames nothing may have been seen here.
+    // The motion is over, perhaps without its last frames having been seen here.
     playing_ = false;
     played_ = playUntil_;
     if (played_ > 0) inputs = frameInput(scenario_, played_ - 1).tools;
@@ -242,7 +242,7 @@ void OperatingSession::follow(const ViewMotion& motion) {
 }
 
 void OperatingSession::look(RoomView view, double aspect) {
-  // The surgeon sees what there is to take.
+  // The surgeon's view includes the tool box.
   if (view == RoomView::Surgeon)
     room().frame(view, allThereIs(), aspect);
   else
@@ -255,7 +255,7 @@ void OperatingSession::viewAll(double aspect) {
   damage_.everything = true;
 }
 
-// The organ, the instruments in their tray, the iso scale.
+// Bounds of the organ, the tool box and the iso scale.
 Aabb OperatingSession::allThereIs() const {
   Aabb all = organBox_;
   for (std::size_t i = 0; i < toolModels_.size(); ++i)
@@ -272,7 +272,7 @@ void OperatingSession::bringEverythingBack(double aspect) {
 
 bool OperatingSession::pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport,
                                   Vec3& point) const {
-  // The organ is left out of Inventor's picking for speed's sake: it is asked itself.
+  // The organ is excluded from Inventor's picking for speed and tested separately.
   constexpr double kReach = 5;  // m
   const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
   const SbVec2s size = viewport.getViewportSizePixels();

@@ -1,7 +1,7 @@
-// What is live while a person operates? The room, the instruments in hand, the camera, the iso
-// scale and the operation behind them: all of a window but the window.
+// An interactive operation without its window: the room, the instruments in hand, the camera, the
+// iso scale and the live operation.
 //
-// Driven by Inventor events and by update(), so any toolkit, and any test, can drive it.
+// Driven by Inventor events and update(), so any toolkit, or a test, can use it.
 #pragma once
 
 #include <Inventor/actions/SoHandleEventAction.h>
@@ -26,34 +26,34 @@ namespace resect {
 
 class OperatingSession {
  public:
-  // aspect: width / height of the picture. The tools lie in the tool box for a person to take.
+  // aspect: width / height of the picture. The tools start in the tool box.
   OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect);
 
   // An event of mouse or keyboard, positions in pixels of the viewport, from its lower left. True
-  // when somebody took it.
+  // if it was handled.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
 
-  // Takes what the operation has changed since the last call and lets Inventor's sensors run.
-  // Returns what has to be drawn again.
+  // Takes the operation's changes since the last call and runs Inventor's sensors. Returns what has
+  // to be drawn again.
   Damage update();
-  bool pending() const { return !damage_.empty(); }  // there is something to draw already
+  bool pending() const { return !damage_.empty(); }  // there is damage to draw
 
-  // Goes on with the motions of the scenario, in its frames, until this time of theirs (s), or from
-  // their start once they are over. A person who takes a tool ends it.
+  // Plays the scenario's motions, frame by frame, up to this scenario time, s; from their start if
+  // they are over. Taking a tool stops it.
   void play(double until);
   bool playing() const { return playing_; }
 
-  // Moves and turns the tool in hand; without one, all that is seen.
+  // Moves and turns the tool in hand; without one, the camera.
   void follow(const ViewMotion& motion);
   void look(RoomView view, double aspect);
-  // Organ, tray and scale in the picture, from the side that they are looked at now.
+  // Moves the camera so that organ, tool box and scale are in the picture, keeping its direction.
   void viewAll(double aspect);
-  // All of the organ and the tool box in sight, all tools in the tool box.
+  // Shows the whole organ and the tool box, with all tools in the tool box.
   void bringEverythingBack(double aspect);
-  // The point under a pixel, of the organ as it is seen now or of the table's plane, within 5 m;
-  // nothing there: false.
+  // The point under a pixel, on the organ's present surface or on the table's plane, within 5 m;
+  // false if there is none.
   bool pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport, Vec3& point) const;
-  // Middle of a tool, for a pointer to click on: pixels of the viewport.
+  // Position of a point in the viewport, pixels; and a point of a tool that can be clicked.
   SbVec2s pixelOf(const Vec3& point, const SbViewportRegion& viewport) const;
   Vec3 middleOfTool(int tool) const;
 
@@ -66,7 +66,7 @@ class OperatingSession {
   const LiveState& state() const { return state_; }
   const Scenario& scenario() const { return scenario_; }
   const std::vector<ToolModel>& toolModels() const { return toolModels_; }
-  const Discretization& cells() const { return cells_; }  // as the operation began
+  const Discretization& cells() const { return cells_; }  // at the start of the operation
 
  private:
   Aabb allThereIs() const;
@@ -88,12 +88,12 @@ class OperatingSession {
   Damage damage_{true, {}, {}};
   std::vector<Aabb> toolBoxes_;                 // as drawn last
   std::vector<std::vector<Aabb>> toolSlices_;   // along each tool's axis, in its frame
-  std::vector<std::vector<Aabb>> shownSlices_;  // where they were drawn last
+  std::vector<std::vector<Aabb>> shownSlices_;  // as drawn last, in the world
   Aabb markerBox_;
   bool playing_ = false;
   std::int64_t played_ = 0, playUntil_ = 0;  // frames of the scenario's motions
   LiveState state_;
-  LiveOperation operation_;  // last: ends its thread before what it shows goes
+  LiveOperation operation_;  // last member: its thread ends before the others are destroyed
 };
 
 }  // namespace resect

@@ -6,10 +6,11 @@
 namespace resect {
 namespace {
 
-constexpr double kAtRest = 12;         // a hand that rests on the cap
-constexpr double kMetresEach = 4e-4;   // m/s per count: 14 cm/s at the end of the way
+constexpr double kAtRest = 12;         // counts: dead zone for a hand that rests on the cap
+constexpr double kMetresEach = 4e-4;   // m/s per count: 14 cm/s at full deflection
 constexpr double kRadiansEach = 4e-3;  // rad/s per count
-constexpr double kLongest = 0.1;       // s: after a pause in the reports nothing jumps
+constexpr double kLongest =
+    0.1;  // s: longest interval counted, so that nothing jumps after a pause in the reports
 
 Vec3 beyondRest(const Vec3& counts) {
   return counts.unaryExpr(

@@ -1,14 +1,14 @@
-// How far does the cap of a 3D mouse move what is in hand, or the view?
+// Converts the deflection of a 3D mouse to motion of the tool in hand or of the view.
 //
-// The cap is pushed and turned along and about the right, up and away axes of the view, as far as
-// the hand pushes it: it says how fast, not where.
+// The cap is pushed along and turned about the right, up and away axes of the view; the deflection
+// is a velocity.
 #pragma once
 
 #include "base/vec.h"
 
 namespace resect {
 
-// As the device counts: 0 at rest, some 350 at the end of the way.
+// In counts of the device: 0 at rest, some 350 at full deflection.
 struct SixAxes {
   Vec3 push = Vec3::Zero();  // to the right, up, away from the person
   Vec3 turn = Vec3::Zero();  // about the same axes, right-handed
@@ -19,7 +19,7 @@ struct ViewMotion {
   Vec3 turn = Vec3::Zero();  // rad about the same axes
 };
 
-// What the cap does in this time. Axes that are hardly pushed stay still.
+// The motion during this time. Small deflections count as zero, axis by axis.
 ViewMotion motionOf(const SixAxes& axes, double seconds);
 
 }  // namespace resect

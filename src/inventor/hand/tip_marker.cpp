@@ -102,7 +102,7 @@ bool TipMarker::show(const Vec3& tip, double below, double distance, bool touchi
   glowSwitch_->whichChild = glows ? SO_SWITCH_ALL : SO_SWITCH_NONE;
   if (!glows) return true;
   glowPlace_->translation = toSb(tip);
-  // Amber and growing on the way; bright once there is contact.
+  // Amber and growing with nearness; bright on contact.
   const double nearness = touching ? 1 : 1 - distance / kNear;
   ball_->radius = float(0.0015 + 0.0020 * nearness);
   glow_->diffuseColor = touching ? SbColor(1.0f, 0.95f, 0.75f) : SbColor(1.0f, 0.66f, 0.16f);

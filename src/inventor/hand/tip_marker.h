@@ -1,5 +1,5 @@
-// How deep is the instrument? A plumb line from its tip to what lies below, a ring where that is,
-// and a glow at the tip that says that tissue is near or touched.
+// Depth cues for the instrument's tip: a plumb line to what lies below, a ring at its foot, and a
+// glow when tissue is near or touched.
 #pragma once
 
 #include "base/vec.h"
@@ -22,8 +22,8 @@ class TipMarker {
   TipMarker& operator=(const TipMarker&) = delete;
 
   void hide();
-  // tip: world, m; below: height of what lies under it, m; distance to tissue, m, 0 = inside.
-  // False: it looks as before.
+  // tip: world, m; below: height of what lies under it, m; distance to tissue, m, 0 = inside. False
+  // if nothing changed.
   bool show(const Vec3& tip, double below, double distance, bool touching);
 
  private:

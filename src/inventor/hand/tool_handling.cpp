@@ -64,8 +64,8 @@ ToolHandling::~ToolHandling() {
   room_.removeListener(events_);
 }
 
-// As in the thesis: the matrix of the path to the tool's body. The scale that a handle box may have
-// written is left out.
+// As in the thesis: from the matrix of the path to the tool's body, without the scale that a handle
+// box may have written.
 Pose ToolHandling::pose(int tool) const {
   SoPath*& body = bodies_.at(std::size_t(tool));
   if (!body) body = pathTo(room_.root(), room_.toolModel(tool));
@@ -94,7 +94,7 @@ void ToolHandling::hold(int tool, Hold how) {
   squeezing_ = false;
   if (how == Hold::HandleBox || how == Hold::Trackball) attach(tool, how);
   if (how == Hold::Direct && atRest(tool)) {
-    // Its tip comes to where its middle lay, which is where the pointer is.
+    // Its tip moves to its former middle, where the pointer is.
     setPose(tool, {room_.toolBounds(tool).centre(), workingRotation()});
   }
   notify();
@@ -153,13 +153,13 @@ void ToolHandling::detach() {
 void ToolHandling::draggerMoved(void* closure, SoDragger*) {
   auto* self = static_cast<ToolHandling*>(closure);
   SoTransform* transform = self->room_.toolTransform(self->held_);
-  // Instruments do not grow, nor go where growing about the box's middle would take them. A scale
-  // that only rounding made is left: writing it would have the dragger write its own again, and so
-  // on for ever.
+  // Instruments keep their size, and do not move as scaling about the box's centre would move them.
+  // A scale within rounding is ignored: resetting it would make the dragger write it again,
+  // endlessly.
   if (transform->scaleFactor.getValue().equals(SbVec3f(1, 1, 1), kScaleRounding)) {
     self->place_ = transform->translation.getValue();
   } else {
-    // Told with the scale: between the two the instrument would be seen to jump.
+    // Notified together with the scale: in between the instrument would be seen to jump.
     transform->translation.enableNotify(FALSE);
     transform->translation = self->place_;
     transform->translation.enableNotify(TRUE);
@@ -181,7 +181,7 @@ double ToolHandling::metresPerPixel(const SoHandleEventAction& action) const {
   const double depth =
       (pose(held_).position - toVec(camera.position.getValue())).dot(onScreen(Vec3::UnitZ()));
   const SbVec2s size = action.getViewportRegion().getViewportSizePixels();
-  // Inventor takes the angle across the narrower side.
+  // Inventor's angle applies to the narrower side.
   return 2 * std::max(depth, 0.01) * std::tan(0.5 * camera.heightAngle.getValue()) /
          std::max<int>(1, std::min(size[0], size[1]));
 }
@@ -234,7 +234,7 @@ void ToolHandling::mouseButton(SoEventCallback& node) {
       if (!down) {
         if (!dragging_ && elsewhere_) hold(-1, Hold::None);
         if (!dragging_ && !elsewhere_ && pressed_ >= 0) hold(pressed_, precise_);
-        // A press that was left to the camera ends there too.
+        // The release of a press that the camera handled is the camera's too.
         if (pressed_ >= 0) node.setHandled();
         pressed_ = -1;
         elsewhere_ = dragging_ = false;
@@ -246,7 +246,7 @@ void ToolHandling::mouseButton(SoEventCallback& node) {
       dragging_ = false;
       pressed_ = -1;
       elsewhere_ = false;
-      if (dragger) return;  // the manipulator's own business
+      if (dragger) return;  // handled by the manipulator
       elsewhere_ = tool < 0 && held_ >= 0;
       pressed_ = tool >= 0 ? tool : how_ == Hold::Direct ? held_ : -1;
       if (pressed_ >= 0) node.setHandled();
@@ -276,12 +276,12 @@ void ToolHandling::mouseButton(SoEventCallback& node) {
 }
 
 void ToolHandling::mouseMoved(SoEventCallback& node) {
-  // What is dragged may have been put back by a key.
+  // A key may have put back the dragged tool.
   if (dragging_ && held_ < 0) pressed_ = -1;
   if (pressed_ < 0) {
     if (elsewhere_) {
       const SbVec2s way = node.getEvent()->getPosition() - pressedAt_;
-      // Looking round with a manipulator attached does not let go of the tool.
+      // Moving the camera with a manipulator attached does not release the tool.
       if (std::max(std::abs(way[0]), std::abs(way[1])) > kClickPixels) elsewhere_ = false;
     }
     return;

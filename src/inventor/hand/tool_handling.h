@@ -1,4 +1,4 @@
-// Which tool is in hand, and where does the hand move it?
+// Takes and moves tools with mouse and keyboard.
 //
 // As in the original thesis: a left click on a tool replaces its SoTransform by a handle box, which
 // moves it; a middle click toggles to a trackball, which turns it, and back; a click elsewhere
@@ -8,9 +8,8 @@
 // keys and page keys do the same, 1 2 3 take tools, Escape puts the tool back, C held down closes
 // its jaws. One tool is held at a time.
 //
-// Listens through an SoEventCallback at the start of the scene, so whoever sends events through it
-// (a window, a test) gets the same behaviour. The camera's moves are not its business: events that
-// are not for tools are left unhandled.
+// Listens through an SoEventCallback at the start of the scene, so a window and a test get the same
+// behaviour. Events that are not for tools, such as those that move the camera, are left unhandled.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -34,7 +33,7 @@ class ToolHandling {
  public:
   enum class Hold { None, Direct, HandleBox, Trackball };
 
-  // `rests`: where each of the room's tools lies when it is not used. The room must outlive this.
+  // `rests`: rest pose of each of the room's tools. The room must outlive this.
   ToolHandling(OperatingRoom& room, std::vector<Pose> rests);
   ~ToolHandling();
   ToolHandling(const ToolHandling&) = delete;
@@ -48,20 +47,20 @@ class ToolHandling {
   Pose pose(int tool) const;
 
   // Takes a tool in hand in this way, letting go of another; tool -1 or Hold::None lets go. A tool
-  // that is taken directly from its rest turns as one works with it.
+  // taken directly from its rest pose is turned to its working rotation.
   void hold(int tool, Hold how);
-  // The same, directly; from its rest it comes to readyPlace.
+  // The same with Hold::Direct; from its rest pose the tool moves to readyPlace.
   void take(int tool);
-  // To its place in the tool box, out of hand.
+  // Puts the tool into the tool box, out of hand.
   void putBack(int tool);
   void setPose(int tool, const Pose& pose);
 
-  // Of the held tool; nothing happens without one. Metres to the right, up and away in the view.
+  // Moves the held tool, if any, by metres to the right, up and away in the view.
   void move(const Vec3& inView);
-  // About its tip: radians about the view's right, up and away axes.
+  // Turns it about its tip, by radians about the view's right, up and away axes.
   void turn(const Vec3& inView);
 
-  // Where tools wait over the organ once they are taken by their key.
+  // Position over the organ to which tools go when taken by key.
   Vec3 readyPlace = Vec3(0, 0.25, 0);
   // Corrects where a tool is moved to, so that it does not go through the table.
   std::function<Pose(int tool, const Pose&)> constrain;
@@ -88,7 +87,7 @@ class ToolHandling {
   OperatingRoom& room_;
   SoEventCallback* events_;
   std::vector<Pose> rests_;
-  mutable std::vector<SoPath*> bodies_;  // to each tool's body, once it was asked for
+  mutable std::vector<SoPath*> bodies_;  // path to each tool's body, found on demand
   int held_ = -1;
   Hold how_ = Hold::None;
   bool squeezing_ = false;

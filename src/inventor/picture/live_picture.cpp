@@ -17,18 +17,19 @@
 namespace resect {
 namespace {
 
-// Tiles of 16 pixels stay whole in all of them.
+// Resolutions at which tiles of 16 pixels have whole sizes.
 constexpr double kScales[] = {1.0, 0.875, 0.75, 0.5, 0.375};
-constexpr double kMostSharp = 0.16;  // share of the picture that never gets fewer pixels
+constexpr double kMostSharp =
+    0.16;  // damaged fraction of the picture up to which resolution is never reduced
 constexpr int kSmoothSamples = 4;
-// Pictures from one with new soft shadows to the next: as few as the frame rate allows.
+// Interval between pictures with new soft shadows, as short as the frame rate allows.
 constexpr int kShortestInterval = 3, kLongestInterval = 8;
 
 double square(double x) { return x * x; }
 
 }  // namespace
 
-// Colours and depths to draw into.
+// Framebuffer with colour and depth.
 struct LivePicture::Buffer {
   GLuint framebuffer = 0, storage[2] = {};
   int width = 0, height = 0;
@@ -60,7 +61,7 @@ struct LivePicture::Buffer {
   }
 };
 
-// Smoothed to single samples, or stretched.
+// Resolves multisampling, or stretches.
 void LivePicture::copy(const Buffer& from, const PixelRect& a, const Buffer& to,
                        const PixelRect& b) {
   const bool sameSize =
@@ -97,8 +98,8 @@ void LivePicture::forget() {
   context_->shown.free();
 }
 
-// All of the scene, or the pixels of `parts`, in one pass. Round the parts the depth buffer says
-// that something is nearer than all else: no pixel is worked out there.
+// Draws the whole scene, or the pixels of `parts`, in one pass. Outside the parts the depth buffer
+// is set to the nearest depth, so no pixel is shaded there.
 void LivePicture::drawParts(SoNode* scene, const Buffer& buffer, std::span<const PixelRect> parts) {
   glBindFramebuffer(GL_FRAMEBUFFER, buffer.framebuffer);
   glViewport(0, 0, buffer.width, buffer.height);
@@ -123,7 +124,8 @@ void LivePicture::drawParts(SoNode* scene, const Buffer& buffer, std::span<const
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     drawnPixels_ += part.area();
   }
-  // Coin switches a scissor test off that it does not know of. The quarters: it cuts off fractions.
+  // The scissor box is set through Coin, which disables a scissor test that it did not set.
+  // Quarters are added since Coin truncates fractions.
   SoGLRenderAction& action = context_->action;
   const SbVec2f size(float(buffer.width), float(buffer.height));
   const bool inPart = all.area() < std::int64_t(buffer.width) * buffer.height;
@@ -183,7 +185,7 @@ std::span<const PixelRect> LivePicture::draw(SoNode* scene, const SoPerspectiveC
   return parts_;
 }
 
-// With fewer pixels, stretched over the parts.
+// Draws at reduced resolution, stretched over the parts.
 void LivePicture::drawCoarse(SoNode* scene) {
   Context& c = *context_;
   const auto coarse = [&](int edge) { return int(std::lround(edge * scale_)); };
@@ -192,7 +194,7 @@ void LivePicture::drawCoarse(SoNode* scene) {
   for (const PixelRect& part : parts_) {
     const PixelRect s{coarse(part.left), coarse(part.bottom), coarse(part.right), coarse(part.top)};
     small.push_back(s);
-    // A pixel more on each side: stretching looks beyond the edges.
+    // One pixel more on each side, for the interpolation of stretching.
     drawn.push_back({std::max(s.left - 1, 0), std::max(s.bottom - 1, 0),
                      std::min(s.right + 1, c.coarse.width), std::min(s.top + 1, c.coarse.height)});
   }
@@ -226,13 +228,14 @@ void LivePicture::read(const PixelRect& part, std::uint32_t* topLeft, std::ptrdi
     std::copy_n(&rows_[std::size_t(height - 1 - y) * width], width, topLeft + y * stride);
 }
 
-// One step to fewer pixels when the picture took too long, to more when there was time to spare.
+// Lowers the resolution one step if the picture took too long, raises it if there was time to
+// spare.
 void LivePicture::adapt(double seconds) {
   const auto* at = std::ranges::find(kScales, scale_);
   if (seconds > longest_ && at + 1 != std::end(kScales))
     ++at;
   else if (at != std::begin(kScales) && seconds * square(at[-1] / *at) < 0.8 * longest_)
-    --at;  // also if all of the time went into pixels
+    --at;  // assuming that time is proportional to pixels
   scale_ = *at;
 }
 

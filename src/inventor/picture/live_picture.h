@@ -1,9 +1,9 @@
-// How is a picture of a scene kept up to date at the cost of what has changed in it?
+// A picture of a scene that is updated where the scene has changed.
 //
-// On a graphics card every picture is drawn whole, with smooth edges. Where the processor draws,
-// only the changed parts are drawn again, soft shadows in every third to eighth picture; when the
-// parts are too large for the frame rate, they are drawn with fewer pixels. Whoever shows it asks
-// for the smooth picture, strip by strip, once nothing moves any more, and reads only what is new.
+// On a graphics card every picture is drawn whole, with antialiased edges. With software rendering
+// only the changed parts are drawn, soft shadows in every third to eighth picture; parts that are
+// too large for the frame rate are drawn at reduced resolution. Once nothing moves, the caller
+// requests the antialiased picture strip by strip. Only changed pixels are read back.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -28,25 +28,25 @@ class LivePicture {
   LivePicture(const LivePicture&) = delete;
   LivePicture& operator=(const LivePicture&) = delete;
 
-  bool processorDraws() const;             // there is no graphics card
-  void setProcessorDraws(bool draws);      // as if so, for tests
-  void setLongestPicture(double seconds);  // beyond this, in motion, fewer pixels are drawn
+  bool processorDraws() const;             // software rendering: no graphics card
+  void setProcessorDraws(bool draws);      // overrides it, for tests
+  void setLongestPicture(double seconds);  // longer pictures, in motion, reduce the resolution
 
-  // Will soft shadows be drawn in the next picture? Where not, their maps need not be made anew.
+  // Whether the next picture will include soft shadows; if not, their maps need no update.
   bool shadowsAreDue(const Damage& damage) const;
-  // Draws the scene, in which `camera` is, as far as `damage` reaches. Returns where the picture
-  // may have changed; valid until the next call.
+  // Draws the damaged parts of the scene, which contains `camera`. Returns the pixels that may have
+  // changed; valid until the next call.
   std::span<const PixelRect> draw(SoNode* scene, const SoPerspectiveCamera& camera,
                                   const Damage& damage, const SbVec2s& size);
-  // Strip `strip` of `strips`, from below, of the smooth picture of a scene that has not changed
-  // since it was drawn at this size.
+  // Draws strip `strip` of `strips`, from below, of the antialiased picture; the scene and the size
+  // must be those of the last draw().
   PixelRect drawSmooth(SoNode* scene, int strip, int strips);
-  // Copies pixels as 0xffRRGGBB to `topLeft`, rows from above, `stride` pixels apart.
+  // Copies pixels as 0xffRRGGBB to `topLeft`, top row first, rows `stride` pixels apart.
   void read(const PixelRect& part, std::uint32_t* topLeft, std::ptrdiff_t stride);
-  // The next picture will be drawn whole.
+  // Discards the picture: the next one is drawn whole.
   void forget();
 
-  double scale() const { return scale_; }  // share of the pixels' rows drawn in motion
+  double scale() const { return scale_; }  // resolution in motion, as a fraction of full
   std::int64_t drawnPixels() const { return drawnPixels_; }  // by the last draw
 
  private:
@@ -61,11 +61,11 @@ class LivePicture {
   std::unique_ptr<Context> context_;
   double scale_ = 1, longest_ = 0.028;
   std::int64_t drawnPixels_ = 0;
-  Damage late_;  // shadows not drawn yet
+  Damage late_;  // damage of shadows not drawn yet
   std::vector<PixelRect> parts_;
   std::vector<std::uint32_t> rows_;  // for read()
   int sinceShadows_ = 0;             // pictures
-  double plain_ = 0, shadowed_ = 0;  // s that pictures without and with new shadows took lately
+  double plain_ = 0, shadowed_ = 0;  // recent time of pictures without and with new shadows, s
 };
 
 }  // namespace resect

@@ -31,7 +31,7 @@ EGLDisplay initialised(EGLDisplay display) {
   return works ? display : EGL_NO_DISPLAY;
 }
 
-// The first device that is not the processor and lets itself be used.
+// The first usable device that is not a software renderer.
 EGLDisplay graphicsCard() {
   const auto devicesOf = extension<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
   const auto told = extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");

@@ -1,7 +1,7 @@
-// Where does OpenGL draw, in the window and where there is no display?
+// An offscreen OpenGL context, for the window and for machines without a display.
 //
-// An EGL context without a surface, on the first graphics card or, where there is none, on the
-// processor. No X, no environment variable.
+// An EGL context without a surface, on the first graphics card or else in software. Needs no X
+// server and no environment variable.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,16 @@ class OffscreenContext {
  public:
   // Current when made. Throws Error in one sentence when EGL or OpenGL is missing.
   OffscreenContext();
-  // Coin frees what it keeps for this context; framebuffers must be freed before.
+  // Coin frees its objects of this context; framebuffers must be freed before.
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  void makeCurrent() const;     // throws Error where that fails
-  bool becomesCurrent() const;  // the same for destructors: false where that fails
+  void makeCurrent() const;     // throws Error on failure
+  bool becomesCurrent() const;  // the same for destructors: false on failure
   const char* renderer() const { return renderer_.c_str(); }  // "llvmpipe (LLVM 15.0.6, 256 bits)"
-  bool processorDraws() const;                                // there is no graphics card
-  std::uint32_t cacheContext() const { return id_; }          // Coin's number for it
+  bool processorDraws() const;                        // software rendering: no graphics card
+  std::uint32_t cacheContext() const { return id_; }  // Coin's number for it
 
  private:
   void *display_ = nullptr, *egl_ = nullptr;

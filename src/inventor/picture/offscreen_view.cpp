@@ -21,7 +21,7 @@ namespace resect {
 
 namespace {
 
-// Keeps what Coin has to say about a shader while it is alive; passes on what else matters.
+// Collects Coin's messages about shaders during its lifetime; passes on other messages.
 class ShaderComplaints {
  public:
   ShaderComplaints()
@@ -35,7 +35,7 @@ class ShaderComplaints {
   static void listen(const SoError* e, void* closure) {
     auto* self = static_cast<ShaderComplaints*>(closure);
     const std::string text = e->getDebugString().getString();
-    // Coin asks GLX whether it draws directly, though EGL is in charge: means nothing.
+    // Coin queries GLX although EGL is used: harmless.
     if (text.find("glxglue_isdirect") != std::string::npos) return;
     if (text.find("GLSL") != std::string::npos || text.find("hader") != std::string::npos)
       self->text_ += (self->text_.empty() ? "" : "; ") + text;

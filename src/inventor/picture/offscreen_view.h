@@ -1,8 +1,7 @@
-// How does a scene become a picture where there is no display?
+// Renders a scene to a picture without a display.
 //
-// An offscreen context and a multisampled framebuffer of its own; kept for many pictures, so that
-// buffers, textures and shaders stay on the card.
-// The scene must contain its camera and its lights.
+// Has an offscreen context and a multisampled framebuffer, reused for many pictures, so that
+// buffers, textures and shaders stay on the card. The scene must contain its camera and its lights.
 #pragma once
 
 #include <memory>
@@ -15,8 +14,8 @@ namespace resect {
 
 class OffscreenView {
  public:
-  // Size in pixels, 16 to 8192 each way; `samples` per pixel, 1 = no smoothing of edges. Throws
-  // Error in one sentence when EGL or OpenGL is missing or the size is refused.
+  // Size in pixels, 16 to 8192 each way; `samples` per pixel, 1 = no antialiasing. Throws Error in
+  // one sentence when EGL or OpenGL is missing or the size is refused.
   OffscreenView(int width, int height, int samples = 4);
   ~OffscreenView();
   OffscreenView(const OffscreenView&) = delete;
@@ -25,8 +24,8 @@ class OffscreenView {
   int width() const;
   int height() const;
 
-  // The same scene gives the same bytes. Throws Error when a shader of the scene does not compile:
-  // Inventor would go on with flat colours.
+  // The same scene gives the same bytes. Throws Error if a shader of the scene does not compile;
+  // Inventor alone would continue with flat colours.
   RgbImage render(SoNode* scene);
 
   // Name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".

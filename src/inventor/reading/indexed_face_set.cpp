@@ -9,7 +9,7 @@ namespace resect {
 
 void appendFaces(std::span<const std::int32_t> coordIndex, std::span<const Vec3> points,
                  const std::string& where, std::vector<Triangle>& triangles) {
-  triangles.reserve(triangles.size() + coordIndex.size() / 4);  // exact where all are triangles
+  triangles.reserve(triangles.size() + coordIndex.size() / 4);  // exact if all faces are triangles
   std::size_t first = 0;
   for (std::size_t i = 0; i <= coordIndex.size(); ++i) {
     if (i < coordIndex.size() && coordIndex[i] >= 0) {

@@ -1,4 +1,4 @@
-// Which triangles does an IndexedFaceSet stand for?
+// Triangles of IndexedFaceSet nodes.
 #pragma once
 
 #include <span>
@@ -10,11 +10,11 @@ class SoIndexedFaceSet;
 
 namespace resect {
 
-// Appends the faces' triangles, as indices into `points` (the coordinates that hold at the node),
+// Appends the faces' triangles, as indices into `points` (the coordinates in effect at the node),
 // to `triangles`. Faces end at a negative index or at the end of coordIndex; those of fewer than
-// three corners give nothing, those of more are cut into triangles (geometry/polygon.h). The order
-// of corners is kept, whatever ShapeHints says. Throws an Error, beginning with `where`, when an
-// index has no point.
+// three corners give nothing, those of more are triangulated (geometry/polygon.h). The order of
+// corners is kept, whatever ShapeHints says. Throws an Error, beginning with `where`, when an index
+// has no point.
 void appendTriangles(const SoIndexedFaceSet& shape, std::span<const Vec3> points,
                      const std::string& where, std::vector<Triangle>& triangles);
 

@@ -35,8 +35,8 @@ constexpr std::array<CharKind, 256> kKinds = [] {
 
 CharKind kindOf(char c) { return kKinds[static_cast<unsigned char>(c)]; }
 
-// Nearly all words of a large model are numbers, and numbers harm nobody: their way through here
-// is what the guard costs, some 20 cycles each and one for every byte.
+// Nearly all words of a large model are numbers, which are harmless: they determine the guard's
+// cost, some 20 cycles each and one for every byte.
 bool isNumber(std::string_view word) {
   return kindOf(word[0]) == kDigit ||
          (word.size() > 1 && (word[0] == '-' || word[0] == '+' || word[0] == '.') &&
@@ -68,7 +68,7 @@ class TextGuard {
   struct Bracket {
     char bracket;
     int line;
-    std::string_view defined;  // name of the DEF or PROTO whose body this is
+    std::string_view defined;  // name of the DEF or PROTO with this body
     bool proto = false;
   };
   enum class Keyword : std::uint8_t { None, Def, Use, Proto };
@@ -103,7 +103,7 @@ class TextGuard {
       line_ += c == '\n';
       if (kindOf(c) == kSpace) continue;
       if (kindOf(c) != kComment) return;
-      // To the line's end, which the next round counts.
+      // Skips to the end of the line, which the next iteration counts.
       at_ = std::min(bytes_.find('\n', at_), bytes_.size()) - 1;
     }
   }
@@ -153,7 +153,7 @@ class TextGuard {
           throw error("{}:{}: '{}' is used inside itself; export the model again", path_, line_,
                       word);
     } else if (isNumber(word)) {
-      return;  // no node and no PROTO can be named so: Coin refuses it
+      return;  // not a valid name of a node or PROTO: Coin rejects it
     } else if (opensFiles(word)) {
       throw error("{}:{}: the node {} would open another file; put all in one file", path_, line_,
                   word);
@@ -198,7 +198,7 @@ std::string inventorFormat(std::string_view bytes) {
   std::string_view line = headerLine(bytes);
   if (!line.starts_with('#')) return "Inventor";
   line.remove_prefix(1);
-  // Name, version and encoding; what follows is free.
+  // Name, version and encoding; the rest of the line is arbitrary.
   std::size_t end = 0;
   for (int words = 0; words < 3 && end < line.size(); ++words)
     end = std::min(line.find(' ', end + 1), line.size());

@@ -16,7 +16,7 @@
 namespace resect {
 namespace {
 
-// Catches what Coin would print while it lives; keeps the first read error.
+// Catches Coin's messages during its lifetime; keeps the first read error.
 class ErrorCatcher {
  public:
   ErrorCatcher()
@@ -39,7 +39,7 @@ class ErrorCatcher {
  private:
   static void keep(const SoError* e, void* data) {
     const std::string text = e->getDebugString().getString();
-    // A missing picture changes no surface.
+    // A missing texture changes no surface.
     if (text.find("texture file") != std::string::npos) return;
     auto& first = static_cast<ErrorCatcher*>(data)->first_;
     if (first.empty()) first = text;
@@ -53,7 +53,7 @@ class ErrorCatcher {
   std::string first_;
 };
 
-// Tells how far Coin has come in the bytes.
+// Reports how far Coin has read.
 class WatchedInput : public SoInput {
  public:
   WatchedInput(std::string_view bytes, const std::function<void(double)>& tell)

@@ -43,7 +43,7 @@ std::string lowerExtension(const fs::path& path) {
   return text;
 }
 
-// The name that tells the format: without .gz, and corrected where the first bytes know better.
+// A name with the format's extension: without .gz, and corrected by the first bytes.
 fs::path formatName(const fs::path& path, std::string_view bytes) {
   fs::path name = lowerExtension(path) == ".gz" ? path.stem() : path;
   if (bytes.starts_with("glTF")) return name.replace_extension(".glb");
@@ -96,7 +96,7 @@ Model readModelWithin(const fs::path& path, double seconds, const Progress& prog
                 std::strerror(errno));
   ChildLimits limits;
   limits.cpuSeconds = seconds + double(size) / (1 << 20);
-  limits.wallSeconds = 4 * limits.cpuSeconds;  // other programs may need the processor too
+  limits.wallSeconds = 4 * limits.cpuSeconds;  // allowance for other load on the processor
   SharedNumber share(-1);
   const std::string bytes = runInChild(
       path.string(), limits,

@@ -1,4 +1,4 @@
-// Does a node of a scene ask for more than there is, or for more than can be done?
+// Rejects nodes of a scene with invalid or excessive counts.
 #pragma once
 
 #include <string>

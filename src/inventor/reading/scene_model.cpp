@@ -44,7 +44,7 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 20'000'000;
 
-// What the callbacks of one traversal fill.
+// Collects triangles in the callbacks of one traversal.
 class Collector {
  public:
   explicit Collector(Model& model) : model_(model) {}
@@ -70,7 +70,7 @@ class Collector {
     addToPart(model_, partName(action), std::move(mesh));
   }
 
-  // Coin's own triangles come one by one; they are gathered per shape.
+  // Coin's triangles come one by one and are collected per shape.
   void addCorner(const SoCallbackAction& action, const SoPrimitiveVertex& vertex) {
     gathered_.points.push_back(inWorld(action, vertex.getPoint()));
   }
@@ -181,7 +181,7 @@ SoCallbackAction::Response checkLimits(void* data, SoCallbackAction* action, con
 void takeTriangle(void* data, SoCallbackAction* action, const SoPrimitiveVertex* a,
                   const SoPrimitiveVertex* b, const SoPrimitiveVertex* c) {
   auto& collector = *static_cast<Collector*>(data);
-  if (collector.full()) return;  // said at the end of the shape
+  if (collector.full()) return;  // reported at the end of the shape
   collector.addCorner(*action, *a);
   collector.addCorner(*action, *b);
   collector.addCorner(*action, *c);
@@ -201,7 +201,7 @@ SoCallbackAction::Response endShape(void* data, SoCallbackAction* action, const 
 void addScene(SoNode* root, ShapeReading reading, Model& model) {
   Collector collector(model);
   SoCallbackAction action;
-  // The check comes first: Coin asks the callbacks of a type in the order they were added.
+  // The check comes first: Coin calls the callbacks of a type in the order of registration.
   action.addPreCallback(SoNode::getClassTypeId(), checkLimits, &collector);
   if (reading == ShapeReading::Converted) {
     action.addPreCallback(SoTriangleStripSet::getClassTypeId(), convert<SoTriangleStripSet>,

@@ -1,4 +1,4 @@
-// Which triangles does a TriangleStripSet stand for?
+// Triangles of TriangleStripSet nodes.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@ class SoTriangleStripSet;
 
 namespace resect {
 
-// Appends the strips' triangles, as indices into `points` (the coordinates that hold at the node),
+// Appends the strips' triangles, as indices into `points` (the coordinates in effect at the node),
 // to `triangles`. Strip i uses the next numVertices[i] points, the first strip beginning at
-// startIndex; -1 means all that are left; strips of fewer than three points give nothing. Every
-// second triangle of a strip is turned, so that all look the same way. Throws an Error, beginning
-// with `where`, when a strip needs more points than there are.
+// startIndex; -1 means all remaining points; strips of fewer than three points give nothing. Every
+// second triangle of a strip is reversed, so that all have the same orientation. Throws an Error,
+// beginning with `where`, if a strip needs more points than exist.
 void appendTriangles(const SoTriangleStripSet& shape, std::span<const Vec3> points,
                      const std::string& where, std::vector<Triangle>& triangles);
 

@@ -1,4 +1,4 @@
-// How does a model become nodes of a scene?
+// Scene nodes for models.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -7,11 +7,11 @@ class SoNode;
 
 namespace resect {
 
-// A model from triangles, with a crease where faces meet at more than `creaseDegrees`.
+// A model from triangles, with creases where faces meet at more than `creaseDegrees`.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
 
-// An unseen box round a model, at least a finger wide: what a pointer hits, and what a manipulator
-// is sized by.
+// An invisible box round a model, at least a finger wide, for picking and for the size of
+// manipulators.
 SoNode* makePickProxy(SoNode* model);
 
 }  // namespace resect

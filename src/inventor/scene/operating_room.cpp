@@ -51,7 +51,7 @@ SoSeparator* withMaterial(RoomMaterial material, std::initializer_list<SoNode*> 
 }
 
 // A quad whose corners the vertex shader moves to those of the picture; tiny, so that it does not
-// count in the scene's bounds.
+// affect the scene's bounds.
 SoNode* backgroundQuad() {
   auto* quad = new SoSeparator;
   auto* corners = new SoCoordinate3;
@@ -65,7 +65,7 @@ SoNode* backgroundQuad() {
   return quad;
 }
 
-// Colour, hints and shape of one tissue. The back of a closed surface need not be drawn.
+// Colour, hints and shape of one tissue. Back faces of a closed surface are culled.
 struct Tissue {
   SoBaseColor* colour;
   SoShapeHints* hints;
@@ -156,7 +156,7 @@ OperatingRoom::OperatingRoom() {
   root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_}));
   root_->addChild(tools_);
   root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
-  // Last: most of it is hidden already.
+  // Drawn last, since most of it is hidden.
   auto* room = withMaterial(RoomMaterial::Room, {backgroundQuad()});
   auto* notPicked = new SoPickStyle;
   notPicked->style = SoPickStyle::UNPICKABLE;
@@ -188,7 +188,8 @@ void OperatingRoom::setToolbox(SoNode* model, const Pose& pose) {
 }
 
 int OperatingRoom::addTool(SoNode* model) {
-  // The steel is the model's alone: a manipulator in the transform's place keeps its own colours.
+  // The steel material applies to the model only, so that a manipulator in the transform's place
+  // keeps its colours.
   SoSeparator* tool = uncachedSeparator();
   tool->addChild(new SoTransform);
   SoSeparator* body = uncachedSeparator();
@@ -307,7 +308,7 @@ void OperatingRoom::lightUp(const Aabb& box) {
   const Vec3 centre = box.centre();
   const double radius = std::max(0.5 * box.size().norm(), 1e-3);
   const Vec3 places[2] = {{-0.50, 1.20, -0.10}, {0.85, 0.95, 0.45}};
-  // Lamps hang 1.3 m from a liver; a model of another size is lit as if it were one.
+  // Lamps hang 1.3 m from a liver; for larger models the distance is scaled.
   const double scale = std::max(1.0, radius / 0.2);
   for (int k = 0; k < 2; ++k) {
     lamps_[k]->location = toSb(centre + scale * places[k]);

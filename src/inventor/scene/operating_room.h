@@ -1,5 +1,4 @@
-// What does the operating room look like, as one Open Inventor scene for pictures and for the
-// window?
+// The operating room as one Open Inventor scene, for pictures and for the window.
 //
 //   root Separator
 //     camera, lamps, SoShadowMaps
@@ -41,7 +40,7 @@ enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
 
 constexpr const char* kRoomViewNames = "surgeon, assistant, top or laparoscope";
 
-// The view of one of these names; nothing for other names.
+// The view of that name, if there is one.
 std::optional<RoomView> roomView(std::string_view name);
 
 // Screen colour (sRGB) of the capsule.
@@ -74,11 +73,11 @@ class OperatingRoom {
   // Of a tool with jaws, 0 wide open to 1 closed: turns those SoTransforms in its model whose names
   // begin with "Jaw" from where the model has them to no rotation. False: nothing turned.
   bool setToolSqueeze(int tool, double squeeze);
-  // The transform, or what stands in its place: a manipulator is an SoTransform too.
+  // The transform, or the manipulator in its place, which is an SoTransform too.
   SoTransform* toolTransform(int tool) const;
-  // What a tool and its manipulator fill, world, m.
+  // Bounds of a tool and its manipulator, world, m.
   Aabb toolBounds(int tool) const;
-  // The tool that a path from root() goes through; -1 for none.
+  // The tool on a path from root(); -1 for none.
   int toolOfPath(const SoFullPath& path) const;
 
   // The whole organ, with smooth normals of its own and no cut. For changing organs use organ(),
@@ -90,11 +89,11 @@ class OperatingRoom {
   // More tissue beside the organ, in the same frame: vessels, gallbladder.
   void addTissue(const TriangleMesh& mesh, const Vec3f& colour);
 
-  // Listens before everything that can take an event.
+  // Adds a callback before all nodes that handle events.
   void addListener(SoEventCallback* listener);
   void removeListener(SoEventCallback* listener);
 
-  // Models and places, for those who write the room into a file. Models may be null.
+  // Models and poses, for writing the room to a file. Models may be null.
   SoNode* tableModel() const;
   SoNode* toolboxModel() const;
   Pose toolboxPose() const;
@@ -102,28 +101,28 @@ class OperatingRoom {
   SoNode* toolModel(int tool) const;
   const SoSpotLight* lamp(int which) const { return lamps_[which]; }  // 0 or 1
 
-  // What helps the operator and is not there in a real room: draggers, markers. No shadows, no
+  // Aids for the operator that are not part of a real room: draggers, markers. Without shadows and
   // shaders.
   SoSeparator* aids() const { return aids_; }
 
   // Organ, tools and tool box have changed only in these boxes, world, m, since the last picture;
-  // an empty box, or no word of it: anywhere. Shadows are then drawn anew only there.
+  // an empty box, or no call: anywhere. Shadows are redrawn only there.
   void changedIn(const Aabb& box);
 
   const SoShadowMaps& shadows() const { return *shadows_; }
-  // Texels along each side of the shadow maps: fewer are drawn sooner.
+  // Texels along each side of the shadow maps: fewer are faster.
   void setShadowResolution(int texels);
-  void holdShadows(bool held);  // while held they stay as they are
+  void holdShadows(bool held);  // while held they are not redrawn
 
-  // Aims lamps and shadows at the box, world, m. Call it once per scene, or when the organ moves to
-  // another place; not per frame, else the light flickers.
+  // Aims lamps and shadows at the box, world, m. Call it once per scene, or when the organ is
+  // moved; not per frame, else the light flickers.
   void lightUp(const Aabb& box);
 
   // Aims the camera at the box so that all of it is seen in a picture of this width / height.
   void look(RoomView view, const Aabb& box, double aspect);
   // The same, as near as all corners of the box allow, with the box in the middle.
   void frame(RoomView view, const Aabb& box, double aspect);
-  // All of the box in the picture, from the side that it is looked at now.
+  // Shows all of the box, keeping the camera's direction.
   void viewAll(const Aabb& box, double aspect);
 
  private:
@@ -152,7 +151,7 @@ class OperatingRoom {
   SoSeparator* aids_;
 };
 
-// Position and rotation of an Inventor transform; its scale is left as it is, or out.
+// Position and rotation of an Inventor transform; its scale is kept, respectively ignored.
 void setPose(SoTransform* transform, const Pose& pose);
 Pose getPose(const SoTransform& transform);
 

@@ -51,7 +51,7 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
     room_.setToolPose(int(i), scenario.tools[i].rest);
   Aabb box;
   for (const OperatedOrgan& o : simulation.organs()) box.grow(o.organ.rest.lattice.box());
-  // What hangs or falls is seen down to the table that it may come to.
+  // Includes the table below, since hanging or falling tissue may reach it.
   if (scenario.table) box.min.y() = std::min(box.min.y(), 0.0);
   room_.lightUp(box);
   if (scenario.closeUp)

@@ -1,5 +1,4 @@
-// What does an operation look like at this moment? The operating room with the scenario's organ and
-// tools in it.
+// View of an operation: the operating room with the scenario's organs and tools.
 #pragma once
 
 #include <filesystem>
@@ -24,12 +23,12 @@ class OperationView {
  public:
   // Sets up room, tools and organ, aims lamps at the organ and the camera at it or at
   // scenario.closeUp. `aspect` = width / height of the picture. The view named by scenario.view
-  // must be one of roomView()'s; an Error lists them. From then on the simulation keeps its look.
+  // must be one of roomView()'s; an Error lists them. Calls keepLook() of the simulation.
   OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
 
-  // After every step: moves the tools and hands on what has changed of the surface, as it is now.
+  // Call after every step: moves the tools and applies the surface's changes.
   void follow(const Simulation& simulation);
-  // The same for an operation that goes on in another thread; the tools stay where they are.
+  // The same for an operation in another thread; tools are not moved.
   void follow(std::span<const SurfaceUpdate> updates);
 
   RgbImage draw(OffscreenView& picture) const;
@@ -38,7 +37,7 @@ class OperationView {
 
  private:
   OperatingRoom room_;
-  // Of the simulation that is followed, one per organ: all that moves is shown.
+  // One per organ of the simulation; no motion is left out.
   std::vector<SurfacePublisher> publishers_;
 };
 

@@ -1,4 +1,4 @@
-// From where the operating room is looked at.
+// The named views of the operating room.
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoSeparator.h>
 
@@ -14,10 +14,10 @@ namespace {
 SbVec3f toSb(const Vec3& v) { return SbVec3f(float(v.x()), float(v.y()), float(v.z())); }
 
 struct Direction {
-  Vec3 towards;        // from what is looked at to the camera
+  Vec3 towards;        // from the target to the camera
   double heightAngle;  // rad
-  double margin;       // the sphere round the box is this much smaller than the picture
-  Vec3 aside;  // what is looked at, off the middle of the box, in its radii, per (aspect - 1)
+  double margin;       // factor by which the picture is larger than the sphere round the box
+  Vec3 aside;  // offset of the target from the middle of the box, in radii, per (aspect - 1)
 };
 
 Direction direction(RoomView view) {
@@ -39,8 +39,8 @@ struct ViewAxes {
   Vec3 right, up, back;  // unit
 };
 
-// From the middle of the box to a camera that sees all of it. Inventor takes the angle across the
-// narrower side.
+// Distance from the middle of the box to a camera that sees all of it. Inventor's angle applies to
+// the narrower side.
 double distanceToFit(const Aabb& box, const ViewAxes& axes, double heightAngle, double aspect) {
   const double narrow = 0.93 * std::tan(0.5 * heightAngle);
   const double tanX = narrow * std::max(1.0, aspect), tanY = narrow * std::max(1.0, 1 / aspect);
@@ -72,7 +72,7 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
   // Only wide pictures have room for the tool box beside the organ.
   const bool beside = toolbox_->getNumChildren() > 1;
   const double aside = beside ? std::clamp(aspect - 1.0, 0.0, 0.8) : 0.0;
-  // The sphere round the box fits; Inventor takes the angle across the narrower side.
+  // Fits the sphere round the box; Inventor's angle applies to the narrower side.
   place(view, box.centre() + aside * radius * from.aside,
         from.margin * radius / std::sin(0.5 * from.heightAngle));
 }

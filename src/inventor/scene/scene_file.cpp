@@ -39,7 +39,7 @@ SoSeparator* placed(const Pose& pose, SoNode* model) {
   return separator;
 }
 
-// Materials of a cut share from the capsule's colour to the parenchyma's, in a few steps.
+// Materials for cut shares in a few steps from the capsule's colour to the parenchyma's.
 SoSeparator* organNode(const SurfaceTracker::Compact& organ) {
   constexpr int kShades = 5;
   const Vec3f cutColour(0.52f, 0.13f, 0.11f);

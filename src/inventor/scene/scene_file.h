@@ -1,8 +1,7 @@
-// How is an operation kept as an Inventor file that any Inventor viewer shows, and how does it come
-// back?
+// Saves an operation as an Inventor file that any Inventor viewer shows, and reads it back.
 //
 // Plain nodes only: camera, lamps, materials, transforms, and the organ as an IndexedFaceSet with
-// normals, named Organ. What was cut stays cut: reading it back makes new cells of that surface.
+// normals, named Organ. Reading it back makes new cells of the cut surface.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +26,8 @@ struct ScenePlaces {
   double focalDistance = 0;  // m
 };
 
-// Tools and camera of a file that writeSceneFile wrote; nothing for other files. Reads it in this
-// process: only after readModel has been through it without harm.
+// Tools and camera of a file that writeSceneFile wrote; none for other files. Reads in this
+// process, so call readModel first, which rejects harmful files.
 std::optional<ScenePlaces> readScenePlaces(const std::filesystem::path& path);
 void setCamera(OperatingRoom& room, const ScenePlaces& places);
 
