@@ -13,32 +13,32 @@ struct IndexBox {
   Vec3i low = Vec3i::Zero(), dims = Vec3i::Zero();  // first point; points along each axis, >= 0
 
   std::size_t count() const { return std::size_t(dims.cast<std::int64_t>().prod()); }
-  bool contains(const Vec3i& place) const {
-    return (place.array() >= low.array()).all() && (place.array() < (low + dims).array()).all();
+  bool contains(const Vec3i& point) const {
+    return (point.array() >= low.array()).all() && (point.array() < (low + dims).array()).all();
   }
-  IndexBox widened(int places) const {  // each way
-    return {low - Vec3i::Constant(places), dims + Vec3i::Constant(2 * places)};
+  IndexBox widened(int margin) const {  // each way
+    return {low - Vec3i::Constant(margin), dims + Vec3i::Constant(2 * margin)};
   }
   // Indices run along x first; the box must hold fewer than 2^31 points.
   std::int32_t step(int axis) const {
     return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y();
   }
-  std::int32_t index(const Vec3i& place) const {
-    const Vec3i at = place - low;
+  std::int32_t index(const Vec3i& point) const {
+    const Vec3i at = point - low;
     return (at.z() * dims.y() + at.y()) * dims.x() + at.x();
   }
-  Vec3i place(std::int32_t index) const {
+  Vec3i coordinates(std::int32_t index) const {
     const std::int32_t row = index / dims.x();
     return low + Vec3i(index % dims.x(), row % dims.y(), row / dims.y());
   }
 };
 
 // The smallest box that holds all of these points, at least one.
-inline IndexBox boxRound(std::span<const Vec3i> places) {
-  Vec3i low = places[0], high = low;
-  for (const Vec3i& place : places) {
-    low = low.cwiseMin(place);
-    high = high.cwiseMax(place);
+inline IndexBox boxRound(std::span<const Vec3i> points) {
+  Vec3i low = points[0], high = low;
+  for (const Vec3i& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
   }
   return {low, high - low + Vec3i::Ones()};
 }

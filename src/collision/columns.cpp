@@ -30,7 +30,9 @@ class GridColumns {
       : x_(mesh.origin.x(), mesh.step, grid.origin.x(), grid.pitch.x(), grid.countX),
         y_(mesh.origin.y(), mesh.step, grid.origin.y(), grid.pitch.y(), grid.countY) {}
 
-  Cell cell(const SnappedMesh::Place& p) const { return {x_.lowerBound(p.x), y_.lowerBound(p.y)}; }
+  Cell cell(const SnappedMesh::RasterXY& p) const {
+    return {x_.lowerBound(p.x), y_.lowerBound(p.y)};
+  }
   // A line at a triangle's lowest coordinate may be covered; one at its highest, shifted by e, is
   // not.
   Reach between(const Cell& low, const Cell& high) const { return {low.x, high.x, low.y, high.y}; }
@@ -55,11 +57,11 @@ class GridColumns {
         at[std::size_t(i)] = snapColumn(origin + i * pitch - meshOrigin, step);
     }
     // Estimated first, then corrected exactly.
-    std::int32_t lowerBound(std::int32_t place) const {
+    std::int32_t lowerBound(std::int32_t coordinate) const {
       const auto count = std::int32_t(at.size());
-      auto i = std::int32_t(std::clamp(offset + place * perStep, 0.0, double(count)));
-      while (i > 0 && at[std::size_t(i - 1)] >= place) --i;
-      while (i < count && at[std::size_t(i)] < place) ++i;
+      auto i = std::int32_t(std::clamp(offset + coordinate * perStep, 0.0, double(count)));
+      while (i > 0 && at[std::size_t(i - 1)] >= coordinate) --i;
+      while (i < count && at[std::size_t(i)] < coordinate) ++i;
       return i;
     }
   };
@@ -69,14 +71,14 @@ class GridColumns {
 // Columns at given positions, sorted into the cells of a coarse grid.
 class ListedColumns {
  public:
-  // place(i): x, y of column i, m. Columns beside the mesh are left out.
-  template <typename Place>
-  ListedColumns(const SnappedMesh& mesh, std::size_t count, Place&& place) {
+  // position(i): x, y of column i, m. Columns beside the mesh are left out.
+  template <typename Position>
+  ListedColumns(const SnappedMesh& mesh, std::size_t count, Position&& position) {
     std::vector<Entry> entries;
     entries.reserve(count);
-    SnappedMesh::Place high{kBelow, kBelow};
+    SnappedMesh::RasterXY high{kBelow, kBelow};
     for (std::size_t i = 0; i < count; ++i) {
-      const Vec2 p = place(i);
+      const Vec2 p = position(i);
       const std::int32_t x = snapColumn(p.x() - mesh.origin.x(), mesh.step);
       const std::int32_t y = snapColumn(p.y() - mesh.origin.y(), mesh.step);
       if (x == kBelow || x == kAbove || y == kBelow || y == kAbove) continue;
@@ -98,7 +100,7 @@ class ListedColumns {
     for (const Entry& e : entries) entries_[cursor[cellOf(e)]++] = e;
   }
 
-  Cell cell(const SnappedMesh::Place& p) const { return {cellX(p.x), cellY(p.y)}; }
+  Cell cell(const SnappedMesh::RasterXY& p) const { return {cellX(p.x), cellY(p.y)}; }
   Reach between(const Cell& low, const Cell& high) const {
     return {std::max(low.x, 0), std::min(high.x + 1, side_), std::max(low.y, 0),
             std::min(high.y + 1, side_)};
@@ -124,7 +126,7 @@ class ListedColumns {
     return std::int32_t(std::clamp(at + 1, 0.0, side_ + 1.0)) - 1;
   }
 
-  SnappedMesh::Place low_{kAbove, kAbove};  // of the columns
+  SnappedMesh::RasterXY low_{kAbove, kAbove};  // of the columns
   double perStepX_ = 0, perStepY_ = 0;
   int side_ = 1;  // cells along x and y
   std::vector<std::uint32_t> offsets_;
@@ -142,9 +144,9 @@ struct Hit {
 template <typename Columns, typename Keep>
 std::vector<std::vector<Hit>> hitsOf(const SnappedMesh& mesh, const Columns& columns,
                                      const Keep& keep) {
-  RawArray<Cell> cells(mesh.places.size());
+  RawArray<Cell> cells(mesh.xy.size());
   parallelFor(cells.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) cells[i] = columns.cell(mesh.places[i]);
+    for (std::size_t i = begin; i < end; ++i) cells[i] = columns.cell(mesh.xy[i]);
   });
   std::vector<std::vector<Hit>> parts((mesh.triangles.size() + kPart - 1) / kPart);
   parallelFor(mesh.triangles.size(), kPart, [&](std::size_t begin, std::size_t end) {
@@ -212,7 +214,7 @@ SnappedMesh snapToRaster(const TriangleMesh& mesh) {
   snapped.origin = box.min.head<2>();
   const double extent = box.size().head<2>().maxCoeff();
   if (extent > 0) snapped.step = extent / kRaster;
-  snapped.places.resize(mesh.points.size());
+  snapped.xy.resize(mesh.points.size());
   // The highest point may round to one step beyond the raster; it is clamped.
   const auto stepsTo = [&](double offset) {
     return std::int32_t(std::min(offset / snapped.step + 0.5, double(kRaster)));
@@ -221,8 +223,7 @@ SnappedMesh snapToRaster(const TriangleMesh& mesh) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3& p = mesh.points[i];
       RESECT_ASSERT(p.allFinite());
-      snapped.places[i] = {stepsTo(p.x() - snapped.origin.x()),
-                           stepsTo(p.y() - snapped.origin.y())};
+      snapped.xy[i] = {stepsTo(p.x() - snapped.origin.x()), stepsTo(p.y() - snapped.origin.y())};
     }
   });
   return snapped;

@@ -53,7 +53,7 @@ struct ColumnGrid {
 // A mesh snapped to its raster. Refers to the points and triangles of the mesh, which must outlive
 // it.
 struct SnappedMesh {
-  struct Place {
+  struct RasterXY {
     std::int32_t x, y;  // raster steps from `origin`, in [0, 2^30]
   };
   struct Point {
@@ -62,13 +62,13 @@ struct SnappedMesh {
   };
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
-  RawArray<Place> places;      // separate from depths: most triangles are rejected by x and y alone
+  RawArray<RasterXY> xy;       // separate from depths: most triangles are rejected by x and y alone
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
 
   Point point(std::int32_t i) const {
     const auto at = std::size_t(i);
-    return {places[at].x, places[at].y, points[at].z()};
+    return {xy[at].x, xy[at].y, points[at].z()};
   }
 };
 

@@ -79,12 +79,12 @@ void touchAlong(const TriangleMesh& tool, std::span<const Chord> chords,
   turned.points.reserve(tool.points.size());
   for (const Vec3& p : tool.points) turned.points.push_back(turn * p);
   std::vector<Vec3> starts;
-  std::vector<Vec2> places;
+  std::vector<Vec2> columns;
   for (const Chord& chord : chords) {
     starts.push_back(turn * chord.a);
-    places.push_back(starts.back().head<2>());
+    columns.push_back(starts.back().head<2>());
   }
-  const Crossings crossings = castColumns(snapToRaster(turned), places);
+  const Crossings crossings = castColumns(snapToRaster(turned), columns);
   for (std::size_t i = 0; i < chords.size(); ++i) {
     const double low = starts[i].z(), high = low + length;
     forEachInside(crossings[i], [&](double entered, double left) {

@@ -75,11 +75,11 @@ SignedDistance::SignedDistance(const TriangleMesh& mesh, double margin, double c
 }
 
 SignedDistance::Sample SignedDistance::operator()(const Vec3& point) const {
-  const Vec3 place = (point - origin_) / cell_;
+  const Vec3 inCells = (point - origin_) / cell_;
   for (int a = 0; a < 3; ++a)
-    if (!(place[a] >= 0 && place[a] < dims_[a] - 1)) return {kFar, Vec3::Zero()};
-  const Vec3i at = place.cast<int>();
-  const Vec3 f = place - at.cast<double>();
+    if (!(inCells[a] >= 0 && inCells[a] < dims_[a] - 1)) return {kFar, Vec3::Zero()};
+  const Vec3i at = inCells.cast<int>();
+  const Vec3 f = inCells - at.cast<double>();
   const std::size_t i = index(at), dy = dims_.x(), dz = std::size_t(dims_.x()) * dims_.y();
   const auto along = [&](std::size_t k) {
     return distance_[k] + f.x() * (double(distance_[k + 1]) - distance_[k]);

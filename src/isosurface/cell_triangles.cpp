@@ -12,8 +12,8 @@
 namespace resect {
 namespace {
 
-constexpr int nodePlace(int axis, int node) {
-  return EdgeTable::place(axis, node & 3, node >> 2 & 3, node >> 4);
+constexpr int edgeIndex(int axis, int node) {
+  return EdgeTable::index(axis, node & 3, node >> 2 & 3, node >> 4);
 }
 
 // Offset in the table from a cell's first edge along an axis to each of its edges.
@@ -22,8 +22,8 @@ constexpr std::array<std::uint8_t, 12> kStepTo = [] {
   for (std::size_t e = 0; e < 12; ++e) {
     const CellEdge& edge = kCellEdges[e];
     steps[e] = std::uint8_t(
-        EdgeTable::place(edge.axis, edge.from & 1, edge.from >> 1 & 1, edge.from >> 2) -
-        EdgeTable::place(edge.axis, 0, 0, 0));
+        EdgeTable::index(edge.axis, edge.from & 1, edge.from >> 1 & 1, edge.from >> 2) -
+        EdgeTable::index(edge.axis, 0, 0, 0));
   }
   return steps;
 }();
@@ -31,7 +31,7 @@ constexpr std::array<std::uint8_t, 12> kStepTo = [] {
 }  // namespace
 
 int EdgeTable::ofCell(int cell, int edge) {
-  return nodePlace(edge / 4, cell) + kStepTo[std::size_t(edge)];
+  return edgeIndex(edge / 4, cell) + kStepTo[std::size_t(edge)];
 }
 
 Triangle* drawCellsPlainly(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
@@ -54,11 +54,11 @@ namespace {
 // For each cell the table index of its first edge along x and along y; along z it is one axis block
 // further than along y.
 constexpr auto kFirstEdges = [] {
-  std::array<std::array<std::uint16_t, 2>, kBrickSize> places{};
+  std::array<std::array<std::uint16_t, 2>, kBrickSize> indices{};
   for (int cell = 0; cell < kBrickSize; ++cell)
-    places[std::size_t(cell)] = {std::uint16_t(nodePlace(0, cell)),
-                                 std::uint16_t(nodePlace(1, cell))};
-  return places;
+    indices[std::size_t(cell)] = {std::uint16_t(edgeIndex(0, cell)),
+                                  std::uint16_t(edgeIndex(1, cell))};
+  return indices;
 }();
 
 // Loads two neighbouring entries, and the two a row or plane further.

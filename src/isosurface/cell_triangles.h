@@ -16,11 +16,11 @@ namespace resect {
 struct EdgeTable {
   static constexpr int kSpan = kBrickNodes + 1;  // nodes 0 to 4 of the brick along each axis
   static constexpr int kAxis = kSpan * kSpan * kSpan, kNone = 3 * kAxis;
-  std::array<std::int32_t, kNone + 1> vertex;  // by place(); entry kNone stands for no edge
+  std::array<std::int32_t, kNone + 1> vertex;  // by index(); entry kNone stands for no edge
 
   // Index of the edge along an axis from a node, whose coordinates are 0 to 4: y fastest for edges
   // along x, x fastest for others.
-  static constexpr int place(int axis, int x, int y, int z) {
+  static constexpr int index(int axis, int x, int y, int z) {
     return axis * kAxis + (z * kSpan + (axis == 0 ? x : y)) * kSpan + (axis == 0 ? y : x);
   }
   // Index of a cell's edge (isosurface/marching_cubes_table.h).

@@ -12,13 +12,13 @@ constexpr std::size_t kGrain = 2048;  // vertices per block
 
 }  // namespace
 
-std::int32_t SurfaceSkin::placeOf(std::int64_t cell) {
-  std::int32_t& place = placeOfCell_[cell];
-  if (place < 0) {
-    place = std::int32_t(cells_.size());
+std::int32_t SurfaceSkin::entryOf(std::int64_t cell) {
+  std::int32_t& entry = entryOfCell_[cell];
+  if (entry < 0) {
+    entry = std::int32_t(cells_.size());
     cells_.push_back(cell);
   }
-  return place;
+  return entry;
 }
 
 SurfaceSkin::Binding SurfaceSkin::bind(const Vec3f& vertex, const Lattice& lattice,
@@ -59,7 +59,7 @@ SurfaceSkin::Binding SurfaceSkin::bind(const Vec3f& vertex, const Lattice& latti
   double sum = 0;
   for (int i = 0; i < count; ++i) sum += candidates[i].weight;
   for (int i = 0; i < count; ++i) {
-    to.place[i] = placeOf(lattice.index(candidates[i].cell));
+    to.entry[i] = entryOf(lattice.index(candidates[i].cell));
     to.weight[i] = float(candidates[i].weight / sum);
   }
   return to;
@@ -83,7 +83,7 @@ ParticleMotion SurfaceSkin::motionOf(const Binding& binding) const {
   ParticleMotion mean;
   const auto blend = [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k)
-      add(mean, binding.weight[k], motions_[std::size_t(binding.place[k])]);
+      add(mean, binding.weight[k], motions_[std::size_t(binding.entry[k])]);
   };
   blend(0, 4);
   if (binding.weight[4] > 0) blend(4, 8);
@@ -124,7 +124,7 @@ void SurfaceSkin::turnNormals(const SurfaceTracker& surface) {
 void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
                          const TissueModel& tissue, std::span<const std::int64_t> changedCells,
                          bool withLook) {
-  if (placeOfCell_.empty()) placeOfCell_.assign(lattice.cellCount(), -1);
+  if (entryOfCell_.empty()) entryOfCell_.assign(lattice.cellCount(), -1);
   const std::span<const Vec3f> rest = surface.points();
   const std::size_t before = bindings_.size();
   bindings_.resize(rest.size());
@@ -133,10 +133,10 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
   if (!changedCells.empty()) {
     changed_.assign(cells_.size(), 0);
     for (const std::int64_t cell : changedCells)
-      if (placeOfCell_[cell] >= 0) changed_[placeOfCell_[cell]] = 1;
+      if (entryOfCell_[cell] >= 0) changed_[entryOfCell_[cell]] = 1;
     for (std::size_t v = 0; v < before; ++v)
       for (std::size_t k = 0; k < 8; ++k)
-        if (bindings_[v].weight[k] > 0 && changed_[bindings_[v].place[k]]) {
+        if (bindings_[v].weight[k] > 0 && changed_[bindings_[v].entry[k]]) {
           bindings_[v] = bind(rest[v], lattice, tissue);
           break;
         }
@@ -157,7 +157,7 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
         to = {};
         for (int k = 0, count = 0; k < bindings[v].count; ++k) {
           if (!tissue.solid(bindings[v].cell[k])) continue;
-          to.place[count] = placeOf(bindings[v].cell[k]);
+          to.entry[count] = entryOf(bindings[v].cell[k]);
           to.weight[count++] = bindings[v].weight[k];
         }
       }
@@ -170,7 +170,7 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
 
 std::size_t SurfaceSkin::bytes() const {
   return bindings_.capacity() * sizeof(Binding) + cells_.capacity() * sizeof(std::int64_t) +
-         placeOfCell_.capacity() * sizeof(std::int32_t) +
+         entryOfCell_.capacity() * sizeof(std::int32_t) +
          (restOfCell_.capacity() + points_.capacity() + normals_.capacity()) * sizeof(Vec3f) +
          placements_.capacity() * sizeof(CellPlacement) +
          motions_.capacity() * sizeof(ParticleMotion) + changed_.capacity();

@@ -35,23 +35,23 @@ class SurfaceSkin {
 
  private:
   struct Binding {
-    std::array<std::int32_t, 8> place{};  // into cells_
+    std::array<std::int32_t, 8> entry{};  // into cells_
     std::array<float, 8> weight{};        // 0: this entry and those after it are unused
   };
   Binding bind(const Vec3f& vertex, const Lattice& lattice, const TissueModel& tissue);
   void findMotions(const Lattice& lattice, const TissueModel& tissue);
   ParticleMotion motionOf(const Binding& binding) const;
   void movePoints(std::span<const Vec3f> rest);
-  std::int32_t placeOf(std::int64_t cell);
+  std::int32_t entryOf(std::int64_t cell);
 
   std::vector<Binding> bindings_;
   std::vector<std::int64_t> cells_;        // that vertices follow
-  std::vector<std::int32_t> placeOfCell_;  // per lattice cell: into cells_, or -1
+  std::vector<std::int32_t> entryOfCell_;  // per lattice cell: index into cells_, or -1
   std::vector<Vec3f> restOfCell_;
   std::vector<CellPlacement> placements_;
   std::vector<ParticleMotion> motions_;
   std::vector<Vec3f> points_, normals_;
-  std::vector<std::uint8_t> changed_;  // per place in cells_
+  std::vector<std::uint8_t> changed_;  // per entry of cells_
 };
 
 }  // namespace resect

@@ -101,7 +101,7 @@ class Simulation {
   const std::vector<ToolState>& tools() const { return tools_; }
   double time() const { return time_; }
   std::int64_t frame() const { return frame_; }
-  bool moves() const;  // does the tissue of any organ move?
+  bool moves() const;  // whether the tissue of any organ moves
 
   // Of the first organ, for simulations with one.
   const Organ& organ() const { return organs_[0].organ; }

@@ -70,7 +70,7 @@ ColourField::ColourField(const Discretization& cells, int refine, NodesLater)
   cells_ = PaddedCells(cells, held);
   classifyBricks(held);
   putFullAndEmpty(originals_);
-  growTo(values_, place(std::int32_t(builtBricks_.size())));
+  growTo(values_, firstNode(std::int32_t(builtBricks_.size())));
   putFullAndEmpty(values_);
 }
 
@@ -82,24 +82,25 @@ bool ColourField::canHold(const Lattice& lattice, int refine) {
 
 void ColourField::evaluateBuilt(std::size_t begin, std::size_t end) {
   for (std::size_t slot = begin; slot < end; ++slot)
-    evaluate(brick(builtBricks_[slot]), kAllPlanes, values_.data() + place(std::int32_t(slot)));
+    evaluate(brick(builtBricks_[slot]), kAllPlanes, values_.data() + firstNode(std::int32_t(slot)));
 }
 
 void ColourField::putFullAndEmpty(RawArray<float>& bricks) const {
-  bricks.resize(std::max(bricks.size(), place(0)));
-  std::copy_n(stencil_->full.begin(), kBrickSize, bricks.begin() + std::ptrdiff_t(place(kFull)));
-  std::fill_n(bricks.begin() + std::ptrdiff_t(place(kEmpty)), kBrickSize, 0.f);
+  bricks.resize(std::max(bricks.size(), firstNode(0)));
+  std::copy_n(stencil_->full.begin(), kBrickSize,
+              bricks.begin() + std::ptrdiff_t(firstNode(kFull)));
+  std::fill_n(bricks.begin() + std::ptrdiff_t(firstNode(kEmpty)), kBrickSize, 0.f);
 }
 
 const float* ColourField::nodesByPhase(std::int64_t b, std::int32_t slot,
                                        const RawArray<float>& bricks) const {
   return slot == kFull ? stencil_->full.data() + stencil_->phaseIndex(phase(brick(b))) * kBrickSize
-                       : bricks.data() + place(slot);
+                       : bricks.data() + firstNode(slot);
 }
 
 void ColourField::evaluate(const Vec3i& b, unsigned planes, float* out) const {
   const std::ptrdiff_t alongY = cells_.dims().x(), alongZ = alongY * cells_.dims().y();
-  cells_.lookAt(cells_.place(windowCell(b)), [&](const auto* low) {
+  cells_.lookAt(cells_.index(windowCell(b)), [&](const auto* low) {
     sumBrick(*stencil_, phase(b), low, alongY, alongZ, planes, out);
   });
 }
@@ -198,7 +199,7 @@ float ColourField::originalNode(const Vec3i& n) const {
 
 void ColourField::setCellValue(std::int64_t cell, float value) {
   const Vec3i c = lattice_.cell(cell);
-  const std::int64_t at = cells_.place(c);
+  const std::int64_t at = cells_.index(c);
   if (cells_.value(at) == value) return;
   cells_.set(at, value);
   if (pendingOf_.empty()) pendingOf_.assign(slotOf_.size(), 0);
@@ -270,7 +271,7 @@ std::span<const std::int64_t> ColourField::update() {
       const unsigned planes = pendingOf_[b] & kAllPlanes;
       pendingOf_[b] = 0;
       if (slotOf_[b] >= 0 && planes != 0)
-        evaluate(brick(b), planes, values_.data() + place(slotOf_[b]));
+        evaluate(brick(b), planes, values_.data() + firstNode(slotOf_[b]));
     }
   });
   return touched_;

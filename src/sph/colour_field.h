@@ -72,7 +72,7 @@ class ColourField {
   std::int32_t slotCount() const { return slotsOf(values_); }
   // The 64 nodes of a stored brick, x fastest.
   std::span<const float, kBrickSize> values(std::int32_t slot) const {
-    return std::span<const float, kBrickSize>(values_.data() + place(slot), kBrickSize);
+    return std::span<const float, kBrickSize>(values_.data() + firstNode(slot), kBrickSize);
   }
   // The 64 nodes of any brick of the grid, stored or not.
   const float* nodes(std::int64_t brick) const { return nodesOf(brick, slotOf_[brick], values_); }
@@ -88,7 +88,7 @@ class ColourField {
   IndexBox bricksIn(const Aabb& box) const;
 
   float cellValue(std::int64_t cell) const {
-    return cells_.value(cells_.place(lattice_.cell(cell)));
+    return cells_.value(cells_.index(lattice_.cell(cell)));
   }
   // Sets a cell's colour value, in [0, 100]; the field follows at the next update().
   void setCellValue(std::int64_t cell, float value);
@@ -124,7 +124,7 @@ class ColourField {
   // Index of a slot's first node in an array of bricks. The first two bricks of the array are a
   // full one (kFull) and an empty one (kEmpty), so a brick's nodes are found without a branch on
   // its kind.
-  static std::size_t place(std::int32_t slot) { return std::size_t(slot - kFull) * kBrickSize; }
+  static std::size_t firstNode(std::int32_t slot) { return std::size_t(slot - kFull) * kBrickSize; }
   static std::int32_t slotsOf(const RawArray<float>& bricks) {
     return std::int32_t(bricks.size() / kBrickSize) + kFull;
   }
@@ -132,7 +132,7 @@ class ColourField {
   const float* nodesOf(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const {
     if (stencil_->phases > 1) [[unlikely]]
       return nodesByPhase(b, slot, bricks);
-    return bricks.data() + place(slot);
+    return bricks.data() + firstNode(slot);
   }
   // The same where full bricks differ by phase (refine 3). Separate, so that the usual path has no
   // branch on the slot, which is unpredictable.
@@ -153,7 +153,7 @@ class ColourField {
   PaddedCells cells_;              // now
   RawArray<std::int32_t> slotOf_;  // per brick
   RawArray<std::int32_t> builtBricks_;
-  RawArray<float> values_;  // the nodes of stored bricks, by place()
+  RawArray<float> values_;  // the nodes of stored bricks, by firstNode()
   std::vector<std::int32_t> freeSlots_;
   // Per brick, from the first edit on: what slotOf_ was, into originals_.
   std::vector<std::int32_t> originalOf_;

@@ -140,7 +140,7 @@ PaddedCells::PaddedCells(const Discretization& cells, HeldBits& held)
 
 PaddedCells::Held PaddedCells::heldIn(const Vec3i& low, const Vec3i& dims) const {
   const std::ptrdiff_t alongY = dims_.x(), alongZ = alongY * dims_.y();
-  const auto at = place(low);
+  const auto at = index(low);
   return values_.areLevels()
              ? heldBy(values_.levels().data() + at, dims, alongY, alongZ, kFullLevel)
              : heldBy(values_.numbers().data() + at, dims, alongY, alongZ, 100.f);

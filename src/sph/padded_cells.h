@@ -22,7 +22,7 @@ class PaddedCells {
 
   const Vec3i& dims() const { return dims_; }
   // Index of a cell of the lattice, whose coordinates may be from -kBelow on; x fastest.
-  std::int64_t place(const Vec3i& cell) const {
+  std::int64_t index(const Vec3i& cell) const {
     const Vec3i c = cell + Vec3i::Constant(kBelow);
     return (std::int64_t(c.z()) * dims_.y() + c.y()) * dims_.x() + c.x();
   }

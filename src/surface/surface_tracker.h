@@ -76,7 +76,7 @@ class SurfaceTracker {
   void visitTriangles(const ColourField& field, const Aabb& box, Visit visit) const {
     const IndexBox bricks = field.bricksIn(box);
     for (std::int32_t i = 0; i < std::int32_t(bricks.count()); ++i) {
-      const BrickMesh& mesh = meshOf(field.brickIndex(bricks.place(i)));
+      const BrickMesh& mesh = meshOf(field.brickIndex(bricks.coordinates(i)));
       for (std::int32_t t = 0; t < mesh.triangles; ++t)
         visit(triangles_[std::size_t(mesh.firstTriangle + t)]);
     }

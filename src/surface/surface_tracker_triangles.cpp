@@ -12,19 +12,19 @@ namespace resect {
 namespace {
 
 // Index in an EdgeTable of each of a brick's own edges (isosurface/crossed_edges.h).
-constexpr std::array<std::uint16_t, kNoEdge + 1> kOwnPlace = [] {
-  std::array<std::uint16_t, kNoEdge + 1> places{};
+constexpr std::array<std::uint16_t, kNoEdge + 1> kOwnIndex = [] {
+  std::array<std::uint16_t, kNoEdge + 1> indices{};
   for (int edge = 0; edge < kBrickEdges; ++edge)
-    places[std::size_t(edge)] =
-        std::uint16_t(EdgeTable::place(edge / kBrickSize, edge & 3, edge >> 2 & 3, edge >> 4 & 3));
-  places[kNoEdge] = EdgeTable::kNone;
-  return places;
+    indices[std::size_t(edge)] =
+        std::uint16_t(EdgeTable::index(edge / kBrickSize, edge & 3, edge >> 2 & 3, edge >> 4 & 3));
+  indices[kNoEdge] = EdgeTable::kNone;
+  return indices;
 }();
 
 // An edge of a brick's cells that belongs to one of the bricks above.
 struct SharedEdge {
   std::uint8_t owner, axis, node;  // owner: 1 for a step along x, 2 along y, 4 along z
-  std::uint16_t place;
+  std::uint16_t index;
 };
 constexpr int kSharedEdges = 3 * 32 + 3 * 4;
 using SharedCrossings = std::array<std::uint64_t, 2>;  // which of them are crossed
@@ -34,11 +34,11 @@ constexpr std::array<SharedEdge, kSharedEdges> kSharedEdge = [] {
   std::array<SharedEdge, kSharedEdges> edges{};
   std::size_t n = 0;
   const auto add = [&](int owner, int axis, int node) {
-    const int place = EdgeTable::place(axis, (node & 3) + kBrickNodes * (owner & 1),
+    const int index = EdgeTable::index(axis, (node & 3) + kBrickNodes * (owner & 1),
                                        (node >> 2 & 3) + kBrickNodes * (owner >> 1 & 1),
                                        (node >> 4) + kBrickNodes * (owner >> 2));
     edges[n++] = {std::uint8_t(owner), std::uint8_t(axis), std::uint8_t(node),
-                  std::uint16_t(place)};
+                  std::uint16_t(index)};
   };
   for (int node = 0; node < kBrickSize; node += 4)
     for (const int axis : {1, 2}) add(1, axis, node);
@@ -117,7 +117,7 @@ void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick)
   const std::uint8_t* own = edges_.data() + mesh.firstVertex;
   for (int i = 0; i < mesh.signs.vertexCount(); i += CrossedEdges::kStep)
     for (int k = i; k < i + CrossedEdges::kStep; ++k)
-      table.vertex[kOwnPlace[own[k]]] = mesh.firstVertex + k;
+      table.vertex[kOwnIndex[own[k]]] = mesh.firstVertex + k;
   const SharedCrossings crossings = sharedCrossings(around.mesh);
   std::array<std::uint8_t, kSharedEdges + 8> shared;
   const std::uint8_t* const end =
@@ -125,7 +125,7 @@ void SurfaceTracker::drawTriangles(const ColourField& field, std::int64_t brick)
   for (const std::uint8_t* i = shared.data(); i != end; ++i) {
     const SharedEdge& edge = kSharedEdge[*i];
     const BrickMesh& owner = *around.mesh[edge.owner];
-    table.vertex[edge.place] = owner.firstVertex + owner.signs.vertex(edge.axis, edge.node);
+    table.vertex[edge.index] = owner.firstVertex + owner.signs.vertex(edge.axis, edge.node);
   }
   Triangle* out = triangles_.data() + mesh.firstTriangle;
   const Triangle* const limit = out + RangeAllocator::roundedUp(mesh.triangles);

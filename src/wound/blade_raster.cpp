@@ -196,7 +196,7 @@ std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const 
   };
   std::vector<std::int64_t> bricks;
   for (std::int32_t i = 0; i < std::int32_t(within.count()); ++i)
-    if (matters(within.place(i))) bricks.push_back(field.brickIndex(within.place(i)));
+    if (matters(within.coordinates(i))) bricks.push_back(field.brickIndex(within.coordinates(i)));
   return severAlong(severed, field, blade, bricks,
                     [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
                       const Vec3 first = (kBrickNodes * brick).cast<double>();

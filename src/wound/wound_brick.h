@@ -20,7 +20,7 @@ namespace resect {
 // Input of the surface tracker for an organ with incisions.
 struct Wound {
   const SeveredEdges& severed;
-  std::span<const std::uint8_t> particles;  // per lattice cell: is there a particle?
+  std::span<const std::uint8_t> particles;  // per lattice cell: 1 where a particle is
 };
 
 struct BrickWound {

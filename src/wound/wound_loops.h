@@ -44,7 +44,7 @@ struct CellLoops {
   std::vector<std::size_t> loopEnds;  // in `loop`
   std::array<int, 12> skinOf;         // per edge with an iso point: its uncut loop
   int skins;                          // numbers given to uncut loops; some may be unused
-  std::array<bool, 4> touched;        // per uncut loop: was it cut?
+  std::array<bool, 4> touched;        // per uncut loop: whether it was cut
   std::vector<CellVertex> rest;       // work space for capping
 
   // Position of an edge point or face point, relative to the cell.

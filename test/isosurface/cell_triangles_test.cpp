@@ -32,7 +32,7 @@ TEST_CASE("each edge that a brick's cells can use has a place of its own in the 
     for (int z = 0; z < EdgeTable::kSpan; ++z)
       for (int y = 0; y < EdgeTable::kSpan; ++y)
         for (int x = 0; x < EdgeTable::kSpan; ++x)
-          ++uses[std::size_t(EdgeTable::place(axis, x, y, z))];
+          ++uses[std::size_t(EdgeTable::index(axis, x, y, z))];
   for (const int n : uses) CHECK(n == 1);
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("a cell's edges are those between its corners") {
   for (int cell = 0; cell < kBrickSize; ++cell)
     for (int e = 0; e < 12; ++e) {
       const CellEdge edge = kCellEdges[std::size_t(e)];
-      CHECK(EdgeTable::ofCell(cell, e) == EdgeTable::place(edge.axis, (cell & 3) + (edge.from & 1),
+      CHECK(EdgeTable::ofCell(cell, e) == EdgeTable::index(edge.axis, (cell & 3) + (edge.from & 1),
                                                            (cell >> 2 & 3) + (edge.from >> 1 & 1),
                                                            (cell >> 4) + (edge.from >> 2)));
     }

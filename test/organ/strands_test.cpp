@@ -130,7 +130,7 @@ TEST_CASE("a node goes with the particle that a plain search finds") {
     const PlainOwners plain(cut.organ);
     int asked = 0, wrong = 0;
     for (std::int32_t i = 0; i < std::int32_t(box.count()); ++i) {
-      const Vec3i node = box.place(i);
+      const Vec3i node = box.coordinates(i);
       if (!inTissue(cut.organ, node)) continue;
       CHECK(grid.inTissue(node));
       wrong += ownerOf(node) != plain(node);

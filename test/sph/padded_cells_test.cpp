@@ -46,7 +46,7 @@ void checkAll(const Discretization& d) {
         const auto bit = [&](std::size_t first) {
           return (bits[first + std::size_t(x) / 64] >> x % 64 & 1) != 0;
         };
-        if (x < cells.dims().x()) wrong += cells.value(cells.place(cell)) != value;
+        if (x < cells.dims().x()) wrong += cells.value(cells.index(cell)) != value;
         wrong += bit(0) != (value > 0);
         wrong += bit(held.words) != (value == 100);
       }
@@ -88,7 +88,7 @@ TEST_CASE("cells that are set hold it, and how they are held changes no value") 
     // From half way on any number.
     const float value = k < 50 ? kLevel * float(random.below(129)) : float(random.below(1000)) / 10;
     d.value.set(std::size_t(i), value);
-    cells.set(cells.place(d.lattice.cell(i)), value);
+    cells.set(cells.index(d.lattice.cell(i)), value);
     if (k == 49) CHECK(cells.bytes() == asLevels);
   }
   CHECK(cells.bytes() > 3 * asLevels);
@@ -96,7 +96,7 @@ TEST_CASE("cells that are set hold it, and how they are held changes no value") 
   HeldBits again;
   CHECK(PaddedCells(d, again).bytes() <= 4 * asLevels + 4);
   for (std::int64_t i = 0; i < d.lattice.cellCount(); ++i)
-    REQUIRE(cells.value(cells.place(d.lattice.cell(i))) == d.value[std::size_t(i)]);
+    REQUIRE(cells.value(cells.index(d.lattice.cell(i))) == d.value[std::size_t(i)]);
 }
 
 TEST_CASE("a box of cells holds nothing, all it can, or neither") {

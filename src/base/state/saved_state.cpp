@@ -74,8 +74,8 @@ StateColumn readColumn(ByteReader& from, std::size_t& bytesLeft, int depth) {
 }
 
 // Readable path of number `number` of a column.
-std::string placeIn(const StateColumn& column, std::span<const CellOrder> orders,
-                    std::size_t number) {
+std::string pathOf(const StateColumn& column, std::span<const CellOrder> orders,
+                   std::size_t number) {
   std::uint64_t entries = 0;
   for (const std::uint64_t count : column.counts) entries += count;
   const std::size_t numbers = column.data.size() / column.size;
@@ -100,7 +100,7 @@ std::optional<std::string> difference(const StateColumn& a, const StateColumn& b
   if (a.data.size() != b.data.size()) return here + ", its length";
   if (!std::ranges::equal(a.data, b.data)) {
     const auto at = std::size_t(std::ranges::mismatch(a.data, b.data).in1 - a.data.begin());
-    return here + placeIn(a, a.orders.empty() ? b.orders : a.orders, at / a.size);
+    return here + pathOf(a, a.orders.empty() ? b.orders : a.orders, at / a.size);
   }
   for (std::size_t i = 0; i < a.fields.size(); ++i)
     if (auto found = difference(a.fields[i], b.fields[i], here)) return found;
@@ -184,21 +184,21 @@ void ColumnWriter::enter(const char* name) {
 }
 
 ColumnReader::ColumnReader(const SavedState& saved)
-    : older_(saved.version < kStateVersion), root_(placeOf(saved.root)), path_{&root_} {}
+    : older_(saved.version < kStateVersion), root_(cursorOf(saved.root)), path_{&root_} {}
 
-ColumnReader::Place ColumnReader::placeOf(const StateColumn& column) {
-  Place place;
-  place.column = &column;
-  place.fields.reserve(column.fields.size());
-  for (const StateColumn& field : column.fields) place.fields.push_back(placeOf(field));
-  return place;
+ColumnReader::Cursor ColumnReader::cursorOf(const StateColumn& column) {
+  Cursor cursor;
+  cursor.column = &column;
+  cursor.fields.reserve(column.fields.size());
+  for (const StateColumn& field : column.fields) cursor.fields.push_back(cursorOf(field));
+  return cursor;
 }
 
 // Null where the state is of an older version that lacks it.
-ColumnReader::Place* ColumnReader::find(const char* name) {
-  Place* in = path_.back();
+ColumnReader::Cursor* ColumnReader::find(const char* name) {
+  Cursor* in = path_.back();
   if (!in) return nullptr;
-  const auto is = [&](const Place& place) { return place.column->name == name; };
+  const auto is = [&](const Cursor& cursor) { return cursor.column->name == name; };
   if (in->next >= in->fields.size() || !is(in->fields[in->next]))
     in->next = std::size_t(std::ranges::find_if(in->fields, is) - in->fields.begin());
   if (in->next < in->fields.size()) return &in->fields[in->next++];
@@ -209,24 +209,24 @@ ColumnReader::Place* ColumnReader::find(const char* name) {
 }
 
 // How many more times a field can be visited.
-std::size_t ColumnReader::left(const Place& place) {
-  const StateColumn& column = *place.column;
-  if (column.isList) return column.counts.size() - place.lists;
-  return entriesLeft(place);
+std::size_t ColumnReader::left(const Cursor& cursor) {
+  const StateColumn& column = *cursor.column;
+  if (column.isList) return column.counts.size() - cursor.lists;
+  return entriesLeft(cursor);
 }
 
 // For how many more entries a list has all fields: a damaged count then takes no memory.
-std::size_t ColumnReader::entriesLeft(const Place& list) {
+std::size_t ColumnReader::entriesLeft(const Cursor& list) {
   const StateColumn& column = *list.column;
   if (column.size > 0) return (column.data.size() - list.read) / column.size;
   if (list.fields.empty()) return 0;
   std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const Place& field : list.fields) least = std::min(least, left(field));
+  for (const Cursor& field : list.fields) least = std::min(least, left(field));
   return least;
 }
 
 void ColumnReader::numbers(const char* name, void* data, std::size_t count, std::size_t size) {
-  Place* from = *name ? find(name) : path_.back();
+  Cursor* from = *name ? find(name) : path_.back();
   if (!from || count == 0) return;
   const StateColumn& column = *from->column;
   if (column.size != size || (*name && column.isList) ||
@@ -238,7 +238,7 @@ void ColumnReader::numbers(const char* name, void* data, std::size_t count, std:
 }
 
 std::size_t ColumnReader::enterList(const char* name, std::size_t count) {
-  Place* from = find(name);
+  Cursor* from = find(name);
   path_.push_back(from);
   if (!from) return count;
   const StateColumn& column = *from->column;
@@ -250,7 +250,7 @@ std::size_t ColumnReader::enterList(const char* name, std::size_t count) {
 }
 
 void ColumnReader::enter(const char* name) {
-  Place* from = find(name);
+  Cursor* from = find(name);
   if (from && from->column->size != 0) throwDamagedState();
   path_.push_back(from);
 }
@@ -265,14 +265,14 @@ std::string ColumnReader::pathTo(const char* name) const {
 
 void ColumnReader::finish() const { finish(root_, ""); }
 
-void ColumnReader::finish(const Place& place, const std::string& path) const {
-  const StateColumn& column = *place.column;
-  if (place.read != column.data.size() || place.lists != column.counts.size())
+void ColumnReader::finish(const Cursor& cursor, const std::string& path) const {
+  const StateColumn& column = *cursor.column;
+  if (cursor.read != column.data.size() || cursor.lists != column.counts.size())
     throw error(
         "the state's \"{}\" is not known here: it was saved by another version of Resect; open it "
         "with that one",
         path);
-  for (const Place& field : place.fields)
+  for (const Cursor& field : cursor.fields)
     finish(field, (path.empty() ? "" : path + ".") + field.column->name);
 }
 

@@ -84,22 +84,22 @@ class ColumnReader final : public StateVisitor {
   void leave() override { path_.pop_back(); }
 
  private:
-  struct Place {
+  struct Cursor {
     const StateColumn* column = nullptr;  // null: an older version lacks it
     std::size_t read = 0, lists = 0;      // bytes and counts
     std::size_t next = 0;
-    std::vector<Place> fields;
+    std::vector<Cursor> fields;
   };
-  Place* find(const char* name);
+  Cursor* find(const char* name);
   std::string pathTo(const char* name) const;
-  static std::size_t left(const Place& place);
-  static std::size_t entriesLeft(const Place& list);
-  static Place placeOf(const StateColumn& column);
-  void finish(const Place& place, const std::string& path) const;
+  static std::size_t left(const Cursor& cursor);
+  static std::size_t entriesLeft(const Cursor& list);
+  static Cursor cursorOf(const StateColumn& column);
+  void finish(const Cursor& cursor, const std::string& path) const;
 
   const bool older_;
-  Place root_;
-  std::vector<Place*> path_;
+  Cursor root_;
+  std::vector<Cursor*> path_;
 };
 
 template <typename State>

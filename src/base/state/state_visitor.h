@@ -69,7 +69,7 @@ concept List = requires(T& t) {
   t.capacity();
 };
 
-inline constexpr const char* kPlace[] = {"0", "1", "2", "3", "4", "5", "6", "7", "8"};
+inline constexpr const char* kIndexName[] = {"0", "1", "2", "3", "4", "5", "6", "7", "8"};
 
 }  // namespace state_detail
 
@@ -171,9 +171,9 @@ class StateVisitor {
       if constexpr (std::is_same_v<Element, bool>)
         for (bool& element : field) makeBool(element);
     } else {
-      static_assert(std::tuple_size_v<T> <= std::size(kPlace));
+      static_assert(std::tuple_size_v<T> <= std::size(kIndexName));
       enter(name);
-      for (std::size_t i = 0; i < field.size(); ++i) (*this)(kPlace[i], field[i]);
+      for (std::size_t i = 0; i < field.size(); ++i) (*this)(kIndexName[i], field[i]);
       leave();
     }
   }

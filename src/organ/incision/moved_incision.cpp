@@ -214,7 +214,7 @@ class NodeList {
   std::vector<std::int64_t> bricks(const ColourField& field) const {  // ascending
     std::vector<std::int64_t> found;
     for (std::size_t i = 0; i < holdsCells_.size(); ++i)
-      if (holdsCells_[i]) found.push_back(field.brickIndex(bricks_.place(std::int32_t(i))));
+      if (holdsCells_[i]) found.push_back(field.brickIndex(bricks_.coordinates(std::int32_t(i))));
     return found;
   }
   // Copies a brick's positions from `places`, which are in the order of nodes().
@@ -267,7 +267,7 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
   for (const Vec3i& cell : near) cubes[std::size_t(box.index(cell))] = 1;
   spread(cubes, box, -1, 0);
   for (std::size_t i = 0; i < cubes.size(); ++i)
-    cut[i] = cubes[i] && nearCut(organ, box.place(std::int32_t(i)));
+    cut[i] = cubes[i] && nearCut(organ, box.coordinates(std::int32_t(i)));
   std::vector<std::uint8_t> asked = cut;
   spread(asked, box, -1, 1);
   for (std::size_t i = 0; i < cubes.size(); ++i) asked[i] |= cubes[i];
@@ -280,7 +280,7 @@ std::int64_t inciseMoved(Organ& organ, const TissueModel& tissue, const SweptBla
   NodeList list({refine * (box.low + Vec3i::Constant(2)), refine * box.dims});
   for (std::size_t i = 0; i < cubes.size(); ++i)
     if (cubes[i])
-      bounds.visitMet(box.place(std::int32_t(i)), cut[i],
+      bounds.visitMet(box.coordinates(std::int32_t(i)), cut[i],
                       [&](const Vec3i& first, int side) { list.add(first, side); });
 
   const Wound wound{organ.severed, organ.alive};

@@ -89,7 +89,7 @@ NodeOwners::NodeOwners(const Organ& organ, TissueGrid& grid, const IndexBox& box
 }
 
 std::int32_t NodeOwners::lookAt(std::int32_t i) {
-  const Vec3i node = box_.place(i);
+  const Vec3i node = box_.coordinates(i);
   Known& made = known_.emplace_back();
   made.ways = std::uint8_t(grid_.ways(node));
   if (const std::int64_t p = particleAt(node); p >= 0) made.owner = std::int32_t(p);

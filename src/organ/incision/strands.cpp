@@ -90,7 +90,8 @@ class PartingCubes {
     const int refine = organ.field.refine();
     for (std::size_t i = 0; i < marks_.size(); ++i) {
       if (marks_[i] == 0) continue;
-      const Vec3i cube = box_.place(std::int32_t(i)), first = refine * (cube + Vec3i::Constant(2));
+      const Vec3i cube = box_.coordinates(std::int32_t(i)),
+                  first = refine * (cube + Vec3i::Constant(2));
       if (marks_[i] & kLost || !full(organ, cube) || !grid.whole(first, refine))
         nodes.add(first, refine, marks_[i] & (NodeSet::kBesideCuts | NodeSet::kAll));
     }
