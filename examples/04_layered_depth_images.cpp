@@ -1,4 +1,4 @@
-// 04: do two bodies collide, where, and how much of one is in the other?
+// 04: whether two bodies collide, where, and the volume that they share.
 //
 // Three stages, as in the thesis this program goes back to: the boxes give the volume of interest,
 // both bodies become layered depth images in it, and the images are intersected pixel by pixel. The

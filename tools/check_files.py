@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Is every source file about one thing, and does its name say which?
+"""Checks the rules for files.
 
 A folder has at most 25 files; files of src/ have at most 400 lines and no name that says nothing; headers begin with a comment and
 are included once; links between documents lead somewhere; nothing in the repository names a place on

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Does every C++ file that people write look as .clang-format says? Prints file:line of each that does not.
+# Checks that every C++ file that people write is formatted by .clang-format. Prints file:line of each that is not.
 # With --fix: makes it so. Exits with 77 (a test that is skipped) where clang-format is not installed.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

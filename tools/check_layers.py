@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does every include point downwards?
+"""Checks that every include points downwards.
 
 Reads tools/layers.txt (which layer may include which, and which foreign headers belong to which
 layers) and looks at every #include in src/. Prints file:line for each that breaks a rule and exits

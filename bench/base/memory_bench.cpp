@@ -1,4 +1,4 @@
-// How fast does this machine move memory? The floors of docs/performance.md are counted with it.
+// Memory bandwidth of this machine. The floors of docs/performance.md are counted with it.
 #include <benchmark/benchmark.h>
 
 #include <cstring>

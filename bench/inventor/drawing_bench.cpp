@@ -1,4 +1,4 @@
-// What does a picture of the operating room cost, and which part of it?
+// Cost of a picture of the operating room, and of its parts.
 //
 // The built-in liver at 8 mm, three instruments, the surgeon's view. "still" draws the same scene
 // again; "tool moves" makes the shadows anew too. "operating" is what a window does at 5 mm, with

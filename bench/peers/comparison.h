@@ -1,4 +1,4 @@
-// What is one line of the comparison with other people's libraries?
+// Results of the comparison with other libraries.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Which of n x n x n points lie inside a mesh? The question of row E, asked of us.
+// Inside tests of n x n x n points (row E), by Resect.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How is a whole process, with what it starts and what drives its graphics, kept to one core?
+// Keeps a process, its children and its renderer's threads on one core.
 #pragma once
 
 #include <sched.h>

@@ -1,5 +1,5 @@
-// Which work is compared, and with whom? One function per row, each in a file of its own; built
-// when its library is found.
+// The rows of the comparison. One function per row, each in a file of its own; built when its
+// library is found.
 #pragma once
 
 #include "peers/comparison.h"

@@ -1,4 +1,4 @@
-// How are the findings shown: to a person at a terminal, on a page, to a program?
+// Output of the findings as Markdown, CSV and SVG.
 #pragma once
 
 #include <string>

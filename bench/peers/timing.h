@@ -1,4 +1,4 @@
-// How many times faster, in one process on one machine that may be busy with other things?
+// Timing of two implementations in one process, on a machine that may be busy.
 //
 // Ours, theirs, ours again: if the machine changed meanwhile, our two medians differ and `drift`
 // says by how much.

@@ -1,4 +1,4 @@
-// Which organs are measured? The built-in liver, at any number of particles.
+// Organs for the benchmarks: the built-in liver, at any number of particles.
 #pragma once
 
 #include <benchmark/benchmark.h>

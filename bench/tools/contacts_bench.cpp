@@ -1,4 +1,4 @@
-// Which particles does a rod touch on its way through the liver in one frame?
+// Contacts of a rod on its way through the liver in one frame.
 
 #include "tools/contacts.h"
 

@@ -72,7 +72,7 @@ struct SnappedMesh {
   }
 };
 
-// The mesh must be closed, oriented, and finite; it looks outwards. An empty mesh is allowed.
+// The mesh must be closed, oriented outwards, and finite. An empty mesh is allowed.
 SnappedMesh snapToRaster(const TriangleMesh& mesh);
 SnappedMesh snapToRaster(const TriangleMesh&& mesh) = delete;  // would outlive it
 

@@ -9,8 +9,8 @@ namespace resect {
 double area(const TriangleMesh& mesh);
 
 // Signed sum of the tetrahedra that the triangles make with the origin, m^3: the enclosed volume of
-// a closed mesh that looks outwards, its negative for one inside out; for an open mesh a number
-// that depends on where the origin is.
+// a closed mesh that is oriented outwards, its negative for one inside out; for an open mesh a
+// number that depends on where the origin is.
 double volume(const TriangleMesh& mesh);
 
 // The same with tetrahedra to `tip` instead of the origin: the same number for a closed mesh, with

@@ -26,11 +26,11 @@ Lattice latticeForDims(const Aabb& box, const Vec3i& dims);
 // box's longest side / dims, the first sample at min; as many cells as cover the box.
 Lattice cubicLatticeForDims(const Aabb& box, int dims);
 
-// `mesh` is closed, oriented and looks outwards; the part outside the lattice's box is ignored.
-// inside: the cell's centre is inside, exactly (collision/columns.h). value: 100 x the share of 4 x
-// 4 x 4 samples of the cell that are inside, at least 100/64 where the centre is inside. `progress`
-// is called from the calling thread. Same bits at any number of threads. Cost: 17 columns per
-// column of cells (collision/columns.h) and a pass over the cells.
+// `mesh` is closed and oriented outwards; the part outside the lattice's box is ignored. inside:
+// the cell's centre is inside, exactly (collision/columns.h). value: 100 x the share of 4 x 4 x 4
+// samples of the cell that are inside, at least 100/64 where the centre is inside. `progress` is
+// called from the calling thread. Same bits at any number of threads. Cost: 17 columns per column
+// of cells (collision/columns.h) and a pass over the cells.
 Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
                           const Progress& progress = {});
 

@@ -2,7 +2,7 @@
 //
 // Incremental marching cubes over the bricks of a colour field (Lorensen and Cline 1987). The mesh
 // is a function of the field and the iso level alone: after any edits it equals a rebuild from
-// scratch bit for bit (compare mesh()), is closed, and looks outwards. Cost of an update: the
+// scratch bit for bit (compare mesh()), is closed and oriented outwards. Cost of an update: the
 // touched bricks, whatever the size of the organ.
 //
 // Incisions are meshed in the same bricks (wound/wound_brick.h): nothing is removed, two lips

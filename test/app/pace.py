@@ -1,4 +1,4 @@
-"""How smooth is the window while a person operates? Draws with the mouse and reads what the program reports."""
+"""Rates and latencies of the window in use. Draws with the mouse and reads what the program reports."""
 import re
 import statistics
 import time

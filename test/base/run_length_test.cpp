@@ -1,4 +1,4 @@
-// Do packed arrays come back, and is packing that is damaged refused?
+// Run-length coding: arrays are restored, damage is rejected.
 #include <doctest/doctest.h>
 
 #include <cstring>

@@ -1,4 +1,4 @@
-// Does a state come back from its bytes, is damage told in a sentence, and are differences named?
+// Saved states: restored from bytes, damage rejected, differences named.
 #include <doctest/doctest.h>
 
 #include "base/random.h"

@@ -1,4 +1,4 @@
-// Are the points of a line that lie inside a body those that its column's crossings say?
+// Points of a line inside a body agree with its column's crossings.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Does a plot show every point where it belongs?
+// Plots show every point at its position.
 #include "formats/line_plot.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Is an instrument's plain mesh the shape that its Inventor file has?
+// An instrument's plain mesh equals the shape in its Inventor file.
 #include <doctest/doctest.h>
 
 #include "inventor/reading/model_file.h"

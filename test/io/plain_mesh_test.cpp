@@ -1,4 +1,4 @@
-// Are meshes that Resect wrote read back without another reader, and damaged ones refused?
+// Meshes written by Resect are read back, damaged ones rejected.
 #include "io/plain_mesh.h"
 
 #include <doctest/doctest.h>

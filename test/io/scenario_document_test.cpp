@@ -1,4 +1,4 @@
-// Is what docs/scenarios.md shows what the reader takes?
+// docs/scenarios.md agrees with the reader.
 #include <doctest/doctest.h>
 
 #include <fstream>

@@ -1,4 +1,4 @@
-"""Is a list of triangles a closed, outward-oriented solid? Slow and obvious."""
+"""Checks that a list of triangles is a closed, outward-oriented solid. Slow and obvious."""
 
 import math
 

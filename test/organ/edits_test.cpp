@@ -1,4 +1,4 @@
-// Do edits do the same to an organ, whether its tissue can move or not?
+// Edits have the same effect on still and on elastic tissue.
 #include <doctest/doctest.h>
 
 #include "geometry/measures.h"

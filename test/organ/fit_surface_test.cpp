@@ -1,4 +1,4 @@
-// Do fitted colour values draw the body that they came from better than its shares do?
+// Fitted colour values reproduce a body's surface better than shares.
 #include "organ/fit_surface.h"
 
 #include <doctest/doctest.h>

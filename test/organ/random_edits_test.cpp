@@ -1,4 +1,4 @@
-// Does the surface keep its promises whatever happens to an organ?
+// Random edits: the surface stays closed and equal to a rebuild.
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,4 @@
-// How well does the surface drawn from particles show a real liver? The Visible Human's, when it is
-// here.
+// Accuracy of the surface for a real liver: the Visible Human's, if it is here.
 
 #include <doctest/doctest.h>
 

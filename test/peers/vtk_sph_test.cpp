@@ -1,4 +1,4 @@
-// Does VTK's SPH interpolator see the same colour field?
+// VTK's SPH interpolator gives the same colour field.
 //
 // vtkSPHQuarticKernel is the corrected quartic of sph/kernel.h: 1 / (20 pi h^3) times the fourth
 // powers, cut off at 2.5 h. Its Shepard sum over particles of volume mass / density is equation 3.4

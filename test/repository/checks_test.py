@@ -1,4 +1,4 @@
-"""Do the checks of tools/ find what they are there for? Each rule is broken once in a small tree."""
+"""The checks of tools/: each rule is broken once in a small tree."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-// Are edits all that is ever done to tissue? Then who queues them makes no difference.
+// The logged edits of a run, applied without its instruments, have the same effect.
 #include <doctest/doctest.h>
 
 #include <limits>

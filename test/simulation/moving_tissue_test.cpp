@@ -1,4 +1,4 @@
-// Do instruments act on tissue that moves as they should, through the whole step?
+// Instruments on elastic tissue, through the whole step.
 #include <doctest/doctest.h>
 
 #include "base/parallel.h"

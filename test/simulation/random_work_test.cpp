@@ -1,4 +1,4 @@
-// Does elastic tissue outlive whatever is done to it?
+// Elastic tissue under long random work.
 //
 // Instruments work on a liver at random: pressed, dragged, hooked, cut, snipped, driven through and
 // taken elsewhere at once. RESECT_WORK_SECONDS: how long, in simulated seconds (8);

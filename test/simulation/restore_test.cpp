@@ -1,4 +1,4 @@
-// Does an operation go on from a saved state as if nothing had happened?
+// An operation continues from a saved state with the same bits.
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 

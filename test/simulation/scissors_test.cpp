@@ -1,4 +1,4 @@
-// Do scissors part what is between their blades when they close, and nothing else?
+// Scissors part the tissue between their blades when they close, and nothing else.
 #include <doctest/doctest.h>
 
 #include "geometry/topology.h"

@@ -1,4 +1,4 @@
-// Do two organs of a scenario hold together?
+// Two organs of a scenario, held together by joints.
 #include <doctest/doctest.h>
 
 #include "io/data_folder.h"

@@ -1,4 +1,4 @@
-// Do colour values come back as they were set, however they are held?
+// Colour values, stored as levels or as floats.
 #include "sph/colour_values.h"
 
 #include <doctest/doctest.h>

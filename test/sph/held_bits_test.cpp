@@ -1,4 +1,4 @@
-// Is what a box of cells holds together told 64 cells at a time as it is cell by cell?
+// Occupancy masks of boxes agree with a cell by cell evaluation.
 #include "sph/held_bits.h"
 
 #include <doctest/doctest.h>

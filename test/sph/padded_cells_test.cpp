@@ -1,4 +1,4 @@
-// Do cells keep their values whichever way they are held, and are their bits what they hold?
+// Padded cells keep their values, and occupancy masks agree with them.
 #include "sph/padded_cells.h"
 
 #include <doctest/doctest.h>

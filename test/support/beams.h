@@ -1,5 +1,5 @@
-// What does beam theory say? References for the bending tests: Timoshenko's beam, the elastica, and
-// the first frequency of a free beam.
+// References for the bending tests: Timoshenko's beam, the elastica, and the first frequency of a
+// free beam.
 #pragma once
 
 #include <Eigen/Dense>

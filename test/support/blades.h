@@ -1,4 +1,4 @@
-// Which blades do many tests cut with? Curved patches as strips of triangles, in rest space.
+// Blades for tests: curved patches as strips of triangles, in rest space.
 #pragma once
 
 #include <Eigen/Geometry>

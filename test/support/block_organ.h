@@ -1,4 +1,4 @@
-// Which small organs do many tests use? Lattices filled by a rule, with no mesh needed.
+// Small organs for tests: lattices filled by a rule, with no mesh needed.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Are two surfaces one and the same, however their triangles are ordered and numbered?
+// Comparison of two surfaces regardless of the order and numbering of their triangles.
 #pragma once
 
 #include <algorithm>

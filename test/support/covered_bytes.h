@@ -1,4 +1,4 @@
-// Which bytes of a struct does nobody name, neither as state nor as what is made from it?
+// Finds the bytes of a struct that are in neither visit() nor visitMade().
 #pragma once
 
 #include <fmt/format.h>

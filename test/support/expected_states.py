@@ -1,4 +1,4 @@
-"""Which state does each scenario end in? As `resect run NAME` says it, at any number of threads."""
+"""The state hash at the end of each scenario, as `resect run NAME` prints it, at any number of threads."""
 
 # State at the end of the scenarios on tissue that stands still: the same on every machine of this kind.
 STILL = {

@@ -1,4 +1,4 @@
-// Where do the figures of the validation go? Into a table per experiment, beside the build:
+// Writes the figures of the validation to a table per experiment in the build folder:
 // validation/NAME.csv, which tools/validation turns into docs/validation.md's tables and plots.
 #pragma once
 

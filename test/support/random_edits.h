@@ -1,4 +1,4 @@
-// What can happen to an organ? Edits drawn at random, the same for the same seed.
+// Random edits, the same for the same seed.
 #pragma once
 
 #include <vector>

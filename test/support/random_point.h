@@ -1,4 +1,4 @@
-// Where do tests put points by chance?
+// Random points for tests.
 #pragma once
 
 #include "base/random.h"

@@ -1,4 +1,4 @@
-// Does work give the same at any number of threads, and when it is done again?
+// Checks that work gives the same result at 1, 2 and 3 threads and when repeated.
 #pragma once
 
 #include <doctest/doctest.h>

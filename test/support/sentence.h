@@ -1,4 +1,4 @@
-// What does an Error say, and does it say it as it should?
+// Checks of the sentence of an Error.
 #pragma once
 
 #include <string>

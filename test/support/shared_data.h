@@ -1,4 +1,4 @@
-// Where are the optional data files (a real liver, expected values), if they are here at all?
+// Finds optional data files (a real liver, expected values).
 #pragma once
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// Where may a test write files?
+// A temporary folder for a test's files.
 #pragma once
 
 #include <cstdlib>

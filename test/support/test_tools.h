@@ -1,4 +1,4 @@
-// Which instruments do tests hold, with no file needed?
+// Instruments for tests, made without files.
 #pragma once
 
 #include <memory>

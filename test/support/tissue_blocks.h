@@ -1,4 +1,4 @@
-// Which simple bodies do the tests of tissue deform?
+// Simple bodies for the tests of tissue.
 #pragma once
 
 #include "base/random.h"

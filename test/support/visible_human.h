@@ -1,4 +1,4 @@
-// Is the real liver here? The Visible Human's, 16 898 triangles, closed.
+// The Visible Human's liver, if present: 16 898 triangles, closed.
 #pragma once
 
 #include "support/references/mesh_reference.h"

@@ -1,4 +1,4 @@
-// Are the vertices that bricks make four at a time those found edge by edge?
+// Vertices made four at a time equal those found edge by edge.
 #include "support/references/plain_vertices.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,4 @@
-// What does tissue survive? Twists, cuts while stretched, crushing, holes.
+// Extreme deformation of tissue: twists, cuts while stretched, crushing, holes.
 #include <doctest/doctest.h>
 
 #include <numbers>

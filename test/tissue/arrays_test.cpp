@@ -1,4 +1,4 @@
-// Are cells found where they are, and arrays where the caches like them?
+// Search for cells, and alignment of arrays.
 #include <doctest/doctest.h>
 
 #include <cstdint>

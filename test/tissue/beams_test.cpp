@@ -1,4 +1,4 @@
-// Do beams of tissue bend as beam theory says?
+// Bending of beams against beam theory.
 //
 // No wall is modelled: a beam of 2 L is pushed down at both ends and held up at its middle, which
 // by symmetry neither turns nor warps: each half is a cantilever of length L from the middle column

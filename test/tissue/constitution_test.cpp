@@ -1,4 +1,4 @@
-// Does tissue answer to stretch, shear and pressure as its material law says?
+// Response to stretch, shear and pressure against the material law.
 #include <doctest/doctest.h>
 
 #include <numbers>

@@ -1,4 +1,4 @@
-// Do tools, table and grips push and pull as they should, and is the force told the right one?
+// Contact with tools and table, grips, and the reported forces.
 #include <doctest/doctest.h>
 
 #include "geometry/primitives.h"

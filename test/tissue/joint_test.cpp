@@ -1,4 +1,4 @@
-// Do springs between organs hold them together, and take no momentum from nor give any to both?
+// Joints hold organs together and conserve their total momentum.
 #include <doctest/doctest.h>
 
 #include "base/parallel.h"

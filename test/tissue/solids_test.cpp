@@ -1,4 +1,4 @@
-// Do bars, plates and blocks of tissue answer as elasticity says they do?
+// Bars, plates and blocks against elasticity theory.
 #include <doctest/doctest.h>
 
 #include "support/figures.h"

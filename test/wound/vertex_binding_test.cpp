@@ -1,4 +1,4 @@
-// Does a vertex follow the particles on its own side of every cut, and no other?
+// Vertices follow only particles on their own side of every cut.
 #include "wound/vertex_binding.h"
 
 #include <doctest/doctest.h>

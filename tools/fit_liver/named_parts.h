@@ -1,4 +1,4 @@
-// Which features does a surgeon look for on the visceral face?
+// The anatomical features of the visceral face.
 //
 // They are carved last, so that nothing fills them again.
 #pragma once

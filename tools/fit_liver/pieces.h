@@ -1,4 +1,4 @@
-// Which ellipsoids does the fit start from, and which one does it try next?
+// The ellipsoids that the fit starts from, and candidates for further ones.
 #pragma once
 
 #include <vector>

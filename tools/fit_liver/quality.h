@@ -1,4 +1,4 @@
-// How close is a shape to the measured liver?
+// Measures of how close a shape is to the measured liver.
 #pragma once
 
 #include "reference_surface.h"

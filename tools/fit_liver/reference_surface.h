@@ -1,4 +1,4 @@
-// How far is a point from the measured liver, and on which side of its surface?
+// Signed distance of a point to the measured liver.
 //
 // Exact distance to the triangles through a tree of boxes; side by counting the triangles above
 // the point. Built once for a closed mesh; a query costs some microseconds.

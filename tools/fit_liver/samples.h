@@ -1,4 +1,4 @@
-// Where is the shape compared with the measured liver?
+// The sample points at which the shape is compared with the measured liver.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Which numbers of a blended shape bring it closest to a measured one?
+// Fits the parameters of a blended shape to a measured one.
 //
 // Adam (Kingma, Ba 2015) on the mean squared difference of tanh(value / sharpness) between shape
 // and measurement, with the exact derivative of every ellipsoid's centre, turn, radii and fillet,

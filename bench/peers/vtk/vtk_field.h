@@ -1,5 +1,5 @@
-// How does VTK make the colour field and its surface? vtkSPHInterpolator with its quartic kernel on
-// all nodes of our grid, then vtkFlyingEdges3D.
+// The colour field and its surface by VTK: vtkSPHInterpolator with its quartic kernel on all nodes
+// of our grid, then vtkFlyingEdges3D.
 #pragma once
 
 #include <vtkImageData.h>

@@ -1,4 +1,4 @@
-// How many threads does VTK use?
+// Number of threads of VTK.
 #pragma once
 
 namespace resect::bench {

@@ -18,7 +18,7 @@ struct MeshHealth {
   int specks = 0;  // components without volume, see isSpeck
   bool closed = false;
   bool oriented = false;
-  bool insideOut = false;  // closed, oriented, and an outermost component looks inwards
+  bool insideOut = false;  // closed, oriented, and an outermost component is oriented inwards
   int boundaryEdges = 0;
   int nonManifoldEdges = 0;
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first open edge, m

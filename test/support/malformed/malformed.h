@@ -1,4 +1,4 @@
-// Which damaged, malicious or absurd files must every reader survive?
+// Damaged, malicious and absurd files that every reader must survive.
 //
 // Made here, always the same: about 120 models, and any number of discretisation and scenario files
 // out of a valid one.

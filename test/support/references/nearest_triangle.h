@@ -1,4 +1,4 @@
-// Which triangle of a mesh is nearest to a point? Triangles are sorted into a uniform grid.
+// Nearest triangle of a mesh to a point, with a uniform grid.
 #pragma once
 
 #include <vector>

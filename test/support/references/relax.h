@@ -1,4 +1,4 @@
-// Where does a tissue come to rest? Kinetic damping: it swings freely until its kinetic energy has
+// Static equilibrium of a tissue by kinetic damping: it swings freely until its kinetic energy has
 // passed a peak, where all motion is taken out; the peaks fall off fast (Cundall 1976).
 #pragma once
 

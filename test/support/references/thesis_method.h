@@ -1,5 +1,5 @@
-// How was an organ's surface drawn in 2004? The thesis's method, written the obvious way: a
-// reference to compare with.
+// The thesis's method (2004) for an organ's surface, written in the obvious way: a reference to
+// compare with.
 //
 // At each update every node of a regular grid over the organ's bounding box sums the kernel over
 // all particles (equation 3.6, the profile's getLevelSet), then marching cubes visits all cells and

@@ -1,5 +1,5 @@
-// What is the surface of a cut organ, drawn the plain way? All cells of a whole grid, one after the
-// other, vertices looked up by name; and obvious tests of what such a surface must be.
+// Reference mesher for the surface of a cut organ. All cells of a whole grid, one after the other,
+// vertices looked up by name; and obvious tests of what such a surface must be.
 #pragma once
 
 #include <functional>
