@@ -34,4 +34,12 @@ template <typename... Args>
   return Error(fmt::format(format, std::forward<Args>(args)...), Error::Status::Usage);
 }
 
+// Throws usageError(format, args) unless the condition holds: what a function asks of its
+// arguments, before it changes anything.
+template <typename... Args>
+void require(bool condition, fmt::format_string<Args...> format, Args&&... args) {
+  if (!condition) [[unlikely]]
+    throw usageError(format, std::forward<Args>(args)...);
+}
+
 }  // namespace resect

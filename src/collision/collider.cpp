@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.h"
+#include "base/error.h"
 
 namespace resect {
 
 ColumnGrid pixelsOver(const Aabb& box, int resolution) {
-  RESECT_ASSERT(resolution >= 1);
+  require(resolution >= 1, "a raster of {} pixels was asked for; give 1 or more", resolution);
+  require(box.size().allFinite(), "there is no raster over an endless box; give a finite one");
   ColumnGrid pixels;
   if (!(box.size().array() > 0).all()) return pixels;
   const Vec2 size = box.size().head<2>();
@@ -25,7 +26,9 @@ ColumnGrid pixelsOver(const Aabb& box, int resolution) {
 LayeredDepthImage layeredDepthImage(const TriangleMesh& mesh, const Aabb& box,
                                     const ColumnGrid& pixels,
                                     std::span<const std::uint8_t> wanted) {
-  RESECT_ASSERT(wanted.empty() || wanted.size() == pixels.count());
+  require(wanted.empty() || wanted.size() == pixels.count(),
+          "{} flags were given for {} pixels; give one for each, or none", wanted.size(),
+          pixels.count());
   LayeredDepthImage image;
   image.pixels = pixels;
   image.offsets.reserve(pixels.count() + 1);
@@ -52,7 +55,9 @@ std::vector<std::uint8_t> coveredPixels(const LayeredDepthImage& image) {
 }
 
 LayeredDepthImage intersectionVolume(const LayeredDepthImage& a, const LayeredDepthImage& b) {
-  RESECT_ASSERT(a.pixels.countX == b.pixels.countX && a.pixels.countY == b.pixels.countY);
+  require(a.pixels.countX == b.pixels.countX && a.pixels.countY == b.pixels.countY,
+          "images of {} x {} and {} x {} pixels have no common part; make both in the same pixels",
+          a.pixels.countX, a.pixels.countY, b.pixels.countX, b.pixels.countY);
   LayeredDepthImage image;
   image.pixels = a.pixels;
   image.offsets.reserve(a.pixels.count() + 1);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "base/parallel.h"
 #include "collision/footprint.h"
 
@@ -179,7 +179,7 @@ bool before(const Crossing& a, const Crossing& b) {
 template <typename Columns>
 Crossings cast(const SnappedMesh& mesh, std::size_t count, const Columns& columns) {
   constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
-  RESECT_ASSERT(count <= kMost);
+  require(count <= kMost, "{} columns were asked for, more than {}; use fewer", count, kMost);
   const auto parts = hitsOf(mesh, columns, [](std::uint32_t, double) { return true; });
   Crossings result;
   result.offsets.assign(count + 1, 0);
@@ -188,7 +188,8 @@ Crossings cast(const SnappedMesh& mesh, std::size_t count, const Columns& column
     all += hits.size();
     for (const Hit& hit : hits) ++result.offsets[hit.column + 1];
   }
-  RESECT_ASSERT(all <= kMost);
+  require(all <= kMost, "the columns cross the mesh {} times, more than {}; use fewer columns", all,
+          kMost);
   for (std::size_t c = 1; c < result.offsets.size(); ++c)
     result.offsets[c] += result.offsets[c - 1];
   result.all.resize(all);
@@ -207,6 +208,7 @@ Crossings cast(const SnappedMesh& mesh, std::size_t count, const Columns& column
 
 SnappedMesh snapToRaster(const TriangleMesh& mesh) {
   SnappedMesh snapped;
+  requireSound(mesh);
   snapped.triangles = mesh.triangles;
   if (mesh.points.empty()) return snapped;
   snapped.points = mesh.points;
@@ -222,7 +224,6 @@ SnappedMesh snapToRaster(const TriangleMesh& mesh) {
   parallelFor(mesh.points.size(), 1 << 14, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3& p = mesh.points[i];
-      RESECT_ASSERT(p.allFinite());
       snapped.xy[i] = {stepsTo(p.x() - snapped.origin.x()), stepsTo(p.y() - snapped.origin.y())};
     }
   });
@@ -230,6 +231,12 @@ SnappedMesh snapToRaster(const TriangleMesh& mesh) {
 }
 
 Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid) {
+  require(
+      grid.countX >= 0 && grid.countY >= 0 && grid.origin.allFinite() && grid.pitch.allFinite() &&
+          (grid.pitch.array() > 0).all(),
+      "a grid of {} x {} columns, {} and {} m apart, is none; give numbers from 0 and distances "
+      "above 0",
+      grid.countX, grid.countY, grid.pitch.x(), grid.pitch.y());
   return cast(mesh, grid.count(), GridColumns(mesh, grid));
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "collision/columns.h"
 #include "geometry/moved_box.h"
@@ -152,6 +153,9 @@ std::vector<std::uint8_t> insideFlags(const TriangleMesh& mesh, std::span<const 
 std::vector<std::uint8_t> sweptInside(const TriangleMesh& tool, const Pose& from, const Pose& to,
                                       std::span<const Vec3> worldPoints) {
   std::vector<std::uint8_t> touched(worldPoints.size(), 0);
+  requireSound(tool);
+  require(isFinite(from) && isFinite(to),
+          "a tool goes to a pose that is not a number; give numbers");
   if (tool.triangles.empty()) return touched;
   const Aabb toolBox = bounds(tool);
   const double diagonal = toolBox.size().norm();

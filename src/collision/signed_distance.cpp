@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "base/error.h"
 #include "collision/inside.h"
 #include "geometry/point_triangle.h"
 
@@ -16,6 +17,10 @@ constexpr double kMostNodes = 2e6;
 
 SignedDistance::SignedDistance(const TriangleMesh& mesh, double margin, double cell)
     : box_(bounds(mesh)), cell_(cell) {
+  require(margin > 0 && cell > 0 && std::isfinite(margin) && std::isfinite(cell),
+          "distances were asked for in cells of {} m, {} m round a mesh; give lengths above 0",
+          cell, margin);
+  requireSound(mesh);
   if (mesh.triangles.empty()) return;
   const Aabb region = box_.padded(margin);
   const double nodes = (region.size() / cell_ + Vec3::Constant(2)).prod();

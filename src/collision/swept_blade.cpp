@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "geometry/rotation.h"
 
 namespace resect {
@@ -24,7 +24,6 @@ void addTriangle(SweptBlade& blade, const Vec3& a, const Vec3& b, const Vec3& c)
 }
 
 void addStrip(SweptBlade& blade, std::span<const Vec3> before, std::span<const Vec3> after) {
-  RESECT_ASSERT(before.size() == after.size());
   for (std::size_t i = 0; i + 1 < before.size(); ++i) {
     addTriangle(blade, before[i], before[i + 1], after[i + 1]);
     addTriangle(blade, before[i], after[i + 1], after[i]);
@@ -46,6 +45,7 @@ int stepsOf(std::span<const Vec3> edge, const Pose& from, const Pose& to, double
 
 SweptBlade sweepBlade(std::span<const Vec3> edge, const Pose& from, const Pose& to,
                       double flatness) {
+  require(flatness > 0, "the flatness of a blade's strip is {} m; give a length above 0", flatness);
   SweptBlade blade;
   if (edge.size() < 2) return blade;
   const int steps = stepsOf(edge, from, to, flatness);
@@ -61,6 +61,9 @@ SweptBlade sweepBlade(std::span<const Vec3> edge, const Pose& from, const Pose& 
 }
 
 SweptBlade ruledBlade(std::span<const Vec3> before, std::span<const Vec3> after) {
+  require(before.size() == after.size(),
+          "the edge has {} points before and {} after; give as many of both", before.size(),
+          after.size());
   SweptBlade blade;
   addStrip(blade, before, after);
   return blade;

@@ -2,15 +2,16 @@
 
 #include <png.h>
 
-#include "base/assert.h"
 #include "base/error.h"
 #include "io/atomic_file.h"
 
 namespace resect {
 
 void writePng(const std::filesystem::path& path, const RgbImage& image) {
-  RESECT_ASSERT(image.width > 0 && image.height > 0);
-  RESECT_ASSERT(image.pixels.size() == std::size_t(3) * image.width * image.height);
+  require(image.width > 0 && image.height > 0 &&
+              image.pixels.size() == std::size_t(3) * image.width * image.height,
+          "{}: a picture of {} x {} pixels with {} bytes is none; give three bytes a pixel",
+          path.string(), image.width, image.height, image.pixels.size());
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   header.width = image.width;

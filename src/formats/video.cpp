@@ -9,7 +9,6 @@
 #include <sstream>
 #include <vector>
 
-#include "base/assert.h"
 #include "base/error.h"
 
 namespace resect {
@@ -88,7 +87,11 @@ VideoWriter::~VideoWriter() {
 }
 
 void VideoWriter::add(const RgbImage& picture) {
-  RESECT_ASSERT(picture.width == width_ && picture.height == height_ && pipe_ >= 0);
+  require(pipe_ >= 0, "{} is finished; begin another video for more pictures", path_.string());
+  require(picture.width == width_ && picture.height == height_ &&
+              picture.pixels.size() == std::size_t(3) * width_ * height_,
+          "{}: a picture of {} x {} pixels does not fit a video of {} x {}; give all in one size",
+          path_.string(), picture.width, picture.height, width_, height_);
   for (std::size_t done = 0; done < picture.pixels.size();) {
     const ssize_t n = ::write(pipe_, picture.pixels.data() + done, picture.pixels.size() - done);
     if (n <= 0) throw error("ffmpeg stopped while writing {}; is the disk full?", path_.string());

@@ -1,8 +1,9 @@
 #include "geometry/farthest_point.h"
 
+#include <algorithm>
 #include <limits>
 
-#include "base/assert.h"
+#include "base/error.h"
 
 namespace resect {
 namespace {
@@ -13,7 +14,9 @@ constexpr int kSide = 24;  // cells per axis; those that hold points become clus
 
 FarthestPoint::FarthestPoint(std::span<const Vec3> points)
     : points_(points.size()), order_(points.size()) {
-  RESECT_ASSERT(!points.empty());
+  require(!points.empty(), "there is no farthest point of none; give at least one");
+  require(std::ranges::all_of(points, [](const Vec3& p) { return p.allFinite(); }),
+          "a point is not finite; give numbers");
   Aabb box;
   for (const Vec3& p : points) box.grow(p);
   rounding_ = 1e-14 * (box.min.cwiseAbs() + box.max.cwiseAbs()).sum();

@@ -6,6 +6,7 @@
 namespace resect {
 
 double area(const TriangleMesh& mesh) {
+  requireTriangles(mesh);
   double sum = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Vec3& p = mesh.points[a];
@@ -17,6 +18,7 @@ double area(const TriangleMesh& mesh) {
 double volume(const TriangleMesh& mesh) { return volumeAbout(mesh, Vec3::Zero()); }
 
 double volumeAbout(const TriangleMesh& mesh, const Vec3& tip) {
+  requireTriangles(mesh);
   double sum = 0;
   for (const auto& [a, b, c] : mesh.triangles)
     sum += (mesh.points[a] - tip).dot((mesh.points[b] - tip).cross(mesh.points[c] - tip));
@@ -24,6 +26,7 @@ double volumeAbout(const TriangleMesh& mesh, const Vec3& tip) {
 }
 
 Vec3 centroid(const TriangleMesh& mesh) {
+  requireTriangles(mesh);
   const Vec3 origin = bounds(mesh).centre();
   double sum = 0;
   Vec3 moment = Vec3::Zero();

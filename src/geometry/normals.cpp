@@ -7,6 +7,7 @@
 namespace resect {
 
 std::vector<Vec3> pointNormals(const TriangleMesh& mesh) {
+  requireTriangles(mesh);
   std::vector<Vec3> normals(mesh.points.size(), Vec3::Zero());
   for (const Triangle& t : mesh.triangles) {
     const Vec3& a = mesh.points[std::size_t(t[0])];

@@ -23,6 +23,10 @@ struct Pose {
   }
 };
 
+inline bool isFinite(const Pose& pose) {
+  return pose.position.allFinite() && pose.rotation.coeffs().allFinite();
+}
+
 // From a at share 0 to b at share 1: positions linearly, rotations along the shorter great circle.
 inline Pose interpolate(const Pose& a, const Pose& b, double share) {
   return {a.position + share * (b.position - a.position), slerp(a.rotation, b.rotation, share)};

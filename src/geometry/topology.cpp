@@ -45,6 +45,7 @@ std::int32_t findRoot(std::vector<std::int32_t>& parent, std::int32_t i) {
 }  // namespace
 
 Topology topology(const TriangleMesh& mesh) {
+  requireTriangles(mesh);
   Topology result;
   const auto [ends, edges] = edgesByCorner(mesh);
   std::size_t first = 0;
@@ -70,6 +71,7 @@ Topology topology(const TriangleMesh& mesh) {
 }
 
 std::vector<std::int32_t> pointComponents(const TriangleMesh& mesh, int* count) {
+  requireTriangles(mesh);
   std::vector<std::int32_t> parent(mesh.points.size());
   std::iota(parent.begin(), parent.end(), 0);
   std::vector<char> used(mesh.points.size(), 0);

@@ -20,6 +20,11 @@ struct TriangleMesh {
 
 Aabb bounds(const TriangleMesh& mesh);
 
+// Throws Error unless all triangles index points that there are; a pass over them.
+void requireTriangles(const TriangleMesh& mesh);
+// The same unless all points are finite besides.
+void requireSound(const TriangleMesh& mesh);
+
 // The mesh with every point transformed by the pose.
 TriangleMesh transformed(TriangleMesh mesh, const Pose& pose);
 

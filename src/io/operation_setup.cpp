@@ -1,7 +1,6 @@
 #include "io/operation_setup.h"
 
 #include <array>
-
 #include <map>
 #include <optional>
 
@@ -36,6 +35,8 @@ Vec3 ontoTable(const Aabb& box) { return {-box.centre().x(), -box.min.y(), -box.
 // Samples a closed surface with the source's spacing or dims.
 Discretization sample(const TriangleMesh& surface, const OrganSource& source,
                       const Progress& progress) {
+  require(source.dims || source.spacing,
+          "organ \"{}\" has no spacing; give the side of its cells, or their number", source.name);
   const Aabb box = bounds(surface);
   Discretization cells = discretize(
       surface,
@@ -87,6 +88,7 @@ std::array<std::uint8_t, 256> materialNumbers(const TissueSetup& setup,
 
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
                            std::vector<std::string>* notes, std::optional<Pose>* place) {
+  requireSound(source);
   TriangleMesh mesh;
   if (source.file.empty()) {
     mesh = builtinLiver();
@@ -146,6 +148,7 @@ Discretization sourceCells(const OrganSource& source, const ModelReader& readMod
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress, std::vector<std::string>* notes,
                          std::optional<Pose>* place) {
+  requireSound(source);
   Discretization cells = sourceCells(source, readModel, progress, notes, place);
   label(cells, source);
   return cells;
@@ -167,6 +170,7 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
 }
 
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ) {
+  requireSound(setup);
   const std::array<std::uint8_t, 256> materialOfLabel = materialNumbers(setup, organ.rest);
   if (!setup.elastic) return std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
   TissueCells cells{organ.rest.lattice, organ.rest.inside, {setup.material}, {}};
@@ -190,6 +194,7 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
 
 std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress, std::vector<std::string>* notes) {
+  requireSound(scenario);
   std::vector<OperatedOrgan> organs;
   std::map<std::string, std::optional<Pose>> places;
   for (std::size_t i = 0; i < scenario.organs.size(); ++i) {
@@ -225,6 +230,9 @@ std::vector<TissueJoint> makeJoints(const Scenario& scenario,
     JoinedOrgan ends[2];
     for (int end = 0; end < 2; ++end) {
       const auto at = std::ranges::find(organs, joint.organs[end], &OperatedOrgan::name);
+      require(at != organs.end(),
+              "a joint is at organ \"{}\", which there is not; name one that is",
+              joint.organs[end]);
       ends[end] = {std::int32_t(at - organs.begin()), &at->organ.rest.lattice, at->tissue.get()};
     }
     const auto springs = joinNear(ends[0], ends[1], joint.reach, joint.stiffness, shortest);

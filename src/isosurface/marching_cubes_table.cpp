@@ -4,7 +4,6 @@
 #include <limits>
 #include <vector>
 
-#include "base/assert.h"
 #include "base/vec.h"
 
 namespace resect {
@@ -110,10 +109,8 @@ std::array<CellTriangles, 256> makeTable() {
         e = following;
       }
       if (loop.empty()) continue;
-      for (const auto& t : triangulate(loop, 0, int(loop.size()) - 1).triangles) {
-        RESECT_ASSERT(table[inside].count < 5);
+      for (const auto& t : triangulate(loop, 0, int(loop.size()) - 1).triangles)
         table[inside].edges[table[inside].count++] = t;
-      }
     }
   }
   return table;

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "base/parallel.h"
 #include "isosurface/relax.h"
 
@@ -211,7 +211,11 @@ Vec3 crossing(const Lattice& lattice, const LatticeEdge& edge) {
 }  // namespace
 
 TriangleMesh polygonise(const Value& value, const Aabb& box, const PolygoniseSettings& settings) {
-  RESECT_ASSERT(settings.edge > 0 && settings.lipschitz > 0);
+  require(settings.edge > 0 && settings.lipschitz > 0 && std::isfinite(settings.edge),
+          "the longest edge is {} m, the function's greatest slope {}; give values above 0",
+          settings.edge, settings.lipschitz);
+  require(box.empty() || (box.min.allFinite() && box.max.allFinite()),
+          "a surface was asked for in an endless box; give a finite one");
   TriangleMesh mesh;
   if (box.empty()) return mesh;
   Lattice lattice(value, box, kCellOfEdge * settings.edge);

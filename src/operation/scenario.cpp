@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
+
 namespace resect {
 
 ToolInput toolInputAt(const ScenarioTool& tool, double time) {
@@ -36,6 +38,10 @@ void keepFirstOrgan(Scenario& scenario) {
 }
 
 void setSpacing(Scenario& scenario, double before, double spacing) {
+  require(!scenario.organs.empty() && before > 0 && spacing > 0 && std::isfinite(before) &&
+              std::isfinite(spacing),
+          "cells of {} m were asked for instead of {} m; give lengths above 0, and an organ",
+          spacing, before);
   for (ScenarioOrgan& organ : scenario.organs)
     if (organ.source.spacing) *organ.source.spacing *= spacing / before;
   scenario.organs[0].source.spacing = spacing;
@@ -52,7 +58,20 @@ void makeThesis(Scenario& scenario) {
   for (ScenarioOrgan& organ : scenario.organs) organ.tissue.elastic = false;
 }
 
+namespace {
+
+void requireFrames(const Scenario& scenario) {
+  require(
+      scenario.frameRate >= 1 && scenario.frameRate <= 1000 &&
+          std::isfinite(scenario.duration * scenario.frameRate),
+      "the scenario lasts {} s at {} frames a second; give a finite time and a rate of 1 to 1000",
+      scenario.duration, scenario.frameRate);
+}
+
+}  // namespace
+
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame) {
+  requireFrames(scenario);
   FrameInput input;
   input.duration = 1 / scenario.frameRate;
   for (const ScenarioTool& tool : scenario.tools)
@@ -69,6 +88,7 @@ FrameInput frameInput(const Scenario& scenario, std::int64_t frame) {
 }
 
 std::int64_t frameCount(const Scenario& scenario) {
+  requireFrames(scenario);
   return std::max<std::int64_t>(1, std::llround(scenario.duration * scenario.frameRate));
 }
 

@@ -117,6 +117,12 @@ struct Scenario {
   std::optional<Aabb> closeUp;        // region shown in pictures, world; without it the organ
 };
 
+// Throw Error unless all numbers are in their ranges and all names of organs known: what
+// io/scenario/scenario_file.h checks in a file, for scenarios made by programs.
+void requireSound(const OrganSource& source);
+void requireSound(const TissueSetup& tissue);
+void requireSound(const Scenario& scenario);
+
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
 // Removes all organs but the first.

@@ -1,10 +1,13 @@
 #include "organ/cell_labels.h"
 
+#include "base/error.h"
 #include "organ/organ.h"
 
 namespace resect {
 
 std::int64_t markCells(Discretization& cells, int label, const Region& region) {
+  require(label >= 0 && label <= 255, "label {} was asked for; give 0 to 255", label);
+  requireSound(cells);
   const Lattice& lattice = cells.lattice;
   cells.label.resize(std::size_t(lattice.cellCount()), 0);
   std::int64_t marked = 0;

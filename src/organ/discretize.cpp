@@ -57,6 +57,11 @@ Lattice cubicLatticeForDims(const Aabb& box, int dims) {
 
 Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
                           const Progress& progress) {
+  require(lattice.sound(), "the lattice's cells are {} x {} x {} m; give finite lengths above 0",
+          lattice.spacing.x(), lattice.spacing.y(), lattice.spacing.z());
+  require(lattice.cellCount() <= kMaxCells,
+          "the lattice has {} cells, more than {}; choose a larger spacing", lattice.cellCount(),
+          kMaxCells);
   const int nx = lattice.dims.x(), ny = lattice.dims.y(), nz = lattice.dims.z();
   Discretization result;
   result.lattice = lattice;

@@ -92,6 +92,8 @@ std::vector<Vec3> pointsToFit(const TriangleMesh& mesh, const Lattice& lattice) 
 }
 
 void fitSurface(const TriangleMesh& mesh, Discretization& cells) {
+  requireSound(mesh);
+  requireSound(cells);
   std::vector<Reach> reaches = reachesOf(pointsToFit(mesh, cells.lattice), cells.lattice);
   const auto fits = [&](float value) { return value > 0 && value < 100; };
   std::vector<float> value(cells.value.size());

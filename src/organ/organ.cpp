@@ -33,8 +33,8 @@ void visitSkin(const Discretization& rest, std::int64_t particle, Visit visit) {
 Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
   if (settings.refine < 1 || settings.refine > 4)
     throw usageError("refine is {}; give 1, 2, 3 or 4 surface nodes per cell", settings.refine);
-  if (!(settings.iso >= kMinIso && settings.iso <= kMaxIso))
-    throw usageError("iso level is {}; give a value from {} to {}", settings.iso, kMinIso, kMaxIso);
+  requireIso(settings.iso);
+  requireSound(cells);
   const std::int64_t particles = cells.particleCount();
   if (particles == 0)
     throw error(
@@ -126,9 +126,9 @@ void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {
 }
 
 void setIso(Organ& organ, float iso) {
-  organ.iso = iso;
   const Wound wound{organ.severed, organ.alive};
   organ.surface.setIso(organ.field, iso, organ.severed.empty() ? nullptr : &wound);
+  organ.iso = iso;
 }
 
 }  // namespace resect

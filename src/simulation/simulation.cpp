@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.h"
 #include "base/elementary.h"
 #include "base/error.h"
 #include "tools/contacts.h"
@@ -27,8 +26,12 @@ double shareOf(double value) { return std::isfinite(value) ? std::clamp(value, 0
 Simulation::Simulation(std::vector<OperatedOrgan> organs, std::vector<std::unique_ptr<Tool>> tools,
                        std::vector<TissueJoint> joints, bool table)
     : organs_(std::move(organs)), joints_(std::move(joints)), table_(table) {
-  RESECT_ASSERT(!organs_.empty());
+  require(!organs_.empty(), "there is nothing to operate on; give at least one organ");
+  for (const OperatedOrgan& o : organs_)
+    require(o.tissue != nullptr, "organ \"{}\" has no tissue; make it by operatedOrgan()", o.name);
+  for (const TissueJoint& joint : joints_) requireSound(joint);
   for (auto& tool : tools) {
+    require(tool != nullptr, "tool {} is null; give what makeTool() returns", tools_.size());
     tools_.emplace_back();
     tools_.back().tool = std::move(tool);
   }
@@ -78,6 +81,7 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   const auto done = [&](const char* stage) {
     if (clock) clock->lap(stage);
   };
+  requireSound(input);
   if (clock) clock->start();
 
   moveTools(input, report);
@@ -100,14 +104,47 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   done("measure");
 }
 
+void Simulation::requireSound(const FrameInput& input) const {
+  require(input.tools.size() == tools_.size(),
+          "the frame has input for {} tools, the operation has {}; give one for each",
+          input.tools.size(), tools_.size());
+  require(input.duration >= 0 && input.duration <= kLongestFrame,
+          "the frame lasts {} s; give 0 to {} s", input.duration, kLongestFrame);
+  for (const TissueEdit& edit : input.edits) {
+    require(edit.organ >= 0 && std::size_t(edit.organ) < organs_.size(),
+            "an edit is for organ {}, and there are {}; number from 0", edit.organ, organs_.size());
+    require(edit.tool >= -1 && edit.tool < std::int32_t(tools_.size()),
+            "an edit is by tool {}, and there are {}; give -1 for nobody, or number from 0",
+            edit.tool, tools_.size());
+    const auto* grip = std::get_if<Grip>(&edit.what);
+    require(!grip || isFinite(grip->pose),
+            "tool {} grips in a pose that is not a number; give a finite one", edit.tool);
+  }
+}
+
+void Simulation::requireSound(const TissueJoint& joint) const {
+  for (int end = 0; end < 2; ++end) {
+    const std::int32_t organ = joint.organ[std::size_t(end)];
+    require(organ >= 0 && std::size_t(organ) < organs_.size(),
+            "a joint is at organ {}, and there are {}; number from 0", organ, organs_.size());
+    const std::int64_t cell = joint.cell[std::size_t(end)],
+                       cells = organs_[std::size_t(organ)].organ.rest.lattice.cellCount();
+    require(cell >= 0 && cell < cells,
+            "a joint is at cell {} of organ {}, which has {}; number from 0", cell, organ, cells);
+  }
+  require(joint.rest.allFinite() && joint.stiffness >= 0 && joint.damping >= 0 &&
+              std::isfinite(joint.stiffness) && std::isfinite(joint.damping),
+          "a joint has stiffness {} N/m and damping {} N s/m; give finite numbers from 0",
+          joint.stiffness, joint.damping);
+}
+
 // Sets the tools' new poses. A tool just taken in hand starts at its pose, without a sweep.
 void Simulation::moveTools(const FrameInput& input, StepReport& report) {
-  RESECT_ASSERT(input.tools.size() == tools_.size());
   report.faults.clear();
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     ToolState& state = tools_[i];
     const ToolInput& wanted = input.tools[i];
-    if (!wanted.pose.position.allFinite() || !wanted.pose.rotation.coeffs().allFinite()) {
+    if (!isFinite(wanted.pose)) {
       report.faults.push_back(fmt::format(
           "the pose of tool \"{}\" is not a number; it stays where it was: check the tool's motion",
           state.tool->model.name));
@@ -305,6 +342,7 @@ TriangleMesh Simulation::surfaceMesh() const {
 }
 
 SurfaceTracker::Compact Simulation::surface() const {
+  require(keepsLook_, "this simulation does not keep its look; call keepLook() before");
   SurfaceTracker::Compact all;
   for (const OperatedOrgan& o : organs_) {
     const SurfaceTracker::Compact part = o.organ.surface.compact(o.points(), o.normals());

@@ -30,8 +30,10 @@ struct ToolInput {
   double pedal = 0;    // of an energy device: 0 released to 1 pressed
 };
 
+inline constexpr double kLongestFrame = 1;  // s
+
 struct FrameInput {
-  double duration = 1.0 / 60;    // s
+  double duration = 1.0 / 60;    // s, 0 (nothing moves) to kLongestFrame
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
   std::optional<float> iso;      // another iso level from this frame on
   // Edits from outside, applied before those of the tools; working parts do not see their effect in
@@ -79,8 +81,8 @@ struct ToolState {
 
 class Simulation {
  public:
-  // At least one organ. joints: between organs, by their numbers. table: whether moving tissue can
-  // rest on a table at y = 0.
+  // At least one organ. joints: between organs, by their numbers; Error if there is no such organ
+  // or cell. table: whether moving tissue can rest on a table at y = 0.
   Simulation(std::vector<OperatedOrgan> organs, std::vector<std::unique_ptr<Tool>> tools,
              std::vector<TissueJoint> joints = {}, bool table = true);
   // One organ; tissue null: it does not move.
@@ -90,7 +92,9 @@ class Simulation {
   // before the first step.
   void addObstacle(const TriangleMesh& shape, const Pose& pose);
 
-  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name.
+  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name. Error, and
+  // nothing changes, if the input is for another number of tools, its duration is out of range or
+  // an edit names an organ or a tool that does not exist.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
   // The same with a report that is reused: then a frame of still tissue in which no tool comes near
   // allocates no memory.
@@ -113,7 +117,7 @@ class Simulation {
 
   // From now on each step updates normals and cut shares, for pictures; nothing else depends on it.
   void keepLook();
-  // After keepLook(): surfaceMesh() with normals and cut shares.
+  // After keepLook(), else Error: surfaceMesh() with normals and cut shares.
   SurfaceTracker::Compact surface() const;
 
   // Memory held for organs, their tissue and surfaces.
@@ -153,6 +157,8 @@ class Simulation {
     std::vector<MovingTissue> moving;
   };
 
+  void requireSound(const FrameInput& input) const;
+  void requireSound(const TissueJoint& joint) const;
   void moveTools(const FrameInput& input, StepReport& report);
   void findContacts();
   void actTools(const FrameInput& input);

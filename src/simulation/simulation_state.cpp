@@ -40,15 +40,10 @@ void Simulation::restore(std::span<const std::byte> bytes) {
 void Simulation::load(const SavedState& state) {
   for (OperatedOrgan& o : organs_) o.tissue->beginRestore();
   loadState(*this, state);
-  for (const TissueJoint& joint : joints_)
-    for (int end = 0; end < 2; ++end)
-      if (joint.organ[end] < 0 || std::size_t(joint.organ[end]) >= organs_.size() ||
-          joint.cell[end] < 0 ||
-          joint.cell[end] >= organs_[std::size_t(joint.organ[end])].organ.rest.lattice.cellCount())
-        throw error("a joint of the state is at a cell that there is not; give it as it was saved");
+  for (const TissueJoint& joint : joints_) requireSound(joint);
   for (const ToolState& tool : tools_)
     for (const ToolStance* at : {&tool.way.earlier, &tool.way.from, &tool.way.to})
-      if (!at->pose.position.allFinite() || !at->pose.rotation.coeffs().allFinite())
+      if (!isFinite(at->pose))
         throw error("the pose of tool \"{}\" in the state is not a number; give it as it was saved",
                     tool.tool->model.name);
   for (OperatedOrgan& o : organs_) remake(o, keepsLook_);

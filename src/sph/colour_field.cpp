@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "base/growth.h"
 #include "base/instruction_set.h"
 #include "base/parallel.h"
@@ -55,6 +55,11 @@ void markFull(std::uint64_t full, int count, std::int32_t* slots) {
 
 }  // namespace
 
+void requireIso(float iso) {
+  require(iso >= kMinIso && iso <= kMaxIso, "iso level is {}; give a value from {} to {}", iso,
+          kMinIso, kMaxIso);
+}
+
 ColourField::ColourField(const Discretization& cells, int refine)
     : ColourField(cells, refine, NodesLater()) {
   parallelFor(builtBricks_.size(), kGrain,
@@ -63,8 +68,12 @@ ColourField::ColourField(const Discretization& cells, int refine)
 
 ColourField::ColourField(const Discretization& cells, int refine, NodesLater)
     : lattice_(cells.lattice), refine_(refine), stencil_(&fieldStencil(refine)) {
-  RESECT_ASSERT(std::int64_t(cells.value.size()) == lattice_.cellCount());
-  RESECT_ASSERT(canHold(lattice_, refine));
+  require(lattice_.sound() && std::int64_t(cells.value.size()) == lattice_.cellCount(),
+          "there are {} colour values in a lattice of {} x {} x {} cells; give one for each",
+          cells.value.size(), lattice_.dims.x(), lattice_.dims.y(), lattice_.dims.z());
+  require(canHold(lattice_, refine),
+          "a lattice of {} x {} x {} cells is too large for {} surface nodes per cell; use fewer",
+          lattice_.dims.x(), lattice_.dims.y(), lattice_.dims.z(), refine);
   for (int a = 0; a < 3; ++a) brickDims_[a] = bricksAlong(lattice_.dims[a], refine);
   HeldBits held;
   cells_ = PaddedCells(cells, held);

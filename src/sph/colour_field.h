@@ -30,6 +30,7 @@ namespace resect {
 
 // At iso levels in this range no surface runs inside solid tissue, where c is 99.1 to 100.9.
 constexpr float kMinIso = 1, kMaxIso = 98;
+void requireIso(float iso);  // throws Error when it is not between them
 
 class ColourField {
  public:

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "sph/colour_values.h"
 #include "sph/lattice.h"
 #include "sph/region.h"
@@ -37,7 +38,8 @@ struct Discretization {
       return labelNames[std::size_t(number)];
     return number == 0 ? "parenchyma" : "label " + std::to_string(number);
   }
-  void nameLabel(int number, const std::string& name) {
+  void nameLabel(int number, const std::string& name) {  // number: 0 to 255
+    require(number >= 0 && number <= 255, "label {} was named; give 0 to 255", number);
     if (labelNames.size() <= std::size_t(number)) labelNames.resize(std::size_t(number) + 1);
     labelNames[std::size_t(number)] = name;
   }
@@ -59,5 +61,8 @@ struct Discretization {
     return sum;
   }
 };
+
+// Throws Error unless the lattice is one and each array has an entry per cell.
+void requireSound(const Discretization& cells);
 
 }  // namespace resect

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "base/instruction_set.h"
 #include "sph/kernel.h"
 #include "sph/mirrored_sums.h"
@@ -233,7 +233,8 @@ FieldStencil makeStencil(int refine) {
 }  // namespace
 
 const FieldStencil& fieldStencil(int refine) {
-  RESECT_ASSERT(refine >= 1 && refine <= 4);
+  require(refine >= 1 && refine <= 4, "refine is {}; give 1, 2, 3 or 4 surface nodes per cell",
+          refine);
   static const std::array<FieldStencil, 4> stencils = {makeStencil(1), makeStencil(2),
                                                        makeStencil(3), makeStencil(4)};
   return stencils[std::size_t(refine - 1)];

@@ -22,6 +22,11 @@ struct Lattice {
   bool cubic() const {
     return std::abs(spacing.maxCoeff() - spacing.minCoeff()) <= 1e-6 * spacing.maxCoeff();
   }
+  // Are origin, spacing and dims in their ranges?
+  bool sound() const {
+    return origin.allFinite() && spacing.allFinite() && (spacing.array() > 0).all() &&
+           (dims.array() >= 0).all();
+  }
   bool contains(const Vec3i& cell) const {
     return (cell.array() >= 0).all() && (cell.array() < dims.array()).all();
   }

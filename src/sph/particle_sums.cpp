@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "sph/kernel.h"
 
 namespace resect {
@@ -11,8 +11,12 @@ namespace resect {
 ParticleSums::ParticleSums(std::span<const Vec3> positions, std::span<const double> volumes,
                            double h)
     : h_(h), box_(bounds(positions)) {
-  RESECT_ASSERT(positions.size() == volumes.size());
-  RESECT_ASSERT(h > 0);
+  require(positions.size() == volumes.size(),
+          "there are {} positions and {} volumes; give a volume for each particle",
+          positions.size(), volumes.size());
+  require(h > 0 && std::isfinite(h), "the smoothing length is {} m; give one above 0", h);
+  require(std::ranges::all_of(positions, [](const Vec3& p) { return p.allFinite(); }),
+          "the position of a particle is not finite; give numbers");
   if (positions.empty()) box_ = {Vec3::Zero(), Vec3::Zero()};
   const double cell = kKernelSupport * h;
   // A cell is at least as wide as the kernel's radius; wider if the box would need too many cells.
@@ -66,7 +70,9 @@ void ParticleSums::visitNeighbours(const Vec3& r, Visit visit) const {
 }
 
 double ParticleSums::interpolate(std::span<const double> attribute, const Vec3& r) const {
-  RESECT_ASSERT(attribute.size() == position_.size());
+  require(attribute.size() == position_.size(),
+          "there are {} values for {} particles; give one for each", attribute.size(),
+          position_.size());
   double sum = 0;
   visitNeighbours(
       r, [&](std::int32_t slot, double w) { sum += volume_[slot] * attribute[index_[slot]] * w; });
@@ -80,7 +86,8 @@ double ParticleSums::partitionOfUnity(const Vec3& r) const {
 }
 
 double ParticleSums::density(std::span<const double> mass, const Vec3& r) const {
-  RESECT_ASSERT(mass.size() == position_.size());
+  require(mass.size() == position_.size(),
+          "there are {} masses for {} particles; give one for each", mass.size(), position_.size());
   double sum = 0;
   visitNeighbours(r, [&](std::int32_t slot, double w) { sum += mass[index_[slot]] * w; });
   return sum;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
-#include "base/assert.h"
 #include "base/error.h"
 
 namespace resect {
 
 bool Region::holds(const Vec3& p) const {
-  RESECT_ASSERT(isPlaced());
+  require(
+      isPlaced(),
+      "the region is named by the organ and not yet placed; give what RegionPlacer makes of it");
   if (shape == Shape::Box && !box.contains(p)) return false;
   if (shape == Shape::Ball && !((p - centre).norm() <= radius)) return false;
   if (!asksDepth()) return true;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "base/growth.h"
 #include "base/instruction_set.h"
 #include "base/parallel.h"
@@ -32,6 +32,7 @@ SurfaceTracker::SurfaceTracker(const ColourField& field, float iso, const Wound*
 }
 
 void SurfaceTracker::setIso(const ColourField& field, float iso, const Wound* wound) {
+  requireIso(iso);
   iso_ = iso;
   meshAll(field, nullptr, wound);
 }

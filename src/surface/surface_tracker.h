@@ -160,6 +160,7 @@ class SurfaceTracker {
   void meshWounds(const ColourField& field, const Wound& wound);
   void placeVertices(const ColourField& field, std::span<const std::int64_t> bricks);
   void writeVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
+  void requireLook() const;
   void lookIsDue(std::span<const std::int64_t> bricks);
   void writeLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
   // visit(vertex, whether it is the same point as the vertex before it) in the order of mesh().

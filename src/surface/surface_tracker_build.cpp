@@ -7,7 +7,7 @@
 // stage.
 #include <algorithm>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "base/growth.h"
 #include "base/instruction_set.h"
 #include "base/parallel.h"
@@ -47,6 +47,7 @@ void inBlocks(std::size_t begin, std::size_t end, Visit visit) {
 }  // namespace
 
 FieldAndSurface buildFieldAndSurface(const Discretization& cells, int refine, float iso) {
+  requireIso(iso);
   FieldAndSurface both{ColourField(cells, refine, ColourField::NodesLater()), {}};
   both.surface.iso_ = iso;
   const auto evaluate = [&](std::size_t begin, std::size_t end) {
@@ -139,7 +140,6 @@ void SurfaceTracker::placeAll(const ColourField& field, std::span<const std::int
 // known, as they must be with a wound.
 void SurfaceTracker::meshAll(const ColourField& field, const RangeBody* evaluate,
                              const Wound* wound) {
-  RESECT_ASSERT(iso_ >= kMinIso && iso_ <= kMaxIso);
   const RawArray<std::int32_t> bricks = numberRecords(field, wound);
   clear(field, bricks.size());
   changes_.vertices.clear();

@@ -1,7 +1,7 @@
 // Normals and cut shares of the surface, made when a picture needs them.
 #include <algorithm>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "base/growth.h"
 #include "base/parallel.h"
 #include "isosurface/brick_look.h"
@@ -64,13 +64,18 @@ void SurfaceTracker::writeLook(const ColourField& field, const NodeGrid& grid, s
   while (at < end) write(Vec3f::UnitY(), 0);  // room to grow
 }
 
+void SurfaceTracker::requireLook() const {
+  require(!allLookDue_ && lookDue_.empty(),
+          "how the surface looks was not made since it changed; call updateLook() first");
+}
+
 std::span<const Vec3f> SurfaceTracker::normals() const {
-  RESECT_ASSERT(!allLookDue_ && lookDue_.empty());
+  requireLook();
   return normals_;
 }
 
 std::span<const float> SurfaceTracker::cut() const {
-  RESECT_ASSERT(!allLookDue_ && lookDue_.empty());
+  requireLook();
   return cut_;
 }
 

@@ -55,8 +55,8 @@ struct SurfaceCopy {
   std::vector<Triangle> triangles;
 };
 
-// Ranges may reach beyond the present end: the copy grows; triangles in between are holes. A range
-// that does not fit its values fails an assertion.
+// Ranges may reach beyond the present end: the copy grows; triangles in between are holes. Error,
+// and nothing changes, when ranges do not fit their values.
 void apply(const SurfaceUpdate& update, SurfaceCopy& copy);
 
 }  // namespace resect

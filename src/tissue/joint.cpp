@@ -4,10 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.h"
+
 namespace resect {
 
 std::vector<TissueJoint> joinNear(const JoinedOrgan& a, const JoinedOrgan& b, double reach,
                                   double stiffness, double shortest) {
+  require(
+      reach >= 0 && stiffness >= 0 && shortest > 0 && std::isfinite(reach) &&
+          std::isfinite(stiffness),
+      "springs of {} N/m within {} m, for substeps of {} s, were asked for; give finite numbers "
+      "from 0, and a substep above it",
+      stiffness, reach, shortest);
   std::vector<TissueJoint> joints;
   const Lattice &from = *a.lattice, &to = *b.lattice;
   const Vec3i cells = (Vec3::Constant(reach).cwiseQuotient(to.spacing)).array().ceil().cast<int>();

@@ -15,9 +15,9 @@ namespace resect {
 
 struct TissueMaterial {
   std::string name = "liver";
-  double young = 5000;    // Pa, > 0
-  double poisson = 0.45;  // 0 to 0.499; near 0.5 waves are fast and substeps many
-  double density = 1060;  // kg/m^3, > 0
+  double young = 5000;    // Pa, 1 to 1e9
+  double poisson = 0.45;  // 0 to 0.4999; near 0.5 waves are fast and substeps many
+  double density = 1060;  // kg/m^3, 1 to 1e5
   // A bond longer than this many times its rest length tears; 1.46 = exp(0.38), the ultimate true
   // strain of liver. > 1; infinity never tears.
   double tearStretch = 1.46;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/error.h"
+
 namespace resect {
 namespace {
 
@@ -34,12 +36,14 @@ void moveTogether(std::span<const MovingTissue> tissues, std::span<const TissueJ
 
 void moveTissues(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
                  std::span<const JoinedOrgan> organs, double duration) {
+  require(duration > 0, "the frame lasts {} s; give a time above 0", duration);
   if (!joints.empty()) return moveTogether(tissues, joints, organs, duration);
   for (const MovingTissue& t : tissues) moveTogether({&t, 1}, {}, {}, duration);
 }
 
 void moveTissue(TissueModel& tissue, std::span<const Obstacle> obstacles, double duration,
                 TissueStep& step) {
+  require(duration > 0, "the frame lasts {} s; give a time above 0", duration);
   const MovingTissue one{&tissue, obstacles, &step};
   moveTogether({&one, 1}, {}, {}, duration);
 }

@@ -8,6 +8,13 @@
 
 namespace resect {
 
+StillTissue::StillTissue(const Lattice& lattice, std::vector<std::uint8_t> solid)
+    : solid_(std::move(solid)), lattice_(lattice) {
+  require(std::int64_t(solid_.size()) == lattice.cellCount(),
+          "{} flags were given for {} cells; give one for each", solid_.size(),
+          lattice.cellCount());
+}
+
 void StillTissue::endFrame(TissueStep& step) {
   step.substeps = step.retries = 0;
   step.calm = true;

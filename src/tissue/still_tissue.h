@@ -12,8 +12,8 @@ namespace resect {
 class StillTissue : public TissueModel {
  public:
   // solid: per cell of the lattice, 1 where tissue is.
-  StillTissue(const Lattice& lattice, std::vector<std::uint8_t> solid)
-      : solid_(std::move(solid)), lattice_(lattice) {}
+  // solid: a flag per cell, else Error.
+  StillTissue(const Lattice& lattice, std::vector<std::uint8_t> solid);
 
   bool moves() const override { return false; }
   void beginFrame(double, std::span<const Obstacle> obstacles) override {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "base/error.h"
@@ -55,6 +56,17 @@ std::span<const ToolKind> toolKinds() {
 }
 
 std::unique_ptr<Tool> makeTool(ToolModel model) {
+  require(!model.mesh.triangles.empty(), "tool \"{}\" has no shape; give a closed mesh",
+          model.name);
+  requireSound(model.mesh);
+  const auto finite = [](const Vec3& p) { return p.allFinite(); };
+  require(finite(model.tip) && finite(model.axis) && finite(model.point) &&
+              std::ranges::all_of(model.edge, finite) && std::ranges::all_of(model.hook, finite) &&
+              finite(model.jaws.pivot) && finite(model.jaws.axis) &&
+              std::isfinite(model.jaws.opening) && model.contactRadius >= 0 &&
+              model.friction >= 0 && model.slipForce >= 0,
+          "a length, friction or force of tool \"{}\" is not a number from 0; correct it",
+          model.name);
   auto tool = std::make_unique<Tool>();
   const auto kind = std::ranges::find(toolKinds(), model.kind, &ToolKind::name);
   if (kind == toolKinds().end())

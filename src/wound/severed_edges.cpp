@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.h"
+#include "base/error.h"
 
 namespace resect {
 namespace {
@@ -39,8 +39,12 @@ SeveredEdges::Record::Record() {
   firstTrace.fill(-1);
 }
 
-SeveredEdges::Record& SeveredEdges::takeRecord(const Vec3i& node) {
-  RESECT_ASSERT(contains(node));
+SeveredEdges::Record& SeveredEdges::takeRecord(const Vec3i& node, int axis) {
+  require(
+      contains(node) && axis >= 0 && axis < 3,
+      "there is no edge or face at node ({}, {}, {}) along axis {}; give a node of the grid and "
+      "an axis from 0 to 2",
+      node.x(), node.y(), node.z(), axis);
   const std::size_t bricks = std::size_t(brickDims_.x()) * brickDims_.y() * brickDims_.z();
   if (recordOf_.empty()) {
     recordOf_.assign(bricks, -1);
@@ -89,7 +93,8 @@ bool SeveredEdges::betweenCells(const Vec3i& node, int axis) const {
 }
 
 bool SeveredEdges::sever(const Vec3i& node, int axis, double t, const Vec3& normal) {
-  Record& r = takeRecord(node);
+  require(!std::isnan(t), "an edge is severed at no share of its length; give 0 to 1");
+  Record& r = takeRecord(node, axis);
   const int s = slot(node, 0);
   std::uint64_t& mask = r.severed[std::size_t(axis)];
   if (mask >> s & 1) return false;
@@ -105,7 +110,7 @@ bool SeveredEdges::sever(const Vec3i& node, int axis, double t, const Vec3& norm
 }
 
 void SeveredEdges::trace(const Vec3i& node, int axis, const FaceTrace& line) {
-  Record& r = takeRecord(node);
+  Record& r = takeRecord(node, axis);
   std::int32_t* last = &r.firstTrace[std::size_t(slot(node, axis))];
   touch(node);
   while (*last >= 0) {

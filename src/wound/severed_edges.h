@@ -137,7 +137,7 @@ class SeveredEdges {
   const Record* record(const Vec3i& node) const {
     return contains(node) ? recordOfBrick(brickIndex(node / 4)) : nullptr;
   }
-  Record& takeRecord(const Vec3i& node);
+  Record& takeRecord(const Vec3i& node, int axis);
   template <typename Visit>
   void visitBricks(const Vec3i& low, const Vec3i& high, Visit visit) const;
   void touch(const Vec3i& node);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/assert.h"
+#include "base/error.h"
 
 namespace resect {
 namespace {
@@ -202,7 +202,9 @@ VertexBinding VertexBinder::bindWidely(const Vec3& p, const Vec3i& place,
                                        NearbyNodes anchors) const {
   VertexBinding binding;
   constexpr std::size_t kMostNodes = 729;  // of a brick's window
-  RESECT_ASSERT(std::size_t(grid_.dims.prod()) <= kMostNodes);
+  require(std::size_t(grid_.dims.prod()) <= kMostNodes,
+          "a window of {} nodes was given, more than {}; give that of one brick", grid_.dims.prod(),
+          kMostNodes);
   std::bitset<kMostNodes> seen;
   std::array<std::int16_t, kMostNodes> queue;
   std::size_t count = 0, layerEnd = 0;

@@ -9,8 +9,7 @@
 #include <new>
 
 #include "base/parallel.h"
-#include "simulation/simulation.h"
-#include "support/block_organ.h"
+#include "support/elastic_block.h"
 #include "support/test_tools.h"
 
 namespace {
@@ -56,6 +55,32 @@ void moveTo(FrameInput& input, const Vec3& p, int i) {
   input.tools[1] = {{}, false};
 }
 
+// A blunt tool that pushes, and one that is put away, on elastic tissue.
+Simulation elasticAndTwoTools() {
+  std::vector<std::unique_ptr<Tool>> tools;
+  for (int i = 0; i < 2; ++i)
+    tools.push_back(test::boxTool({{-0.004, -0.004, 0}, {0.004, 0.004, 0.06}}, "baton", ""));
+  return test::elasticBlock({10, 5, 8}, 0.008, std::move(tools));
+}
+
+// Most allocations in one of 100 steps, after some to warm up, in which the first tool goes from p
+// on by `way` a step.
+long mostAllocations(Simulation& simulation, const Vec3& p, const Vec3& way) {
+  FrameInput input;
+  input.tools.resize(2);
+  input.tools[1] = {{}, false};
+  StepReport report;
+  long most = 0;
+  for (int i = 0; i < 130; ++i) {
+    input.tools[0] = {{p + i * way, Eigen::Quaterniond::Identity()}};
+    const long before = allocations;
+    simulation.step(input, report);
+    if (i >= 30) most = std::max(most, allocations - before);
+  }
+  CHECK(report.faults.empty());
+  return most;
+}
+
 // Allocations in 100 steps of that motion, after some to warm up.
 long allocationsNear(Simulation& simulation, const Vec3& p) {
   FrameInput input;
@@ -99,6 +124,20 @@ TEST_CASE("a step allocates nothing after a cut either") {
   moveTo(input, simulation.organ().rest.lattice.box().centre(), 0);
   CHECK(simulation.step(input).removed > 0);
   CHECK(allocationsNear(simulation, {1, 2, 3}) == 0);
+}
+
+TEST_CASE("a step of elastic tissue that lies on the table, no tool near it, allocates nothing") {
+  Simulation simulation = elasticAndTwoTools();
+  CHECK(mostAllocations(simulation, {1, 2, 3}, Vec3::Zero()) == 0);
+}
+
+TEST_CASE("a step of elastic tissue that a tool presses, at rest or moving, allocates nothing") {
+  for (const Vec3& way : {Vec3(0, 0, 0), Vec3(0, -1e-5, 0), Vec3(1e-4, 0, 0)}) {
+    CAPTURE(way.transpose());
+    Simulation simulation = elasticAndTwoTools();
+    CHECK(mostAllocations(simulation, {0.04, 0.036, 0.01}, way) == 0);
+    CHECK(simulation.tools()[0].force.norm() > 0.1);
+  }
 }
 
 TEST_CASE("the count is a count: a step that cuts does allocate") {

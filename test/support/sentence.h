@@ -26,6 +26,13 @@ inline bool tells(const std::string& text, const std::string& what) {
   return text.find(what) != std::string::npos;
 }
 
+// Is what `act` wants refused by an Error, in one sentence that tells `what`?
+template <typename Act>
+bool refuses(Act act, const std::string& what) {
+  const std::string sentence = sentenceOf(act);
+  return isOneSentence(sentence) && tells(sentence, what);
+}
+
 // One line that begins with the file and says what is wrong with it.
 inline bool isRefusalOf(const std::string& file, const std::string& what, const std::string& text) {
   return text.starts_with(file) && tells(text, what) && text.find('\n') == std::string::npos;

@@ -64,6 +64,7 @@ class Slabs {
 }  // namespace
 
 std::vector<int> crossingNumbers(const TriangleMesh& mesh, std::span<const Vec3> points) {
+  requireTriangles(mesh);
   std::vector<int> numbers(points.size(), 0);
   if (points.empty() || mesh.triangles.empty()) return numbers;
   const Slabs slabs(mesh);

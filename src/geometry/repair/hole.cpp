@@ -122,6 +122,7 @@ std::vector<std::int32_t> shorten(std::span<const Vec3> points, std::span<const 
 }  // namespace
 
 std::vector<std::vector<std::int32_t>> holeLoops(const TriangleMesh& mesh) {
+  requireTriangles(mesh);
   const std::vector<DirectedEdge> missing = missingEdges(mesh);
   std::vector<char> walked(missing.size(), 0);
   // Index on the current walk: a point that is met again closes a loop.

@@ -52,6 +52,7 @@ TriangleMesh without(const TriangleMesh& mesh, const std::vector<std::int32_t>& 
 }  // namespace
 
 void orientConsistently(TriangleMesh& mesh, RepairReport& report) {
+  requireTriangles(mesh);
   // Neighbours over edges of exactly two triangles; at such an edge "same direction" means that one
   // of the two must be flipped.
   struct Neighbour {

@@ -9,7 +9,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "base/assert.h"
 #include "base/error.h"
 #include "inventor/gl/SoShadowMaps.h"
 #include "io/data_folder.h"
@@ -36,8 +35,7 @@ Stages stages(RoomMaterial material) {
     case RoomMaterial::Room:
       return {"room.vert", {"light.glsl", "noise.glsl", "room.frag"}};
   }
-  RESECT_ASSERT(false);
-  return {};
+  throw usageError("there is no material {} in the room; use one of RoomMaterial", int(material));
 }
 
 void setSource(SoShaderObject* shader, const std::vector<std::string_view>& parts) {

@@ -300,8 +300,8 @@ SbVec2s OperatingSession::pixelOf(const Vec3& point, const SbViewportRegion& vie
 }
 
 Vec3 OperatingSession::middleOfTool(int tool) const {
-  const Aabb box = bounds(toolModels_.at(std::size_t(tool)).mesh);
-  return tools_.pose(tool) * box.centre();
+  const Pose pose = tools_.pose(tool);
+  return pose * bounds(toolModels_[std::size_t(tool)].mesh).centre();
 }
 
 }  // namespace resect

@@ -20,7 +20,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "operation/room.h"
 
 namespace resect {
@@ -38,7 +38,7 @@ SoPath* pathTo(SoNode* root, SoNode* node) {
   SoSearchAction search;
   search.setNode(node);
   search.apply(root);
-  RESECT_ASSERT(search.getPath());
+  require(search.getPath() != nullptr, "the tool is not in the room; add it there first");
   SoPath* path = search.getPath()->copy();
   path->ref();
   return path;
@@ -67,7 +67,8 @@ ToolHandling::~ToolHandling() {
 // As in the thesis: from the matrix of the path to the tool's body, without the scale that a handle
 // box may have written.
 Pose ToolHandling::pose(int tool) const {
-  SoPath*& body = bodies_.at(std::size_t(tool));
+  requireTool(tool);
+  SoPath*& body = bodies_[std::size_t(tool)];
   if (!body) body = pathTo(room_.root(), room_.toolModel(tool));
   SoGetMatrixAction matrix(SbViewportRegion(1, 1));
   matrix.apply(body);
@@ -78,13 +79,18 @@ Pose ToolHandling::pose(int tool) const {
   return {toVec(at), Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized()};
 }
 
+void ToolHandling::requireTool(int tool) const {
+  require(tool >= 0 && tool < toolCount(), "there is no tool {} among {}; number from 0", tool,
+          toolCount());
+}
+
 void ToolHandling::setPose(int tool, const Pose& pose) {
   room_.setToolPose(tool, constrain ? constrain(tool, pose) : pose);
   notify();
 }
 
 void ToolHandling::hold(int tool, Hold how) {
-  RESECT_ASSERT(tool >= -1 && tool < toolCount());
+  if (tool != -1) requireTool(tool);
   if (tool < 0) how = Hold::None;
   if (how == Hold::None) tool = -1;
   if (tool == held_ && how == how_) return;
@@ -107,19 +113,20 @@ void ToolHandling::take(int tool) {
 }
 
 bool ToolHandling::atRest(int tool) const {
-  const Pose &now = pose(tool), &rest = rests_.at(std::size_t(tool));
+  const Pose &now = pose(tool), &rest = rests_[std::size_t(tool)];
   return (now.position - rest.position).norm() < 1e-4 &&
          now.rotation.angularDistance(rest.rotation) < 1e-2;
 }
 
 void ToolHandling::putBack(int tool) {
   if (tool < 0) return;
+  requireTool(tool);
   if (tool == held_) {
     detach();
     held_ = -1;
     how_ = Hold::None;
   }
-  room_.setToolPose(tool, rests_.at(std::size_t(tool)));
+  room_.setToolPose(tool, rests_[std::size_t(tool)]);
   notify();
 }
 

@@ -69,6 +69,7 @@ class ToolHandling {
   std::function<void()> changed;
 
  private:
+  void requireTool(int tool) const;
   static void heard(void* self, SoEventCallback* node);
   void mouseButton(SoEventCallback& node);
   void mouseMoved(SoEventCallback& node);

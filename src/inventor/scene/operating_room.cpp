@@ -21,7 +21,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "geometry/normals.h"
 #include "geometry/topology.h"
 #include "inventor/gl/SoOrganShape.h"
@@ -188,6 +188,7 @@ void OperatingRoom::setToolbox(SoNode* model, const Pose& pose) {
 }
 
 int OperatingRoom::addTool(SoNode* model) {
+  require(model != nullptr, "a tool without a model was added to the room; give its scene graph");
   // The steel material applies to the model only, so that a manipulator in the transform's place
   // keeps its colours.
   SoSeparator* tool = uncachedSeparator();
@@ -213,9 +214,15 @@ int OperatingRoom::addTool(SoNode* model) {
   return number;
 }
 
+void OperatingRoom::requireTool(int tool) const {
+  require(tool >= 0 && tool < toolCount(), "there is no tool {} among the room's {}; number from 0",
+          tool, toolCount());
+}
+
 bool OperatingRoom::setToolSqueeze(int tool, double squeeze) {
+  requireTool(tool);
   bool turned = false;
-  for (const Jaw& jaw : jaws_.at(std::size_t(tool))) {
+  for (const Jaw& jaw : jaws_[std::size_t(tool)]) {
     const Eigen::Quaternionf q = jaw.open.slerp(float(squeeze), Eigen::Quaternionf::Identity());
     const SbRotation rotation(q.x(), q.y(), q.z(), q.w());
     if (jaw.transform->rotation.getValue() == rotation) continue;
@@ -226,7 +233,7 @@ bool OperatingRoom::setToolSqueeze(int tool, double squeeze) {
 }
 
 SoTransform* OperatingRoom::toolTransform(int tool) const {
-  RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
+  requireTool(tool);
   return static_cast<SoTransform*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(0));
 }
 
@@ -249,14 +256,14 @@ Pose OperatingRoom::toolboxPose() const { return getPose(*toolboxPose_); }
 int OperatingRoom::toolCount() const { return tools_->getNumChildren(); }
 
 SoNode* OperatingRoom::toolModel(int tool) const {
-  RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
+  requireTool(tool);
   const auto* body =
       static_cast<SoSeparator*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(1));
   return body->getChild(1);
 }
 
 Aabb OperatingRoom::toolBounds(int tool) const {
-  RESECT_ASSERT(tool >= 0 && tool < tools_->getNumChildren());
+  requireTool(tool);
   SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
   measure.apply(tools_->getChild(tool));
   const SbBox3f box = measure.getBoundingBox();

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "geometry/pose.h"
 #include "geometry/triangle_mesh.h"
 
@@ -58,7 +59,11 @@ class OperatingRoom {
   SoNode* root() const;
   SoPerspectiveCamera* camera() const { return camera_; }
   // The first organ, or one that was added.
-  SoOrganShape* organ(int number = 0) const { return organs_.at(std::size_t(number)); }
+  SoOrganShape* organ(int number = 0) const {
+    require(number >= 0 && number < organCount(),
+            "there is no organ {} among the room's {}; number from 0", number, organCount());
+    return organs_[std::size_t(number)];
+  }
   int organCount() const { return int(organs_.size()); }
   void addOrgan(const Vec3f& colour);
 
@@ -126,6 +131,7 @@ class OperatingRoom {
   void viewAll(const Aabb& box, double aspect);
 
  private:
+  void requireTool(int tool) const;
   struct Jaw {
     SoTransform* transform;
     Eigen::Quaternionf open;

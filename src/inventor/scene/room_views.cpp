@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "inventor/scene/operating_room.h"
 
 namespace resect {
@@ -31,8 +31,12 @@ Direction direction(RoomView view) {
     case RoomView::Laparoscope:
       return {{0.35, 0.48, 0.85}, 1.15, 0.80, {0.0, 0.0, 0.0}};
   }
-  RESECT_ASSERT(false);
-  return {};
+  throw usageError("there is no view {} of the room; use one of RoomView", int(view));
+}
+
+void requireAspect(double aspect) {
+  require(aspect > 0 && std::isfinite(aspect),
+          "the picture's width is {} times its height; give a number above 0", aspect);
 }
 
 struct ViewAxes {
@@ -65,7 +69,7 @@ std::optional<RoomView> roomView(std::string_view name) {
 }
 
 void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
-  RESECT_ASSERT(aspect > 0.0);
+  requireAspect(aspect);
   if (box.empty()) return;
   const Direction from = direction(view);
   const double radius = std::max(0.5 * box.size().norm(), 1e-3);
@@ -78,7 +82,7 @@ void OperatingRoom::look(RoomView view, const Aabb& box, double aspect) {
 }
 
 void OperatingRoom::frame(RoomView view, const Aabb& box, double aspect) {
-  RESECT_ASSERT(aspect > 0.0);
+  requireAspect(aspect);
   if (box.empty()) return;
   const Direction from = direction(view);
   const Vec3 back = from.towards.normalized(), right = Vec3::UnitY().cross(back).normalized();
@@ -87,7 +91,7 @@ void OperatingRoom::frame(RoomView view, const Aabb& box, double aspect) {
 }
 
 void OperatingRoom::viewAll(const Aabb& box, double aspect) {
-  RESECT_ASSERT(aspect > 0.0);
+  requireAspect(aspect);
   if (box.empty()) return;
   Vec3 axes[3];
   for (int a = 0; a < 3; ++a) {

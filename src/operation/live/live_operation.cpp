@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/error.h"
 #include "base/stage_clock.h"
 #include "operation/live/squeeze_speed.h"
 
@@ -23,6 +24,11 @@ LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::
       frameRate_(frameRate),
       wholeVolume_(restVolume(*simulation_)),
       publishers_(simulation_->organs().size()) {
+  require(frameRate >= 1 && frameRate <= 1000, "{} frames a second were asked for; give 1 to 1000",
+          frameRate);
+  require(rests.size() == simulation_->tools().size(),
+          "there are {} places for {} tools; give one for each", rests.size(),
+          simulation_->tools().size());
   simulation_->keepLook();
   input_.duration = 1 / frameRate_;
   for (const Pose& rest : rests) input_.tools.push_back({rest, false, 1});
@@ -40,7 +46,9 @@ LiveOperation::~LiveOperation() {
 
 void LiveOperation::setTool(int tool, const ToolInput& input) {
   const std::lock_guard lock(mutex_);
-  input_.tools.at(std::size_t(tool)) = input;
+  require(tool >= 0 && std::size_t(tool) < input_.tools.size(),
+          "there is no tool {} among {}; number from 0", tool, input_.tools.size());
+  input_.tools[std::size_t(tool)] = input;
 }
 
 void LiveOperation::setIso(float iso) {
@@ -123,15 +131,25 @@ void LiveOperation::work() {
         input.tools[i].squeeze = squeezeTowards(
             input.tools[i].squeeze, simulation_->tools()[i].way.to.squeeze, input.duration);
     StageClock clock;
-    simulation_->step(input, report, &clock);
+    std::string refusal;
+    try {
+      simulation_->step(input, report, &clock);
+    } catch (const Error& e) {
+      refusal = e.what();
+    }
     lastSecond.add(clock, steadySeconds());
     StepTimes times = lastSecond.times();
     {
       const std::lock_guard lock(mutex_);
-      for (std::size_t o = 0; o < publishers_.size(); ++o)
-        publishers_[o].follow(presentSurface(*simulation_, o));
-      noteStep(state_, *simulation_, report, wholeVolume_);
-      state_.played = std::move(frame->played);
+      if (refusal.empty()) {
+        for (std::size_t o = 0; o < publishers_.size(); ++o)
+          publishers_[o].follow(presentSurface(*simulation_, o));
+        noteStep(state_, *simulation_, report, wholeVolume_);
+        state_.played = std::move(frame->played);
+      } else {
+        motion_ = {};
+        state_.faults = {refusal};
+      }
       state_.times = std::move(times);
       fresh_ = true;
       stepping_ = false;

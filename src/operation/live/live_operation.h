@@ -36,7 +36,8 @@ class LiveOperation {
   void setTool(int tool, const ToolInput& input);
   void setIso(float iso);
   // From the next frame on `motion` supplies the input: it is called once a frame in the
-  // operation's thread until it returns nothing; an empty function ends it.
+  // operation's thread until it returns nothing; an empty function ends it. An input that a step
+  // refuses ends it too: LiveState::faults then says why.
   void play(std::function<std::optional<FrameInput>()> motion);
   bool playing() const;
   void setPaused(bool paused);

@@ -5,12 +5,13 @@
 #include <cmath>
 #include <limits>
 
-#include "base/assert.h"
+#include "base/error.h"
 
 namespace resect {
 
 BlendedShape::BlendedShape(std::span<const BlendedEllipsoid> ellipsoids) {
-  RESECT_ASSERT(ellipsoids.size() <= std::size_t(kMost));
+  require(ellipsoids.size() <= std::size_t(kMost), "a shape of {} ellipsoids is too much; give {}",
+          ellipsoids.size(), kMost);
   const auto count = Eigen::Index(ellipsoids.size());
   for (int m = 0; m < 3; ++m) {
     for (int n = 0; n < 3; ++n) toUnit_[m][n].resize(count);
@@ -21,7 +22,9 @@ BlendedShape::BlendedShape(std::span<const BlendedEllipsoid> ellipsoids) {
   sign_.resize(count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const BlendedEllipsoid& e = ellipsoids[std::size_t(i)];
-    RESECT_ASSERT((e.radii.array() > 0).all() && e.fillet > 0);
+    require((e.radii.array() > 0).all() && e.fillet > 0,
+            "ellipsoid {} has radii {}, {}, {} m and fillet {} m; give lengths above 0", i,
+            e.radii.x(), e.radii.y(), e.radii.z(), e.fillet);
     const Vec3 inverse = e.radii.cwiseInverse();
     const Mat3 map = inverse.asDiagonal() *
                      Eigen::Quaterniond(e.turn).normalized().toRotationMatrix().transpose();

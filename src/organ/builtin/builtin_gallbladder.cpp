@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "isosurface/polygonise.h"
 #include "organ/builtin/blended_shape.h"
 #include "organ/builtin/builtin_liver.h"
@@ -66,7 +66,8 @@ double builtinGallbladderDistance(const Vec3& p) {
 }
 
 TriangleMesh builtinGallbladder(double edge) {
-  RESECT_ASSERT(edge >= 0.0005 && edge <= 0.0025);
+  require(edge >= 0.0005 && edge <= 0.0025,
+          "the longest edge of the gallbladder is {} m; give 0.0005 to 0.0025", edge);
   const Aabb box{{-0.050, -0.070, -0.010}, {0.050, 0.020, 0.110}};
   return polygonise(builtinGallbladderDistance, box, {.edge = edge});
 }

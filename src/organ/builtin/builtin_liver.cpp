@@ -1,6 +1,6 @@
 #include "organ/builtin/builtin_liver.h"
 
-#include "base/assert.h"
+#include "base/error.h"
 #include "isosurface/polygonise.h"
 #include "organ/builtin/blended_shape.h"
 
@@ -21,7 +21,8 @@ const BlendedShape& shape() {
 double builtinLiverDistance(const Vec3& p) { return shape()(p); }
 
 TriangleMesh builtinLiver(double edge) {
-  RESECT_ASSERT(edge >= 0.0005 && edge <= 0.005);
+  require(edge >= 0.0005 && edge <= 0.005,
+          "the longest edge of the liver is {} m; give 0.0005 to 0.005", edge);
   const Aabb box{{-0.075, -0.110, -0.102}, {0.132, 0.082, 0.111}};  // a centimetre all around
   return polygonise(builtinLiverDistance, box, {.edge = edge});
 }

@@ -47,21 +47,15 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
   bodyCount_ = obstacles.size();
   if (bodies_.size() < bodyCount_) bodies_.resize(bodyCount_);
   impulse_.assign(bodyCount_, Vec3::Zero());
-  struct Reach {
-    Pose back;   // from the world to the obstacle
-    Aabb box;    // in the obstacle's frame
-    Aabb world;  // bounds of the box
-    Vec3 up[2];  // of a half space, at the frame's start and end
-  };
-  std::vector<Reach> reach(bodyCount_);
+  reach_.assign(bodyCount_, {});
   for (std::size_t b = 0; b < bodyCount_; ++b) {
     Body& body = bodies_[b];
     const Obstacle& o = body.obstacle = obstacles[b];
     body.cells.clear();
     body.velocity = (o.to.position - o.from.position) / duration;
     body.spin = rotationVector(o.to.rotation * o.from.rotation.conjugate()) / duration;
-    reach[b].up[0] = o.from.rotation * Vec3::UnitY();
-    reach[b].up[1] = o.to.rotation * Vec3::UnitY();
+    reach_[b].up[0] = o.from.rotation * Vec3::UnitY();
+    reach_[b].up[1] = o.to.rotation * Vec3::UnitY();
     if (!o.shape) continue;
     // Cells within reach of the obstacle at any time of the frame.
     Aabb box = o.shape->box();
@@ -69,9 +63,9 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     const Pose back = o.to.inverse();
     for (int corner = 0; corner < 8; ++corner) box.grow(back * (o.from * still.corner(corner)));
     box = box.padded(o.standOff + s.spacing);
-    reach[b].back = back;
-    reach[b].box = box;
-    reach[b].world = movedBox(box, o.to);
+    reach_[b].back = back;
+    reach_[b].box = box;
+    reach_[b].world = movedBox(box, o.to);
   }
   constexpr double kDiagonal = 1.75;  // of a cube, at most
   // Whether a box, whose cells move by at most `way` in the frame, can touch a half space.
@@ -82,7 +76,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
       const Vec3 lowest = (up.array() > 0).select(box.min, box.max);
       return (lowest - origin).dot(up) < most;
     };
-    return reaches(reach[b].up[0], o.from.position) || reaches(reach[b].up[1], o.to.position);
+    return reaches(reach_[b].up[0], o.from.position) || reaches(reach_[b].up[1], o.to.position);
   };
   for (const TissueChunk& chunk : s.chunks) {
     const Aabb bounds = chunkBounds(s, chunk, origin);
@@ -90,7 +84,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     bool near = false;
     for (std::size_t b = 0; b < bodyCount_ && !near; ++b) {
       const Obstacle& o = bodies_[b].obstacle;
-      near = o.shape ? meets(reach[b].world.padded(kDiagonal * mostWay), bounds)
+      near = o.shape ? meets(reach_[b].world.padded(kDiagonal * mostWay), bounds)
                      : o.halfSpace && nearHalfSpace(b, bounds, mostWay);
     }
     if (!near) continue;
@@ -108,8 +102,8 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
           continue;
         }
         if (o.tool >= 0 && !gripper.empty() && gripper[i] == o.tool) continue;
-        if (!reach[b].world.padded(kDiagonal * way).contains(x)) continue;
-        if (reach[b].box.padded(way).contains(reach[b].back * x))
+        if (!reach_[b].world.padded(kDiagonal * way).contains(x)) continue;
+        if (reach_[b].box.padded(way).contains(reach_[b].back * x))
           bodies_[b].cells.push_back({i, rest});
       }
     }

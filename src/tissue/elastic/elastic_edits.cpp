@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "tissue/elastic/elastic_setup.h"
 #include "tissue/elastic/elastic_tissue.h"
 
@@ -46,6 +47,8 @@ void ElasticTissue::remove(std::int64_t cell) {
 }
 
 std::int64_t ElasticTissue::attach(const TissueAttachment& attachment) {
+  require(attachment.stiffness >= 0 && std::isfinite(attachment.stiffness),
+          "a ligament's stiffness is {} N/m; give a finite number from 0", attachment.stiffness);
   std::vector<std::int64_t> cells;
   for (std::int64_t c = 0; c < lattice_.cellCount(); ++c)
     if (solid(c) && attachment.holds(lattice_.centre(lattice_.cell(c)))) cells.push_back(c);

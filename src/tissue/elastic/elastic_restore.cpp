@@ -42,10 +42,12 @@ void ElasticTissue::checkRestored() const {
   if (fits) {
     for (std::int32_t i = 0; i < s.box.size && fits; ++i) {
       if (!s.solid[i]) {
-        fits = s.bonds[i] == 0;
+        fits = s.bonds[i] == 0 && s.held[i] == 0 && s.loaded[i] == 0 &&
+               (s.material[i] == 0 || s.box.inLattice(i));
         continue;
       }
-      fits = s.solid[i] == 1 && s.material[i] < s.materials.size() && s.box.inLattice(i);
+      fits = s.solid[i] == 1 && s.material[i] < s.materials.size() && s.box.inLattice(i) &&
+             s.held[i] <= kHeldAll && s.loaded[i] <= 1;
       for (std::uint32_t bonds = s.bonds[i]; bonds != 0 && fits; bonds &= bonds - 1) {
         const int d = std::countr_zero(bonds);
         fits = d < kDirections && s.solid[i + s.box.step[d]];

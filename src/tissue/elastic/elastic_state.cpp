@@ -133,11 +133,15 @@ ElasticState makeElasticState(const TissueCells& cells, double penalty) {
 }
 
 void checkMaterial(const TissueMaterial& m) {
-  if (!(m.young > 0 && m.poisson >= 0 && m.poisson <= 0.4999 && m.density > 0))
-    throw usageError(
-        "material \"{}\" has young = {} Pa, poisson = {}, density = {} kg/m^3; young and density "
-        "are positive, poisson is from 0 to 0.4999",
-        m.name, m.young, m.poisson, m.density);
+  const auto within = [](double value, double low, double high) {
+    return value >= low && value <= high;
+  };
+  require(within(m.young, 1, 1e9) && within(m.poisson, 0, 0.4999) && within(m.density, 1, 1e5) &&
+              m.tearStretch >= 1,
+          "material \"{}\" has young = {} Pa, poisson = {}, density = {} kg/m^3, tearStretch = {}; "
+          "give young from 1 to 1e9, poisson from 0 to 0.4999, density from 1 to 1e5, tearStretch "
+          "from 1",
+          m.name, m.young, m.poisson, m.density, m.tearStretch);
 }
 
 std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material) {

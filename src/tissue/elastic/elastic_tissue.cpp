@@ -19,13 +19,24 @@ constexpr double kMostCells = 20;   // spacings per substep: faster is an explos
 constexpr std::size_t kGrain = 64;  // chunks per block of a pass
 
 void check(const TissueCells& cells, const TissueSettings& settings) {
+  const auto count = std::size_t(cells.lattice.cellCount());
+  require(cells.lattice.sound() && cells.solid.size() == count &&
+              (cells.material.empty() || cells.material.size() == count),
+          "{} cells of {} m have {} flags and {} materials; give one of each for every cell, or no "
+          "material",
+          count, cells.lattice.spacing.x(), cells.solid.size(), cells.material.size());
+  require(std::ranges::all_of(cells.material,
+                              [&](std::uint8_t m) { return m < cells.materials.size(); }),
+          "a cell is of a material that there is not among {}; number from 0",
+          cells.materials.size());
+  require(settings.gravity.allFinite(), "gravity is not a number; give three");
   if (std::find(cells.solid.begin(), cells.solid.end(), 1) == cells.solid.end())
     throw error("the tissue has no solid cell; give an organ with particles");
   if (cells.materials.empty()) throw error("the tissue has no material; give at least one");
   for (const TissueMaterial& m : cells.materials) checkMaterial(m);
   if (!(settings.damping >= 0 && settings.damping <= 0.5))
     throw usageError("tissue damping is {}; give a value from 0 to 0.5", settings.damping);
-  if (!(settings.drag >= 0))
+  if (!(settings.drag >= 0 && std::isfinite(settings.drag)))
     throw usageError("tissue drag is {} 1/s; give 0 or more", settings.drag);
   if (!(settings.penalty > 0 && settings.penalty <= 3))
     throw usageError("tissue penalty is {}; give a value above 0, up to 3", settings.penalty);
