@@ -23,6 +23,7 @@ void requireSound(const Region& region) {
 }
 
 void requireSound(const ScenarioTool& tool) {
+  require(!tool.model.empty(), "a tool names no description; give its .toml file");
   require(isFinite(tool.rest), "tool \"{}\" rests at a place that is not a number; give numbers",
           tool.model);
   double before = -1;

@@ -69,16 +69,22 @@ void SeveredEdges::visitBricks(const Vec3i& lowNode, const Vec3i& highNode, Visi
       for (int x = low.x(); x <= high.x(); ++x) visit(std::size_t(brickIndex({x, y, z})));
 }
 
-// Marks the bricks whose surface depends on the edges and faces at `node`.
-void SeveredEdges::touch(const Vec3i& node) {
+// visit(brick) for the bricks whose cells, or lattice cubes, the edges and faces at `node` lie in.
+template <typename Visit>
+void SeveredEdges::visitNear(const Vec3i& node, Visit visit) const {
   // With three nodes a cell the lattice's cubes cross the borders of bricks.
   const int below = refine_ == 3 ? kNodesBelow : 1, above = refine_ == 3 ? kNodesAbove : 0;
+  visitBricks(node - Vec3i::Constant(below), node + Vec3i::Constant(above), visit);
+}
+
+// Marks the bricks whose surface depends on the edges and faces at `node`.
+void SeveredEdges::touch(const Vec3i& node) {
   visitBricks(node - Vec3i::Constant(kNodesBelow), node + Vec3i::Constant(kNodesAbove),
               [&](std::size_t b) {
                 if (!pendingOf_[b]) pending_.push_back(std::int64_t(b));
                 pendingOf_[b] |= kInSight;
               });
-  visitBricks(node - Vec3i::Constant(below), node + Vec3i::Constant(above), [&](std::size_t b) {
+  visitNear(node, [&](std::size_t b) {
     near_[b] = 1;
     pendingOf_[b] |= kWithin;
   });
@@ -154,24 +160,59 @@ bool SeveredEdges::fit() const {
   for (const std::size_t size : {recordOf_.size(), near_.size(), pendingOf_.size()})
     if (size != (records_.empty() ? 0 : bricks)) return false;
   const auto below = [](std::int64_t i, std::size_t end) { return i < std::int64_t(end); };
+  std::vector<std::uint8_t> owned(records_.size(), 0);
   for (const std::int32_t r : recordOf_)
-    if (r < -1 || !below(r, records_.size())) return false;
-  for (const std::int64_t b : pending_)
-    if (b < 0 || !below(b, bricks)) return false;
-  for (const Record& record : records_) {
-    for (const auto& shares : record.share)
-      for (const float share : shares)
-        if (!(share == kWhole || (share >= kCutMargin && share <= 1 - kCutMargin))) return false;
-    for (const std::int32_t t : record.firstTrace)
-      if (t < -1 || !below(t, record.traces.size())) return false;
-    // Indices ascend along a face's list, so that the list ends.
-    for (std::size_t t = 0; t < record.traces.size(); ++t) {
-      const std::int32_t next = record.traces[t].next;
-      if (next != -1 && (next <= std::int32_t(t) || !below(next, record.traces.size())))
-        return false;
-    }
+    if (r < -1 || !below(r, records_.size()) || (r >= 0 && owned[std::size_t(r)]++)) return false;
+  std::vector<std::uint8_t> unlisted = pendingOf_;
+  for (const std::int64_t b : pending_) {
+    if (b < 0 || !below(b, unlisted.size())) return false;
+    std::uint8_t& pending = unlisted[std::size_t(b)];
+    if (pending == 0 || pending > (kInSight | kWithin)) return false;
+    pending = 0;
+  }
+  if (std::ranges::any_of(unlisted, [](std::uint8_t pending) { return pending != 0; }))
+    return false;
+  return std::ranges::all_of(records_, [](const Record& record) { return record.fit(); }) &&
+         countAndNearFit();
+}
+
+bool SeveredEdges::Record::fit() const {
+  for (std::size_t k = 0; k < 192; ++k) {
+    const float cut = share[k / 64][k % 64];
+    if (!(cut == kWhole || (cut >= kCutMargin && cut <= 1 - kCutMargin))) return false;
+    if ((severed[k / 64] >> k % 64 & 1) != (cut != kWhole)) return false;
+    if (!normal[k / 64][k % 64].allFinite()) return false;
+    const std::int32_t t = firstTrace[k];
+    if (t < -1 || t >= std::int64_t(traces.size())) return false;
+  }
+  // Indices ascend along a face's list, so that the list ends.
+  for (std::size_t t = 0; t < traces.size(); ++t) {
+    const auto& [line, next] = traces[t];
+    if (!line.from.allFinite() || !line.to.allFinite()) return false;
+    if (next != -1 && (next <= std::int64_t(t) || next >= std::int64_t(traces.size())))
+      return false;
   }
   return true;
+}
+
+// Are as many edges severed as are counted, and the bricks near them those that are noted?
+bool SeveredEdges::countAndNearFit() const {
+  std::vector<std::uint8_t> near(near_.size(), 0);
+  std::int64_t count = 0;
+  for (std::size_t b = 0; b < recordOf_.size(); ++b) {
+    const Record* record = recordOfBrick(std::int64_t(b));
+    if (!record) continue;
+    const auto x = std::size_t(brickDims_.x()), y = std::size_t(brickDims_.y());
+    const Vec3i brick(int(b % x), int(b / x % y), int(b / x / y));
+    for (int k = 0; k < 192; ++k) {
+      const bool cut = record->severed[std::size_t(k / 64)] >> k % 64 & 1;
+      count += cut;
+      if (cut || record->firstTrace[std::size_t(k)] >= 0)
+        visitNear(4 * brick + Vec3i(k % 4, k / 4 % 4, k / 16 % 4),
+                  [&](std::size_t there) { near[there] = 1; });
+    }
+  }
+  return near == near_ && count == count_;
 }
 
 std::size_t SeveredEdges::bytes() const {

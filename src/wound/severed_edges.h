@@ -93,7 +93,7 @@ class SeveredEdges {
   void visitMade(Visitor& v) {
     v.made(brickDims_, refine_, touched_);
   }
-  // After loading: whether all brick numbers and trace indices are in range.
+  // After loading: whether all numbers are in range and agree with each other.
   bool fit() const;
 
  private:
@@ -108,6 +108,7 @@ class SeveredEdges {
   };
   struct Record {
     Record();
+    bool fit() const;
     template <class Visitor>
     void visit(Visitor& v) {
       v("severed", severed), v("share", share), v("normal", normal);
@@ -140,7 +141,10 @@ class SeveredEdges {
   Record& takeRecord(const Vec3i& node, int axis);
   template <typename Visit>
   void visitBricks(const Vec3i& low, const Vec3i& high, Visit visit) const;
+  template <typename Visit>
+  void visitNear(const Vec3i& node, Visit visit) const;
   void touch(const Vec3i& node);
+  bool countAndNearFit() const;
 
   Vec3i brickDims_;
   int refine_;

@@ -38,7 +38,7 @@ TEST_CASE("no simulation is made of a scenario with values out of range") {
         s.joints.push_back({{"organ", "spleen"}});
       },
       "spleen"));
-  CHECK(simulationRefused([](Scenario& s) { s.organs[0].source.file = "none.obj"; }, "none.obj"));
+  CHECK(simulationRefused([](Scenario& s) { s.organs[0].source.file = "none.obj"; }, "none.ply"));
   CHECK(simulationRefused([](Scenario& s) { s.tools.resize(1); }, "tool"));
   CHECK(simulationRefused(
       [&](Scenario& s) {

@@ -23,6 +23,7 @@ bool scenarioRefused(Change change, const char* what) {
   Scenario scenario;
   scenario.organs[0].source.spacing = 0.01;
   scenario.tools.resize(1);
+  scenario.tools[0].model = "baton";
   scenario.tools[0].keys = {{0, {}}, {1, {}}};
   requireSound(scenario);
   change(scenario);
@@ -77,6 +78,7 @@ TEST_CASE("a scenario with a value out of range or a name that is unknown is ref
   CHECK(scenarioRefused([](Scenario& s) { s.tools[0].keys[1].time = 0; }, "each later"));
   CHECK(scenarioRefused([](Scenario& s) { s.tools[0].keys[0].time = kNaN; }, "each later"));
   CHECK(scenarioRefused([](Scenario& s) { s.tools[0].keys[0].squeeze = kNaN; }, "not a number"));
+  CHECK(scenarioRefused([](Scenario& s) { s.tools[0].model.clear(); }, "no description"));
   CHECK(scenarioRefused([](Scenario& s) { s.tools[0].rest.position.x() = kNaN; }, "rests"));
 }
 
