@@ -219,6 +219,27 @@ TEST_CASE("a state of another organ, cut off or damaged, is refused and changes 
   CHECK(refused > 400);
 }
 
+TEST_CASE("a state whose numbers do not agree with each other is refused and changes nothing") {
+  Simulation simulation = cutBlock();
+  const std::uint64_t before = simulation.stateHash();
+  using Path = std::vector<const char*>;
+  // The first number of each: of a cell beyond the lattice, of a brick far from the cut.
+  for (const Path& path :
+       {Path{"organs", "tissue", "held"}, Path{"organs", "tissue", "loaded"},
+        Path{"organs", "tissue", "material"}, Path{"organs", "tissue", "solid"},
+        Path{"organs", "organ", "severed", "near"}, Path{"organs", "organ", "severed", "pendingOf"},
+        Path{"organs", "organ", "severed", "count"}}) {
+    SavedState state = simulation.fields();
+    StateColumn* column = &state.root;
+    for (const char* name : path)
+      column = &*std::ranges::find(column->fields, name, &StateColumn::name);
+    CAPTURE(column->name);
+    column->data[0] ^= std::byte(1);
+    CHECK_THROWS_AS(simulation.restore(toBytes(state)), Error);
+    CHECK(simulation.stateHash() == before);
+  }
+}
+
 TEST_CASE("a saved state is small, and saving and restoring are quick") {
   struct Case {
     const char* name;
