@@ -56,6 +56,15 @@ std::span<const ToolKind> toolKinds() {
 }
 
 std::unique_ptr<Tool> makeTool(ToolModel model) {
+  auto tool = std::make_unique<Tool>();
+  const auto kind = std::ranges::find(toolKinds(), model.kind, &ToolKind::name);
+  if (kind == toolKinds().end())
+    throw error("there is no kind of tool \"{}\" (tool \"{}\"); use one of: {}", model.kind,
+                model.name, namesOf(toolKinds()));
+  std::vector<std::string_view> parts(model.parts.begin(), model.parts.end());
+  if (parts.empty()) parts = kind->parts;
+  if (model.response == "remove") parts = {"remover"};
+  for (const std::string_view part : parts) tool->parts.push_back(makePart(part, model));
   require(!model.mesh.triangles.empty(), "tool \"{}\" has no shape; give a closed mesh",
           model.name);
   requireSound(model.mesh);
@@ -67,15 +76,6 @@ std::unique_ptr<Tool> makeTool(ToolModel model) {
               model.friction >= 0 && model.slipForce >= 0,
           "a length, friction or force of tool \"{}\" is not a number from 0; correct it",
           model.name);
-  auto tool = std::make_unique<Tool>();
-  const auto kind = std::ranges::find(toolKinds(), model.kind, &ToolKind::name);
-  if (kind == toolKinds().end())
-    throw error("there is no kind of tool \"{}\" (tool \"{}\"); use one of: {}", model.kind,
-                model.name, namesOf(toolKinds()));
-  std::vector<std::string_view> parts(model.parts.begin(), model.parts.end());
-  if (parts.empty()) parts = kind->parts;
-  if (model.response == "remove") parts = {"remover"};
-  for (const std::string_view part : parts) tool->parts.push_back(makePart(part, model));
   tool->bounds = bounds(model.mesh);
   tool->model = std::move(model);
   return tool;

@@ -172,7 +172,7 @@ TEST_CASE("edits are done with no tool at all, on tissue that moves and that doe
     CHECK(report.removed == 0);
     CHECK(bodies(simulation.organ()).size() == 3);
 
-    input.edits = {{1, -1, RemoveCell{cell(1, 1, 1)}}, {0, -1, RemoveCell{-1}}};
+    input.edits = {{0, -1, RemoveCell{cell(6, 0, 0)}}, {0, -1, RemoveCell{-1}}};
     report = simulation.step(input);
     CHECK(report.removed == 0);
     CHECK(report.severed == 0);
