@@ -9,10 +9,9 @@
 #include "io/cells/particle_file.h"
 #include "io/data_folder.h"
 #include "io/organ_mesh.h"
+#include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
 #include "operation/room.h"
-#include "organ/builtin/builtin_gallbladder.h"
-#include "organ/builtin/builtin_liver.h"
 #include "organ/cell_labels.h"
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
@@ -27,6 +26,12 @@ namespace {
 std::string boxText(const Aabb& box) {
   return fmt::format("[[{:.3f}, {:.3f}, {:.3f}], [{:.3f}, {:.3f}, {:.3f}]] m", box.min.x(),
                      box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z());
+}
+
+// The surface of an organ that comes along: made once by tools/make_organs, since its formula takes
+// 0.7 s.
+TriangleMesh builtInMesh(const std::string& name) {
+  return merged(readPlainMesh(dataFolder() / "organs" / (name + ".ply")));
 }
 
 // Translation that puts a box on the table: centred over the origin, lowest point on the table top.
@@ -90,10 +95,8 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
                            std::vector<std::string>* notes, std::optional<Pose>* place) {
   requireSound(source);
   TriangleMesh mesh;
-  if (source.file.empty()) {
-    mesh = builtinLiver();
-  } else if (source.file == "gallbladder") {
-    mesh = builtinGallbladder();
+  if (isBuiltIn(source)) {
+    mesh = builtInMesh(source.file.empty() ? "liver" : source.file);
   } else {
     const OrganMesh organ =
         prepareOrganMesh(readModel(source.file), {source.part, source.repair, source.unit});
