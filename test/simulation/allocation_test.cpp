@@ -64,8 +64,10 @@ Simulation elasticAndTwoTools() {
 }
 
 // Most allocations in one of 100 steps, after some to warm up, in which the first tool goes from p
-// on by `way` a step.
+// on by `way` a step. At one thread: without oneTBB, loops that use more start them, which
+// allocates.
 long mostAllocations(Simulation& simulation, const Vec3& p, const Vec3& way) {
+  const ThreadLimit one(1);
   FrameInput input;
   input.tools.resize(2);
   input.tools[1] = {{}, false};
