@@ -2,7 +2,7 @@
 # tools/other_machines.sh [BUILD [PROGRAM]]: builds the core for aarch64 and WebAssembly below BUILD (build/machines), plays
 # 120 frames of a scenario of moving and one of still tissue on each (qemu-user, node) and by PROGRAM
 # (build/release/machine_states) on this one, and compares the state hashes.
-# Exits with 77 where a tool is missing, with 1 where a hash differs. Needs the packages of tools/packages_machines.txt.
+# Exits with 77 where a tool is missing, with 1 where a hash differs or a build fails, with 2 where PROGRAM is missing. Needs the packages of tools/packages_machines.txt.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${1:-$root/build/machines}
@@ -67,7 +67,10 @@ printf '%-16s %-10s %-18s %s\n' scenario machine state seconds
 for scenario in "${scenarios[@]}"; do
   expected=$(awk -v s="$scenario" '$1 == s {print $2}' "$build/here.txt")
   for machine in here aarch64 wasm; do
-    read -r _ state seconds < <(grep "^$scenario " "$build/$machine.txt")
+    if ! read -r _ state seconds < <(grep "^$scenario " "$build/$machine.txt"); then
+      echo "$scenario on $machine printed no state; see $build/$machine.txt"
+      exit 1
+    fi
     printf '%-16s %-10s %-18s %s\n' "$scenario" "$machine" "$state" "$seconds"
     if [[ $state != "$expected" ]]; then
       echo "  $machine differs"

@@ -18,7 +18,7 @@ struct LinePlot {
   std::vector<PlotLine> lines;
 };
 
-// 900 x 360 pixels, readable on light and dark backgrounds. The axes include all points and y = 0,
+// 900 x 360 pixels, on a white background of its own. The axes include all finite points and y = 0,
 // with ticks at round numbers.
 std::string toSvg(const LinePlot& plot);
 

@@ -15,10 +15,11 @@ struct ModelInfo {
   std::vector<std::string> parts;
   // As read:
   int triangles = 0;
-  int vertices = 0;  // distinct positions: independent of whether the format shares points
+  int vertices = 0;  // distinct positions, however often the file repeats them
   double area = 0;   // m^2
-  double volume =
-      0;        // m^3, signed sum over the triangles about the origin, also of an open surface
+  // m^3, sum of the signed tetrahedra from the origin to each triangle; of an open surface it
+  // depends on where the origin is.
+  double volume = 0;
   Aabb bounds;  // m
   // After welding (weldSurface):
   int components = 0;
@@ -29,7 +30,7 @@ struct ModelInfo {
 
 ModelInfo modelInfo(const Model& model);
 
-// The fields of `resect info --json`, lengths in m, volume in ml.
+// The fields of `resect info --json`, lengths in m, area in m^2, volume in ml.
 nlohmann::ordered_json toJson(const ModelInfo& info);
 
 // A few lines for a person.

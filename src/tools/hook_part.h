@@ -1,5 +1,6 @@
-// Working part of a hook: grips the tissue in its bend while it is pulled towards its handle, until
-// the pull exceeds ToolModel::slipForce. It grips once per pull: what it holds is not added to.
+// Working part of a hook: in a frame in which it moves towards its handle and holds nothing of the
+// organ, it grips the cells in its bend. It releases them when the pull exceeds
+// ToolModel::slipForce, or when the tool is put away.
 #pragma once
 
 #include "tools/working_part.h"

@@ -1,5 +1,6 @@
-// Interface of working parts: blade, jaws, hook, one class each. A part finds what it touches and
-// queues edits; it changes nothing itself, and it need not know whether the tissue moves.
+// Interface of working parts: blade, jaws, hook, remover, one class each. A part finds what it
+// touches and queues edits; it changes nothing itself, and it need not know whether the tissue
+// moves.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,8 @@ struct ToolStance {
   }
 };
 
-// The stances at the start of the frame before, at the start of this frame, and at its end.
+// The way of a tool: its stances at the start of the frame before, at the start of this frame, and
+// at its end.
 struct ToolWay {
   ToolStance earlier, from, to;
 
@@ -39,9 +41,11 @@ struct ToolWay {
 struct ToolContacts {
   std::int32_t tool = -1, organ = -1;
   std::vector<std::int64_t> cells;  // particles inside the volume that the tool swept, ascending
-  // overlap of organ and tool at the end of the frame, m^3; for still tissue only.
+  // overlap of organ and tool at the end of the frame, m^3; 0 for moving tissue.
   double overlapVolume = 0;
-  Aabb volumeOfInterest;  // common part of their boxes; empty if they do not meet
+  // Still tissue: common part of the boxes of organ and moving tool; moving tissue: box round the
+  // particles near the tool. Empty if they do not meet.
+  Aabb volumeOfInterest;
 };
 
 // One tool at one organ in one frame.

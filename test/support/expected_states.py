@@ -1,6 +1,6 @@
 """The state hash at the end of each scenario, as `resect run NAME` prints it, at any number of threads."""
 
-# State at the end of the scenarios on tissue that stands still: the same on every machine of this kind.
+# State at the end of the scenarios on tissue that stands still: the same on every machine.
 STILL = {
     "cut": "b8c3913d2ff0cee5",
     "cut-120": "28aedf1be9f418ac",
@@ -13,7 +13,7 @@ STILL = {
     "perforate-950": "b45bea083466915b",
     "resect-segment": "231ec578fc72eec5",
 }
-# On tissue that moves: the same with and without vector instructions.
+# On tissue that moves: the same on every machine, with and without vector instructions.
 ELASTIC = {
     "press": "3f9ab92c511ddb85",
     "lift": "82b9eee147f5b960",

@@ -1,7 +1,8 @@
 // A 64-bit digest of a state's bytes, to see whether two states are the same bit for bit.
 //
-// Not cryptographic. Depends on the order of the calls and on every bit added. Mixing steps: the
-// finaliser of splitmix64 (Steele, Lea, Flood 2014) on 8-byte words.
+// Not cryptographic. Each 8-byte word is mixed in by the finaliser of splitmix64 (Steele, Lea,
+// Flood 2014). addBytes() pads the last word with zeros and does not add the length; addSpan()
+// does.
 #pragma once
 
 #include <cstdint>

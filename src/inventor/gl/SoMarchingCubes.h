@@ -34,7 +34,7 @@ class SoMarchingCubes : public SoEngine {
   SoMFFloat value;  // one per node, x fastest; missing ones count as 0, surplus ones are ignored
   SoSFVec3f min;    // position of the first node
   SoSFVec3f max;    // position of the last node
-  SoSFFloat iso;    // inside: value >= iso. Open where the inside reaches the grid's border
+  SoSFFloat iso;    // inside: value >= iso. The surface is open where the inside reaches the border
 
   SoEngineOutput points;         // SoMFVec3f, shared by the triangles round them
   SoEngineOutput normals;        // SoMFVec3f, unit, outwards: down the field's gradient

@@ -1,8 +1,8 @@
-// OpenGL objects of a node, kept and freed per graphics context.
+// OpenGL objects of a scene node, kept and freed per graphics context.
 //
 // OpenGL's objects may be deleted only while their context is current. So the objects of a context
-// are freed when Coin announces its destruction, or, if the node is destroyed first, when the
-// context is next current.
+// are freed when Coin announces that the context will be destroyed, or, if the node is destroyed
+// first, when the context is next current.
 #pragma once
 
 #include <Inventor/elements/SoGLCacheContextElement.h>
@@ -14,8 +14,9 @@
 
 namespace resect {
 
-// Kept::free() deletes its OpenGL objects; it is called with their context current. Kept may be
-// incomplete where a PerContext is declared, but not where one is constructed, used or destroyed.
+// Kept: a struct of one context's OpenGL objects. Kept::free() deletes its OpenGL objects; it is
+// called with their context current. Kept may be incomplete where a PerContext is declared, but not
+// where one is constructed, used or destroyed.
 template <typename Kept>
 class PerContext {
  public:

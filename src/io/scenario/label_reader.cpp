@@ -26,12 +26,12 @@ std::vector<OrganLabel> readLabels(const TomlTable& organ) {
   return labels;
 }
 
-TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& missing) {
-  TissueMaterial material = missing;
-  material.young = t.number("young", 1, 1e9, missing.young);
-  material.poisson = t.number("poisson", 0, 0.4999, missing.poisson);
-  material.density = t.number("density", 1, 1e5, missing.density);
-  material.tearStretch = t.number("tear_stretch", 1, 1e9, missing.tearStretch);
+TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults) {
+  TissueMaterial material = defaults;
+  material.young = t.number("young", 1, 1e9, defaults.young);
+  material.poisson = t.number("poisson", 0, 0.4999, defaults.poisson);
+  material.density = t.number("density", 1, 1e5, defaults.density);
+  material.tearStretch = t.number("tear_stretch", 1, 1e9, defaults.tearStretch);
   return material;
 }
 

@@ -7,11 +7,12 @@
 
 namespace resect {
 
-// All [[label]] of an organ's table; a label may occur several times, with the same name.
+// All [[label]] of an organ's table; a label may occur several times; where it is named, always
+// with one name.
 std::vector<OrganLabel> readLabels(const TomlTable& organ);
 
-// name, young, poisson, density and tear_stretch; missing keys have the values of `missing`.
-TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& missing);
+// young, poisson, density and tear_stretch; keys not given keep the values of `defaults`.
+TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults);
 
 // All [[material]] of the tissue's table; missing keys have the values of the organ's own material.
 std::vector<LabelMaterial> readMaterials(const TomlTable& tissue, const TissueMaterial& own);
