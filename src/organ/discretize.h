@@ -13,7 +13,7 @@ inline constexpr std::int64_t kMaxCells = 200'000'000;
 
 // Cubic cells of side `spacing` > 0, m, that tile the box from its lowest corner on: cell centres
 // lie at min + (i + 1/2) spacing, as many as cover the box. (At 5 mm the Visible Human liver gets
-// 13 114 particles.) An empty or flat box gets one cell across.
+// 13 114 particles.) A flat box gets one cell across; an empty one is an Error.
 Lattice latticeForSpacing(const Aabb& box, double spacing);
 
 // The thesis's grid as its text describes it: dims >= 1 samples along each axis of the box, the

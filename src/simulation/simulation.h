@@ -47,7 +47,7 @@ struct StepReport {
   double time = 0;                     // at the end of the frame, s
   std::int64_t removed = 0;            // particles
   double removedVolume = 0;            // m^3
-  std::int64_t severed = 0, torn = 0;  // bonds: cut by edges or edits; torn
+  std::int64_t severed = 0, torn = 0;  // bonds: severed by edits; by tearing
   std::int64_t touchedBricks = 0;      // bricks evaluated and meshed again
   // Tool after tool, for each one per organ; empty for a tool not in hand.
   std::vector<ToolContacts> contacts;
@@ -94,7 +94,7 @@ class Simulation {
 
   // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name. Error, and
   // nothing changes, if the input is for another number of tools, its duration is out of range or
-  // an edit names an organ or a tool that does not exist.
+  // an edit names an organ or a tool that does not exist or has a grip whose pose is not finite.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
   // The same with a report that is reused: then a frame of still tissue in which no tool comes near
   // allocates no memory.

@@ -2,9 +2,10 @@
 //
 // A severed edge inside tissue gives two points, one for each side, at the same position. An edge
 // that leaves the tissue gives one point where it crosses the iso level. If such an edge is severed
-// inside the tissue it gives three: the piece between cut and surface has no grid node of its own
-// and goes with the nearest inside node found over whole edges outside the tissue. Without that
-// piece lips would be notched by up to a cell.
+// inside the tissue, more than 0.04 of it from the surface, it gives three, unless it is beside an
+// ambiguous face or no node is found for the piece: the piece between cut and surface has no grid
+// node of its own and goes with the nearest inside node found over whole edges outside the tissue.
+// Without that piece lips would be notched by up to a cell.
 #pragma once
 
 #include "wound/cut_grid.h"
@@ -25,7 +26,7 @@ enum EdgeNode : std::uint8_t { kLower = 0, kUpper = 1, kIsoNode = 2 };
 struct CutEdge {
   EdgeKind kind = EdgeKind::None;
   bool lowerInside = false;
-  bool open = false;   // severed outside the tissue
+  bool open = false;   // severed outside the tissue, or next to its surface
   float cut = kWhole;  // fraction of the edge below the cut
   float iso = 0;       // fraction of the edge below the iso point
   int owner = -1;      // Iso, Split: the grid node that the iso point goes with

@@ -8,9 +8,10 @@
 // never changed, are no state; `visitMade` lists them, as v.made(field, another, ...), because they
 // take memory too, and so that a test can find a field that is in neither list.
 //
-// A field may be a number, an enum, a fixed-size Eigen object, a string, a struct with visit(), and
-// an array or vector of these. Names are string literals. Visitors that only read must not write:
-// visitState() passes them constants.
+// A field may be a number, an enum, a fixed-size Eigen matrix, an Eigen::Quaterniond, a string or a
+// struct with visit(); an array of these (at most 9 entries unless they are numbers or matrices);
+// or a vector of numbers, enums, matrices or structs. Names are string literals. Visitors that only
+// read must not write: visitState() passes them constants.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -125,8 +126,9 @@ class StateVisitor {
   virtual void memory(std::size_t) {}
   // `count` numbers of `size` bytes.
   virtual void numbers(const char* name, void* data, std::size_t count, std::size_t size) = 0;
-  // A list of `count` entries begins; returns how many it must have. The entries follow: as one
-  // call of numbers() with `count` = 0 names given twice, or as fields of structs; then leave().
+  // A list of `count` entries begins; returns how many it must have. The entries follow, then
+  // leave(): numbers or matrices in one call of numbers() with an empty name, structs one after the
+  // other, each as its fields.
   virtual std::size_t enterList(const char* name, std::size_t count) = 0;
   virtual void enter(const char* name) = 0;
   virtual void leave() = 0;
@@ -227,7 +229,7 @@ class HashVisitor final : public StateVisitor {
   StateHash hash_;
 };
 
-// Memory held by the lists among the fields, bytes.
+// Heap memory of the fields, bytes: of lists, and what bytes() of a made field returns.
 class HeldBytes final : public StateVisitor {
  public:
   std::size_t value() const { return bytes_; }
