@@ -81,6 +81,7 @@ bool LiveOperation::take(std::vector<SurfaceUpdate>& updates, LiveState& state) 
   updates.clear();
   for (SurfacePublisher& publisher : publishers_) updates.push_back(publisher.take());
   state = state_;
+  state_.faults.clear();
   return true;
 }
 
@@ -148,7 +149,7 @@ void LiveOperation::work() {
         state_.played = std::move(frame->played);
       } else {
         motion_ = {};
-        state_.faults = {refusal};
+        state_.faults.push_back(refusal);
       }
       state_.times = std::move(times);
       fresh_ = true;

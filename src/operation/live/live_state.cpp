@@ -24,7 +24,8 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   state.volume = before - state.removedVolume;
   state.iso = simulation.organ().iso;
   state.moves = simulation.moves();
-  state.faults = report.faults;
+  for (const std::string& fault : report.faults)
+    if (std::ranges::find(state.faults, fault) == state.faults.end()) state.faults.push_back(fault);
 
   const std::vector<ToolState>& tools = simulation.tools();
   state.tips.resize(tools.size());

@@ -20,7 +20,7 @@ struct LiveState {
   double removedVolume = 0, volume = 0;  // m^3
   float iso = 50;
   bool moves = false;               // the tissue is elastic
-  std::vector<std::string> faults;  // of the last frame
+  std::vector<std::string> faults;  // since the last take(), each once
   std::vector<ToolInput> played;    // tool inputs by a motion; empty: none is played
   StepTimes times;
   // One per tool.
