@@ -52,7 +52,7 @@ void MainWindow::makeMenus() {
   add(file, "Built-in &liver", {}, "The liver that comes with Resect, whole", [this] {
     Scenario scenario = options_.scenario;
     keepFirstOrgan(scenario);
-    scenario.organs[0].source.file.clear();
+    scenario.organs[0].source.file = "liver";
     load(scenario);
   });
   QMenu* scenarios = file->addMenu("S&cenario");

@@ -238,7 +238,7 @@ void MainWindow::begin(OrganLoader::Result result) {
   if (!result.simulation) {
     complain(result.problem);
     const std::vector<ScenarioOrgan>& organs = result.scenario.organs;
-    if (!session_ && (organs.size() > 1 || !organs[0].source.file.empty())) loadDefault();
+    if (!session_ && (organs.size() > 1 || organs[0].source.file != "liver")) loadDefault();
     return;
   }
   try {
@@ -273,9 +273,7 @@ void MainWindow::begin(OrganLoader::Result result) {
   organ_->setIso(session_->iso().value());
   viewer_->setFocus();
   if (options_.reports)
-    say("organ {}", organ.source.file.empty()
-                        ? "liver"
-                        : std::filesystem::path(organ.source.file).filename().string());
+    say("organ {}", std::filesystem::path(organ.source.file).filename().string());
 }
 
 void MainWindow::tick() {

@@ -51,7 +51,6 @@ void drawHistory(QPainter& painter, const QRectF& plot, const History& history, 
 }
 
 QString nameOf(const OrganSource& organ) {
-  if (organ.file.empty()) return "Built-in liver";
   if (isBuiltIn(organ)) return QString::fromStdString("Built-in " + organ.file);
   return QFileInfo(QString::fromStdString(organ.file)).fileName();
 }

@@ -53,7 +53,7 @@ void addDiscretizeCommand(CLI::App& app) {
                                     scenario.organs.size(), scenario.organs[0].source.name));
       source = scenario.organs[0].source;  // at its position there, with its labels
     } else {
-      source.file = organFile(options->mesh);
+      source.file = options->mesh;
       source.onTable = false;
       source.spacing = 0.005;
     }
@@ -64,12 +64,10 @@ void addDiscretizeCommand(CLI::App& app) {
       throw error(
           "no cell centre of the lattice lies inside {}; use a smaller --spacing or more --dims",
           options->mesh);
-    writeParticleFile(
-        options->output,
-        {cells,
-         {"resect " RESECT_VERSION,
-          source.file.empty() ? "liver" : std::filesystem::path(source.file).filename().string(),
-          source.unit}});
+    writeParticleFile(options->output,
+                      {cells,
+                       {"resect " RESECT_VERSION,
+                        std::filesystem::path(source.file).filename().string(), source.unit}});
     if (!isCellsFile(options->output) && !cells.label.empty())
       notes.push_back("a .dis file has no labels; write a .resect-cells file to keep them");
     const Lattice& lattice = cells.lattice;

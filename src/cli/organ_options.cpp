@@ -55,7 +55,7 @@ void OrganOptions::applyTo(OrganSource& source) const {
 void OrganOptions::applyTo(Scenario& scenario, const std::string& organ) const {
   OrganSource& first = scenario.organs[0].source;
   const std::optional<double> before = first.spacing;
-  if (!organ.empty()) first.file = organFile(organ);
+  if (!organ.empty()) first.file = organ;
   applyTo(first);
   if (before && first.spacing) setSpacing(scenario, *before, *first.spacing);
 }

@@ -23,7 +23,7 @@ void requireTriangles(const TriangleMesh& mesh) {
       for (const std::int32_t p : mesh.triangles[t]) most = std::max(most, std::uint32_t(p));
     if (most >= mesh.points.size()) known = false;
   });
-  require(known, "a triangle of the mesh names a point that there is not among its {}; mend it",
+  require(known, "a triangle of the mesh uses a point beyond its {}; correct its indices",
           mesh.points.size());
 }
 

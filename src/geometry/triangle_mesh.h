@@ -22,7 +22,7 @@ Aabb bounds(const TriangleMesh& mesh);
 
 // Throws Error unless all triangles index points that there are; a pass over them.
 void requireTriangles(const TriangleMesh& mesh);
-// The same unless all points are finite besides.
+// Also throws unless all points are finite.
 void requireSound(const TriangleMesh& mesh);
 
 // The mesh with every point transformed by the pose.

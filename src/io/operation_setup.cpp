@@ -96,7 +96,7 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
   requireSound(source);
   TriangleMesh mesh;
   if (isBuiltIn(source)) {
-    mesh = builtInMesh(source.file.empty() ? "liver" : source.file);
+    mesh = builtInMesh(source.file);
   } else {
     const OrganMesh organ =
         prepareOrganMesh(readModel(source.file), {source.part, source.repair, source.unit});
@@ -234,7 +234,7 @@ std::vector<TissueJoint> makeJoints(const Scenario& scenario,
     for (int end = 0; end < 2; ++end) {
       const auto at = std::ranges::find(organs, joint.organs[end], &OperatedOrgan::name);
       require(at != organs.end(),
-              "a joint is at organ \"{}\", which there is not; name one that is",
+              "a joint names organ \"{}\", which does not exist; name one that does",
               joint.organs[end]);
       ends[end] = {std::int32_t(at - organs.begin()), &at->organ.rest.lattice, at->tissue.get()};
     }
@@ -251,7 +251,7 @@ std::vector<TissueJoint> makeJoints(const Scenario& scenario,
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools) {
   Simulation simulation(std::move(organs), std::move(tools), std::move(joints), scenario.table);
-  if (!scenario.toolBox) return simulation;
+  if (!scenario.toolBox || !simulation.moves()) return simulation;
   const TriangleMesh walls = toolBoxWalls();
   const Aabb tray = bounds(transformed(walls, toolBoxPose()));
   for (const OperatedOrgan& o : simulation.organs()) {

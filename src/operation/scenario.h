@@ -23,7 +23,7 @@ struct OrganLabel {
 struct OrganSource {
   std::string name = "organ";     // its name in the scenario
   std::string beside;             // placed like the organ of that name, not by itself; or ""
-  std::string file;               // model or discretisation file; or see isBuiltIn
+  std::string file = "liver";     // a built-in organ (isBuiltIn), or a model or discretisation file
   std::string part;               // named part of the file, or "" for all
   double unit = 1;                // metres per unit of the file
   bool repair = false;            // close the holes of an open mesh instead of refusing it
@@ -41,11 +41,8 @@ struct OrganSource {
 
 // Whether it is a built-in model: "" is the liver, "gallbladder" the gallbladder.
 inline bool isBuiltIn(const OrganSource& source) {
-  return source.file.empty() || source.file == "gallbladder";
+  return source.file == "liver" || source.file == "gallbladder";
 }
-
-// File for an organ as people name it: "liver", "gallbladder" or a file.
-inline std::string organFile(const std::string& name) { return name == "liver" ? "" : name; }
 
 // Pose of a tool at a time; between keys positions are interpolated linearly, rotations along the
 // shorter great circle.

@@ -20,7 +20,7 @@ TEST_CASE(
   for (const std::int32_t wrong : {-1, 8, std::numeric_limits<std::int32_t>::min()}) {
     TriangleMesh mesh = boxMesh({Vec3::Zero(), Vec3::Ones()});
     mesh.triangles[5][1] = wrong;
-    const char* what = "names a point that there is not";
+    const char* what = "uses a point beyond its";
     CHECK(refuses([&] { requireTriangles(mesh); }, what));
     CHECK(refuses([&] { requireSound(mesh); }, what));
     CHECK(refuses([&] { area(mesh); }, what));

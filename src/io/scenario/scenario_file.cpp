@@ -28,7 +28,7 @@ OrganSource readOrgan(const TomlTable& t) {
   organ.name = t.text("name", "organ");
   organ.beside = t.text("beside", "");
   const std::string source = t.text("source", "liver");
-  organ.file = organFile(source);
+  organ.file = source;
   organ.part = t.text("part", "");
   organ.unit = parseUnit(t.text("unit", "m"), "organ.unit");
   organ.repair = t.flag("repair", false);
