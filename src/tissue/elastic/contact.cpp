@@ -47,15 +47,14 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
   bodyCount_ = obstacles.size();
   if (bodies_.size() < bodyCount_) bodies_.resize(bodyCount_);
   impulse_.assign(bodyCount_, Vec3::Zero());
-  reach_.assign(bodyCount_, {});
   for (std::size_t b = 0; b < bodyCount_; ++b) {
     Body& body = bodies_[b];
     const Obstacle& o = body.obstacle = obstacles[b];
     body.cells.clear();
     body.velocity = (o.to.position - o.from.position) / duration;
     body.spin = rotationVector(o.to.rotation * o.from.rotation.conjugate()) / duration;
-    reach_[b].up[0] = o.from.rotation * Vec3::UnitY();
-    reach_[b].up[1] = o.to.rotation * Vec3::UnitY();
+    body.up[0] = o.from.rotation * Vec3::UnitY();
+    body.up[1] = o.to.rotation * Vec3::UnitY();
     if (!o.shape) continue;
     // Cells within reach of the obstacle at any time of the frame.
     Aabb box = o.shape->box();
@@ -63,9 +62,9 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     const Pose back = o.to.inverse();
     for (int corner = 0; corner < 8; ++corner) box.grow(back * (o.from * still.corner(corner)));
     box = box.padded(o.standOff + s.spacing);
-    reach_[b].back = back;
-    reach_[b].box = box;
-    reach_[b].world = movedBox(box, o.to);
+    body.back = back;
+    body.box = box;
+    body.world = movedBox(box, o.to);
   }
   constexpr double kDiagonal = 1.75;  // of a cube, at most
   // Whether a box, whose cells move by at most `way` in the frame, can touch a half space.
@@ -76,7 +75,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
       const Vec3 lowest = (up.array() > 0).select(box.min, box.max);
       return (lowest - origin).dot(up) < most;
     };
-    return reaches(reach_[b].up[0], o.from.position) || reaches(reach_[b].up[1], o.to.position);
+    return reaches(bodies_[b].up[0], o.from.position) || reaches(bodies_[b].up[1], o.to.position);
   };
   for (const TissueChunk& chunk : s.chunks) {
     const Aabb bounds = chunkBounds(s, chunk, origin);
@@ -84,7 +83,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
     bool near = false;
     for (std::size_t b = 0; b < bodyCount_ && !near; ++b) {
       const Obstacle& o = bodies_[b].obstacle;
-      near = o.shape ? meets(reach_[b].world.padded(kDiagonal * mostWay), bounds)
+      near = o.shape ? meets(bodies_[b].world.padded(kDiagonal * mostWay), bounds)
                      : o.halfSpace && nearHalfSpace(b, bounds, mostWay);
     }
     if (!near) continue;
@@ -102,8 +101,8 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
           continue;
         }
         if (o.tool >= 0 && !gripper.empty() && gripper[i] == o.tool) continue;
-        if (!reach_[b].world.padded(kDiagonal * way).contains(x)) continue;
-        if (reach_[b].box.padded(way).contains(reach_[b].back * x))
+        if (!bodies_[b].world.padded(kDiagonal * way).contains(x)) continue;
+        if (bodies_[b].box.padded(way).contains(bodies_[b].back * x))
           bodies_[b].cells.push_back({i, rest});
       }
     }

@@ -46,7 +46,7 @@ class TissueContacts {
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(bodies_, reach_, bodyCount_, impulse_);
+    v.made(bodies_, bodyCount_, impulse_);
   }
 
  private:
@@ -58,12 +58,11 @@ class TissueContacts {
     Obstacle obstacle;
     Vec3 velocity, spin;  // world, m/s and 1/s
     std::vector<Near> cells;
-  };
-  struct Reach {  // of an obstacle in a frame
-    Pose back;    // from the world to the obstacle
-    Aabb box;     // in the obstacle's frame
-    Aabb world;   // bounds of the box
-    Vec3 up[2];   // of a half space, at the frame's start and end
+    // Where it reaches in the frame.
+    Pose back;   // from the world to the obstacle
+    Aabb box;    // in the obstacle's frame
+    Aabb world;  // bounds of the box
+    Vec3 up[2];  // of a half space, at the frame's start and end
   };
   struct CutPair {
     std::int32_t a = 0, b = 0;
@@ -77,7 +76,6 @@ class TissueContacts {
   };
   void pushCutFaces(ElasticState& state, double lookAhead);
   std::vector<Body> bodies_;
-  std::vector<Reach> reach_;  // by obstacle
   std::size_t bodyCount_ = 0;
   std::vector<CutPair> cut_;
   std::vector<Vec3> impulse_;  // by obstacle
