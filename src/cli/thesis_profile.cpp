@@ -78,7 +78,7 @@ nlohmann::ordered_json profileJson(const BenchReport& report) {
   const ThesisRun* thesis = runOfSize(report.particles);
   for (const BenchReport::Stage& stage : byTime(report)) {
     nlohmann::ordered_json row = {{"stage", stage.name},
-                                  {"calls", stage.calls},
+                                  {"calls", report.frames},
                                   {"total_ms", 1e3 * stage.time.total},
                                   {"share", percent(stage.time.total, report.frame.total)}};
     if (const Counterpart* there = counterpartOf(stage.name)) {
@@ -104,8 +104,8 @@ std::string profileText(const BenchReport& report) {
     const bool listed = thesis && there && there->*thesis->share > 0;
     text += fmt::format("  {:>5.1f}% {:>10.3f} {:>7} {:>9.3f}  {:<14} {:>6}  {}\n",
                         percent(stage.time.total, report.frame.total), 1e3 * stage.time.total,
-                        stage.calls,
-                        1e6 * stage.time.total / double(std::max<std::int64_t>(1, stage.calls)),
+                        report.frames,
+                        1e6 * stage.time.total / double(std::max<std::int64_t>(1, report.frames)),
                         stage.name, listed ? fmt::format("{:.1f}%", there->*thesis->share) : "-",
                         there ? there->functions : "-");
   }

@@ -58,8 +58,7 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
 
   std::vector<double> wholeFrames(std::size_t(report.frames), 0.0);
   for (const StageTimes& stage : clock.stages()) {
-    report.stages.push_back(
-        {stage.name, summarise(stage.seconds), std::int64_t(stage.seconds.size())});
+    report.stages.push_back({stage.name, summarise(stage.seconds)});
     if (stage.name == "updateField" || stage.name == "updateSurface")
       for (const std::size_t frame : updates) report.updates.seconds += stage.seconds[frame];
     for (std::size_t i = 0; i < stage.seconds.size(); ++i) wholeFrames[i] += stage.seconds[i];

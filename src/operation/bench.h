@@ -18,7 +18,6 @@ struct BenchReport {
   struct Stage {
     std::string name;
     TimeSummary time;
-    std::int64_t calls = 0;  // one a frame
   };
   // Frames in which edits changed the surface.
   struct Updates {
