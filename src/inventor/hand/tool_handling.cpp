@@ -329,37 +329,23 @@ void ToolHandling::key(SoEventCallback& node) {
     return;
   }
   if (held_ < 0) return;
-  Vec3 way = Vec3::Zero();
-  switch (key) {
-    case SoKeyboardEvent::ESCAPE:
-      putBack(held_);
-      node.setHandled();
-      return;
-    case SoKeyboardEvent::LEFT_ARROW:
-      way.x() = -1;
-      break;
-    case SoKeyboardEvent::RIGHT_ARROW:
-      way.x() = 1;
-      break;
-    case SoKeyboardEvent::UP_ARROW:
-      way.y() = 1;
-      break;
-    case SoKeyboardEvent::DOWN_ARROW:
-      way.y() = -1;
-      break;
-    case SoKeyboardEvent::PAGE_UP:
-      way.z() = 1;
-      break;
-    case SoKeyboardEvent::PAGE_DOWN:
-      way.z() = -1;
-      break;
-    default:
-      return;
-  }
-  if (event->wasShiftDown())
-    turn(kKeyTurn * Vec3(-way.y(), way.x(), way.z()));
+  struct Way {
+    int key;
+    double x, y, z;
+  };
+  static constexpr Way kWays[] = {
+      {SoKeyboardEvent::LEFT_ARROW, -1, 0, 0}, {SoKeyboardEvent::RIGHT_ARROW, 1, 0, 0},
+      {SoKeyboardEvent::UP_ARROW, 0, 1, 0},    {SoKeyboardEvent::DOWN_ARROW, 0, -1, 0},
+      {SoKeyboardEvent::PAGE_UP, 0, 0, 1},     {SoKeyboardEvent::PAGE_DOWN, 0, 0, -1}};
+  const auto* way = std::ranges::find(kWays, int(key), &Way::key);
+  if (key == SoKeyboardEvent::ESCAPE)
+    putBack(held_);
+  else if (way == std::end(kWays))
+    return;
+  else if (event->wasShiftDown())
+    turn(kKeyTurn * Vec3(-way->y, way->x, way->z));
   else
-    move(kKeyStep * way);
+    move(kKeyStep * Vec3(way->x, way->y, way->z));
   node.setHandled();
 }
 

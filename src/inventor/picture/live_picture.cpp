@@ -101,12 +101,7 @@ void LivePicture::forget() {
 // Draws the whole scene, or the pixels of `parts`, in one pass. Outside the parts the depth buffer
 // is set to the nearest depth, so no pixel is shaded there.
 void LivePicture::drawParts(SoNode* scene, const Buffer& buffer, std::span<const PixelRect> parts) {
-  glBindFramebuffer(GL_FRAMEBUFFER, buffer.framebuffer);
-  glViewport(0, 0, buffer.width, buffer.height);
-  glClearColor(0, 0, 0, 1);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
+  beginPicture(buffer.framebuffer, buffer.width, buffer.height);
   const auto clip = [](const PixelRect& part) {
     glScissor(part.left, part.bottom, part.right - part.left, part.top - part.bottom);
   };

@@ -2,7 +2,9 @@
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
+#include <GL/glext.h>
 #include <Inventor/elements/SoGLCacheContextElement.h>
 #include <Inventor/misc/SoContextHandler.h>
 
@@ -104,6 +106,15 @@ bool OffscreenContext::becomesCurrent() const {
 bool OffscreenContext::processorDraws() const {
   return renderer_.find("llvmpipe") != std::string::npos ||
          renderer_.find("softpipe") != std::string::npos;
+}
+
+void beginPicture(std::uint32_t framebuffer, int width, int height) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, width, height);
+  glClearColor(0, 0, 0, 1);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
 }
 
 }  // namespace resect

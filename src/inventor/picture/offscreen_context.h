@@ -30,4 +30,8 @@ class OffscreenContext {
   std::string renderer_;
 };
 
+// Binds a framebuffer of the current context and sets the state in which a scene is drawn from
+// anew: the whole viewport, background black, depths tested and written. The caller clears.
+void beginPicture(std::uint32_t framebuffer, int width, int height);
+
 }  // namespace resect

@@ -116,12 +116,7 @@ const char* OffscreenView::renderer() const { return buffers_->context.renderer(
 RgbImage OffscreenView::render(SoNode* scene) {
   Buffers& c = *buffers_;
   c.context.makeCurrent();
-  glBindFramebuffer(GL_FRAMEBUFFER, c.drawBuffer);
-  glViewport(0, 0, c.width, c.height);
-  glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
+  beginPicture(c.drawBuffer, c.width, c.height);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
   const ShaderComplaints complaints;
