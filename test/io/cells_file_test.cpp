@@ -1,10 +1,9 @@
 #include "io/cells/cells_file.h"
 
 #include <doctest/doctest.h>
-#include <zlib.h>
-
 #include <bit>
 
+#include "base/crc32.h"
 #include "base/error.h"
 #include "base/random.h"
 #include "geometry/primitives.h"
@@ -77,8 +76,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 // The same with a checksum that fits, so that what lies behind it is reached.
 std::string summed(std::string bytes) {
   bytes.resize(bytes.size() - 16);
-  const auto sum = crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), uInt(bytes.size()));
-  return bytes + fmt::format("\ncrc32 {:08x}\n", std::uint32_t(sum));
+  return bytes + fmt::format("\ncrc32 {:08x}\n", crc32(bytes));
 }
 
 }  // namespace
