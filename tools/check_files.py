@@ -20,7 +20,7 @@ EMPTY_NAMES = {"util", "utils", "common", "core", "manager", "helper", "helpers"
 # Absolute paths into a home, a temporary or a working folder.
 MACHINE_PATH = re.compile(r"(?<![\w./}$-])/(home|root|tmp|work|Users)/\w")
 # What a C library rounds in its own way, in layers that the state depends on; base/elementary.h has the same.
-MACHINE_MATHS = re.compile(r"std::(sin|cos|tan|asin|acos|atan2?|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot)\b"
+MACHINE_MATHS = re.compile(r"std::(sin|cos|tan|asin|acos|atan2?|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot|a?sinh|a?cosh|a?tanh|[lt]gamma|erfc?)\b"
                            r"|\bAngleAxis|\.slerp\(|\bangularDistance\b")
 WITH_PICTURES = {"formats", "inventor", "app", "cli"}
 LINK = re.compile(r"\]\((?!https?:|mailto:|#)([^)#\s]+)")

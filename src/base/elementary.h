@@ -1,11 +1,9 @@
 // Elementary functions that give the same bits on every machine.
 //
-// The C library's differ in the last bit between libraries, and what the state depends on must not.
-// These use only +, -, *, /, fused products, square roots and
-// rounding to whole numbers of IEEE 754 doubles, in a fixed order,
-// without contraction. Errors below 2 units in the last place, compared with long double in
-// test/base/elementary_test.cpp. Not for more than |x| <= 1e6 in sin() and cos(): NaN there. NaN
-// in, NaN out; acos() outside [-1, 1]: NaN. Cost: some 20 to 40 operations each.
+// C libraries differ from each other in the last bit; the state must not depend on them. Only +, -,
+// *, /, fused products, square roots and rounding of IEEE 754 doubles, in a fixed order. Errors
+// below 2 units in the last place (test/base/elementary_test.cpp). sin() and cos() give NaN beyond
+// |x| = 1e6, acos() outside [-1, 1]; NaN in, NaN out. Cost: some 20 to 40 operations each.
 //
 // Method: reduction to a short interval (Cody and Waite 1980), then the Taylor series, long enough
 // for its rest to be below a hundredth of a unit; cube root by Halley's iteration.
