@@ -50,8 +50,8 @@ TEST_CASE("a mesh that is none fills no cells") {
   TriangleMesh mesh = boxMesh(kBox);
   Discretization cells = discretize(mesh, lattice);
   mesh.triangles[0][0] = 99;
-  CHECK(refuses([&] { discretize(mesh, lattice); }, "names a point"));
-  CHECK(refuses([&] { fitSurface(mesh, cells); }, "names a point"));
+  CHECK(refuses([&] { discretize(mesh, lattice); }, "uses a point"));
+  CHECK(refuses([&] { fitSurface(mesh, cells); }, "uses a point"));
   mesh = boxMesh(kBox);
   mesh.points[0].z() = kNaN;
   CHECK(refuses([&] { discretize(mesh, lattice); }, "not finite"));

@@ -27,7 +27,7 @@ bool toolRefused(Change change, const char* what) {
 TEST_CASE("a tool without a shape, of no known kind or with numbers that are none is refused") {
   const double none = std::numeric_limits<double>::quiet_NaN();
   CHECK(toolRefused([](ToolModel& m) { m.mesh = {}; }, "has no shape"));
-  CHECK(toolRefused([](ToolModel& m) { m.mesh.triangles[0][1] = -7; }, "names a point"));
+  CHECK(toolRefused([](ToolModel& m) { m.mesh.triangles[0][1] = -7; }, "uses a point"));
   CHECK(toolRefused([&](ToolModel& m) { m.mesh.points[0].x() = none; }, "not finite"));
   CHECK(toolRefused([](ToolModel& m) { m.kind = "spoon"; }, "no kind of tool \"spoon\""));
   CHECK(toolRefused([](ToolModel& m) { m.parts = {"drill"}; }, "no working part \"drill\""));
