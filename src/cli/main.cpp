@@ -11,6 +11,7 @@
 #include "base/kept_memory.h"
 #include "base/progress.h"
 #include "cli/commands.h"
+#include "formats/sandbox.h"
 
 namespace {
 
@@ -56,6 +57,8 @@ int parseAndRun(int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
     throw resect::usageError("there is no command \"{}\"; see resect --help", argv[1]);
   try {
+    if (const std::string lack = resect::missingWalls(); !lack.empty())
+      std::fprintf(stderr, "resect: note: %s\n", lack.c_str());
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& e) {

@@ -1,15 +1,18 @@
 #include "formats/assimp_file.h"
 
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <array>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <cstdint>
 #include <new>
+#include <optional>
 
 #include "base/error.h"
 #include "geometry/polygon.h"
@@ -37,12 +40,63 @@ std::string nameOfFormat(const std::string& extension) {
   return name;
 }
 
-// The library's message on one line, without its name for in-memory files.
+// What a glTF buffer that is a file of its own may be called (glTF 2.0, "Implementation Note").
+constexpr std::array kBufferExtensions{"bin", "glbin", "glbuf"};
+
+// "my%20buffer.bin" as "my buffer.bin" (RFC 3986, 2.1).
+std::string withoutPercents(std::string_view text) {
+  const auto digit = [](char c) { return c <= '9' ? c - '0' : (c | 32) - 'a' + 10; };
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool coded = text[i] == '%' && i + 2 < text.size() &&
+                       std::isxdigit(static_cast<unsigned char>(text[i + 1])) &&
+                       std::isxdigit(static_cast<unsigned char>(text[i + 2]));
+    plain += coded ? char(16 * digit(text[i + 1]) + digit(text[i + 2])) : text[i];
+    if (coded) i += 2;
+  }
+  return plain;
+}
+
+// The library's view of the disk: the model and the buffers that were read for it.
+class MemoryDisk : public Assimp::IOSystem {
+ public:
+  MemoryDisk(std::string model, std::string_view bytes, const BesideFiles& beside)
+      : model_(std::move(model)), bytes_(bytes), beside_(beside) {}
+
+  bool Exists(const char* name) const override { return find(name).data() != nullptr; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* name, const char*) override {
+    const std::string_view bytes = find(name);
+    if (bytes.data())
+      return new Assimp::MemoryIOStream(reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                                        bytes.size());
+    const std::string wanted = withoutPercents(name);
+    if (!lacking_) lacking_ = wanted;
+    return nullptr;
+  }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
+
+  // The first file that was asked for and is not there.
+  const std::optional<std::string>& lacking() const { return lacking_; }
+
+ private:
+  std::string_view find(const std::string& name) const {
+    if (name == model_) return bytes_;
+    const auto file = beside_.find(withoutPercents(name));
+    return file == beside_.end() ? std::string_view()
+                                 : std::string_view(file->second.data(), file->second.size());
+  }
+
+  std::string model_;
+  std::string_view bytes_;
+  const BesideFiles& beside_;
+  std::optional<std::string> lacking_;
+};
+
+// The library's message on one line, without the name that the model has there.
 std::string oneLine(std::string text) {
   const std::string unknown = "No suitable reader found";
   if (text.starts_with(unknown)) return "it does not begin as such a file does";
-  for (const std::string name : {" for $$$___magic___$$$", "$$$___magic___$$$"})
-    if (const std::size_t at = text.find(name); at != std::string::npos) text.erase(at);
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
@@ -127,7 +181,7 @@ bool isAssimpFile(const std::filesystem::path& path) {
 }
 
 Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::path& formatName,
-                     std::string_view bytes) {
+                     std::string_view bytes, const BesideFiles& beside) {
   const std::string extension = extensionOf(formatName);
   if (extension == "glb") checkGltfFrame(path.string(), bytes);
   Assimp::Importer importer;
@@ -136,12 +190,16 @@ Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::p
                               aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
                                   aiComponent_CAMERAS | aiComponent_NORMALS |
                                   aiComponent_TEXCOORDS | aiComponent_COLORS);
-  // .gltf names its buffers as files beside it; all others must be one file.
-  const aiScene* scene =
-      extension == "gltf"
-          ? importer.ReadFile(path.string(), aiProcess_RemoveComponent)
-          : importer.ReadFileFromMemory(bytes.data(), bytes.size(), aiProcess_RemoveComponent,
-                                        extension.c_str());
+  const std::string name = "model." + extension;
+  auto* disk = new MemoryDisk(name, bytes, beside);
+  importer.SetIOHandler(disk);  // which owns it
+  const aiScene* scene = importer.ReadFile(name, aiProcess_RemoveComponent);
+  if (extension == "gltf" && disk->lacking()) {
+    const std::string kind = extensionOf(*disk->lacking());
+    if (std::ranges::find(kBufferExtensions, kind) == kBufferExtensions.end())
+      throw error("{}: a buffer of it is no .bin file beside it; export it as .glb", path.string());
+    throw LacksFile{*disk->lacking()};
+  }
   if (importer.GetErrorString() == std::string("std::bad_alloc")) throw std::bad_alloc();
   if (!scene || !scene->mRootNode)
     throw error("{}: not a readable .{} file ({}); export it again", path.string(), extension,

@@ -5,8 +5,11 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 #include <string_view>
 
+#include "base/raw_array.h"
 #include "io/model.h"
 
 namespace resect {
@@ -14,11 +17,19 @@ namespace resect {
 // Whether the file can be read here, by its extension.
 bool isAssimpFile(const std::filesystem::path& path);
 
+// Buffers of a .gltf that are files of their own, by the names that it calls them.
+using BesideFiles = std::map<std::string, RawArray<char>>;
+
+// Thrown by readAssimpFile when a .gltf needs a buffer that it was not given.
+struct LacksFile {
+  std::string name;  // as the file calls it: not checked
+};
+
 // Parts are the file's nodes (.glb, .gltf) or objects and groups (.obj), in their order, transforms
 // applied; polygons become triangles, points and lines are left out. Numbers are taken as metres.
 // `bytes`: content of the file, decompressed; `formatName`: a name with the format's extension;
-// `path`: for messages and for files beside a .gltf.
+// `path`: for messages only. Opens no file.
 Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::path& formatName,
-                     std::string_view bytes);
+                     std::string_view bytes, const BesideFiles& beside = {});
 
 }  // namespace resect

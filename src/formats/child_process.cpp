@@ -22,6 +22,7 @@
 #endif
 
 #include "base/error.h"
+#include "formats/sandbox.h"
 
 namespace resect {
 namespace {
@@ -50,22 +51,13 @@ rlim_t addressSpace() {
   return rlim_t(pages) * rlim_t(::sysconf(_SC_PAGESIZE));
 }
 
-void restrictThisProcess(const ChildLimits& limits) {
+void limitThisProcess(const ChildLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  limit(RLIMIT_CORE, 0, 0);
-  limit(RLIMIT_FSIZE, 0, 0);
-  ::signal(SIGXFSZ, SIG_IGN);  // writing then fails with an error, which font caches tolerate
   const auto cpu = rlim_t(std::ceil(limits.cpuSeconds));
   limit(RLIMIT_CPU, cpu, cpu + 1);
 #ifndef RESECT_SANITIZED
   const rlim_t memory = addressSpace() + rlim_t(limits.memoryBytes);
   limit(RLIMIT_AS, memory, memory);
-  // Sanitized builds keep standard error, so that reports are visible.
-  const int nowhere = ::open("/dev/null", O_RDWR | O_CLOEXEC);
-  if (nowhere >= 0) {
-    ::dup2(nowhere, STDOUT_FILENO);
-    ::dup2(nowhere, STDERR_FILENO);
-  }
 #endif
   // A crash of a library ends this process silently, whatever handlers the parent had.
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGTERM})
@@ -119,8 +111,9 @@ void answerWhenOutOfMemory(const char* report) {
 #endif
 
 [[noreturn]] void runChild(int pipe, const ChildLimits& limits,
-                           const std::function<std::string()>& work) {
-  restrictThisProcess(limits);
+                           const std::function<std::string()>& work,
+                           const std::function<void()>& prepare) {
+  limitThisProcess(limits);
 #ifdef __SANITIZE_ADDRESS__
   gPipeOfThisChild = pipe;
   __asan_set_error_report_callback(answerWhenOutOfMemory);
@@ -128,6 +121,8 @@ void answerWhenOutOfMemory(const char* report) {
   Kind kind = kResult;
   std::string message;
   try {
+    if (prepare) prepare();
+    enterSandbox(pipe);
     message = work();
   } catch (const Error& e) {
     kind = e.status() == Error::Status::Usage ? kUsage : kFailed;
@@ -202,7 +197,8 @@ int waitFor(pid_t child) {
 
 std::string runInChild(const std::string& subject, const ChildLimits& limits,
                        const std::function<std::string()>& work,
-                       const std::function<void()>& meanwhile) {
+                       const std::function<void()>& meanwhile,
+                       const std::function<void()>& prepare) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0)
     throw error("{}: no pipe for its reader: {}; close other programs", subject,
@@ -219,7 +215,7 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   }
   if (child == 0) {
     ::close(ends[0]);
-    runChild(ends[1], limits, work);
+    runChild(ends[1], limits, work, prepare);
   }
   ::close(ends[1]);
   std::string bytes;

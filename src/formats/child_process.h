@@ -1,7 +1,8 @@
-// Runs work on untrusted files in a forked child process with limits; its result comes back over a
-// pipe. Cost: about 2 ms per call plus the copy.
+// Runs work on untrusted bytes in a forked child process inside a sandbox (formats/sandbox.h) with
+// limits; its result comes back over a pipe. Cost: about 3 ms per call plus the copy.
 //
-// Crashes, endless loops and excessive memory of the work do not affect this process.
+// Crashes, endless loops and excessive memory of the work do not affect this process, and planted
+// code in the child reaches nothing but the pipe.
 #pragma once
 
 #include <atomic>
@@ -23,14 +24,16 @@ struct ChildLimits {
 // `subject`, the file's name, with what happened and what to do.
 //
 // `work` runs on the copy of the calling thread alone: it must not use threads or locks that other
-// threads of this process may hold, and its changes in memory are lost. Its standard output and
-// error are discarded; it cannot write files or dump core.
+// threads of this process may hold, and its changes in memory are lost. It has no files: what it
+// is to read must be in memory before the call. `prepare` runs in the child before the sandbox is
+// entered, for libraries that load their own files at first use; it must not look at foreign bytes.
 //
 // `meanwhile` is called here about ten times a second until the child is done, and once more if it
 // failed; an exception from it kills the child and is passed on.
 std::string runInChild(const std::string& subject, const ChildLimits& limits,
                        const std::function<std::string()>& work,
-                       const std::function<void()>& meanwhile = {});
+                       const std::function<void()>& meanwhile = {},
+                       const std::function<void()>& prepare = {});
 
 // A number in memory shared by this process and its children.
 class SharedNumber {

@@ -58,18 +58,4 @@ TEST_CASE("what kills Coin is refused with its line") {
   refuses("DEF a Separator {\n USE a }", "a.iv:3: 'a' is used inside itself");
   refuses("DEF a Separator { Group { USE a } }", "'a' is used inside itself");
   refuses("PROTO P [ ] { Group { children P { } } }", "PROTO 'P' holds itself");
-  refuses("File { name \"a.iv\" }", "node File would");
-  refuses("Inline { url \"b.wrl\" }", "node Inline would");
-  refuses("EXTERNPROTO P [ ] \"c.wrl\"", "node EXTERNPROTO would");
-}
-
-TEST_CASE("a binary file that names other files is refused") {
-  const std::string head = "#Inventor V2.1 binary  \n";
-  guardInventorFile("a.iv", head + std::string("\0\0\0\x04"
-                                               "Cube",
-                                               8));
-  CHECK_THROWS_AS(guardInventorFile("a.iv", head + std::string("\0\0\0\x04"
-                                                               "File",
-                                                               8)),
-                  Error);
 }

@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::size_t kDeepest = 500;
 constexpr std::size_t kLongestWord = 200;
-constexpr std::array<std::string_view, 4> kOpensFiles{"File", "Inline", "WWWInline", "EXTERNPROTO"};
-
-bool opensFiles(std::string_view word) {
-  return std::find(kOpensFiles.begin(), kOpensFiles.end(), word) != kOpensFiles.end();
-}
 
 enum CharKind : std::uint8_t { kOfWord, kDigit, kSpace, kBracket, kQuote, kComment };
 
@@ -154,9 +149,6 @@ class TextGuard {
                       word);
     } else if (isNumber(word)) {
       return;  // not a valid name of a node or PROTO: Coin rejects it
-    } else if (opensFiles(word)) {
-      throw error("{}:{}: the node {} would open another file; put all in one file", path_, line_,
-                  word);
     } else {
       for (const Bracket& b : open_)
         if (b.proto && b.defined == word)
@@ -179,15 +171,6 @@ std::string_view headerLine(std::string_view bytes) {
   return bytes.substr(0, std::min(bytes.find_first_of("\r\n"), std::size_t(80)));
 }
 
-// A binary file stores the name of a node's type as its length in four bytes, then its letters.
-void guardBinary(const std::string& path, std::string_view bytes) {
-  for (const std::string_view name : kOpensFiles) {
-    const std::string stored = std::string(3, '\0') + char(name.size()) + std::string(name);
-    if (bytes.find(stored) != std::string_view::npos)
-      throw error("{}: the node {} would open another file; put all in one file", path, name);
-  }
-}
-
 }  // namespace
 
 bool isInventorFile(std::string_view bytes) {
@@ -208,10 +191,7 @@ std::string inventorFormat(std::string_view bytes) {
 }
 
 void guardInventorFile(const std::string& path, std::string_view bytes) {
-  if (headerLine(bytes).find("binary") != std::string_view::npos)
-    guardBinary(path, bytes);
-  else
-    TextGuard(path, bytes).check();
+  if (headerLine(bytes).find("binary") == std::string_view::npos) TextGuard(path, bytes).check();
 }
 
 }  // namespace resect

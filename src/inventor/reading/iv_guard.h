@@ -1,4 +1,4 @@
-// Guard for Inventor and VRML files: rejects content that crashes Coin or opens other files.
+// Guard for Inventor and VRML files: rejects text that crashes Coin.
 #pragma once
 
 #include <string>
@@ -13,10 +13,11 @@ bool isInventorFile(std::string_view bytes);
 // it has no version.
 std::string inventorFormat(std::string_view bytes);
 
-// Scans the bytes before Coin reads them and throws Error, with the line, for what crashes Coin
-// 4.0.0: nesting deeper than 500, words longer than 200 characters, a node used inside itself, a
-// PROTO that contains itself; and for what would open another file: File, Inline, WWWInline,
-// EXTERNPROTO. A binary file is only searched for nodes that open files. O(bytes).
+// Scans the text before Coin reads it and throws Error, with the line, for what crashes Coin 4.0.0:
+// nesting deeper than 500, words longer than 200 characters, a node used inside itself, a PROTO
+// that contains itself; and for brackets and strings that are never closed. A binary file is not
+// looked at. O(bytes). It makes sentences out of crashes; what holds a crash, and what keeps other
+// files out, is the sandbox (formats/sandbox.h).
 void guardInventorFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

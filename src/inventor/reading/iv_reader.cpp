@@ -81,11 +81,19 @@ class WatchedInput : public SoInput {
   const std::function<void(double)>& tell_;
 };
 
-// "Coin read error: <what>\n\tOccurred at line   14 in <file>" as ":14: <what>".
+// "Coin read error: <what>\n\tOccurred at line   14 in <file>" as ":14: <what>; <what to do>".
 std::string withLine(const std::string& message) {
   std::string what = message.substr(0, message.find('\n'));
   const std::string prefix = "Coin read error: ";
   if (what.starts_with(prefix)) what.erase(0, prefix.size());
+  // "Could not find 'x.iv' in any of the following directories ...": there are none for a reader.
+  const std::string notFound = "Could not find '";
+  const char* advice = "correct it or export the model again";
+  if (what.starts_with(notFound)) {
+    what = fmt::format("it refers to the file '{}', and no other file is opened",
+                       what.substr(notFound.size(), what.find("' in any") - notFound.size()));
+    advice = "put all in one file";
+  }
   for (char& c : what)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   while (!what.empty() && (what.back() == '.' || what.back() == ' ')) what.pop_back();
@@ -98,7 +106,7 @@ std::string withLine(const std::string& message) {
     for (; at < message.size() && std::isdigit(static_cast<unsigned char>(message[at])); ++at)
       line += message[at];
   }
-  return line.empty() ? ": " + what : ":" + line + ": " + what;
+  return fmt::format("{}: {}; {}", line.empty() ? "" : ":" + line, what, advice);
 }
 
 }  // namespace
@@ -123,8 +131,7 @@ Model readInventorFile(const std::string& path, std::string_view bytes, ShapeRea
   model.path = path;
   model.format = inventorFormat(bytes);
   try {
-    if (!catcher.first().empty())
-      throw error("{}{}; correct it or export the model again", path, withLine(catcher.first()));
+    if (!catcher.first().empty()) throw error("{}{}", path, withLine(catcher.first()));
     if (!root) throw error("{}: not readable as {}; export it again", path, model.format);
     addScene(root, reading, model);
   } catch (...) {

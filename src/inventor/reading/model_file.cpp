@@ -1,17 +1,16 @@
 #include "inventor/reading/model_file.h"
 
+#include <Inventor/SoInput.h>
+
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 #include "base/error.h"
-#include "base/large_pages.h"
-#include "base/raw_array.h"
 #include "formats/assimp_file.h"
 #include "formats/child_process.h"
+#include "formats/foreign_file.h"
 #include "formats/gzip.h"
 #include "formats/vtk_file.h"
+#include "inventor/init.h"
 #include "inventor/reading/iv_guard.h"
 #include "inventor/reading/iv_reader.h"
 #include "inventor/reading/nurbs_context.h"
@@ -21,21 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t(1) << 30;
+constexpr std::size_t kLargestFile = std::size_t(1) << 30;  // with all that is beside it
 constexpr std::size_t kLargestUnpacked = std::size_t(1) << 29;
-
-RawArray<char> allBytes(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  RawArray<char> bytes;
-  const std::size_t size = fs::file_size(path);
-  bytes.reserve(size);
-  wantLargePages(bytes.data(), size);
-  bytes.resize(size);
-  in.read(bytes.data(), std::streamsize(bytes.size()));
-  if (!in || std::size_t(in.gcount()) != bytes.size())
-    throw error("{}: cannot be read: {}; check the disk", path.string(), std::strerror(errno));
-  return bytes;
-}
+constexpr std::size_t kMostBeside = 16;
 
 std::string lowerExtension(const fs::path& path) {
   std::string text = path.extension().string();
@@ -52,9 +39,8 @@ fs::path formatName(const fs::path& path, std::string_view bytes) {
   return name;
 }
 
-Model readHere(const fs::path& path, SharedNumber& share) {
-  const RawArray<char> stored = allBytes(path);
-  std::string_view bytes(stored.data(), stored.size());
+Model readHere(const fs::path& path, std::string_view bytes, const BesideFiles& beside,
+               SharedNumber& share) {
   if (bytes.empty()) throw error("{}: is empty; choose a file that holds a surface", path.string());
   std::string unpacked;
   if (isGzip(bytes)) bytes = unpacked = unpackGzip(path.string(), bytes, kLargestUnpacked);
@@ -64,11 +50,32 @@ Model readHere(const fs::path& path, SharedNumber& share) {
     return readInventorFile(path.string(), bytes, ShapeReading::Converted,
                             [&](double now) { share.set(now); });
   if (isVtkFile(bytes) || extension == ".vtk") return readVtkFile(path.string(), bytes);
-  if (isAssimpFile(name)) return readAssimpFile(path, name, bytes);
+  if (isAssimpFile(name)) return readAssimpFile(path, name, bytes, beside);
   throw error(
       "{}: is of no kind that can be read; use .iv, .wrl, .obj, .stl, .ply, .off, .glb, .gltf "
       "or .vtk",
       path.string());
+}
+
+// The child's answer: a model, or the name of a file beside it that it lacks.
+constexpr char kModel = 'm', kLacks = 'l';
+
+std::string answerOf(const fs::path& path, std::string_view bytes, const BesideFiles& beside,
+                     SharedNumber& share) {
+  try {
+    const Model model = readHere(path, bytes, beside, share);
+    checkModel(model);
+    return kModel + modelToBytes(model);
+  } catch (const LacksFile& file) {
+    return kLacks + file.name;
+  }
+}
+
+// What Coin would do at first use, when there are no files any more.
+void prepareCoin() {
+  prepareNurbs();
+  initInventor();
+  const SoInput duplicatesStandardInput;  // and tries again at every number if that failed
 }
 
 }  // namespace
@@ -80,36 +87,36 @@ Model readModelWatched(const fs::path& path, const Progress& progress) {
 }
 
 Model readModelWithin(const fs::path& path, double seconds, const Progress& progress) {
-  std::error_code ec;
-  const fs::file_status status = fs::status(path, ec);
-  if (!fs::exists(status)) throw error("{}: there is no such file; check the name", path.string());
-  if (fs::is_directory(status)) throw error("{}: is a folder; name a file in it", path.string());
-  if (!fs::is_regular_file(status))
-    throw error("{}: is no ordinary file; copy the model into one", path.string());
-  const std::uintmax_t size = fs::file_size(path, ec);
-  if (ec) throw error("{}: cannot be read: {}; check the name", path.string(), ec.message());
-  if (size > kLargestFile)
-    throw error("{}: has {} MB, more than the {} MB that are read; simplify the model",
-                path.string(), size >> 20, kLargestFile >> 20);
-  if (std::ifstream in(path, std::ios::binary); !in)
-    throw error("{}: cannot be opened: {}; check who may read it", path.string(),
-                std::strerror(errno));
-  ChildLimits limits;
-  limits.cpuSeconds = seconds + double(size) / (1 << 20);
-  limits.wallSeconds = 4 * limits.cpuSeconds;  // allowance for other load on the processor
+  const RawArray<char> bytes = readForeignFile(path, kLargestFile);
+  BesideFiles beside;
+  std::size_t size = bytes.size();
   SharedNumber share(-1);
-  const std::string bytes = runInChild(
-      path.string(), limits,
-      [&] {
-        pretendOffscreenContext();
-        const Model model = readHere(path, share);
-        checkModel(model);
-        return modelToBytes(model);
-      },
-      [&] { report(progress, share.get()); });
-  Model model = bytesToModel(bytes, path.string());
-  report(progress, 1);
-  return model;
+  for (;;) {
+    ChildLimits limits;
+    limits.cpuSeconds = seconds + double(size) / (1 << 20);
+    limits.wallSeconds = 4 * limits.cpuSeconds;  // allowance for other load on the processor
+    const std::string answer = runInChild(
+        path.string(), limits,
+        [&] {
+          return answerOf(path, {bytes.data(), bytes.size()}, beside, share);
+        },
+        [&] { report(progress, share.get()); },
+        [&] {
+          if (!isAssimpFile(formatName(path, {bytes.data(), bytes.size()}))) prepareCoin();
+        });
+    if (answer.starts_with(kModel)) {
+      Model model = bytesToModel(std::string_view(answer).substr(1), path.string());
+      report(progress, 1);
+      return model;
+    }
+    const std::string lacking = answer.substr(1);
+    if (beside.size() == kMostBeside || beside.contains(lacking))
+      throw error("{}: refers to more than {} files; export it as one file", path.string(),
+                  kMostBeside);
+    RawArray<char> more = readForeignFileBeside(path, lacking, kLargestFile - size);
+    size += more.size();
+    beside.emplace(lacking, std::move(more));
+  }
 }
 
 }  // namespace resect
