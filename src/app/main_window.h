@@ -1,4 +1,4 @@
-// The main window: picture, panels, menus, and the session behind them.
+// The main window: picture, panels, menus, and the operating session that they show.
 #pragma once
 
 #include <QMainWindow>
@@ -33,9 +33,9 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void load(const Scenario& scenario);
-  // One sentence over the picture, until it is clicked away or another comes.
+  // Shows a sentence over the picture until the user clicks it or another sentence replaces it.
   void complain(const std::string& sentence);
-  // The motions of the scenario, on until this time of theirs, s.
+  // Plays the scenario's motions up to this scenario time, s.
   void play(double until);
 
  protected:
@@ -73,7 +73,7 @@ class MainWindow : public QMainWindow {
   void reportPace();
   void resizePicture(const std::string& text);
   void placeOverlays();
-  // Asks for a file to write; what goes wrong in `write` is said.
+  // Asks for a file name and calls `write` with it. An exception of `write` is shown to the user.
   void save(const char* title, const char* filter, const QString& name,
             const std::function<void(const std::string&)>& write);
 
@@ -99,15 +99,15 @@ class MainWindow : public QMainWindow {
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // ms
   std::int64_t removedSaid_ = 0;
   std::uint64_t uploadedSaid_ = 0;
-  double forceSaid_ = 0;  // N, largest since it was said
+  double forceSaid_ = 0;  // N, largest since the last report
   int heldSaid_ = -2;
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::string script_, faultSaid_;
   bool lookingAt_ = false;  // the next click chooses the point of interest
   bool readySaid_ = false;
   bool playingSaid_ = false;
-  bool keepsView_ = false;       // what is loaded is the organ that is there, begun again
-  QSize lastSize_, placesSize_;  // of the picture: at the last look, when places were told
+  bool keepsView_ = false;       // the same organ is being loaded again: the camera stays
+  QSize lastSize_, placesSize_;  // picture size: last panel update, last report of positions
 };
 
 }  // namespace resect

@@ -1,4 +1,5 @@
-// Dialog before a file is opened as an organ: its health, unit and part.
+// Dialog shown before a file is opened as an organ: health of the mesh, unit, part, repair,
+// spacing.
 #pragma once
 
 #include <QDialog>
@@ -20,12 +21,12 @@ class OpenOrganDialog : public QDialog {
  public:
   OpenOrganDialog(const std::string& file, const OrganSource& before, QWidget* parent = nullptr);
 
-  // What was chosen; meaningful after accept().
+  // The user's choices; valid after accept().
   OrganSource source() const;
 
-  QPoint openButton() const;  // its middle on the screen
+  QPoint openButton() const;  // centre of the button on the screen
 
-  // Called with the displayed report when the file was examined.
+  // Called with the displayed report each time the file has been examined.
   std::function<void(const std::string&)> examined;
 
  private:
@@ -44,8 +45,8 @@ class OpenOrganDialog : public QDialog {
   QCheckBox* repair_;
   QDoubleSpinBox* spacing_;
   QPushButton* open_;
-  double longest_ = 0;            // of the bounds, file units
-  double area_ = 0, volume_ = 0;  // squared and cubed; volume 0: the surface is open
+  double longest_ = 0;            // side of the bounding box, file units
+  double area_ = 0, volume_ = 0;  // file units squared and cubed; volume 0: open surface
   bool unitChosen_ = false;
 };
 

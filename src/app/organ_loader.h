@@ -1,8 +1,8 @@
-// Loads an organ in the background while the window goes on.
+// Loads an organ in the background while the window stays usable.
 //
-// Files from outside are read by a separate process (this program's `info` and `convert`), which
-// can be stopped at any moment; the cells are made in a thread. The running operation is not
-// touched until all is done.
+// Model files are read by a separate process (this program's `info` and `convert`), which can be
+// stopped at any moment; the cells are made in a thread. The running operation is not touched until
+// the new organ is complete.
 #pragma once
 
 #include <QProcess>
@@ -17,7 +17,8 @@
 
 namespace resect {
 
-// The scenario with one of each shipped instrument, its own first, all in the tool box.
+// Adds the shipped instruments that the scenario lacks, after its own. All instruments rest in the
+// tool box.
 Scenario withAllInstruments(Scenario scenario);
 
 class OrganLoader {
@@ -32,9 +33,9 @@ class OrganLoader {
     std::string problem;
   };
 
-  // One at a time; a new call abandons the one before without waiting for it. `progress` gets
-  // shares 0..1, or -1 while nothing is known; `done` is called last, unless cancel() was called.
-  // Both on the window's thread.
+  // Loads one scenario at a time: a new call abandons the loading before it without waiting for its
+  // thread. `progress` gets the share done, 0 to 1, or -1 while it is unknown. `done` is called at
+  // the end, unless loading was abandoned. Both are called on the window's thread.
   void load(const Scenario& scenario, std::function<void(double)> progress,
             std::function<void(Result)> done);
   void cancel();
@@ -43,13 +44,13 @@ class OrganLoader {
  private:
   struct Job;
   void poll();
-  void readNext();  // starts the reader of the next organ's file; after the last one the job
+  void readNext();  // starts the reader of the next model file; after the last file, the job
   void removeConverted();
 
   std::function<void(double)> progress_;
   std::function<void(Result)> done_;
   std::unique_ptr<QProcess> reader_;
-  std::size_t next_ = 0;                // the organ whose file is read
+  std::size_t next_ = 0;                // number of the organ whose file is being read
   std::vector<std::string> converted_;  // files that readers wrote
   int files_ = 0;
   std::unique_ptr<Job> job_;
@@ -58,7 +59,8 @@ class OrganLoader {
 };
 
 // Examines a file: runs `resect info` on it, or on one of its parts, in a separate process. `done`
-// gets its JSON, or an empty text and the error sentence.
+// gets the JSON that it printed and an empty problem; on failure, empty JSON and the error
+// sentence.
 class FileExaminer {
  public:
   ~FileExaminer() { cancel(); }

@@ -22,16 +22,16 @@ class QVBoxLayout;
 
 namespace resect {
 
-// A value over time, oldest first: simulated s, value.
+// A value over time: pairs of simulated time, s, and value, oldest first.
 using History = std::vector<std::pair<double, double>>;
 
-// One button per instrument; pressed while it is in hand.
+// One button per instrument, pressed while that instrument is in hand.
 class InstrumentsPanel : public QWidget {
  public:
   explicit InstrumentsPanel(QWidget* parent = nullptr);
   void setTools(const std::vector<ToolModel>& tools);
   void setHeld(int tool, const QString& how);
-  std::function<void(int tool)> chosen;  // -1: put back
+  std::function<void(int tool)> chosen;  // -1: puts the tool in hand back
  private:
   QVBoxLayout* layout_;
   QLabel* how_;
@@ -42,13 +42,13 @@ class InstrumentsPanel : public QWidget {
 class OrganPanel : public QWidget {
  public:
   explicit OrganPanel(QWidget* parent = nullptr);
-  // spacing: of the first organ's cells, m.
+  // spacing: side of the first organ's cells, m.
   void setOrgans(const std::vector<ScenarioOrgan>& organs, double spacing, const QString& notes);
   void follow(const LiveState& state);
   void setIso(float iso);
   void beginAgain();  // restarts with the panel's settings
   std::function<void(float)> isoChanged;
-  // spacing: m, if it was changed.
+  // spacing: m; none if the user did not change it.
   std::function<void(std::optional<double> spacing, int refine, bool elastic)> rebuild;
 
  private:
@@ -70,7 +70,7 @@ class OrganPanel : public QWidget {
   QCheckBox* elastic_;
 };
 
-// Millilitres taken out, large, with their history.
+// Volume of removed tissue, ml, in large digits, with its history.
 class RemovedPanel : public QWidget {
  public:
   explicit RemovedPanel(QWidget* parent = nullptr);
@@ -97,10 +97,11 @@ class ForcePanel : public QWidget {
 
  private:
   History history_;  // N
-  double peak_ = 0;  // N: of the instrument that was in hand last, since the operation began
+  double peak_ = 0;  // N, since the operation began, on the instrument in hand now or last
 };
 
-// A bar per stage of the step, the frame rates, and advice if they are too low.
+// Pictures per second, speed against real time, a bar per stage of the step, and advice if drawing
+// or simulation is too slow.
 class TimingPanel : public QWidget {
  public:
   explicit TimingPanel(QWidget* parent = nullptr);

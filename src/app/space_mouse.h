@@ -1,4 +1,5 @@
-// 3D mouse through the free daemon spacenavd. Without daemon or device nothing happens.
+// Reads a 3D mouse through the free daemon spacenavd. Does nothing without the daemon or the
+// device.
 #pragma once
 
 #include <QSocketNotifier>
@@ -17,7 +18,7 @@ class SpaceMouse {
   SpaceMouse& operator=(const SpaceMouse&) = delete;
 
   bool connected() const { return notifier_ != nullptr; }
-  const char* status() const;  // for people
+  const char* status() const;  // a sentence for the user
 
   std::function<void(const SixAxes&, double seconds)> pushed;
 

@@ -1,9 +1,9 @@
 // The picture in the window: draws the operation, and turns mouse and keyboard input into Inventor
 // events. When nothing moves the picture is drawn antialiased, strip by strip, so that input never
-// waits for it.
+// waits for a whole picture.
 //
 // The picture is drawn offscreen and only changed pixels go to the screen: a QOpenGLWidget would
-// compose the whole window each time, which in software costs as much as the drawing
+// compose the whole window each time, which takes two fifths of all shading in software rendering
 // (docs/decisions/0003).
 #pragma once
 
@@ -31,27 +31,27 @@ class OperatingSession;
 
 class Viewer : public QWidget {
  public:
-  // Throws Error in one sentence where nothing can be drawn.
+  // Throws Error if there is no OpenGL context to draw with.
   explicit Viewer(QWidget* parent = nullptr);
 
-  // Shows this session; nullptr: nothing. The session must outlive its display.
+  // Shows this session, or nothing for nullptr. A session must exist as long as it is shown.
   void show(OperatingSession* session);
   void setFpsLimit(double framesPerSecond);
 
   double aspect() const { return double(width()) / std::max(1, height()); }
   SbViewportRegion viewport() const;  // device pixels
   struct Drawing {
-    double perSecond = 0, seconds = 0;  // pictures of the last second, and what one of them took
+    double perSecond = 0, seconds = 0;  // pictures drawn in the last second, mean time of one
   };
   Drawing drawing() const;
   Pace& pace() { return pace_; }
-  // The picture as shown; `smooth`: drawn anew with smooth edges.
+  // The picture as shown; if `smooth`, it is first drawn again with antialiased edges.
   RgbImage grabPicture(bool smooth);
 
-  std::function<void()> ticked;  // after each update from the operation
-  // Called first; true if it handled the event.
+  std::function<void()> ticked;  // called after each update from the operation
+  // Called with each event before the session; returns true if it handled the event.
   std::function<bool(const SoEvent&, const SbViewportRegion&)> before;
-  std::function<void(const std::string&)> failed;  // a sentence
+  std::function<void(const std::string&)> failed;  // gets a sentence
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -70,7 +70,7 @@ class Viewer : public QWidget {
   void mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down);
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
-  void drawChanges(double looked);  // time of the update from the operation, s
+  void drawChanges(double looked);  // `looked`: time when the changes were taken, s
   void drawStrip(int strip);
   QSize pictureSize() const;
   QRegion fetch(std::span<const PixelRect> parts);
@@ -82,14 +82,14 @@ class Viewer : public QWidget {
   LivePicture picture_;
   QImage image_;  // what is on the screen
   Damage damage_;
-  int strip_ = 0;       // the next of the smooth picture
-  int behind_ = 0;      // the same for still parts behind moving tissue
-  int sinceStrip_ = 0;  // pictures
+  int strip_ = 0;       // number of the antialiased picture's next strip
+  int behind_ = 0;      // the same for the still parts behind moving tissue
+  int sinceStrip_ = 0;  // pictures drawn since the last strip
   Qt::MouseButtons down_;
-  std::vector<std::pair<double, double>> drawn_;  // the last pictures: when, and how long, s
-  double due_ = 0;                                // time of the next update, s
+  std::vector<std::pair<double, double>> drawn_;  // of the last pictures: end, duration, s
+  double due_ = 0;                                // when the next update is due, s
   Pace pace_;
-  double wheel_ = 0;  // degrees not yet turned into steps
+  double wheel_ = 0;  // degrees of rotation that do not yet make a whole step
 };
 
 }  // namespace resect

@@ -14,7 +14,7 @@ struct WindowOptions {
   double fpsLimit = 60;
   bool overlay = true;       // show the controls at the start
   bool reports = false;      // report events on standard output, for scripts
-  std::optional<bool> dark;  // colours; none: as chosen last, initially dark
+  std::optional<bool> dark;  // none: the theme chosen last; dark at the very first start
 };
 
 // Opens the window and returns its exit status when it is closed. Throws Error when there is no

@@ -1,5 +1,4 @@
-// The indices of a word's set bits as a list, without unpredictable branches where few bits are
-// set.
+// Lists the indices of a word's set bits; if few are set, no branch is hard to predict.
 #pragma once
 
 #include <bit>
@@ -8,9 +7,10 @@
 
 namespace resect {
 
-// Appends first + the index of each set bit, ascending; returns the end of the list. May write up
-// to 8 elements beyond it. first: at most 192. Aims at four instructions an index, eight at a time:
-// a plain loop over few set bits ends with a mispredicted branch.
+// Writes `first` + the index of each set bit to `list`, ascending, and returns the end of what it
+// wrote. It may overwrite up to 8 elements beyond that end. first: at most 192. It writes eight
+// indices at a time, aiming at four instructions per index: a plain loop over few set bits ends
+// with a mispredicted branch.
 [[gnu::always_inline]] inline std::uint8_t* appendSetBits(std::uint64_t word, unsigned first,
                                                           std::uint8_t* list) {
   std::uint8_t* const end = list + std::popcount(word);

@@ -1,12 +1,13 @@
 // Elementary functions that give the same bits on every machine.
 //
-// C libraries differ from each other in the last bit; the state must not depend on them. Only +, -,
-// *, /, fused products, square roots and rounding of IEEE 754 doubles, in a fixed order. Errors
-// below 2 units in the last place (test/base/elementary_test.cpp). sin() and cos() give NaN beyond
-// |x| = 1e6, acos() outside [-1, 1]; NaN in, NaN out. Cost: some 20 to 40 operations each.
+// C libraries differ from each other in the last bit; the state must not depend on them. These
+// functions use only +, -, *, /, fused multiply-add, square root and rounding of IEEE 754 doubles,
+// in a fixed order. Their errors are below 2 units in the last place
+// (test/base/elementary_test.cpp). sin() and cos() give NaN for |x| > 1e6, acos() for |x| > 1; all
+// give NaN for NaN. Cost: some 20 to 40 operations per call.
 //
-// Method: reduction to a short interval (Cody and Waite 1980), then the Taylor series, long enough
-// for its rest to be below a hundredth of a unit; cube root by Halley's iteration.
+// Method: reduction to a short interval (Cody and Waite 1980), then the Taylor series up to a
+// remainder below a hundredth of a unit in the last place. The cube root uses Halley's iteration.
 #pragma once
 
 namespace resect::math {
@@ -15,7 +16,7 @@ double sin(double x);  // x in rad
 double cos(double x);
 double acos(double x);             // rad, in [0, pi]
 double atan2(double y, double x);  // rad, in [-pi, pi]; atan2(0, 0) is 0
-double exp(double x);  // infinite above 709.78; 0 below -708.39, where it would be denormal
+double exp(double x);  // infinite above 709.78; 0 below -708.39, where exp(x) would be denormal
 double cbrt(double x);
 
 }  // namespace resect::math

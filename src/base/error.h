@@ -10,7 +10,7 @@
 
 namespace resect {
 
-// `main` prints "resect: error: <sentence>" and exits with the status.
+// The program's main() prints "resect: error: <sentence>" and exits with the status.
 class Error : public std::runtime_error {
  public:
   enum class Status { Failed = 1, Usage = 2 };
@@ -22,7 +22,7 @@ class Error : public std::runtime_error {
   Status status_;
 };
 
-// throw error("{}: line {} has no z; give three numbers", file, line);
+// As in: throw error("{}: line {} has no z; give three numbers", file, line);
 template <typename... Args>
 [[nodiscard]] Error error(fmt::format_string<Args...> format, Args&&... args) {
   return Error(fmt::format(format, std::forward<Args>(args)...));
@@ -34,8 +34,8 @@ template <typename... Args>
   return Error(fmt::format(format, std::forward<Args>(args)...), Error::Status::Usage);
 }
 
-// Throws usageError(format, args) unless the condition holds: what a function asks of its
-// arguments, before it changes anything.
+// Throws usageError(format, args) unless the condition holds. A function checks its arguments with
+// it before it changes anything.
 template <typename... Args>
 void require(bool condition, fmt::format_string<Args...> format, Args&&... args) {
   if (!condition) [[unlikely]]

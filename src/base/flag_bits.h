@@ -1,4 +1,4 @@
-// Vectorised comparisons of numbers or bytes whose results are bits of one word.
+// Vectorised comparisons of an array's numbers or bytes: result i is bit i of a word.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ namespace resect {
 
 #ifdef __SSE2__
 
-// Four consecutive numbers, as compared16() passes them to its test. The test returns all ones in
-// each lane where it holds.
+// Four consecutive numbers, as compared16() passes them to its test. In each lane the test returns
+// all bits set if it holds, else 0.
 typedef float FourValues __attribute__((vector_size(16)));
 typedef std::int32_t FourFlags __attribute__((vector_size(16)));
 
-// Bit i of the result: the test holds for values[i], i below 16. test: (FourValues) -> FourFlags, a
-// comparison. Aims at 12 instructions.
+// Bit i of the result is set if the test holds for values[i], i from 0 to 15. test: a comparison
+// (FourValues) -> FourFlags. The whole function aims at 12 instructions.
 template <typename Test>
 [[gnu::always_inline]] inline std::uint64_t compared16(const float* values, Test test) {
   __m128i four[4];
@@ -48,14 +48,15 @@ inline std::uint64_t compared16(const float* values, Test test) {
 
 #endif
 
-// The same for 64 of them.
+// The same for 64 values.
 template <typename Test>
 [[gnu::always_inline]] inline std::uint64_t compared64(const float* values, Test test) {
   return compared16(values, test) | compared16(values + 16, test) << 16 |
          compared16(values + 32, test) << 32 | compared16(values + 48, test) << 48;
 }
 
-// Bit i of nonZero64: byte i of 64 is not 0. Bit i of upperBits64: the top bit of byte i is set.
+// Both take 64 bytes. Bit i of nonZero64() is set if byte i is not 0; bit i of upperBits64() is the
+// top bit of byte i.
 #ifdef __SSE2__
 
 template <typename Test>

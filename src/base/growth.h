@@ -1,5 +1,5 @@
-// Growing of large arrays by a thirty-second instead of doubling, so that memory stays small and
-// reallocation rare.
+// Grows large arrays by a thirty-second (3 %) instead of doubling them, so that memory stays small
+// and reallocation rare.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace resect {
 
-// reserve(size); requests large pages for the new memory.
+// Calls array.reserve(size) and requests large pages for the new memory.
 template <typename T, typename Allocator>
 void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
   if (size <= array.capacity()) return;
@@ -19,9 +19,9 @@ void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
   wantLargePages(array.data() + array.size(), (size - array.size()) * sizeof(T));
 }
 
-// resize(size), with a thirty-second of spare capacity from the first call on: cutting adds a
-// little surface, and copying tens of megabytes would cost a frame. New elements are uninitialised;
-// the caller writes them.
+// Calls array.resize(size) and keeps a thirty-second of spare capacity from the first call on. A
+// cut adds a little surface; without the spare capacity, tens of megabytes would be copied, which
+// takes as long as a frame. New elements are uninitialised; the caller writes them.
 template <typename T>
 void growTo(RawArray<T>& array, std::size_t size) {
   if (size > array.capacity()) reserveFor(array, size + size / 32);

@@ -1,5 +1,5 @@
-// A box of grid coordinates with dense numbering, for windows into a grid that is too large to keep
-// a value for each of its points.
+// A box of grid points, numbered densely: a window into a grid that is too large to store a value
+// for every point.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct IndexBox {
   bool contains(const Vec3i& point) const {
     return (point.array() >= low.array()).all() && (point.array() < (low + dims).array()).all();
   }
-  IndexBox widened(int margin) const {  // each way
+  IndexBox widened(int margin) const {  // by `margin` points on every side
     return {low - Vec3i::Constant(margin), dims + Vec3i::Constant(2 * margin)};
   }
   // Indices run along x first; the box must hold fewer than 2^31 points.
@@ -33,7 +33,7 @@ struct IndexBox {
   }
 };
 
-// The smallest box that holds all of these points, at least one.
+// The smallest box that holds all these points. There must be at least one point.
 inline IndexBox boxRound(std::span<const Vec3i> points) {
   Vec3i low = points[0], high = low;
   for (const Vec3i& point : points) {

@@ -1,10 +1,10 @@
-// Macros that compile hot functions for several instruction sets; the widest that the machine has
-// is chosen when the program starts.
+// Macros that compile hot functions for several instruction sets. When the program starts, the
+// widest set that the processor has is chosen.
 //
 // RESECT_WIDEST before a function's definition compiles it twice: for the build's baseline, and for
-// x86-64-v3 (AVX2, popcnt). Both do the same operations in the same order, never contracted, so
-// results are the same bits. Compilers without target_clones, and sanitizer builds, which cannot
-// resolve them at load time, get the baseline only.
+// x86-64-v3 (AVX2, popcnt). Both versions do the same operations in the same order, never
+// contracted, so their results have the same bits. Other compilers than GCC get the baseline only,
+// and so do sanitizer builds, which cannot choose a version at load time.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(RESECT_SANITIZED)
@@ -13,8 +13,8 @@
 #define RESECT_WIDEST
 #endif
 
-// RESECT_AVX2 before a function that uses AVX2 intrinsics and has a plain counterpart: the caller
-// checks first that the processor has AVX2.
+// RESECT_AVX2 stands before a function that uses AVX2 intrinsics and has a plain counterpart. The
+// caller must first check that the processor has AVX2.
 #if defined(__x86_64__)
 #define RESECT_AVX2 __attribute__((target("avx2")))
 #endif

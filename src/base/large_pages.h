@@ -5,10 +5,10 @@
 
 namespace resect {
 
-// Asks the system to back memory that is allocated and not yet written with huge pages (2 MB): the
-// first write to a page of 4 kB is a page fault, which takes longer than filling it. Only advice:
-// where the system has no huge pages nothing changes. Ranges of less than a huge page are left
-// alone.
+// Asks the system to use huge pages (2 MB) for memory that is allocated but not yet written. With
+// pages of 4 kB the first write to each page is a page fault, which takes longer than filling the
+// page. The request is only advice: where the system has no huge pages, nothing changes. Ranges
+// shorter than a huge page are left alone.
 void wantLargePages(void* begin, std::size_t bytes);
 
 }  // namespace resect

@@ -1,8 +1,8 @@
 // Parallel loops whose results do not depend on the number of threads.
 //
-// parallelFor runs body(begin, end) over fixed blocks of [0, count); block borders depend on
-// `count` and `grain` alone, never on the number of threads, so a body that writes only to its own
-// indices, or reduces per block, gives the same bits at any number of threads.
+// parallelFor runs body(begin, end) over fixed blocks of [0, count). The borders of the blocks
+// depend on `count` and `grain` alone, never on the number of threads. So a body that writes only
+// to its own indices, or reduces per block, gives the same bits at any number of threads.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace resect {
 
-// Limits how many threads parallelFor uses during its lifetime; threads >= 1, 0 = all the machine
-// has. Of several at once the lowest holds.
+// While this object exists, parallelFor uses at most `threads` threads; 0: as many as the machine
+// has. Of several limits at once the lowest holds.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -27,8 +27,8 @@ class ThreadLimit {
 // results.
 std::size_t threadsAllowed();
 
-// What parallelFor runs: refers to a callable (begin, end) that lives at least as long as the call.
-// Unlike a std::function it never allocates.
+// Refers to the callable (begin, end) that parallelFor runs; the callable must exist until the loop
+// ends. Unlike a std::function, this never allocates.
 class RangeBody {
  public:
   template <typename Callable>
@@ -44,7 +44,8 @@ class RangeBody {
   void (*call_)(const void*, std::size_t, std::size_t);
 };
 
-// grain >= 1: indices per block. An empty range does nothing. Exceptions of the body are passed on.
+// grain >= 1: indices per block. An empty range does nothing. An exception of the body is passed
+// on.
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The precompiled header: what almost every file includes, compiled once for the whole build
-// (cmake/layers.cmake); never included by name.
+// The precompiled header: the headers that almost every file includes, compiled once for the whole
+// build (cmake/layers.cmake). No file includes it by name.
 #pragma once
 
 #include <fmt/format.h>

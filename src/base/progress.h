@@ -1,13 +1,13 @@
-// Callback for the progress of long work, by which it can also be cancelled.
+// Callback that reports the progress of long work and can cancel it.
 #pragma once
 
 #include <functional>
 
 namespace resect {
 
-// Called from time to time with the share done in [0, 1], or with -1 while it is unknown; returns
-// false to cancel, upon which the work throws `Cancelled` and leaves nothing half made. May be an
-// empty function.
+// Called from time to time with the share of the work that is done, 0 to 1, or -1 while it is
+// unknown. If it returns false, the work throws `Cancelled` and leaves nothing half made. It may be
+// an empty function.
 using Progress = std::function<bool(double share)>;
 
 struct Cancelled {};

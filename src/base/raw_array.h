@@ -1,4 +1,5 @@
-// A vector whose resize() leaves new elements uninitialised, for data that is written at once.
+// A vector whose resize() leaves new elements uninitialised, for data that are overwritten
+// immediately.
 #pragma once
 
 #include <memory>
@@ -9,8 +10,8 @@
 
 namespace resect {
 
-// Default-initialises elements that are given no value, as `new T` does: numbers are left
-// unwritten.
+// Default-initialises elements that are given no value, as `new T` does: numbers stay
+// uninitialised.
 template <typename T>
 struct UnwrittenAllocator : std::allocator<T> {
   template <typename U>
@@ -27,7 +28,8 @@ struct UnwrittenAllocator : std::allocator<T> {
   }
 };
 
-// resize(n) writes nothing; resize(n, value), assign() and the rest do as ever.
+// A std::vector whose resize(n) writes nothing to new elements; resize(n, value), assign() and the
+// rest are unchanged.
 template <typename T>
 using RawArray = std::vector<T, UnwrittenAllocator<T>>;
 

@@ -21,7 +21,8 @@ struct TimeSummary {
 };
 TimeSummary summarise(std::vector<double> values);
 
-// Measures the stages of one step after the other: lap("findContacts") ends the stage of that name.
+// Measures the stages of many steps, one step after the other: start() begins a step,
+// lap("findContacts") ends its stage of that name.
 class StageClock {
  public:
   void start() { last_ = Clock::now(); }

@@ -9,7 +9,7 @@
 
 namespace resect {
 
-// `limit`: none if it was not searched.
+// `limit`: none if the largest organ in real time was not searched for.
 nlohmann::ordered_json toJson(const BenchReport& report, const std::optional<RealTimeLimit>& limit,
                               const Scenario& scenario);
 std::string toText(const BenchReport& report, const std::optional<RealTimeLimit>& limit,

@@ -6,7 +6,7 @@
 
 namespace resect {
 
-// Two-space indent, keys in the order written. Files are written atomically.
+// Indents by two spaces and keeps the order in which keys were added. Files are written atomically.
 void writeJson(const std::string& target, const nlohmann::ordered_json& json);
 
 }  // namespace resect

@@ -17,14 +17,14 @@ struct OrganOptions {
   std::string part, unit, spacing, dims;
   bool repair = false;
 
-  // Overwrites the given options in `source`; leaves the rest.
+  // Overwrites those settings of `source` for which an option was given.
   void applyTo(OrganSource& source) const;
-  // The same for a scenario's first organ, which is replaced by `organ` if not empty; a new spacing
-  // scales the other organs' in proportion.
+  // The same for a scenario's first organ. `organ`, if not empty, replaces its file. A new spacing
+  // scales the spacings of the other organs in proportion.
   void applyTo(Scenario& scenario, const std::string& organ) const;
 };
 
-// Reads models of all formats that Resect knows.
+// A reader of models in all formats that Resect knows; it shows a progress bar.
 ModelReader modelReader();
 
 // Adds --part, --unit, --repair, --spacing and --dims to a command.

@@ -1,4 +1,4 @@
-// Writes pictures of an operation as numbered files or a video.
+// Writes pictures of an operation as numbered files, as a video, or both.
 #pragma once
 
 #include <memory>
@@ -11,26 +11,26 @@
 namespace resect {
 
 struct PictureSettings {
-  std::string folder;  // for frame_0001.png ...; "" = none kept
-  std::string video;   // .mp4, or ""
-  std::string size;    // "1280x720"
+  std::string folder;  // for frame_0001.png ...; "": no files
+  std::string video;   // name of an .mp4 file; "": no video
+  std::string size;    // in pixels, as "1280x720"
   double rate = 10;    // pictures per simulated second
 };
 
 class PictureWriter {
  public:
-  // Throws Error, before any work, if the size is invalid, EGL is missing, or ffmpeg is missing for
-  // a video.
+  // Draws the first picture, of the start. Throws Error if the size is invalid, EGL is missing, or
+  // ffmpeg is missing for a video.
   PictureWriter(const Scenario& scenario, Simulation& simulation, const PictureSettings& settings);
   ~PictureWriter();
   PictureWriter(const PictureWriter&) = delete;
   PictureWriter& operator=(const PictureWriter&) = delete;
 
-  // Call after every step; draws if a picture is due: at the start, then every 1 / rate seconds,
-  // and at the last frame.
+  // Call it after every step. It draws a picture when one is due: every 1 / rate simulated seconds,
+  // and after the last frame.
   void follow(const Simulation& simulation, const StepReport& step);
 
-  // Finishes the video; returns a line for each file written.
+  // Finishes the video. Returns one line for the numbered pictures and one for the video.
   std::vector<std::string> finish();
 
  private:
@@ -38,7 +38,7 @@ class PictureWriter {
   std::unique_ptr<State> state_;
 };
 
-// "1280x720" to numbers; a usage Error outside 16 to 8192.
+// Parses "1280x720". Throws a usage Error unless width and height are 16 to 8192.
 void parseSize(const std::string& text, int& width, int& height);
 
 }  // namespace resect

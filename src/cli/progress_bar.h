@@ -7,9 +7,9 @@
 
 namespace resect {
 
-// A bar, or the elapsed seconds while the share is unknown, on standard error; only at a terminal
-// and after more than a second of work. Ctrl-C cancels the work cleanly while the returned function
-// is in use. The bar is erased at share 1.
+// Shows a bar on standard error, or the elapsed seconds while the share is unknown. It appears only
+// at a terminal, and only after more than a second of work. While the returned function exists,
+// Ctrl-C cancels the work cleanly. The bar is erased at share 1.
 Progress progressBar(const std::string& title);
 
 }  // namespace resect

@@ -12,10 +12,10 @@ namespace resect {
 
 nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario);
 
-// The force on each instrument that touched tissue, N over s.
+// Plots the force, N, on each instrument that touched tissue, over time, s.
 LinePlot forcePlot(const RunSummary& summary, const Scenario& scenario);
 
-// `files`: what was written, one line each.
+// `files`: the files written, one line each.
 std::string toText(const RunSummary& summary, const Scenario& scenario,
                    const std::vector<std::string>& files);
 

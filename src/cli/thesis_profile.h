@@ -1,5 +1,5 @@
-// Where does the time of an operation go, beside what appendix A of the original thesis (2004)
-// shows of its program? A flat profile as gprof prints it: stages by their time, with calls.
+// A flat profile of an operation, as gprof prints it, beside the profile in appendix A of the
+// original thesis (2004): stages sorted by time, with the number of calls.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,8 +9,8 @@
 
 namespace resect {
 
-// The thesis's figures stand beside organs of its two sizes, 120 and 950 particles, to 5 %; other
-// organs' stages have the names of its functions alone.
+// The thesis measured organs of 120 and 950 particles: its figures are shown for organs of these
+// sizes, within 5 %. For other organs only the names of the functions of its program are shown.
 nlohmann::ordered_json profileJson(const BenchReport& report);
 std::string profileText(const BenchReport& report);
 

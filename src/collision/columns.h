@@ -1,12 +1,13 @@
-// Scanline rasteriser: all crossings of lines along +z (columns) with a closed mesh, exactly.
+// Scanline rasteriser: finds all crossings of lines along +z (columns) with a closed mesh, exactly.
 //
 // x and y of the mesh's points and of the columns are snapped to one integer raster (2^30 steps
-// over the mesh's larger extent in x, y: 0.2 nm on a liver), so that every edge function is an
-// exact 64-bit integer. A column through an edge or a vertex counts as shifted by (e, e^2) with e >
-// 0 infinitesimal, so exactly one of the neighbouring triangles covers it: for a closed, oriented
-// mesh the signs of every column's crossings sum to zero, whatever its triangles look like. The
-// raster depends on the mesh alone, so a column has the same crossings alone or among others, on a
-// grid or in a list, at any number of threads.
+// over the larger of the mesh's extents in x and y; a step is 0.2 nm on a liver), so that every
+// edge function is an exact 64-bit integer. A column through an edge or a vertex is treated as if
+// shifted by (s, s^2), where s > 0 is infinitesimal, so exactly one of the neighbouring triangles
+// covers it. So for a closed, oriented mesh the signs of every column's crossings sum to zero,
+// whatever the shapes of the triangles. The raster depends on the mesh alone. So a column has the
+// same crossings whether it is cast alone or with others, in a grid or in a list, at any number of
+// threads.
 //
 // Cost: a pass over the mesh's points and triangles, then work in proportion to the crossings.
 // Sources: layered depth images for collisions (Heidelberger, Teschner, Gross 2003); fill rule as
@@ -30,9 +31,10 @@ struct Crossing {
   std::int32_t sign;  // +1 entering, -1 leaving the body as z grows
 };
 
-// The crossings of many columns, each column's sorted by depth (equal depths: entries first).
+// The crossings of many columns. Those of one column are sorted by depth; at equal depths entries
+// come first.
 struct Crossings {
-  std::vector<std::uint32_t> offsets;  // columns + 1 entries: at most 2^32 - 1 crossings
+  std::vector<std::uint32_t> offsets;  // first crossing of each column; then the end, below 2^32
   RawArray<Crossing> all;
 
   std::size_t columnCount() const { return offsets.empty() ? 0 : offsets.size() - 1; }
@@ -50,8 +52,8 @@ struct ColumnGrid {
   std::size_t count() const { return std::size_t(countX) * std::size_t(countY); }
 };
 
-// A mesh snapped to its raster. Refers to the points and triangles of the mesh, which must outlive
-// it.
+// A mesh snapped to its raster. It refers to the points and triangles of the mesh, so the mesh must
+// outlive it.
 struct SnappedMesh {
   struct RasterXY {
     std::int32_t x, y;  // raster steps from `origin`, in [0, 2^30]
@@ -62,7 +64,7 @@ struct SnappedMesh {
   };
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
-  RawArray<RasterXY> xy;       // separate from depths: most triangles are rejected by x and y alone
+  RawArray<RasterXY> xy;       // without z, since most triangles are rejected by x and y alone
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
 
@@ -74,20 +76,21 @@ struct SnappedMesh {
 
 // The mesh must be closed, oriented outwards, and finite. An empty mesh is allowed.
 SnappedMesh snapToRaster(const TriangleMesh& mesh);
-SnappedMesh snapToRaster(const TriangleMesh&& mesh) = delete;  // would outlive it
+SnappedMesh snapToRaster(const TriangleMesh&& mesh) = delete;  // the result would outlive the mesh
 
-// Layered depth image: all crossings of a regular grid of columns.
+// All crossings of a regular grid of columns.
 Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid);
 
 // All crossings of columns at given positions (x, y), m.
 Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns);
 
-// Sum of the signs of the crossings below each point (depth < z): the number of closed shells that
-// surround it. 0 outside; > 0 inside.
+// For each point, the sum of the signs of the crossings below it (depth < z): the number of closed
+// shells that surround the point. 0 outside; > 0 inside.
 std::vector<std::int32_t> windingNumbers(const SnappedMesh& mesh, std::span<const Vec3> points);
 
 // Calls visit(z0, z1) for every interval of a column inside the body (winding number > 0), z0 <=
-// z1, ascending; shells that overlap or touch give one interval. z is inside if z0 < z <= z1.
+// z1, in ascending order. A z with z0 < z <= z1 is inside. Shells that overlap or touch give one
+// interval.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, Visit&& visit) {
   int winding = 0;
@@ -110,8 +113,8 @@ struct SampleLine {
   std::int32_t upTo(double depth) const;
 };
 
-// Calls visit(i0, i1) for every range of points [i0, i1) of the line inside the body, i0 < i1,
-// ascending. If no point lies between two ranges, one begins where the other ends.
+// Calls visit(i0, i1) for every range of points [i0, i1) of the line inside the body, i0 < i1, in
+// ascending order. If no point lies between two ranges, the second begins where the first ends.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, const SampleLine& line, Visit&& visit) {
   forEachInside(column, [&](double entered, double left) {

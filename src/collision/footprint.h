@@ -9,11 +9,11 @@
 namespace resect {
 
 inline constexpr std::int32_t kRaster = 1 << 30;
-// Raster coordinates of columns beside the mesh: no triangle covers them.
+// Raster coordinates given to columns beside the mesh: no triangle covers them.
 inline constexpr std::int32_t kBelow = -1, kAbove = kRaster + 1;
 
 inline std::int32_t snapColumn(double offset, double step) {
-  const double steps = offset / step + 0.5;  // truncation is floor() here, since steps >= 0
+  const double steps = offset / step + 0.5;  // for steps >= 0 truncation is floor()
   return !(steps >= 0) ? kBelow : steps >= kRaster + 1.0 ? kAbove : std::int32_t(steps);
 }
 
@@ -24,7 +24,8 @@ class Footprint {
       : x0_(a.x), y0_(a.y), z_(a.z), dz1_(b.z - a.z), dz2_(c.z - a.z) {
     const std::int64_t bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
     const std::int64_t area = bx * cy - by * cx;
-    // An upward face is an exit of the column. A downward face has its edges reversed.
+    // The column leaves the body through a face that looks up. If the face looks down, its edges
+    // are reversed.
     const std::int64_t turn =
         2 * std::int64_t(area > 0) - 1;  // branch-free: the sign is unpredictable
     sign_ = std::int32_t(-turn);
@@ -33,8 +34,8 @@ class Footprint {
     edge_[1] = {turn * -cx, turn * -cy, 0};
     edge_[2] = {turn * bx, turn * by, 0};
     for (Edge& e : edge_) {
-      // At (x + e, y + e^2) the edge function grows by -dy e + dx e^2: a column on the edge is
-      // covered if that is positive.
+      // A column at (x, y) counts as shifted to (x + s, y + s^2), s > 0 infinitesimal. The edge
+      // function grows by -dy s + dx s^2: a column on the edge is covered if this is positive.
       e.notOwned = !((e.dy < 0) | ((e.dy == 0) & (e.dx > 0)));
       e.start -= e.notOwned;
     }
@@ -54,7 +55,8 @@ class Footprint {
 
  private:
   // The edge function of edge i, opposite to corner i: not negative if the column lies left of the
-  // edge, or on it and the edge owns it. Evaluated relative to corner 0; its size is below 2^62.
+  // edge, or on it and the edge owns it. It is evaluated relative to corner 0; its absolute value
+  // is below 2^62.
   struct Edge {
     std::int64_t dx, dy, start;
     std::int64_t notOwned = 0;  // 1 if columns on the edge belong to the triangle beyond it

@@ -1,10 +1,10 @@
 // Signed distance to a rigid body, and its direction, from a precomputed grid.
 //
-// The distance to a closed mesh on a regular grid in the body's frame, negative inside. At the
-// grid's nodes within one and a half cells of the surface it is exact, farther away approximate
-// (nearest triangles propagated from node to node, after Danielsson 1980); between nodes it is
-// trilinear. A body thinner than a cell keeps its position, but its inside is not negative
-// everywhere.
+// A regular grid in the body's frame holds the distance to a closed mesh, negative inside. At grid
+// nodes within one and a half cells of the surface the distance is exact. Farther away it is
+// approximate: the nearest triangles are propagated from node to node, after Danielsson 1980.
+// Between nodes it is interpolated trilinearly. A body thinner than a cell is not lost, but the
+// distance is not negative everywhere inside it.
 #pragma once
 
 #include <vector>
@@ -16,13 +16,13 @@ namespace resect {
 
 class SignedDistance {
  public:
-  // `margin` > 0, m: how far the grid extends beyond the mesh. `cell` > 0, m; grown when the grid
-  // would have more than 2 million nodes. An empty mesh is infinitely far from everything.
+  // `margin` > 0, m: how far the grid extends beyond the mesh. `cell` > 0, m; enlarged if the grid
+  // would have more than 2 million nodes. For an empty mesh every distance is kFar.
   SignedDistance(const TriangleMesh& mesh, double margin, double cell);
 
   struct Sample {
     double distance;  // m; kFar outside the grid
-    Vec3 outwards;    // unit, towards growing distance; zero outside the grid
+    Vec3 outwards;    // unit, towards growing distance; zero outside the grid or where undefined
   };
   Sample operator()(const Vec3& point) const;
   static constexpr double kFar = 1e3;

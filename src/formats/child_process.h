@@ -1,8 +1,9 @@
-// Runs work on untrusted bytes in a forked child process inside a sandbox (formats/sandbox.h) with
-// limits; its result comes back over a pipe. Cost: about 3 ms per call plus the copy.
+// Runs work on untrusted bytes in a forked child process inside a sandbox (formats/sandbox.h), with
+// limits on time and memory. The result comes back through a pipe. Cost: about 3 ms per call plus
+// the copy.
 //
-// Crashes, endless loops and excessive memory of the work do not affect this process, and planted
-// code in the child reaches nothing but the pipe.
+// If the work crashes, loops endlessly or takes too much memory, this process goes on unharmed.
+// Code that a file plants in the child can reach nothing but the pipe.
 #pragma once
 
 #include <atomic>
@@ -15,21 +16,24 @@ namespace resect {
 struct ChildLimits {
   double cpuSeconds = 5;                           // of the child; > 0
   double wallSeconds = 20;                         // from start to last byte; > 0
-  std::size_t memoryBytes = std::size_t(2) << 30;  // address space beyond what this process has;
-                                                   // not limited in sanitized builds
+  std::size_t memoryBytes = std::size_t(2) << 30;  // address space on top of this process's;
+                                                   // no limit in sanitized builds
 };
 
 // Runs `work` in a child and returns its bytes. An Error that `work` throws is rethrown here with
 // the same sentence and status; any other end (crash, limit, exception) becomes an Error about
-// `subject`, the file's name, with what happened and what to do.
+// `subject`, the file's name, that says what happened and what to do.
 //
-// `work` runs on the copy of the calling thread alone: it must not use threads or locks that other
-// threads of this process may hold, and its changes in memory are lost. It has no files: what it
-// is to read must be in memory before the call. `prepare` runs in the child before the sandbox is
-// entered, for libraries that load their own files at first use; it must not look at foreign bytes.
+// The child has a copy of the calling thread only, so `work` must not wait for other threads, nor
+// take locks that other threads of this process may hold. Its changes in memory are lost. It cannot
+// open files: what it is to read must be in memory before the call.
 //
-// `meanwhile` is called here about ten times a second until the child is done, and once more if it
-// failed; an exception from it kills the child and is passed on.
+// `prepare` runs in the child before the sandbox is entered. It is for libraries that load files of
+// their own at first use, and must not look at untrusted bytes.
+//
+// `meanwhile` is called in this process about ten times a second until the child is done, and once
+// more if the child ended without an answer. If it throws, the child is killed and the exception is
+// passed on.
 std::string runInChild(const std::string& subject, const ChildLimits& limits,
                        const std::function<std::string()>& work,
                        const std::function<void()>& meanwhile = {},

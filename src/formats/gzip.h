@@ -8,8 +8,8 @@ namespace resect {
 
 bool isGzip(std::string_view bytes);
 
-// All members of the file (RFC 1952) unpacked. Throws Error about `path` if the data are damaged,
-// truncated, or longer than `most` bytes when unpacked.
+// Unpacks all members of the file (RFC 1952). Throws Error about `path` if the data are damaged or
+// truncated, or are more than `most` bytes when unpacked.
 std::string unpackGzip(const std::string& path, std::string_view bytes, std::size_t most);
 
 }  // namespace resect

@@ -18,8 +18,8 @@ struct LinePlot {
   std::vector<PlotLine> lines;
 };
 
-// 900 x 360 pixels, on a white background of its own. The axes include all finite points and y = 0,
-// with ticks at round numbers.
+// 900 x 360 pixels, on a white background. The axes include all finite points and y = 0, with ticks
+// at round numbers.
 std::string toSvg(const LinePlot& plot);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Numbers about a model file that tell whether it can be an organ.
+// Facts about a model file that tell whether its mesh can be an organ.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -17,15 +17,15 @@ struct ModelInfo {
   int triangles = 0;
   int vertices = 0;  // distinct positions, however often the file repeats them
   double area = 0;   // m^2
-  // m^3, sum of the signed tetrahedra from the origin to each triangle; of an open surface it
-  // depends on where the origin is.
+  // m^3: sum of the signed volumes of the tetrahedra between the origin and each triangle. For an
+  // open surface it depends on the origin.
   double volume = 0;
   Aabb bounds;  // m
   // After welding (weldSurface):
   int components = 0;
   bool closed = false, oriented = false, insideOut = false;
   int boundaryEdges = 0, nonManifoldEdges = 0;
-  std::string unitHint;  // unit that would make it the size of an organ; empty if metres do
+  std::string unitHint;  // unit in which it has an organ's size; empty if metres fit
 };
 
 ModelInfo modelInfo(const Model& model);

@@ -10,10 +10,11 @@ namespace resect {
 
 class VideoWriter {
  public:
-  // Starts ffmpeg; every picture must have this size (cut to even numbers for the codec). rate:
-  // pictures per second > 0. Throws Error if ffmpeg is not installed or the name is not .mp4.
+  // Starts ffmpeg. Every picture must have this size; the video is cropped to even numbers of
+  // pixels for the codec. rate: pictures per second, > 0. Throws Error if ffmpeg is not installed
+  // or the name is not .mp4.
   VideoWriter(const std::filesystem::path& path, int width, int height, double rate);
-  // Without finish() no file is left.
+  // Without finish() no video is written.
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;

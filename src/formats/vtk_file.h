@@ -12,11 +12,11 @@
 
 namespace resect {
 
-// Whether the bytes begin like such a file.
+// Whether the bytes begin as a legacy VTK file does.
 bool isVtkFile(std::string_view bytes);
 
-// One part without a name. Numbers are taken as metres. Every count and index is checked; an Error
-// names the section.
+// The model has one part, without a name. Numbers are taken as metres. Every count and index is
+// checked; an Error names the section of the file.
 Model readVtkFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

@@ -16,7 +16,8 @@ struct Aabb {
   bool empty() const { return (min.array() > max.array()).any(); }
   Vec3 size() const { return empty() ? Vec3(Vec3::Zero()) : Vec3(max - min); }
   Vec3 centre() const { return 0.5 * (min + max); }
-  // number: 0 to 7; bit a set: the upper end along axis a.
+  // number: 0 to 7. If bit a of it is set, the corner is at the upper end of axis a, else at the
+  // lower.
   Vec3 corner(int number) const {
     return {(number & 1 ? max : min).x(), (number & 2 ? max : min).y(),
             (number & 4 ? max : min).z()};
@@ -42,7 +43,7 @@ inline bool meets(const Aabb& a, const Aabb& b) {
   return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
-// The common part; empty when the boxes do not meet.
+// The common part; empty if the boxes do not meet.
 inline Aabb intersection(const Aabb& a, const Aabb& b) {
   return {a.min.cwiseMax(b.min), a.max.cwiseMin(b.max)};
 }

@@ -1,7 +1,8 @@
-// The farthest of many points in a direction (a support query), for many directions.
+// Finds which of many points lies farthest in a direction (a support query), for many directions.
 //
-// Points are clustered; a query looks only into clusters whose boxes reach far enough. Cost: two
-// passes over the points to build, then a pass over some thousand boxes per query.
+// The points are divided into clusters. A query searches only the clusters whose bounding boxes
+// reach far enough. Cost: a few passes over the points to build, then a pass over some thousand
+// boxes per query.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +18,8 @@ class FarthestPoint {
   // At least one point, all finite, fewer than 2^32.
   explicit FarthestPoint(std::span<const Vec3> points);
 
-  // Index of the point with the largest p.dot(direction), the first of equals: exactly what a loop
-  // over all points finds.
+  // Index of the point p with the largest p.dot(direction); of several equal ones the first. A loop
+  // over all points finds exactly the same.
   std::uint32_t along(const Vec3& direction) const;
 
  private:
@@ -29,7 +30,8 @@ class FarthestPoint {
   std::vector<Vec3> points_;          // sorted by cluster
   std::vector<std::uint32_t> order_;  // their original indices
   std::vector<Cluster> clusters_;
-  double rounding_ = 0;  // bound of the rounding error of a box's reach, for unit directions
+  // Bound of the rounding error of a box's reach, for a direction whose |x| + |y| + |z| is 1.
+  double rounding_ = 0;
 };
 
 }  // namespace resect

@@ -8,16 +8,17 @@ namespace resect {
 // Sum of the triangles' areas, m^2.
 double area(const TriangleMesh& mesh);
 
-// Signed sum of the tetrahedra that the triangles make with the origin, m^3: the enclosed volume of
-// a closed mesh that is oriented outwards, its negative for one inside out; for an open mesh a
-// number that depends on where the origin is.
+// Signed sum of the volumes of the tetrahedra between each triangle and the origin, m^3. For a
+// closed mesh this is the enclosed volume, negative if the mesh is inside out. For an open mesh it
+// depends on where the origin is.
 double volume(const TriangleMesh& mesh);
 
-// The same with tetrahedra to `tip` instead of the origin: the same number for a closed mesh, with
-// less rounding when the mesh lies far from the origin and near the tip.
+// The same with `tip` in place of the origin. A closed mesh has the same volume for any tip; a tip
+// near the mesh gives less rounding error.
 double volumeAbout(const TriangleMesh& mesh, const Vec3& tip);
 
-// Volume centroid of a closed mesh, m; centre of the bounding box when it encloses nothing.
+// Centroid of the volume that a closed mesh encloses, m. If it encloses nothing: the centre of its
+// bounding box.
 Vec3 centroid(const TriangleMesh& mesh);
 
 }  // namespace resect

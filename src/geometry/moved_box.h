@@ -1,4 +1,4 @@
-// The axis-aligned box round a box in a pose.
+// The axis-aligned bounding box of a box that a pose has moved and rotated.
 #pragma once
 
 #include "geometry/aabb.h"

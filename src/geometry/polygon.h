@@ -7,11 +7,11 @@
 
 namespace resect {
 
-// Appends loop.size() - 2 triangles with the corners `loop` (indices into points, in order; with
-// the loop's orientation) to `triangles`. A convex polygon becomes a fan round its first corner,
-// any other is triangulated by ear clipping in the plane perpendicular to its area vector
-// (Meisters 1975), O(n^3) at worst. Fewer than three corners give nothing; a polygon without area
-// or one that crosses itself is still covered by that many triangles, some of which may overlap.
+// Appends to `triangles` the loop.size() - 2 triangles of a polygon, with the polygon's
+// orientation. `loop`: its corners in order, as indices into `points`. A convex polygon becomes a
+// fan round its first corner. Any other is triangulated by ear clipping (Meisters 1975) in the
+// plane perpendicular to its area vector, O(n^3) at worst. Fewer than three corners give nothing. A
+// polygon without area, or one that crosses itself, gives as many triangles, but some may overlap.
 void triangulatePolygon(std::span<const Vec3> points, std::span<const std::int32_t> loop,
                         std::vector<Triangle>& triangles);
 

@@ -27,7 +27,8 @@ inline bool isFinite(const Pose& pose) {
   return pose.position.allFinite() && pose.rotation.coeffs().allFinite();
 }
 
-// From a at share 0 to b at share 1: positions linearly, rotations along the shorter great circle.
+// The pose between a (at share 0) and b (at share 1): the position is interpolated linearly, the
+// rotation along the shorter great circle.
 inline Pose interpolate(const Pose& a, const Pose& b, double share) {
   return {a.position + share * (b.position - a.position), slerp(a.rotation, b.rotation, share)};
 }

@@ -12,9 +12,9 @@ struct Ray {
   Vec3 at(double t) const { return origin + t * direction; }
 };
 
-// Smallest t at which the ray meets the triangle a, b, c, from either side; infinity if it does
-// not. Edges belong to the triangle, so no ray passes between two triangles of a closed surface
-// (Moeller and Trumbore 1997). A ray in the triangle's plane meets nothing.
+// The t at which the ray meets the triangle a, b, c, from either side; infinity if it does not
+// (Moeller and Trumbore 1997). Edges belong to the triangle, so no ray passes between two triangles
+// of a closed surface. A ray parallel to the triangle's plane, or in it, does not meet it.
 double firstMeeting(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c);
 
 // Whether the ray meets the box; false for an empty box.

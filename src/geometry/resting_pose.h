@@ -5,14 +5,13 @@
 
 namespace resect {
 
-// The rotation from the body's present orientation to the nearest in which it rests on a horizontal
-// table (Y up): its centre of mass, at uniform density, at a local minimum of height. Identity for
-// a mesh that encloses nothing. Found by descent on the height of the centre over the supporting
-// plane, to about 0.1 degrees.
+// Turns the body from its present orientation to a near one in which it rests on a horizontal table
+// (Y up): there the height of its centre of mass, at uniform density, is a local minimum. Found by
+// descent on this height, to about 0.1 degrees. Identity for a mesh that encloses nothing.
 Eigen::Quaterniond restingRotation(const TriangleMesh& mesh);
 
-// The pose with this rotation in which the mesh stands on the table: the lowest side of its box at
-// y = 0, centred over the origin.
+// The pose with this rotation in which the mesh stands on the table: the bottom of its bounding box
+// is at y = 0 and centred on the origin.
 Pose standOnTable(const TriangleMesh& mesh, const Eigen::Quaterniond& rotation);
 
 }  // namespace resect

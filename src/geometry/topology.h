@@ -1,7 +1,7 @@
-// Whether a mesh is closed, consistently oriented and manifold, and its connected components.
+// Topology of a mesh: whether it is closed, consistently oriented and manifold; its components.
 //
-// Counts by sorted edges: O(n log n), deterministic. Points are identified by index; weld first
-// (geometry/repair/weld.h) when a reader repeats positions.
+// Sorts the edges and counts them: O(n log n), deterministic. Points are told apart by index, not
+// by position: a mesh that repeats positions must be welded first (geometry/repair/weld.h).
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,11 @@ namespace resect {
 struct Topology {
   int boundaryEdges = 0;     // edges of an odd number of triangles: where the surface is open
   int nonManifoldEdges = 0;  // edges of more than two triangles
-  int unorientedEdges = 0;   // edges whose two directions are not used equally often; at a
-                             // boundary edge one more use is allowed
-  int components = 0;        // pieces connected over shared points
-  std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first open edge
+  // Edges that their triangles do not use equally often in both directions; a boundary edge may
+  // have one use more in one of them.
+  int unorientedEdges = 0;
+  int components = 0;                      // parts of the mesh that have no point in common
+  std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first boundary edge, m
 
   bool closed() const { return boundaryEdges == 0; }
   bool oriented() const { return unorientedEdges == 0; }
@@ -28,12 +29,12 @@ struct Topology {
 // An empty mesh is closed, oriented and has no component.
 Topology topology(const TriangleMesh& mesh);
 
-// Component of every point, numbered in the order of the first point; points used by no triangle
-// get -1.
+// For each point the number of its component. Components are numbered from 0 in the order of their
+// first points. Points that no triangle uses get -1.
 std::vector<std::int32_t> pointComponents(const TriangleMesh& mesh, int* count = nullptr);
 
-// One mesh per component, in the order of pointComponents; each keeps the relative order of points
-// and triangles.
+// One mesh per component, in the order of pointComponents(). Points and triangles keep their order
+// within each.
 std::vector<TriangleMesh> splitComponents(const TriangleMesh& mesh);
 
 }  // namespace resect

@@ -20,9 +20,9 @@ struct TriangleMesh {
 
 Aabb bounds(const TriangleMesh& mesh);
 
-// Throws Error unless all triangles index points that there are; a pass over them.
+// Throws Error if a triangle's index has no point. Cost: a pass over the triangles.
 void requireTriangles(const TriangleMesh& mesh);
-// Also throws unless all points are finite.
+// The same; also throws Error if a point is not finite.
 void requireSound(const TriangleMesh& mesh);
 
 // The mesh with every point transformed by the pose.

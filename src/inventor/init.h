@@ -1,11 +1,12 @@
-// Initialises Open Inventor (Coin).
+// Initialises Open Inventor (the library Coin).
 #pragma once
 
 namespace resect {
 
-// Initialises Coin's database, node kits and interaction, once per process; later calls cost
-// nothing. Call it from the one thread that uses Inventor: Debian's Coin is built without thread
-// safety. Forbids Coin to load shared libraries named after unknown node types.
+// Initialises Coin's database, node kits and interaction, and Resect's own node types. Only the
+// first call in a process has an effect. Call it from the one thread that uses Inventor: Debian's
+// Coin is built without thread safety. Also forbids Coin to look for an unknown node type in a
+// shared library of that name.
 void initInventor();
 
 }  // namespace resect

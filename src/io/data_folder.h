@@ -1,4 +1,4 @@
-// Finds the files that are shipped with Resect: tools, room, scenarios.
+// Finds the files that are shipped with Resect: instruments, organs, scenarios, shaders.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,9 @@
 
 namespace resect {
 
-// $RESECT_DATA, else the folder beside the program (installed or in its build tree), else the
-// sources that it was built from, else its install location. If there is none, an Error lists the
+// The data folder: $RESECT_DATA if that is set (an Error if it names no data folder); else the one
+// beside the program, installed or in its build tree; else the one of the sources that the program
+// was built from; else the one of the install location. If there is none, an Error lists the
 // folders that were tried.
 std::filesystem::path dataFolder();
 
@@ -17,7 +18,8 @@ std::filesystem::path dataFolder();
 std::filesystem::path findDataFile(const std::string& name, const std::string& folder,
                                    const std::string& extension);
 
-// Names (without extension) of the shipped files of a kind, sorted.
+// The names, sorted and without extension, of the shipped files in `folder` that have this
+// extension.
 std::vector<std::string> shippedNames(const std::string& folder, const std::string& extension);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Writes meshes to files of other programs.
+// Writes meshes to files that other programs read.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,16 @@
 
 namespace resect {
 
-// To be called before long work: a usage Error unless the name's extension can be written: .obj
-// .stl .ply .vtk .iv (any case); else as checkTarget() (io/atomic_file.h).
+// Call before long work. Throws a usage Error unless the extension is .obj, .stl, .ply, .vtk or
+// .iv, in upper or lower case; then checks path and inputs by checkTarget() (io/atomic_file.h).
 void checkWritableMeshFile(const std::filesystem::path& path,
                            std::span<const std::string> inputs = {});
 
-// Writes by the name's extension, atomically (io/atomic_file.h), in metres:
-//   .obj  text, every coordinate with the digits that give back the same double
+// Writes in the format of the extension, atomically (io/atomic_file.h), in metres:
+//   .obj  text, every coordinate with enough digits to restore the same double
 //   .ply  binary little-endian, doubles: exact
 //   .vtk  legacy PolyData, binary big-endian, doubles: exact
-//   .iv   Inventor V2.1 ascii, an IndexedFaceSet; digits as .obj, though Inventor keeps single
+//   .iv   Inventor V2.1 ascii, an IndexedFaceSet; digits as in .obj, though Inventor reads single
 //         precision
 //   .stl  binary; the format itself has single precision and no shared points
 // An unknown extension is a usage Error.

@@ -11,10 +11,9 @@
 namespace resect {
 
 struct OrganMeshOptions {
-  std::string part;     // use only the part of that name; empty: all parts together
-  bool repair = false;  // close holes instead of refusing an open surface
-  double metresPerUnit =
-      1;  // > 0; what one unit of the file is, see parseUnit (io/scenario/length.h)
+  std::string part;          // use only the part of that name; empty: all parts together
+  bool repair = false;       // close holes instead of refusing an open surface
+  double metresPerUnit = 1;  // > 0; metres per unit of the model's coordinates
 };
 
 struct OrganMesh {
@@ -29,17 +28,20 @@ struct WeldedSurface {
   Topology topology;  // of that mesh
 };
 
-// Merges equal points; if that leaves the surface open, also points nearer than a millionth of the
-// diagonal, provided that closes it (mirrored or rotated copies match only up to rounding).
+// Merges equal points. If the surface is then still open, also merges points that are nearer to
+// each other than a millionth of the bounding box's diagonal, but only if that closes the surface:
+// mirrored or rotated copies match only up to rounding.
 WeldedSurface weldSurface(const TriangleMesh& mesh);
 
-// Takes the part (or all), scales, welds, drops specks, orients outwards. Throws Error if the
-// surface is open and `repair` is off (number of boundary edges, place of the first; the names of
-// the parts when several were merged), if merged parts overlap, if the triangles cannot be oriented
-// consistently, or if no volume is enclosed.
+// Takes the part (or all), scales it, welds it, closes its holes if `repair` is on, drops specks
+// (components without volume) and orients the rest outwards. Throws Error if the surface is open
+// and `repair` is off, or is open and several parts were merged that share edges; the Error has the
+// number of boundary edges, the position of the first and, for merged parts, their names. Also
+// throws Error if the triangles cannot be oriented consistently, or if they enclose no volume.
 OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options = {});
 
-// The part of that name, or all parts as one; scaled to metres, otherwise unchanged.
+// The part of that name, or all parts as one mesh if `part` is empty; scaled to metres, otherwise
+// unchanged.
 TriangleMesh chosenSurface(const Model& model, const std::string& part, double metresPerUnit);
 
 }  // namespace resect

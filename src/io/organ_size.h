@@ -10,8 +10,8 @@ namespace resect {
 // Whether a box in metres has the size of an organ: longest side of 0.02 to 1 m.
 bool isOrganSized(const Aabb& box);
 
-// "mm", "cm" or "m": the unit in which the longest side is nearest to that of a liver (0.2 m).
-// Empty for a box without size.
+// box: in the file's own numbers. Returns the unit, "mm", "cm" or "m", in which the longest side
+// comes nearest, by ratio, to that of a liver (0.2 m). Empty for a box without size.
 std::string plausibleUnit(const Aabb& box);
 
 }  // namespace resect

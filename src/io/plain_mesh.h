@@ -1,4 +1,4 @@
-// Reads meshes that Resect wrote itself, without a reader of other programs' files.
+// Reads meshes that Resect wrote itself; needs no reader for other programs' formats.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace resect {
 
-// A surface in the .ply form of writeMeshFile (io/mesh_file.h): little endian, doubles, triangles,
-// metres. For a file with another extension the .ply of the same name beside it is read: so
-// instruments, which are drawn from .iv files, can be simulated without Inventor. A ModelReader
-// (io/operation_setup.h). Cost: one pass. Throws Error if there is no such file, or it has another
-// form or is truncated.
+// Reads a .ply file of the form that writeMeshFile() (io/mesh_file.h) writes: little endian,
+// doubles, triangles, metres. If `path` has another extension, the .ply of the same name beside it
+// is read instead: instruments are drawn from .iv files, and this lets them be simulated without
+// Inventor. The function is a ModelReader (io/operation_setup.h). Cost: one pass. Throws Error if
+// there is no such file, or if it has another form or is truncated.
 Model readPlainMesh(const std::filesystem::path& path);
 
 }  // namespace resect

@@ -1,12 +1,13 @@
 // Normals and cut shares of a brick's vertices.
 //
-// For pictures only; the simulation uses neither. The normal is the negative gradient of the field
-// by a 3D Sobel operator: central differences averaged across with weights 1 2 1 (compared with
-// others by Zucker and Hummel 1981). Plain central differences show the lattice as ribs in the
-// highlights: on a ball their mean error is 2.5 degrees with two nodes a cell, that of the Sobel
-// operator 1.6, and 1.3 with one.
+// For pictures only; the simulation uses neither. A normal is the negative gradient of the field,
+// normalised. The gradient is that of a 3D Sobel operator: central differences along one axis,
+// averaged over the other two axes with weights 1 2 1 (Zucker and Hummel 1981 compare it with
+// others). Plain central differences would show the lattice as ribs in the highlights. Mean error
+// of the normals on a ball: 2.5 degrees with plain central differences and 1.6 with the Sobel
+// operator at two nodes per cell, 1.3 with the Sobel operator at one node per cell.
 //
-// Cost: 1 500 operations for a brick, 60 for a vertex.
+// Cost: 1 500 operations per brick and 60 more per vertex.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +19,13 @@
 
 namespace resect {
 
-// Cut share of a surface point from the colour field's value there before any edit: 0 on the
-// original surface to 1 well inside former tissue.
+// Cut share of a surface point: 0 on the original surface to 1 well inside former tissue. before:
+// the colour field's value at the point before any edit.
 float cutShare(float before, float iso);
 
-// edges: as written by brickVertices(). normals: unit, towards less tissue; cut: as above. Both may
-// be written up to the next multiple of CrossedEdges::kStep.
+// Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: the edge
+// of each vertex, as written by brickVertices(). Both output arrays may be overwritten up to the
+// next multiple of CrossedEdges::kStep.
 void brickLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
                std::span<const std::uint8_t> edges, Vec3f* normals, float* cut);
 

@@ -1,7 +1,7 @@
 // Marching cubes cases of a brick's 64 cells: which corners are inside, found for all cells at once
 // with bit operations.
 //
-// Inlined, so that they are compiled for the instruction set of their caller.
+// The functions are inlined, so that they are compiled for the instruction set of their caller.
 #pragma once
 
 #include <array>
@@ -15,8 +15,9 @@
 
 namespace resect {
 
-// Keeps the compiler from loading several words as one vector. Words that were just stored one by
-// one cannot be forwarded to a wider load, and the stall costs as much as 64 cells.
+// Keeps the compiler from loading several words as one vector. A vector load of words that were
+// just stored one by one has to wait until the stores are done (no store forwarding), which costs
+// as much time as 64 cells.
 [[gnu::always_inline]] inline std::uint64_t keptAlone(std::uint64_t word) {
   asm("" : "+r"(word));
   return word;
@@ -28,9 +29,10 @@ namespace resect {
   return compared64(nodes.data(), [iso](const FourValues& v) -> FourFlags { return v >= iso; });
 }
 
-// Which corners of the 64 cells are inside, from the inside masks of the brick and of its seven
-// upper neighbours (index: 1 for a step along x, 2 along y, 4 along z). Mask c is for corner c, bit
-// = cell; corner 0 is the brick's own mask.
+// Which corners of the 64 cells are inside. `inside`: the inside masks of the brick and of its
+// seven upper neighbours, where an index is the sum of 1 for a step along x, 2 along y and 4 along
+// z. In the result mask c is for corner c and has a bit per cell; mask 0 is the brick's own inside
+// mask.
 [[gnu::always_inline]] inline std::array<std::uint64_t, 8> cornerMasks(
     const std::array<std::uint64_t, 8>& inside) {
   // The mask shifted by one node along an axis; bits of the neighbour fill the gap.
@@ -88,8 +90,9 @@ typedef std::uint64_t Words __attribute__((vector_size(16)));
 // The case of each cell: its eight corner bits.
 using CellKinds = std::array<std::uint8_t, kBrickSize>;
 
-// Transposes the eight masks to 64 bytes: first bytes, so that a word holds all corners of eight
-// cells, then the bits of each word. Aims at 120 instructions.
+// Transposes the eight masks to 64 bytes, one per cell. First their bytes are interleaved, so that
+// a 64-bit word holds all corners of eight cells; then each word is transposed as a matrix of bits.
+// Some 120 instructions.
 [[gnu::always_inline]] inline CellKinds cellKinds(const std::array<std::uint64_t, 8>& corners) {
   bits::Pairs two[4];  // corners 2 k and 2 k + 1 of cells 0 to 7, 8 to 15, ...
   for (std::size_t k = 0; k < 4; ++k) {
@@ -115,13 +118,13 @@ using CellKinds = std::array<std::uint8_t, kBrickSize>;
   return kinds;
 }
 
-// By case: number of triangles minus (crossed edges - 2), which is the number for a single loop. A
-// loop of n edges is n - 2 triangles, so each further loop subtracts 2.
+// Per case: its number of triangles less (crossed edges - 2), the number that one single loop would
+// have. A loop of n edges gives n - 2 triangles, so each further loop subtracts 2.
 const std::array<std::int8_t, 256>& trianglesBeyondOneLoop();
 
-// Number of triangles in `cells`, all of them crossed. Cells that may have several loops have a
-// face with inside corners on one diagonal only, or two opposite corners that differ from all
-// others; they are few and looked up. Aims at 110 instructions.
+// Number of triangles in `cells`, which must all be crossed. A cell can have several loops only if
+// it has a face whose inside corners lie on one diagonal, or two opposite corners that differ from
+// all others. Such cells are few; their number of triangles is looked up. Some 110 instructions.
 [[gnu::always_inline]] inline int countTriangles(const std::array<std::uint64_t, 8>& c,
                                                  std::uint64_t cells) {
   // Crossed edges along x, y and z, by their lower corners.

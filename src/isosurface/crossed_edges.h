@@ -1,9 +1,9 @@
 // The grid edges of a brick that cross the surface, and the numbering of their vertices.
 //
 // A vertex belongs to the grid edge that it lies on, and the edge to the brick of its lower node.
-// A brick's edges are numbered 64 axis + lower node; its vertices in the order of those numbers, so
-// that a vertex is found by counting bits below its own in a 64-bit mask, with no search and no
-// table of edges.
+// Within a brick an edge has the number 64 * axis + lower node. Vertices are numbered in the order
+// of their edges, so the number of a vertex is the count of bits below its edge's own in a 64-bit
+// mask: no search and no table of edges is needed.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct BrickSigns {
   std::array<std::uint8_t, 4>
       firstVertex{};  // per axis: number of its first vertex; then the count
 
-  // Returns whether the set has changed.
+  // Sets the crossed edges, a mask per axis. Returns whether any of them has changed.
   bool setCrossing(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
     const bool changed = ((x ^ crossing[0]) | (y ^ crossing[1]) | (z ^ crossing[2])) != 0;
     crossing[0] = x, crossing[1] = y, crossing[2] = z;
@@ -42,8 +42,8 @@ struct BrickSigns {
   }
 };
 
-// The numbers of the crossed edges, one per vertex; filled up to the next multiple of kStep with
-// kNoEdge.
+// The numbers of the crossed edges, one per vertex, followed by kNoEdge up to the next multiple of
+// kStep at least.
 struct CrossedEdges {
   static constexpr int kStep = 8, kMost = kBrickEdges + kStep;
   std::array<std::uint8_t, kMost> number;  // beyond that: uninitialised

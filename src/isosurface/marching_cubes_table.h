@@ -1,12 +1,14 @@
 // The marching cubes table: triangles of a cell for each of the 256 cases of its corners.
 //
-// Corner c of a cell stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Edges are numbered by axis: edge 4
-// a + i runs along axis a from the i-th corner that has coordinate 0 there. The table is computed:
-// on each face every run of inside corners is separated by one line, so that two inside corners on
-// a diagonal stay apart. This depends on the face alone, so neighbouring cells agree and the
-// surface is closed. Lines link to loops; each loop gets the best-shaped triangulation without a
-// diagonal in a face of the cell. Source: Lorensen and Cline 1987 (the method); Durst 1988 (its
-// ambiguity).
+// Corner c of a cell stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Edges are numbered by axis: edge
+// 4 * a + i runs along axis a and begins at the i-th of the four corners with coordinate 0 there.
+//
+// The table is computed. On each face of the cell one line separates each run of neighbouring
+// inside corners from the rest, so two inside corners on a diagonal stay apart. The lines depend on
+// the face alone; therefore neighbouring cells agree and the surface is closed. The lines of a cell
+// link up to loops. Of the triangulations without a diagonal in a face of the cell, each loop gets
+// the one with the best-shaped triangles. Source: Lorensen and Cline 1987 (the method); Durst 1988
+// (its ambiguity).
 #pragma once
 
 #include <array>
@@ -17,7 +19,7 @@ namespace resect {
 struct CellTriangles {
   std::uint8_t count = 0;  // triangles, 0 to 5
   std::array<std::array<std::uint8_t, 3>, 5>
-      edges{};  // of each: three cell edges, counter-clockwise seen from outside
+      edges{};  // of each triangle: three cell edges, counter-clockwise seen from outside
 };
 
 struct CellEdge {

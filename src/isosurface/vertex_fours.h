@@ -1,6 +1,6 @@
 // Vector operations on four vertices at a time, for the loops over a brick's vertices.
 //
-// Inlined, so that they are compiled for the instruction set of their caller.
+// The functions are inlined, so that they are compiled for the instruction set of their caller.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,8 @@ typedef float FourFloats __attribute__((vector_size(16)));
   std::memcpy(to + 8, &third, sizeof third);
 }
 
-// Position of each of four vertices along its edge, 0 to 1, from the values at its ends.
+// Position of each of four vertices along its edge, 0 at the lower node to 1 at the upper one, by
+// linear interpolation of the field's values at the two nodes. It is kept in [margin, 1 - margin].
 [[gnu::always_inline]] inline FourFloats wayAlong(const FourFloats& lower, const FourFloats& upper,
                                                   float iso, float margin) {
   const FourFloats crossing = (iso - lower) / (upper - lower);

@@ -21,17 +21,17 @@ struct BenchReport {
   };
   // Frames in which edits changed the surface.
   struct Updates {
-    std::int64_t frames = 0, bricks = 0;  // bricks looked at, in all of them
-    double seconds = 0;                   // of updateField and updateSurface in them
+    std::int64_t frames = 0, bricks = 0;  // bricks: evaluated again in these frames
+    double seconds = 0;  // of the stages updateField and updateSurface in these frames
   };
   double spacing = 0;                                    // cube root of a cell's volume, m
   std::int64_t particles = 0, triangles = 0, bytes = 0;  // before the operation
   bool tissueMoves = false;
-  std::int64_t frames = 0, missed = 0;  // missed: computed in more than their duration
+  std::int64_t frames = 0, missed = 0;  // missed: took longer than their duration
   double frameDuration = 0;             // s
   TimeSummary frame;                    // time of all stages together
   std::vector<Stage> stages;            // in the order of the step
-  std::int64_t inHand = 0;              // frames in which an instrument is
+  std::int64_t inHand = 0;              // frames with an instrument in hand
   Updates updates;
   std::int64_t substeps = 0;         // of tissue that moves
   double perParticleAndSubstep = 0;  // s, of the stage moveTissue; 0 for still tissue
@@ -48,13 +48,14 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
 
 // Result of the search for the largest organ. Sizes are measured, not extrapolated.
 struct RealTimeLimit {
-  std::optional<BenchReport> holds;  // the largest measured that kept real time
-  std::optional<BenchReport> fails;  // the smallest measured that did not
+  std::optional<BenchReport> holds;  // the largest organ measured that kept real time
+  std::optional<BenchReport> fails;  // the smallest organ measured that did not
 };
 
-// `measure` runs the operation at another spacing, m. `first`: a result at the present spacing.
-// Tries at most `trials` spacings and up to `mostParticles`; stops when the two sizes are 15 %
-// apart.
+// Searches for the largest organ that keeps real time. `measure` runs the operation with another
+// spacing, m; `first` is its result at the present spacing. At most `trials` more spacings are
+// tried, with at most `mostParticles`. The search ends when the sizes that hold and fail are within
+// 15 % of each other.
 RealTimeLimit findRealTimeLimit(const BenchReport& first,
                                 const std::function<BenchReport(double spacing)>& measure,
                                 int trials = 4, double mostParticles = 1e6);

@@ -12,16 +12,17 @@
 
 namespace resect {
 
-// Centre of the tool box's bottom.
+// The tool box's frame: its origin is the centre of the box's bottom.
 inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::Identity()}; }
 
-// Its four walls as one closed frame, in its own coordinates, for tissue to meet: 30 x 22 cm
-// outside, 25 mm high, 12 mm thick inwards, since a shell of a millimetre would hold back no cell.
-// Its floor lies on the table.
+// The four walls of the tool box as one closed mesh in the box's frame, an obstacle for tissue.
+// They measure 30 x 22 cm outside and are 25 mm high and 12 mm thick, inwards, since walls of a
+// millimetre would hold back no cell. The mesh has no floor: the box stands on the table.
 TriangleMesh toolBoxWalls();
 
-// Rest pose of tool number i in the tool box: side by side, handle towards the surgeon, lying on
-// its side. The box has four places; further tools lie on the table beside it.
+// Rest pose of tool number i, from 0, in the tool box: the tools lie on their sides, one beside the
+// other, with their handles towards the surgeon. The box has four places; further tools lie on the
+// table beside it.
 inline Pose toolBoxPlace(int i) {
   const Eigen::Quaterniond onItsSide = rotationAbout(Vec3::UnitZ(), std::numbers::pi / 2);
   constexpr double kPlaces[] = {-0.085, -0.01, 0.065, 0.104};  // x, m
@@ -33,7 +34,7 @@ inline Pose toolBoxPlace(int i) {
 // the surgeon.
 inline Eigen::Quaterniond workingRotation() {
   const Vec3 handle = Vec3(0, 0.9, 0.45).normalized(), edge = Vec3(0, -0.45, 0.9).normalized();
-  Mat3 axes;  // of the tool's frame: the edge looks to -Y, the handle to +Z
+  Mat3 axes;  // of the tool's frame: the edge faces -Y, the handle points to +Z
   axes << -edge.cross(handle), -edge, handle;
   return Eigen::Quaterniond(axes);
 }

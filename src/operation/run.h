@@ -31,22 +31,22 @@ struct PieceSummary {
 struct LabelSummary {
   struct Amount {
     std::int64_t particles = 0;
-    double volume = 0;  // m^3, with the skin's share
-    double mass = 0;    // kg, by the density of the label's material
+    double volume = 0;  // m^3, skin cells included
+    double mass = 0;    // kg, with the density of the label's material
   };
   int label = 0;
   std::string name;
   Amount before, removed, remaining;
   std::string organ;
 };
-// One for each label that particles have, ascending; amounts before, removed and remaining.
+// One summary for each label that particles had before the operation, ascending by label.
 std::vector<LabelSummary> summariseLabels(const Organ& organ, const TissueSetup& tissue);
 
 // The force on a tool over the frames, N.
 struct ToolForces {
   std::string tool;
-  double peak = 0;              // of the frames' mean forces
-  std::vector<float> perFrame;  // magnitude
+  double peak = 0;              // largest of perFrame
+  std::vector<float> perFrame;  // magnitude of each frame's mean force
 };
 
 struct RunSummary {
@@ -55,14 +55,14 @@ struct RunSummary {
   std::int64_t removed = 0;    // particles
   double removedVolume = 0;    // m^3
   double remainingVolume = 0;  // m^3 of tissue left in all cells
-  double deepestOverlap = 0;   // m^3: largest overlap of tools and organ at the end of a frame
+  double deepestOverlap = 0;   // m^3: largest overlap of a tool and an organ at a frame's end
   bool touched = false;        // whether any instrument touched an organ
   std::int64_t frames = 0;
   double simulatedSeconds = 0;
   double computedSeconds = 0;  // spent in the steps, pictures not counted
   SurfaceSummary surfaceBefore, surface;
   std::vector<PieceSummary> pieces;  // bodies at the end, organ by organ, the largest first
-  std::vector<LabelSummary> labels;  // one per label, ascending; the organ's own is label 0
+  std::vector<LabelSummary> labels;  // organ by organ, labels ascending; label 0 is parenchyma
   std::vector<StageTimes> stages;
   std::vector<std::string> faults;  // each once
   bool tissueMoves = false;

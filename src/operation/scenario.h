@@ -22,24 +22,24 @@ struct OrganLabel {
 // Source of an organ and size of its cells.
 struct OrganSource {
   std::string name = "organ";     // its name in the scenario
-  std::string beside;             // placed like the organ of that name, not by itself; or ""
-  std::string file = "liver";     // a built-in organ (isBuiltIn), or a model or discretisation file
+  std::string beside;             // organ whose pose it takes instead of one of its own; or ""
+  std::string file = "liver";     // a built-in organ (isBuiltIn), or a file: model or particles
   std::string part;               // named part of the file, or "" for all
   double unit = 1;                // metres per unit of the file
   bool repair = false;            // close the holes of an open mesh instead of refusing it
-  std::optional<double> spacing;  // cell side, m; or
-  std::optional<Vec3i> dims;      // the thesis's grid over the bounding box
-  bool resample = false;  // applies spacing or dims also to a file that has cells of its own
-  Pose pose;  // rotation applied before it is laid on the table; position added afterwards
+  std::optional<double> spacing;  // cell side, m; either this or dims
+  std::optional<Vec3i> dims;      // samples per axis of the thesis's grid over the bounding box
+  bool resample = false;          // use spacing or dims even for a file that has cells of its own
+  Pose pose;            // rotates the organ before it is laid on the table and moves it afterwards
   bool onTable = true;  // moved so that it stands centred on the table top, y = 0
-  bool settle = true;   // on the table, rolled to the nearest pose in which it lies still
+  bool settle = true;   // if onTable: rolled to the nearest pose in which it lies still
   OrganSettings settings;
-  std::vector<Landmark> landmarks;  // besides those of a file of cells
+  std::vector<Landmark> landmarks;  // in addition to those of a file of cells
   std::vector<OrganLabel>
-      labels;  // besides those of a file of cells; where they overlap the last one holds
+      labels;  // in addition to those of a file of cells; where they overlap the last counts
 };
 
-// Whether it is a built-in model: "" is the liver, "gallbladder" the gallbladder.
+// Whether the source is one of the built-in organs, "liver" and "gallbladder".
 inline bool isBuiltIn(const OrganSource& source) {
   return source.file == "liver" || source.file == "gallbladder";
 }
@@ -48,18 +48,18 @@ inline bool isBuiltIn(const OrganSource& source) {
 // shorter great circle.
 struct ToolKey {
   double time;         // s from the start
-  Pose pose;           // of the tool's frame: tip at the position
+  Pose pose;           // of the tool's frame, whose origin is the tip; world
   double squeeze = 0;  // of its jaws: 0 wide open, 1 closed
   double pedal = 0;    // of an energy device, 0 to 1
 };
 
-// How instruments act. Thesis: tissue is still, each instrument removes what it touches, one is in
-// hand at a time. Operation: by their working parts.
+// How instruments act. Thesis: tissue is still, each instrument removes what it touches, and only
+// one is in hand at a time. Operation: each instrument acts by its working parts.
 enum class OperationMode { Thesis, Operation };
 
 struct ScenarioTool {
   std::string model;                    // the tool's description file (.toml)
-  std::optional<std::string> response;  // instead of the tool's own: "remove", or "" for its kind's
+  std::optional<std::string> response;  // replaces the tool's own: "remove", or "": its parts act
   Pose rest;                            // where it lies while not in hand
   std::vector<ToolKey>
       keys;  // ascending times; in hand from the first key's time to the last one's
@@ -74,10 +74,10 @@ struct LabelMaterial {
 // How the organ's tissue moves.
 struct TissueSetup {
   bool elastic = false;     // false: it does not move, as in the original system
-  TissueMaterial material;  // of the organ's own cells, and of labels that have none
+  TissueMaterial material;  // of label 0, and of labels without a material of their own
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;
-  std::vector<LabelMaterial> materials;  // a label once
+  std::vector<LabelMaterial> materials;  // at most one per label
 
   const TissueMaterial& materialOf(int label) const {
     for (const LabelMaterial& one : materials)
@@ -100,7 +100,7 @@ struct OrganJoint {
 };
 
 struct Scenario {
-  std::string name;         // as in the file's name
+  std::string name;         // the file's name without extension
   std::string title;        // one line for people
   std::string description;  // what it shows
   OperationMode mode = OperationMode::Thesis;
@@ -111,11 +111,12 @@ struct Scenario {
   double duration = 1;                // s
   bool table = true, toolBox = true;  // what stands in the room
   std::string view = "surgeon";       // camera
-  std::optional<Aabb> closeUp;        // region shown in pictures, world; without it the organ
+  std::optional<Aabb> closeUp;        // box that pictures show, world, m; without it the organ
 };
 
-// Throw Error unless all numbers are in their ranges and all names of organs known: what
-// io/scenario/scenario_file.h checks in a file, for scenarios made by programs.
+// Throw Error for values that cannot be run, such as a time or stiffness out of range or an organ's
+// name that is not known. For scenarios made by programs; io/scenario/scenario_file.h checks more
+// in a file. Spacings, refinement, iso level and materials are checked where they are used.
 void requireSound(const OrganSource& source);
 void requireSound(const TissueSetup& tissue);
 void requireSound(const Scenario& scenario);
@@ -124,19 +125,19 @@ void requireSound(const Scenario& scenario);
 bool moves(const Scenario& scenario);
 // Removes all organs but the first.
 void keepFirstOrgan(Scenario& scenario);
-// Sets the first organ's spacing, m, and scales the others' in proportion; before: the first one's
-// spacing so far. Others that are given by dims keep theirs.
+// Sets the first organ's spacing, m, and scales the spacings of the others in proportion. before:
+// the first organ's spacing until now, m. Others that are given by dims keep their dims.
 void setSpacing(Scenario& scenario, double before, double spacing);
 // Makes the tissue of all organs elastic and instruments act by their working parts.
 void makeElastic(Scenario& scenario);
 // Sets thesis mode: tissue is still, instruments remove what they touch, one at a time.
 void makeThesis(Scenario& scenario);
 
-// Pose of a scenario's tool at a time, and whether it is in hand.
+// Input for a scenario's tool at a time, s: pose, squeeze and pedal, and whether it is in hand.
 ToolInput toolInputAt(const ScenarioTool& tool, double time);
 
-// Input of frame number `frame` (from 0), which ends at (frame + 1) / frameRate. In thesis mode
-// only the first tool in hand counts.
+// Input of frame number `frame` (from 0), which ends at (frame + 1) / frameRate, s. In thesis mode
+// only the first of several tools in hand counts as in hand.
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame);
 std::int64_t frameCount(const Scenario& scenario);
 

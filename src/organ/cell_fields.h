@@ -1,8 +1,9 @@
-// Cell fields: one value per cell beside its colour value. At present the label of its structure.
+// Cell fields: one value per cell beside its colour value. At present there is one field, the label
+// of the cell's structure.
 //
-// A field takes no memory until one of its values differs from the start value. One more field is a
-// member here and its lines in visit() and fit(): saving, comparing and digests follow by
-// themselves (docs/how-to/add_a_cell_field.md).
+// A field takes no memory until one of its values differs from the start value. To add a field, add
+// a member to CellFields and its lines to visit() and fit(); saving, comparing and hashing then
+// include it (docs/how-to/add_a_cell_field.md).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@ template <typename T>
 class CellField {
  public:
   CellField() = default;
-  // values: one per cell, or none: all are `start`.
+  // values: one per cell; if empty, all cells have the value `start`.
   explicit CellField(std::vector<T> values, T start = T())
       : values_(std::move(values)), start_(start) {}
 
@@ -31,7 +32,7 @@ class CellField {
   }
   bool empty() const { return values_.empty(); }
   std::span<T> values() { return values_; }
-  // An entry per cell, or none.
+  // Whether there is an entry for each cell of the lattice, or none at all.
   bool fits(const Lattice& lattice) const {
     return values_.empty() || std::int64_t(values_.size()) == lattice.cellCount();
   }
@@ -47,7 +48,7 @@ class CellField {
 };
 
 struct CellFields {
-  // Which structure: 0 is the organ's own parenchyma; others are named where the cells come from.
+  // Structure: 0 is the organ's own parenchyma; Discretization::labelNames has the names of others.
   CellField<std::uint8_t> label;
 
   template <class Visitor>

@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// Gives the label (0 to 255) to the particles in the region, which must be placed; returns their
-// number. Call labelSkin() afterwards. Cost: a pass over the cells.
+// Gives the label (0 to 255) to the particles in the region and returns their number. The region
+// must be placed (sph/region.h). Call labelSkin() afterwards. Cost: a pass over the cells.
 std::int64_t markCells(Discretization& cells, int label, const Region& region);
 
 // Gives skin cells the label of the particle that they belong to.
@@ -18,8 +18,8 @@ void labelSkin(Discretization& cells);
 // Number of particles of each label.
 std::array<std::int64_t, 256> labelledParticles(const Discretization& cells);
 
-// Copies labels, names and landmarks to another discretisation of the same organ: a cell gets the
-// label of the cell that contains its centre.
+// Copies labels, their names and landmarks to another discretisation of the same organ. A cell of
+// `to` gets the label of the cell of `from` that contains its centre.
 void carryLabels(const Discretization& from, Discretization& to);
 
 }  // namespace resect

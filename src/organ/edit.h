@@ -1,8 +1,9 @@
 // Edits: what can be done to tissue. Each is a value with its organ and all data that it needs.
 //
-// Instruments queue them, and so may a script, a test or an undo: their origin makes no difference.
-// They are applied in the order in which they were queued, by one function (organ/apply_edits.h). A
-// new kind of edit is a struct here and a function there.
+// Instruments queue edits, and so may a script, a test or an undo: who made an edit makes no
+// difference. Edits are applied in the order in which they were queued, by one function
+// (organ/apply_edits.h). A new kind of edit is a struct here and a function in
+// organ/apply_edits.cpp.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +29,9 @@ struct Incision {                   // cuts the surface where a blade has passed
   SweptBlade blade;                 // world, where the tissue is now
   std::vector<std::int64_t> cells;  // particles near it, ascending
 };
-struct Grip {  // the tool grips the cell at their present positions
+struct Grip {  // the tool grips the cell at its present position relative to the tool
   std::int64_t cell = -1;
-  Pose pose;  // of the tool
+  Pose pose;  // of the tool, at the start of the frame
 };
 struct Release {};  // the tool releases all its cells
 struct SetLabel {   // the cell gets another label (organ/cell_fields.h)

@@ -1,5 +1,5 @@
-// An organ in an operation: its cells and surface, its tissue model, and its surface as moved by
-// the tissue.
+// An organ in an operation: its cells and surface, its tissue model, and the surface as the moved
+// tissue carries it.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,8 @@ struct OperatedOrgan {
   std::unique_ptr<TissueModel> tissue;
   SurfaceSkin skin;  // used if the tissue moves
 
-  // One point, and after Simulation::keepLook() one normal, per vertex of the surface's arrays.
+  // One point per vertex of the surface's arrays; after Simulation::keepLook() also one normal
+  // each.
   std::span<const Vec3f> points() const {  // world, m
     return tissue->moves() ? skin.points() : organ.surface.points();
   }
@@ -41,7 +42,7 @@ OperatedOrgan operatedOrgan(std::string name, Organ organ,
                             std::unique_ptr<TissueModel> tissue = nullptr);
 
 // Call after a state was loaded into `organ.organ` and its tissue: derives field, surface and skin.
-// Throws Error when the state does not fit.
+// Throws Error when the state does not fit the organ.
 void remake(OperatedOrgan& organ, bool keepsLook);
 
 // Fingerprint of the organ before the operation: organs with equal fingerprints can exchange

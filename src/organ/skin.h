@@ -1,10 +1,12 @@
 // The surface of tissue that has moved: vertices of the rest surface follow the particles round
 // them, without meshing again.
 //
-// A vertex follows up to eight particles round it: x = sum w_i (x_i + F_i (X - X_i)), with
-// trilinear weights normalised over the particles that exist; beside a wound the tracker's bindings
-// name those on the vertex's own side (wound/vertex_binding.h). Normals are transformed by the
-// cofactor of F. Cost: a few products per vertex and frame; a search for vertices that changed.
+// A vertex at X in rest space follows up to eight particles round it. Its present position is
+// x = sum w_i (x_i + F_i (X - X_i)), where particle i is at X_i at rest and at x_i now, and F_i is
+// its deformation gradient. The weights w_i are trilinear, normalised over the particles that are
+// left. Beside a wound the surface tracker's bindings name the particles on the vertex's own side
+// (wound/vertex_binding.h). Normals are transformed by the cofactor of the weighted mean of F_i.
+// Cost: a few products per vertex and frame, and a search for each vertex that changed.
 #pragma once
 
 #include <array>
@@ -21,8 +23,9 @@ namespace resect {
 
 class SurfaceSkin {
  public:
-  // After surface.update() and tissue.move(). `changedCells`: removed since the last call.
-  // withLook: after surface.updateLook(), normals too.
+  // Call after surface.update() and moveTissues() (tissue/move_tissues.h). `changedCells`:
+  // particles removed since the last call. withLook: also computes normals; requires
+  // surface.updateLook().
   void follow(const SurfaceTracker& surface, const Lattice& lattice, const TissueModel& tissue,
               std::span<const std::int64_t> changedCells, bool withLook);
   // Computes normals for the positions of the last follow().
@@ -30,7 +33,7 @@ class SurfaceSkin {
 
   // One per vertex of the surface's arrays.
   std::span<const Vec3f> points() const { return points_; }    // world, m
-  std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards; where asked for
+  std::span<const Vec3f> normals() const { return normals_; }  // unit, outwards; if asked for
   std::size_t bytes() const;                                   // memory held
 
  private:

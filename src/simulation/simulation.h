@@ -1,9 +1,9 @@
 // The simulation of an operation, frame by frame: tools move, touch and act; tissue moves; the
 // surface follows.
 //
-// A simulation knows no file, window, thread or clock: it is driven by its inputs alone, so it runs
-// headless and several times in one process, and gives the same bits for the same inputs at any
-// number of threads. docs/step.md walks through a step.
+// A simulation knows no file and no window, and no clock but the one that times its stages. It is
+// driven by its inputs alone, so it runs headless, several can run in one process, and the same
+// inputs give the same bits at any number of threads. docs/step.md walks through a step.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ inline constexpr double kLongestFrame = 1;  // s
 struct FrameInput {
   double duration = 1.0 / 60;    // s, 0 (nothing moves) to kLongestFrame
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
-  std::optional<float> iso;      // another iso level from this frame on
+  std::optional<float> iso;      // if given: another iso level from this frame on
   // Edits from outside, applied before those of the tools; working parts do not see their effect in
   // this frame.
   std::vector<TissueEdit> edits;
@@ -47,9 +47,10 @@ struct StepReport {
   double time = 0;                     // at the end of the frame, s
   std::int64_t removed = 0;            // particles
   double removedVolume = 0;            // m^3
-  std::int64_t severed = 0, torn = 0;  // bonds: severed by edits; by tearing
+  std::int64_t severed = 0, torn = 0;  // bonds severed by edits; bonds torn
   std::int64_t touchedBricks = 0;      // bricks evaluated and meshed again
-  // Tool after tool, for each one per organ; empty for a tool not in hand.
+  // One per tool and organ: tool after tool, and for each tool organ after organ. Empty for a tool
+  // not in hand.
   std::vector<ToolContacts> contacts;
   std::vector<TissueEdit> edits;    // in order, skipped ones included; without tears
   std::vector<TissueEdit> tears;    // edits for bonds that tore and grips that slipped
@@ -81,22 +82,24 @@ struct ToolState {
 
 class Simulation {
  public:
-  // At least one organ. joints: between organs, by their numbers; Error if there is no such organ
-  // or cell. table: whether moving tissue can rest on a table at y = 0.
+  // Takes at least one organ. joints: between cells of two organs, each given by its number; throws
+  // Error if there is no such organ or cell. table: whether moving tissue can rest on a table at y
+  // = 0.
   Simulation(std::vector<OperatedOrgan> organs, std::vector<std::unique_ptr<Tool>> tools,
              std::vector<TissueJoint> joints = {}, bool table = true);
-  // One organ; tissue null: it does not move.
+  // For one organ. tissue: null if it does not move.
   Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
              std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
-  // Tissue that moves does not go into this closed body either, which stands still: the tray. For
-  // before the first step.
+  // Adds a closed body that stands still and that moving tissue cannot enter, such as the tool box.
+  // Call before the first step. Has no effect if no tissue moves.
   void addObstacle(const TriangleMesh& shape, const Pose& pose);
 
-  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name. Error, and
-  // nothing changes, if the input is for another number of tools, its duration is out of range or
-  // an edit names an organ or a tool that does not exist or has a grip whose pose is not finite.
+  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name. Throws
+  // Error, and changes nothing, if the input is for another number of tools, if its duration is out
+  // of range, or if an edit names an organ or tool that does not exist or is a grip with a pose
+  // that is not finite.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
-  // The same with a report that is reused: then a frame of still tissue in which no tool comes near
+  // The same with a report that is reused. Then a frame of still tissue that no tool comes near
   // allocates no memory.
   void step(const FrameInput& input, StepReport& report, StageClock* clock = nullptr);
 
@@ -112,19 +115,20 @@ class Simulation {
   const TissueModel& tissue() const { return *organs_[0].tissue; }
   std::span<const Vec3f> surfacePoints() const { return organs_[0].points(); }
 
-  // The present surface of all organs, world, without the arrays' holes.
+  // The present surface of all organs as one mesh, world, without the holes of the surface's
+  // arrays.
   TriangleMesh surfaceMesh() const;
 
   // From now on each step updates normals and cut shares, for pictures; nothing else depends on it.
   void keepLook();
-  // After keepLook(), else Error: surfaceMesh() with normals and cut shares.
+  // surfaceMesh() with normals and cut shares. Throws Error unless keepLook() was called before.
   SurfaceTracker::Compact surface() const;
 
   // Memory held for organs, their tissue and surfaces.
   std::size_t bytes() const;
 
-  // The whole state, for restore(). Cost: about a pass over the state; at most 48 bytes a particle
-  // of elastic tissue, a bit a particle of still tissue, and what was cut.
+  // The whole state, for restore(). Size: at most 48 bytes per particle of elastic tissue, a bit
+  // per particle of still tissue, and what was cut. Cost: about a pass over the state.
   Bytes save() const;
   // Continues from a state that save() gave for the same organs and number of tools: from here on
   // the same inputs give the same bits. Normals and cut shares are made anew. If the state is of
@@ -133,7 +137,8 @@ class Simulation {
   // The state by its fields, for comparison (base/state/saved_state.h).
   SavedState fields() const { return saveState(*this, fingerprint()); }
 
-  // Digest of the state, and of the surface that follows from it (where it is, not how it looks).
+  // Digest of the state and of the surface that follows from it: points and triangles, not normals
+  // and cut shares.
   std::uint64_t stateHash() const;
 
   template <class Visitor>

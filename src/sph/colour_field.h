@@ -1,17 +1,19 @@
 // The SPH colour field of a lattice organ, on a grid of nodes stored in sparse bricks.
 //
-// c(node) = sum over cells j of A_j V W(r - r_j, h) with h = 0.8 spacing: equation 3.6 of the
-// thesis with the colour value A_j in [0, 100]. The rest lattice is regular, so for each position
-// of a node within its cell the sum is a fixed stencil of at most 36 taps; distances are measured
-// in cells, so on a lattice with unequal spacings the kernel is stretched likewise. There are
-// `refine` nodes per cell and axis; node 0 lies two cells below the centre of cell 0, so the
-// outermost nodes are always 0.
+// The field at a node is c = sum over cells j of A_j V W(r - r_j, h), equation 3.6 of the thesis:
+// A_j is the colour value of cell j, 0 to 100; V is the volume of a cell; W is the kernel
+// (sph/kernel.h) with smoothing length h = 0.8 spacing; r and r_j are the positions of the node and
+// of the cell's centre. The lattice is regular, so for each position of a node within its cell the
+// sum is a fixed stencil of at most 36 cells. Distances are measured in cells, so on a lattice with
+// unequal spacings the kernel is stretched likewise. There are `refine` nodes per cell along each
+// axis. Node 0 lies two cells below the centre of cell 0, so the outermost nodes are always 0.
 //
-// Nodes are held in bricks of 4 x 4 x 4. A brick is stored only if the surface can pass through it;
-// if all cells in reach are empty, or all are full, its nodes are known. A changed cell is never
-// added or subtracted: the bricks in its reach are evaluated again, so the field depends on the
-// present cells alone, bit for bit. Cost of a change: the bricks in reach, whatever the size of the
-// organ; the first change also writes 5 bytes for each brick of the grid.
+// Nodes are held in bricks of 4 x 4 x 4. A brick is stored only if the surface can pass through it:
+// if all cells in its reach are empty, or all are full, the values of its nodes are known. A change
+// of a cell is never added to the field or subtracted from it. Instead the bricks in its reach are
+// evaluated again, so the field depends on the present cells alone, bit for bit. Cost of a change:
+// the bricks in reach, whatever the size of the organ; the first change also writes 5 bytes for
+// each brick of the grid.
 #pragma once
 
 #include <array>
@@ -30,17 +32,18 @@ namespace resect {
 
 // At iso levels in this range no surface runs inside solid tissue, where c is 99.1 to 100.9.
 constexpr float kMinIso = 1, kMaxIso = 98;
-void requireIso(float iso);  // throws Error when it is not between them
+void requireIso(float iso);  // throws Error for a level out of this range
 
 class ColourField {
  public:
-  static constexpr std::int32_t kEmpty =
-      -1;                                    // all nodes of the brick, and of the next plane, are 0
-  static constexpr std::int32_t kFull = -2;  // all of them lie in solid tissue
+  // Slots of bricks that are not stored. kEmpty: all nodes of the brick are 0, and so are the nodes
+  // just above it, in the next bricks. kFull: all of these nodes lie in solid tissue.
+  static constexpr std::int32_t kEmpty = -1;
+  static constexpr std::int32_t kFull = -2;
 
   // Whether the lattice's bricks can be numbered with 32 bits.
   static bool canHold(const Lattice& lattice, int refine);
-  // refine: nodes per cell, 1 to 4; canHold(). Evaluates all bricks.
+  // refine: nodes per cell along each axis, 1 to 4; canHold() must be true. Evaluates all bricks.
   ColourField(const Discretization& cells, int refine);
   // The same, but leaves the nodes of stored bricks to evaluateBuilt(), so that the caller can read
   // them while they are in the cache.
@@ -49,7 +52,7 @@ class ColourField {
   // The bricks that were stored when the field was built, ascending; the i-th has slot i. Valid
   // until the first edit.
   std::span<const std::int32_t> builtBricks() const { return builtBricks_; }
-  void evaluateBuilt(std::size_t begin, std::size_t end);  // a part of them
+  void evaluateBuilt(std::size_t begin, std::size_t end);  // builtBricks()[begin, end)
 
   const Lattice& lattice() const { return lattice_; }
   int refine() const { return refine_; }
@@ -62,7 +65,7 @@ class ColourField {
     return (std::int64_t(b.z()) * brickDims_.y() + b.y()) * brickDims_.x() + b.x();
   }
   Vec3i brick(std::int64_t index) const {
-    // Division of 32-bit numbers takes half the time, and they suffice.
+    // Brick numbers fit 32 bits, and a 32-bit division takes half the time.
     const auto i = std::uint32_t(index), dimX = std::uint32_t(brickDims_.x()),
                dimY = std::uint32_t(brickDims_.y());
     return {int(i % dimX), int(i / dimX % dimY), int(i / dimX / dimY)};
@@ -94,15 +97,15 @@ class ColourField {
   // Sets a cell's colour value, in [0, 100]; the field follows at the next update().
   void setCellValue(std::int64_t cell, float value);
   // Evaluates the bricks in reach of the cells set since the last call; returns them, ascending,
-  // each once. They include bricks without a changed node that have a vertex or normal depending on
-  // one. Valid until the next call.
+  // each once. The result also has bricks whose own nodes are unchanged, if one of their vertices
+  // or normals depends on a changed node. Valid until the next call.
   std::span<const std::int64_t> update();
 
   // Whether a cell in reach of the brick's nodes was changed since the field was built.
   bool edited(std::int64_t brick) const {
     return !originalOf_.empty() && originalOf_[brick] != kUnedited;
   }
-  // nodes() and node() when the field was built: what was tissue before any edit.
+  // nodes() and node() as they were when the field was built, before any edit.
   const float* originalNodes(const Vec3i& brick) const {
     const std::int64_t b = brickIndex(brick);
     return edited(b) ? nodesOf(b, originalOf_[b], originals_) : nodes(b);
@@ -135,8 +138,8 @@ class ColourField {
       return nodesByPhase(b, slot, bricks);
     return bricks.data() + firstNode(slot);
   }
-  // The same where full bricks differ by phase (refine 3). Separate, so that the usual path has no
-  // branch on the slot, which is unpredictable.
+  // The same where full bricks differ by phase (refine 3). A function of its own, so that the usual
+  // path has no branch on the slot, which the processor could not predict.
   const float* nodesByPhase(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const;
   void classifyBricks(const HeldBits& held);
   std::int32_t classifyRow(const HeldBits& held, std::size_t row, std::uint64_t* bits,
@@ -156,10 +159,11 @@ class ColourField {
   RawArray<std::int32_t> builtBricks_;
   RawArray<float> values_;  // the nodes of stored bricks, by firstNode()
   std::vector<std::int32_t> freeSlots_;
-  // Per brick, from the first edit on: what slotOf_ was, into originals_.
+  // Per brick, from the first edit on: kUnedited; or what its slot was when the field was built,
+  // but counted in originals_.
   std::vector<std::int32_t> originalOf_;
-  RawArray<float> originals_;  // values_ of the bricks edited since, before
-  // Per brick, from the first edit on: kPending and the planes of nodes to evaluate.
+  RawArray<float> originals_;  // nodes of bricks edited since, as they were before
+  // Per brick, from the first edit on: bits, kPending and one for each plane of nodes to evaluate.
   std::vector<std::uint8_t> pendingOf_;
   std::vector<std::int64_t> pending_;  // bricks in reach of cells set since the last update
   std::vector<std::int64_t> touched_;  // result of the last update

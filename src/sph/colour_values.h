@@ -1,10 +1,10 @@
-// Colour values of a lattice's cells: which percentage of each is tissue, 0 to 100.
+// Colour values of a lattice's cells: the percentage of each cell that is tissue, 0 to 100.
 //
-// Stored as levels, 128ths of a full cell, in a byte each, as long as every value is a whole level.
-// An organ made from a mesh has no others: discretize() counts 4 x 4 x 4 samples, fitSurface()
-// rounds its corrections, and tools empty cells. Levels are exact as floats, since 100/128 has few
-// digits. From the first other value on all are stored as floats. Levels need a quarter of the
-// memory traffic.
+// Stored as levels, 128ths of a full cell, one byte each, as long as every value is a whole level.
+// In an organ made from a mesh every value is: discretize() counts 4 x 4 x 4 samples, fitSurface()
+// rounds its corrections, and tools empty cells. A level is exact as a float, since 100/128 has few
+// binary digits. When the first other value is set, all values are stored as floats from then on.
+// Levels need a quarter of the memory traffic of floats.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ inline bool toLevel(float value, std::uint8_t& level) {
 class ColourValues {
  public:
   ColourValues() = default;
-  explicit ColourValues(std::size_t cells) : levels_(cells, 0) {}  // empty ones
+  explicit ColourValues(std::size_t cells) : levels_(cells, 0) {}  // all empty
   explicit ColourValues(RawArray<std::uint8_t> levels) : levels_(std::move(levels)) {}
   explicit ColourValues(RawArray<float> numbers) : numbers_(std::move(numbers)) {}
 
@@ -44,7 +44,7 @@ class ColourValues {
   std::span<const std::uint8_t> levels() const { return levels_; }
   std::span<const float> numbers() const { return numbers_; }
 
-  // Equal values, however they are stored.
+  // Whether the values are equal, however they are stored.
   bool operator==(const ColourValues& other) const;
   std::size_t bytes() const { return levels_.capacity() + numbers_.capacity() * sizeof(float); }
 

@@ -15,24 +15,26 @@ namespace resect {
 // Arrays have one entry per lattice cell, x fastest.
 struct Discretization {
   Lattice lattice;
-  // Per cent of the cell inside the organ (0 or 100 in the thesis's files).
+  // How much of each cell is inside the organ, per cent. The thesis's files have only 0 and 100.
   ColourValues value;
-  // 1 where the cell's centre is inside: these cells are the particles. Other cells with value > 0
-  // are skin cells, partly filled with the centre outside; each belongs to a particle beside it.
+  // 1 where the cell's centre is inside the organ, else 0. The cells with 1 are the particles. The
+  // other cells with value > 0 are skin cells: partly filled, with the centre outside. Each belongs
+  // to a particle beside it.
   std::vector<std::uint8_t> inside;
-  // Fitted values (organ/fit_surface.h) reproduce the body's surface, not its volume; values
-  // between 0 and 100 are multiplied by this so that the volumes add up.
+  // Fitted values (organ/fit_surface.h) reproduce the organ's surface, but not its volume.
+  // cellVolume() multiplies values below 100 by this factor, which corrects the organ's volume.
   double skinScale = 1;
-  // Which structure each cell belongs to; 0 is the organ's own parenchyma. Empty: all 0.
+  // Label of each cell: the structure that it belongs to; 0 is the organ's own parenchyma. If the
+  // array is empty, all cells have label 0.
   std::vector<std::uint8_t> label;
   std::vector<std::string>
-      labelNames;  // by label; labels without a name are empty or beyond the end
+      labelNames;  // by label; without a name the entry is empty or beyond the end
   std::vector<Landmark> landmarks;
 
   std::uint8_t labelOf(std::int64_t cell) const {
     return label.empty() ? std::uint8_t(0) : label[std::size_t(cell)];
   }
-  // Readable name: "tumour", or "label 3" for a label without a name.
+  // Name of a label for people: "tumour", or "label 3" for a label without a name.
   std::string labelName(int number) const {
     if (std::size_t(number) < labelNames.size() && !labelNames[std::size_t(number)].empty())
       return labelNames[std::size_t(number)];
@@ -48,21 +50,22 @@ struct Discretization {
     for (std::uint8_t flag : inside) count += flag;
     return count;
   }
-  double cellVolume(std::int64_t cell) const {  // of the tissue in a cell, m^3
+  double cellVolume(std::int64_t cell) const {  // volume of the tissue in a cell, m^3
     const float v = value[cell];
     return (v < 100 ? skinScale * v : v) / 100 * lattice.cellVolume();
   }
   std::size_t bytes() const {
     return value.bytes() + inside.capacity() + label.capacity();
   }                        // memory held
-  double volume() const {  // m^3
+  double volume() const {  // of all tissue, m^3
     double sum = 0;
     for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell) sum += cellVolume(cell);
     return sum;
   }
 };
 
-// Throws Error unless the lattice is one and each array has an entry per cell.
+// Throws Error unless Lattice::sound() holds and each array has one entry per cell (`label` may be
+// empty).
 void requireSound(const Discretization& cells);
 
 }  // namespace resect

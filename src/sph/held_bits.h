@@ -1,5 +1,5 @@
-// Occupancy masks: two bits per cell, whether it holds any tissue and whether it is full, in rows
-// of words so that 64 cells are combined at once.
+// Occupancy masks: two bits per cell, whether it holds any tissue ("any") and whether it is full
+// ("full"). They are stored in rows of 64-bit words, so that 64 cells are combined at once.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,13 @@
 namespace resect {
 
 // Each row has first the words of the "any" bits, then those of the "full" bits. Bits beyond the
-// cells are zero.
+// row's last cell are zero.
 struct HeldBits {
-  static constexpr std::size_t kWord = 64;  // cells
+  static constexpr std::size_t kWord = 64;  // cells of a word
   static constexpr std::size_t kChunk = 4;  // words that are combined at once
-  std::size_t words = 0, row = 0;           // words per row of either mask; of both, rounded up
-  RawArray<std::uint64_t> bits;             // uninitialised
+  // words: words of one mask in a row. row: words of both, rounded up to a multiple of kChunk.
+  std::size_t words = 0, row = 0;
+  RawArray<std::uint64_t> bits;  // `row` words for each row; uninitialised
 
   HeldBits() = default;
   HeldBits(std::size_t rows, std::size_t cells)
@@ -24,10 +25,11 @@ struct HeldBits {
         bits(rows * row) {}
 };
 
-// Combined occupancy of a box `width` cells wide, for each start i of the box along a row: bit i of
-// `bits` is set if any cell of the box holds tissue; bit i of the words from `words` on is set if
-// any cell is not full. first: row where the box begins; rows, planes: size of the box; perPlane:
-// rows in a plane of the lattice. bits: room for one row.
+// Combined occupancy of a box of cells, for every position of the box along a row. The box that
+// begins at cell i of the row gives two results: bit i of `bits` is set if any of its cells holds
+// tissue; bit i of the words from held.words on is set if any of its cells is not full. width,
+// rows, planes: cells of the box along x, y and z. first: the row where the box begins. perPlane:
+// rows in a plane of the lattice. bits: room for held.row words.
 void holdTogether(const HeldBits& held, std::size_t first, int rows, int planes,
                   std::size_t perPlane, int width, std::uint64_t* bits);
 

@@ -1,9 +1,9 @@
 // The quartic spline kernel M5 of the thesis, corrected.
 //
-// Source: Schoenberg's quartic B-spline as used in SPH (Monaghan 1985). The thesis prints the
-// second branch with
-// + 5 s^2 / 4 (it is minus) and a factor 1 / pi (that does not normalise it in three dimensions; 6
-// / (5 pi) does).
+// Source: Schoenberg's quartic B-spline as used in SPH (Monaghan 1985). The thesis has two errors,
+// which are corrected here. In its second branch (0.5 <= s < 1.5, s = r / h) the term 5 s^2 / 4 has
+// the sign plus; it must be minus. Its factor 1 / pi does not normalise the kernel in three
+// dimensions; 6 / (5 pi) does.
 #pragma once
 
 #include <numbers>
@@ -12,21 +12,21 @@ namespace resect {
 
 constexpr double kKernelSupport = 2.5;  // the kernel is 0 from r = 2.5 h on
 
-// The spline's shape for s = r / h >= 0; 0 from 2.5 on. Continuous with its first three
-// derivatives.
+// The spline's shape for s = r / h >= 0. It is 0 from s = 2.5 on, and continuous with its first
+// three derivatives.
 constexpr double kernelShape(double s) {
   const auto fourth = [](double x) { return x > 0 ? x * x * x * x : 0.0; };
   return (fourth(2.5 - s) - 5 * fourth(1.5 - s) + 10 * fourth(0.5 - s)) / 24;
 }
 
-// d kernelShape / d s.
+// The derivative of kernelShape(s) with respect to s.
 constexpr double kernelShapeSlope(double s) {
   const auto third = [](double x) { return x > 0 ? x * x * x : 0.0; };
   return (-third(2.5 - s) + 5 * third(1.5 - s) - 10 * third(0.5 - s)) / 6;
 }
 
-// W(r, h), 1/m^3, for distance r >= 0 and smoothing length h > 0, both m. Its integral over space
-// is 1.
+// The kernel W(r, h), 1/m^3, for the distance r >= 0, m, and the smoothing length h > 0, m. Its
+// integral over space is 1.
 constexpr double kernel(double r, double h) {
   return 6 / (5 * std::numbers::pi * h * h * h) * kernelShape(r / h);
 }

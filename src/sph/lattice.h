@@ -10,11 +10,11 @@
 
 namespace resect {
 
-// A regular grid of cells. Cell (i, j, k) is a box of sides `spacing` round its centre origin + (i,
-// j, k) * spacing. Cells are numbered with x fastest: (k * dims.y + j) * dims.x + i.
+// A regular grid of cells. Cell (i, j, k) is a box with the sides `spacing`. Its centre is origin +
+// (i, j, k) * spacing, axis by axis. Its index is (k * dims.y + j) * dims.x + i: x is fastest.
 struct Lattice {
   Vec3 origin = Vec3::Zero();   // centre of cell (0, 0, 0), m
-  Vec3 spacing = Vec3::Ones();  // > 0, m; equal on the three axes for an organ that can deform
+  Vec3 spacing = Vec3::Ones();  // > 0, m; must be equal on the three axes if the organ can deform
   Vec3i dims = Vec3i::Zero();   // cells along each axis, >= 0
 
   std::int64_t cellCount() const { return std::int64_t(dims.x()) * dims.y() * dims.z(); }
@@ -22,7 +22,7 @@ struct Lattice {
   bool cubic() const {
     return std::abs(spacing.maxCoeff() - spacing.minCoeff()) <= 1e-6 * spacing.maxCoeff();
   }
-  // Are origin, spacing and dims in their ranges?
+  // Whether origin, spacing and dims are in their ranges.
   bool sound() const {
     return origin.allFinite() && spacing.allFinite() && (spacing.array() > 0).all() &&
            (dims.array() >= 0).all();
@@ -44,7 +44,7 @@ struct Lattice {
   Vec3 toCellSpace(const Vec3& p) const { return (p - origin).cwiseQuotient(spacing); }
   CellOrder order() const { return {0, dims.x(), std::int64_t(dims.x()) * dims.y()}; }
 
-  // The box of all cells, sides included.
+  // The box that all cells together fill.
   Aabb box() const {
     return {origin - 0.5 * spacing,
             origin + spacing.cwiseProduct(dims.cast<double>() - Vec3::Constant(0.5))};

@@ -2,7 +2,7 @@
 // the sums over floats (sph/field_stencil.cpp) and over levels (sph/level_stencil.cpp); not for use
 // elsewhere.
 //
-// Inlined, so that it is compiled for the instruction set of its caller.
+// All functions are inlined, so that they are compiled for the instruction set of their caller.
 #pragma once
 
 #include <cstring>
@@ -10,12 +10,13 @@
 
 #include "sph/field_stencil.h"
 
-// All functions that return such vectors are inlined, so the calling convention does not matter.
+// The warning concerns the calling convention of functions that return vectors. It does not matter
+// here, since all of them are inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace resect {
 
-// The four nodes of a row of a brick; and two rows, for machines with eight lanes.
+// Row: the four nodes of a row of a brick. Half: two rows, for machines with eight lanes.
 typedef float Row __attribute__((vector_size(16)));
 typedef float Half __attribute__((vector_size(32)));
 
@@ -33,15 +34,16 @@ typedef float Half __attribute__((vector_size(32)));
   return half;
 }
 
-// Sums of mirrored cells along an axis: near, the node's own cell or the two that it lies between;
-// far, the next ones.
+// Sums of mirrored cells along an axis. near: the node's own cell, or the two cells that the node
+// lies between. far: the next cell on each side, added.
 template <typename T>
 struct Mirrored {
   T near, far;
 };
 
-// For two nodes a cell: the mirrored sums for node i of a brick along an axis. at(k): cell, or sum
-// of cells, k along it.
+// With two nodes per cell: the mirrored sums along an axis for the brick's node i on that axis.
+// at(k): cell k along the axis, counted from the lowest in the brick's reach, or a sum of cells
+// there.
 template <typename At>
 [[gnu::always_inline]] inline auto mirrored(int i, At at) {
   using T = std::decay_t<decltype(at(0))>;
@@ -50,21 +52,25 @@ template <typename At>
   return Mirrored<T>{at(h + 1) + at(h + 2), at(h) + at(h + 3)};
 }
 
-// Whether a node with these indices along y and z reaches the far cells along the axes given by the
-// bits of k (x, y, z). Nodes with odd indices lie midway between cells.
+// With two nodes per cell: whether any node of the row with these indices y and z reaches the far
+// cells along the axes whose bits are set in k (1 for x, 2 for y, 4 for z). Nodes with odd indices
+// lie midway between cells.
 constexpr bool reaches(int y, int z, int k) {
-  const auto square = [](int node, bool further) {  // in half cells
+  const auto square = [](int node, bool further) {  // squared distance along an axis, in half cells
     return (node % 2 + 2 * further) * (node % 2 + 2 * further);
   };
   return square(0, k & 1) + square(y, k & 2) + square(z, k & 4) < 16;
 }
 
-// For two nodes a cell: mirrored sums along x and y, per plane of cells, x fastest. [0] for rows 0
-// and 2 of a brick's nodes, which lie on cell centres in y, [1] for rows 1 and 3, midway.
-constexpr int kCellsBetween = 5;  // in reach of a brick along an axis
+// With two nodes per cell: mirrored sums along x and y. First index: 0 for rows 0 and 2 of a
+// brick's nodes, which lie on cell centres in y; 1 for rows 1 and 3, which lie midway. Second
+// index: the plane of cells. Third index: which sum, bit 0 for x and bit 1 for y; 0 is near, 1 is
+// far.
+constexpr int kCellsBetween = 5;  // cells in reach of a brick along an axis
 using SumsBetween = Half[2][kCellsBetween][4];
 
-// Aims, together with making the sums, at 27 additions and products a node, eight nodes at a time.
+// Evaluates planes of a brick from the mirrored sums. Aims at 27 additions and products per node
+// for making the sums and weighing them, eight nodes at a time.
 [[gnu::always_inline]] inline void weighBetween(const FieldStencil& stencil,
                                                 const SumsBetween& sumsOf, unsigned planes,
                                                 float* out) {

@@ -13,15 +13,16 @@ namespace resect {
 
 class PaddedCells {
  public:
-  static constexpr int kBelow = 3,
-                       kAbove = 7;  // width of the halo before and behind, along each axis
+  // Width of the halo before the first cell and after the last one along each axis, in cells.
+  static constexpr int kBelow = 3, kAbove = 7;
 
   PaddedCells() = default;
-  // held: receives the occupancy masks; its rows are the rows of cells along x, halo included.
+  // held: receives the occupancy masks. Its rows are the rows of cells along x, halo included.
   PaddedCells(const Discretization& cells, HeldBits& held);
 
   const Vec3i& dims() const { return dims_; }
-  // Index of a cell of the lattice, whose coordinates may be from -kBelow on; x fastest.
+  // Index of a cell, x fastest. cell: coordinates in the lattice; in the halo they begin at
+  // -kBelow.
   std::int64_t index(const Vec3i& cell) const {
     const Vec3i c = cell + Vec3i::Constant(kBelow);
     return (std::int64_t(c.z()) * dims_.y() + c.y()) * dims_.x() + c.x();
@@ -29,12 +30,12 @@ class PaddedCells {
   float value(std::int64_t at) const { return values_[std::size_t(at)]; }
   // value: in [0, 100]. See ColourValues::set().
   void set(std::int64_t at, float value) { values_.set(std::size_t(at), value); }
-  // Whether the cells of a box are all empty, all full, or neither. low: the lattice's cell where
-  // the box begins.
+  // Whether the cells of a box are all empty, all full, or neither. low: coordinates in the lattice
+  // of the box's lowest cell. dims: the box's cells along each axis.
   enum class Held { Nothing, All, Mixed };
   Held heldIn(const Vec3i& low, const Vec3i& dims) const;
-  // Calls look(cells) with a pointer to the cells from index `at` on: std::uint8_t (levels) or
-  // float.
+  // Calls look(cells) with a pointer to the cells from index `at` on. They are of type std::uint8_t
+  // (levels) or float (colour values).
   template <typename Look>
   [[gnu::always_inline]] void lookAt(std::int64_t at, Look look) const {
     values_.areLevels() ? look(values_.levels().data() + at) : look(values_.numbers().data() + at);

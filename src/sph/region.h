@@ -1,6 +1,6 @@
-// A part of an organ, given by geometry and never by cell numbers, so that it holds at any spacing:
-// a box or a ball, in the world or relative to the organ, and a depth under its surface.
-// docs/scenarios.md, "Regions", has the keys by which files name one.
+// A part of an organ, given by geometry and never by cell numbers, so that it holds at any spacing.
+// It is a box, a ball or the whole organ, and may be limited to a range of depths under the organ's
+// surface. docs/scenarios.md, "Regions", lists the keys by which files give a region.
 #pragma once
 
 #include <limits>
@@ -23,45 +23,46 @@ struct Landmark {
 
 struct Region {
   enum class Shape { Whole, Box, Ball };
+  // Both are of the organ at rest.
   enum class Frame {
-    World,  // at rest, m
-    Organ   // fractions of the organ's box at rest, 0 to 1 on each axis
+    World,  // world coordinates, m
+    Organ   // fractions of the organ's box, 0 to 1 on each axis
   };
   Shape shape = Shape::Box;
-  Frame frame = Frame::World;  // of box and centre; a radius is in metres always
+  Frame frame = Frame::World;  // of `box` and `centre`; `radius` is always in metres
   Aabb box;
   Vec3 centre = Vec3::Zero();  // of the ball
   double radius = 0;           // > 0, m
   std::string landmark;        // if not empty: the ball's centre is this landmark
-  // Depth inwards from the organ's surface, m. A particle whose centre lies outside the surface
-  // counts as at depth 0.
+  // Least and greatest depth inwards from the organ's surface, m. A particle whose centre lies
+  // outside the surface counts as being at depth 0.
   double shallowest = 0;
   double deepest = std::numeric_limits<double>::infinity();
-  // Of the organ at rest; required if a depth is given.
+  // Signed distance from the surface of the organ at rest; required if a depth is given.
   std::shared_ptr<const SignedDistance> skin;
 
   bool asksDepth() const {
     return shallowest > 0 || deepest < std::numeric_limits<double>::infinity();
   }
-  // Whether it is in metres of the world and has all that holds() needs.
+  // Whether the region is in world coordinates and has all that holds() needs.
   bool isPlaced() const {
     return frame == Frame::World && landmark.empty() && (skin || !asksDepth());
   }
-  // Whether a point of the world lies in the region, which must be placed.
+  // Whether a point of the world lies in the region. isPlaced() must hold.
   bool holds(const Vec3& p) const;
 };
 
-// The position of a landmark in fractions, if there is one of that name; of several the last
-// counts.
+// The position of the landmark of that name, in fractions of the organ's box. Of several landmarks
+// with that name the last one counts; without any the result is empty.
 std::optional<Vec3> landmarkPlace(const std::vector<Landmark>& landmarks, const std::string& name);
 
-// A point given in fractions of a box, m.
+// The position, m, of a point that is given in fractions of a box.
 inline Vec3 pointInBox(const Aabb& box, const Vec3& fractions) {
   return box.min + fractions.cwiseProduct(box.size());
 }
 
-// The region in metres of the world, for an organ that fills `box`. Throws Error when it names a
-// landmark that there is not. Depths still need `skin`.
+// The region in world coordinates, for an organ that fills `box`. Throws Error when the region
+// names a landmark that is not in `landmarks`. A region with a depth still needs `skin`.
 Region inWorld(Region region, const Aabb& box, const std::vector<Landmark>& landmarks);
 
 }  // namespace resect

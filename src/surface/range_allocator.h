@@ -6,9 +6,10 @@
 
 namespace resect {
 
-// Hands out ranges of a one-dimensional space. Sizes are rounded up to multiples of 8 (the slack
-// lets a piece grow in place); a released range is given again to the next request of its rounded
-// size, else the space grows. O(1); same calls, same ranges.
+// Hands out ranges of a one-dimensional space. Sizes are rounded up to multiples of 8, so that the
+// holder of a range may grow a little in place. A request takes the range released last that has
+// its rounded size; if there is none, the space grows. Each call costs O(1). The same calls give
+// the same ranges.
 class RangeAllocator {
  public:
   static constexpr std::int32_t kStep = 8;
@@ -26,17 +27,17 @@ class RangeAllocator {
     end_ += roundedUp(count);
     return first;
   }
-  // A range that take() gave for a count of the same rounded size.
+  // Releases a range that take() gave for a count of the same rounded size.
   void release(std::int32_t first, std::int32_t count) {
     const std::size_t size = std::size_t(roundedUp(count) / kStep);
     if (size >= free_.size()) free_.resize(size + 1);
     free_[size].push_back(first);
   }
-  std::int32_t end() const { return end_; }  // the space used so far
+  std::int32_t end() const { return end_; }  // all ranges handed out so far lie below
 
  private:
   std::int32_t end_ = 0;
-  std::vector<std::vector<std::int32_t>> free_;  // per rounded size / kStep
+  std::vector<std::vector<std::int32_t>> free_;  // released ranges, by rounded size / kStep
 };
 
 }  // namespace resect

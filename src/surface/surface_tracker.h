@@ -1,16 +1,18 @@
 // The organ's surface, kept up to date with its edits, and the ranges that the last update changed.
 //
 // Incremental marching cubes over the bricks of a colour field (Lorensen and Cline 1987). The mesh
-// is a function of the field and the iso level alone: after any edits it equals a rebuild from
-// scratch bit for bit (compare mesh()), is closed and oriented outwards. Cost of an update: the
-// touched bricks, whatever the size of the organ.
+// is a function of the field, the iso level and the wound alone: after any edits mesh() equals that
+// of a rebuild from scratch, bit for bit. It is closed and oriented outwards. The cost of an update
+// depends on the number of touched bricks, not on the size of the organ.
 //
-// Incisions are meshed in the same bricks (wound/wound_brick.h): nothing is removed, two lips
-// coincide until the tissue moves. Bricks without cuts take the usual path.
+// Incisions are meshed in the same bricks (wound/wound_brick.h). An incision removes nothing: its
+// two lips coincide until the tissue moves. Bricks without cuts are meshed by marching cubes as
+// usual.
 //
-// points(), normals(), cut() and triangles() are arrays with holes, for viewers: a brick keeps its
-// ranges while they suffice, unused triangles are (0, 0, 0), and changes() lists what to upload.
-// Normals and cut shares are made on demand (updateLook()): only pictures need them.
+// points(), normals(), cut() and triangles() are arrays with holes, for viewers. A brick keeps its
+// ranges as long as their rounded sizes stay the same. Unused triangles are (0, 0, 0). changes()
+// lists what to upload. Only pictures need normals and cut shares, so these are made on demand
+// (updateLook()).
 #pragma once
 
 #include <array>
@@ -35,31 +37,31 @@ struct FieldAndSurface;
 
 class SurfaceTracker {
  public:
-  // Meshes all of the field. iso in [kMinIso, kMaxIso]. wound: null for an organ without incisions.
+  // Meshes the whole field. iso: in [kMinIso, kMaxIso]. wound: null for an organ without incisions.
   SurfaceTracker(const ColourField& field, float iso, const Wound* wound = nullptr);
 
-  // After field.update() returned `touched`: meshes those bricks again.
+  // Meshes the bricks `touched` again. touched: what field.update() returned.
   void update(const ColourField& field, std::span<const std::int64_t> touched);
-  // The same for an organ with incisions, after severed.update() returned `severed`. Once a wound
-  // was given, every later call must give one.
+  // The same for an organ with incisions. severed: what wound.severed.update() returned. Once a
+  // wound was given, every later call must give one.
   void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
               std::span<const TouchedBrick> severed);
   // Sets another iso level and meshes everything again.
   void setIso(const ColourField& field, float iso, const Wound* wound = nullptr);
   float iso() const { return iso_; }
 
-  // Makes normals() and cut() of what was meshed since the last call.
+  // Computes normals() and cut() for the bricks that were meshed since the last call.
   void updateLook(const ColourField& field);
 
   std::span<const Vec3f> points() const { return points_; }  // rest space, m
-  // After updateLook().
+  // To be called after updateLook().
   std::span<const Vec3f> normals() const;  // unit, outwards
-  std::span<const float> cut() const;      // 0 original skin ... 1 cut parenchyma
+  std::span<const float> cut() const;      // cut shares, 0 to 1
   std::span<const Triangle> triangles() const { return triangles_; }
   std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
 
-  // visit(first vertex, bindings) for each brick near a wound, with the bindings of its vertices in
-  // order. Vertices of other bricks follow all particles round them.
+  // Calls visit(first vertex, bindings) for each brick near a wound, with the bindings of the
+  // brick's vertices in order. Vertices of other bricks follow all particles round them.
   template <typename Visit>
   void visitBindings(Visit visit) const {
     for (const std::int32_t record : recordOf_)
@@ -70,8 +72,8 @@ class SurfaceTracker {
       }
   }
 
-  // visit(triangle) for each triangle of the bricks that the box meets (rest space, m; may be
-  // infinite), holes included.
+  // Calls visit(triangle) for each triangle of the bricks that meet the box (rest space, m; may be
+  // infinite).
   template <typename Visit>
   void visitTriangles(const ColourField& field, const Aabb& box, Visit visit) const {
     const IndexBox bricks = field.bricksIn(box);
@@ -82,20 +84,20 @@ class SurfaceTracker {
     }
   }
 
-  // Ranges of vertices and triangles that the last update or setIso wrote.
+  // What the last update() or setIso() wrote: ranges of vertices and triangles, or everything.
   struct Changes {
     std::vector<IndexRange> vertices, triangles;
-    std::int64_t bricks = 0;
-    bool everything = false;  // the arrays were made anew
+    std::int64_t bricks = 0;  // number of bricks that were meshed
+    bool everything = false;  // the arrays were made anew; the ranges are empty
   };
   const Changes& changes() const { return changes_; }
 
-  // The surface without holes, in the order of the bricks: the same for the same field, whatever
-  // its history.
+  // The surface without holes, in the order of the bricks: the same for the same field and wound,
+  // whatever edits led to them.
   TriangleMesh mesh() const { return mesh(points_); }
-  // The same with other positions: one point per vertex of the arrays.
+  // The same with other positions. points: one for each vertex of the arrays, holes included.
   TriangleMesh mesh(std::span<const Vec3f> points) const;
-  // The mesh with normals and cut shares by point; after updateLook().
+  // The mesh with the normal and cut share of each point. Call updateLook() first.
   struct Compact {
     TriangleMesh mesh;
     std::vector<Vec3f> normals;
@@ -107,7 +109,7 @@ class SurfaceTracker {
   std::vector<Vec3i> anchorNodes(const ColourField& field) const;
 
   // A mesh (rest space) of all triangles that the wanted columns of a grid can meet, at any depth.
-  // wanted: one flag per column. Cost: the bricks over wanted columns.
+  // wanted: one flag per column. The cost depends on the number of bricks over wanted columns.
   TriangleMesh meshOver(const ColourField& field, const ColumnGrid& grid,
                         std::span<const std::uint8_t> wanted) const;
 
@@ -115,16 +117,17 @@ class SurfaceTracker {
 
  private:
   static constexpr std::int32_t kNone = -1;
-  // The first two records stand for all bricks without surface, outside and inside tissue, so a
-  // neighbour's inside mask is read without a branch on its kind.
+  // The first two records stand for all bricks without a mesh: kOutside for those outside tissue,
+  // kInside for those inside. So a neighbour's inside mask is read without a branch on whether it
+  // has a mesh.
   static constexpr std::int32_t kOutside = 0, kInside = 1, kFirstOwn = 2;
   struct BrickMesh {
     BrickSigns signs;
     std::int32_t firstVertex = 0, vertices = 0;
     std::int32_t firstTriangle = 0, triangles = 0;
-    std::int16_t wholeTriangles = 0;  // number of its triangles if no cell were cut
-    bool drawAgain = false;           // in retriangulate_
-    std::int32_t wound = kNone;       // into wounds_
+    std::int16_t wholeTriangles = 0;  // triangles that the brick would have if no cell were cut
+    bool drawAgain = false;           // the brick is listed in retriangulate_
+    std::int32_t wound = kNone;       // index into wounds_
   };
   struct Above {
     std::array<const BrickMesh*, 8> mesh;
@@ -163,7 +166,8 @@ class SurfaceTracker {
   void requireLook() const;
   void lookIsDue(std::span<const std::int64_t> bricks);
   void writeLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick);
-  // visit(vertex, whether it is the same point as the vertex before it) in the order of mesh().
+  // Calls visit(vertex, twin) for each vertex in the order of mesh(). twin: whether the vertex is
+  // the same point as the vertex before it.
   template <typename Visit>
   void visitVertices(Visit visit) const;
   void placeTriangles(const ColourField& field);
@@ -186,7 +190,7 @@ class SurfaceTracker {
   }
 
   float iso_ = 50;
-  RawArray<std::int32_t> recordOf_;  // index into bricks_ per brick, and some beyond the last
+  RawArray<std::int32_t> recordOf_;  // per brick, and for some beyond the last: index into bricks_
   std::vector<BrickMesh> bricks_;
   std::vector<std::int32_t> freeRecords_;
   std::vector<BrickWound> wounds_;
@@ -194,20 +198,21 @@ class SurfaceTracker {
   RangeAllocator vertexSpace_, triangleSpace_;
   RawArray<Vec3f> points_, normals_;
   RawArray<float> cut_;
-  RawArray<std::uint8_t> edges_;  // of each vertex not made by a wound, see CrossedEdges
+  RawArray<std::uint8_t> edges_;  // CrossedEdges number of each vertex that no wound made
   RawArray<Triangle> triangles_;
   std::int64_t triangleCount_ = 0;
   Changes changes_;
   std::vector<std::int64_t> lookDue_;  // bricks meshed since the last updateLook()
-  bool allLookDue_ = true;             // or all of them
+  bool allLookDue_ = true;             // whether all bricks count as listed
   // Work lists, kept so that a steady update allocates nothing.
   std::vector<std::uint64_t> newInside_;
   std::vector<std::uint8_t> renumbered_;
   std::vector<std::int64_t> retriangulate_, withWound_, woundBricks_;
 };
 
-// Builds field and surface together: the same bits as one after the other, but bricks are meshed
-// while their nodes are still in the cache. refine, iso: as for the two classes.
+// Builds field and surface together. The result has the same bits as building one after the other,
+// but bricks are meshed while their nodes are still in the cache. refine, iso: as for ColourField
+// and SurfaceTracker.
 struct FieldAndSurface {
   ColourField field;
   SurfaceTracker surface;

@@ -1,9 +1,9 @@
-// Joints: damped springs that hold two organs together, each from a cell of one organ to a cell of
-// another.
+// Joints: damped springs that hold two organs together. Each leads from a cell of one organ to a
+// cell of another.
 //
-// A spring's rest state is the vector between its cells at rest, in world axes: joined organs
-// behave as if glued at points, not hinged. Equal and opposite forces act on both ends at every
-// substep.
+// A spring is without force when the vector between its two cells, in world axes, is the same as at
+// rest. So joined organs behave as if glued at points, not hinged. Equal and opposite forces act on
+// both ends at every substep.
 #pragma once
 
 #include <array>
@@ -36,13 +36,13 @@ struct JoinedOrgan {
   TissueModel* tissue = nullptr;
 };
 
-// A spring from each cell of `a` to the nearest cell of `b`, if that is within `reach`, m, both at
-// rest and solid. `stiffness` of all together, N/m, shared evenly; less where that would be
-// unstable with a substep of `shortest` s.
+// Makes a spring from each solid cell of `a` to the nearest solid cell of `b`, if their distance at
+// rest is at most `reach`, m. stiffness: of all springs together, N/m. Each spring has an equal
+// share of it, or less where that would be unstable with a substep of `shortest` s.
 std::vector<TissueJoint> joinNear(const JoinedOrgan& a, const JoinedOrgan& b, double reach,
                                   double stiffness, double shortest);
 
-// Forces for the coming substep. tissues, lattices: by organ number.
+// Applies the joints' forces for the coming substep. organs: by organ number.
 void pullJoints(std::span<const TissueJoint> joints, std::span<const JoinedOrgan> organs);
 
 }  // namespace resect

@@ -1,8 +1,10 @@
 // Materials of tissue: stiffness, density, toughness.
 //
-// Neo-Hookean solid: Psi(F) = mu/2 (F:F - 3) - mu (J - 1) + (lambda + mu)/2 (J - 1)^2, which has
-// the small-strain constants E and nu and stays finite when a cell is inverted (after Smith, de
-// Goes, Kim 2018, without their barrier term). Defaults and their sources: docs/methods/tissue.md.
+// The material is a neo-Hookean solid with the energy per volume Psi(F) = mu/2 (F:F - 3) - mu (J -
+// 1) + (lambda + mu)/2 (J - 1)^2. F is the deformation gradient, J its determinant; lambda and mu
+// are Lame's constants. At small strain the solid has Young's modulus E and Poisson's ratio nu, and
+// its energy stays finite when a cell is inverted (after Smith, de Goes, Kim 2018, without their
+// barrier term). Defaults and their sources: docs/methods/tissue.md.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +18,11 @@ namespace resect {
 struct TissueMaterial {
   std::string name = "liver";
   double young = 5000;    // Pa, 1 to 1e9
-  double poisson = 0.45;  // 0 to 0.4999; near 0.5 waves are fast and substeps many
+  double poisson = 0.45;  // 0 to 0.4999; near 0.5 waves are fast, so substeps are short
   double density = 1060;  // kg/m^3, 1 to 1e5
-  // A bond longer than this many times its rest length tears; 1.46 = exp(0.38), the ultimate true
-  // strain of liver. > 1; infinity never tears.
+  // Near a grip, a bond tears when it is longer than this many times its rest length; a strand that
+  // cuts have left tears at twice this (elastic/tearing.cpp). 1 or more; infinity: never. 0.38 is
+  // the ultimate true strain of liver, and exp(0.38) = 1.46.
   double tearStretch = 1.46;
 
   bool operator==(const TissueMaterial&) const = default;
@@ -31,11 +34,13 @@ struct TissueMaterial {
   }
 
   double shear() const { return young / (2 * (1 + poisson)); }  // mu, Pa
+  // lambda, Pa.
   double lame() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
   double waveSpeed() const;  // of pressure waves at rest, m/s
 };
 
-// Materials by shear modulus at nu = 0.45: liver 5 kPa Young; tumour, vessel wall, capsule.
+// The materials of docs/methods/tissue.md, all with nu = 0.45. Liver has a Young's modulus of 5
+// kPa; the others are given there by their shear modulus.
 TissueMaterial liverTissue();
 TissueMaterial tumourTissue();
 TissueMaterial vesselWallTissue();
@@ -46,7 +51,7 @@ struct TissueCells {
   Lattice lattice;                        // cubic
   std::vector<std::uint8_t> solid;        // per cell: 1 where tissue is
   std::vector<TissueMaterial> materials;  // at least one
-  std::vector<std::uint8_t> material;     // per cell: index into materials; empty: all of the first
+  std::vector<std::uint8_t> material;     // per cell: index into materials; empty: all 0
 };
 
 }  // namespace resect

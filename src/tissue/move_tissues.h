@@ -1,4 +1,5 @@
-// Moves tissues through a frame: each by itself, or in common substeps where joints connect them.
+// Moves tissues through a frame: each with its own substeps, or all with common ones if there are
+// joints.
 #pragma once
 
 #include <span>
@@ -13,12 +14,12 @@ namespace resect {
 struct MovingTissue {
   TissueModel* tissue = nullptr;
   std::span<const Obstacle> obstacles;
-  TissueStep* step = nullptr;  // overwritten; its memory is reused
+  TissueStep* step = nullptr;  // receives the result; its memory is reused
 };
 
-// duration > 0, s. organs: for the joints, by organ number; may be empty without joints. A frame in
-// which a tissue explodes is restored and repeated with substeps of half the length, for all
-// tissues joined to it.
+// Moves tissues through a frame of `duration` > 0, s. organs: by organ number; only joints need
+// them. When a tissue explodes, it is restored to the frame's beginning, and the frame is repeated
+// with substeps of half the length. If there are joints, this is done with all tissues.
 void moveTissues(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
                  std::span<const JoinedOrgan> organs, double duration);
 void moveTissue(TissueModel& tissue, std::span<const Obstacle> obstacles, double duration,

@@ -1,10 +1,10 @@
 // The 26 neighbours of a cell, their numbering and their weights.
 //
-// The 26 cells round a cell, numbered so that direction d and direction 25 - d are opposite; the
-// last 13 are "forward": each bond is forward as seen from one of its two ends. Weights are those
-// of the quartic kernel (sph/kernel.h) with h = 0.8 spacings, whose radius of 2 spacings,
-// exclusive, contains exactly these cells; they depend only on whether the neighbour is a face,
-// edge or corner neighbour.
+// Directions are numbered so that direction d and direction 25 - d are opposite. The last 13
+// directions are "forward": each bond is forward as seen from one of its two ends. Weights come
+// from the quartic kernel (sph/kernel.h) with h = 0.8 spacings. Its radius is 2 spacings, and
+// exactly the 26 neighbours are nearer than that. A weight depends only on whether the neighbour is
+// a face, edge or corner neighbour.
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@ inline constexpr int kDirections = 26;
 inline constexpr int kFirstForward = 13;
 inline constexpr std::uint32_t kAllBonds = (1u << kDirections) - 1;
 
-// Cell offset of direction d along an axis, -1, 0 or 1; x fastest.
+// Offset of the neighbour in direction d along an axis: -1, 0 or 1. Directions are ordered with x
+// fastest.
 constexpr int offsetAlong(int d, int axis) {
   const int place = d < kFirstForward ? d : d + 1;  // 13 is the cell itself
   return axis == 0 ? place % 3 - 1 : axis == 1 ? place / 3 % 3 - 1 : place / 9 - 1;
@@ -39,7 +40,8 @@ inline int directionTo(const Vec3i& offset) {
   return place > kFirstForward ? place - 1 : place;
 }
 
-// -V W'(r) / r times the squared spacing, by kind of neighbour: index 1, 2, 3; index 0 is not used.
+// The weights by kind of neighbour (index 1, 2, 3; index 0 is not used): -V W'(r) / r times the
+// squared spacing, with the volume V of a cell, the kernel W and the distance r of the neighbour.
 std::array<double, 4> bondWeights();
 
 }  // namespace resect

@@ -1,7 +1,7 @@
-// Tissue that never moves, as in the original system. It costs a byte a cell.
+// Tissue that never moves, as in the original system. It takes one byte of memory per cell.
 //
-// Edits apply to it as to any tissue: bonds are severed, so that the surface parts there, and tools
-// can grip cells.
+// Edits apply to it as to any tissue: bonds can be severed, so that the surface parts there, and
+// tools can grip cells.
 #pragma once
 
 #include "sph/lattice.h"
@@ -11,8 +11,8 @@ namespace resect {
 
 class StillTissue : public TissueModel {
  public:
-  // solid: per cell of the lattice, 1 where tissue is.
-  // solid: a flag per cell, else Error.
+  // solid: one flag per cell of the lattice, 1 where tissue is. Throws Error for any other number
+  // of flags.
   StillTissue(const Lattice& lattice, std::vector<std::uint8_t> solid);
 
   bool moves() const override { return false; }
@@ -54,7 +54,7 @@ class StillTissue : public TissueModel {
  private:
   struct Severed {
     std::int64_t cell = 0;
-    std::uint32_t directions = 0;  // bits
+    std::uint32_t directions = 0;  // bit d: the bond in direction d is severed
 
     template <class Visitor>
     void visit(Visitor& v) {
@@ -79,7 +79,7 @@ class StillTissue : public TissueModel {
   // Set up once, or copied from the organ.
   std::vector<std::uint8_t> solid_;
   Lattice lattice_;
-  std::size_t obstacles_ = 0;  // of the frame
+  std::size_t obstacles_ = 0;  // number of obstacles in this frame
 };
 
 }  // namespace resect

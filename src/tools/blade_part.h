@@ -1,9 +1,9 @@
-// Working part with a cutting edge: parts tissue where the edge passes, removes nothing. The flat
-// of a blade pushes.
+// Working part with a cutting edge: it parts tissue where the edge passes, and removes nothing. The
+// flat of the blade pushes tissue.
 //
-// Only motion within the blade's plane parts tissue: moving sideways the blade pushes, moving back
-// it only leaves the cut. The motion of the frame before is tested again, since tissue may have
-// moved through the edge meanwhile.
+// Only motion within the blade's plane parts tissue. A blade that moves sideways pushes; one that
+// moves backwards only leaves the cut. The sweep of the frame before counts once more, since tissue
+// may have moved through the edge since then.
 #pragma once
 
 #include "tools/working_part.h"

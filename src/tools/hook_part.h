@@ -1,5 +1,5 @@
-// Working part of a hook: in a frame in which it moves towards its handle and holds nothing of the
-// organ, it grips the cells in its bend. It releases them when the pull exceeds
+// Working part of a hook. When the hook moves towards its handle in a frame and holds no cell of
+// the organ yet, it grips the cells in its bend. The cells are released when the pull exceeds
 // ToolModel::slipForce, or when the tool is put away.
 #pragma once
 

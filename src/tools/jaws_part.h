@@ -1,5 +1,5 @@
 // Working part of scissors: two edges that part the tissue between them as they close, however the
-// tool moves meanwhile. Tissue feels the surface of open jaws throughout.
+// tool moves meanwhile. As an obstacle, the tool always has the shape of wide open jaws.
 #pragma once
 
 #include "tools/working_part.h"

@@ -1,4 +1,4 @@
-// Parts tissue along the sweep of an edge: a blade's or that of closing jaws.
+// Parts tissue along the sweep of an edge, of a blade or of closing jaws.
 #pragma once
 
 #include "collision/swept_blade.h"
@@ -6,11 +6,12 @@
 
 namespace resect {
 
-// Queues an incision along the edge's sweep (world) and the severing of the bonds that cross it at
-// the particles' present positions. Cost: proportional to the particles near the blade.
+// Queues an incision along the edge's sweep `blade` (world), and the severing of the bonds that
+// cross the sweep. A bond is the segment between the present positions of its two particles. The
+// cost is proportional to the number of particles near the sweep.
 void partAlong(const Touch& touch, SweptBlade blade, std::vector<TissueEdit>& edits);
 
-// Appends the triangles of another sweep.
+// Appends the triangles of another sweep to `blade`.
 void append(SweptBlade& blade, const SweptBlade& more);
 
 }  // namespace resect

@@ -14,7 +14,7 @@ struct PartKind {
   std::string_view name;
   std::unique_ptr<WorkingPart> (*make)();
 };
-// The list of working parts; a new one is one more line.
+// The kinds of working part. A new kind is one more line in this list.
 std::span<const PartKind> partKinds();
 
 struct ToolKind {
@@ -24,9 +24,9 @@ struct ToolKind {
 // All kinds of instrument, in the order in which they are shown to people.
 std::span<const ToolKind> toolKinds();
 
-// Makes the tool with the parts that model.parts names, or else those of model.kind; for an unknown
-// name an Error lists the known ones. A tool whose response is "remove" has a Remover instead of
-// all of them.
+// Makes a tool with the working parts that model.parts names, or with those of model.kind if it
+// names none. A tool whose response is "remove" has a Remover as its only part. Throws Error for an
+// unknown name, with the list of the known ones.
 std::unique_ptr<Tool> makeTool(ToolModel model);
 
 }  // namespace resect

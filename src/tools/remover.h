@@ -1,5 +1,5 @@
-// Working part with the response of the thesis, usable by every instrument: removes each particle
-// that it touches.
+// Working part with the response of the thesis, for any instrument: it removes each particle that
+// the instrument touches.
 #pragma once
 
 #include "tools/working_part.h"

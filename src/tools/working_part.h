@@ -1,6 +1,6 @@
-// Interface of working parts: blade, jaws, hook, remover, one class each. A part finds what it
-// touches and queues edits; it changes nothing itself, and it need not know whether the tissue
-// moves.
+// Interface of working parts. Blade, jaws, hook and remover are one class each. A part finds the
+// tissue that it acts on and queues edits. It changes nothing itself, and it need not know whether
+// the tissue moves.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@ namespace resect {
 
 struct ToolModel;
 
-// Pose, squeeze and pedal of a tool at one time.
+// Pose, squeeze and pedal of a tool at one moment.
 struct ToolStance {
   Pose pose;           // world
-  double squeeze = 1;  // of its jaws: 0 wide open, 1 closed
-  double pedal = 0;    // of an energy device, 0 to 1: how far it is pressed
+  double squeeze = 1;  // how far its jaws are closed: 0 wide open, 1 closed
+  double pedal = 0;    // how far the pedal of an energy device is pressed, 0 to 1
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -27,7 +27,7 @@ struct ToolStance {
 };
 
 // The way of a tool: its stances at the start of the frame before, at the start of this frame, and
-// at its end.
+// at the end of this frame.
 struct ToolWay {
   ToolStance earlier, from, to;
 
@@ -41,10 +41,10 @@ struct ToolWay {
 struct ToolContacts {
   std::int32_t tool = -1, organ = -1;
   std::vector<std::int64_t> cells;  // particles inside the volume that the tool swept, ascending
-  // overlap of organ and tool at the end of the frame, m^3; 0 for moving tissue.
+  // Overlap of organ and tool at the end of the frame, m^3; 0 for tissue that can move.
   double overlapVolume = 0;
-  // Still tissue: common part of the boxes of organ and moving tool; moving tissue: box round the
-  // particles near the tool. Empty if they do not meet.
+  // For still tissue: the common part of the boxes of organ and moving tool. For tissue that can
+  // move: the box round the particles near the tool. Empty if tool and organ do not meet.
   Aabb volumeOfInterest;
 };
 
@@ -67,7 +67,7 @@ struct Touch {
 class WorkingPart {
  public:
   virtual ~WorkingPart() = default;
-  // Called for each organ in each frame that the tool is in hand. Must be cheap and allocate
+  // Called for each organ in each frame in which the tool is in hand. It must be cheap and allocate
   // nothing when no tissue is near.
   virtual void act(const Touch& touch, std::vector<TissueEdit>& edits) const = 0;
 };

@@ -1,10 +1,11 @@
 // Severs the grid edges that a blade crosses between two poses and records its traces on the grid's
 // faces.
 //
-// The grid moves with the tissue: the present positions of its nodes are computed, then the edges
-// between them are tested against the sweep's triangles by the same exact test as bonds between
-// particles (closed intervals, a point on the plane counts as above: collision/swept_blade.h). The
-// results are stored in rest space. Cost: some microseconds per brick and triangle that meet.
+// The grid moves with the tissue. The present positions of its nodes are computed; then the edges
+// between them are tested against the triangles of the blade's sweep. The test is the exact one
+// that is used for bonds between particles (closed intervals, a point on the plane counts as above:
+// collision/swept_blade.h). The results are stored in rest space. Cost: some microseconds for each
+// pair of a brick and a triangle that meet.
 #pragma once
 
 #include <functional>
@@ -17,13 +18,13 @@
 namespace resect {
 
 constexpr int kPlacedNodes = 125;  // the 5 x 5 x 5 nodes on which a brick's edges and faces lie
-// Writes the present positions (world, m) of a brick's nodes, x fastest; NaN for a node too far
-// from tissue to have one: its edges cannot be severed.
+// Writes the present positions (world, m) of a brick's nodes, x fastest. A node too far from tissue
+// to have a position gets NaN; its edges cannot be severed.
 using PlaceNodes = std::function<void(const Vec3i& brick, std::span<Vec3, kPlacedNodes> places)>;
 
-// Whether the line of grid edges between the mid-planes of two neighbouring cells may be severed
-// more than once. In moving tissue it may not (One): tissue between two such cuts would hold no
-// particle to follow.
+// How often the line of grid edges between the mid-planes of two neighbouring cells may be severed:
+// any number of times, or once. Moving tissue needs One: between two such cuts there would be
+// tissue without a particle to follow.
 enum class CutsBetweenCells { Any, One };
 
 // Severs the edges of `bricks` that the blade crosses and records its traces on their faces.

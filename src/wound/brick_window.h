@@ -1,5 +1,5 @@
-// Dense windows of node values and severed edges round a brick, or round any box of nodes, for the
-// rules of the wound.
+// Dense windows: the node values and severed edges of a brick with its halo, or of any box of
+// nodes, for the rules of the wound.
 #pragma once
 
 #include "base/index_box.h"
@@ -8,9 +8,10 @@
 
 namespace resect {
 
-// A brick with its halo: the nodes -2 to 6 along each axis, their values and the severed edges
-// between them; outside the grid nodes are 0 and edges whole. Not copyable: `grid` points into it.
-// Cost: some microseconds.
+// A brick with its halo: the nodes -2 to 6 along each axis, counted from the brick's first node,
+// with their values and the severed edges between them. Outside the colour field's grid, values are
+// 0 and edges are whole. Not copyable, since `grid` points to the other members. Cost: some
+// microseconds.
 struct BrickWindow {
   static constexpr int kHalo = 2, kSide = 9, kNodes = kSide * kSide * kSide;
 
@@ -22,7 +23,7 @@ struct BrickWindow {
   BrickWindow(const BrickWindow&) = delete;
   BrickWindow& operator=(const BrickWindow&) = delete;
 
-  // Index of a node given relative to the brick, each coordinate -2 to 6.
+  // Index of a node. n: its coordinates relative to the brick's first node, each from -2 to 6.
   static int index(const Vec3i& n) {
     return ((n.z() + kHalo) * kSide + n.y() + kHalo) * kSide + n.x() + kHalo;
   }

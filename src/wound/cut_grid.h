@@ -1,10 +1,11 @@
-// A dense window of grid nodes as the rules of the wound use it: tissue at each node, and where the
-// edges between them are severed.
+// A dense window of grid nodes for the rules of the wound: the field's value at each node, and
+// where the edges between the nodes are severed.
 //
-// The window is a view: a brick with a halo of two nodes, or in tests the whole grid. Nodes outside
-// the window count as empty, edges to them as whole. Corners, edges and faces are identified by
-// their lowest node (its index in the window) and an axis; a face's axis is that of its normal.
-// Lengths are in node spacings, positions from the window's first node.
+// A CutGrid is a view of memory that another object holds: a brick with a halo of two nodes, any
+// box of nodes, or in tests the whole grid. Nodes outside the window count as empty, and edges to
+// them count as whole. Nodes are given by their index in the window. A cell is identified by its
+// lowest node, an edge or a face by its lowest node and an axis; a face's axis is that of its
+// normal. Lengths are in node spacings, and positions are relative to the window's first node.
 #pragma once
 
 #include <array>
@@ -16,11 +17,11 @@
 namespace resect {
 
 struct CutGrid {
-  Vec3i first = Vec3i::Zero();  // organ node of the window's node (0, 0, 0)
-  Vec3i dims = Vec3i::Zero();   // nodes of the window
+  Vec3i first = Vec3i::Zero();  // node of the colour field's grid where the window begins
+  Vec3i dims = Vec3i::Zero();   // nodes of the window along each axis
   float iso = 50;
   const float* value = nullptr;           // per node, x fastest; inside where >= iso
-  std::array<const float*, 3> severed{};  // per axis and lower node: the cut's share, or kWhole
+  std::array<const float*, 3> severed{};  // per axis and lower node: the cut's position, or kWhole
   const SeveredEdges* wound = nullptr;    // traces and normals; null: none
 
   int stride(int axis) const { return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y(); }
@@ -40,8 +41,8 @@ struct CutGrid {
 constexpr int nextAxis(int axis) { return (axis + 1) % 3; }
 constexpr int lastAxis(int axis) { return (axis + 2) % 3; }
 
-// A set of nodes round a reference node r, as a mask: bit (z * 4 + y) * 4 + x is node r + (x, y, z)
-// - (1, 1, 1).
+// A set of nodes round a reference node r, as a mask: bit (z * 4 + y) * 4 + x stands for node r +
+// (x, y, z) - (1, 1, 1), with x, y and z from 0 to 3.
 using NearbyNodes = std::uint64_t;
 constexpr NearbyNodes nearbyNode(int x, int y, int z) {
   return NearbyNodes(1) << (((z + 1) * 4 + y + 1) * 4 + x + 1);
@@ -49,13 +50,14 @@ constexpr NearbyNodes nearbyNode(int x, int y, int z) {
 inline NearbyNodes nearbyNode(const Vec3i& offset) {
   return nearbyNode(offset.x(), offset.y(), offset.z());
 }
-// The same set relative to the node one lower along the axis; nodes out of range are dropped.
+// The same set with the node one lower along the axis as the reference node. Nodes that the mask
+// cannot hold are dropped.
 constexpr NearbyNodes seenFromBelow(NearbyNodes nodes, int axis) {
   return axis == 0   ? (nodes & 0x7777777777777777) << 1
          : axis == 1 ? (nodes & 0x0fff0fff0fff0fff) << 4
                      : nodes << 16;
 }
-// visit(offset from the reference node) for each, in ascending order.
+// Calls visit(offset from the reference node) for each node of the set, in ascending order.
 template <typename Visit>
 void visitNearby(NearbyNodes nodes, Visit visit) {
   for (; nodes != 0; nodes &= nodes - 1) {

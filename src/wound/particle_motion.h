@@ -1,5 +1,6 @@
-// The affine motion of the tissue round a particle: X + shift + gradient X, with X at rest.
-// Vertices that follow several particles use the weighted mean of their motions.
+// The affine motion of the tissue round a particle: a point with rest position X is displaced by
+// shift + gradient X. A vertex that follows several particles has the weighted mean of their
+// motions.
 #pragma once
 
 #include "base/vec.h"
@@ -7,7 +8,7 @@
 namespace resect {
 
 struct ParticleMotion {
-  Column shift{}, gradient[3]{};  // m; columns of F - I
+  Column shift{}, gradient[3]{};  // shift in m; the three columns of F - I
 };
 
 inline ParticleMotion particleMotion(const Vec3f& rest, const Vec3f& displacement,
@@ -22,7 +23,7 @@ inline void add(ParticleMotion& sum, float share, const ParticleMotion& motion) 
   for (int a = 0; a < 3; ++a) sum.gradient[a] += weight * motion.gradient[a];
 }
 
-// The displacement at X.
+// The displacement of the point with rest position X.
 inline Column displacementAt(const ParticleMotion& motion, const Vec3f& X) {
   const Column* g = motion.gradient;
   return motion.shift + (g[0] * X.x() + g[1] * X.y() + g[2] * X.z());

@@ -1,9 +1,9 @@
 // The severed grid edges of an organ, and the traces of blades on the grid's faces.
 //
-// The grid is that of the colour field's nodes; all lengths are in node spacings. An edge keeps the
-// position and the normal of the first blade that severed it; it is never restored. Storage is
-// sparse: a record for each brick that a blade went through; an uncut organ costs nothing. Severing
-// costs O(1).
+// The grid is that of the colour field's nodes. All lengths are in node spacings. A severed edge
+// keeps the position and the normal of the first blade that severed it, and never becomes whole
+// again. Storage is sparse: there is one record for each brick that a blade went through, and none
+// for an uncut organ. Severing an edge costs O(1).
 #pragma once
 
 #include <array>
@@ -17,18 +17,19 @@
 namespace resect {
 
 constexpr float kWhole = -1;  // cut position of an edge that is not severed
-// Cuts keep this fraction of an edge away from its ends, so that both sides have a piece of it.
+// A cut keeps this fraction of the edge away from each of the edge's ends, so that both sides have
+// a piece of the edge.
 constexpr float kCutMargin = 0.03f;
 
-// A straight line that a blade left on a face: its two ends in face coordinates (along the next
-// axis after the face's normal, then the one after that), each in [0, 1].
+// A straight line that a blade left on a face. Its two ends are given in face coordinates, each in
+// [0, 1]: first along nextAxis(), then along lastAxis() of the face's axis (wound/cut_grid.h).
 struct FaceTrace {
   Eigen::Vector2f from = Eigen::Vector2f::Zero(), to = Eigen::Vector2f::Zero();
 };
 
 struct TouchedBrick {
   std::int64_t brick;
-  bool within;  // something changed in its own cells; else only in their neighbourhood
+  bool within;  // true: something changed in its own cells; false: only near them
 };
 
 class SeveredEdges {
@@ -39,21 +40,22 @@ class SeveredEdges {
   bool empty() const { return records_.empty(); }
   std::int64_t count() const { return count_; }  // severed edges
 
-  // Severs the edge from `node` along `axis` at the fraction t of its length; t is kept in
-  // [kCutMargin, 1 - kCutMargin]. normal: of the blade in rest space, of any length and sign.
-  // False, and nothing changes, when the edge was severed before.
+  // Severs the edge from `node` along `axis` at the fraction t of its length, clamped to
+  // [kCutMargin, 1 - kCutMargin]. normal: the blade's normal in rest space, of any length and sign.
+  // Returns false, and changes nothing, when the edge was severed before.
   bool sever(const Vec3i& node, int axis, double t, const Vec3& normal);
-  // Records the trace on the face at `node` whose normal is along `axis`. A trace that continues an
-  // earlier one in the same direction extends it.
+  // Records a trace on the face at `node` whose normal is along `axis`. If the trace continues an
+  // earlier one straight on, the earlier one is extended instead.
   void trace(const Vec3i& node, int axis, const FaceTrace& line);
 
-  // Nodes may lie outside the grid: nothing is severed there.
+  // In the functions below, nodes may lie outside the grid; nothing is severed there.
   float at(const Vec3i& node, int axis) const;  // kWhole where not severed
-  // Whether the edge is severed, or another one on the same line between the mid-planes of two
-  // cells.
+  // Whether this edge is severed, or another edge of the same grid line between the mid-planes of
+  // the same two cells.
   bool betweenCells(const Vec3i& node, int axis) const;
   Vec3f normal(const Vec3i& node, int axis) const;  // unit, positive along the axis
-  // visit(const FaceTrace&) for the traces on a face, in the order of recording.
+  // Calls visit(const FaceTrace&) for the traces on a face, in the order in which they were
+  // recorded.
   template <typename Visit>
   void visitTraces(const Vec3i& node, int axis, Visit visit) const {
     const Record* r = record(node);
@@ -62,8 +64,9 @@ class SeveredEdges {
       visit(r->traces[std::size_t(i)].line);
   }
 
-  // The severed edges of a brick along an axis, bit = lower node; and the cut positions, 64 per
-  // axis, null if the brick has no record.
+  // mask(): the severed edges of a brick along an axis; bit n stands for the edge whose lower node
+  // is n. shares(): the cut positions on the brick's 64 edges along an axis; null if the brick has
+  // no record.
   std::uint64_t mask(std::int64_t brick, int axis) const {
     const Record* r = recordOfBrick(brick);
     return r ? r->severed[std::size_t(axis)] : 0;
@@ -72,12 +75,12 @@ class SeveredEdges {
     const Record* r = recordOfBrick(brick);
     return r ? r->share[std::size_t(axis)].data() : nullptr;
   }
-  // Whether an edge is severed in the brick's cells or in the lattice cubes that contain them.
-  // Elsewhere the surface is that of an uncut organ.
+  // Whether a blade severed an edge, or left a trace, in the brick's cells or in the lattice cubes
+  // that contain these cells. In other bricks the surface is that of an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
-  // The bricks near() a cut whose surface depends on what was severed or traced since the last
-  // call, ascending, each once. Valid until the next call.
+  // Of the bricks for which near() holds, those whose surface depends on what was severed or traced
+  // since the last call; ascending, each once. Valid until the next call.
   std::span<const TouchedBrick> update();
   // The bricks that the next update() will consider, in any order.
   std::span<const std::int64_t> pending() const { return pending_; }
@@ -93,7 +96,7 @@ class SeveredEdges {
   void visitMade(Visitor& v) {
     v.made(brickDims_, refine_, touched_);
   }
-  // After loading: whether all numbers are in range and agree with each other.
+  // Whether all numbers are in range and agree with each other, after loading.
   bool fit() const;
 
  private:
@@ -148,10 +151,10 @@ class SeveredEdges {
 
   Vec3i brickDims_;
   int refine_;
-  std::vector<std::int32_t> recordOf_;  // per brick; empty while nothing is severed
+  std::vector<std::int32_t> recordOf_;  // per brick: index or -1; empty while nothing is severed
   std::vector<Record> records_;
-  std::vector<std::uint8_t> near_;       // per brick
-  std::vector<std::uint8_t> pendingOf_;  // per brick: 0, kInSight or kWithin
+  std::vector<std::uint8_t> near_;       // per brick: near()
+  std::vector<std::uint8_t> pendingOf_;  // per brick: 0, or the bits kInSight and kWithin
   std::vector<std::int64_t> pending_;
   std::vector<TouchedBrick> touched_;
   std::int64_t count_ = 0;

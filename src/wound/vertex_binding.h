@@ -1,10 +1,10 @@
 // Bindings: the particles that a vertex near a wound follows, with their weights.
 //
 // Far from wounds a vertex follows the particles at the corners of the lattice cube that it lies
-// in. Beside a cut it must follow only those on its own side: the cube's particles that are
-// connected, within the cube and over whole grid edges through tissue, to the vertex's anchors
-// (nodes of its piece of tissue). If that finds no particle, the search is widened. A vertex at the
-// front of a cut has anchors on both sides and follows both.
+// in. Beside a cut it must follow only the particles on its own side. These are the cube's
+// particles that are connected to the vertex's anchors, within the cube, over whole grid edges
+// through tissue. If no particle is found so, the search is widened. A vertex at the front of a cut
+// has anchors on both sides and follows both.
 #pragma once
 
 #include <span>
@@ -15,7 +15,9 @@
 
 namespace resect {
 
-// Present position = sum of weight (x + F (X - X_cell)) over the cells; weights add up to 1.
+// The present position of a vertex with rest position X is the weighted sum over the cells of
+// x_cell + F (X - X_cell). x_cell, F and X_cell are the cell's present position, deformation
+// gradient and rest position. The weights add up to 1.
 struct VertexBinding {
   static constexpr int kMost = 8;
   std::int32_t count = 0;
@@ -30,15 +32,17 @@ class VertexBinder {
   VertexBinder(const CutGrid& grid, const Lattice& lattice, int refine,
                std::span<const std::uint8_t> particles);
 
-  // p: in the window; anchors: relative to `place`, a node of the window. Cells of equal weight are
-  // in lattice order. Without a particle within two cells count is 0. The window must be a brick's.
+  // p: position in the window. anchors: relative to `place`, a node of the window. Searches first
+  // the lattice cube that contains p, then the window over whole edges, then the cells up to two
+  // away along each axis, even across a cut. If no particle is found, count is 0. The window must
+  // be that of a brick.
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
-  // The same without searching beyond the lattice cube that contains p, in any window that holds
-  // the cube: count is 0 if that finds nothing.
+  // The same, but searches only the lattice cube that contains p. The window may be any that holds
+  // the cube.
   VertexBinding bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
-  // Whether any search so far went beyond its cube.
+  // Whether any search so far went beyond the vertex's lattice cube.
   bool lookedFar() const { return lookedFar_; }
-  // All particles of the lattice cube that p lies in.
+  // Binds to all particles of the lattice cube that contains p.
   VertexBinding bindAll(const Vec3& p);
 
  private:
@@ -53,10 +57,12 @@ class VertexBinder {
   // The lattice cell at a node of the window, or -1 where there is no particle.
   std::int64_t particleAt(const Vec3i& node) const;
   std::int64_t particleOf(const Vec3i& cell) const;
-  // Factor of a particle's weight along one axis, p and node being coordinates on it.
+  // Factor of a particle's weight for one axis. p, node: coordinates of vertex and particle on that
+  // axis.
   double weightAlong(double p, int node) const;
   static void add(VertexBinding& binding, double weight, std::int64_t cell);
-  // Adds the cube's particles for whose corner c counts(c) is true; the binding must be empty.
+  // Adds the particle at each corner c of the cube for which counts(c) is true. The binding must be
+  // empty.
   template <typename Counts>
   void addCorners(VertexBinding& binding, const Cube& cube, const Vec3& p,
                   const Counts& counts) const;
@@ -64,16 +70,16 @@ class VertexBinder {
   struct Cube {
     Vec3i low;
     std::array<std::uint8_t, 125> part;    // per node: its connected component, or kOutside
-    std::array<std::int64_t, 8> particle;  // per corner
+    std::array<std::int64_t, 8> particle;  // per corner: lattice index, or -1
     std::array<std::uint8_t, 8> partOfCorner;
   };
-  static constexpr std::uint8_t kOutside = 127;  // more than a cube's nodes
+  static constexpr std::uint8_t kOutside = 127;  // no component: a cube has at most 125 nodes
 
   const CutGrid& grid_;
   const Lattice& lattice_;
   int refine_;
   std::span<const std::uint8_t> particles_;
-  IndexBox cubesInWindow_;  // by the lattice cell at their lowest corner
+  IndexBox cubesInWindow_;  // a cube is given by the lattice cell at its lowest corner
   std::vector<std::int32_t> numberOfCube_;
   std::vector<Cube> cubes_;
   bool lookedFar_ = false;

@@ -1,10 +1,10 @@
 // Vertices and triangles of wounds in one brick of the colour field.
 //
-// Adds to a brick's iso vertices (isosurface/brick_mesher.h) those that cuts make: two for each cut
-// edge, then those of the faces, then those of the cells, in the order of nodes. Neighbouring
-// bricks find them by counting bits. Where a lip meets the organ's surface a vertex has a twin at
-// the same position, with the lip's normal and cut share, so that the edge of a wound is sharp.
-// Cost: 2 us a cut cell, some 10 us a brick.
+// To a brick's iso vertices (isosurface/brick_mesher.h) are added the vertices that cuts make: two
+// for each cut edge, then those of the faces, then those of the cells, each group in the order of
+// nodes. Neighbouring bricks find these vertices by counting bits. Where a lip meets the organ's
+// surface, a vertex has a twin at the same position with the lip's normal and cut share, so that
+// the edge of a wound looks sharp. Cost: 2 us per cut cell, and some 10 us per brick.
 #pragma once
 
 #include <bit>
@@ -27,11 +27,11 @@ struct BrickWound {
   struct Vertex {
     Vec3f position;     // rest space, m
     Vec3f normal;       // unit, out of the tissue
-    float cut;          // 0 on the original skin ... 1 well inside what was tissue before any cut
-    bool twin = false;  // of the vertex before it
+    float cut;          // cut share, 0 to 1
+    bool twin = false;  // whether it is the twin of the vertex before it
   };
-  // Corners below kFirstCellVertex as in wound_cells.h; from there on vertices of this brick's
-  // wound.
+  // A corner below kFirstCellVertex is a CellVertex of the cell (wound_loops.h). Any other is
+  // kFirstCellVertex + an index into `vertices`.
   struct Triangle {
     std::uint8_t cell;
     bool lip;
@@ -39,23 +39,23 @@ struct BrickWound {
   };
 
   std::uint64_t cells = 0;                   // cells drawn by the wound's rules
-  std::array<std::uint64_t, 3> edges{};      // per axis, bit = lower node: cut edges
-  std::array<std::uint64_t, 3> faces{};      // faces with vertices
-  std::array<std::uint64_t, 3> skinFaces{};  // of these, faces whose vertices have twins
-  std::vector<std::int16_t> firstOfFace;     // vertex, in the order of `faces`
+  std::array<std::uint64_t, 3> edges{};      // per axis, bit = lower node: edges that are cut
+  std::array<std::uint64_t, 3> faces{};      // likewise: faces that have vertices
+  std::array<std::uint64_t, 3> skinFaces{};  // likewise: faces whose vertices have twins
+  std::vector<std::int16_t> firstOfFace;     // first vertex of each face, in the order of `faces`
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
-  // For the brick's iso vertices, then for `vertices`: the binding, and a grid node in the same
-  // piece of tissue, as an offset from the brick's first node.
+  // First for the brick's iso vertices, then for `vertices`: the binding and one anchor of each.
+  // The anchor is given as an offset from the brick's first node.
   std::vector<VertexBinding> bindings;
   std::vector<std::array<std::int8_t, 3>> anchors;
   int unbalanced = 0;  // cells whose volume could not be kept
-  // Whether this depends on more than the brick's own cells and lattice cubes.
+  // Whether the result depends on more than the brick's own cells and lattice cubes.
   bool looksFar = false;
-  // Whether vertex numbers that neighbouring bricks use have changed since the last time.
+  // Whether the last call of makeBrickWound() changed vertex numbers that neighbouring bricks use.
   bool renumbered = false;
 
-  // Indices into `vertices`.
+  // edgeVertex() and faceVertex() give indices into `vertices`.
   int edgeVertex(int axis, int node, int side) const {
     int before = std::popcount(edges[std::size_t(axis)] & ((std::uint64_t(1) << node) - 1));
     for (int a = 0; a < axis; ++a) before += std::popcount(edges[std::size_t(a)]);
@@ -69,7 +69,7 @@ struct BrickWound {
   }
 };
 
-// signs: of the brick, for the vertices that are bound.
+// Computes the wound of a brick. signs: of the brick; its iso vertices are bound too.
 void makeBrickWound(const ColourField& field, const Wound& wound, const Vec3i& brick,
                     const BrickSigns& signs, float iso, BrickWound& out);
 

@@ -1,10 +1,11 @@
 // The surface of a cut organ inside one cell of the grid.
 //
-// The lines on the cell's six faces always link to closed loops; each loop is capped with
-// triangles. A loop of organ surface ("skin") alone keeps the triangles of the marching cubes
-// table. Other loops are capped by fans: their skin parts round an apex on the skin, the rest round
-// an inner apex that all loops of the cell share, so that the two lips of a cut coincide. The
-// skin's apex is placed so that the cell's volume equals that of the uncut table. Cost: 1-2 us.
+// The lines on the cell's six faces always link up to closed loops. Each loop is capped with
+// triangles. A loop that consists of organ surface ("skin") alone keeps the triangles of the
+// marching cubes table. The other loops are capped by fans: their skin parts round an apex on the
+// skin, the rest round an inner apex. All loops of the cell share the inner apex, so the two lips
+// of a cut coincide. The apex on the skin is placed so that the volume in the cell is the same as
+// with the table's triangles. Cost: 1 to 2 us per cell.
 #pragma once
 
 #include <span>
@@ -16,16 +17,16 @@ namespace resect {
 
 struct CellPoint {
   Vec3 position;          // in the window
-  NearbyNodes anchors{};  // nodes of its piece of tissue
-  bool skin = false;      // on the organ's surface, not inside
+  NearbyNodes anchors{};  // relative to the cell's lowest node
+  bool skin = false;      // true: on the organ's surface; false: inside the organ
 };
 
 struct CellTriangle {
   std::array<CellVertex, 3> corners;
-  bool skin;  // part of the organ's skin; else of a lip
+  bool skin;  // true: part of the organ's skin; false: part of a lip
 };
 
-// Reused from cell to cell, so that capping allocates nothing.
+// The result for one cell. It is reused from cell to cell, so that capping allocates nothing.
 struct CellSurface {
   std::vector<CellPoint> points;
   std::vector<CellTriangle> triangles;
@@ -36,8 +37,9 @@ struct CellSurface {
 // Whether the cell at node i needs the wound's rules. Tests all twelve edges.
 bool isCutCell(const CutGrid& grid, int i);
 
-// faces: the lines of the cell's faces, by number. The result is always closed. The volume is kept,
-// up to rounding, unless neither skin nor lips have the area for it: then `unbalanced` is set.
+// Caps the loops of the cell at node i. faces: the lines of the cell's faces; face number 2 * axis
+// + side, side 0 for the lower one. The result is always closed. Its volume is that of the uncut
+// cell, up to rounding, unless skin and lips are too small to correct it; then `unbalanced` is set.
 void capCell(const CutGrid& grid, int i, const std::array<const FaceLines*, 6>& faces,
              CellSurface& out);
 

@@ -1,11 +1,11 @@
 // The lines in which the surface of a cut organ meets a face of the grid.
 //
-// The lines depend on the face alone, so both of its cells get the same ones; therefore the surface
-// is closed. Along the face's border solid parts ("runs") alternate with gaps: a cut edge is a gap
-// of no width, the outside is another. Every end of a run is joined by one line to one start of a
-// run, so each edge point is the end of one line and the start of another. Where three or more gaps
-// meet, where a cut ends in the face, and where a cut meets the organ's surface ("skin"), the lines
-// pass through one point of the face, each with a vertex of its own there.
+// The lines depend on the face alone, so the cells on both sides of it have the same lines; this is
+// why the surface is closed. Along the face's border solid parts ("runs") alternate with gaps. A
+// gap is a cut edge, which has no width, or a stretch outside the tissue. A line leads from the end
+// of a run to the start of a run. Each end and each start has one line. In three cases the lines
+// pass through one point of the face, each with a vertex of its own there: where three or four cuts
+// meet, where a cut ends in the face, and where a cut meets the organ's surface ("skin").
 #pragma once
 
 #include "wound/wound_edges.h"
@@ -21,11 +21,11 @@ enum class FacePoint : std::uint8_t {
 };
 
 struct FaceLine {
-  // Edge points as 3 * ring edge + EdgeNode; solid tissue lies to the left, seen from above the
-  // face.
+  // The edge points that the line joins, as 3 * ring edge + EdgeNode. Tissue lies to the left of
+  // the line, seen from above the face.
   std::uint8_t end = 0, start = 0;
   bool bent = false;      // passes through the face's point, with a vertex of its own
-  NearbyNodes anchors{};  // nodes of the piece of tissue of the line's vertex
+  NearbyNodes anchors{};  // of the line's vertex, relative to the face's node
 };
 
 struct FaceLines {
@@ -34,15 +34,16 @@ struct FaceLines {
   int count = 0;
   FacePoint kind = FacePoint::None;
   Vec3 point = Vec3::Zero();  // in the window
-  int points() const {        // vertices of the face
+  int points() const {        // number of vertices at the face's point
     int n = 0;
     for (int i = 0; i < count; ++i) n += line[std::size_t(i)].bent;
     return n;
   }
 };
 
-// Ring edge i of a face leads from corner i to corner i + 1; corners go round as seen from above:
-// 0, +u, +u +v, +v. Its lower node, as an offset, and its axis.
+// Ring edge i is an edge of a face's border, between corners i and i + 1. The corners, as offsets
+// from the face's node, are 0, u, u + v and v, with the unit vectors u along nextAxis() and v along
+// lastAxis(). offset: the edge's lower node, from the face's node; axis: the edge's own axis.
 struct RingEdge {
   Vec3i offset;
   int axis;
@@ -55,28 +56,29 @@ inline RingEdge ringEdge(int axis, int i) {
 }
 
 // Whether the organ's surface continues through the face at node i although edges of the face are
-// cut. False if the blade crosses it, or if its two ends belong to pieces that are not connected
-// within the face's two cells and one node beyond.
+// cut. It does not if the blade crosses it, or if the two ends of its line belong to nodes that are
+// not connected within the face's two cells and one node round them.
 bool skinHolds(const CutGrid& grid, int i, int axis);
 
-// The lines of the face at node i. holds(): skinHolds() or, in tests, anything: any answer gives a
-// closed surface. Called only if it matters.
+// The lines of the face at node i. holds() gives the answer of skinHolds(); in tests it may give
+// any answer, since the surface is closed with either. It is called only if the lines depend on it.
 template <typename Holds>
 FaceLines faceLines(const CutGrid& grid, int i, int axis, const Holds& holds);
 FaceLines faceLines(const CutGrid& grid, int i, int axis);
 
 namespace wound {
 
-// A gap in the ring: from the end of a run to the start of the next.
+// A gap in the ring. It leads from the edge point at the end of a run to that at the start of the
+// next.
 struct Gap {
   std::uint8_t end = 0, start = 0;
-  bool outside = false;   // not a cut edge
-  NearbyNodes anchors{};  // of the run that follows
+  bool outside = false;   // true: outside the tissue; false: a cut edge
+  NearbyNodes anchors{};  // of the run after the gap, relative to the face's node
 };
 struct Ring {
   std::array<CutEdge, 4> edge;
   std::array<Gap, FaceLines::kMost> gap;
-  int gaps = 0, cuts = 0, outside = 0;  // all; cut edges; arcs outside
+  int gaps = 0, cuts = 0, outside = 0;  // gaps in all; gaps at cut edges; gaps outside the tissue
 };
 Ring ringOf(const CutGrid& grid, int i, int axis);
 FaceLines linesOf(const CutGrid& grid, int i, int axis, const Ring& ring, bool skinHolds);

@@ -1,11 +1,12 @@
-// A state as columns, for saving, loading and comparing: for every field, by its name, the values
-// that it has in all the structs that it belongs to, one after the other.
+// A state as columns, for saving, loading and comparing. Each named field has one column: its
+// values in all structs that have this field, one after the other.
 //
-// So a saved state can be read after structs gained fields or changed their order, and a difference
-// is reported by field. The format: "resect-state", its version, a fingerprint of what the state is
-// of, then the columns depth first, numbers packed by base/state/run_length.h in the order of bytes
-// of the processor (little endian on all that Resect runs on), and a digest of all that
-// (base/state/state_hash.h): truncated or damaged bytes are refused.
+// So a state of an older version can be read after structs gained fields or changed their order,
+// and a difference is reported by field. The format: "resect-state", the version, a fingerprint of
+// the operation that the state belongs to, the columns depth first, and a digest of all these bytes
+// (base/state/state_hash.h), by which truncated or damaged bytes are refused. Numbers are packed by
+// base/state/run_length.h in the processor's byte order (little endian on all machines that Resect
+// runs on).
 #pragma once
 
 #include <memory>
@@ -21,12 +22,12 @@ namespace resect {
 // A field, or a struct of fields.
 struct StateColumn {
   std::string name;
-  std::uint8_t size = 0;              // bytes a number; 0: a struct
-  std::vector<std::uint64_t> counts;  // of a list: entries, one count for each visit
+  std::uint8_t size = 0;              // bytes per number; 0: a struct
+  std::vector<std::uint64_t> counts;  // of a list: its length at each visit
   bool isList = false;
   Bytes data;  // numbers
   std::vector<StateColumn> fields;
-  // Of a list with an entry per cell, one for each visit. Not part of the bytes.
+  // Of a list with an entry per cell: the order of its cells at each visit. Not saved.
   std::vector<CellOrder> orders;
 };
 
@@ -34,25 +35,25 @@ inline constexpr std::uint32_t kStateVersion = 1;
 
 struct SavedState {
   std::uint32_t version = kStateVersion;
-  std::uint64_t fingerprint = 0;  // of what it is a state of
+  std::uint64_t fingerprint = 0;  // of the operation that the state belongs to
   StateColumn root;
 };
 
 template <typename State>
 SavedState saveState(const State& state, std::uint64_t fingerprint);
 Bytes toBytes(const SavedState& saved);
-// Throws Error when the bytes are no state, or cut off or damaged.
+// Throws Error if the bytes are no saved state, or are cut off or damaged.
 SavedState stateFromBytes(std::span<const std::byte> bytes);
 
-// Overwrites the state's fields. A field that an older version lacks keeps its value; of the
-// present version exactly these fields must be there: Error names the first that is missing or
-// unknown. What the numbers mean is for the caller to check.
+// Overwrites the state's fields. A field that a saved state of an older version lacks keeps its
+// value. A saved state of the present version must have exactly the state's fields: an Error names
+// the first that is missing or unknown. Whether the values make sense is for the caller to check.
 template <typename State>
 void loadState(State& state, const SavedState& saved);
 
-// The first field in which two states differ, as "organs.tissue.u.1, cell (12, 3, 40)"; where
-// several structs have such a list (organs), as "organs.tissue.u.1, list 0, cell (12, 3, 40)".
-// Cells are named only if one of the two states was not made from bytes.
+// Names the first field in which two states differ, as "organs.tissue.u.1, cell (12, 3, 40)". Where
+// several structs have such a list (several organs), the list is numbered: "organs.tissue.u.1, list
+// 0, cell (12, 3, 40)". Cells are named unless both states were made from bytes.
 std::optional<std::string> firstDifference(const SavedState& a, const SavedState& b);
 
 class ColumnWriter final : public StateVisitor {
@@ -74,7 +75,7 @@ class ColumnWriter final : public StateVisitor {
 class ColumnReader final : public StateVisitor {
  public:
   explicit ColumnReader(const SavedState& saved);
-  // After everything was visited: Error when a column was not read.
+  // Call it after all fields were visited: throws Error if a column was not read to its end.
   void finish() const;
 
  protected:
@@ -85,8 +86,8 @@ class ColumnReader final : public StateVisitor {
 
  private:
   struct Cursor {
-    const StateColumn* column = nullptr;  // null: an older version lacks it
-    std::size_t read = 0, lists = 0;      // bytes and counts
+    const StateColumn* column = nullptr;  // null: the older state lacks this field
+    std::size_t read = 0, lists = 0;      // bytes and counts read so far
     std::size_t next = 0;
     std::vector<Cursor> fields;
   };

@@ -1,8 +1,8 @@
 // A 64-bit digest of a state's bytes, to see whether two states are the same bit for bit.
 //
 // Not cryptographic. Each 8-byte word is mixed in by the finaliser of splitmix64 (Steele, Lea,
-// Flood 2014). addBytes() pads the last word with zeros and does not add the length; addSpan()
-// does.
+// Flood 2014). addBytes() pads the last word with zeros and does not add the length; addSpan() adds
+// the length too.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class StateHash {
     std::memcpy(&word, &value, sizeof value);
     addWord(word);
   }
-  // Elements without padding only (numbers, Eigen vectors of fixed size).
+  // Only for elements without padding bytes (numbers, Eigen vectors of fixed size).
   template <typename T>
   void addSpan(std::span<const T> values) {
     add(values.size());

@@ -1,17 +1,17 @@
-// The visitor by which everything that concerns state is done. Every struct that holds state names
-// its fields once, in
+// Visitors that save, load, hash and measure a state. Every struct that holds state names its
+// fields once, in
 //
 //     template <class Visitor> void visit(Visitor& v) { v("time", time); v("poses", poses); ... }
 //
-// and each thing done with all fields is a StateVisitor: digest (HashVisitor), save and load
+// and every operation on all fields is a StateVisitor: digest (HashVisitor), save and load
 // (base/state/saved_state.h), memory held (HeldBytes). Derived fields, and those set up once and
-// never changed, are no state; `visitMade` lists them, as v.made(field, another, ...), because they
-// take memory too, and so that a test can find a field that is in neither list.
+// never changed, are not state. `visitMade` lists them, as v.made(field, another, ...): they take
+// memory too, and a test finds fields that are in neither list.
 //
 // A field may be a number, an enum, a fixed-size Eigen matrix, an Eigen::Quaterniond, a string or a
 // struct with visit(); an array of these (at most 9 entries unless they are numbers or matrices);
-// or a vector of numbers, enums, matrices or structs. Names are string literals. Visitors that only
-// read must not write: visitState() passes them constants.
+// or a vector of numbers, enums, matrices or structs. Names are string literals. A visitor that
+// only reads must not write to the fields: visitState() gives it const objects.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -27,8 +27,8 @@
 
 namespace resect {
 
-// Layout of an array with an entry per cell, so that a difference can be reported by cell: (x, y,
-// z) is at front + x + strideY y + strideZ z.
+// Layout of an array with an entry per cell, so that a difference can be reported by cell: cell (x,
+// y, z) has the index front + x + strideY * y + strideZ * z.
 struct CellOrder {
   std::int64_t front = 0, strideY = 0, strideZ = 0;
 };
@@ -97,12 +97,13 @@ class StateVisitor {
       leave();
     }
   }
-  // Fields that are no state.
+  // Fields that are not state.
   template <typename... T>
   void made(T&... fields) {
     (madeOne(fields), ...);
   }
-  // A list of structs whose length never changes: Error when a state has another length.
+  // A list of structs whose length never changes: throws Error if the state to be loaded has
+  // another length.
   template <typename T>
   void fixed(const char* name, T& field) {
     object(&field, sizeof field);
@@ -111,7 +112,7 @@ class StateVisitor {
     for (auto& element : field) element.visit(*this);
     leave();
   }
-  // A field with an entry per cell.
+  // A list with an entry per cell.
   template <typename T>
   void perCell(const char* name, T& field, const CellOrder& order) {
     order_ = &order;
@@ -120,15 +121,15 @@ class StateVisitor {
   }
 
  protected:
-  // Called for each field, with its address and size, before its contents.
+  // Called for each field, with its address and size, before its contents are visited.
   virtual void object(const void*, std::size_t) {}
   // Memory that a list holds on the heap, bytes.
   virtual void memory(std::size_t) {}
-  // `count` numbers of `size` bytes.
+  // `count` numbers of `size` bytes each.
   virtual void numbers(const char* name, void* data, std::size_t count, std::size_t size) = 0;
-  // A list of `count` entries begins; returns how many it must have. The entries follow, then
-  // leave(): numbers or matrices in one call of numbers() with an empty name, structs one after the
-  // other, each as its fields.
+  // A list of `count` entries begins; returns how many it must have. The entries follow: numbers or
+  // matrices in one call of numbers() with an empty name, structs one after the other, field by
+  // field. leave() ends the list.
   virtual std::size_t enterList(const char* name, std::size_t count) = 0;
   virtual void enter(const char* name) = 0;
   virtual void leave() = 0;
@@ -150,7 +151,8 @@ class StateVisitor {
     else if constexpr (IsArray<T>::value)
       for (auto& element : field) madeMemory(element);
   }
-  // Loaded bytes may make a bool neither 0 nor 1: then it becomes true. Writes only then.
+  // If the loaded byte of a bool is neither 0 nor 1, the bool becomes true. Writes in no other
+  // case.
   static void makeBool(bool& field) {
     unsigned char byte = 0;
     std::memcpy(&byte, &field, 1);
@@ -190,7 +192,8 @@ class StateVisitor {
       numbers("", field.data(), count * PlainOf<Element>::count,
               sizeof(typename PlainOf<Element>::Scalar));
     } else {
-      // Grows while it is loaded, so a count that is too large takes no memory for all of it.
+      // The list grows while it is loaded, so a false count that is too large does not allocate
+      // memory for all its entries.
       if (count < field.size()) field.resize(count);
       for (std::size_t i = 0; i < count; ++i) {
         if (i == field.size()) field.resize(std::min(count, i + std::max(i, std::size_t(64))));
@@ -229,7 +232,8 @@ class HashVisitor final : public StateVisitor {
   StateHash hash_;
 };
 
-// Heap memory of the fields, bytes: of lists, and what bytes() of a made field returns.
+// Heap memory of the fields, bytes: that of lists, and what bytes() returns of a field that is not
+// state.
 class HeldBytes final : public StateVisitor {
  public:
   std::size_t value() const { return bytes_; }
@@ -245,7 +249,7 @@ class HeldBytes final : public StateVisitor {
   std::size_t bytes_ = 0;
 };
 
-// Of a state with visit() and visitMade().
+// Heap memory, bytes, of a state with visit() and visitMade().
 template <typename State>
 std::size_t heldBytes(const State& state) {
   HeldBytes held;

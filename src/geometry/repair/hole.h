@@ -7,13 +7,13 @@
 
 namespace resect {
 
-// The edges that are missing for every edge of the mesh to be used equally often in both
-// directions, as closed loops of at least three points, each point once per loop; a triangulation
-// of every loop, in its direction, closes the mesh. They always form loops, since a boundary has no
-// ends. Deterministic, O(n log n).
+// In a closed mesh every edge is used equally often in both directions. Returns the directed edges
+// that the mesh lacks for this, as closed loops. Each loop has at least three points and no point
+// twice. A triangulation of every loop, in its direction, closes the mesh. The missing edges always
+// form loops, since a boundary has no ends. Deterministic, O(n log n).
 std::vector<std::vector<std::int32_t>> holeLoops(const TriangleMesh& mesh);
 
-// Appends loop.size() - 2 triangles that span the loop; see repair.h.
+// Appends loop.size() - 2 triangles that span the loop, by the method of closeHoles() in repair.h.
 void fillHole(std::span<const Vec3> points, std::span<const std::int32_t> loop,
               std::vector<Triangle>& triangles);
 

@@ -1,5 +1,5 @@
-// Inventor engine for marching cubes, as in the original thesis: values on a grid go in, a surface
-// comes out, and follows whenever an input changes.
+// Inventor engine for marching cubes, as in the original thesis: its inputs are values on a grid,
+// its outputs a surface, which is made anew whenever an input changes.
 //
 //     OrganShape {
 //       points     = DEF SURFACE MarchingCubes { dims 20 20 20  value [ ... ]  iso 50 } . points
@@ -7,8 +7,9 @@
 //       coordIndex = USE SURFACE . coordIndex
 //     }
 //
-// Every change costs a pass over the whole grid; for an organ in an operation use SurfaceTracker
-// (surface/surface_tracker.h), whose cost is that of the changes. Source: Lorensen, Cline 1987.
+// Every change costs a pass over the whole grid. For an organ in an operation use SurfaceTracker
+// (surface/surface_tracker.h), where a change costs only the bricks round it. Source: Lorensen and
+// Cline 1987.
 #pragma once
 
 #include <Inventor/engines/SoEngine.h>
@@ -30,15 +31,17 @@ class SoMarchingCubes : public SoEngine {
   static void initClass();
   SoMarchingCubes();
 
-  SoSFVec3s dims;   // nodes along x, y, z, >= 2 each for a surface
+  SoSFVec3s dims;   // nodes along x, y, z; no surface below 2 each or above 512^3 in all
   SoMFFloat value;  // one per node, x fastest; missing ones count as 0, surplus ones are ignored
   SoSFVec3f min;    // position of the first node
   SoSFVec3f max;    // position of the last node
-  SoSFFloat iso;    // inside: value >= iso. The surface is open where the inside reaches the border
+  // A node is inside if its value >= iso. Where inside nodes lie on the grid's border the surface
+  // is open.
+  SoSFFloat iso;
 
-  SoEngineOutput points;         // SoMFVec3f, shared by the triangles round them
-  SoEngineOutput normals;        // SoMFVec3f, unit, outwards: down the field's gradient
-  SoEngineOutput coordIndex;     // SoMFInt32, as IndexedFaceSet has it: three and -1
+  SoEngineOutput points;         // SoMFVec3f; adjacent triangles share their points
+  SoEngineOutput normals;        // SoMFVec3f, unit, outwards: against the gradient of the values
+  SoEngineOutput coordIndex;     // SoMFInt32, as in IndexedFaceSet: three indices, then -1
   SoEngineOutput triangleCount;  // SoSFInt32
 
  protected:

@@ -1,12 +1,12 @@
 // Inventor shape for an organ's changing surface: only changes are sent to the graphics card.
 //
-// It has vertex buffers of its own. update() receives changes; the next rendering uploads those
-// ranges to each context that draws the shape, and draws only blocks of triangles that can lie in
-// the scissor box. The field `revision` counts changes and notifies the scene. From an .iv file or
-// an engine the whole surface comes through fields: see inventor/gl/SoMarchingCubes.h.
+// The shape has its own vertex buffers. update() receives changes. The next rendering uploads the
+// changed ranges to each context that draws the shape; it draws only blocks of triangles that can
+// lie in the scissor box. The field `revision` counts changes and notifies the scene. An .iv file
+// or an engine sets the whole surface through fields (example: inventor/gl/SoMarchingCubes.h).
 //
-// Attributes seen by a shader: gl_Vertex, gl_Normal, gl_MultiTexCoord1.xyz = rest position (for
-// patterns that stick to the tissue), gl_MultiTexCoord2.x = cut. In .iv files: `OrganShape {}`.
+// Attributes for shaders: gl_Vertex, gl_Normal, gl_MultiTexCoord1.xyz = rest position (for patterns
+// that move with the tissue), gl_MultiTexCoord2.x = cut share. In .iv files: `OrganShape {}`.
 #pragma once
 
 #include <Inventor/fields/SoMFFloat.h>
@@ -36,33 +36,34 @@ class SoOrganShape : public SoShape {
   static void initClass();
   SoOrganShape();
 
-  // The whole surface, for files and engines; while coordIndex is empty these fields are not used.
+  // The whole surface, for files and engines. Not used until one of these fields is set.
   SoMFVec3f points;      // m
   SoMFVec3f normals;     // unit, outwards, one per point
-  SoMFFloat cut;         // 0 = capsule, 1 = cut parenchyma, one per point; missing ones count as 0
-  SoMFInt32 coordIndex;  // triangles: three and -1
+  SoMFFloat cut;         // cut share per point: 0 capsule, 1 cut parenchyma; missing ones are 0
+  SoMFInt32 coordIndex;  // triangles: three indices, then -1
 
   // Number of changes so far. Written by update().
   SoSFInt32 revision;
 
-  // Applies changes. Ranges may extend beyond the present end: then the shape grows. For vertices
-  // that only moved, points and normals are uploaded. wholeSurface() makes an update that replaces
-  // everything.
+  // Applies changes. If a range extends beyond the present end, the shape grows. For vertices that
+  // only moved, only points and normals are uploaded. wholeSurface() (surface_update.h) makes an
+  // update that replaces everything.
   void update(const SurfaceUpdate& update);
 
   int vertexCount() const { return int(surface_.points.size()); }
   int triangleCount() const { return int(surface_.triangles.size()); }  // holes included
 
-  // Bounds of all changes since the last call, before and after them; m, object space.
+  // Bounds of everything that changed since the last call, where it was and where it is now; m,
+  // object space.
   Aabb takeChanged();
 
   // First intersection of a ray with the present surface, in object space, if any. Cost: a box test
-  // per 128 triangles, and the triangles of the boxes that it meets.
+  // per 128 triangles, and a test of each triangle in the boxes that the ray meets.
   std::optional<Vec3> firstPointOn(const Ray& ray);
 
-  // Triangles sent through the graphics pipeline at the last rendering.
+  // Triangles drawn at the last rendering, holes included.
   std::int64_t drawnTriangles() const { return drawnTriangles_; }
-  // Sent to graphics contexts since the shape was made.
+  // Uploaded to all graphics contexts since the shape was made.
   std::uint64_t uploadedBytes() const { return uploadedBytes_; }
   std::uint64_t uploadedVertices() const { return uploadedVertices_; }
 

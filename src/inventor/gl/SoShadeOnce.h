@@ -1,14 +1,15 @@
 // Inventor group with deferred shading: each pixel is shaded once, however many triangles cover it.
 //
-// A software renderer shades blocks of 4 x 4 pixels, triangle by triangle: with triangles as small
-// as pixels each pixel is shaded about ten times. This group draws its shapes into a G-buffer
-// (Saito and Takahashi 1990): a program stores the inputs of the liver's shading
-// (data/shaders/gather.frag) in two textures and the picture's depth buffer; then each pixel is
-// shaded once (data/shaders/gathered.frag).
+// A software renderer shades blocks of 4 x 4 pixels, triangle by triangle. Where triangles are as
+// small as pixels, it shades each pixel about ten times. This group draws its shapes into a
+// G-buffer (Saito and Takahashi 1990) instead: a shader program (data/shaders/gather.frag) stores
+// the inputs of the liver's shading in two textures and uses the picture's depth buffer. Then each
+// pixel is shaded once (data/shaders/gathered.frag).
 //
-// It does so if a shader program is in use and the framebuffer is single-sampled with a depth
-// renderbuffer; otherwise (smooth pictures, graphics cards, shadow maps, picking) it is a plain
-// group. Its children must be shapes with OrganShape's attributes.
+// The group does this if a shader program is in use and the framebuffer is single-sampled with a
+// depth renderbuffer. Otherwise (antialiased pictures, and so all pictures of a graphics card;
+// shadow maps; picking) it is a plain group. Its children must be shapes with OrganShape's
+// attributes.
 #pragma once
 
 #include <Inventor/nodes/SoGroup.h>
@@ -29,7 +30,7 @@ class SoShadeOnce : public SoGroup {
   static void initClass();
   SoShadeOnce();
 
-  int pictures() const { return pictures_; }  // pictures drawn this way
+  int pictures() const { return pictures_; }  // number drawn with deferred shading
 
  protected:
   ~SoShadeOnce() override;

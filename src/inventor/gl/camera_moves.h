@@ -1,8 +1,8 @@
 // Orbit, pan and zoom of the camera about a point of interest.
 //
-// Right button drag: orbit; with Shift: pan. Left button drag: orbit, if nothing else uses it.
-// Middle button drag: pan. Wheel: zoom towards the point of interest. The camera stays upright and
-// its elevation is limited, so it cannot turn upside down.
+// Drag with the right button: orbit. With the left button: the same, if nothing else uses it. With
+// the middle button, or with Shift and any button: pan. Wheel: zoom towards the point of interest.
+// The camera stays upright, and its elevation is limited, so it cannot turn upside down.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -16,7 +16,7 @@ class SoPerspectiveCamera;
 
 namespace resect {
 
-// The view volume of the camera for a picture of this size, also if it is higher than wide.
+// The view volume of the camera for a picture of this size, which may be higher than wide.
 SbViewVolume viewVolumeOf(const SoPerspectiveCamera& camera, const SbViewportRegion& viewport);
 
 class CameraMoves {
@@ -26,13 +26,14 @@ class CameraMoves {
   // Handles an event that nothing else has handled; true if it moved the camera.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
 
-  // Angles in rad, about the point of interest: to the right and upwards.
+  // Moves the camera round the point of interest, so that the scene seems to turn by these angles,
+  // rad, to the right and upwards.
   void orbit(double right, double up);
-  // Metres in the view plane.
+  // Moves the camera, so that the scene seems to move in the view plane, m.
   void pan(double right, double up);
-  // Distance to the point of interest is multiplied, within 5 cm to 10 m.
+  // Multiplies the distance to the point of interest, and keeps it within 5 cm to 10 m.
   void zoom(double factor);
-  // Turns towards a point, which becomes the point of interest.
+  // Turns the camera towards a point, which becomes the point of interest.
   void lookAt(const Vec3& point);
   Vec3 pointOfInterest() const;
 

@@ -1,4 +1,4 @@
-// OpenGL programs from files of data/shaders, outside of Coin's scene graph.
+// Makes OpenGL shader programs from files in data/shaders, for use without a scene node.
 #pragma once
 
 #include <GL/gl.h>
@@ -8,8 +8,9 @@
 
 namespace resect {
 
-// Compiles and links in the current context. Returns 0 on failure, with the reason reported to
-// Coin's error handler. Throws Error when a file cannot be read.
+// Compiles and links a program in the current context; the files of each stage are concatenated. On
+// failure returns 0 and reports the reason to Coin's error handler. Throws Error if a file cannot
+// be read.
 GLuint makeProgram(std::initializer_list<std::string_view> vertexFiles,
                    std::initializer_list<std::string_view> fragmentFiles);
 

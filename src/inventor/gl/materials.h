@@ -10,19 +10,20 @@ class SoShaderProgram;
 namespace resect {
 
 enum class RoomMaterial {
-  Liver,   // wet capsule, cut parenchyma; for SoOrganShape
-  Gather,  // the inputs of Liver's shading for each pixel, for SoShadeOnce
+  Liver,   // wet capsule and cut parenchyma, for SoOrganShape
+  Gather,  // writes the inputs of Liver's shading for each pixel, for SoShadeOnce
   Steel,   // instruments; plastic where the model's specular colour is dark
   Cloth,   // the drape on the table
-  Room,    // background, for the quad of an OperatingRoom
+  Room,    // background: for the quad that OperatingRoom draws behind everything
 };
 
-// A new node (reference count 0), to be placed before the geometry and after the camera, two spot
-// lights and SoShadowMaps. Broken GLSL is reported by OffscreenView::render.
+// A new node (reference count 0). In the scene it must come after the camera, two spot lights and
+// SoShadowMaps, and before the geometry. A shader that does not compile is reported by
+// OffscreenView::render.
 SoShaderProgram* makeMaterial(RoomMaterial material);
 
-// The version line and these files of data/shaders, concatenated. Throws Error if one cannot be
-// read.
+// GLSL source: the version line, then these files of data/shaders, concatenated. Throws Error if
+// one cannot be read.
 std::string shaderSource(const std::vector<std::string_view>& parts);
 
 }  // namespace resect

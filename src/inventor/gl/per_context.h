@@ -1,8 +1,8 @@
-// OpenGL objects of a scene node, kept and freed per graphics context.
+// Holds the OpenGL objects of a scene node, separately for each graphics context, and frees them.
 //
-// OpenGL's objects may be deleted only while their context is current. So the objects of a context
-// are freed when Coin announces that the context will be destroyed, or, if the node is destroyed
-// first, when the context is next current.
+// OpenGL objects may be deleted only while their context is current. So a context's objects are
+// freed when Coin announces that the context will be destroyed. If the node is destroyed first,
+// they are freed when the context is next current.
 #pragma once
 
 #include <Inventor/elements/SoGLCacheContextElement.h>
@@ -14,8 +14,8 @@
 
 namespace resect {
 
-// Kept: a struct of one context's OpenGL objects. Kept::free() deletes its OpenGL objects; it is
-// called with their context current. Kept may be incomplete where a PerContext is declared, but not
+// Kept: a struct of one context's OpenGL objects. Kept::free() deletes them; it is called while
+// their context is current. Kept may be an incomplete type where a PerContext is declared, but not
 // where one is constructed, used or destroyed.
 template <typename Kept>
 class PerContext {
@@ -35,7 +35,7 @@ class PerContext {
   PerContext(const PerContext&) = delete;
   PerContext& operator=(const PerContext&) = delete;
 
-  // Made at the first call for this context.
+  // The objects of this context; made at the first call for it.
   Kept& operator[](std::uint32_t context) {
     std::unique_ptr<Kept>& kept = contexts_[context];
     if (!kept) kept = std::make_unique<Kept>();

@@ -1,9 +1,9 @@
 // Finds the triangles of a large, changing surface that can lie in a part of the picture or on a
 // ray.
 //
-// Divides the triangles into blocks of 128 consecutive ones, each with its box and its range of
-// vertices, so that a few pixels cost a few blocks, whatever the size of the surface. Only changed
-// blocks are updated.
+// Divides the triangles into blocks of 128 consecutive ones and stores each block's bounding box
+// and range of vertices. A query tests every box and returns only the blocks that can matter: a few
+// for a few pixels, whatever the size of the surface. Only changed blocks are updated.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@ namespace resect {
 
 class TriangleBlocks {
  public:
-  static constexpr std::size_t kTriangles = 128;  // of a block
+  static constexpr std::size_t kTriangles = 128;  // per block
 
-  // Half spaces a * x + b * y + c * z + d >= 0.
+  // Each (a, b, c, d) is the half space of the points with a * x + b * y + c * z + d >= 0.
   using HalfSpaces = std::array<Eigen::Vector4f, 6>;
   struct Run {
     std::size_t first = 0, count = 0;  // triangles
@@ -33,26 +33,27 @@ class TriangleBlocks {
   };
   static Box emptyBox();
 
-  // Elements [begin, end) have changed since the last refresh().
+  // Call after the elements [begin, end) have changed; the next refresh() then takes them in.
   void verticesChanged(std::size_t begin, std::size_t end) { vertices_.push_back({begin, end}); }
   void trianglesChanged(std::size_t begin, std::size_t end) { triangles_.push_back({begin, end}); }
-  // Updates the blocks that use changed elements. Triangles with two equal corners count as holes.
+  // Updates the blocks that use changed elements. A triangle whose first two corners are equal
+  // counts as a hole.
   void refresh(std::span<const Vec3f> points, std::span<const Triangle> triangles);
 
   // After refresh(): bounds of the triangles that use any of the vertices [begin, end).
   Box around(std::size_t begin, std::size_t end, std::span<const Vec3f> points,
              std::span<const Triangle> triangles) const;
-  // After refresh(): bounds of all triangles; runs of triangles that may intersect all half spaces,
-  // in order.
+  // After refresh(): bounds of all triangles.
   Box box() const;
+  // After refresh(): runs, in order, that include every triangle with a part in all half spaces.
   std::vector<Run> within(const HalfSpaces& spaces) const;
-  // The same for triangles that the ray may meet.
+  // The same for the triangles that the ray meets.
   std::vector<Run> along(const Ray& ray) const;
 
  private:
   struct Block {
     Box box = emptyBox();
-    std::int32_t low = 0, high = -1;  // none used
+    std::int32_t low = 0, high = -1;  // lowest and highest vertex; high -1: none
     bool stale = true;
   };
   template <typename Wanted>
@@ -64,8 +65,9 @@ class TriangleBlocks {
   std::vector<Range> vertices_, triangles_;
 };
 
-// The half spaces whose intersection is the view volume of the part [x0, x1] x [y0, y1] of the
-// picture, in clip coordinates -1 to 1; matrix: row vectors to clip space.
+// The half spaces whose intersection is the view volume of a part of the picture. `low`, `high`:
+// corners of the part, -1 to 1 across the picture. `matrix`: object space to clip space, for row
+// vectors.
 TriangleBlocks::HalfSpaces halfSpacesOf(const float matrix[4][4], const Eigen::Vector2f& low,
                                         const Eigen::Vector2f& high);
 

@@ -1,5 +1,5 @@
-// The iso level's dragger on a scale in the scene, as in the original thesis, with its value
-// written beside it.
+// A dragger that sets the iso level, on a scale in the scene, as in the original thesis. The value
+// is written above the scale.
 #pragma once
 
 #include <functional>
@@ -15,18 +15,18 @@ namespace resect {
 
 class IsoDragger {
  public:
-  // `foot`: lower end of the vertical scale, world, m.
+  // `foot`: lower end of the scale, which is vertical; world, m.
   IsoDragger(SoSeparator* parent, const Vec3& foot);
   ~IsoDragger();
   IsoDragger(const IsoDragger&) = delete;
   IsoDragger& operator=(const IsoDragger&) = delete;
 
   float value() const { return value_; }
-  // Clamped to kMinIso to kMaxIso.
+  // The value is clamped to [kMinIso, kMaxIso]; `changed` is not called.
   void setValue(float iso);
   Vec3 handle() const;  // middle of the dragger, world, m
 
-  std::function<void(float)> changed;  // after the dragger was moved
+  std::function<void(float)> changed;  // called with the value after a person moved the dragger
 
  private:
   static void dragged(void* self, SoDragger* dragger);

@@ -1,7 +1,8 @@
 // An interactive operation without its window: the room, the instruments in hand, the camera, the
 // iso scale and the live operation.
 //
-// Driven by Inventor events and update(), so any toolkit, or a test, can use it.
+// Its only inputs are Inventor events and calls of its functions, so any toolkit, or a test, can
+// use it.
 #pragma once
 
 #include <Inventor/actions/SoHandleEventAction.h>
@@ -26,35 +27,38 @@ namespace resect {
 
 class OperatingSession {
  public:
-  // aspect: width / height of the picture. The tools start in the tool box.
+  // `aspect`, here and below: width / height of the picture. The tools start in the tool box.
   OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect);
 
-  // An event of mouse or keyboard, positions in pixels of the viewport, from its lower left. True
-  // if it was handled.
+  // Handles an event of mouse or keyboard, with its position in pixels from the lower left of the
+  // viewport. Returns whether anything used it.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
 
-  // Takes the operation's changes since the last call and runs Inventor's sensors. Returns what has
-  // to be drawn again.
+  // Takes the operation's changes since the last call and runs Inventor's sensors. Returns the
+  // damage since the last call.
   Damage update();
   bool pending() const { return !damage_.empty(); }  // there is damage to draw
 
-  // Plays the scenario's motions, frame by frame, up to this scenario time, s; from their start if
-  // they are over. Taking a tool stops it.
+  // Plays the scenario's motions, frame by frame, up to this scenario time, s. Begins where the
+  // last call ended, or at their start if they are over or were stopped. Taking a tool stops them.
   void play(double until);
   bool playing() const { return playing_; }
 
   // Moves and turns the tool in hand; without one, the camera.
   void follow(const ViewMotion& motion);
   void look(RoomView view, double aspect);
-  // Moves the camera so that organ, tool box and scale are in the picture, keeping its direction.
+  // Moves the camera so that organs, tool box and iso scale are in the picture; its direction
+  // stays.
   void viewAll(double aspect);
-  // Shows the whole organ and the tool box, with all tools in the tool box.
+  // Stops the motions, puts all tools back into the tool box and shows the surgeon's view, which
+  // includes all organs and the tool box.
   void bringEverythingBack(double aspect);
-  // The point under a pixel, on the organ's present surface or on the table's plane, within 5 m;
-  // false if there is none.
+  // Sets `point` to the point under a pixel, on an organ's present surface or on the table's plane
+  // (world, m). False if there is none within 5 m.
   bool pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport, Vec3& point) const;
-  // Position of a point in the viewport, pixels; and a point of a tool that can be clicked.
+  // Position of a point in the viewport, pixels.
   SbVec2s pixelOf(const Vec3& point, const SbViewportRegion& viewport) const;
+  // Middle of a tool's box, world, m: a click there takes the tool if nothing hides it.
   Vec3 middleOfTool(int tool) const;
 
   SoNode* root() const { return view_.room().root(); }
@@ -66,7 +70,8 @@ class OperatingSession {
   const LiveState& state() const { return state_; }
   const Scenario& scenario() const { return scenario_; }
   const std::vector<ToolModel>& toolModels() const { return toolModels_; }
-  const Discretization& cells() const { return cells_; }  // at the start of the operation
+  // Of the first organ, before the operation.
+  const Discretization& cells() const { return cells_; }
 
  private:
   Aabb allThereIs() const;
@@ -86,12 +91,12 @@ class OperatingSession {
   TipMarker marker_;
   SoHandleEventAction events_;
   Damage damage_{true, {}, {}};
-  std::vector<Aabb> toolBoxes_;                 // as drawn last
-  std::vector<std::vector<Aabb>> toolSlices_;   // along each tool's axis, in its frame
-  std::vector<std::vector<Aabb>> shownSlices_;  // as drawn last, in the world
+  std::vector<Aabb> toolBoxes_;                 // of each tool as drawn last, world
+  std::vector<std::vector<Aabb>> toolSlices_;   // boxes along each tool's axis, in its frame
+  std::vector<std::vector<Aabb>> shownSlices_;  // the same as drawn last, world
   Aabb markerBox_;
   bool playing_ = false;
-  std::int64_t played_ = 0, playUntil_ = 0;  // frames of the scenario's motions
+  std::int64_t played_ = 0, playUntil_ = 0;  // frame numbers in the scenario
   LiveState state_;
   LiveOperation operation_;  // last member: its thread ends before the others are destroyed
 };

@@ -1,25 +1,26 @@
-// Converts the deflection of a 3D mouse to motion of the tool in hand or of the view.
+// Converts the deflection of a 3D mouse's cap to motion of the tool in hand or of the view.
 //
-// The cap is pushed along and turned about the right, up and away axes of the view; the deflection
-// is a velocity.
+// The cap can be pushed along three axes of the view (right, up, away from the person) and turned
+// about them. Its deflection sets a velocity.
 #pragma once
 
 #include "base/vec.h"
 
 namespace resect {
 
-// In counts of the device: 0 at rest, some 350 at full deflection.
+// Deflection, in counts of the device along or about each axis: 0 at rest, some 350 at most.
 struct SixAxes {
-  Vec3 push = Vec3::Zero();  // to the right, up, away from the person
-  Vec3 turn = Vec3::Zero();  // about the same axes, right-handed
+  Vec3 push = Vec3::Zero();  // right, up, away
+  Vec3 turn = Vec3::Zero();  // about each of these axes, right-handed
 };
 
 struct ViewMotion {
-  Vec3 move = Vec3::Zero();  // m to the right, up, away
-  Vec3 turn = Vec3::Zero();  // rad about the same axes
+  Vec3 move = Vec3::Zero();  // right, up, away, m
+  Vec3 turn = Vec3::Zero();  // about each of these axes, rad
 };
 
-// The motion during this time. Small deflections count as zero, axis by axis.
+// The motion during `seconds`, of which at most 0.1 count. On each axis a small deflection counts
+// as zero.
 ViewMotion motionOf(const SixAxes& axes, double seconds);
 
 }  // namespace resect

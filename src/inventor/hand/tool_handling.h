@@ -1,15 +1,19 @@
 // Takes and moves tools with mouse and keyboard.
 //
-// As in the original thesis: a left click on a tool replaces its SoTransform by a handle box, which
-// moves it; a middle click toggles to a trackball, which turns it, and back; a click elsewhere
-// lets go and restores the SoTransform. The scale that a handle box's cubes and sides would set is
-// ignored: instruments neither grow nor move by it. And directly: pressing on a tool and dragging
-// moves it in the plane of the view, the wheel in depth, with Shift it turns about its tip; arrow
-// keys and page keys do the same, 1 2 3 take tools, Escape puts the tool back, C held down closes
-// its jaws. One tool is held at a time.
+// With manipulators, as in the original thesis: a left click on a tool replaces its SoTransform by
+// a handle box, which moves the tool. A middle click changes the handle box to a trackball, which
+// turns the tool, and back; the next left click brings the one used last. A click beside all tools
+// lets go and restores the SoTransform. The scale that a handle box would set is ignored, so
+// instruments neither change their size nor move by it.
 //
-// Listens through an SoEventCallback at the start of the scene, so a window and a test get the same
-// behaviour. Events that are not for tools, such as those that move the camera, are left unhandled.
+// Directly: dragging a tool moves it in the plane of the view, and the wheel moves it in depth;
+// with Shift both turn it about its tip. Arrow keys and page keys do the same as these two. Keys 1
+// to 9 take a tool, Escape puts it back, C closes its jaws while held down. One tool is held at a
+// time.
+//
+// Events come through an SoEventCallback at the start of the scene, so that a window and a test get
+// the same behaviour. Events that are not for tools, such as those that move the camera, stay
+// unhandled.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -33,7 +37,7 @@ class ToolHandling {
  public:
   enum class Hold { None, Direct, HandleBox, Trackball };
 
-  // `rests`: rest pose of each of the room's tools. The room must outlive this.
+  // `rests`: for each tool of the room its pose in the tool box. The room must outlive this object.
   ToolHandling(OperatingRoom& room, std::vector<Pose> rests);
   ~ToolHandling();
   ToolHandling(const ToolHandling&) = delete;
@@ -43,26 +47,28 @@ class ToolHandling {
   int held() const { return held_; }  // -1: none
   Hold how() const { return how_; }
   bool squeezing() const { return squeezing_; }  // the held tool's jaws are being closed
-  // World pose of a tool; it has no scale.
+  // World pose of a tool, without the scale that a handle box may have set.
   Pose pose(int tool) const;
 
-  // Takes a tool in hand in this way, letting go of another; tool -1 or Hold::None lets go. A tool
-  // taken directly from its rest pose is turned to its working rotation.
+  // Takes a tool in hand in this way and lets go of another; tool -1 or Hold::None only lets go. A
+  // tool that is taken with Hold::Direct from its rest pose turns to its working rotation.
   void hold(int tool, Hold how);
-  // The same with Hold::Direct; from its rest pose the tool moves to readyPlace.
+  // hold(tool, Hold::Direct); a tool at its rest pose also moves to readyPlace.
   void take(int tool);
-  // Puts the tool into the tool box, out of hand.
+  // Puts the tool back to its rest pose, out of hand.
   void putBack(int tool);
   void setPose(int tool, const Pose& pose);
 
   // Moves the held tool, if any, by metres to the right, up and away in the view.
   void move(const Vec3& inView);
-  // Turns it about its tip, by radians about the view's right, up and away axes.
+  // Turns the held tool, if any, about its tip: by radians about the view's right, up and away
+  // axes.
   void turn(const Vec3& inView);
 
-  // Position over the organ to which tools go when taken by key.
+  // Where take() puts the tip of a tool from the tool box; world, m.
   Vec3 readyPlace = Vec3(0, 0.25, 0);
-  // Corrects where a tool is moved to, so that it does not go through the table.
+  // If set: corrects the pose of every setPose(), move() and turn(), so that a tool does not go
+  // through the table. What a manipulator does is not corrected.
   std::function<Pose(int tool, const Pose&)> constrain;
 
   // Called after a tool was taken, let go, or moved.
@@ -92,13 +98,13 @@ class ToolHandling {
   int held_ = -1;
   Hold how_ = Hold::None;
   bool squeezing_ = false;
-  Hold precise_ = Hold::HandleBox;  // which manipulator comes on a click
-  SbVec3f place_;                   // of the tool in it, before its dragger scales
+  Hold precise_ = Hold::HandleBox;  // the manipulator that a click brings
+  SbVec3f place_;                   // its translation before its dragger changed the scale
 
-  // From a press until the release.
+  // From the press of the left button until its release.
   int pressed_ = -1;            // tool that the drag moves
-  bool elsewhere_ = false;      // pressed beside all tools
-  bool dragging_ = false;       // moved far enough to be no click
+  bool elsewhere_ = false;      // pressed beside all tools while one was held
+  bool dragging_ = false;       // has moved too far for a click
   SbVec2s pressedAt_, lastAt_;  // pixels
 };
 

@@ -1,7 +1,7 @@
-// Renders a scene to a picture without a display.
+// Draws a scene to a picture without a display.
 //
-// Has an offscreen context and a multisampled framebuffer, reused for many pictures, so that
-// buffers, textures and shaders stay on the card. The scene must contain its camera and its lights.
+// Keeps an offscreen context and a multisampled framebuffer for many pictures, so that buffers,
+// textures and shaders need not be made again. The scene must contain its camera and its lights.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,9 @@ namespace resect {
 
 class OffscreenView {
  public:
-  // Size in pixels, 16 to 8192 each way; `samples` per pixel, 1 = no antialiasing. Throws Error in
-  // one sentence when EGL or OpenGL is missing or the size is refused.
+  // `width`, `height`: 16 to 8192 pixels. `samples`: per pixel, 1 for no antialiasing; the driver's
+  // most are used if it has fewer. Throws Error in one sentence if EGL or OpenGL is missing, or the
+  // size is refused.
   OffscreenView(int width, int height, int samples = 4);
   ~OffscreenView();
   OffscreenView(const OffscreenView&) = delete;
@@ -24,8 +25,8 @@ class OffscreenView {
   int width() const;
   int height() const;
 
-  // The same scene gives the same bytes. Throws Error if a shader of the scene does not compile;
-  // Inventor alone would continue with flat colours.
+  // The same scene gives the same bytes with the same renderer. Throws Error if a shader of the
+  // scene does not compile; Inventor by itself would go on with flat colours.
   RgbImage render(SoNode* scene);
 
   // Name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".

@@ -3,11 +3,11 @@
 
 namespace resect {
 
-// Coin 4.0.0 makes an offscreen OpenGL context before it tessellates a NURBS surface, and crashes
-// when there is no display, though nothing is ever drawn in that context. This supplies a dummy
-// context, and loads the library that tessellates. For reading only: afterwards this process can no
-// longer render through Coin's own offscreen contexts, so call it in a child process, before its
-// sandbox is entered.
+// Coin 4.0.0 makes an offscreen OpenGL context before it tessellates a NURBS surface, though it
+// draws nothing there. Without a display it then crashes. This function gives Coin a dummy context
+// instead, and loads the library that tessellates. Call it only in a child process that reads a
+// file, before the sandbox is entered: afterwards the process can no longer draw through Coin's own
+// offscreen contexts.
 void prepareNurbs();
 
 }  // namespace resect

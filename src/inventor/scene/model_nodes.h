@@ -7,11 +7,12 @@ class SoNode;
 
 namespace resect {
 
-// A model from triangles, with creases where faces meet at more than `creaseDegrees`.
+// A scene graph that draws the triangles. An edge looks sharp where the normals of its two
+// triangles differ by more than `creaseDegrees`, else smooth.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
 
-// An invisible box round a model, at least a finger wide, for picking and for the size of
-// manipulators.
+// An invisible box round a model, at least 2 cm along each axis. A click on it picks the model, and
+// manipulators take their size from it.
 SoNode* makePickProxy(SoNode* model);
 
 }  // namespace resect

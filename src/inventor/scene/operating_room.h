@@ -2,14 +2,15 @@
 //
 //   root Separator
 //     camera, lamps, SoShadowMaps
-//     Separator { cloth  | table }
-//     Separator { steel  | toolbox }
-//     Separator { Separator { SoTransform | Separator { steel | tool } } ... }
-//     Separator { liver  | SoTransform, Separator { colour, SoOrganShape } ... }
-//     Separator { room   | background }
+//     Separator { liver, SoTransform, Separator { colour, SoShadeOnce { SoOrganShape } } ... }
+//     Separator { steel, SoTransform, toolbox }
+//     Separator { Separator { SoTransform, Separator { steel, tool } } ... }
+//     Separator { cloth, table }
+//     Separator { room, background }
 //     Separator { aids }
 //
-// World: m, Y up, table top at y = 0. The surgeon stands at +Z.
+// Here liver, steel, cloth and room are shader programs (inventor/gl/materials.h). World: m, Y up,
+// the table's top at y = 0. The surgeon stands at +Z.
 #pragma once
 
 #include <optional>
@@ -44,7 +45,7 @@ constexpr const char* kRoomViewNames = "surgeon, assistant, top or laparoscope";
 // The view of that name, if there is one.
 std::optional<RoomView> roomView(std::string_view name);
 
-// Screen colour (sRGB) of the capsule.
+// Screen colours (sRGB) of the liver's capsule and of the gallbladder.
 inline const Vec3f kLiverColour{0.352f, 0.152f, 0.131f};
 
 inline const Vec3f kGallbladderColour{0.255f, 0.300f, 0.165f};
@@ -58,7 +59,7 @@ class OperatingRoom {
 
   SoNode* root() const;
   SoPerspectiveCamera* camera() const { return camera_; }
-  // The first organ, or one that was added.
+  // The shape of an organ: number 0 is the first, addOrgan() adds the others.
   SoOrganShape* organ(int number = 0) const {
     require(number >= 0 && number < organCount(),
             "there is no organ {} among the room's {}; number from 0", number, organCount());
@@ -67,38 +68,40 @@ class OperatingRoom {
   int organCount() const { return int(organs_.size()); }
   void addOrgan(const Vec3f& colour);
 
-  // Table, tool box: replaced by `model`; nullptr = none.
+  // `model` replaces the present table or tool box; nullptr removes it.
   void setTable(SoNode* model);
   void setToolbox(SoNode* model, const Pose& pose = {});
 
-  // Tools are numbered in the order they are added. `model` in the tool's frame: tip at the
-  // origin, handle along +Z, m.
+  // Returns the tool's number; tools are numbered from 0 in the order they are added. `model` is in
+  // the tool's frame: tip at the origin, handle along +Z, m.
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
-  // Of a tool with jaws, 0 wide open to 1 closed: turns those SoTransforms in its model whose names
-  // begin with "Jaw" from where the model has them to no rotation. False: nothing turned.
+  // Opens or closes the jaws of a tool; `squeeze`: 0 wide open to 1 closed. Jaws are the
+  // SoTransforms of the model whose names begin with "Jaw". Wide open they have the rotation given
+  // in the model, closed none. Returns false if nothing turned.
   bool setToolSqueeze(int tool, double squeeze);
-  // The transform, or the manipulator in its place, which is an SoTransform too.
+  // The tool's SoTransform, or the manipulator in its place, which is an SoTransform too.
   SoTransform* toolTransform(int tool) const;
-  // Bounds of a tool and its manipulator, world, m.
+  // Bounds of a tool, and of its manipulator if it has one; world, m.
   Aabb toolBounds(int tool) const;
-  // The tool on a path from root(); -1 for none.
+  // Number of the tool that a path from root() leads through; -1 for none.
   int toolOfPath(const SoFullPath& path) const;
 
-  // The whole organ, with smooth normals of its own and no cut. For changing organs use organ(),
-  // which must then be closed.
+  // Shows a mesh as the first organ, uncut, with smooth normals (geometry/normals.h). For an organ
+  // that changes, update organ() instead; the surface of an added organ must be closed, since its
+  // back faces are not drawn.
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
-  void setOrganColour(const Vec3f& colour);  // of the first one
-  void setOrganPose(const Pose& pose);
+  void setOrganColour(const Vec3f& colour);  // of the first organ
+  void setOrganPose(const Pose& pose);       // of all organs and tissues
 
-  // More tissue beside the organ, in the same frame: vessels, gallbladder.
+  // Shows another mesh beside the organ, in the organ's coordinate frame: vessels, gallbladder.
   void addTissue(const TriangleMesh& mesh, const Vec3f& colour);
 
   // Adds a callback before all nodes that handle events.
   void addListener(SoEventCallback* listener);
   void removeListener(SoEventCallback* listener);
 
-  // Models and poses, for writing the room to a file. Models may be null.
+  // Models and poses, for writing the room to a file. Null: there is no such model.
   SoNode* tableModel() const;
   SoNode* toolboxModel() const;
   Pose toolboxPose() const;
@@ -106,28 +109,30 @@ class OperatingRoom {
   SoNode* toolModel(int tool) const;
   const SoSpotLight* lamp(int which) const { return lamps_[which]; }  // 0 or 1
 
-  // Aids for the operator that are not part of a real room: draggers, markers. Without shadows and
-  // shaders.
+  // Aids for the operator that are not part of a real room: draggers, markers. They have no shadows
+  // and no shaders.
   SoSeparator* aids() const { return aids_; }
 
-  // Organ, tools and tool box have changed only in these boxes, world, m, since the last picture;
-  // an empty box, or no call: anywhere. Shadows are redrawn only there.
+  // Call after a change of organs, tools or tool box, with a box that contains it, world, m.
+  // Shadows are redrawn only in the boxes given since the last picture; everywhere after an empty
+  // box, or if there was no call.
   void changedIn(const Aabb& box);
 
   const SoShadowMaps& shadows() const { return *shadows_; }
   // Texels along each side of the shadow maps: fewer are faster.
   void setShadowResolution(int texels);
-  void holdShadows(bool held);  // while held they are not redrawn
+  void holdShadows(bool held);  // while held, shadows are not redrawn
 
-  // Aims lamps and shadows at the box, world, m. Call it once per scene, or when the organ is
-  // moved; not per frame, else the light flickers.
+  // Aims lamps and shadows at the box, world, m. Call it once per scene and when the organ's pose
+  // is set, but not in every frame: the light would flicker.
   void lightUp(const Aabb& box);
 
-  // Aims the camera at the box so that all of it is seen in a picture of this width / height.
+  // Aims the camera at the box, so that all of it is in a picture. `aspect`: the picture's width /
+  // height.
   void look(RoomView view, const Aabb& box, double aspect);
-  // The same, as near as all corners of the box allow, with the box in the middle.
+  // The same with the box in the middle, and the camera as near as the box's corners allow.
   void frame(RoomView view, const Aabb& box, double aspect);
-  // Shows all of the box, keeping the camera's direction.
+  // Shows all of the box from the camera's present direction.
   void viewAll(const Aabb& box, double aspect);
 
  private:
@@ -147,7 +152,7 @@ class OperatingRoom {
   SoSeparator* toolbox_;
   SoTransform* toolboxPose_;
   SoSeparator* tools_;
-  std::vector<std::vector<Jaw>> jaws_;  // of each tool
+  std::vector<std::vector<Jaw>> jaws_;  // by tool
   SoSeparator* tissue_;
   SoTransform* organPose_;
   SoBaseColor* organColour_;
@@ -157,7 +162,8 @@ class OperatingRoom {
   SoSeparator* aids_;
 };
 
-// Position and rotation of an Inventor transform; its scale is kept, respectively ignored.
+// Sets and returns position and rotation of an Inventor transform. setPose() keeps its scale,
+// getPose() ignores it.
 void setPose(SoTransform* transform, const Pose& pose);
 Pose getPose(const SoTransform& transform);
 

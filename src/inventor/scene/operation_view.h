@@ -1,4 +1,4 @@
-// View of an operation: the operating room with the scenario's organs and tools.
+// View of an operation: the operating room with a scenario's organs and tools.
 #pragma once
 
 #include <filesystem>
@@ -15,20 +15,22 @@ class SoNode;
 
 namespace resect {
 
-// Reads one of the models that come with Resect as a scene graph, materials and all. Not for
-// untrusted files: those go through readModel.
+// Reads one of the models that come with Resect, as a scene graph with its materials. Not for
+// untrusted files: read those by readModel().
 SoNode* readSceneFile(const std::filesystem::path& path);
 
 class OperationView {
  public:
-  // Sets up room, tools and organ, aims lamps at the organ and the camera at it or at
-  // scenario.closeUp. `aspect` = width / height of the picture. The view named by scenario.view
-  // must be one of roomView()'s; an Error lists them. Calls keepLook() of the simulation.
+  // Sets up room, tools and organs. Aims the lamps at the organs; aims the camera at
+  // scenario.closeUp if that is set, else at the organs. `aspect`: width / height of the picture.
+  // If there is no view named scenario.view (roomView()), throws an Error that lists the views.
+  // Calls simulation.keepLook().
   OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
 
-  // Call after every step: moves the tools and applies the surface's changes.
+  // Call after every step: moves the tools and applies the surfaces' changes.
   void follow(const Simulation& simulation);
-  // The same for an operation in another thread; tools are not moved.
+  // For an operation in another thread: applies the surfaces' changes, one update per organ; moves
+  // no tools.
   void follow(std::span<const SurfaceUpdate> updates);
 
   RgbImage draw(OffscreenView& picture) const;
@@ -37,7 +39,7 @@ class OperationView {
 
  private:
   OperatingRoom room_;
-  // One per organ of the simulation; no motion is left out.
+  // One per organ of the simulation. They leave out no motion, however small.
   std::vector<SurfacePublisher> publishers_;
 };
 

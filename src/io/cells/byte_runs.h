@@ -1,7 +1,8 @@
-// Run-length coding of bytes and floats for files, the same on every machine.
+// Run-length coding of bytes and floats for files; gives the same bytes on every machine.
 //
-// A run is its length (1 or more; seven bits a byte, lowest first, the top bit set on all bytes but
-// the last), then the value: a byte, or four of an IEEE 754 number, lowest first.
+// A run of equal values is stored as its length, then the value. The length is 1 or more and takes
+// seven bits of each byte, lowest first; the top bit is set in all its bytes but the last. The
+// value is one byte, or the four bytes of an IEEE 754 number, lowest first.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +15,12 @@ namespace resect {
 std::string toRuns(std::span<const std::uint8_t> values);
 std::string toRuns(std::span<const float> values);
 
-// Fills `values` and returns true; or returns false, having written nothing, if the bytes are not
-// complete runs of exactly that many values.
+// Decodes the bytes into `values` and returns true. If the bytes are not complete runs of exactly
+// that many values, writes nothing and returns false.
 bool fromRuns(std::string_view bytes, std::span<std::uint8_t> values);
 bool fromRuns(std::string_view bytes, std::span<float> values);
-// Number of values in the runs; -1 if they are incomplete. To be called before allocating memory.
+// Number of values in the runs; -1 if these are incomplete. Call it before allocating memory for
+// the values.
 std::int64_t countInRuns(std::string_view bytes, std::size_t bytesPerValue);
 
 }  // namespace resect

@@ -7,14 +7,15 @@
 
 namespace resect {
 
-// All [[label]] of an organ's table; a label may occur several times; where it is named, always
-// with one name.
+// All [[label]] of an organ's table. A label's number may occur several times, but with one name
+// only (else an Error).
 std::vector<OrganLabel> readLabels(const TomlTable& organ);
 
-// young, poisson, density and tear_stretch; keys not given keep the values of `defaults`.
+// Reads young, poisson, density and tear_stretch; a missing key has its value from `defaults`.
 TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults);
 
-// All [[material]] of the tissue's table; missing keys have the values of the organ's own material.
+// All [[material]] of the tissue's table; a missing key has its value from `own`, the material of
+// the organ's own cells.
 std::vector<LabelMaterial> readMaterials(const TomlTable& tissue, const TissueMaterial& own);
 
 }  // namespace resect

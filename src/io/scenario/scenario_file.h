@@ -14,9 +14,11 @@ namespace resect {
 // by the caller, since the layer that reads Inventor files lies above this one.
 using MeshReader = std::function<TriangleMesh(const std::filesystem::path&)>;
 
-// Reads and checks a scenario; Errors have file and line. Files named in it are searched beside it,
-// then among the shipped ones.
+// Reads and checks a scenario; Errors name file and line. A file that the scenario names is looked
+// for beside it; if it is not there, its name is kept as given (loadTools() in io/operation_setup.h
+// then also looks among the shipped tools).
 Scenario readScenario(const std::filesystem::path& path);
+// The same from text; `name` stands for the file in Errors, and names of files are kept as given.
 Scenario parseScenario(const std::string& text, const std::string& name);
 
 // Reads a tool's description and, with `readMesh`, the model beside it.

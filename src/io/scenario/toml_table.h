@@ -1,7 +1,8 @@
 // A checked TOML table: values with their ranges, and Errors with file, line and key.
 //
-// Wraps one toml++ table: every value that is read is checked for type and range. Keys that were
-// never read are an Error in the end, so that a misspelt key is not silently ignored.
+// Wraps one toml++ table. Every value that is read is checked for type and range.
+// refuseUnknownKeys() throws Error for keys that were never read, so that a misspelt key is not
+// silently ignored.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +30,7 @@ class TomlTable {
   static TomlTable parse(const std::string& text, const std::string& name);
 
   bool has(const std::string& key) const;
-  // Missing keys give the default; without one they are an Error.
+  // A missing key gives the default, `missing`; if there is no default, it is an Error.
   double number(const std::string& key, double low, double high,
                 std::optional<double> missing = {}) const;
   int integer(const std::string& key, int low, int high, std::optional<int> missing = {}) const;
@@ -51,11 +52,11 @@ class TomlTable {
   std::vector<TomlTable> tables(
       const std::string& key) const;  // [[key]] or key = [{...}, ...]; empty when missing
 
-  std::vector<std::string> keys() const;  // of the table itself, in the order of their names
+  std::vector<std::string> keys() const;  // of this table, not of tables in it; sorted
 
-  // Throws Error if the table itself has a key that was not read.
+  // Throws Error if this table has a key that was not read; tables in it are not looked at.
   void refuseUnknownKeys() const;
-  // An Error about the key, with file and line.
+  // Throws Error: file, line and key, then the sentence.
   [[noreturn]] void complain(const std::string& key, const std::string& sentence) const;
   const std::string& file() const { return file_; }
 

@@ -2,8 +2,8 @@
 //
 // The thread steps the simulation at the frame rate of real time; the window never waits for it.
 // Inputs can be set at any moment and apply from the next frame on; surface changes are taken as
-// updates. Frames that take too long are not caught up: the operation then runs slower than the
-// clock, and realTimeFactor says so.
+// updates. Time lost by slow frames is not made up: the operation then runs slower than the clock,
+// and StepTimes::realTimeFactor is below 1.
 #pragma once
 
 #include <chrono>
@@ -31,22 +31,23 @@ class LiveOperation {
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;
 
-  // From the next frame on. May be called from any thread. Jaws close at the speed of a hand
-  // (squeeze_speed.h).
+  // Takes effect from the next frame on. May be called from any thread. Jaws move no faster than a
+  // hand moves them (squeeze_speed.h).
   void setTool(int tool, const ToolInput& input);
   void setIso(float iso);
-  // From the next frame on `motion` supplies the input: it is called once a frame in the
-  // operation's thread until it returns nothing; an empty function ends it. An input that a step
-  // refuses ends it too: LiveState::faults then says why.
+  // From the next frame on `motion` moves the tools. It is called once per frame, in the
+  // operation's thread, until it returns nothing; play({}) ends it earlier. Of its result only
+  // `tools` is used. If a step refuses this input, the motion ends too, and LiveState::faults says
+  // why.
   void play(std::function<std::optional<FrameInput>()> motion);
   bool playing() const;
   void setPaused(bool paused);
 
-  // Takes the changes since the last call and copies the state. False: no frame since. updates: one
-  // per organ.
+  // Moves the changes since the last call to `updates`, one per organ, and copies the state.
+  // Returns false, and changes neither, if no frame has ended since.
   bool take(std::vector<SurfaceUpdate>& updates, LiveState& state);
 
-  // The present surface, for saving; waits for the end of the current frame only.
+  // The present surface, for saving. Waits at most until the current frame ends.
   SurfaceTracker::Compact surface();
   // Waits until at least this frame is done (for tests).
   void waitFor(std::int64_t frame);
@@ -54,7 +55,7 @@ class LiveOperation {
  private:
   struct Frame {
     FrameInput input;
-    std::vector<ToolInput> played;  // set when a motion supplied the input
+    std::vector<ToolInput> played;  // the tools as a motion moves them; empty: none does
   };
   void work();
   std::optional<Frame> nextFrame(std::chrono::steady_clock::time_point due);

@@ -15,7 +15,7 @@ struct PresentSurface {
   bool moves = false;                      // the tissue is elastic
 };
 
-// The simulation must keep its look (keepLook()).
+// simulation.keepLook() must have been called: the view has normals.
 inline PresentSurface presentSurface(const Simulation& simulation, std::size_t organ = 0) {
   const OperatedOrgan& o = simulation.organs()[organ];
   return {o.organ, o.points(), o.normals(), o.tissue->moves()};

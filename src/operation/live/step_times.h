@@ -1,4 +1,4 @@
-// Speed of an operation, from its steps of the last second.
+// Speed of an operation, measured over its steps of the last second.
 #pragma once
 
 #include <string>
@@ -16,15 +16,15 @@ struct StageTime {
 struct StepTimes {
   std::vector<StageTime> stages;
   double median = 0, worst = 0;  // s, of whole steps
-  double realTimeFactor = 1;     // simulated over elapsed time
+  double realTimeFactor = 1;     // simulated time / elapsed time
 };
 
 class LastSecond {
  public:
   explicit LastSecond(double frameRate);  // simulated frames per second
-  // clock: of one step. arrival: time of its end, steady clock, s.
+  // clock: the laps of one step. arrival: when the step ended, steady clock, s.
   void add(const StageClock& clock, double arrival);
-  // Over as many steps as a second should have. Cost: a sort for each stage.
+  // Measured over the last steps, as many as a second should have. Cost: a sort for each stage.
   StepTimes times() const;
 
  private:

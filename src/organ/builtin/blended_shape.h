@@ -3,7 +3,7 @@
 // Ellipsoids are added to the body or carved out of it one after the other, each with a fillet of
 // its own width. The value is signed, in metres, negative inside; near the surface it approximates
 // the distance. It is smooth (C2) except at the ellipsoids' centres, where it jumps by less than
-// their largest radius. Cost: two square roots and two divisions an ellipsoid; allocates nothing;
+// their largest radius. Cost: two square roots and two divisions per ellipsoid; allocates nothing;
 // thread-safe.
 //
 // Sources: blending of implicit bodies, A. Ricci (1973); cubic smooth minimum and first-order
@@ -34,13 +34,15 @@ class BlendedShape {
   // At most kMost ellipsoids, in the order in which they are blended.
   explicit BlendedShape(std::span<const BlendedEllipsoid> ellipsoids);
 
-  // Signed value at p (m), m; an empty shape has the value infinity everywhere.
+  // Signed value, m, at the point p, m. A shape without ellipsoids has the value infinity
+  // everywhere.
   double operator()(const Vec3& p) const;
 
  private:
-  using Row = Eigen::Array<double, Eigen::Dynamic, 1, 0, kMost, 1>;  // one number an ellipsoid
+  using Row = Eigen::Array<double, Eigen::Dynamic, 1, 0, kMost, 1>;  // a number per ellipsoid
 
-  // toUnit_[m] is row m of the linear map to the unit ball; offset_ is the image of the origin.
+  // The affine map of each ellipsoid to the unit ball: toUnit_[m] is row m of its linear part,
+  // offset_ the image of the origin.
   Row toUnit_[3][3], offset_[3], inverseRadii_[3], fillet_, sign_;
 };
 

@@ -1,23 +1,25 @@
 // The built-in human liver, as a signed function and as a mesh.
 //
-// A liver computed from a formula, so that nothing has to be downloaded: right and left lobe under
-// a domed diaphragmatic face, a hollow visceral face with the gallbladder fossa, the umbilical
-// fissure and the groove of the vena cava, and a sharp inferior margin. Blended from ellipsoids
-// that tools/fit_liver fitted to the liver of the Visible Human Male; docs/methods/builtin_liver.md
-// says how, and how close it comes. In metres, Y up, +Z anterior, +X the patient's left, its centre
-// of volume near the origin; about 1.6 l.
+// A liver computed from a formula, so that nothing has to be downloaded. It has a right and a left
+// lobe under a domed diaphragmatic face; a hollow visceral face with the gallbladder fossa, the
+// umbilical fissure and the groove of the vena cava; and a sharp inferior margin. The formula
+// blends ellipsoids that tools/fit_liver fitted to the liver of the Visible Human Male;
+// docs/methods/builtin_liver.md describes the fit and how close it comes. In metres, Y up, +Z
+// anterior, +X the patient's left, its centre of volume near the origin; about 1.6 l.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
 
-// Signed value at p (m), m: negative inside; close to the distance within some millimetres of the
-// surface, only its sign means something farther away. About a third of a microsecond.
+// Signed value, m, at the point p, m: negative inside. Within some millimetres of the surface it is
+// close to the distance; farther away only its sign has a meaning. Cost: about a third of a
+// microsecond.
 double builtinLiverDistance(const Vec3& p);
 
 // Its surface: closed, oriented outwards, one piece of genus 0. `edge`, 0.0005 to 0.005 m, is the
-// longest edge of most triangles; at 2.5 mm there are some 60 000, in a fraction of a second.
+// longest edge of most triangles; at 2.5 mm there are some 60 000 triangles, computed in a fraction
+// of a second.
 TriangleMesh builtinLiver(double edge = 0.0025);
 
 }  // namespace resect

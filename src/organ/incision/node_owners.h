@@ -11,17 +11,19 @@
 
 namespace resect {
 
-// The nodes of a box that lie in tissue and the whole edges between them. Computed lazily, brick by
-// brick, 64 nodes at a time.
+// The nodes of a box that lie in tissue, and the whole grid edges between them, that is those that
+// are not severed. Found on demand, brick by brick, for 64 nodes at a time.
 class TissueGrid {
  public:
-  // For the nodes of the box and those beside it, which may lie outside the field.
+  // Serves the nodes of the box and those next to it. Nodes may lie outside the field.
   TissueGrid(const Organ& organ, const IndexBox& nodes);
 
   bool inTissue(const Vec3i& node) { return inside(brickOf(node)) >> bitOf(node) & 1; }
-  // The whole edges from a node in tissue to others in tissue: bit 2 * axis + (1 if upwards).
+  // The whole edges from a node in tissue to other nodes in tissue, one bit each: bit 2 * axis, + 1
+  // if the edge leads upwards.
   unsigned ways(const Vec3i& node);
-  // Whether all edges are whole in a block of `side` grid cells along each axis, from a node on.
+  // Whether all edges are whole in a block of `side` grid cells along each axis, with `first` as
+  // its lowest node.
   bool whole(const Vec3i& first, int side);
 
  private:
@@ -43,14 +45,14 @@ class TissueGrid {
   std::vector<Brick> bricks_;
 };
 
-// The owner of a grid node: the particle the fewest whole edges away through tissue; of several the
-// first. -1 if none is within kFar.
+// The owner of a grid node: the particle that is the fewest whole edges away, on a path through
+// tissue; among equals the one with the lowest index. -1 if none is within kFar edges.
 class NodeOwners {
  public:
   static constexpr int kFar = 6;  // edges
 
-  // For the nodes of a box; grid: must cover it and kFar nodes round it. Cost: four bytes per node
-  // of both, and work proportional to the nodes that searches visit.
+  // Serves the nodes of a box. grid: must cover the box and kFar nodes round it. Cost: four bytes
+  // per node that the grid must cover, and work proportional to the nodes that searches visit.
   NodeOwners(const Organ& organ, TissueGrid& grid, const IndexBox& box);
 
   // node: in tissue.
@@ -64,9 +66,9 @@ class NodeOwners {
 
   struct Known {
     std::int32_t owner = kNobody;
-    std::int8_t searched =
-        0;              // radius searched, edges: either the owner is known or none is that near
-    std::uint8_t ways;  // as of TissueGrid
+    // Radius searched so far, edges: the owner is known, or it is farther away.
+    std::int8_t searched = 0;
+    std::uint8_t ways;  // TissueGrid::ways() of the node
   };
   Known& known(std::int32_t i) {
     std::int32_t& number = number_[std::size_t(i)];
@@ -75,17 +77,19 @@ class NodeOwners {
   }
   std::int32_t lookAt(std::int32_t i);
 
-  // The owner if it is at most that many edges away; without an unpredictable branch.
+  // The owner of node i if it is at most `edges` away, else kNobody. The result is chosen without a
+  // branch, which the processor could not predict.
   std::int32_t within(int edges, std::int32_t i) {
     const Known* own = &known(i);
     if (own->owner == kNobody && own->searched < edges) {
       search(edges, i);
       own = &known(i);
     }
-    const std::int32_t near = -std::int32_t(own->searched <= edges);  // all bits
+    const std::int32_t near = -std::int32_t(own->searched <= edges);  // all bits set, or none
     return (own->owner & near) | (kNobody & ~near);
   }
-  // The owner is that of a neighbour whose owner is one edge nearer.
+  // Searches up to `edges` away for the owner of node i. A node has the same owner as a neighbour
+  // that is one edge nearer to that owner.
   void search(int edges, std::int32_t i);
 
   std::int64_t particleAt(const Vec3i& node) const;
@@ -93,7 +97,7 @@ class NodeOwners {
   const Organ& organ_;
   IndexBox box_;
   TissueGrid& grid_;
-  std::int32_t step_[6];              // by way
+  std::int32_t step_[6];              // to the neighbour, by bit of ways()
   std::vector<std::int32_t> number_;  // per node, into known_
   std::vector<Known> known_;
 };

@@ -1,9 +1,9 @@
-// Arrays aligned to cache lines, the large ones with different offsets within a page to avoid cache
-// conflicts.
+// Arrays aligned to cache lines. Large ones begin at different offsets within a page, to avoid
+// cache conflicts.
 //
-// The passes over tissue use some fifty arrays. If all started at the same offset in a page, as
-// large blocks from the system do, the entries of one cell would map to the same few sets of the
-// first-level cache and evict each other, and substeps would be bound by memory
+// The passes over tissue use some fifty arrays. Large blocks from the system all begin at the same
+// offset in a page. If the arrays did so too, the entries of one cell would map to the same few
+// sets of the first-level cache and evict each other, and memory would limit the speed of substeps
 // (docs/methods/tissue.md).
 #pragma once
 
@@ -20,7 +20,7 @@ inline constexpr std::size_t kCacheLine = 64, kPage = 4096;
 // Next offset within a page for a large array, bytes.
 inline std::size_t nextShift() {
   static std::atomic<std::size_t> next = 0;
-  constexpr std::size_t kStep = 5 * kCacheLine;  // visits every line of a page before it repeats
+  constexpr std::size_t kStep = 5 * kCacheLine;  // reaches every line of a page before repeating
   return next.fetch_add(kStep, std::memory_order_relaxed) % kPage;
 }
 
@@ -34,7 +34,8 @@ struct LineAllocator {
   template <typename U>
   LineAllocator(const LineAllocator<U>&) {}
 
-  // The cache line before a large array holds its offset.
+  // The cache line before a large array holds the array's offset from the start of its memory
+  // block.
   T* allocate(std::size_t n) {
     if (!large(n)) return static_cast<T*>(::operator new(n * sizeof(T), kAlignment));
     const std::size_t shift = nextShift() + kCacheLine;

@@ -1,8 +1,9 @@
-// Memory layout of tissue cells: a dense box with a halo, so that a cell's 26 neighbours are at
-// fixed distances and rows can be read sixteen cells at a time.
+// Memory layout of tissue cells: a dense box with a halo. A cell's 26 neighbours are at fixed
+// distances, and rows can be read sixteen cells at a time.
 //
-// x fastest. A row has at least one empty cell at its end, a plane an empty row, the box an empty
-// plane at each end: a neighbour outside the lattice is always an empty cell of the box.
+// x is fastest. Each row ends with at least one empty cell and each plane with an empty row; the
+// box has an empty plane at each end. So a neighbour outside the lattice is always an empty cell of
+// the box.
 #pragma once
 
 #include <array>
@@ -14,17 +15,17 @@
 
 namespace resect {
 
-inline constexpr int kChunk = 16;  // cells processed together; rows are multiples of it
+inline constexpr int kChunk = 16;  // cells processed together; a row's length is a multiple of it
 
 struct CellBox {
   Vec3i dims = Vec3i::Zero();
   std::int32_t strideY = 0, strideZ = 0;
   std::int32_t front = 0;                        // cells before cell (0, 0, 0)
   std::int32_t size = 0;                         // cells in all, halo included
-  std::array<std::int32_t, kDirections> step{};  // to the neighbour in each direction
+  std::array<std::int32_t, kDirections> step{};  // index offset of the neighbour in each direction
 
   CellBox() = default;
-  // dims >= 1; at most 2^31 - 1 cells with the halo.
+  // cells: number along each axis, >= 1; at most 2^31 - 1 cells in all, halo included.
   explicit CellBox(const Vec3i& cells) : dims(cells) {
     const auto roundUp = [](int n) { return (n + kChunk - 1) / kChunk * kChunk; };
     strideY = roundUp(dims.x() + 1);
@@ -44,13 +45,13 @@ struct CellBox {
     const std::int32_t i = index - front;
     return {i % strideY, i / strideY % (dims.y() + 1), i / strideZ};
   }
-  // Whether it is a cell of the lattice, not of the halo.
+  // Whether the index is that of a cell of the lattice, not of the halo.
   bool inLattice(std::int32_t index) const {
     if (index < front || index >= size) return false;
     const Vec3i c = cell(index);
     return c.x() < dims.x() && c.y() < dims.y() && c.z() < dims.z();
   }
-  // From and to lattice indices, x fastest, without halo.
+  // Conversion from and to a cell's index in the lattice (x fastest, no halo).
   std::int32_t fromLattice(std::int64_t cell) const {
     const std::int64_t row = cell / dims.x();
     return index({int(cell % dims.x()), int(row % dims.y()), int(row / dims.y())});

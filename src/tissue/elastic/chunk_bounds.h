@@ -1,5 +1,5 @@
-// Bounds of the present positions and speeds of a chunk's cells, to reject sixteen cells at a time
-// in searches.
+// Bounds of the present positions and speeds of a chunk's cells. With them a search rejects sixteen
+// cells at a time.
 #pragma once
 
 #include "geometry/aabb.h"
@@ -7,11 +7,11 @@
 
 namespace resect {
 
-// Bounds of the present centres of the chunk's solid cells, m; `origin`: rest position of cell (0,
-// 0, 0). Conservative: may be too large, never too small.
+// A box that contains the present centres of the chunk's solid cells, m. It may be too large, but
+// is never too small. origin: rest position of cell (0, 0, 0).
 Aabb chunkBounds(const ElasticState& state, const TissueChunk& chunk, const Vec3& origin);
 
-// Upper bound of the speed of its cells, m/s.
+// Upper bound of the speed of the chunk's cells, m/s.
 double chunkSpeed(const ElasticState& state, const TissueChunk& chunk);
 
 }  // namespace resect

@@ -1,13 +1,15 @@
-// Contact of tissue cells with obstacles (instruments, the table), and between the faces of a cut.
+// Contact of tissue cells with obstacles (instruments, the table, the tray), and between the faces
+// of a cut.
 //
-// Faces of a cut do not pass through each other: the two ends of a cut bond are pushed apart like
-// inelastic balls.
+// The faces of a cut are kept from passing through each other: the two ends of a cut bond are
+// pushed apart like inelastic balls.
 //
-// Once per frame the cells that can come near are listed. After every substep each of them that is
-// nearer to an obstacle than its stand-off is moved back along the surface's normal and loses its
-// velocity towards the obstacle and, up to Coulomb's limit, its tangential velocity. The momentum
-// lost, over the frame's duration, is the force on the obstacle; at rest it equals the pressure of
-// the tissue.
+// Once per frame the cells that can come near an obstacle are listed. After every substep each
+// listed cell that is nearer to the obstacle than the stand-off is moved back along the normal of
+// the obstacle's surface. It loses its velocity towards the obstacle and, up to Coulomb's limit,
+// its tangential velocity. The momentum that cells lose, divided by the frame's duration, is the
+// force on the obstacle. For tissue at rest it is the force with which the tissue presses on the
+// obstacle.
 #pragma once
 
 #include <vector>
@@ -19,21 +21,22 @@ namespace resect {
 
 class TissueContacts {
  public:
-  // Lists the cells for a frame of `duration` s. `world` gives rest positions: world = rest + u.
-  // `gripper[cell of the box]`, when not empty, is the tool that holds the cell, or -1: a tool does
-  // not push the cells that it holds.
+  // Lists the cells for a frame of `duration` s. origin: rest position of cell (0, 0, 0), m.
+  // gripper: for each cell of the box the tool that holds it, or -1; may be empty. A tool does not
+  // push the cells that it holds.
   void list(const ElasticState& state, const Vec3& origin, double duration,
             std::span<const Obstacle> obstacles, std::span<const std::int32_t> gripper);
 
-  // After a substep that ends at `share` of the frame; `lookAhead`: as in the passes
-  // (SubstepConstants).
+  // Pushes cells out of obstacles, and the ends of cut bonds apart. To be called after a substep
+  // that ends at the fraction `share` (0 to 1) of the frame. lookAhead:
+  // SubstepConstants::lookAhead.
   void push(ElasticState& state, double share, double lookAhead);
 
-  // From now on keeps the two ends of a cut bond at least nine tenths of their rest distance apart,
-  // or their present distance if that is less.
+  // From now on the two ends of a cut bond are pushed apart when they are nearer to each other than
+  // nine tenths of their rest distance, or than their present distance if that is less.
   void keepApart(const ElasticState& state, std::int32_t cell, int direction);
   void forgetCell(std::int32_t cell);
-  // Whether all pairs lie in a box of so many cells.
+  // Whether the ends of all cut bonds are indices of a box of `cells` cells.
   bool fit(std::int32_t cells) const;
 
   // Momentum given to each obstacle since list(), kg m/s.
@@ -52,21 +55,21 @@ class TissueContacts {
  private:
   struct Near {
     std::int32_t cell;
-    Vec3 rest;  // where it was, world, m
+    Vec3 rest;  // rest position, m
   };
   struct Body {
     Obstacle obstacle;
     Vec3 velocity, spin;  // world, m/s and 1/s
     std::vector<Near> cells;
-    // Where it reaches in the frame.
-    Pose back;   // from the world to the obstacle
-    Aabb box;    // in the obstacle's frame
-    Aabb world;  // bounds of the box
-    Vec3 up[2];  // of a half space, at the frame's start and end
+    // Where the obstacle can touch cells in the frame.
+    Pose back;   // from the world to the obstacle's coordinate frame at the frame's end
+    Aabb box;    // in that coordinate frame
+    Aabb world;  // bounds of `box` in the world
+    Vec3 up[2];  // outward normal of a half space at the frame's start and end
   };
   struct CutPair {
     std::int32_t a = 0, b = 0;
-    float distance = 0;          // minimum, m
+    float distance = 0;          // minimum distance of a and b, m
     Vec3f rest = Vec3f::Zero();  // from a to b at rest, m
 
     template <class Visitor>

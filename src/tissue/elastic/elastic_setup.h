@@ -1,8 +1,8 @@
 // Sets up the state of elastic tissue and updates it after bonds are severed or cells removed.
 //
-// Edits change bonds; refreshCells() then updates the moment matrices of the cells concerned and
-// the flags of their chunks, in microseconds per hundred cells. The result depends on the named
-// cells alone.
+// Edits change bonds. refreshCells() then updates the moment matrices of the cells concerned and
+// the flags of the chunks at these cells, in some microseconds per hundred cells. No other cells
+// are computed again.
 #pragma once
 
 #include <span>
@@ -12,27 +12,29 @@
 
 namespace resect {
 
-// At rest, all solid neighbours bonded. `penalty`: alpha, 0 or more
-// (docs/methods/tissue.md). Throws Error when the lattice is
-// not cubic.
+// Tissue at rest, with a bond between any two solid neighbours. penalty: alpha of
+// docs/methods/tissue.md, 0 or more. Throws Error when the lattice's cells are not cubes.
 ElasticState makeElasticState(const TissueCells& cells, double penalty);
 
-// Cells are indices in the box. The bond need not exist.
+// Severs a bond, if it exists. cell: index in the box, here and below.
 void severBond(ElasticState& s, std::int32_t cell, int direction);
-// Removes the cell: no bonds, no mass, no motion.
+// Removes the cell: it then has no bonds, no mass and no motion.
 void removeCell(ElasticState& s, std::int32_t cell);
 
 // Throws Error when a value is out of range.
 void checkMaterial(const TissueMaterial& material);
-// The material's index in the list; appended if it is new. At most 256.
+// The material's index in s.materials; a new material is appended. Throws Error if there are 256
+// materials already.
 std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material);
-// After `solid` or `material` of these cells changed: masses, stiffnesses, plane weights; cells
-// that are not solid get no motion and no forces. refreshCells() follows.
+// Computes masses, stiffnesses and plane weights of these cells, after their `solid` or `material`
+// was changed. Cells that are not solid lose their motion and forces. refreshCells() must be called
+// next.
 void remakeCells(ElasticState& s, std::span<const std::int32_t> cells);
 
-// After the bonds of these cells changed: inverse moments, skews, gradient flags, chunks.
+// Computes inverse moments, skews, kappa and the chunks, after the bonds of these cells were
+// changed.
 void refreshCells(ElasticState& s, std::span<const std::int32_t> cells);
-// After `held` or `loaded` of these cells changed: chunks alone.
+// Computes the chunks alone, after `held` or `loaded` of these cells was changed.
 void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells);
 
 }  // namespace resect

@@ -1,9 +1,10 @@
 // The state of elastic tissue between two substeps, as arrays over the cells of a padded box.
 //
-// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 5) + 4 = 180. Lengths in m, masses in kg;
-// offsets to neighbours are counted in spacings. With L, S, A and q as in docs/methods/tissue.md
-// and w the weight of an edge neighbour (bondWeights()): weights in sums are in units of w; the
-// remaining factors are folded into the arrays.
+// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 5) + 4 = 168. Lengths are in m, masses in
+// kg; offsets to neighbours are counted in spacings. Letters are those of docs/methods/tissue.md:
+// A_i, q_i, L_i for the inverse of M_i, and S_i for the sum of w_ij X_ij. w is the weight of an
+// edge neighbour (bondWeights()). Weights in sums are in units of w; the remaining factors are
+// folded into the arrays.
 #pragma once
 
 #include <array>
@@ -30,9 +31,9 @@ struct TissueChunk {
   bool uneven = false;
   // No bond of these cells is severed: every solid neighbour is bonded.
   bool whole = true;
-  // All cells of the half are solid and have all their bonds.
+  // For each half of the chunk: all its cells are solid and have all 26 bonds.
   bool full[2] = {false, false};
-  std::int8_t first = kChunk, last = -1;  // first and last solid cell
+  std::int8_t first = kChunk, last = -1;  // first and last solid cell, from `start` on
 };
 
 struct ElasticState {
@@ -40,17 +41,19 @@ struct ElasticState {
   double spacing = 0;  // m
   double penalty = 0;  // alpha
   std::vector<TissueMaterial> materials;
-  std::array<FloatArray, 3> u, ahead, v;    // displacement; u + beta dt v; velocity
+  std::array<FloatArray, 3> u, ahead, v;    // displacement, m; u + beta dt v, m; velocity, m/s
   std::array<FloatArray, 9> stress;         // A w / spacing, row by row, N
   std::array<FloatArray, 3> bondForce;      // q, N
   std::array<FloatArray, 6> inverseMoment;  // L w / spacing: xx yy zz xy xz yz, 1/m
   std::array<FloatArray, 3> skew;           // S / w, in spacings
-  // Total weight of the cells of a plane across the row, about its middle cell (which may be
-  // missing), in units of an edge neighbour's weight: sum, and sums times offsets along y and z.
+  // Weights of the nine cells of a plane across the row, in units of w, as the cells before and
+  // after the plane in the row see them. Cells that are not solid do not count; the plane's middle
+  // cell may be one of these. [0]: sum of the weights. [1], [2]: sum of the weights times the
+  // offsets from the middle cell along y and z.
   std::array<FloatArray, 3> planeWeight;
   std::array<FloatArray, 3> load;              // outside force on the cell, N
   FloatArray inverseMass;                      // 1/kg, 0 where no cell is
-  FloatArray shearVolume, lameVolume;          // mu V and (lambda + mu) V, J
+  FloatArray shearVolume, lameVolume;          // mu V and (lambda + mu) V, J; V: cell's volume
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without gradient
   AlignedArray<std::uint32_t> bonds;           // bit d: bonded to the neighbour in direction d
   AlignedArray<std::uint8_t> solid, material;  // material: index into materials

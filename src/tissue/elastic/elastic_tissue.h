@@ -1,9 +1,9 @@
 // Elastic tissue: explicit total-Lagrangian SPH on the organ's lattice.
 //
-// docs/methods/tissue.md derives it. A frame is divided into substeps shorter than the time of a
-// pressure wave from cell to cell. Cost: two passes over the solid cells per substep. The same bits
-// at any number of threads and on any instruction set. Cells are named by their index in the
-// lattice.
+// docs/methods/tissue.md derives the method. A frame is divided into substeps that are shorter than
+// the time in which a pressure wave passes from one cell to the next. Cost: two passes over the
+// solid cells per substep. The results have the same bits at any number of threads and on any
+// instruction set. Functions take a cell's index in the lattice.
 #pragma once
 
 #include <cstdint>
@@ -24,24 +24,26 @@
 
 namespace resect {
 
-inline constexpr int kMostHalvings = 6;  // of the substep; after that the tissue is stopped
+inline constexpr int kMostHalvings = 6;  // of the substep; if they do not help, tissue is stopped
 
 struct TissueSettings {
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
-  // Forces are evaluated at positions extrapolated by this fraction of a substep: 0 conserves
-  // energy, 0.5 damps the fastest waves most and slow motion hardly; more is unstable.
+  // Forces are evaluated at positions that are extrapolated by this fraction of a substep, from 0
+  // to 0.5. 0 conserves energy; 0.5 damps the fastest waves most, and slow motion hardly. More
+  // would be unstable.
   double damping = 0.1;
-  // Decay rate of the velocity by friction of the surroundings, 1/s; 0 for none.
+  // Rate at which friction of the surroundings makes velocities decay, 1/s; 0 for none.
   double drag = 0;
-  // Stiffness of the bonds against zero-energy modes of the cells' gradients, in shear moduli. At
-  // 1.55 the second-order error of bending and torsion vanishes; less is too soft and lets the
-  // lattice wrinkle, more is too stiff. Above 0, up to 3.
+  // alpha: stiffness of the bonds against zero-energy modes of the cells' gradients, as a multiple
+  // of the shear modulus; above 0, up to 3. At 1.55 the second-order error of bending and torsion
+  // vanishes. With less, tissue is too soft and its lattice wrinkles; with more, it is too stiff.
   double penalty = 1.55;
-  // Substep as a fraction of the time of a pressure wave from cell to cell; beyond 0.5 tissue that
-  // is sheared or stretched as a whole may become unstable (docs/methods/tissue.md).
+  // Longest substep, as a fraction of the time in which a pressure wave passes from one cell to the
+  // next; above 0, up to 1. Beyond 0.5, tissue that is sheared or stretched as a whole may become
+  // unstable (docs/methods/tissue.md).
   double stepShare = 0.5;
-  // Most threads for the two passes; 0: all that the program may use. More threads than idle cores
-  // are slower than one.
+  // Largest number of threads for the two passes; 0: all that the program may use. With more
+  // threads than idle cores the passes are slower than with one.
   int threads = 1;
 };
 
@@ -52,13 +54,14 @@ struct TissueEnergy {
 
 class ElasticTissue final : public TissueModel {
  public:
-  // Throws Error when the lattice is not cubic, a setting is out of range or no cell is solid.
+  // Throws Error when the lattice's cells are not cubes, a setting is out of range or no cell is
+  // solid.
   ElasticTissue(const TissueCells& cells, const TissueSettings& settings);
 
-  // Holds the cells of the region. Returns how many there are.
+  // Holds the solid cells of the region. Returns how many there are.
   std::int64_t attach(const TissueAttachment& attachment);
 
-  // Computes a frame without obstacles and without tearing.
+  // advance() computes a frame of `duration`, s, without obstacles and without tearing.
   struct Advance {
     int substeps = 0;
     int retries = 0;
@@ -66,8 +69,8 @@ class ElasticTissue final : public TissueModel {
   };
   Advance advance(double duration);
 
-  // A frame that explodes is restored to its beginning and repeated with substeps of half the
-  // length.
+  // When tissue explodes in a frame, it is restored to the frame's beginning, and the frame is
+  // repeated with substeps of half the length.
   void beginFrame(double duration, std::span<const Obstacle> obstacles) override;
   int substepsWanted() const override;
   bool substep(int number, int count) override;
@@ -84,9 +87,9 @@ class ElasticTissue final : public TissueModel {
   std::int32_t gripped(std::int32_t tool) const override;
   const TissueMaterial* material(std::int64_t cell) const override;
   void setMaterial(std::int64_t cell, const TissueMaterial& material) override;
-  // Prescribes the cell's velocity along the axes (HeldAxis bits), m/s; axes = 0 releases it.
+  // Prescribes the cell's velocity, m/s, along some axes. axes: HeldAxis bits; 0 releases the cell.
   void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
-  // Outside force on the cell until changed, N.
+  // Outside force on the cell, N; it acts until it is set again.
   void setLoad(std::int64_t cell, const Vec3& force);
   void setDisplacement(std::int64_t cell, const Vec3& u);
   void setVelocity(std::int64_t cell, const Vec3& v);
@@ -104,7 +107,7 @@ class ElasticTissue final : public TissueModel {
   double mass(std::int64_t cell) const override;       // kg
   Mat3 deformation(std::int64_t cell) const override;  // F; identity where a cell has no gradient
   Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff, Pa
-  Vec3 elasticForce(std::int64_t cell) const;          // at the last substep, N
+  Vec3 elasticForce(std::int64_t cell) const;          // of the last stress pass, N
   TissueEnergy energy();
   void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override;
   void visit(StateVisitor& visitor) override;
@@ -118,7 +121,8 @@ class ElasticTissue final : public TissueModel {
   const ElasticState& state() const { return state_; }
   void useKernel(const ElasticKernel& kernel) { kernel_ = &kernel; }
 
-  // The forces of the present displacements, without moving: fills stress and elasticForce.
+  // Computes the forces of the present displacements without moving any cell: elasticForce() then
+  // gives them.
   void evaluateForces();
   void stopMotion();
 
@@ -151,22 +155,22 @@ class ElasticTissue final : public TissueModel {
 
   // State.
   ElasticState state_;
-  int halvings_ = 0;    // of the substep, at present
-  int calmFrames_ = 0;  // since the last halving
+  int halvings_ = 0;    // how often the substep is halved at present
+  int calmFrames_ = 0;  // calm frames since the substep's length last changed
   TissueContacts contacts_;
   TissueSprings springs_;
   std::vector<Fibre> fibres_;
-  std::vector<std::int32_t> cut_;     // cells at which a bond was severed
+  std::vector<std::int32_t> cut_;     // cells of which a bond was severed
   std::vector<std::int32_t> pulled_;  // cells that joints may pull, ascending
 
-  // Set up, or made from the state.
+  // What is set up once, and data derived from the state.
   Lattice lattice_;
   TissueSettings settings_;
   const ElasticKernel* kernel_;
   double longestSubstep_ = 0;
   std::vector<UnevenBond> uneven_;
   std::vector<std::int32_t> gripper_;  // per cell of the box: tool that holds it, or -1
-  std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // until settle()
+  std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   Frame frame_;
   Before before_;
   FloatArray kept_;  // u and v of the chunks at the frame's beginning

@@ -1,9 +1,9 @@
-// Fibres: springs along bonds of tissue that is one cell thin.
+// Fibres: springs along bonds of tissue that is only one cell thick.
 //
-// A cell of a sheet or a string of single cells has no deformation gradient, so a bond between two
-// such cells has no energy. It gets a fibre instead: a spring along the bond of about the tissue's
-// stiffness, E s / 2 for a face neighbour and less for others. A fibre rotates with the tissue and
-// does not resist bending.
+// A cell of a sheet or a string of single cells has no deformation gradient. A bond between two
+// such cells has no energy, so it gets a fibre. This is a spring along the bond of about the
+// tissue's stiffness: E s / 2 between face neighbours and less between others, with Young's modulus
+// E and the spacing s. A fibre rotates with the tissue and does not resist bending.
 #pragma once
 
 #include <span>
@@ -25,15 +25,15 @@ struct Fibre {
   }
 };
 
-// Stiffness of a fibre over E s, by kind of neighbour.
+// Stiffness of a fibre as a fraction of E s, by kind of neighbour (tissue/stencil.h).
 inline constexpr float kFibreShare[4] = {0, 0.5f, 0.25f, 0.15f};
 
-// Fibres for all bonds of which neither end has a gradient, in ascending order. Fibres in `before`
-// are kept; a new one has its present length as rest length, so that a cut through stretched tissue
-// adds no energy.
+// The fibres of all bonds of which neither end has a gradient, in ascending order of a, then b. A
+// bond that has a fibre in `before` keeps it. A new fibre's rest length is the bond's present
+// length, so that a cut through stretched tissue adds no energy.
 std::vector<Fibre> findFibres(const ElasticState& state, std::span<const Fibre> before);
 
-// Adds their forces to the bond forces of the stress pass.
+// Adds the fibres' forces to the bond forces of the stress pass.
 void pullFibres(std::span<const Fibre> fibres, ElasticState& state);
 
 double fibreEnergy(std::span<const Fibre> fibres, const ElasticState& state);  // J

@@ -1,7 +1,8 @@
-// Springs on single cells: ligaments to fixed points, and the grips of tools.
+// Springs on single cells: ligaments, and the grips of tools.
 //
-// Each is a damped spring between a cell and an anchor, in the world or in a tool's frame. While a
-// cell has springs, its load (ElasticState::load) is theirs.
+// Each is a damped spring from a cell to an anchor, which is fixed in the world or in a tool's
+// coordinate frame. While a cell has springs, its load (ElasticState::load) is computed anew in
+// each substep from these springs and its joints.
 #pragma once
 
 #include <span>
@@ -13,9 +14,9 @@
 namespace resect {
 
 struct TissueSpring {
-  std::int32_t cell = 0;       // in the box
-  std::int32_t tool = -1;      // that grips the cell; -1: anchored in the world
-  Vec3 anchor = Vec3::Zero();  // in the tool's frame or the world, m; the spring's rest position
+  std::int32_t cell = 0;       // index in the box
+  std::int32_t tool = -1;      // the tool that grips the cell; -1: the anchor is in the world
+  Vec3 anchor = Vec3::Zero();  // where the spring pulls to, in the tool's frame or the world, m
   double stiffness = 0;        // N/m
   double damping = 0;          // N s/m
 
@@ -41,8 +42,9 @@ class TissueSprings {
   }
   std::span<const TissueSpring> all() const { return springs_; }
 
-  // Adds to the loads for a substep of dt that ends at `share` of the frame. Springs of tools that
-  // are not among the obstacles exert no force.
+  // Adds the springs' forces to the loads, for a substep of `dt` s that ends at the fraction
+  // `share` (0 to 1) of the frame. frame: the frame's duration, s. origin: rest position of cell
+  // (0, 0, 0), m. Springs of tools that are not among the obstacles exert no force.
   void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
             double share, double frame, double dt);
   // Momentum given to each of the obstacles since forgetImpulses(), kg m/s.

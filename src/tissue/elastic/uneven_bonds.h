@@ -1,8 +1,8 @@
-// Correction of bonds between cells of different penalty stiffness: of two materials, or of which
-// one cell has no deformation gradient.
+// Correction of uneven bonds: those between two cells of different penalty stiffness kappa. The
+// cells are of two materials, or one of them has no deformation gradient.
 //
-// The stress pass uses a cell's own kappa for both ends of its bonds, so that it needs one sum
-// only; these few bonds are corrected afterwards.
+// The stress pass uses a cell's own kappa for both ends of each of its bonds, so that it needs one
+// sum only. The forces of the few uneven bonds are corrected afterwards.
 #pragma once
 
 #include <span>
@@ -14,13 +14,14 @@ namespace resect {
 
 struct UnevenBond {
   std::int32_t a, b;  // cells of the box
-  float stiffness;    // w (kappa_b - kappa_a) / spacing^2, N/m
+  float stiffness;    // w (kappa_b - kappa_a) / spacing^2, N/m; w: bondWeights()
 };
 
-// All of them, in ascending order. Cost: some ns per cell of the chunks that have one.
+// All uneven bonds, in ascending order of a. Cost: some ns per cell of the chunks that are marked
+// as uneven.
 std::vector<UnevenBond> findUnevenBonds(const ElasticState& state);
 
-// Adds the difference to the bond forces of the stress pass.
+// Adds the corrections to the bond forces of the stress pass.
 void pullUnevenBonds(std::span<const UnevenBond> bonds, ElasticState& state);
 
 }  // namespace resect

@@ -1,10 +1,11 @@
-// The kernels of elastic tissue: two passes over the cells for each substep, and a third for those
-// who read the result; compiled for several instruction sets.
+// The kernels of elastic tissue: the two passes over the cells for each substep, and a function
+// that gives the placements of cells. They are compiled for several instruction sets.
 //
 // Total-Lagrangian SPH with corrected gradient and bond penalty (Ganzenmueller 2015 in the energy
-// form of docs/methods/tissue.md). Each cell only gathers, every lane does the same operations in
-// the same order, and code paths are chosen for kChunk cells at a time, so the results depend
-// neither on the instruction set nor on the number of threads.
+// form of docs/methods/tissue.md). Each cell gathers from its neighbours and writes to itself
+// alone. Every lane does the same operations in the same order, and code paths are chosen for
+// kChunk cells at a time. So the results depend neither on the instruction set nor on the number of
+// threads.
 #pragma once
 
 #include <cstddef>
@@ -13,29 +14,30 @@
 
 namespace resect {
 
-// Limit of |cof F|^2, which is 3 at rest: beyond it the response to volume change is reduced in
-// proportion, so that one length of substep is stable for any deformation.
+// Limit of |cof F|^2, where cof F is the cofactor matrix of F; the value at rest is 3. Beyond the
+// limit the response to volume change is multiplied by kMostStiffening / |cof F|^2, so that one
+// length of the substep is stable for any deformation.
 inline constexpr float kMostStiffening = 6;
 
-// Speeds below this are set to zero (m/s). The front of a wave enters tissue at rest as ever
-// smaller numbers; as denormals they would make a pass ten times slower, and machines flush
-// denormals in different ways or not at all.
+// Components of velocity up to this size, m/s, are set to zero. At the front of a wave that enters
+// tissue at rest, velocities become ever smaller. As denormal numbers they would make a pass ten
+// times slower, and machines flush these to zero in different ways or not at all.
 inline constexpr float kAtRest = 1e-12f;
 
 // Constants of a substep that both passes read.
 struct SubstepConstants {
-  float faceShare = 0;         // weight of a face neighbour (tissue/stencil.h) over an edge one's
-  float cornerShare = 0;       // the same of a corner neighbour
-  float edgePerLength = 0;     // an edge neighbour's weight over the spacing, 1/m
-  float bondStiffness = 0;     // twice that weight over the spacing squared, 1/m^2
+  float faceShare = 0;         // weight of a face neighbour / that of an edge neighbour
+  float cornerShare = 0;       // weight of a corner neighbour / that of an edge neighbour
+  float edgePerLength = 0;     // weight of an edge neighbour / spacing, 1/m
+  float bondStiffness = 0;     // 2 * weight of an edge neighbour / spacing^2, 1/m^2
   float dt = 0;                // s
-  float lookAhead = 0;         // beta dt, s
-  float keep = 1;              // factor of the velocity per substep by drag
+  float lookAhead = 0;         // beta dt, s; beta: TissueSettings::damping
+  float keep = 1;              // drag multiplies velocities by this in a substep
   float gravity[3] = {};       // m/s^2
-  float mostSpeedSquared = 0;  // faster counts as exploded, m^2/s^2
+  float mostSpeedSquared = 0;  // a faster cell counts as exploded, m^2/s^2
 };
 
-// The arrays of an ElasticState by address.
+// Pointers to the arrays of an ElasticState.
 struct ElasticView {
   float *u[3], *ahead[3], *v[3], *stress[9], *bondForce[3];
   const float *inverseMoment[6], *skew[3], *planeWeight[3], *load[3];
@@ -49,21 +51,23 @@ ElasticView viewOf(ElasticState& state);
 
 struct ElasticKernel {
   const char* name;
-  // For chunks [begin, end): stress and bondForce from `ahead`.
+  // For the chunks [begin, end): computes stress and bondForce from `ahead`.
   void (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                      std::size_t end);
-  // Then v, u and `ahead` from them; false if a speed is beyond the limit or NaN.
+  // For the chunks [begin, end): computes v, u and `ahead` from stress and bondForce. Returns false
+  // if a speed is beyond the limit or NaN.
   bool (*motionPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                      std::size_t end);
-  // Displacement (rows 0 to 2 of `out`) and gradient of displacement (then, row by row) of the
-  // `wanted` of kChunk cells from `start` on, a multiple of kChunk; bit n: cell start + n. Others
-  // may be written. weight: by kind of neighbour, over that of an edge neighbour.
+  // Writes the placements of cells of one chunk to `out`: rows 0 to 2 are the displacement, rows 3
+  // to 11 are F - I, row by row; column n is the cell start + n. start: a multiple of kChunk.
+  // wanted: bit n is set if cell start + n is needed; columns of other cells may be written too.
+  // weight: by kind of neighbour, in units of an edge neighbour's weight.
   void (*placements)(const ElasticView& s, const float weight[4], std::int32_t start,
                      std::uint32_t wanted, float (*out)[kChunk]);
 };
 
-// The fastest kernel for this machine; and by name ("baseline", "avx2", "avx512"; null if the
-// machine lacks its instructions).
+// fastestKernel(): the fastest kernel that this machine can run. kernelNamed(): the kernel called
+// "baseline", "avx2" or "avx512"; null for another name, or if the machine lacks its instructions.
 const ElasticKernel& fastestKernel();
 const ElasticKernel* kernelNamed(const char* name);
 

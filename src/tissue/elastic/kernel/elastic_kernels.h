@@ -5,7 +5,7 @@
 
 namespace resect {
 
-const ElasticKernel& baselineKernel();  // what every machine of the build's target has
+const ElasticKernel& baselineKernel();  // runs on every machine that the build is for
 const ElasticKernel& avx2Kernel();
 const ElasticKernel& avx512Kernel();
 
