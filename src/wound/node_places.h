@@ -2,9 +2,9 @@
 //
 // Blades are tested against the moved tissue (wound/blade_raster.h). So before edges are severed,
 // the nodes near the blade are moved with their particles, as the surface's vertices are
-// (wound/vertex_binding.h). A node outside tissue follows all particles of its lattice cube; if
-// there are none, the node has no position. The cost is proportional to the number of nodes, plus a
-// pass over the box round all of them.
+// (wound/vertex_binding.h). A node outside tissue follows all particles among the eight cells
+// whose centres surround it; if there are none, the node has no position. The cost is proportional
+// to the number of nodes, plus a pass over the box round all of them.
 #pragma once
 
 #include <limits>

@@ -2,8 +2,10 @@
 //
 // The lines depend on the face alone, so the cells on both sides of it have the same lines; this is
 // why the surface is closed. Along the face's border solid parts ("runs") alternate with gaps. A
-// gap is a cut edge, which has no width, or a stretch outside the tissue. A line leads from the end
-// of a run to the start of a run. Each end and each start has one line. In three cases the lines
+// gap is a cut edge, which has no width, or a stretch outside the tissue. Seen along the border, in
+// the order of its corners, a line leads from the end of a run either back to the start of the same
+// run, which it cuts off, or across a gap to the start of another. Each end and each start has one
+// line. In three cases the lines
 // pass through one point of the face, each with a vertex of its own there: where three or four cuts
 // meet, where a cut ends in the face, and where a cut meets the organ's surface ("skin").
 #pragma once
@@ -33,7 +35,7 @@ struct FaceLines {
   std::array<FaceLine, kMost> line;
   int count = 0;
   FacePoint kind = FacePoint::None;
-  Vec3 point = Vec3::Zero();  // in the window
+  Vec3 point = Vec3::Zero();  // in the coordinates of the CutGrid's nodes
   int points() const {        // number of vertices at the face's point
     int n = 0;
     for (int i = 0; i < count; ++i) n += line[std::size_t(i)].bent;
@@ -56,8 +58,9 @@ inline RingEdge ringEdge(int axis, int i) {
 }
 
 // Whether the organ's surface continues through the face at node i although edges of the face are
-// cut. It does not if the blade crosses it, or if the two ends of its line belong to nodes that are
-// not connected within the face's two cells and one node round them.
+// cut. It does not if a blade crosses the surface's line in the face. It does not either if the
+// nodes that own the two ends of that line are not joined by whole grid edges inside a small box:
+// the two cells beside the face, widened by one node on every side.
 bool skinHolds(const CutGrid& grid, int i, int axis);
 
 // The lines of the face at node i. holds() gives the answer of skinHolds(); in tests it may give

@@ -1,8 +1,9 @@
 // Takes and moves tools with mouse and keyboard.
 //
 // With manipulators, as in the original thesis: a left click on a tool replaces its SoTransform by
-// a handle box, which moves the tool. A middle click changes the handle box to a trackball, which
-// turns the tool, and back; the next left click brings the one used last. A click beside all tools
+// a handle box, which moves the tool. A middle click changes between the handle box and a
+// trackball, which turns the tool. The next tool that is taken gets whichever of the two was used
+// last. A click beside all tools
 // lets go and restores the SoTransform. The scale that a handle box would set is ignored, so
 // instruments neither change their size nor move by it.
 //

@@ -20,8 +20,8 @@ struct LiveState {
   double removedVolume = 0, volume = 0;  // m^3
   float iso = 50;
   bool moves = false;               // the tissue is elastic
-  std::vector<std::string> faults;  // since the last take(), each once
-  std::vector<ToolInput> played;    // the tools as a motion moves them; empty: none does
+  std::vector<std::string> faults;  // since the last LiveOperation::take(), each once
+  std::vector<ToolInput> played;    // inputs of a motion that plays; empty: none plays
   StepTimes times;
   // One per tool.
   std::vector<TipPlace> tips;          // meaningful only while the tool is in hand
