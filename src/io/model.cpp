@@ -39,7 +39,7 @@ class ByteReader {
   template <typename T>
   void take(T* values, std::uint64_t count) {
     if (count > bytes_.size() / sizeof(T)) throw broken();
-    std::memcpy(static_cast<void*>(values), bytes_.data(), count * sizeof(T));
+    if (count > 0) std::memcpy(static_cast<void*>(values), bytes_.data(), count * sizeof(T));
     bytes_.remove_prefix(count * sizeof(T));
   }
   std::uint64_t takeCount(std::size_t bytesEach) {

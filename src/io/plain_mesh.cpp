@@ -47,8 +47,10 @@ Model readPlainMesh(const std::filesystem::path& path) {
   const std::filesystem::path file = std::filesystem::path(path).replace_extension(".ply");
   const std::string name = file.string();
   if (!std::filesystem::exists(file)) throw error("there is no plain mesh {}; {}", name, kForm);
-  const std::string all = readWholeFile(file);
-  std::string_view bytes = all;
+  return parsePlainMesh(readWholeFile(file), name);
+}
+
+Model parsePlainMesh(std::string_view bytes, const std::string& name) {
   expect(bytes, "ply\nformat binary_little_endian 1.0\ncomment Resect, metres\n", name);
   const std::size_t points = takeCount(bytes, "element vertex ", name);
   expect(bytes, "property double x\nproperty double y\nproperty double z\n", name);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "io/model.h"
 
@@ -13,5 +15,7 @@ namespace resect {
 // Inventor. The function is a ModelReader (io/operation_setup.h). Cost: one pass. Throws Error if
 // there is no such file, or if it has another form or is truncated.
 Model readPlainMesh(const std::filesystem::path& path);
+// The same from the file's bytes; `name` stands for the file in Errors.
+Model parsePlainMesh(std::string_view bytes, const std::string& name);
 
 }  // namespace resect

@@ -217,8 +217,10 @@ Scenario parseScenario(const std::string& text, const std::string& name) {
   return scenario;
 }
 
-ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh) {
-  const TomlTable t = TomlTable::readFile(path);
+namespace {
+
+ToolModel toTool(const TomlTable& t, const std::filesystem::path& folder,
+                 const MeshReader& readMesh) {
   ToolModel model;
   model.name = t.text("name");
   model.kind = t.text("kind");
@@ -240,10 +242,20 @@ ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh
   model.response = readResponse(t);
   model.friction = t.number("friction", 0, 10, model.friction);
   model.slipForce = t.number("slip_force", 0, 1e4, model.slipForce);
-  model.file = path.parent_path() / t.text("model");
+  model.file = folder / t.text("model");
   t.refuseUnknownKeys();
   model.mesh = readMesh(model.file);
   return model;
+}
+
+}  // namespace
+
+ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh) {
+  return toTool(TomlTable::readFile(path), path.parent_path(), readMesh);
+}
+
+ToolModel parseTool(const std::string& text, const std::string& name, const MeshReader& readMesh) {
+  return toTool(TomlTable::parse(text, name), {}, readMesh);
 }
 
 }  // namespace resect

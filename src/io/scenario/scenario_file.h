@@ -23,5 +23,7 @@ Scenario parseScenario(const std::string& text, const std::string& name);
 
 // Reads a tool's description and, with `readMesh`, the model beside it.
 ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh);
+// The same from text; `name` stands for the file in Errors.
+ToolModel parseTool(const std::string& text, const std::string& name, const MeshReader& readMesh);
 
 }  // namespace resect
