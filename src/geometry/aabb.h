@@ -13,6 +13,11 @@ struct Aabb {
   Vec3 min = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 max = Vec3::Constant(-std::numeric_limits<double>::infinity());
 
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("min", min), v("max", max);
+  }
+
   bool empty() const { return (min.array() > max.array()).any(); }
   Vec3 size() const { return empty() ? Vec3(Vec3::Zero()) : Vec3(max - min); }
   Vec3 centre() const { return 0.5 * (min + max); }

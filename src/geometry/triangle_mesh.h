@@ -16,6 +16,11 @@ using Triangle = std::array<std::int32_t, 3>;  // counter-clockwise seen from ou
 struct TriangleMesh {
   std::vector<Vec3> points;         // m
   std::vector<Triangle> triangles;  // indices into points
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("points", points), v("triangles", triangles);
+  }
 };
 
 Aabb bounds(const TriangleMesh& mesh);

@@ -17,6 +17,11 @@ struct OrganLabel {
   int label = 1;     // 1 to 255
   std::string name;  // may be empty
   Region region;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("label", label), v("name", name), v("region", region);
+  }
 };
 
 // Source of an organ and size of its cells.
@@ -37,6 +42,14 @@ struct OrganSource {
   std::vector<Landmark> landmarks;  // in addition to those of a file of cells
   std::vector<OrganLabel>
       labels;  // in addition to those of a file of cells; where they overlap the last counts
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("name", name), v("beside", beside), v("file", file), v("part", part), v("unit", unit);
+    v("repair", repair), v("spacing", spacing), v("dims", dims), v("resample", resample);
+    v("pose", pose), v("onTable", onTable), v("settle", settle), v("settings", settings);
+    v("landmarks", landmarks), v("labels", labels);
+  }
 };
 
 // Whether the source is one of the built-in organs, "liver" and "gallbladder".
@@ -47,10 +60,15 @@ inline bool isBuiltIn(const OrganSource& source) {
 // Pose of a tool at a time; between keys positions are interpolated linearly, rotations along the
 // shorter great circle.
 struct ToolKey {
-  double time;         // s from the start
+  double time = 0;     // s from the start
   Pose pose;           // of the tool's frame, whose origin is the tip; world
   double squeeze = 0;  // of its jaws: 0 wide open, 1 closed
   double pedal = 0;    // of an energy device, 0 to 1
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("time", time), v("pose", pose), v("squeeze", squeeze), v("pedal", pedal);
+  }
 };
 
 // How instruments act. Thesis: tissue is still, each instrument removes what it touches, and only
@@ -63,12 +81,22 @@ struct ScenarioTool {
   Pose rest;                            // where it lies while not in hand
   std::vector<ToolKey>
       keys;  // ascending times; in hand from the first key's time to the last one's
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("model", model), v("response", response), v("rest", rest), v("keys", keys);
+  }
 };
 
 // The material of a label.
 struct LabelMaterial {
   int label = 1;  // 1 to 255
   TissueMaterial material;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("label", label), v("material", material);
+  }
 };
 
 // How the organ's tissue moves.
@@ -84,11 +112,22 @@ struct TissueSetup {
       if (one.label == label) return one.material;
     return material;
   }
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("elastic", elastic), v("material", material), v("settings", settings);
+    v("attachments", attachments), v("materials", materials);
+  }
 };
 
 struct ScenarioOrgan {
   OrganSource source;
   TissueSetup tissue;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("source", source), v("tissue", tissue);
+  }
 };
 
 // Springs that hold two organs together: from each particle of the first to the nearest of the
@@ -97,6 +136,11 @@ struct OrganJoint {
   std::string organs[2];
   double reach = 0.01;      // m: particles farther apart at rest are not joined
   double stiffness = 1000;  // of all springs together, N/m
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("first", organs[0]), v("second", organs[1]), v("reach", reach), v("stiffness", stiffness);
+  }
 };
 
 struct Scenario {
@@ -112,6 +156,14 @@ struct Scenario {
   bool table = true, toolBox = true;  // what stands in the room
   std::string view = "surgeon";       // camera
   std::optional<Aabb> closeUp;        // box that pictures show, world, m; without it the organ
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("name", name), v("title", title), v("description", description), v("mode", mode);
+    v("organs", organs), v("joints", joints), v("tools", tools), v("frameRate", frameRate);
+    v("duration", duration), v("table", table), v("toolBox", toolBox), v("view", view);
+    v("closeUp", closeUp);
+  }
 };
 
 // Throw Error for values that cannot be run, such as a time or stiffness out of range or an organ's

@@ -21,6 +21,11 @@ struct OrganSettings {
   // Iso level of the surface, kMinIso to kMaxIso: lower enlarges the organ, higher shrinks it; 50
   // keeps the volume.
   float iso = 50;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("refine", refine), v("iso", iso);
+  }
 };
 
 // A particle is a cell whose centre was inside the mesh. Skin cells hold the rest of the volume.

@@ -19,6 +19,11 @@ namespace resect {
 struct Landmark {
   std::string name;
   Vec3 place = Vec3::Zero();
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("name", name), v("place", place);
+  }
 };
 
 struct Region {
@@ -40,6 +45,12 @@ struct Region {
   double deepest = std::numeric_limits<double>::infinity();
   // Signed distance from the surface of the organ at rest; required if a depth is given.
   std::shared_ptr<const SignedDistance> skin;
+
+  template <class Visitor>
+  void visit(Visitor& v) {  // all but the skin, which is the organ's
+    v("shape", shape), v("frame", frame), v("box", box), v("centre", centre), v("radius", radius);
+    v("landmark", landmark), v("shallowest", shallowest), v("deepest", deepest);
+  }
 
   bool asksDepth() const {
     return shallowest > 0 || deepest < std::numeric_limits<double>::infinity();

@@ -15,6 +15,12 @@ struct TissueAttachment : Region {
   };
   Kind kind = Kind::Pin;
   double stiffness = 200;  // of the whole ligament, N/m; its cells' springs share it equally
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    Region::visit(v);
+    v("kind", kind), v("stiffness", stiffness);
+  }
 };
 
 }  // namespace resect

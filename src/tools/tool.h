@@ -16,6 +16,11 @@ struct Jaws {
   Vec3 pivot = Vec3::Zero();  // m
   Vec3 axis = Vec3::UnitX();  // unit
   double opening = 0;         // angle of the edges when wide open, rad; 0: the tool has no jaws
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("pivot", pivot), v("axis", axis), v("opening", opening);
+  }
 };
 
 // An instrument's shape and working parts, in its own frame: tip at the origin, handle along +Z.

@@ -10,7 +10,8 @@
 //
 // A field may be a number, an enum, a fixed-size Eigen matrix, an Eigen::Quaterniond, a string or a
 // struct with visit(); an array of these (at most 9 entries unless they are numbers or matrices);
-// or a vector of numbers, enums, matrices or structs. Names are string literals. A visitor that
+// a vector of numbers, enums, matrices, arrays of numbers or structs; or a std::optional, which
+// counts as a list of at most one entry. Names are string literals. A visitor that
 // only reads must not write to the fields: visitState() gives it const objects.
 #pragma once
 
@@ -20,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -64,6 +66,19 @@ struct IsArray : std::false_type {};
 template <typename T, std::size_t N>
 struct IsArray<std::array<T, N>> : std::true_type {};
 template <typename T>
+struct IsOptional : std::false_type {};
+template <typename T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <typename T, std::size_t N>
+requires(Number<T> && !std::is_same_v<T, bool>) struct PlainOf<std::array<T, N>> {
+  using Scalar = T;
+  static constexpr std::size_t count = N;
+};
+template <typename T>
+concept NumberArray = IsArray<T>::value && requires {
+  typename PlainOf<T>::Scalar;
+} && !std::is_same_v<typename PlainOf<T>::Scalar, T>;
+template <typename T>
 concept List = requires(T& t) {
   t.data();
   t.resize(std::size_t());
@@ -91,6 +106,8 @@ class StateVisitor {
       array(name, field);
     } else if constexpr (List<T>) {
       list(name, field);
+    } else if constexpr (IsOptional<T>::value) {
+      optional(name, field);
     } else {
       enter(name);
       field.visit(*this);
@@ -187,7 +204,7 @@ class StateVisitor {
     using Element = typename T::value_type;
     memory(field.capacity() * sizeof(Element));
     const std::size_t count = enterList(name, field.size());
-    if constexpr (Plain<Element>) {
+    if constexpr (Plain<Element> || NumberArray<Element>) {
       if (count != field.size()) field.resize(count);
       numbers("", field.data(), count * PlainOf<Element>::count,
               sizeof(typename PlainOf<Element>::Scalar));
@@ -199,6 +216,22 @@ class StateVisitor {
         if (i == field.size()) field.resize(std::min(count, i + std::max(i, std::size_t(64))));
         field[i].visit(*this);
       }
+    }
+    leave();
+  }
+
+  template <typename T>
+  void optional(const char* name, T& field) {
+    using namespace state_detail;
+    using Value = typename T::value_type;
+    const bool has = enterList(name, field ? 1 : 0) > 0;
+    if (has && !field) field.emplace();
+    if (!has && field) field.reset();
+    if constexpr (Plain<Value>) {
+      using Scalar = typename PlainOf<Value>::Scalar;
+      numbers("", has ? address(*field) : nullptr, has ? PlainOf<Value>::count : 0, sizeof(Scalar));
+    } else if (has) {
+      (*this)("value", *field);
     }
     leave();
   }

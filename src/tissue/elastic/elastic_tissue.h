@@ -45,6 +45,12 @@ struct TissueSettings {
   // Largest number of threads for the two passes; 0: all that the program may use. With more
   // threads than idle cores the passes are slower than with one.
   int threads = 1;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("gravity", gravity), v("damping", damping), v("drag", drag), v("penalty", penalty);
+    v("stepShare", stepShare), v("threads", threads);
+  }
 };
 
 struct TissueEnergy {

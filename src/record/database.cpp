@@ -1,0 +1,119 @@
+#include "record/database.h"
+
+#include <sqlite3.h>
+
+#include "base/error.h"
+
+namespace resect {
+
+void Database::Close::operator()(sqlite3* db) const { ::sqlite3_close(db); }
+void Statement::Finish::operator()(sqlite3_stmt* statement) const { ::sqlite3_finalize(statement); }
+
+Database::Database(const std::filesystem::path& path, Mode mode) : name_(path.string()) {
+  namespace fs = std::filesystem;
+  std::error_code ec;
+  if (mode == Mode::Create)
+    for (const char* end : {"", "-wal", "-shm", "-journal"}) fs::remove(name_ + end, ec);
+  else if (!fs::is_regular_file(path, ec))
+    throw error("{}: there is no such file; check the name", name_);
+  const int flags = SQLITE_OPEN_READWRITE | (mode == Mode::Create ? SQLITE_OPEN_CREATE : 0);
+  sqlite3* db = nullptr;
+  const int result = ::sqlite3_open_v2(name_.c_str(), &db,
+                                       flags | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX, nullptr);
+  db_.reset(db);
+  if (result != SQLITE_OK) fail();
+  // What a file holds is never run: no triggers or views of others, no functions, checked pages.
+  ::sqlite3_db_config(db, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  ::sqlite3_db_config(db, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  ::sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  ::sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  ::sqlite3_busy_timeout(db, 2000);
+}
+
+Database::~Database() = default;
+
+void Database::fail() const {
+  const int code = db_ ? ::sqlite3_errcode(db_.get()) : SQLITE_NOMEM;
+  if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
+    throw error("{}: is no recording, or is damaged; choose another file", name_);
+  if (code == SQLITE_FULL) throw error("{}: the disk is full; free some space", name_);
+  if (code == SQLITE_READONLY || code == SQLITE_CANTOPEN || code == SQLITE_PERM)
+    throw error("{}: cannot be written; choose a folder you may write to", name_);
+  throw error("{}: {}; check the file and the disk", name_,
+              db_ ? ::sqlite3_errmsg(db_.get()) : "out of memory");
+}
+
+void Database::run(const std::string& sql) {
+  if (::sqlite3_exec(db_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+}
+
+std::int64_t Database::number(const std::string& sql) {
+  Statement statement(*this, sql);
+  return statement.step() ? statement.integer(0) : 0;
+}
+
+Statement::Statement(Database& database, std::string_view sql) : database_(database) {
+  sqlite3_stmt* statement = nullptr;
+  const int result =
+      ::sqlite3_prepare_v2(database.db_.get(), sql.data(), int(sql.size()), &statement, nullptr);
+  statement_.reset(statement);
+  if (result != SQLITE_OK) database_.fail();
+}
+
+Statement& Statement::bind(int parameter, std::int64_t value) {
+  if (::sqlite3_bind_int64(statement_.get(), parameter + 1, value) != SQLITE_OK) database_.fail();
+  return *this;
+}
+
+Statement& Statement::bind(int parameter, double value) {
+  if (::sqlite3_bind_double(statement_.get(), parameter + 1, value) != SQLITE_OK) database_.fail();
+  return *this;
+}
+
+Statement& Statement::bind(int parameter, std::string_view text) {
+  if (::sqlite3_bind_text(statement_.get(), parameter + 1, text.data(), int(text.size()),
+                          SQLITE_TRANSIENT) != SQLITE_OK)
+    database_.fail();
+  return *this;
+}
+
+Statement& Statement::bind(int parameter, std::span<const std::byte> blob) {
+  if (::sqlite3_bind_blob64(statement_.get(), parameter + 1,
+                            blob.empty() ? "" : static_cast<const void*>(blob.data()), blob.size(),
+                            SQLITE_TRANSIENT) != SQLITE_OK)
+    database_.fail();
+  return *this;
+}
+
+bool Statement::step() {
+  const int result = ::sqlite3_step(statement_.get());
+  if (result == SQLITE_ROW) return true;
+  if (result != SQLITE_DONE) {
+    ::sqlite3_reset(statement_.get());
+    database_.fail();
+  }
+  ::sqlite3_reset(statement_.get());
+  return false;
+}
+
+std::int64_t Statement::integer(int column) const {
+  return ::sqlite3_column_int64(statement_.get(), column);
+}
+double Statement::real(int column) const {
+  return ::sqlite3_column_double(statement_.get(), column);
+}
+
+std::string Statement::text(int column) const {
+  const auto* text = ::sqlite3_column_text(statement_.get(), column);
+  return text ? std::string(reinterpret_cast<const char*>(text),
+                            std::size_t(::sqlite3_column_bytes(statement_.get(), column)))
+              : std::string();
+}
+
+std::span<const std::byte> Statement::blob(int column) const {
+  const void* data = ::sqlite3_column_blob(statement_.get(), column);
+  return {static_cast<const std::byte*>(data),
+          std::size_t(::sqlite3_column_bytes(statement_.get(), column))};
+}
+
+}  // namespace resect

@@ -1,0 +1,111 @@
+// The file of a recording: a SQLite database with the tables that docs/recording.md describes.
+//
+// This is the store only: it keeps rows and gives them back. record/recorder.h fills it while an
+// operation runs; record/replay.h plays it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "record/database.h"
+#include "record/recorded_setup.h"
+
+namespace resect {
+
+inline constexpr int kRecordingSchema = 1;
+
+// A frame as stored. Frames of a branch are numbered by Simulation::frame() after the step.
+struct RecordedFrame {
+  std::int64_t branch = 0, frame = 0;
+  double time = 0;     // s, at the frame's end
+  bool whole = false;  // the input is written in full, not as the difference to the frame before
+  Bytes input;         // record/frame_bytes.h
+  // The digest of `input`, then one per field of the state (RecordingInfo::fields).
+  std::vector<std::uint64_t> hashes;
+};
+
+// A state from which playing can begin.
+struct KeyState {
+  std::int64_t branch = 0, frame = 0;
+  Bytes state;                  // Simulation::save()
+  std::uint64_t stateHash = 0;  // of the surface too
+};
+
+// A course of the operation. Branch 0 is the first; another one begins where a stroke was taken
+// back.
+struct Branch {
+  std::int64_t number = 0, parent = -1;  // -1: none
+  std::int64_t from = 0;                 // frame of the parent at which it begins
+  std::string name;
+};
+
+// Something that happened, for people and for skills.
+struct RecordedEvent {
+  std::int64_t branch = 0, frame = 0;
+  double time = 0;                     // s
+  std::int64_t tool = -1, organ = -1;  // -1: none
+  std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault
+  double amount = 0;  // particles, bonds or pieces; by kind
+  std::string text;
+};
+
+// Where a tool in hand was and what it felt.
+struct RecordedSample {
+  std::int64_t branch = 0, frame = 0, tool = 0;
+  double tip[3] = {}, force[3] = {};  // world, m and N
+};
+
+struct RecordingInfo {
+  std::string program;         // "resect 0.1.0"
+  std::string instructionSet;  // of the processor that recorded
+  double frameRate = 60;
+  std::vector<std::string> fields;  // names for RecordedFrame::hashes after the first
+};
+
+class RecordingFile {
+ public:
+  // A new file; one that is there is replaced.
+  static RecordingFile create(const std::filesystem::path& path, const RecordingInfo& info,
+                              const RecordedSetup& setup);
+  // Opens a finished or an interrupted recording for reading. Throws Error if it is none, or of a
+  // newer schema.
+  static RecordingFile open(const std::filesystem::path& path);
+
+  const RecordingInfo& info() const { return info_; }
+  RecordedSetup setup();
+
+  void begin();  // a transaction: what follows is kept together or not at all
+  void commit();
+  void add(const Branch& branch);
+  void add(const RecordedFrame& frame);
+  void add(const KeyState& state);  // compressed
+  void add(const RecordedEvent& event);
+  void add(const RecordedSample& sample);
+  void finish();  // marks it complete and folds the write-ahead log into the file
+
+  std::vector<Branch> branches();
+  std::int64_t lastFrame(std::int64_t branch);  // -1 without frames
+  std::optional<RecordedFrame> frame(std::int64_t branch, std::int64_t number);
+  // The latest key state of the branch at `frame` or before.
+  std::optional<KeyState> keyState(std::int64_t branch, std::int64_t frame);
+  std::vector<std::int64_t> keyFrames(std::int64_t branch);
+  std::vector<RecordedEvent> events(std::int64_t branch);
+  std::vector<RecordedSample> samples(std::int64_t branch, std::int64_t frame);
+  bool complete();            // false: the program ended before the recording did
+  std::string damagedPage();  // what SQLite's own check finds, in one line; empty: nothing
+
+ private:
+  RecordingFile(const std::filesystem::path& path, Database::Mode mode)
+      : opened_(std::make_unique<Database>(path, mode)), database_(*opened_) {}
+  Statement& prepared(std::size_t slot, std::string_view sql);
+
+  std::unique_ptr<Database> opened_;  // on the heap, since statements refer to it
+  Database& database_;
+  RecordingInfo info_;
+  std::vector<std::unique_ptr<Statement>> statements_;  // kept for adding
+};
+
+}  // namespace resect

@@ -1,0 +1,194 @@
+#include "record/replay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include "base/error.h"
+#include "record/frame_bytes.h"
+
+namespace resect {
+namespace {
+
+// The stage of Simulation::step() that writes the fields below a path.
+std::string stageOf(const std::string& field) {
+  constexpr std::array<std::pair<const char*, const char*>, 4> kWriters{{
+      {"tools", "moveTools"},
+      {"organs.organ", "applyEdits"},
+      {"organs.tissue", "moveTissue"},
+      {"joints", "applyEdits"},
+  }};
+  for (const auto& [path, stage] : kWriters)
+    if (field.starts_with(path)) return stage;
+  return "step";
+}
+
+bool same(const RecordedEvent& a, const RecordedEvent& b) {
+  return a.frame == b.frame && a.time == b.time && a.tool == b.tool && a.organ == b.organ &&
+         a.kind == b.kind && a.amount == b.amount && a.text == b.text;
+}
+
+bool same(const RecordedSample& a, const RecordedSample& b) {
+  return a.tool == b.tool && std::memcmp(a.tip, b.tip, sizeof a.tip) == 0 &&
+         std::memcmp(a.force, b.force, sizeof a.force) == 0;
+}
+
+class Verifier {
+ public:
+  Verifier(const std::filesystem::path& path, const Progress& progress)
+      : replay_(path), progress_(progress) {}
+
+  Verification run() {
+    found_.complete = replay_.file().complete();
+    if (const std::string page = replay_.file().damagedPage(); !page.empty()) {
+      found_.first = Difference{0, 0, "file", page};
+      return found_;
+    }
+    const std::vector<Branch> branches = replay_.file().branches();
+    if (branches.empty()) throw error("the recording holds no operation; it ended before it began");
+    for (const Branch& branch : branches) {
+      ++found_.branches;
+      try {
+        check(branch);
+      } catch (const Cancelled&) {
+        throw;
+      } catch (const Error& e) {
+        differ(branch.number, replay_.simulation().frame(), "file", e.what());
+      }
+      if (found_.first) break;
+    }
+    return found_;
+  }
+
+ private:
+  void differ(std::int64_t branch, std::int64_t frame, std::string stage, std::string what) {
+    if (!found_.first) found_.first = Difference{branch, frame, std::move(stage), std::move(what)};
+  }
+
+  void check(const Branch& branch) {
+    RecordingFile& file = replay_.file();
+    const std::int64_t b = branch.number;
+    const std::vector<std::int64_t> keys = file.keyFrames(b);
+    if (keys.empty() || keys[0] != branch.from)
+      return differ(b, branch.from, "file", "the branch's first state is missing");
+    replay_.goTo(b, branch.from);
+    if (b == 0 && branch.parent == -1) {
+      const Simulation start = simulationOf(replay_.setup());
+      if (start.save() != replay_.simulation().save())
+        return differ(b, branch.from, "file", "the first state is not that of the scenario");
+    }
+    checkKeyState(b);
+    const std::vector<RecordedEvent> events = file.events(b);
+    std::size_t nextEvent = 0;
+    EventMemory memory;
+    const std::int64_t last = file.lastFrame(b);
+    StepReport stepped;
+    while (!found_.first && replay_.step(nullptr, &stepped)) {
+      const std::int64_t frame = replay_.simulation().frame();
+      checkHashes(b, frame);
+      for (RecordedEvent& event : eventsOf(stepped, replay_.simulation(), memory)) {
+        if (nextEvent >= events.size() || !same(events[nextEvent++], event))
+          differ(b, frame, "measure", fmt::format("event \"{}\"", event.kind));
+      }
+      checkSamples(b, frame, stepped);
+      if (std::ranges::binary_search(keys, frame)) checkKeyState(b);
+      ++found_.frames;
+      if (progress_ && found_.frames % 16 == 0)
+        report(progress_,
+               last > branch.from ? double(frame - branch.from) / double(last - branch.from) : 1.0);
+    }
+    if (found_.first) return;
+    if (nextEvent != events.size()) differ(b, last, "measure", "an event that did not happen");
+    if (last >= 0 && replay_.simulation().frame() != last)
+      differ(b, replay_.simulation().frame() + 1, "file", "a frame is missing");
+  }
+
+  void checkHashes(std::int64_t branch, std::int64_t frame) {
+    const RecordedFrame& recorded = replay_.recorded();
+    const std::vector<std::uint64_t>& now = hashes_.of(replay_.simulation());
+    if (recorded.hashes.size() != now.size() + 1)
+      return differ(branch, frame, "file", "it has another number of digests");
+    if (recorded.hashes[0] != fastHash(recorded.input.data(), recorded.input.size()))
+      return differ(branch, frame, "file", "the input is damaged");
+    for (std::size_t i = 0; i < now.size(); ++i)
+      if (now[i] != recorded.hashes[i + 1])
+        return differ(branch, frame, stageOf(hashes_.fields()[i]), hashes_.fields()[i]);
+    if (recorded.time != replay_.simulation().time())
+      differ(branch, frame, "file", "its time is damaged");
+  }
+
+  void checkSamples(std::int64_t branch, std::int64_t frame, const StepReport& stepped) {
+    const auto recorded = replay_.file().samples(branch, frame);
+    const auto now = samplesOf(stepped, replay_.simulation());
+    if (recorded.size() != now.size() ||
+        !std::equal(now.begin(), now.end(), recorded.begin(),
+                    [](const auto& a, const auto& c) { return same(a, c); }))
+      differ(branch, frame, "measure", "a sample of a tool");
+  }
+
+  void checkKeyState(std::int64_t branch) {
+    const std::int64_t frame = replay_.simulation().frame();
+    const std::optional<KeyState> key = replay_.file().keyState(branch, frame);
+    if (!key || key->frame != frame) return differ(branch, frame, "file", "a key state is missing");
+    if (key->state != replay_.simulation().save())
+      differ(branch, frame, "file", "the key state is damaged");
+    else if (key->stateHash != replay_.simulation().stateHash())
+      differ(branch, frame, "updateSurface", "the surface");
+    ++found_.keyStates;
+  }
+
+  Replay replay_;
+  const Progress& progress_;
+  FrameHashes hashes_;
+  Verification found_;
+};
+
+}  // namespace
+
+Replay::Replay(const std::filesystem::path& path)
+    : file_(RecordingFile::open(path)),
+      setup_(file_.setup()),
+      simulation_(std::make_unique<Simulation>(simulationOf(setup_))) {}
+
+void Replay::goTo(std::int64_t branch, std::int64_t frame) {
+  const std::int64_t now = simulation_->frame();
+  std::optional<KeyState> key;
+  if (branch != branch_ || frame < now || before_.tools.empty()) {
+    key = file_.keyState(branch, frame);
+    if (!key)
+      throw error("the recording holds no frame {} of branch {}; choose another", frame, branch);
+  } else if (key = file_.keyState(branch, frame); key && key->frame <= now) {
+    key.reset();  // playing on is nearer
+  }
+  if (key) {
+    simulation_->restore(key->state);
+    branch_ = branch;
+    before_ = {};
+  }
+  while (simulation_->frame() < frame)
+    if (!step())
+      throw error("the recording ends at frame {}; choose an earlier one than {}",
+                  simulation_->frame(), frame);
+}
+
+bool Replay::step(FrameInput* input, StepReport* stepped) {
+  auto next = file_.frame(branch_, simulation_->frame() + 1);
+  if (!next) return false;
+  recorded_ = std::move(*next);
+  FrameInput now = frameFromBytes(recorded_.input, recorded_.whole ? FrameInput() : before_);
+  StepReport& to = stepped ? *stepped : report_;
+  simulation_->step(now, to);
+  if (input) *input = now;
+  before_ = std::move(now);
+  before_.edits.clear();
+  return true;
+}
+
+Verification verify(const std::filesystem::path& path, const Progress& progress) {
+  return Verifier(path, progress).run();
+}
+
+}  // namespace resect

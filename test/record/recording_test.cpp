@@ -1,0 +1,193 @@
+// Recordings: what is recorded comes back, is proved, and any change is found.
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "base/error.h"
+#include "base/random.h"
+#include "io/data_folder.h"
+#include "io/operation_setup.h"
+#include "io/plain_mesh.h"
+#include "io/scenario/scenario_file.h"
+#include "record/frame_bytes.h"
+#include "record/replay.h"
+#include "support/sentence.h"
+#include "support/temporary_folder.h"
+
+using namespace resect;
+
+namespace {
+
+Scenario shipped(const std::string& name, double spacing) {
+  Scenario scenario = readScenario(findDataFile(name, "scenarios", ".toml"));
+  setSpacing(scenario, *scenario.organs[0].source.spacing, spacing);
+  return scenario;
+}
+
+// Runs `frames` frames of the scenario and records them.
+std::uint64_t recordRun(const Scenario& scenario, const std::filesystem::path& path, int frames) {
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
+  Recorder recorder(path, scenario, simulation);
+  StepReport report;
+  for (int i = 0; i < frames; ++i) {
+    const FrameInput input = frameInput(scenario, i);
+    simulation.step(input, report);
+    recorder.record(input, report, simulation);
+  }
+  recorder.finish();
+  CHECK(recorder.failure() == "");
+  return simulation.stateHash();
+}
+
+}  // namespace
+
+TEST_CASE("a setup comes back from its bytes and steps to the same bits") {
+  for (const char* name : {"press", "incise", "liver-and-gallbladder", "resect-segment"}) {
+    CAPTURE(name);
+    Scenario scenario = readScenario(findDataFile(name, "scenarios", ".toml"));
+    if (scenario.organs[0].source.spacing)
+      setSpacing(scenario, *scenario.organs[0].source.spacing, 0.009);
+    Simulation first = makeSimulation(scenario, readPlainMesh);
+    const RecordedSetup setup = setupFromBytes(toBytes(setupOf(scenario, first)));
+    Simulation second = simulationOf(setup);
+    for (int i = 0; i < 30; ++i) {
+      first.step(frameInput(scenario, i));
+      second.step(frameInput(setup.scenario, i));
+    }
+    CHECK(first.stateHash() == second.stateHash());
+  }
+}
+
+TEST_CASE("inputs of frames come back from their bytes") {
+  FrameInput before, input;
+  input.duration = 1.0 / 77;
+  input.iso = 43.5f;
+  input.tools.resize(3);
+  input.tools[1] = {{{0.1, -0.0, 1e-300}, Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5)}, false, 0.25, 1};
+  Incision incision;
+  incision.blade = sweepBlade(std::vector<Vec3>{{0, 0, 0}, {0, 0, 0.01}}, {}, {{0.01, 0, 0}, {}});
+  incision.cells = {3, 5, 8};
+  input.edits = {{0, 1, RemoveCell{17}}, {1, -1, SeverBond{4, 25}}, {0, 2, incision},
+                 {0, 0, Grip{9, {}}},    {0, 0, Release{}},         {0, -1, SetLabel{5, 200}}};
+  const auto again = [&](const FrameInput& last) {
+    return frameToBytes(frameFromBytes(frameToBytes(input, last), last), last);
+  };
+  CHECK(again(before) == frameToBytes(input, before));
+  before = input;
+  before.tools[2].pedal = 0.5;
+  CHECK(again(before) == frameToBytes(input, before));
+  CHECK(frameToBytes(input, before).size() < frameToBytes(input, {}).size());
+
+  const Bytes bytes = frameToBytes(input, {});
+  for (std::size_t cut = 0; cut < bytes.size(); ++cut)
+    CHECK_THROWS_AS(frameFromBytes(std::span(bytes).first(cut), {}), Error);
+}
+
+TEST_CASE("a recording is replayed, moved to any frame and proved") {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"press", "resect-segment"}) {
+    CAPTURE(name);
+    const auto path = folder / (std::string(name) + ".resect");
+    const std::uint64_t hash = recordRun(shipped(name, 0.009), path, 100);
+    const Verification proof = verify(path);
+    CHECK_MESSAGE(!proof.first, (proof.first ? proof.first->what : ""));
+    CHECK(proof.frames == 100);
+    CHECK(proof.complete);
+    Replay replay(path);
+    replay.goTo(0, 100);
+    CHECK(replay.simulation().stateHash() == hash);
+    replay.goTo(0, 40);
+    const std::uint64_t there = replay.simulation().stateHash();
+    replay.goTo(0, 73);
+    replay.goTo(0, 40);
+    CHECK(replay.simulation().stateHash() == there);
+    CHECK_THROWS_AS(replay.goTo(0, 101), Error);
+    CHECK_THROWS_AS(replay.goTo(3, 1), Error);
+  }
+}
+
+TEST_CASE("branches begin where a stroke was taken back, and are proved too") {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "branches.resect";
+  const Scenario scenario = shipped("press", 0.012);
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
+  {
+    Recorder recorder(path, scenario, simulation);
+    Bytes kept;
+    for (int i = 0; i < 60; ++i) {
+      if (i == 20) kept = simulation.save();
+      const FrameInput input = frameInput(scenario, i);
+      recorder.record(input, simulation.step(input), simulation);
+    }
+    simulation.restore(kept);
+    CHECK(recorder.branch(0, "another way", simulation) == 1);
+    for (int i = 0; i < 15; ++i) {
+      const FrameInput input = frameInput(scenario, 20 + 2 * i);
+      recorder.record(input, simulation.step(input), simulation);
+    }
+  }
+  const Verification proof = verify(path);
+  CHECK_MESSAGE(!proof.first, (proof.first ? proof.first->what : ""));
+  CHECK(proof.branches == 2);
+  CHECK(proof.frames == 75);
+  Replay replay(path);
+  replay.goTo(1, 35);
+  CHECK(replay.simulation().stateHash() == simulation.stateHash());
+}
+
+TEST_CASE("a changed bit is found, wherever it is") {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "press.resect";
+  recordRun(shipped("press", 0.015), path, 40);
+  Random random(1);
+  for (int i = 0; i < 40; ++i) {
+    const auto changed = folder / "changed.resect";
+    std::filesystem::copy_file(path, changed, std::filesystem::copy_options::overwrite_existing);
+    const char* places[][2] = {{"frames", "input"},
+                               {"frames", "hashes"},
+                               {"key_states", "state"},
+                               {"scenario", "setup"},
+                               {"organ", "cells"}};
+    const auto& place = places[i % 5];
+    {
+      Database db(changed, Database::Mode::Open);
+      const std::string of = std::string(" FROM ") + place[0];
+      const std::int64_t rows = db.number("SELECT count(*)" + of);
+      const std::string row = std::to_string(random.below(int(rows)));
+      Statement read(db, std::string("SELECT ") + place[1] + of + " LIMIT 1 OFFSET " + row);
+      REQUIRE(read.step());
+      const auto blob = read.blob(0);
+      Bytes bytes(blob.begin(), blob.end());
+      while (read.step()) {
+      }
+      bytes[std::size_t(random.below(int(bytes.size())))] ^= std::byte(1 << random.below(8));
+      const std::string key = std::string(place[0]) == "frames"
+                                  ? "frame = (SELECT frame FROM frames LIMIT 1 OFFSET " + row + ")"
+                                  : "rowid = (SELECT rowid" + of + " LIMIT 1 OFFSET " + row + ")";
+      Statement(db, std::string("UPDATE ") + place[0] + " SET " + place[1] + " = ? WHERE " + key)
+          .bind(0, std::span<const std::byte>(bytes))
+          .run();
+    }
+    CAPTURE(place[0]);
+    CAPTURE(place[1]);
+    std::string found;
+    try {
+      const Verification proof = verify(changed);
+      if (proof.first) found = proof.first->what;
+    } catch (const Error& e) {
+      found = e.what();
+    }
+    CHECK(found != "");
+  }
+}
+
+TEST_CASE("what is no recording is refused in a sentence") {
+  const test::TemporaryFolder folder;
+  const auto path =
+      folder.write("text.resect", "some text, long enough to be looked at as a database");
+  CHECK(test::isOneSentence(test::sentenceOf([&] { verify(path); })));
+  CHECK(test::isOneSentence(test::sentenceOf([&] { verify(folder / "none.resect"); })));
+  const auto other = folder / "other.resect";
+  Database(other, Database::Mode::Create).run("CREATE TABLE t (x)");
+  CHECK(test::refuses([&] { verify(other); }, "is no recording"));
+}
