@@ -1,4 +1,5 @@
-// Overlay with the mouse and keyboard controls, shown at the first start and on F1.
+// Overlay that lists the mouse and keyboard controls. It appears when the program is started for
+// the first time, and when F1 is pressed.
 #pragma once
 
 #include <QWidget>

@@ -35,7 +35,8 @@ class MainWindow : public QMainWindow {
   void load(const Scenario& scenario);
   // Shows a sentence over the picture until the user clicks it or another sentence replaces it.
   void complain(const std::string& sentence);
-  // Plays the scenario's motions up to this scenario time, s.
+  // Plays the scenario's motions up to the scenario time `until`, s. Begins where the last call
+  // ended, or at the start of the motions if they are over or were stopped.
   void play(double until);
 
  protected:
@@ -54,7 +55,7 @@ class MainWindow : public QMainWindow {
   void loadDefault();
   void cancelLoading();
   void tick();
-  void film(qint64 now);  // ms
+  void film(qint64 now);  // now: ms since 1970
   void listenToScript();
   void writeScene(const std::string& file);
   void openFile(const QString& file);
@@ -73,7 +74,8 @@ class MainWindow : public QMainWindow {
   void reportPace();
   void resizePicture(const std::string& text);
   void placeOverlays();
-  // Asks for a file name and calls `write` with it. An exception of `write` is shown to the user.
+  // Asks the user for a file name and calls `write` with it. If `write` throws, the user sees the
+  // exception's text.
   void save(const char* title, const char* filter, const QString& name,
             const std::function<void(const std::string&)>& write);
 
@@ -96,18 +98,20 @@ class MainWindow : public QMainWindow {
   TimingPanel* timing_;
   std::unique_ptr<VideoWriter> video_;
   QSize videoSize_;
-  qint64 panelsShown_ = 0, pictureTaken_ = 0;  // ms
-  std::int64_t removedSaid_ = 0;
-  std::uint64_t uploadedSaid_ = 0;
-  double forceSaid_ = 0;  // N, largest since the last report
-  int heldSaid_ = -2;
+  qint64 panelsShown_ = 0, pictureTaken_ = 0;  // times, ms since 1970
+  // The members whose names end in Said hold what was last reported to a script, or last shown.
+  std::int64_t removedSaid_ = 0;    // particles
+  std::uint64_t uploadedSaid_ = 0;  // vertices
+  double forceSaid_ = 0;            // largest force on a tool since the last report, N
+  int heldSaid_ = -2;               // number of the tool in hand; -1: none; -2: nothing said yet
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::string script_, faultSaid_;
-  bool lookingAt_ = false;  // the next click chooses the point of interest
+  bool lookingAt_ = false;  // the next click chooses the point that the camera looks at
   bool readySaid_ = false;
   bool playingSaid_ = false;
-  bool keepsView_ = false;       // the same organ is being loaded again: the camera stays
-  QSize lastSize_, placesSize_;  // picture size: last panel update, last report of positions
+  bool keepsView_ = false;  // the same organ is being loaded again: the camera stays
+  // The picture's size at the last update of the panels, and at the last report of positions.
+  QSize lastSize_, placesSize_;
 };
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Dialog shown before a file is opened as an organ: health of the mesh, unit, part, repair,
-// spacing.
+// Dialog shown before a file is opened as an organ. It shows the health of the mesh and asks for
+// unit, part, repair and spacing.
 #pragma once
 
 #include <QDialog>
@@ -19,14 +19,16 @@ namespace resect {
 
 class OpenOrganDialog : public QDialog {
  public:
+  // before: source of an earlier organ. The dialog proposes its spacing and keeps its settings.
   OpenOrganDialog(const std::string& file, const OrganSource& before, QWidget* parent = nullptr);
 
   // The user's choices; valid after accept().
   OrganSource source() const;
 
-  QPoint openButton() const;  // centre of the button on the screen
+  QPoint openButton() const;  // centre of the Open button, in screen coordinates
 
-  // Called with the displayed report each time the file has been examined.
+  // Called after the file, or the chosen part, was examined. Gets the sentence that the dialog
+  // shows about it: a report or an error.
   std::function<void(const std::string&)> examined;
 
  private:
@@ -45,9 +47,9 @@ class OpenOrganDialog : public QDialog {
   QCheckBox* repair_;
   QDoubleSpinBox* spacing_;
   QPushButton* open_;
-  double longest_ = 0;            // side of the bounding box, file units
-  double area_ = 0, volume_ = 0;  // file units squared and cubed; volume 0: open surface
-  bool unitChosen_ = false;
+  double longest_ = 0;            // longest side of the bounding box, in units of the file
+  double area_ = 0, volume_ = 0;  // in units squared and units cubed; volume 0: open surface
+  bool unitChosen_ = false;       // the user has chosen a unit
 };
 
 }  // namespace resect

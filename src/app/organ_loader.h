@@ -1,8 +1,8 @@
 // Loads an organ in the background while the window stays usable.
 //
-// Model files are read by a separate process (this program's `info` and `convert`), which can be
-// stopped at any moment; the cells are made in a thread. The running operation is not touched until
-// the new organ is complete.
+// Model files are read by a separate process (this program's commands `info` and `convert`), which
+// can be stopped at any moment. The cells are made in a thread. The running operation is not
+// touched until the new organ is complete.
 #pragma once
 
 #include <QProcess>
@@ -17,14 +17,14 @@
 
 namespace resect {
 
-// Adds the shipped instruments that the scenario lacks, after its own. All instruments rest in the
-// tool box.
+// Adds the shipped instruments that the scenario lacks; they come after the scenario's own. Sets
+// the rest pose of every instrument to its place in the tool box.
 Scenario withAllInstruments(Scenario scenario);
 
 class OrganLoader {
  public:
   OrganLoader();
-  ~OrganLoader();  // abandons loading in progress
+  ~OrganLoader();  // abandons loading in progress; waits for all threads to end
 
   struct Result {
     Scenario scenario;
@@ -33,9 +33,10 @@ class OrganLoader {
     std::string problem;
   };
 
-  // Loads one scenario at a time: a new call abandons the loading before it without waiting for its
-  // thread. `progress` gets the share done, 0 to 1, or -1 while it is unknown. `done` is called at
-  // the end, unless loading was abandoned. Both are called on the window's thread.
+  // Loads one scenario at a time. A new call abandons the loading that is in progress, and does not
+  // wait for its thread. `progress` gets the share done, 0 to 1, or -1 while the share is unknown.
+  // `done` is called at the end, unless loading was abandoned. Both functions are called on the
+  // window's thread.
   void load(const Scenario& scenario, std::function<void(double)> progress,
             std::function<void(Result)> done);
   void cancel();
@@ -44,7 +45,7 @@ class OrganLoader {
  private:
   struct Job;
   void poll();
-  void readNext();  // starts the reader of the next model file; after the last file, the job
+  void readNext();  // starts reading the next model file; after the last one, starts the job
   void removeConverted();
 
   std::function<void(double)> progress_;
@@ -52,15 +53,15 @@ class OrganLoader {
   std::unique_ptr<QProcess> reader_;
   std::size_t next_ = 0;                // number of the organ whose file is being read
   std::vector<std::string> converted_;  // files that readers wrote
-  int files_ = 0;
+  int files_ = 0;                       // files converted so far; numbers their names
   std::unique_ptr<Job> job_;
   std::vector<std::unique_ptr<Job>> givenUp_;  // abandoned jobs whose threads are still running
   QTimer timer_;
 };
 
 // Examines a file: runs `resect info` on it, or on one of its parts, in a separate process. `done`
-// gets the JSON that it printed and an empty problem; on failure, empty JSON and the error
-// sentence.
+// gets the JSON that the process prints, and an empty `problem`. On failure it gets an empty
+// `json`, and the sentence of the error as `problem`.
 class FileExaminer {
  public:
   ~FileExaminer() { cancel(); }

@@ -1,7 +1,8 @@
-// Measures the rate of pictures, and how late inputs and removals of tissue appear in a picture.
+// Measures how many pictures are shown per second, and how soon a picture shows the effect of an
+// input or of a removal of tissue.
 //
-// Latency counts from the display server's time stamp of the input, so it includes the time that
-// the input waits in queues.
+// The latency of an input counts from the display server's time stamp of that input. So it includes
+// the time for which the input waited in queues.
 #pragma once
 
 #include <cstdint>
@@ -10,29 +11,36 @@
 
 namespace resect {
 
-// Converts a display server's time stamp (ms, lower 32 bits) to the clock of steadySeconds(). A
-// stamp that is not of the last 10 s is of another clock: the result is then the present time.
+// Converts a display server's time stamp (ms, lower 32 bits) to the clock of steadySeconds(), s. If
+// the stamp is not of the last 10 s, the server uses another clock: the result is the present time.
 double steadySecondsOf(std::uint64_t stamp);
 
+// All times are of the clock of steadySeconds(), s.
 class Pace {
  public:
   void inputCame(double at);
-  // A picture begins that includes all inputs up to `looked` and all removals up to `lastRemoval`.
-  // These times, and `at`, are of steadySeconds().
+  // A picture begins. It includes all inputs that came before this call. looked: when its changes
+  // were taken from the operation. lastRemoval: time of the newest removal that it includes.
   void pictureBegins(double looked, double lastRemoval);
   void pictureIsDrawn();
   void pictureShown();
 
   struct Second {
-    double rate = 0;               // pictures per second
-    double drawing = 0;            // s per picture, on average
-    double latency = 0, most = 0;  // s, from input to picture: median, longest
-    int pictures = 0;  // most pictures shown after an input, the one with its effect included
-    int inputs = 0, late = 0;  // inputs shown; of these, only by the third picture or later
-    int removal = 0;  // most pictures begun after a removal, the one that shows it included
+    double rate = 0;     // pictures shown per second
+    double drawing = 0;  // mean time to draw a picture, s
+    // Time from an input to the picture that shows its effect, s: median and longest; 0 without
+    // input.
+    double latency = 0, most = 0;
+    // Largest number of pictures shown after an input, up to and including the first one with the
+    // effect of that input.
+    int pictures = 0;
+    // Inputs whose effect was shown, and how many of these were shown by the third picture or
+    // later.
+    int inputs = 0, late = 0;
+    // Largest number of pictures begun after a removal, up to and including the one that shows it.
+    int removal = 0;
   };
-  // Gives, once a second, the figures of that second, if a picture was shown in it. Without input
-  // the latencies are 0.
+  // Gives the figures of the last second: at most once a second, and only if a picture was shown.
   std::optional<Second> take();
 
  private:
@@ -41,7 +49,7 @@ class Pace {
     bool inPicture;
   };
   std::vector<Input> waiting_;
-  std::vector<double> begun_, shown_;  // times of the last pictures, s
+  std::vector<double> begun_, shown_;  // when the last 64 pictures began; when they were shown
   std::vector<double> latencies_;
   int pictures_ = 0, late_ = 0, removal_ = 0, count_ = 0;
   double seenRemoval_ = 0, since_ = 0, drawing_ = 0;

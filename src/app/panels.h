@@ -22,7 +22,7 @@ class QVBoxLayout;
 
 namespace resect {
 
-// A value over time: pairs of simulated time, s, and value, oldest first.
+// A value over time, oldest first: pairs of simulated time, in s, and value.
 using History = std::vector<std::pair<double, double>>;
 
 // One button per instrument, pressed while that instrument is in hand.
@@ -30,15 +30,16 @@ class InstrumentsPanel : public QWidget {
  public:
   explicit InstrumentsPanel(QWidget* parent = nullptr);
   void setTools(const std::vector<ToolModel>& tools);
-  void setHeld(int tool, const QString& how);
-  std::function<void(int tool)> chosen;  // -1: puts the tool in hand back
+  void setHeld(int tool, const QString& how);  // tool: number, -1: none; how: a sentence
+  std::function<void(int tool)> chosen;  // tool: take it in hand; -1: put back the one in hand
  private:
   QVBoxLayout* layout_;
   QLabel* how_;
   std::vector<QToolButton*> buttons_;
 };
 
-// Particles, spacing, volume, iso level.
+// Shows the numbers of particles and triangles and the organ's volume. Lets the user set iso level,
+// spacing, refinement and kind of tissue.
 class OrganPanel : public QWidget {
  public:
   explicit OrganPanel(QWidget* parent = nullptr);
@@ -46,9 +47,10 @@ class OrganPanel : public QWidget {
   void setOrgans(const std::vector<ScenarioOrgan>& organs, double spacing, const QString& notes);
   void follow(const LiveState& state);
   void setIso(float iso);
-  void beginAgain();  // restarts with the panel's settings
+  void beginAgain();  // requests, by `rebuild`, a whole organ with the panel's settings
   std::function<void(float)> isoChanged;
-  // spacing: m; none if the user did not change it.
+  // Called by beginAgain(). spacing: m; none if the user did not change it. refine: nodes per cell
+  // along each axis.
   std::function<void(std::optional<double> spacing, int refine, bool elastic)> rebuild;
 
  private:
@@ -70,7 +72,7 @@ class OrganPanel : public QWidget {
   QCheckBox* elastic_;
 };
 
-// Volume of removed tissue, ml, in large digits, with its history.
+// Volume of removed tissue, ml, in large digits, above a plot of that volume over time.
 class RemovedPanel : public QWidget {
  public:
   explicit RemovedPanel(QWidget* parent = nullptr);
@@ -81,9 +83,9 @@ class RemovedPanel : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  double removed_ = 0, whole_ = 0;  // m^3
+  double removed_ = 0, whole_ = 0;  // m^3: removed tissue; all tissue before the operation
   std::int64_t particles_ = 0;
-  History history_;  // ml
+  History history_;  // values in ml
 };
 
 // The force of the tissue on the tool in hand over the last ten seconds.
@@ -96,12 +98,13 @@ class ForcePanel : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  History history_;  // N
-  double peak_ = 0;  // N, since the operation began, on the instrument in hand now or last
+  History history_;  // values in N
+  // N: largest force so far on the instrument in hand; if none is in hand, on the last one.
+  double peak_ = 0;
 };
 
-// Pictures per second, speed against real time, a bar per stage of the step, and advice if drawing
-// or simulation is too slow.
+// Pictures per second, simulated time per real time, and a bar for each stage of the step. If
+// drawing or simulation is too slow, also advice.
 class TimingPanel : public QWidget {
  public:
   explicit TimingPanel(QWidget* parent = nullptr);

@@ -20,6 +20,7 @@ class SpaceMouse {
   bool connected() const { return notifier_ != nullptr; }
   const char* status() const;  // a sentence for the user
 
+  // Called for each motion of the device. seconds: time since the previous motion event.
   std::function<void(const SixAxes&, double seconds)> pushed;
 
  private:

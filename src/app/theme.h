@@ -3,7 +3,7 @@
 
 namespace resect {
 
-// Applies to all windows of the program.
+// Sets the dark or the light colours for all windows of the program.
 void setTheme(bool dark);
 
 }  // namespace resect

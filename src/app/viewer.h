@@ -1,10 +1,10 @@
 // The picture in the window: draws the operation, and turns mouse and keyboard input into Inventor
-// events. When nothing moves the picture is drawn antialiased, strip by strip, so that input never
-// waits for a whole picture.
+// events. When nothing moves, the picture is drawn antialiased. This is done strip by strip, so
+// that input never waits for a whole picture.
 //
-// The picture is drawn offscreen and only changed pixels go to the screen: a QOpenGLWidget would
-// compose the whole window each time, which takes two fifths of all shading in software rendering
-// (docs/decisions/0003).
+// The picture is drawn offscreen, and only changed pixels go to the screen. A QOpenGLWidget would
+// compose the whole window for each picture. In software rendering that takes two fifths of all
+// shading (docs/decisions/0003).
 #pragma once
 
 #include <QElapsedTimer>
@@ -34,22 +34,22 @@ class Viewer : public QWidget {
   // Throws Error if there is no OpenGL context to draw with.
   explicit Viewer(QWidget* parent = nullptr);
 
-  // Shows this session, or nothing for nullptr. A session must exist as long as it is shown.
+  // Shows this session; nullptr: nothing. The session must exist as long as it is shown.
   void show(OperatingSession* session);
   void setFpsLimit(double framesPerSecond);
 
   double aspect() const { return double(width()) / std::max(1, height()); }
   SbViewportRegion viewport() const;  // device pixels
   struct Drawing {
-    double perSecond = 0, seconds = 0;  // pictures drawn in the last second, mean time of one
+    double perSecond = 0, seconds = 0;  // pictures drawn in the last second; mean time to draw one
   };
   Drawing drawing() const;
   Pace& pace() { return pace_; }
-  // The picture as shown; if `smooth`, it is first drawn again with antialiased edges.
+  // The picture as it is shown. If `smooth`, it is first drawn again with antialiased edges.
   RgbImage grabPicture(bool smooth);
 
   std::function<void()> ticked;  // called after each update from the operation
-  // Called with each event before the session; returns true if it handled the event.
+  // Called with each event. If it returns true, the session does not get the event.
   std::function<bool(const SoEvent&, const SbViewportRegion&)> before;
   std::function<void(const std::string&)> failed;  // gets a sentence
 
@@ -70,26 +70,27 @@ class Viewer : public QWidget {
   void mouseButton(const QMouseEvent& event, Qt::MouseButton button, bool down);
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
-  void drawChanges(double looked);  // `looked`: time when the changes were taken, s
+  void drawChanges(double looked);  // `looked`: when the changes were taken, steadySeconds()
   void drawStrip(int strip);
   QSize pictureSize() const;
   QRegion fetch(std::span<const PixelRect> parts);
 
   OperatingSession* session_ = nullptr;
   QTimer timer_, soon_;
-  double interval_ = 1.0 / 60;  // s
+  double interval_ = 1.0 / 60;  // from one update to the next, s
   QElapsedTimer clock_, still_;
   LivePicture picture_;
   QImage image_;  // what is on the screen
   Damage damage_;
   int strip_ = 0;       // number of the antialiased picture's next strip
-  int behind_ = 0;      // the same for the still parts behind moving tissue
+  int behind_ = 0;      // number of the next strip of still parts, drawn while tissue moves
   int sinceStrip_ = 0;  // pictures drawn since the last strip
   Qt::MouseButtons down_;
-  std::vector<std::pair<double, double>> drawn_;  // of the last pictures: end, duration, s
-  double due_ = 0;                                // when the next update is due, s
+  // For each of the last pictures: when it was finished, and how long it took, s.
+  std::vector<std::pair<double, double>> drawn_;
+  double due_ = 0;  // when the next update is due, s
   Pace pace_;
-  double wheel_ = 0;  // degrees of rotation that do not yet make a whole step
+  double wheel_ = 0;  // degrees that the wheel has turned since its last whole step
 };
 
 }  // namespace resect

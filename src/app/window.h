@@ -1,4 +1,4 @@
-// The interactive window.
+// The window in which a person operates with mouse and keyboard.
 #pragma once
 
 #include <optional>
@@ -9,16 +9,18 @@
 namespace resect {
 
 struct WindowOptions {
-  Scenario scenario;  // organ and room to begin with
-  int width = 1280, height = 720;
-  double fpsLimit = 60;
-  bool overlay = true;       // show the controls at the start
-  bool reports = false;      // report events on standard output, for scripts
-  std::optional<bool> dark;  // none: the theme chosen last; dark at the very first start
+  Scenario scenario;               // what the window shows first
+  int width = 1280, height = 720;  // of the window, pixels
+  double fpsLimit = 60;            // most pictures per second
+  bool overlay = true;             // show the controls the first time that a window is opened
+  // Obey the commands of a script on standard input, and report to it on standard output.
+  bool reports = false;
+  // True: dark colours. False: light ones. None: as chosen last; dark if nothing was chosen yet.
+  std::optional<bool> dark;
 };
 
-// Opens the window and returns its exit status when it is closed. Throws Error when there is no
-// display or no OpenGL.
+// Opens the window and waits until it is closed. Returns the exit status, which is 0 if nothing
+// failed. Throws Error when there is no display or no OpenGL.
 int showWindow(const WindowOptions& options);
 
 }  // namespace resect

@@ -1,4 +1,5 @@
-// Lists the indices of a word's set bits; if few are set, no branch is hard to predict.
+// Lists the indices of the set bits of a 64-bit word. It branches once for every eight indices, so
+// the processor predicts the branches well if few bits are set.
 #pragma once
 
 #include <bit>
@@ -7,10 +8,11 @@
 
 namespace resect {
 
-// Writes `first` + the index of each set bit to `list`, ascending, and returns the end of what it
-// wrote. It may overwrite up to 8 elements beyond that end. first: at most 192. It writes eight
-// indices at a time, aiming at four instructions per index: a plain loop over few set bits ends
-// with a mispredicted branch.
+// Writes `first` + the index of each set bit to `list`, in ascending order, and returns the end of
+// what it wrote. It may overwrite up to 8 elements beyond that end. first: at most 192.
+//
+// A plain loop over few set bits ends with a mispredicted branch. So this function always writes
+// eight indices at a time. It aims at four instructions per index.
 [[gnu::always_inline]] inline std::uint8_t* appendSetBits(std::uint64_t word, unsigned first,
                                                           std::uint8_t* list) {
   std::uint8_t* const end = list + std::popcount(word);

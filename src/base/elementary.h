@@ -1,13 +1,13 @@
 // Elementary functions that give the same bits on every machine.
 //
-// C libraries differ from each other in the last bit; the state must not depend on them. These
-// functions use only +, -, *, /, fused multiply-add, square root and rounding of IEEE 754 doubles,
-// in a fixed order. Their errors are below 2 units in the last place
-// (test/base/elementary_test.cpp). sin() and cos() give NaN for |x| > 1e6, acos() for |x| > 1; all
-// give NaN for NaN. Cost: some 20 to 40 operations per call.
+// The C libraries of different machines give results that differ in the last bit. The state must
+// not depend on the library. The functions here use only +, -, *, /, fused multiply-add, square
+// root and rounding of IEEE 754 doubles, in a fixed order. Their errors are below 2 units in the
+// last place (test/base/elementary_test.cpp). sin() and cos() give NaN for |x| > 1e6, acos() for
+// |x| > 1; every function gives NaN for NaN. Cost: some 20 to 40 operations per call.
 //
-// Method: reduction to a short interval (Cody and Waite 1980), then the Taylor series up to a
-// remainder below a hundredth of a unit in the last place. The cube root uses Halley's iteration.
+// Method: x is reduced to a short interval (Cody and Waite 1980). There the Taylor series is summed
+// until the rest is below a hundredth of a unit in the last place. cbrt() uses Halley's iteration.
 #pragma once
 
 namespace resect::math {

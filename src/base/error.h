@@ -1,5 +1,5 @@
-// The exception for unusable input (file, mesh, setting, argument). Its text is one sentence: what
-// is wrong, where (file:line or field), what to do about it.
+// The exception for unusable input (file, mesh, setting, argument). Its text is one sentence that
+// says what is wrong, where (file:line or field), and what to do about it.
 #pragma once
 
 #include <fmt/format.h>
@@ -10,7 +10,8 @@
 
 namespace resect {
 
-// The program's main() prints "resect: error: <sentence>" and exits with the status.
+// If an Error reaches main(), the program prints "resect: error: <sentence>" and exits with
+// status().
 class Error : public std::runtime_error {
  public:
   enum class Status { Failed = 1, Usage = 2 };
@@ -22,20 +23,20 @@ class Error : public std::runtime_error {
   Status status_;
 };
 
-// As in: throw error("{}: line {} has no z; give three numbers", file, line);
+// Makes an Error. Example: throw error("{}: line {} has no z; give three numbers", file, line);
 template <typename... Args>
 [[nodiscard]] Error error(fmt::format_string<Args...> format, Args&&... args) {
   return Error(fmt::format(format, std::forward<Args>(args)...));
 }
 
-// The same for a wrong argument or setting: exit status 2.
+// Makes an Error about a wrong argument or setting; its exit status is 2.
 template <typename... Args>
 [[nodiscard]] Error usageError(fmt::format_string<Args...> format, Args&&... args) {
   return Error(fmt::format(format, std::forward<Args>(args)...), Error::Status::Usage);
 }
 
-// Throws usageError(format, args) unless the condition holds. A function checks its arguments with
-// it before it changes anything.
+// Throws usageError(format, args) unless the condition holds. A function calls require() to check
+// its arguments, before it changes anything.
 template <typename... Args>
 void require(bool condition, fmt::format_string<Args...> format, Args&&... args) {
   if (!condition) [[unlikely]]

@@ -1,4 +1,5 @@
-// Vectorised comparisons of an array's numbers or bytes: result i is bit i of a word.
+// Vectorised comparisons of the numbers or bytes of an array. Bit i of the result is the result for
+// element i.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +13,13 @@ namespace resect {
 
 #ifdef __SSE2__
 
-// Four consecutive numbers, as compared16() passes them to its test. In each lane the test returns
-// all bits set if it holds, else 0.
+// compared16() passes its test four consecutive numbers at a time. The test returns one lane for
+// each: all bits set where the comparison is true, else 0.
 typedef float FourValues __attribute__((vector_size(16)));
 typedef std::int32_t FourFlags __attribute__((vector_size(16)));
 
-// Bit i of the result is set if the test holds for values[i], i from 0 to 15. test: a comparison
-// (FourValues) -> FourFlags. The whole function aims at 12 instructions.
+// Bit i of the result is set if the test is true for values[i], i from 0 to 15. test: a comparison
+// (FourValues) -> FourFlags. The function can compile to 12 instructions.
 template <typename Test>
 [[gnu::always_inline]] inline std::uint64_t compared16(const float* values, Test test) {
   __m128i four[4];
@@ -36,6 +37,7 @@ template <typename Test>
 
 #else
 
+// Without SSE2 the test gets one number at a time.
 typedef float FourValues;
 typedef bool FourFlags;
 
@@ -48,15 +50,15 @@ inline std::uint64_t compared16(const float* values, Test test) {
 
 #endif
 
-// The same for 64 values.
+// As compared16(), for 64 values.
 template <typename Test>
 [[gnu::always_inline]] inline std::uint64_t compared64(const float* values, Test test) {
   return compared16(values, test) | compared16(values + 16, test) << 16 |
          compared16(values + 32, test) << 32 | compared16(values + 48, test) << 48;
 }
 
-// Both take 64 bytes. Bit i of nonZero64() is set if byte i is not 0; bit i of upperBits64() is the
-// top bit of byte i.
+// nonZero64() and upperBits64() take 64 bytes. Bit i of nonZero64() is set if byte i is not 0. Bit
+// i of upperBits64() is the top bit of byte i.
 #ifdef __SSE2__
 
 template <typename Test>

@@ -1,5 +1,5 @@
-// Grows large arrays by a thirty-second (3 %) instead of doubling them, so that memory stays small
-// and reallocation rare.
+// Grows large arrays with a thirty-second (3 %) of spare capacity. Doubling the capacity, as
+// std::vector does, would waste memory; without spare capacity every growth would copy the array.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,10 @@ void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
   wantLargePages(array.data() + array.size(), (size - array.size()) * sizeof(T));
 }
 
-// Calls array.resize(size) and keeps a thirty-second of spare capacity from the first call on. A
-// cut adds a little surface; without the spare capacity, tens of megabytes would be copied, which
-// takes as long as a frame. New elements are uninitialised; the caller writes them.
+// Calls array.resize(size). If the capacity is too small, it becomes size + size / 32; this holds
+// for the first call too. A cut adds a little surface, which nearly always fits the spare capacity.
+// Without it the cut would copy tens of megabytes, which takes as long as a frame. New elements are
+// uninitialised; the caller writes them.
 template <typename T>
 void growTo(RawArray<T>& array, std::size_t size) {
   if (size > array.capacity()) reserveFor(array, size + size / 32);

@@ -1,5 +1,5 @@
-// A box of grid points, numbered densely: a window into a grid that is too large to store a value
-// for every point.
+// A box of grid points with consecutive indices. It serves to store values for a part of a grid
+// when the whole grid would take too much memory.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,19 @@
 namespace resect {
 
 struct IndexBox {
-  Vec3i low = Vec3i::Zero(), dims = Vec3i::Zero();  // first point; points along each axis, >= 0
+  // low: the lowest point of the box. dims: number of points along each axis, >= 0.
+  Vec3i low = Vec3i::Zero(), dims = Vec3i::Zero();
 
   std::size_t count() const { return std::size_t(dims.cast<std::int64_t>().prod()); }
   bool contains(const Vec3i& point) const {
     return (point.array() >= low.array()).all() && (point.array() < (low + dims).array()).all();
   }
-  IndexBox widened(int margin) const {  // by `margin` points on every side
+  IndexBox widened(int margin) const {  // larger by `margin` points on every side
     return {low - Vec3i::Constant(margin), dims + Vec3i::Constant(2 * margin)};
   }
-  // Indices run along x first; the box must hold fewer than 2^31 points.
+  // x runs fastest in the indices. The box must hold fewer than 2^31 points. step(): difference
+  // between the indices of two points that are neighbours along the axis. The point given to
+  // index() must lie in the box.
   std::int32_t step(int axis) const {
     return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y();
   }
@@ -33,7 +36,7 @@ struct IndexBox {
   }
 };
 
-// The smallest box that holds all these points. There must be at least one point.
+// The smallest box that holds all the given points. There must be at least one point.
 inline IndexBox boxRound(std::span<const Vec3i> points) {
   Vec3i low = points[0], high = low;
   for (const Vec3i& point : points) {

@@ -1,10 +1,11 @@
-// Macros that compile hot functions for several instruction sets. When the program starts, the
-// widest set that the processor has is chosen.
+// Macros that compile hot functions for several instruction sets.
 //
-// RESECT_WIDEST before a function's definition compiles it twice: for the build's baseline, and for
-// x86-64-v3 (AVX2, popcnt). Both versions do the same operations in the same order, never
-// contracted, so their results have the same bits. Other compilers than GCC get the baseline only,
-// and so do sanitizer builds, which cannot choose a version at load time.
+// RESECT_WIDEST before a function's definition compiles the function twice: for the build's
+// baseline, and for x86-64-v3 (AVX2, popcnt). When the program is loaded, the version for the
+// widest set that the processor has is chosen. Both versions do the same operations in the same
+// order, never contracted, so their results have the same bits. There is only the baseline on other
+// processors, with compilers other than GCC, and in sanitizer builds, which cannot choose a version
+// at load time.
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(RESECT_SANITIZED)

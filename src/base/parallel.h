@@ -11,7 +11,7 @@
 namespace resect {
 
 // While this object exists, parallelFor uses at most `threads` threads; 0: as many as the machine
-// has. Of several limits at once the lowest holds.
+// has. If several of these objects exist at once, the lowest limit holds.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -23,12 +23,12 @@ class ThreadLimit {
   void* control_;
 };
 
-// How many threads parallelFor may use now: for sizing buffers, never for anything that changes
-// results.
+// How many threads parallelFor may use now. Use it to size buffers, and never for anything that
+// changes results.
 std::size_t threadsAllowed();
 
-// Refers to the callable (begin, end) that parallelFor runs; the callable must exist until the loop
-// ends. Unlike a std::function, this never allocates.
+// A reference to the function (begin, end) that parallelFor runs. The function object must exist
+// until the loop ends. Unlike a std::function, a RangeBody never allocates.
 class RangeBody {
  public:
   template <typename Callable>
@@ -44,8 +44,8 @@ class RangeBody {
   void (*call_)(const void*, std::size_t, std::size_t);
 };
 
-// grain >= 1: indices per block. An empty range does nothing. An exception of the body is passed
-// on.
+// grain >= 1: indices per block; the last block may have fewer. With count = 0 nothing is called.
+// An exception that `body` throws is thrown again to the caller.
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body);
 
 }  // namespace resect

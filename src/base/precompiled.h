@@ -1,5 +1,5 @@
-// The precompiled header: the headers that almost every file includes, compiled once for the whole
-// build (cmake/layers.cmake). No file includes it by name.
+// The precompiled header: the headers that almost every file needs. They are compiled once for the
+// whole build (cmake/layers.cmake). No file includes this one by name.
 #pragma once
 
 #include <fmt/format.h>

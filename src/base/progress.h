@@ -1,13 +1,13 @@
-// Callback that reports the progress of long work and can cancel it.
+// Callback through which long work reports its progress and can be cancelled.
 #pragma once
 
 #include <functional>
 
 namespace resect {
 
-// Called from time to time with the share of the work that is done, 0 to 1, or -1 while it is
-// unknown. If it returns false, the work throws `Cancelled` and leaves nothing half made. It may be
-// an empty function.
+// The long work calls this function from time to time. share: the part of the work that is done, 0
+// to 1; -1 if this part is unknown. If the function returns false, the work throws `Cancelled` and
+// leaves no partial result. The function may be empty: then nothing is reported.
 using Progress = std::function<bool(double share)>;
 
 struct Cancelled {};

@@ -10,7 +10,7 @@
 
 namespace resect {
 
-// Default-initialises elements that are given no value, as `new T` does: numbers stay
+// Elements that are given no value are default-initialised, as by `new T`: numbers stay
 // uninitialised.
 template <typename T>
 struct UnwrittenAllocator : std::allocator<T> {
@@ -28,8 +28,8 @@ struct UnwrittenAllocator : std::allocator<T> {
   }
 };
 
-// A std::vector whose resize(n) writes nothing to new elements; resize(n, value), assign() and the
-// rest are unchanged.
+// A std::vector whose resize(n) writes nothing to new elements. All other functions are those of
+// std::vector, resize(n, value) and assign() included.
 template <typename T>
 using RawArray = std::vector<T, UnwrittenAllocator<T>>;
 

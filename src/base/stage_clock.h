@@ -1,4 +1,5 @@
-// Measures the stages of a step: one list of durations per stage, and their summary.
+// Measures how long the stages of a step take: one list of durations per stage, and a summary of
+// such a list.
 #pragma once
 
 #include <chrono>
@@ -7,22 +8,23 @@
 
 namespace resect {
 
-// Time of the steady clock, s; only differences have a meaning.
+// Time of the steady clock, s. Only the difference of two times has a meaning.
 double steadySeconds();
 
 struct StageTimes {
   std::string name;
-  std::vector<double> seconds;  // one per step
+  std::vector<double> seconds;  // duration of the stage in each step, s
 };
 
-// Median, 95th percentile, maximum and sum of some durations; all zero when there are none.
+// Median, 95th percentile, maximum and sum of a list of durations, s; all zero for an empty list.
 struct TimeSummary {
   double median = 0, p95 = 0, max = 0, total = 0;
 };
 TimeSummary summarise(std::vector<double> values);
 
-// Measures the stages of many steps, one step after the other: start() begins a step,
-// lap("findContacts") ends its stage of that name.
+// Measures the stages of many steps, one step after the other. Call start() at the beginning of a
+// step, and lap(NAME) at the end of each stage. A stage
+// lasts from the previous call of start() or lap() to its own lap().
 class StageClock {
  public:
   void start() { last_ = Clock::now(); }

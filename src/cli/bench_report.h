@@ -1,4 +1,4 @@
-// Reports of a benchmark as JSON and as a table.
+// The report of a benchmark, as JSON or as a text with a table.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 
 namespace resect {
 
-// `limit`: none if the largest organ in real time was not searched for.
+// `limit`: the largest organ that keeps real time; empty if it was not searched for.
 nlohmann::ordered_json toJson(const BenchReport& report, const std::optional<RealTimeLimit>& limit,
                               const Scenario& scenario);
 std::string toText(const BenchReport& report, const std::optional<RealTimeLimit>& limit,

@@ -1,4 +1,4 @@
-// The subcommands of `resect`, one function each, in files named <subcommand>_command.cpp.
+// The subcommands of `resect`. Each function adds one; src/cli/<subcommand>_command.cpp defines it.
 #pragma once
 
 namespace CLI {

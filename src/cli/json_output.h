@@ -1,4 +1,4 @@
-// Writes a command's JSON to a file, or for "-" to standard output.
+// Writes the JSON that a command puts out, to a file or to standard output.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -6,7 +6,8 @@
 
 namespace resect {
 
-// Indents by two spaces and keeps the order in which keys were added. Files are written atomically.
+// target: name of the file, or "-" for standard output. Indents by two spaces and keeps the order
+// in which keys were added. A file is written atomically (io/atomic_file.h).
 void writeJson(const std::string& target, const nlohmann::ordered_json& json);
 
 }  // namespace resect

@@ -14,17 +14,17 @@ class App;
 namespace resect {
 
 struct OrganOptions {
-  std::string part, unit, spacing, dims;
-  bool repair = false;
+  std::string part, unit, spacing, dims;  // as the user wrote them; "": option not given
+  bool repair = false;                    // whether --repair was given
 
   // Overwrites those settings of `source` for which an option was given.
   void applyTo(OrganSource& source) const;
-  // The same for a scenario's first organ. `organ`, if not empty, replaces its file. A new spacing
-  // scales the spacings of the other organs in proportion.
+  // Applies the options to the first organ of a scenario. `organ`, if not empty, replaces the file
+  // of that organ. If its spacing changes, those of the other organs change in proportion.
   void applyTo(Scenario& scenario, const std::string& organ) const;
 };
 
-// A reader of models in all formats that Resect knows; it shows a progress bar.
+// Returns a function that reads models in all formats that Resect knows and shows a progress bar.
 ModelReader modelReader();
 
 // Adds --part, --unit, --repair, --spacing and --dims to a command.

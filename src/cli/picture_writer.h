@@ -1,4 +1,4 @@
-// Writes pictures of an operation as numbered files, as a video, or both.
+// Draws pictures of an operation, and writes them as numbered files, as a video, or as both.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 namespace resect {
 
 struct PictureSettings {
-  std::string folder;  // for frame_0001.png ...; "": no files
+  std::string folder;  // where frame_0001.png and so on are written; "": no such files
   std::string video;   // name of an .mp4 file; "": no video
   std::string size;    // in pixels, as "1280x720"
   double rate = 10;    // pictures per simulated second
@@ -19,18 +19,19 @@ struct PictureSettings {
 
 class PictureWriter {
  public:
-  // Draws the first picture, of the start. Throws Error if the size is invalid, EGL is missing, or
-  // ffmpeg is missing for a video.
+  // Draws the first picture, which shows the operation before its first frame. Throws Error if the
+  // size is invalid or EGL is missing, or if a video is wanted and ffmpeg is missing.
   PictureWriter(const Scenario& scenario, Simulation& simulation, const PictureSettings& settings);
   ~PictureWriter();
   PictureWriter(const PictureWriter&) = delete;
   PictureWriter& operator=(const PictureWriter&) = delete;
 
-  // Call it after every step. It draws a picture when one is due: every 1 / rate simulated seconds,
-  // and after the last frame.
+  // Call after every step. Draws a picture when one is due: every 1 / rate simulated seconds, and
+  // after the last frame.
   void follow(const Simulation& simulation, const StepReport& step);
 
-  // Finishes the video. Returns one line for the numbered pictures and one for the video.
+  // Finishes the video. Returns the names of what was written, as lines for people: one line for
+  // the numbered pictures and one for the video.
   std::vector<std::string> finish();
 
  private:
@@ -38,7 +39,8 @@ class PictureWriter {
   std::unique_ptr<State> state_;
 };
 
-// Parses "1280x720". Throws a usage Error unless width and height are 16 to 8192.
+// Parses a size in pixels, such as "1280x720". Throws a usage Error unless both numbers are from 16
+// to 8192.
 void parseSize(const std::string& text, int& width, int& height);
 
 }  // namespace resect

@@ -12,10 +12,10 @@ namespace resect {
 
 nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario);
 
-// Plots the force, N, on each instrument that touched tissue, over time, s.
+// One curve for each instrument that touched tissue: the force on it, N, over time, s.
 LinePlot forcePlot(const RunSummary& summary, const Scenario& scenario);
 
-// `files`: the files written, one line each.
+// A summary for people. `files`: names of the files that were written; each gets a line.
 std::string toText(const RunSummary& summary, const Scenario& scenario,
                    const std::vector<std::string>& files);
 

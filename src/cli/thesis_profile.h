@@ -1,5 +1,6 @@
-// A flat profile of an operation, as gprof prints it, beside the profile in appendix A of the
-// original thesis (2004): stages sorted by time, with the number of calls.
+// A flat profile of an operation, in the form of gprof: the stages sorted by time, with the number
+// of calls. Each stage stands beside its share of the time in appendix A of the original thesis
+// (2004).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,8 +10,9 @@
 
 namespace resect {
 
-// The thesis measured organs of 120 and 950 particles: its figures are shown for organs of these
-// sizes, within 5 %. For other organs only the names of the functions of its program are shown.
+// The thesis measured two organs, of 120 and of 950 particles. Its figures are shown if the number
+// of particles is within 5 % of one of these. Otherwise only the names of the functions in the
+// thesis's program are shown.
 nlohmann::ordered_json profileJson(const BenchReport& report);
 std::string profileText(const BenchReport& report);
 

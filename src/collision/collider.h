@@ -1,20 +1,24 @@
-// Layered depth images of closed bodies and the volume that two bodies share, in the three stages
-// of the original thesis (2004, sections 2.2.1 and 4.3), one function for each stage:
+// Layered depth images of closed bodies, and the volume that two bodies share. The work has the
+// three stages of the original thesis (2004, sections 2.2.1 and 4.3):
 //
-//     const Aabb common = intersection(bounds(organ), bounds(tool));         // volume of interest
+//     // 1. The volume of interest, and pixels over it.
+//     const Aabb common = intersection(bounds(organ), bounds(tool));
 //     const ColumnGrid pixels = pixelsOver(common, 64);
-//     const LayeredDepthImage a = layeredDepthImage(organ, common, pixels);  // of each body
+//     // 2. A layered depth image of each body.
+//     const LayeredDepthImage a = layeredDepthImage(organ, common, pixels);
 //     const LayeredDepthImage b = layeredDepthImage(tool, common, pixels);
-//     const LayeredDepthImage both = intersectionVolume(a, b);               // common part
+//     // 3. The part of space that both images contain.
+//     const LayeredDepthImage both = intersectionVolume(a, b);
 //     volume(both);
 //
-// For single points use insideFlags(), for moving tools sweptInside() (collision/inside.h): these
-// are exact, whereas a look-up in the nearest pixel is not.
+// For single points use insideFlags(), for moving tools sweptInside() (both in collision/inside.h).
+// These two are exact, whereas a look-up in the nearest pixel is not.
 //
-// A pixel stands for the column along z through its centre and holds the intervals of this column
-// that are inside the body, clipped to the volume of interest. Columns always run along z: in any
-// direction the error of the volume would shrink with the pixel size, and with one direction one
-// raster per mesh serves all queries. Source: Heidelberger, Teschner, Gross (2003).
+// A pixel stands for the column along z through its centre. It holds the intervals of this column
+// that are inside the body, clipped to the volume of interest. All columns run along z, so one
+// raster per mesh serves all queries. Another direction would not be more exact: in every direction
+// the error of the volume shrinks with the size of the pixels. Source: Heidelberger, Teschner,
+// Gross (2003).
 #pragma once
 
 #include <span>
@@ -24,8 +28,8 @@
 
 namespace resect {
 
-// Covers a box's extent in x and y with nearly square pixels: `resolution` >= 1 of them along the
-// longer side. An empty or flat box gets no pixels.
+// Covers the extent of a finite box in x and y with nearly square pixels. `resolution`, at least 1:
+// number of pixels along the longer side. An empty or flat box gets no pixels.
 ColumnGrid pixelsOver(const Aabb& box, int resolution);
 
 struct DepthInterval {
@@ -34,33 +38,36 @@ struct DepthInterval {
 
 struct LayeredDepthImage {
   ColumnGrid pixels;
-  std::vector<std::uint32_t> offsets{0};  // first interval of each pixel; then the end
+  // Per pixel the index of its first interval; then one entry more, the number of intervals.
+  std::vector<std::uint32_t> offsets{0};
   std::vector<DepthInterval> intervals;
-  // Number of pixels whose column does not enter the mesh as often as it leaves it: there the mesh
-  // is open.
+  // Number of pixels at which the mesh is open: the pixel's column enters the mesh more often than
+  // it leaves it, or less often.
   std::int64_t openPixels = 0;
 
-  // The intervals of a pixel, ascending; they do not touch each other. Pixel i of row j has the
-  // number j * pixels.countX + i.
+  // The intervals of a pixel, ascending; no two of them touch. Pixel i of row j has the number j *
+  // pixels.countX + i.
   std::span<const DepthInterval> operator[](std::size_t pixel) const {
     return {intervals.data() + offsets[pixel], intervals.data() + offsets[pixel + 1]};
   }
 };
 
-// Rasterises the inside of a closed, oriented, finite mesh within the box. wanted: one flag per
-// pixel, or empty if all pixels are wanted. Pixels that are not wanted stay empty; over them the
-// mesh may be incomplete. Cost: a pass over the mesh and the crossings.
+// Rasterises the inside of a mesh within the box. The mesh must be closed, oriented outwards and
+// finite, except that it may be incomplete over pixels that are not wanted. wanted: one flag per
+// pixel, or empty if all pixels are wanted. Pixels that are not wanted get no intervals. Cost: a
+// pass over the mesh and the crossings.
 LayeredDepthImage layeredDepthImage(const TriangleMesh& mesh, const Aabb& box,
                                     const ColumnGrid& pixels,
                                     std::span<const std::uint8_t> wanted = {});
 
-// One flag per pixel: 1 if it has an interval.
+// One flag per pixel: 1 if the pixel has an interval.
 std::vector<std::uint8_t> coveredPixels(const LayeredDepthImage& image);
 
 // The common part of two images, pixel by pixel. Both must have the same box and pixels.
 LayeredDepthImage intersectionVolume(const LayeredDepthImage& a, const LayeredDepthImage& b);
 
-// Sum of the intervals times a pixel's area, m^3.
+// The volume that an image shows, m^3: the sum of the lengths of all intervals times the area of a
+// pixel.
 double volume(const LayeredDepthImage& image);
 
 }  // namespace resect

@@ -1,17 +1,19 @@
-// Scanline rasteriser: finds all crossings of lines along +z (columns) with a closed mesh, exactly.
+// Scanline rasteriser: finds all crossings of columns (lines along +z) with a closed mesh. Which
+// triangles a column crosses is decided exactly; only the depth of a crossing is rounded.
 //
-// x and y of the mesh's points and of the columns are snapped to one integer raster (2^30 steps
-// over the larger of the mesh's extents in x and y; a step is 0.2 nm on a liver), so that every
-// edge function is an exact 64-bit integer. A column through an edge or a vertex is treated as if
-// shifted by (s, s^2), where s > 0 is infinitesimal, so exactly one of the neighbouring triangles
-// covers it. So for a closed, oriented mesh the signs of every column's crossings sum to zero,
-// whatever the shapes of the triangles. The raster depends on the mesh alone. So a column has the
-// same crossings whether it is cast alone or with others, in a grid or in a list, at any number of
-// threads.
+// The x and y of the mesh's points and of the columns are snapped to one integer raster. It has
+// 2^30 steps over the larger of the mesh's extents in x and y; on a liver a step is 0.2 nm. With
+// these integers every edge function is an exact 64-bit integer. A column through an edge or a
+// vertex is treated as if it were shifted by (s, s^2), where s > 0 is infinitesimal. The shifted
+// column meets neither edges nor vertices. So for a closed, oriented mesh the signs of every
+// column's crossings sum to zero, whatever the shapes of the triangles. The raster depends on the
+// mesh alone. So a column has the same crossings whether it is cast alone or with others, in a grid
+// or in a list, at any number of threads.
 //
-// Cost: a pass over the mesh's points and triangles, then work in proportion to the crossings.
-// Sources: layered depth images for collisions (Heidelberger, Teschner, Gross 2003); fill rule as
-// symbolic perturbation (Edelsbrunner, Muecke 1990).
+// Cost: a pass over the mesh's points and triangles; then a few operations for each column in a
+// triangle's bounding box, and a few for each crossing. Sources: layered depth images for
+// collisions (Heidelberger, Teschner, Gross 2003); symbolic perturbation, for columns through edges
+// and vertices (Edelsbrunner, Muecke 1990).
 #pragma once
 
 #include <Eigen/Core>
@@ -28,13 +30,14 @@ using Vec2 = Eigen::Vector2d;
 
 struct Crossing {
   double depth;       // z, m
-  std::int32_t sign;  // +1 entering, -1 leaving the body as z grows
+  std::int32_t sign;  // as z grows: +1 enters the body, -1 leaves it
 };
 
-// The crossings of many columns. Those of one column are sorted by depth; at equal depths entries
-// come first.
+// The crossings of many columns. Those of one column are sorted by depth; at equal depths those of
+// sign +1 come first.
 struct Crossings {
-  std::vector<std::uint32_t> offsets;  // first crossing of each column; then the end, below 2^32
+  // Per column: index in `all` of its first crossing. The last element is all.size().
+  std::vector<std::uint32_t> offsets;
   RawArray<Crossing> all;
 
   std::size_t columnCount() const { return offsets.empty() ? 0 : offsets.size() - 1; }
@@ -47,24 +50,24 @@ struct Crossings {
 struct ColumnGrid {
   Vec2 origin = Vec2::Zero();  // m
   Vec2 pitch = Vec2::Ones();   // > 0, m
-  int countX = 0, countY = 0;  // >= 0
+  int countX = 0, countY = 0;  // number of columns along x and y, >= 0
 
   std::size_t count() const { return std::size_t(countX) * std::size_t(countY); }
 };
 
-// A mesh snapped to its raster. It refers to the points and triangles of the mesh, so the mesh must
-// outlive it.
+// A mesh snapped to its raster. A SnappedMesh refers to the points and triangles of the
+// TriangleMesh that it was made from, so the TriangleMesh must outlive it.
 struct SnappedMesh {
   struct RasterXY {
     std::int32_t x, y;  // raster steps from `origin`, in [0, 2^30]
   };
   struct Point {
-    std::int32_t x, y;
-    double z;  // m
+    std::int32_t x, y;  // raster steps from `origin`
+    double z;           // m
   };
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
-  RawArray<RasterXY> xy;       // without z, since most triangles are rejected by x and y alone
+  RawArray<RasterXY> xy;       // per point; without z: most triangles are rejected by x and y alone
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
 
@@ -74,9 +77,10 @@ struct SnappedMesh {
   }
 };
 
-// The mesh must be closed, oriented outwards, and finite. An empty mesh is allowed.
+// The mesh must be closed and oriented outwards, with finite coordinates. An empty mesh is allowed.
 SnappedMesh snapToRaster(const TriangleMesh& mesh);
-SnappedMesh snapToRaster(const TriangleMesh&& mesh) = delete;  // the result would outlive the mesh
+// A temporary mesh would be destroyed before the result.
+SnappedMesh snapToRaster(const TriangleMesh&& mesh) = delete;
 
 // All crossings of a regular grid of columns.
 Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid);
@@ -84,13 +88,13 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid);
 // All crossings of columns at given positions (x, y), m.
 Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns);
 
-// For each point, the sum of the signs of the crossings below it (depth < z): the number of closed
-// shells that surround the point. 0 outside; > 0 inside.
+// For each point, the sum of the signs of the crossings below it (those with depth < z of the
+// point). This is the number of closed shells that surround the point: 0 outside, > 0 inside.
 std::vector<std::int32_t> windingNumbers(const SnappedMesh& mesh, std::span<const Vec3> points);
 
-// Calls visit(z0, z1) for every interval of a column inside the body (winding number > 0), z0 <=
-// z1, in ascending order. A z with z0 < z <= z1 is inside. Shells that overlap or touch give one
-// interval.
+// Calls visit(z0, z1) for every interval of a column that lies inside the body (winding number >
+// 0), in ascending order; z0 <= z1. The interval consists of the z with z0 < z <= z1. Shells that
+// overlap or touch give one interval.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, Visit&& visit) {
   int winding = 0;
@@ -103,18 +107,19 @@ void forEachInside(std::span<const Crossing> column, Visit&& visit) {
   }
 }
 
-// Points along a column, in ascending order: point i stands at first + i * pitch.
+// Points along a column, in ascending order: point i lies at z = first + i * pitch.
 struct SampleLine {
   double first, pitch;  // m; pitch > 0
   std::int32_t count;   // >= 0
 
   double at(std::int32_t i) const { return first + i * pitch; }
-  // How many of the points lie at `depth` (finite) or below.
+  // How many points have z <= depth. `depth` must be finite.
   std::int32_t upTo(double depth) const;
 };
 
-// Calls visit(i0, i1) for every range of points [i0, i1) of the line inside the body, i0 < i1, in
-// ascending order. If no point lies between two ranges, the second begins where the first ends.
+// The same for the points of `line`. Calls visit(i0, i1) for every interval that contains some of
+// them, in ascending order. The interval contains the points i0 to i1 - 1; i0 < i1. If no point
+// lies between two intervals, i1 of the first equals i0 of the second.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, const SampleLine& line, Visit&& visit) {
   forEachInside(column, [&](double entered, double left) {

@@ -1,5 +1,5 @@
-// Triangle setup for the rasteriser of collision/columns.h: edge functions, fill rule and depth of
-// one triangle. Not for use elsewhere.
+// Triangle setup for the rasteriser of collision/columns.h, which alone uses it: edge functions,
+// fill rule and depth of one triangle.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,26 @@
 namespace resect {
 
 inline constexpr std::int32_t kRaster = 1 << 30;
-// Raster coordinates given to columns beside the mesh: no triangle covers them.
+// Raster coordinates of a column that lies beside the mesh: below its extent, or above it. No
+// triangle covers this column.
 inline constexpr std::int32_t kBelow = -1, kAbove = kRaster + 1;
 
+// Raster coordinate of a column. offset: from the mesh's lowest x or y to the column, m. step: one
+// raster step, m.
 inline std::int32_t snapColumn(double offset, double step) {
   const double steps = offset / step + 0.5;  // for steps >= 0 truncation is floor()
   return !(steps >= 0) ? kBelow : steps >= kRaster + 1.0 ? kAbove : std::int32_t(steps);
 }
 
-// One triangle on the raster, oriented so that its area is positive.
+// One triangle on the raster. Its corners are taken in the order that makes its area positive.
 class Footprint {
  public:
   Footprint(const SnappedMesh::Point& a, const SnappedMesh::Point& b, const SnappedMesh::Point& c)
       : x0_(a.x), y0_(a.y), z_(a.z), dz1_(b.z - a.z), dz2_(c.z - a.z) {
     const std::int64_t bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
     const std::int64_t area = bx * cy - by * cx;
-    // The column leaves the body through a face that looks up. If the face looks down, its edges
-    // are reversed.
+    // If area > 0 the face looks up, and a column leaves the body through it. If the face looks
+    // down, its edges are reversed.
     const std::int64_t turn =
         2 * std::int64_t(area > 0) - 1;  // branch-free: the sign is unpredictable
     sign_ = std::int32_t(-turn);
@@ -34,17 +37,18 @@ class Footprint {
     edge_[1] = {turn * -cx, turn * -cy, 0};
     edge_[2] = {turn * bx, turn * by, 0};
     for (Edge& e : edge_) {
-      // A column at (x, y) counts as shifted to (x + s, y + s^2), s > 0 infinitesimal. The edge
-      // function grows by -dy s + dx s^2: a column on the edge is covered if this is positive.
+      // A column at (x, y) counts as shifted to (x + s, y + s^2), where s > 0 is infinitesimal.
+      // This changes the edge function by -dy s + dx s^2. A column on the edge is covered if the
+      // change is positive.
       e.notOwned = !((e.dy < 0) | ((e.dy == 0) & (e.dx > 0)));
       e.start -= e.notOwned;
     }
   }
 
-  bool empty() const { return area_ == 0; }    // seen edge-on: covers nothing
-  std::int32_t sign() const { return sign_; }  // of its crossings
+  bool empty() const { return area_ == 0; }    // seen edge-on: covers no column
+  std::int32_t sign() const { return sign_; }  // Crossing::sign of its crossings
 
-  // Calls hit(depth) if the triangle covers the column.
+  // Calls hit(depth) if the triangle covers the column at (x, y), in raster steps.
   template <typename Hit>
   void test(std::int32_t x, std::int32_t y, Hit&& hit) const {
     const std::int64_t v0 = at(edge_[0], x, y), v1 = at(edge_[1], x, y), v2 = at(edge_[2], x, y);
@@ -54,20 +58,20 @@ class Footprint {
   }
 
  private:
-  // The edge function of edge i, opposite to corner i: not negative if the column lies left of the
-  // edge, or on it and the edge owns it. It is evaluated relative to corner 0; its absolute value
-  // is below 2^62.
+  // The edge function of edge i, which is opposite to corner i. dx, dy: the edge as a vector.
+  // start: the value at corner 0, less `notOwned`. The function is not negative if the column lies
+  // to the left of the edge, or on it and notOwned is 0. Its absolute value is below 2^62.
   struct Edge {
     std::int64_t dx, dy, start;
-    std::int64_t notOwned = 0;  // 1 if columns on the edge belong to the triangle beyond it
+    std::int64_t notOwned = 0;  // 1: columns on the edge belong to the triangle beyond it
   };
   std::int64_t at(const Edge& e, std::int64_t x, std::int64_t y) const {
     return e.start + e.dx * (y - y0_) - e.dy * (x - x0_);
   }
 
   Edge edge_[3];
-  std::int64_t x0_, y0_;   // corner 0
-  double z_, dz1_, dz2_;   // depth of corner 0, depth differences to corners 1 and 2
+  std::int64_t x0_, y0_;   // corner 0, raster steps
+  double z_, dz1_, dz2_;   // depth of corner 0; depths of corners 1 and 2 relative to it; m
   std::int64_t area_ = 0;  // twice the area, raster steps squared
   std::int32_t sign_ = 0;
 };

@@ -1,8 +1,8 @@
-// Exact inside tests: which points lie in a closed body, and which a moving tool touches.
+// Inside tests: which points lie in a closed body, and which points a moving tool touches.
 //
 // Columns are cast through the points themselves (collision/columns.h); there are no pixels. Meshes
 // must be closed and oriented outwards; overlapping shells count as their union. Along z a point on
-// a lower face is outside and a point on an upper face is inside, so bodies that share a face share
+// a lower face is outside and a point on an upper face is inside. So bodies that share a face share
 // no point.
 #pragma once
 
@@ -15,20 +15,22 @@
 
 namespace resect {
 
-// One flag per point: 1 inside. Nothing is inside an empty mesh. Cost: a pass over mesh and points;
-// columns are cast only through points in the mesh's box.
+// One flag per point: 1 if the point is inside the mesh, decided exactly. Nothing is inside an
+// empty mesh. Cost: a pass over mesh and points; columns are cast only through the points that lie
+// in the bounding box of the mesh.
 std::vector<std::uint8_t> insideFlags(const TriangleMesh& mesh, std::span<const Vec3> points);
 
-// One flag per world point: 1 if the rigid tool touches the point while it moves from pose `from`
-// to pose `to` (its position linearly, its rotation along the shorter great circle). No point is
-// skipped, however far the tool jumps and however thin it is.
+// One flag per world point: 1 if the rigid tool touches the point while the tool moves from pose
+// `from` to pose `to`. The tool's position changes linearly, its rotation along the shorter great
+// circle. No point is skipped, however far the tool jumps and however thin it is.
 //
-// The points inside at either pose are included. Without rotation the answer is exact: in the
-// tool's frame all points move along one direction, and columns are cast along it. With rotation
-// the motion is cut into steps of at most 2 degrees (finer if a path would leave its chord by more
-// than 1e-4 of the tool's diagonal); in each step the path of a point in the tool's frame is
-// replaced by its chord, which is tested against the tool's faces with exact integer edge
-// functions. The cost grows with the number of points inside the box of the motion.
+// Points that are inside the tool at `from` or at `to` are always included. If the tool does not
+// rotate, the answer is exact: in the tool's frame all points move along one direction, and columns
+// are cast along this direction. If the tool rotates, the motion is divided into steps of at most 2
+// degrees. The steps are smaller if the path of a point, in the tool's frame, would otherwise leave
+// its chord by more than 1e-4 of the tool's diagonal. In each step the chord replaces the path, and
+// is tested against the tool's faces with exact integer edge functions. The cost grows with the
+// number of points in the box round the whole motion.
 std::vector<std::uint8_t> sweptInside(const TriangleMesh& toolInToolFrame, const Pose& from,
                                       const Pose& to, std::span<const Vec3> worldPoints);
 

@@ -1,10 +1,10 @@
-// Signed distance to a rigid body, and its direction, from a precomputed grid.
+// Signed distance to a rigid body, and the direction in which it grows, from a precomputed grid.
 //
-// A regular grid in the body's frame holds the distance to a closed mesh, negative inside. At grid
-// nodes within one and a half cells of the surface the distance is exact. Farther away it is
-// approximate: the nearest triangles are propagated from node to node, after Danielsson 1980.
-// Between nodes it is interpolated trilinearly. A body thinner than a cell is not lost, but the
-// distance is not negative everywhere inside it.
+// A regular grid in the body's frame holds the distance to a closed mesh; inside the mesh it is
+// negative. At grid nodes within one and a half cells of the surface the distance is exact. Farther
+// away it is approximate: the nearest triangles are propagated from node to node, after Danielsson
+// 1980. Between nodes the distance is interpolated trilinearly. A body thinner than a cell of the
+// grid is not lost, but the distance is not negative everywhere inside it.
 #pragma once
 
 #include <vector>
@@ -16,19 +16,20 @@ namespace resect {
 
 class SignedDistance {
  public:
-  // `margin` > 0, m: how far the grid extends beyond the mesh. `cell` > 0, m; enlarged if the grid
-  // would have more than 2 million nodes. For an empty mesh every distance is kFar.
+  // `margin` > 0, m: how far the grid extends beyond the mesh. `cell` > 0, m: side of the grid's
+  // cells; it is enlarged if the grid would have more than 2 million nodes. For an empty mesh every
+  // distance is kFar.
   SignedDistance(const TriangleMesh& mesh, double margin, double cell);
 
   struct Sample {
-    double distance;  // m; kFar outside the grid
+    double distance;  // m; negative inside the body; kFar outside the grid
     Vec3 outwards;    // unit, towards growing distance; zero outside the grid or where undefined
   };
-  Sample operator()(const Vec3& point) const;
-  static constexpr double kFar = 1e3;
+  Sample operator()(const Vec3& point) const;  // point: in the body's frame, m
+  static constexpr double kFar = 1e3;          // m
 
   const Aabb& box() const { return box_; }  // of the mesh, without margin
-  double cell() const { return cell_; }
+  double cell() const { return cell_; }     // side of the grid's cells, m
 
  private:
   Vec3 node(const Vec3i& at) const { return origin_ + cell_ * at.cast<double>(); }

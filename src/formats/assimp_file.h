@@ -1,7 +1,7 @@
 // Reads .obj, .stl, .ply, .off, .glb and .gltf files.
 //
-// The Open Asset Import Library (assimp) reads them, in single precision. Read untrusted files
-// through readModel (inventor/reading/model_file.h), which does the work in a child process.
+// The Open Asset Import Library (assimp) does the reading, in single precision. For untrusted files
+// call readModel() (inventor/reading/model_file.h) instead, which reads in a child process.
 #pragma once
 
 #include <filesystem>
@@ -14,21 +14,22 @@
 
 namespace resect {
 
-// Whether readAssimpFile() reads such files, judged by the extension.
+// Whether readAssimpFile() reads files with the extension of `path`.
 bool isAssimpFile(const std::filesystem::path& path);
 
-// Buffers of a .gltf that are files of their own, by the names that it calls them.
+// Content of the buffers that a .gltf keeps in files of their own. Key: the file's name as the
+// .gltf gives it, with codes such as %20 decoded.
 using BesideFiles = std::map<std::string, RawArray<char>>;
 
-// Thrown by readAssimpFile when a .gltf needs a buffer that it was not given.
+// Thrown by readAssimpFile() when a .gltf needs a buffer file that is not in `beside`.
 struct LacksFile {
-  std::string name;  // as the file calls it: not checked
+  std::string name;  // the key that is missing; may lead to any folder: check it
 };
 
-// Parts are the file's nodes (.glb, .gltf) or objects and groups (.obj), in their order, with
-// transforms applied. Polygons become triangles; points and lines are left out. Numbers are taken
-// as metres. `bytes`: content of the file, decompressed. `formatName`: a name with the format's
-// extension. `path`: for messages. Opens no file.
+// The parts of the result are the file's nodes (.glb, .gltf) or its objects and groups (.obj), in
+// the order of the file, with transforms applied. Polygons become triangles; points and lines are
+// left out. Numbers are taken as metres. `bytes`: content of the file, decompressed. `formatName`:
+// a file name whose extension gives the format. `path`: for messages only. Opens no file.
 Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::path& formatName,
                      std::string_view bytes, const BesideFiles& beside = {});
 

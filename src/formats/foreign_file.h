@@ -1,4 +1,4 @@
-// Opens a file of others for reading: an ordinary file or nothing.
+// Reads files that other programs made. Only ordinary files are read: no folders, devices or FIFOs.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,14 @@
 
 namespace resect {
 
-// All bytes of an ordinary file. Never waits, so a FIFO or a device is refused at once. Throws
-// Error for anything else than an ordinary file, one of more than `most` bytes, and one that
-// cannot be read.
+// Returns all bytes of the file. Throws Error if it is not an ordinary file (or a link to one), if
+// it has more than `most` bytes, or if it cannot be read. Never waits: a FIFO or a device is
+// refused at once.
 RawArray<char> readForeignFile(const std::filesystem::path& path, std::size_t most);
 
-// The same for a file that `path` refers to by `name`, such as a buffer of a .gltf. It must be a
-// file in the same folder: a `name` with a slash or that is a link is refused.
+// The same for a second file, which the file at `path` refers to by `name`; a .gltf file refers to
+// its buffers so. The second file must lie in the same folder and must not be a link. `name` is
+// refused if it is empty, begins with a dot, or contains a slash or a control character.
 RawArray<char> readForeignFileBeside(const std::filesystem::path& path, const std::string& name,
                                      std::size_t most);
 

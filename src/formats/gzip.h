@@ -6,10 +6,12 @@
 
 namespace resect {
 
+// Whether the bytes begin like a gzip file.
 bool isGzip(std::string_view bytes);
 
-// Unpacks all members of the file (RFC 1952). Throws Error about `path` if the data are damaged or
-// truncated, or are more than `most` bytes when unpacked.
+// Unpacks all members of a gzip file (RFC 1952). bytes: the whole file. path: its name, for the
+// message of an Error. Throws Error if the data are damaged, truncated, or more than `most` bytes
+// when unpacked.
 std::string unpackGzip(const std::string& path, std::string_view bytes, std::size_t most);
 
 }  // namespace resect

@@ -17,15 +17,15 @@ struct ModelInfo {
   int triangles = 0;
   int vertices = 0;  // distinct positions, however often the file repeats them
   double area = 0;   // m^2
-  // m^3: sum of the signed volumes of the tetrahedra between the origin and each triangle. For an
-  // open surface it depends on the origin.
+  // m^3: sum of the signed volumes of the tetrahedra that the triangles form with the origin. For
+  // an open surface the sum depends on where the origin is.
   double volume = 0;
   Aabb bounds;  // m
   // After welding (weldSurface):
   int components = 0;
   bool closed = false, oriented = false, insideOut = false;
   int boundaryEdges = 0, nonManifoldEdges = 0;
-  std::string unitHint;  // unit in which it has an organ's size; empty if metres fit
+  std::string unitHint;  // unit in which the model would have an organ's size; empty: metres
 };
 
 ModelInfo modelInfo(const Model& model);

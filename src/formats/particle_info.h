@@ -1,4 +1,4 @@
-// Report about a file of particles, for `resect info`.
+// Report about a file of particles, for the command `resect info`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,10 +8,12 @@
 
 namespace resect {
 
-// Lengths in m, volumes in ml. `path` is shown as the file's name.
+// The report as JSON. Lengths are in m, volumes in ml, landmarks in fractions of the organ's box.
+// kept: what the file holds. path: the file's name; it is shown, and its extension tells the
+// format.
 nlohmann::ordered_json toJson(const KeptCells& kept, const std::string& path);
 
-// A few lines for a person.
+// The report as a few lines of text.
 std::string toText(const KeptCells& kept, const std::string& path);
 
 }  // namespace resect

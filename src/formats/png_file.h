@@ -15,11 +15,12 @@ struct RgbImage {
   const std::uint8_t* at(int x, int y) const { return &pixels[3 * (std::size_t(y) * width + x)]; }
 };
 
-// 8 bits per channel, sRGB. Width and height must be positive. Throws Error if the file cannot be
-// written; an earlier file is then untouched.
+// Writes 8 bits per channel, sRGB. Width and height must be positive. Throws Error if the file
+// cannot be written; a file that existed under that name is then unchanged.
 void writePng(const std::filesystem::path& path, const RgbImage& image);
 
-// Reads any PNG as 8-bit RGB; transparent parts are blended with black.
+// Reads any PNG as 8-bit RGB; transparent pixels are blended with black. Throws Error if the file
+// cannot be read.
 RgbImage readPng(const std::filesystem::path& path);
 
 }  // namespace resect

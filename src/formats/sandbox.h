@@ -1,28 +1,31 @@
-// Takes from this process all that a reader of foreign files does not need.
+// Takes from the present process every right that a reader of foreign files does not need.
 //
-// For a forked child that already has its file's bytes in memory (formats/child_process.h). Linux
-// only. What each wall stops: docs/security.md.
+// For a forked child that already has the bytes of its file in memory (formats/child_process.h).
+// Linux only. The sandbox consists of several walls; docs/security.md says what each one stops.
 #pragma once
 
 #include <string>
 
 namespace resect {
 
-// The walls that need the kernel's help; tests take one away to see what the other holds.
+// The two walls that the kernel must provide. Tests switch one off to see what the other one stops.
 struct SandboxWalls {
-  bool landlock = true;     // no file, no TCP, no signal to others; Linux 5.13, 6.7 and 6.12
+  // Landlock. Refuses access to files (Linux 5.13 and later), TCP (6.7 and later) and signals to
+  // other processes (6.12 and later).
+  bool landlock = true;
   bool systemCalls = true;  // seccomp: only the calls that computing and answering need
 };
 
-// Enters the sandbox, for ever. Only `answerPipe` stays open besides standard input, output and
-// error, which become /dev/null. Environment, capabilities and the right to gain privileges are
-// gone; no process can be started, no file opened, no socket made, no memory made executable. A
-// refused call fails with EPERM or EACCES. Call it in a process with one thread. 0.3 ms.
+// Enters the sandbox, for good. Of the open files only `answerPipe` stays open; standard input,
+// output and error become /dev/null. Environment, capabilities and the right to gain privileges are
+// gone. No process can be started, no file opened, no socket made, no memory made executable. A
+// refused call fails with EPERM or EACCES. The process must have only one thread. Cost: 0.3 ms.
 //
-// Sanitized builds keep standard error, since their reports go there.
+// Sanitized builds keep standard output and standard error, since the sanitizers report there.
 void enterSandbox(int answerPipe, const SandboxWalls& walls = {});
 
-// The walls that this kernel lacks, as a sentence for the user; empty if it has both.
+// A sentence for the user about those of the two walls that this kernel lacks; empty if it has
+// both.
 std::string missingWalls();
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Writes pictures to a video file with the program ffmpeg, if it is installed.
+// Writes pictures to a video file by the program ffmpeg, which must be installed (haveFfmpeg()).
 #pragma once
 
 #include <filesystem>
@@ -10,17 +10,17 @@ namespace resect {
 
 class VideoWriter {
  public:
-  // Starts ffmpeg. Every picture must have this size; the video is cropped to even numbers of
-  // pixels for the codec. rate: pictures per second, > 0. Throws Error if ffmpeg is not installed
-  // or the name is not .mp4.
+  // Starts ffmpeg. path: ends in .mp4. width, height: size of every picture, pixels; the codec
+  // needs even numbers, so of an odd number one pixel is cropped. rate: pictures per second, > 0.
+  // Throws Error if ffmpeg is not installed or the path does not end in .mp4.
   VideoWriter(const std::filesystem::path& path, int width, int height, double rate);
-  // Without finish() no video is written.
+  // If finish() was not called, no video is left behind.
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
   void add(const RgbImage& picture);
-  // Closes the video and renames it to its final name.
+  // Ends the video and gives the file its final name. Call this once, after the last picture.
   void finish();
 
  private:

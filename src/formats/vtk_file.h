@@ -1,8 +1,8 @@
 // Reads legacy VTK files of polygons.
 //
-// Source: "VTK File Formats" (Kitware, VTK User's Guide). Supported: text and big-endian binary,
-// versions 1.0 to 5.1, DATASET POLYDATA with POINTS, POLYGONS and TRIANGLE_STRIPS; vertices, lines
-// and all attributes are skipped.
+// Source: "VTK File Formats" (Kitware, VTK User's Guide). Reads versions 1.0 to 5.1, as text or as
+// big-endian binary. Reads POINTS, POLYGONS and TRIANGLE_STRIPS of DATASET POLYDATA. Skips
+// vertices, lines and all attributes.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ namespace resect {
 bool isVtkFile(std::string_view bytes);
 
 // The model has one part, without a name. Numbers are taken as metres. Every count and index is
-// checked; an Error names the section of the file.
+// checked; the Error names the section of the file that is wrong.
 Model readVtkFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

@@ -21,8 +21,8 @@ struct Aabb {
   bool empty() const { return (min.array() > max.array()).any(); }
   Vec3 size() const { return empty() ? Vec3(Vec3::Zero()) : Vec3(max - min); }
   Vec3 centre() const { return 0.5 * (min + max); }
-  // number: 0 to 7. If bit a of it is set, the corner is at the upper end of axis a, else at the
-  // lower.
+  // number: 0 to 7. If bit a of it is set, the corner is at the upper end of the box along axis a,
+  // else at the lower end.
   Vec3 corner(int number) const {
     return {(number & 1 ? max : min).x(), (number & 2 ? max : min).y(),
             (number & 4 ? max : min).z()};

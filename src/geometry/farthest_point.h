@@ -1,8 +1,8 @@
 // Finds which of many points lies farthest in a direction (a support query), for many directions.
 //
 // The points are divided into clusters. A query searches only the clusters whose bounding boxes
-// reach far enough. Cost: a few passes over the points to build, then a pass over some thousand
-// boxes per query.
+// reach far enough; the reach of a box is its largest p.dot(direction). Cost: a few passes over the
+// points to build, then a pass over some thousand boxes per query.
 #pragma once
 
 #include <cstdint>
@@ -15,22 +15,22 @@ namespace resect {
 
 class FarthestPoint {
  public:
-  // At least one point, all finite, fewer than 2^32.
+  // points: at least one, fewer than 2^32; all finite.
   explicit FarthestPoint(std::span<const Vec3> points);
 
-  // Index of the point p with the largest p.dot(direction); of several equal ones the first. A loop
-  // over all points finds exactly the same.
+  // Index of the point p with the largest p.dot(direction). If several points have the same value,
+  // the lowest of their indices. The result is exactly that of a loop over all points.
   std::uint32_t along(const Vec3& direction) const;
 
  private:
   struct Cluster {
     Aabb box;
-    std::uint32_t begin, end;  // in points_
+    std::uint32_t begin, end;  // its points are the entries [begin, end) of points_
   };
   std::vector<Vec3> points_;          // sorted by cluster
-  std::vector<std::uint32_t> order_;  // their original indices
+  std::vector<std::uint32_t> order_;  // per entry of points_: its index before sorting
   std::vector<Cluster> clusters_;
-  // Bound of the rounding error of a box's reach, for a direction whose |x| + |y| + |z| is 1.
+  // Bound of the rounding error of a box's reach, m, for a direction with |x| + |y| + |z| = 1.
   double rounding_ = 0;
 };
 

@@ -6,7 +6,8 @@
 
 namespace resect {
 
-// World point = rotation * body point + position. `rotation` is a unit quaternion; position in m.
+// World point = rotation * body point + position. `rotation` is a unit quaternion; `position` is in
+// m.
 struct Pose {
   Vec3 position = Vec3::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
@@ -27,7 +28,7 @@ inline bool isFinite(const Pose& pose) {
   return pose.position.allFinite() && pose.rotation.coeffs().allFinite();
 }
 
-// The pose between a (at share 0) and b (at share 1): the position is interpolated linearly, the
+// The pose between a (at share 0) and b (at share 1). The position is interpolated linearly, the
 // rotation along the shorter great circle.
 inline Pose interpolate(const Pose& a, const Pose& b, double share) {
   return {a.position + share * (b.position - a.position), slerp(a.rotation, b.rotation, share)};

@@ -8,12 +8,14 @@ namespace resect {
 // 8 points, 12 triangles. All three sides of `box` must be longer than 0.
 TriangleMesh boxMesh(const Aabb& box);
 
-// Sphere of `radius` > 0, m, with its poles along Y. It has `rings` >= 2 bands between the poles,
-// each of 2 * rings quads; at the poles the quads are triangles.
+// Sphere of `radius` > 0, m, with its poles along Y. `rings` >= 2: number of bands from pole to
+// pole. Each band consists of 2 * rings quads. The two bands at the poles consist of 2 * rings
+// triangles instead.
 TriangleMesh sphereMesh(const Vec3& centre, double radius, int rings = 24);
 
-// Torus whose axis is parallel to Y. Radii `ring` > `tube` > 0, m; number of quads `around` the
-// axis and `across` the tube, each >= 3.
+// Torus whose axis is parallel to Y. `ring`: radius of the circle in the middle of the tube, m;
+// `tube`: radius of the tube, m; ring > tube > 0. The surface has `around` quads round the axis and
+// `across` quads round the tube; both >= 3.
 TriangleMesh torusMesh(const Vec3& centre, double ring, double tube, int around = 48,
                        int across = 24);
 

@@ -14,7 +14,8 @@ struct Ray {
 
 // The t at which the ray meets the triangle a, b, c, from either side; infinity if it does not
 // (Moeller and Trumbore 1997). Edges belong to the triangle, so no ray passes between two triangles
-// of a closed surface. A ray parallel to the triangle's plane, or in it, does not meet it.
+// of a closed surface. A ray that is parallel to the plane of the triangle, or lies in this plane,
+// does not meet the triangle.
 double firstMeeting(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c);
 
 // Whether the ray meets the box; false for an empty box.

@@ -5,13 +5,14 @@
 
 namespace resect {
 
-// Turns the body from its present orientation to a near one in which it rests on a horizontal table
-// (Y up): there the height of its centre of mass, at uniform density, is a local minimum. Found by
-// descent on this height, to about 0.1 degrees. Identity for a mesh that encloses nothing.
+// The rotation that turns the body from its present orientation to a nearby one in which it rests
+// on a horizontal table (Y up). There the height of its centre of mass, at uniform density, is a
+// local minimum. The minimum is found by descent, to about 0.1 degrees. The rotation is the
+// identity for a mesh that encloses no volume.
 Eigen::Quaterniond restingRotation(const TriangleMesh& mesh);
 
-// The pose with this rotation in which the mesh stands on the table: the bottom of its bounding box
-// is at y = 0 and centred on the origin.
+// The pose with this rotation in which the mesh stands on the table. The bottom of the bounding box
+// is then at y = 0 and centred on the origin.
 Pose standOnTable(const TriangleMesh& mesh, const Eigen::Quaterniond& rotation);
 
 }  // namespace resect

@@ -1,7 +1,8 @@
 // Topology of a mesh: whether it is closed, consistently oriented and manifold; its components.
 //
-// Sorts the edges and counts them: O(n log n), deterministic. Points are told apart by index, not
-// by position: a mesh that repeats positions must be welded first (geometry/repair/weld.h).
+// Sorts the edges and counts them: O(n log n), deterministic. Two points are the same if they have
+// the same index; positions do not matter. So a mesh that repeats positions must be welded first
+// (geometry/repair/weld.h).
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ namespace resect {
 struct Topology {
   int boundaryEdges = 0;     // edges of an odd number of triangles: where the surface is open
   int nonManifoldEdges = 0;  // edges of more than two triangles
-  // Edges that their triangles do not use equally often in both directions; a boundary edge may
-  // have one use more in one of them.
+  // Each triangle uses its edges in one direction. This counts the edges whose numbers of uses in
+  // the two directions differ; for a boundary edge, those that differ by more than one.
   int unorientedEdges = 0;
   int components = 0;                      // parts of the mesh that have no point in common
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first boundary edge, m
@@ -26,15 +27,16 @@ struct Topology {
   bool manifold() const { return nonManifoldEdges == 0; }
 };
 
-// An empty mesh is closed, oriented and has no component.
+// An empty mesh is closed, oriented and manifold, and has no component.
 Topology topology(const TriangleMesh& mesh);
 
 // For each point the number of its component. Components are numbered from 0 in the order of their
-// first points. Points that no triangle uses get -1.
+// first points. Points that no triangle uses get -1. `count`, if given, receives the number of
+// components.
 std::vector<std::int32_t> pointComponents(const TriangleMesh& mesh, int* count = nullptr);
 
-// One mesh per component, in the order of pointComponents(). Points and triangles keep their order
-// within each.
+// One mesh per component, in the order of pointComponents(). Within each mesh points and triangles
+// keep their order. Points that no triangle uses are dropped.
 std::vector<TriangleMesh> splitComponents(const TriangleMesh& mesh);
 
 }  // namespace resect

@@ -25,9 +25,9 @@ struct TriangleMesh {
 
 Aabb bounds(const TriangleMesh& mesh);
 
-// Throws Error if a triangle's index has no point. Cost: a pass over the triangles.
+// Throws Error if a triangle has an index that no point has. Cost: a pass over the triangles.
 void requireTriangles(const TriangleMesh& mesh);
-// The same; also throws Error if a point is not finite.
+// Does the same as requireTriangles(), and also throws Error if a point is not finite.
 void requireSound(const TriangleMesh& mesh);
 
 // The mesh with every point transformed by the pose.

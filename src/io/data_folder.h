@@ -1,4 +1,4 @@
-// Finds the files that are shipped with Resect: instruments, organs, scenarios, shaders.
+// Finds the files that come with Resect (shipped files): instruments, organs, scenarios, shaders.
 #pragma once
 
 #include <filesystem>
@@ -7,19 +7,23 @@
 
 namespace resect {
 
-// The data folder: $RESECT_DATA if that is set (an Error if it names no data folder); else the one
-// beside the program, installed or in its build tree; else the one of the sources that the program
-// was built from; else the one of the install location. If there is none, an Error lists the
-// folders that were tried.
+// The data folder, which is the first of these that exists:
+// 1. the folder that the environment variable RESECT_DATA names; if it is set and does not name a
+//    data folder, this is an Error;
+// 2. the folder beside the program, where the program is installed or in its build tree;
+// 3. the folder of the sources that the program was built from;
+// 4. the folder of the install location.
+// If there is none, an Error lists the folders that were tried.
 std::filesystem::path dataFolder();
 
-// The file `name` if it exists; else the shipped file of that name and extension in dataFolder() /
-// folder. If there is none, an Error lists the shipped names.
+// `name` itself if there is a file of this name. Otherwise the shipped file dataFolder() / folder /
+// (name + extension); `extension` begins with a dot. If there is neither, an Error lists the
+// shipped names.
 std::filesystem::path findDataFile(const std::string& name, const std::string& folder,
                                    const std::string& extension);
 
-// The names, sorted and without extension, of the shipped files in `folder` that have this
-// extension.
+// The names of the shipped files in `folder` that have this extension. The names are sorted and
+// come without the extension.
 std::vector<std::string> shippedNames(const std::string& folder, const std::string& extension);
 
 }  // namespace resect

@@ -9,19 +9,20 @@
 
 namespace resect {
 
-// Call before long work. Throws a usage Error unless the extension is .obj, .stl, .ply, .vtk or
-// .iv, in upper or lower case; then checks path and inputs by checkTarget() (io/atomic_file.h).
+// Call before long work whose result goes to `path`. Throws a usage Error unless the extension is
+// .obj, .stl, .ply, .vtk or .iv, in upper or lower case. Then calls checkTarget()
+// (io/atomic_file.h) with `path` and `inputs`, the files that will be read.
 void checkWritableMeshFile(const std::filesystem::path& path,
                            std::span<const std::string> inputs = {});
 
-// Writes in the format of the extension, atomically (io/atomic_file.h), in metres:
-//   .obj  text, every coordinate with enough digits to restore the same double
-//   .ply  binary little-endian, doubles: exact
-//   .vtk  legacy PolyData, binary big-endian, doubles: exact
-//   .iv   Inventor V2.1 ascii, an IndexedFaceSet; digits as in .obj, though Inventor reads single
-//         precision
-//   .stl  binary; the format itself has single precision and no shared points
-// An unknown extension is a usage Error.
+// Writes the mesh, atomically (io/atomic_file.h) and in metres. The extension decides the format:
+//  .obj  text, every coordinate with enough digits to restore the same double
+//  .ply  binary little-endian, doubles: exact
+//  .vtk  legacy PolyData, binary big-endian, doubles: exact
+//  .iv   Inventor V2.1 ascii, an IndexedFaceSet; digits as in .obj, though Inventor reads single
+//        precision
+//  .stl  binary; the format itself has single precision and no shared points
+// Any other extension is a usage Error.
 void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The content of a model file: named meshes as in the file, in metres (a file without units counts
-// as metres).
+// The content of a model file: its named meshes, in metres. A file without units is taken to be in
+// metres.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace resect {
 
-// One named mesh of the file: its transforms are applied, no points are welded, no triangle is
+// One named mesh of the file, with its transforms applied. No points are welded and no triangle is
 // dropped.
 struct ModelPart {
   std::string name;  // as the file calls it; may be empty
@@ -20,28 +20,30 @@ struct ModelPart {
 struct Model {
   std::string path;
   std::string format;            // "Inventor V2.1 binary", "STL", ...
-  std::vector<ModelPart> parts;  // in the order of the file; no two have one name
+  std::vector<ModelPart> parts;  // in the order of the file; no two have the same name
 };
 
 // All parts as one mesh.
 TriangleMesh merged(const Model& model);
 
-// Appends a mesh to the part of that name, which is created if there is none.
+// Appends a mesh to the part of that name, or to a new part of that name if there is none yet. A
+// mesh without triangles is ignored.
 void addToPart(Model& model, const std::string& name, TriangleMesh mesh);
 
-// The part of that name; an Error lists the names if there is none.
+// The part of that name. If there is none, throws an Error that lists the names of the parts.
 const ModelPart& partNamed(const Model& model, const std::string& name);
 
-// The names of the first `most` parts, as "a, b, c and 23 more"; a name longer than 60 characters
-// is cut.
+// The names of the first `most` parts, as "a, b, c and 23 more". A name longer than 60 characters
+// is cut short.
 std::string partList(const Model& model, std::size_t most = 40);
 
 // Throws Error for what no reader may return: no triangles at all, an index out of range, a
-// coordinate that is not finite or beyond 1e9 m.
+// coordinate that is not finite or is beyond 1e9 m on either side of 0.
 void checkModel(const Model& model);
 
-// The model as bytes and back, for sending through a pipe. bytesToModel() throws Error if the bytes
-// are cut off or too many, or if checkModel() refuses the model.
+// For sending a model through a pipe: modelToBytes() gives its bytes, bytesToModel() makes the
+// model from them. bytesToModel() throws Error if bytes are missing or left over, or if
+// checkModel() refuses the model.
 std::string modelToBytes(const Model& model);
 Model bytesToModel(std::string_view bytes, const std::string& path);
 

@@ -1,5 +1,5 @@
-// Makes a simulation from a scenario: reads the files that the scenario names and builds organs,
-// tissue and tools.
+// Makes a simulation from a scenario: reads the files that the scenario names, and makes organs,
+// tissue and tools of them.
 #pragma once
 
 #include <functional>
@@ -15,53 +15,57 @@
 
 namespace resect {
 
-// Function that reads any model file; supplied by a layer that knows all formats
-// (inventor/reading/model_file.h).
+// Function that reads any model file. It comes from a layer that knows all formats, such as
+// readModel() in inventor/reading/model_file.h.
 using ModelReader = std::function<Model(const std::filesystem::path&)>;
 
-// The organ's closed surface, oriented outwards, in the world. The organ is rotated as source.pose
-// says; if source.onTable, it is laid on the table (rolled to a resting pose if source.settle;
-// lowest point at y = 0, bounding box centred over the origin); then it is moved by the pose's
-// position. If `place` is given and holds a pose, that pose is used instead of all this; if `place`
-// is given and empty, it receives the pose that was used. `notes` gets a sentence for each repair
-// or finding.
+// The organ's closed surface, oriented outwards, in the world. It is placed in four steps:
+// 1. It is rotated by source.pose.rotation.
+// 2. If source.onTable and source.settle, it is rolled to a pose in which it lies still.
+// 3. If source.onTable, its lowest point gets y = 0 and its bounding box is centred over the
+//    origin.
+// 4. It is moved by source.pose.position.
+// `place` may be null. If *place holds a pose, that pose is used and the four steps are left out.
+// If *place is empty, it receives the pose that the four steps give. `notes` gets a sentence for
+// each repair or finding.
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
                            std::vector<std::string>* notes = nullptr,
                            std::optional<Pose>* place = nullptr);
 
-// The organ's cells, with the labels of the source. A file of particles (io/cells/particle_file.h)
-// keeps its cells unless source.resample, and lies where its coordinates put it, moved onto the
-// table if source.onTable and then by the pose's position; it is neither rotated nor settled. Any
-// other source is sampled from its mesh. Throws Error if a label marks no particle.
+// The organ's cells, with the labels of the source. The cells are sampled from the mesh of
+// loadOrganMesh() unless the source is a file of particles (io/cells/particle_file.h). The cells of
+// a file of particles are kept; if source.resample, new cells are sampled from their surface. Such
+// a source is not rotated and `place` is left as it is; only steps 3 and 4 of loadOrganMesh() are
+// applied. Throws Error if a label marks no particle.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr);
 
-// The scenario's tools, from their description files. The scenario names each by its path or by a
-// shipped name ("scalpel").
+// The scenario's tools, from their description files. The scenario names a file by its path, or by
+// its name among those that come with Resect ("scalpel").
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 
-// The tissue that the scenario asks for, at rest. Throws Error if an attachment contains no
-// particle, a material is for a label without particles, or a setting is out of range.
+// The tissue of one organ, at rest. Throws Error if an attachment contains no particle, if a
+// material is for a label that no particle has, or if a setting is out of range.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ);
 
 // All organs of the scenario, at rest.
 std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress = {},
                                       std::vector<std::string>* notes = nullptr);
-// The springs of the scenario's joints; none in thesis mode. Throws Error if a joint connects no
-// cells.
+// The springs of the scenario's joints. In thesis mode there are none. Throws Error if a joint
+// joins no two cells.
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs);
 
-// Puts organs, joints and tools into the scenario's room: its table, and the walls of its tool box
-// as an obstacle for moving tissue. If a particle lies in the tool box at the start, the box is no
-// obstacle, so that it does not push the organ out.
+// Makes a simulation of organs, joints and tools, with the scenario's table. If the scenario has a
+// tool box, its walls become an obstacle for moving tissue. They do not if a particle lies in the
+// tool box at the start, since they would push that organ out.
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools);
 
-// Does all of the above: the result is ready for its first frame.
+// Does all of the above. The simulation is ready for its first frame.
 Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
 

@@ -1,4 +1,5 @@
-// Makes the closed, outward surface of an organ from a model, with a report of what was done.
+// Makes the closed surface of an organ from a model, oriented outwards, with a report of what was
+// changed.
 #pragma once
 
 #include <string>
@@ -11,37 +12,41 @@
 namespace resect {
 
 struct OrganMeshOptions {
-  std::string part;          // use only the part of that name; empty: all parts together
+  std::string part;          // name of the part to use; empty: all parts together
   bool repair = false;       // close holes instead of refusing an open surface
   double metresPerUnit = 1;  // > 0; metres per unit of the model's coordinates
 };
 
 struct OrganMesh {
-  TriangleMesh mesh;  // welded, closed, consistently oriented, looking outwards
-  MeshHealth health;  // of that mesh
+  TriangleMesh mesh;  // welded, closed, consistently oriented outwards
+  MeshHealth health;  // of `mesh`
   RepairReport repairs;
-  std::vector<std::string> notes;  // one sentence for each repair or doubt, for a person
+  std::vector<std::string> notes;  // one sentence for people about each repair or doubt
 };
 
 struct WeldedSurface {
   TriangleMesh mesh;
-  Topology topology;  // of that mesh
+  Topology topology;  // of `mesh`
 };
 
-// Merges equal points. If the surface is then still open, also merges points that are nearer to
-// each other than a millionth of the bounding box's diagonal, but only if that closes the surface:
-// mirrored or rotated copies match only up to rounding.
+// Merges points at equal positions. If the surface is then still open, points that are at most a
+// millionth of the bounding box's diagonal apart are merged too. This second merging is kept only
+// if it closes the surface. It is needed for mirrored or rotated copies, whose points match those
+// of the original only up to rounding.
 WeldedSurface weldSurface(const TriangleMesh& mesh);
 
-// Takes the part (or all), scales it, welds it, closes its holes if `repair` is on, drops specks
-// (components without volume) and orients the rest outwards. Throws Error if the surface is open
-// and `repair` is off, or is open and several parts were merged that share edges; the Error has the
-// number of boundary edges, the position of the first and, for merged parts, their names. Also
-// throws Error if the triangles cannot be oriented consistently, or if they enclose no volume.
+// Takes the chosen part, or all parts, and scales and welds the surface. Then closes its holes if
+// `repair` is on, drops specks (components without volume) and orients the rest outwards. Throws
+// Error in these cases:
+// - The surface is open and `repair` is off. The Error has the number of boundary edges and the
+//   position of the first; if all parts of several were taken, also their names.
+// - The surface is open, and it is made of several parts that share edges. The Error is the same.
+// - The triangles cannot be oriented consistently.
+// - The triangles enclose no volume.
 OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options = {});
 
-// The part of that name, or all parts as one mesh if `part` is empty; scaled to metres, otherwise
-// unchanged.
+// The part named `part`, or all parts as one mesh if `part` is empty. Points are scaled to metres;
+// nothing else is changed.
 TriangleMesh chosenSurface(const Model& model, const std::string& part, double metresPerUnit);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Whether a body has the size of an organ, and otherwise the unit that its author probably used.
+// Tells whether a body has the size of an organ, and guesses the unit that its author used.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace resect {
 
-// Whether a box in metres has the size of an organ: longest side of 0.02 to 1 m.
+// Whether a box in metres has the size of an organ: its longest side is 0.02 to 1 m.
 bool isOrganSized(const Aabb& box);
 
-// box: in the file's own numbers. Returns the unit, "mm", "cm" or "m", in which the longest side
-// comes nearest, by ratio, to that of a liver (0.2 m). Empty for a box without size.
+// box: in the file's own numbers. Returns the unit, "mm", "cm" or "m", in which the longest side of
+// the box is nearest, by ratio, to that of a liver (0.2 m). Empty for a box without size.
 std::string plausibleUnit(const Aabb& box);
 
 }  // namespace resect

@@ -6,7 +6,7 @@
 
 namespace resect {
 
-// Throws Error when there is no such file, or it is a folder, or it cannot be read.
+// Throws Error when the file does not exist, is a folder, or cannot be read.
 std::string readWholeFile(const std::filesystem::path& path);
 
 }  // namespace resect

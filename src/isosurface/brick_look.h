@@ -1,11 +1,12 @@
 // Normals and cut shares of a brick's vertices.
 //
-// For pictures only; the simulation uses neither. A normal is the negative gradient of the field,
-// normalised. The gradient is that of a 3D Sobel operator: central differences along one axis,
-// averaged over the other two axes with weights 1 2 1 (Zucker and Hummel 1981 compare it with
-// others). Plain central differences would show the lattice as ribs in the highlights. Mean error
-// of the normals on a ball: 2.5 degrees with plain central differences and 1.6 with the Sobel
-// operator at two nodes per cell, 1.3 with the Sobel operator at one node per cell.
+// They are for pictures only; the simulation uses neither. A normal is the negative gradient of the
+// field, normalised. The gradient is found by a 3D Sobel operator: central differences along one
+// axis, averaged over the other two axes with weights 1 2 1 (Zucker and Hummel 1981 compare it with
+// others). Plain central differences would show the lattice as ribs in the highlights. The mean
+// error of the normals on a ball is 2.5 degrees with plain central differences at two nodes per
+// cell, 1.6 degrees with the Sobel operator at two nodes per cell, and 1.3 degrees with the Sobel
+// operator at one node per cell.
 //
 // Cost: 1 500 operations per brick and 60 more per vertex.
 #pragma once
@@ -19,13 +20,13 @@
 
 namespace resect {
 
-// Cut share of a surface point: 0 on the original surface to 1 well inside former tissue. before:
-// the colour field's value at the point before any edit.
+// The cut share of a surface point: from 0 on the original surface to 1 well inside former tissue.
+// before: value of the colour field at the point before any edit. iso: the iso level.
 float cutShare(float before, float iso);
 
-// Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: the edge
-// of each vertex, as written by brickVertices(). Both output arrays may be overwritten up to the
-// next multiple of CrossedEdges::kStep.
+// Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: the number
+// of the grid edge that each vertex lies on, as written by brickVertices(). `normals` and `cut` may
+// be overwritten up to the next multiple of CrossedEdges::kStep.
 void brickLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
                std::span<const std::uint8_t> edges, Vec3f* normals, float* cut);
 

@@ -1,8 +1,8 @@
 // Vertices of the iso-surface in one brick of the colour field.
 //
 // The vertices lie on the grid edges that belong to the brick (isosurface/crossed_edges.h). Their
-// normals come from isosurface/brick_look.h. Cost: some hundred operations per brick and 25 more
-// per vertex.
+// normals come from isosurface/brick_look.h. Cost: about 100 operations per brick and 25 more per
+// vertex.
 #pragma once
 
 #include "base/vec.h"
@@ -12,15 +12,15 @@
 
 namespace resect {
 
-// Vertices stay away from both ends of their edge by this fraction of it, so that no two of them
-// coincide.
+// A vertex keeps at least this fraction of its edge away from both ends of the edge, so that no two
+// vertices coincide.
 constexpr float kEndMargin = 1e-3f;
 
-// Distances between a field's nodes, and the iso level.
+// Distances between neighbouring nodes of a field along each axis, and the iso level.
 struct NodeGrid {
   float iso;
-  Vec3 step;                  // from node to node (rest space, m)
-  Vec3f spacing, perSpacing;  // step as floats, and its inverse
+  Vec3 step;                  // rest space, m
+  Vec3f spacing, perSpacing;  // step as floats; 1 / step
 
   NodeGrid(const ColourField& field, float level)
       : iso(level),
@@ -29,8 +29,9 @@ struct NodeGrid {
         perSpacing(spacing.cwiseInverse()) {}
 };
 
-// Writes the positions of signs.vertexCount() vertices (rest space, m) and the number of the edge
-// that each lies on. Both arrays may be overwritten up to the next multiple of CrossedEdges::kStep.
+// Writes, for each of the signs.vertexCount() vertices, its position (rest space, m) and the number
+// of the edge that it lies on. Both arrays may be overwritten up to the next multiple of
+// CrossedEdges::kStep.
 void brickVertices(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
                    const BrickSigns& signs, Vec3f* points, std::uint8_t* edges);
 

@@ -15,27 +15,28 @@
 
 namespace resect {
 
-// Keeps the compiler from loading several words as one vector. A vector load of words that were
-// just stored one by one has to wait until the stores are done (no store forwarding), which costs
-// as much time as 64 cells.
+// Keeps the compiler from loading several words as one vector. If the words were just stored one by
+// one, such a load waits until the stores are done (no store forwarding). That would take as long
+// as all work on the 64 cells.
 [[gnu::always_inline]] inline std::uint64_t keptAlone(std::uint64_t word) {
   asm("" : "+r"(word));
   return word;
 }
 
-// Which of a brick's 64 nodes are inside (value >= iso). Bit = node, x fastest.
+// Which of a brick's 64 nodes are inside (value >= iso). Bit n is for node n; x is fastest.
 [[gnu::always_inline]] inline std::uint64_t insideMask(std::span<const float, kBrickSize> nodes,
                                                        float iso) {
   return compared64(nodes.data(), [iso](const FourValues& v) -> FourFlags { return v >= iso; });
 }
 
 // Which corners of the 64 cells are inside. `inside`: the inside masks of the brick and of its
-// seven upper neighbours, where an index is the sum of 1 for a step along x, 2 along y and 4 along
-// z. In the result mask c is for corner c and has a bit per cell; mask 0 is the brick's own inside
+// seven upper neighbours. The index of a neighbour is the sum of 1 if it is the next one along x, 2
+// along y and 4 along z; the brick itself has index 0. Mask c of the result has one bit per cell,
+// for its corner c; corners are numbered as the neighbours are. Mask 0 is the brick's own inside
 // mask.
 [[gnu::always_inline]] inline std::array<std::uint64_t, 8> cornerMasks(
     const std::array<std::uint64_t, 8>& inside) {
-  // The mask shifted by one node along an axis; bits of the neighbour fill the gap.
+  // The mask `own` shifted by one node along an axis; bits of the neighbour's mask fill the gap.
   const auto alongX = [](std::uint64_t own, std::uint64_t next) {
     return (own >> 1 & 0x7777777777777777) | (next & 0x1111111111111111) << 3;
   };
@@ -43,7 +44,7 @@ namespace resect {
     return (own >> 4 & 0x0fff0fff0fff0fff) | (next & 0x000f000f000f000f) << 12;
   };
   const auto alongZ = [](std::uint64_t own, std::uint64_t next) { return own >> 16 | next << 48; };
-  // Copied word by word: a wide load of words just stored would stall.
+  // Copied word by word: see keptAlone().
   std::array<std::uint64_t, 8> mask;
 #pragma GCC unroll 4
   for (std::size_t d = 0; d < 8; d += 2) {
@@ -55,7 +56,7 @@ namespace resect {
   return mask;
 }
 
-// The cells that the surface crosses: those with corners inside and outside.
+// The cells that the surface crosses: those with at least one corner inside and one outside.
 inline std::uint64_t crossedCells(const std::array<std::uint64_t, 8>& corners) {
   std::uint64_t any = 0, all = ~std::uint64_t(0);
   for (const std::uint64_t mask : corners) {
@@ -90,9 +91,9 @@ typedef std::uint64_t Words __attribute__((vector_size(16)));
 // The case of each cell: its eight corner bits.
 using CellKinds = std::array<std::uint8_t, kBrickSize>;
 
-// Transposes the eight masks to 64 bytes, one per cell. First their bytes are interleaved, so that
-// a 64-bit word holds all corners of eight cells; then each word is transposed as a matrix of bits.
-// Some 120 instructions.
+// Transposes the eight masks of cornerMasks() to 64 bytes, one per cell. First the bytes of the
+// masks are interleaved, so that a 64-bit word holds all corners of eight cells. Then each word is
+// transposed as a matrix of bits. Some 120 instructions.
 [[gnu::always_inline]] inline CellKinds cellKinds(const std::array<std::uint64_t, 8>& corners) {
   bits::Pairs two[4];  // corners 2 k and 2 k + 1 of cells 0 to 7, 8 to 15, ...
   for (std::size_t k = 0; k < 4; ++k) {
@@ -118,13 +119,15 @@ using CellKinds = std::array<std::uint8_t, kBrickSize>;
   return kinds;
 }
 
-// Per case: its number of triangles less (crossed edges - 2), the number that one single loop would
-// have. A loop of n edges gives n - 2 triangles, so each further loop subtracts 2.
+// Per case: its number of triangles minus (its number of crossed edges - 2). A loop of n edges
+// gives n - 2 triangles. So the value is 0 for a case with one loop, and each further loop lowers
+// it by 2. It is also 0 for a case without crossed edges.
 const std::array<std::int8_t, 256>& trianglesBeyondOneLoop();
 
-// Number of triangles in `cells`, which must all be crossed. A cell can have several loops only if
-// it has a face whose inside corners lie on one diagonal, or two opposite corners that differ from
-// all others. Such cells are few; their number of triangles is looked up. Some 110 instructions.
+// Number of triangles in the cells of the mask `cells`; the surface must cross all of these. c: as
+// given by cornerMasks(). A cell can have several loops only in two cases: the inside corners of
+// one of its faces lie on a diagonal, or two opposite corners are both unlike all their neighbours.
+// Such cells are few; for them trianglesBeyondOneLoop() is added. Some 110 instructions.
 [[gnu::always_inline]] inline int countTriangles(const std::array<std::uint64_t, 8>& c,
                                                  std::uint64_t cells) {
   // Crossed edges along x, y and z, by their lower corners.

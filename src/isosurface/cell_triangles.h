@@ -1,9 +1,9 @@
 // Triangles of a brick's cells, from the marching cubes table and the indices of vertices on edges.
 //
-// An edge table holds the vertex index of every edge that the brick's cells can use: the brick's
-// own edges and those shared with the bricks above. A cell's four edges along an axis are two pairs
-// of neighbouring entries, so six loads fetch the indices of all twelve edges; the cell's triangles
-// are then a shuffle of these twelve.
+// An EdgeTable holds the index of the vertex on every edge that the brick's cells can use: the
+// brick's own edges, and the edges shared with the bricks above it. In the table the four edges of
+// a cell along one axis are two pairs of neighbouring entries. So six loads fetch the indices for
+// all twelve edges of a cell, and the corners of its triangles are a shuffle of these twelve.
 #pragma once
 
 #include <array>
@@ -17,22 +17,22 @@ namespace resect {
 struct EdgeTable {
   static constexpr int kSpan = kBrickNodes + 1;  // nodes 0 to 4 of the brick along each axis
   static constexpr int kAxis = kSpan * kSpan * kSpan, kNone = 3 * kAxis;
-  std::array<std::int32_t, kNone + 1> vertex;  // at index(); kNone is the entry for no edge
+  std::array<std::int32_t, kNone + 1> vertex;  // by index(); entry kNone belongs to no edge
 
-  // Index of the edge that begins at node (x, y, z), each 0 to 4, and runs along `axis`. Entries
-  // are ordered with y fastest for edges along x, with x fastest for others.
+  // Index of the edge that begins at node (x, y, z), each 0 to 4, and runs along `axis`. Along x
+  // the entries are ordered with y fastest, along y and z with x fastest.
   static constexpr int index(int axis, int x, int y, int z) {
     return axis * kAxis + (z * kSpan + (axis == 0 ? x : y)) * kSpan + (axis == 0 ? y : x);
   }
-  // Index of an edge of a cell (edge: as numbered in isosurface/marching_cubes_table.h).
+  // Index of an edge of a cell. edge: its number in isosurface/marching_cubes_table.h.
   static int ofCell(int cell, int edge);
 };
 
-// Writes the triangles of `cells` (one bit per cell) from `out` on and returns their end. The
-// memory from there to `limit` may be overwritten.
+// Writes the triangles of `cells` (one bit per cell) from `out` on. Returns where they end; the
+// memory from that end to `limit` may be overwritten.
 Triangle* drawCells(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                     Triangle* out, const Triangle* limit);
-// The same edge by edge, for machines without AVX2.
+// The same, one corner after the other, for machines without AVX2. Overwrites nothing else.
 Triangle* drawCellsPlainly(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                            Triangle* out);
 

@@ -1,9 +1,10 @@
 // The grid edges of a brick that cross the surface, and the numbering of their vertices.
 //
 // A vertex belongs to the grid edge that it lies on, and the edge to the brick of its lower node.
-// Within a brick an edge has the number 64 * axis + lower node. Vertices are numbered in the order
-// of their edges, so the number of a vertex is the count of bits below its edge's own in a 64-bit
-// mask: no search and no table of edges is needed.
+// Within a brick an edge has the number 64 * axis + lower node. The crossed edges are stored as one
+// 64-bit mask per axis. Vertices are numbered in the order of their edges. So the number of a
+// vertex is the number of crossed edges before its own. To find it, bits of a mask are counted; no
+// search and no table is needed.
 #pragma once
 
 #include <array>
@@ -17,16 +18,16 @@
 namespace resect {
 
 constexpr int kBrickEdges = 3 * kBrickSize;
-constexpr std::uint8_t kNoEdge = kBrickEdges;  // stands for no edge
+constexpr std::uint8_t kNoEdge = kBrickEdges;  // in place of an edge number: no edge
 
 // Which of the brick's 64 nodes are inside, and which of its 192 edges cross the surface.
 struct BrickSigns {
-  std::uint64_t inside = 0;
-  std::array<std::uint64_t, 3> crossing{};  // per axis, bit = lower node
-  std::array<std::uint8_t, 4>
-      firstVertex{};  // per axis: number of its first vertex; then the count
+  std::uint64_t inside = 0;                 // bit n: node n is inside
+  std::array<std::uint64_t, 3> crossing{};  // per axis; bit n: the edge with lower node n crosses
+  // Per axis: the number of its first vertex. The last element is the number of all vertices.
+  std::array<std::uint8_t, 4> firstVertex{};
 
-  // Sets the crossed edges, a mask per axis. Returns whether any of them has changed.
+  // Sets the masks of the crossed edges along x, y and z. Returns whether a mask has changed.
   bool setCrossing(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
     const bool changed = ((x ^ crossing[0]) | (y ^ crossing[1]) | (z ^ crossing[2])) != 0;
     crossing[0] = x, crossing[1] = y, crossing[2] = z;
@@ -36,17 +37,18 @@ struct BrickSigns {
     return changed;
   }
   int vertexCount() const { return firstVertex[3]; }
-  // Number within the brick of the vertex on the edge from `node` (0..63) along `axis`.
+  // Number within the brick of the vertex on the edge from `node` (0 to 63) along `axis`. The edge
+  // must be crossed.
   int vertex(int axis, int node) const {
     return firstVertex[axis] + std::popcount(crossing[axis] & ((std::uint64_t(1) << node) - 1));
   }
 };
 
-// The numbers of the crossed edges, one per vertex, followed by kNoEdge up to the next multiple of
-// kStep at least.
+// The numbers of the crossed edges, ascending, one per vertex. kStep elements kNoEdge follow them,
+// so that a loop may take kStep elements at a time.
 struct CrossedEdges {
   static constexpr int kStep = 8, kMost = kBrickEdges + kStep;
-  std::array<std::uint8_t, kMost> number;  // beyond that: uninitialised
+  std::array<std::uint8_t, kMost> number;  // beyond these elements: uninitialised
 
   explicit CrossedEdges(const BrickSigns& signs) {
     std::uint8_t* end = number.data();

@@ -1,14 +1,16 @@
-// The marching cubes table: triangles of a cell for each of the 256 cases of its corners.
+// The marching cubes table: the triangles of a cell for each of the 256 cases of its corners.
 //
-// Corner c of a cell stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Edges are numbered by axis: edge
-// 4 * a + i runs along axis a and begins at the i-th of the four corners with coordinate 0 there.
+// Corner c of a cell stands at (c & 1, c >> 1 & 1, c >> 2 & 1). Edges are numbered by axis. Number
+// 4 * a + i, i from 0 to 3, is the edge along axis a that begins at corner i of the four corners
+// whose coordinate along a is 0.
 //
-// The table is computed. On each face of the cell one line separates each run of neighbouring
-// inside corners from the rest, so two inside corners on a diagonal stay apart. The lines depend on
-// the face alone; therefore neighbouring cells agree and the surface is closed. The lines of a cell
-// link up to loops. Of the triangulations without a diagonal in a face of the cell, each loop gets
-// the one with the best-shaped triangles. Source: Lorensen and Cline 1987 (the method); Durst 1988
-// (its ambiguity).
+// The table is computed. On each face of the cell, inside corners that are neighbours form a run.
+// One line separates each run from the rest of the face, so two inside corners on a diagonal stay
+// apart. The lines of a face depend on that face alone. So the two cells at a face have the same
+// lines there, and the surface is closed. The lines of a cell link up to loops, and each loop is
+// triangulated. Triangulations with a diagonal in a face of the cell are excluded; of the others,
+// the one with the best-shaped triangles is taken. Source: Lorensen and Cline 1987 (the method);
+// Durst 1988 (its ambiguity).
 #pragma once
 
 #include <array>
@@ -18,12 +20,13 @@ namespace resect {
 
 struct CellTriangles {
   std::uint8_t count = 0;  // triangles, 0 to 5
-  std::array<std::array<std::uint8_t, 3>, 5>
-      edges{};  // of each triangle: three cell edges, counter-clockwise seen from outside
+  // Of each triangle: three cell edges, counter-clockwise seen from outside the tissue.
+  std::array<std::array<std::uint8_t, 3>, 5> edges{};
 };
 
 struct CellEdge {
-  std::uint8_t axis, from, to;  // from the corner with coordinate 0 on the axis to the one with 1
+  // The corners at its ends: `from` has coordinate 0 along the axis, `to` has 1.
+  std::uint8_t axis, from, to;
 };
 
 constexpr std::array<CellEdge, 12> kCellEdges = [] {
@@ -36,7 +39,8 @@ constexpr std::array<CellEdge, 12> kCellEdges = [] {
   return edges;
 }();
 
-// The table, indexed by the 8 corner bits (1 = inside). Made at first use in about a millisecond.
+// The table, indexed by the 8 corner bits (1 = inside). Made at the first call, in about a
+// millisecond.
 const std::array<CellTriangles, 256>& marchingCubesTable();
 
 }  // namespace resect

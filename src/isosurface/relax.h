@@ -1,8 +1,8 @@
-// Smoothing and refinement of a mesh of a function's zero surface.
+// Smoothing and refinement of a mesh that approximates the zero surface of a function.
 //
-// Both functions keep a mesh closed, oriented and manifold, evaluate `value` a few times per point
-// or edge, and give the same bits at any number of threads. `value` is called from several threads
-// at once.
+// A mesh that is closed, oriented and manifold stays so. The results have the same bits at any
+// number of threads. `value` is the function; it is called a few times per point or edge, from
+// several threads at once.
 #pragma once
 
 #include <functional>
@@ -11,17 +11,18 @@
 
 namespace resect {
 
-using ScalarFunction = std::function<double(const Vec3&)>;  // negative inside, m
+// Approximate signed distance of a position from the surface, m; negative inside.
+using ScalarFunction = std::function<double(const Vec3&)>;
 
-// Moves every point within its tangent plane, halfway to the mean of its neighbours, and then onto
-// the surface by a Newton step. A point stays where it is if it would move farther than half of
-// `edge` (m) or miss the surface.
+// Moves each point within its tangent plane, halfway to the mean of its neighbours, and then
+// towards the surface by a Newton step. edge: typical length of the mesh's edges, m. A point is not
+// moved if its new position would be more than half of `edge` away, or not on the surface.
 void evenOut(const ScalarFunction& value, TriangleMesh& mesh, double edge);
 
-// Splits each edge that cuts off a corner of the body. From the edge's midpoint the surface is
-// searched along the mean normal of its ends; if it is farther away than `tolerance` times the
-// edge's length, the edge is split, with its new point on the surface. Returns the number of edges
-// split.
+// Splits each edge that cuts off a corner of the body. For this the surface is searched from the
+// midpoint of the edge, along the mean of the normals at the two ends. If the surface is farther
+// from the midpoint than `tolerance` times the length of the edge, the edge is split there, at a
+// new point on the surface. Returns the number of edges split.
 int splitCuttingEdges(const ScalarFunction& value, TriangleMesh& mesh, double tolerance = 0.12);
 
 }  // namespace resect

@@ -12,7 +12,7 @@ namespace resect {
 
 typedef float FourFloats __attribute__((vector_size(16)));
 
-// Writes four points from their coordinates.
+// Writes four points to `out`. x, y, z: the coordinates of the four points.
 [[gnu::always_inline]] inline void storePoints(const FourFloats& x, const FourFloats& y,
                                                const FourFloats& z, Vec3f* out) {
   const FourFloats zx = __builtin_shufflevector(z, x, 0, 0, 5, 5),
@@ -30,8 +30,9 @@ typedef float FourFloats __attribute__((vector_size(16)));
   std::memcpy(to + 8, &third, sizeof third);
 }
 
-// Position of each of four vertices along its edge, 0 at the lower node to 1 at the upper one, by
-// linear interpolation of the field's values at the two nodes. It is kept in [margin, 1 - margin].
+// Position of each of four vertices along its edge: from 0 at the lower node to 1 at the upper
+// node. lower, upper: the values of the field at these nodes. The position is found by linear
+// interpolation and kept in [margin, 1 - margin].
 [[gnu::always_inline]] inline FourFloats wayAlong(const FourFloats& lower, const FourFloats& upper,
                                                   float iso, float margin) {
   const FourFloats crossing = (iso - lower) / (upper - lower);

@@ -1,6 +1,7 @@
-// Measures the speed of an operation on this machine, and the largest organ that keeps real time.
+// Measures the speed of an operation on this machine, and searches for the largest organ with which
+// the operation keeps real time.
 //
-// An operation keeps real time if 95 % of its frames are computed within their duration.
+// An operation keeps real time if at least 95 % of its frames are computed within their duration.
 #pragma once
 
 #include <functional>
@@ -21,22 +22,23 @@ struct BenchReport {
   };
   // Frames in which edits changed the surface.
   struct Updates {
-    std::int64_t frames = 0, bricks = 0;  // bricks: evaluated again in these frames
+    std::int64_t frames = 0, bricks = 0;  // bricks: those evaluated again in these frames
     double seconds = 0;  // of the stages updateField and updateSurface in these frames
   };
-  double spacing = 0;                                    // cube root of a cell's volume, m
-  std::int64_t particles = 0, triangles = 0, bytes = 0;  // before the operation
+  double spacing = 0;  // cube root of a cell's volume in the first organ, m
+  // Before the operation. bytes: memory that the simulation holds.
+  std::int64_t particles = 0, triangles = 0, bytes = 0;
   bool tissueMoves = false;
-  std::int64_t frames = 0, missed = 0;  // missed: took longer than their duration
+  std::int64_t frames = 0, missed = 0;  // missed: frames that took longer than frameDuration
   double frameDuration = 0;             // s
-  TimeSummary frame;                    // time of all stages together
+  TimeSummary frame;                    // time of a frame: all stages together
   std::vector<Stage> stages;            // in the order of the step
   std::int64_t inHand = 0;              // frames with an instrument in hand
   Updates updates;
-  std::int64_t substeps = 0;         // of tissue that moves
+  std::int64_t substeps = 0;         // of tissue that moves, all organs together
   double perParticleAndSubstep = 0;  // s, of the stage moveTissue; 0 for still tissue
   std::string instructionSet;        // of the kernels that move tissue
-  std::uint64_t stateHash = 0;       // at the end, as of runScenario()
+  std::uint64_t stateHash = 0;       // at the end; runScenario() gives the same
 
   double bytesPerParticle() const { return double(bytes) / double(particles); }
   bool realTime() const { return frame.p95 <= frameDuration; }
@@ -46,16 +48,17 @@ struct BenchReport {
 BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
                           const FrameObserver& observer = {});
 
-// Result of the search for the largest organ. Sizes are measured, not extrapolated.
+// Result of the search for the largest organ. All figures are measured; none is extrapolated.
 struct RealTimeLimit {
   std::optional<BenchReport> holds;  // the largest organ measured that kept real time
-  std::optional<BenchReport> fails;  // the smallest organ measured that did not
+  std::optional<BenchReport> fails;  // the smallest organ measured that did not keep it
 };
 
-// Searches for the largest organ that keeps real time. `measure` runs the operation with another
-// spacing, m; `first` is its result at the present spacing. At most `trials` more spacings are
-// tried, with at most `mostParticles`. The search ends when the sizes that hold and fail are within
-// 15 % of each other.
+// Searches for the largest organ that keeps real time. `first`: the report of the operation with
+// the present spacing. `measure`: runs the operation with another spacing, m. Tries at most
+// `trials` more spacings, with at most `mostParticles` particles. Ends earlier if the organ that
+// fails has at most 15 % more particles than the one that holds, or if the next spacing would be
+// almost that of the previous run.
 RealTimeLimit findRealTimeLimit(const BenchReport& first,
                                 const std::function<BenchReport(double spacing)>& measure,
                                 int trials = 4, double mostParticles = 1e6);

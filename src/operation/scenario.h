@@ -1,5 +1,5 @@
-// A scenario: set-up and motions of an operation that is run from a file. Plain data;
-// io/scenario/scenario_file.h reads it.
+// A scenario: the set-up of an operation and the motions of its tools, as plain data.
+// io/scenario/scenario_file.h reads one from a file.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 
 namespace resect {
 
-// Cells of the organ that belong to a structure of their own.
+// A structure of the organ, such as a tumour, and the region of the cells that belong to it.
 struct OrganLabel {
   int label = 1;     // 1 to 255
-  std::string name;  // may be empty
+  std::string name;  // of the structure; may be empty
   Region region;
 
   template <class Visitor>
@@ -24,24 +24,26 @@ struct OrganLabel {
   }
 };
 
-// Source of an organ and size of its cells.
+// Where an organ comes from, how it is placed, and the size of its cells.
 struct OrganSource {
   std::string name = "organ";     // its name in the scenario
-  std::string beside;             // organ whose pose it takes instead of one of its own; or ""
-  std::string file = "liver";     // a built-in organ (isBuiltIn), or a file: model or particles
-  std::string part;               // named part of the file, or "" for all
+  std::string beside;             // organ whose pose in the room it takes; "": it uses `pose`
+  std::string file = "liver";     // a built-in organ (isBuiltIn), a model file or particle file
+  std::string part;               // name of a part of the model file; "": all parts
   double unit = 1;                // metres per unit of the file
   bool repair = false;            // close the holes of an open mesh instead of refusing it
-  std::optional<double> spacing;  // cell side, m; either this or dims
+  std::optional<double> spacing;  // side of a cell, m; give this or dims
   std::optional<Vec3i> dims;      // samples per axis of the thesis's grid over the bounding box
-  bool resample = false;          // use spacing or dims even for a file that has cells of its own
-  Pose pose;            // rotates the organ before it is laid on the table and moves it afterwards
-  bool onTable = true;  // moved so that it stands centred on the table top, y = 0
+  // A particle file has cells of its own. true: new cells are made, by spacing or dims.
+  bool resample = false;
+  Pose pose;            // the rotation applies before onTable and settle, the position after them
+  bool onTable = true;  // lowest point on the table top, y = 0; box centred over the origin
   bool settle = true;   // if onTable: rolled to the nearest pose in which it lies still
   OrganSettings settings;
-  std::vector<Landmark> landmarks;  // in addition to those of a file of cells
-  std::vector<OrganLabel>
-      labels;  // in addition to those of a file of cells; where they overlap the last counts
+  // In addition to the landmarks and labels of a particle file. Where the regions of labels
+  // overlap, the last one counts.
+  std::vector<Landmark> landmarks;
+  std::vector<OrganLabel> labels;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -57,13 +59,13 @@ inline bool isBuiltIn(const OrganSource& source) {
   return source.file == "liver" || source.file == "gallbladder";
 }
 
-// Pose of a tool at a time; between keys positions are interpolated linearly, rotations along the
-// shorter great circle.
+// Pose, squeeze and pedal of a tool at one time. Between two keys rotations are interpolated along
+// the shorter great circle, and all else linearly.
 struct ToolKey {
   double time = 0;     // s from the start
   Pose pose;           // of the tool's frame, whose origin is the tip; world
-  double squeeze = 0;  // of its jaws: 0 wide open, 1 closed
-  double pedal = 0;    // of an energy device, 0 to 1
+  double squeeze = 0;  // of the tool's jaws: 0 wide open, 1 closed
+  double pedal = 0;    // of an energy device: 0 released, 1 pressed
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -72,15 +74,18 @@ struct ToolKey {
 };
 
 // How instruments act. Thesis: tissue is still, each instrument removes what it touches, and only
-// one is in hand at a time. Operation: each instrument acts by its working parts.
+// one instrument is in hand at a time. Operation: each instrument acts by its working parts.
 enum class OperationMode { Thesis, Operation };
 
 struct ScenarioTool {
-  std::string model;                    // the tool's description file (.toml)
-  std::optional<std::string> response;  // replaces the tool's own: "remove", or "": its parts act
-  Pose rest;                            // where it lies while not in hand
-  std::vector<ToolKey>
-      keys;  // ascending times; in hand from the first key's time to the last one's
+  std::string model;  // path or name of its description file (.toml)
+  // If given, replaces the response of the description. "": its working parts act. "remove": it
+  // removes what it touches.
+  std::optional<std::string> response;
+  Pose rest;  // where it lies while not in hand
+  // In ascending order of time. The tool is in hand from the time of the first key to that of the
+  // last key.
+  std::vector<ToolKey> keys;
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -88,7 +93,7 @@ struct ScenarioTool {
   }
 };
 
-// The material of a label.
+// The material of the cells with a label.
 struct LabelMaterial {
   int label = 1;  // 1 to 255
   TissueMaterial material;
@@ -101,8 +106,8 @@ struct LabelMaterial {
 
 // How the organ's tissue moves.
 struct TissueSetup {
-  bool elastic = false;     // false: it does not move, as in the original system
-  TissueMaterial material;  // of label 0, and of labels without a material of their own
+  bool elastic = false;     // false: the tissue does not move, as in the original system
+  TissueMaterial material;  // of label 0, and of labels that are not in `materials`
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;
   std::vector<LabelMaterial> materials;  // at most one per label
@@ -130,10 +135,10 @@ struct ScenarioOrgan {
   }
 };
 
-// Springs that hold two organs together: from each particle of the first to the nearest of the
-// second.
+// Springs that hold two organs together. Each leads from a particle of the first organ to the
+// nearest particle of the second organ.
 struct OrganJoint {
-  std::string organs[2];
+  std::string organs[2];    // names of the two organs
   double reach = 0.01;      // m: particles farther apart at rest are not joined
   double stiffness = 1000;  // of all springs together, N/m
 
@@ -146,16 +151,16 @@ struct OrganJoint {
 struct Scenario {
   std::string name;         // the file's name without extension
   std::string title;        // one line for people
-  std::string description;  // what it shows
+  std::string description;  // what the scenario shows, for people
   OperationMode mode = OperationMode::Thesis;
   std::vector<ScenarioOrgan> organs = std::vector<ScenarioOrgan>(1);  // at least one
-  std::vector<OrganJoint> joints;  // of tissue that moves; still tissue needs none
+  std::vector<OrganJoint> joints;  // hold moving tissue together; still tissue needs none
   std::vector<ScenarioTool> tools;
   double frameRate = 60;              // frames per simulated second, 1 to 1000
   double duration = 1;                // s
-  bool table = true, toolBox = true;  // what stands in the room
-  std::string view = "surgeon";       // camera
-  std::optional<Aabb> closeUp;        // box that pictures show, world, m; without it the organ
+  bool table = true, toolBox = true;  // whether the room has a table, and a tool box
+  std::string view = "surgeon";       // name of the camera's view (docs/scenarios.md)
+  std::optional<Aabb> closeUp;        // box that pictures show, world, m; empty: the organs
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -166,31 +171,34 @@ struct Scenario {
   }
 };
 
-// Throw Error for values that cannot be run, such as a time or stiffness out of range or an organ's
-// name that is not known. For scenarios made by programs; io/scenario/scenario_file.h checks more
-// in a file. Spacings, refinement, iso level and materials are checked where they are used.
+// Each throws Error for a value that cannot be run, such as a time or stiffness out of range, or
+// the name of an organ that does not exist. They are for scenarios that programs make; the reader
+// of scenario files (io/scenario/scenario_file.h) checks more. Spacings, refinement, iso level and
+// materials are checked where they are used.
 void requireSound(const OrganSource& source);
 void requireSound(const TissueSetup& tissue);
 void requireSound(const Scenario& scenario);
 
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
-// Removes all organs but the first.
+// Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
-// Sets the first organ's spacing, m, and scales the spacings of the others in proportion. before:
-// the first organ's spacing until now, m. Others that are given by dims keep their dims.
+// Sets the spacing of the first organ, m, and drops its dims. Scales the spacings of the other
+// organs in proportion; those that have dims instead keep them. before: the first organ's spacing
+// until now, m.
 void setSpacing(Scenario& scenario, double before, double spacing);
-// Makes the tissue of all organs elastic and instruments act by their working parts.
+// Makes the tissue of all organs elastic, and sets operation mode.
 void makeElastic(Scenario& scenario);
-// Sets thesis mode: tissue is still, instruments remove what they touch, one at a time.
+// Makes the tissue of all organs still, and sets thesis mode.
 void makeThesis(Scenario& scenario);
 
-// Input for a scenario's tool at a time, s: pose, squeeze and pedal, and whether it is in hand.
+// Pose, squeeze and pedal of a tool at a time, s, and whether it is in hand then.
 ToolInput toolInputAt(const ScenarioTool& tool, double time);
 
-// Input of frame number `frame` (from 0), which ends at (frame + 1) / frameRate, s. In thesis mode
-// only the first of several tools in hand counts as in hand.
+// Input of the frame with number `frame`, counted from 0; it ends at (frame + 1) / frameRate, s. In
+// thesis mode only one tool is in hand: the first one whose keys say so.
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame);
+// Number of frames, at least 1.
 std::int64_t frameCount(const Scenario& scenario);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Applies edits to an organ: the only function by which edits change tissue.
+// The only function by which edits change tissue.
 #pragma once
 
 #include <span>
@@ -13,13 +13,16 @@ namespace resect {
 struct EditSummary {
   std::int64_t removed = 0;  // particles
   double removedVolume = 0;  // m^3, skin cells included
-  std::int64_t severed = 0;  // bonds
+  std::int64_t severed = 0;  // bonds, by edits SeverBond
 };
 
-// Applies those of the edits that are for organ `number`, in their order. An edit of something that
-// is already gone is skipped (two tools may take the same particle), and so is an edit of a cell
-// that does not exist, or a grip or release without a tool. Field and surface follow at the next
-// updateField() and updateSurface(). The cells of removed particles are appended to `removedCells`.
+// Applies those edits that are for organ `number`, in the order of `edits`. These edits are
+// skipped:
+// - an edit of something that is already gone, since two tools may take the same particle;
+// - an edit of a cell that does not exist;
+// - a Grip or Release without a tool.
+// Field and surface follow at the next updateField() and updateSurface(). The cells of removed
+// particles are appended to `removedCells`.
 EditSummary applyEdits(OperatedOrgan& organ, std::int32_t number, std::span<const TissueEdit> edits,
                        std::vector<std::int64_t>& removedCells);
 

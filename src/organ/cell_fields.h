@@ -1,8 +1,8 @@
-// Cell fields: one value per cell beside its colour value. At present there is one field, the label
-// of the cell's structure.
+// Cell fields: values that each cell has beside its colour value. At present there is one field,
+// the label of the structure that the cell belongs to.
 //
 // A field takes no memory until one of its values differs from the start value. To add a field, add
-// a member to CellFields and its lines to visit() and fit(); saving, comparing and hashing then
+// a member to CellFields and mention it in visit() and fit(). Then saving, comparing and hashing
 // include it (docs/how-to/add_a_cell_field.md).
 #pragma once
 
@@ -18,7 +18,7 @@ template <typename T>
 class CellField {
  public:
   CellField() = default;
-  // values: one per cell; if empty, all cells have the value `start`.
+  // values: one per cell. If the list is empty, all cells have the value `start`.
   explicit CellField(std::vector<T> values, T start = T())
       : values_(std::move(values)), start_(start) {}
 
@@ -32,7 +32,7 @@ class CellField {
   }
   bool empty() const { return values_.empty(); }
   std::span<T> values() { return values_; }
-  // Whether there is an entry for each cell of the lattice, or none at all.
+  // Whether there is an entry for each cell of the lattice, or no entry at all.
   bool fits(const Lattice& lattice) const {
     return values_.empty() || std::int64_t(values_.size()) == lattice.cellCount();
   }
@@ -48,7 +48,8 @@ class CellField {
 };
 
 struct CellFields {
-  // Structure: 0 is the organ's own parenchyma; Discretization::labelNames has the names of others.
+  // Number of the structure that the cell belongs to. 0 is the organ's own parenchyma;
+  // Discretization::labelNames has the names of the other structures.
   CellField<std::uint8_t> label;
 
   template <class Visitor>

@@ -1,4 +1,5 @@
-// Labels of an organ's cells: marking by regions, and transfer to other cells of the same organ.
+// Labels of an organ's cells: gives labels to the cells in a region, and copies labels to another
+// discretisation of the same organ.
 #pragma once
 
 #include <array>
@@ -8,18 +9,20 @@
 
 namespace resect {
 
-// Gives the label (0 to 255) to the particles in the region and returns their number. The region
-// must be placed (sph/region.h). Call labelSkin() afterwards. Cost: a pass over the cells.
+// Gives the label (0 to 255) to the particles in the region, and returns their number. The region
+// must be placed (sph/region.h). Call labelSkin() after the last region, since the labels of skin
+// cells are wrong until then. Cost: a pass over the cells.
 std::int64_t markCells(Discretization& cells, int label, const Region& region);
 
-// Gives skin cells the label of the particle that they belong to.
+// Gives each skin cell the label of the particle that it belongs to.
 void labelSkin(Discretization& cells);
 
 // Number of particles of each label.
 std::array<std::int64_t, 256> labelledParticles(const Discretization& cells);
 
-// Copies labels, their names and landmarks to another discretisation of the same organ. A cell of
-// `to` gets the label of the cell of `from` that contains its centre.
+// Copies labels, their names and landmarks to another discretisation of the same organ. A particle
+// of `to` gets the label of the cell of `from` in which the particle's centre lies. Then
+// labelSkin() is called for `to`.
 void carryLabels(const Discretization& from, Discretization& to);
 
 }  // namespace resect

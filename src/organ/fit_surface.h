@@ -1,12 +1,13 @@
 // Fits colour values so that the organ's iso surface lies on the mesh that it was made from.
 //
 // If a cell's colour value were simply its share of tissue, the iso surface would deviate from the
-// mesh by up to a twentieth of a cell, in ripples that follow the lattice and show in highlights.
-// Here the values of the cells that the surface crosses are corrected until the field is 50 on the
-// mesh, by simultaneous iterative reconstruction (Gilbert 1972): in each round a cell's value is
-// changed in proportion to the mean misfit (50 less the field) of the mesh points near it, weighted
-// by the kernel. On a ball the ripples fall to two fifths and the error of normals to two thirds;
-// docs/methods/colour_field_and_surface.md has the figures.
+// mesh by up to a twentieth of a cell. The deviations would be ripples that follow the lattice and
+// show in highlights. Here the values of the cells that the surface crosses are corrected until the
+// field is nearly 50 on the mesh. The method is simultaneous iterative reconstruction (Gilbert
+// 1972). The misfit of a point on the mesh is 50 minus the field there. In each round the value of
+// a cell changes in proportion to the mean misfit of the points near the cell, weighted by the
+// kernel. On a ball the height of the ripples falls to two fifths and the error of the normals to
+// two thirds (docs/methods/colour_field_and_surface.md).
 #pragma once
 
 #include <vector>
@@ -16,18 +17,19 @@
 
 namespace resect {
 
-// Changes only values strictly between 0 and 100 and keeps them there, so no cell becomes empty or
-// full, and no empty cell gets tissue. skinScale is set so that the sum of the cells' volumes stays
-// the same. Values are rounded to whole levels at the end (sph/colour_values.h), which moves the
-// surface by about a thousandth of a cell. `mesh`: the mesh that `cells` were made from. Same bits
-// at any number of threads. Cost: two points for every cell-sized piece of the surface; for each
-// point 13 loops over the 33 cells in its reach, and 12 bytes per such cell while it runs.
+// Changes only values that are above 0 and below 100, and keeps them in that range. So no cell
+// becomes empty or full, and no empty cell gets tissue. cells.skinScale is set so that the sum of
+// the cells' volumes stays the same. At the end values are rounded to whole levels
+// (sph/colour_values.h), which moves the surface by about a thousandth of a cell. `mesh`: the mesh
+// that `cells` were made from. The result has the same bits at any number of threads. There are two
+// points for every piece of the surface of the size of a cell's face. Cost per point: 13 loops over
+// the 33 cells in its reach, and 12 bytes for each of these 33 cells until the function returns.
 void fitSurface(const TriangleMesh& mesh, Discretization& cells);
 
-// The points on the mesh at which the field is brought to 50, in cell space
-// (Lattice::toCellSpace()). Every triangle gets points in proportion to its area. Within it their
-// positions follow the additive recurrence of the plastic number (Roberts 2018), which spreads them
-// evenly.
+// The points on the mesh at which the field is fitted to 50, in cell space
+// (Lattice::toCellSpace()). Every triangle gets points in proportion to its area. Within a triangle
+// the points follow the additive recurrence of the plastic number (Roberts 2018), which spreads
+// them evenly.
 std::vector<Vec3> pointsToFit(const TriangleMesh& mesh, const Lattice& lattice);
 
 }  // namespace resect

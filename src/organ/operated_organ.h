@@ -17,8 +17,8 @@ struct OperatedOrgan {
   std::unique_ptr<TissueModel> tissue;
   SurfaceSkin skin;  // used if the tissue moves
 
-  // One point per vertex of the surface's arrays; after Simulation::keepLook() also one normal
-  // each.
+  // points() has one point per vertex of the surface's arrays. After Simulation::keepLook(),
+  // normals() has one normal per vertex.
   std::span<const Vec3f> points() const {  // world, m
     return tissue->moves() ? skin.points() : organ.surface.points();
   }
@@ -41,12 +41,13 @@ struct OperatedOrgan {
 OperatedOrgan operatedOrgan(std::string name, Organ organ,
                             std::unique_ptr<TissueModel> tissue = nullptr);
 
-// Call after a state was loaded into `organ.organ` and its tissue: derives field, surface and skin.
-// Throws Error when the state does not fit the organ.
+// Call after a state was loaded into `organ.organ` and `organ.tissue`. Derives field, surface and
+// skin from it; with keepsLook, also normals and cut shares. Throws Error if the state does not fit
+// the organ.
 void remake(OperatedOrgan& organ, bool keepsLook);
 
-// Fingerprint of the organ before the operation: organs with equal fingerprints can exchange
-// states.
+// Fingerprint of the organ before the operation. A state saved from an organ can be restored into
+// any organ with an equal fingerprint.
 std::uint64_t fingerprint(const Organ& organ);
 
 }  // namespace resect

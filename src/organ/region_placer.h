@@ -1,5 +1,6 @@
-// Places a region in an organ at rest, so that Region::holds() can be called: converts fractions
-// and landmarks to positions in the world, and adds the surface from which depths are measured.
+// Places a region in an organ at rest, so that Region::holds() can be called. For this, fractions
+// and landmarks are converted to positions in the world, and the surface from which depths are
+// measured is added.
 #pragma once
 
 #include <memory>
@@ -10,21 +11,22 @@
 
 namespace resect {
 
-// The box round the cells of all particles, which is the box that fractions refer to. It agrees
-// with the box of the organ's surface to half a cell. Empty without particles. Cost: a pass over
-// the cells.
+// The box round the cells of all particles; it is empty if there are no particles. The fractions in
+// regions refer to this box. It agrees with the box of the organ's surface to half a cell. Cost: a
+// pass over the cells.
 Aabb particleBox(const Discretization& cells);
 
-// Box and surface are made for the first region that needs them and kept for later ones. The
-// surface is the iso surface of the cells at level 50; depths are accurate to a quarter of a cell
-// (collision/signed_distance.h). Cost of the surface: that of building an organ.
+// The box and the surface are each made for the first region that needs them, and kept for later
+// regions. The surface is the iso surface of the cells at iso level 50. Depths are accurate to a
+// quarter of a cell (collision/signed_distance.h). Making the surface costs as much as building an
+// organ.
 class RegionPlacer {
  public:
-  // Keeps a reference to the cells.
+  // Keeps a reference to `cells`, which must outlive this object.
   explicit RegionPlacer(const Discretization& cells) : cells_(cells) {}
 
-  // Throws Error when the region names a landmark that the cells do not have, or a depth in an
-  // organ without a surface.
+  // The region in world coordinates. Throws Error if the region names a landmark that the cells do
+  // not have, or if it is limited in depth and the organ has no surface.
   Region operator()(Region region);
 
  private:

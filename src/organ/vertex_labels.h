@@ -1,5 +1,5 @@
-// Labels of the surface's vertices: each vertex has the label of the particle nearest to it at
-// rest.
+// Labels of the surface's vertices. Away from incisions a vertex has the label of the particle that
+// is nearest to it at rest.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,18 @@
 
 namespace resect {
 
-// The remaining particle whose cell centre is nearest to a point of rest space; among equals the
-// first in the lattice; -1 if there is none within two cells along each axis. alive: as in Organ.
+// The remaining particle whose cell centre is nearest to a point of rest space; of several equally
+// near ones the first in the lattice. -1 if there is none among the cells up to two away, along
+// each axis, from the cell at the point. alive: as in Organ.
 std::int64_t nearestParticle(const Lattice& lattice, std::span<const std::uint8_t> alive,
                              const Vec3& point);
 
-// One label per vertex of organ.surface.points(); the surface must be up to date. Holes, which no
-// triangle uses, have 0. Beside an incision the label is that of the particle with the greatest
-// weight in the vertex's binding, which lies on the vertex's own side (wound/vertex_binding.h). For
-// an organ that was made without labels all are 0, even if edits have set labels since. Cost: 27 to
-// 125 cells per vertex.
+// One label per vertex of organ.surface.points(); the surface must be up to date. A vertex beside
+// an incision has the label of the particle with the greatest weight in the vertex's binding, so
+// that of a particle on its own side (wound/vertex_binding.h). Holes, which no triangle uses, have
+// label 0, and so have vertices without a particle near. In an organ that was made without labels
+// all vertices have label 0, even if edits have set labels since. Cost: 27 to 125 cells are looked
+// at per vertex.
 std::vector<std::uint8_t> vertexLabels(const Organ& organ);
 
 }  // namespace resect

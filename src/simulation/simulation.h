@@ -1,9 +1,10 @@
 // The simulation of an operation, frame by frame: tools move, touch and act; tissue moves; the
 // surface follows.
 //
-// A simulation knows no file and no window, and no clock but the one that times its stages. It is
-// driven by its inputs alone, so it runs headless, several can run in one process, and the same
-// inputs give the same bits at any number of threads. docs/step.md walks through a step.
+// A simulation uses no file, no window, and no clock but the one that times its stages. It is
+// driven by its inputs alone: it runs without a display, several simulations can run in one
+// process, and the same inputs give the same bits at any number of threads. docs/step.md walks
+// through a step.
 #pragma once
 
 #include <cstdint>
@@ -22,22 +23,22 @@
 
 namespace resect {
 
-// Input for a tool in this frame.
+// Input for one tool in one frame.
 struct ToolInput {
   Pose pose;           // at the end of the frame, world, m
-  bool inHand = true;  // false: it is in the tool box or on its way there and touches nothing
+  bool inHand = true;  // false: the tool is in the tool box or on its way there; it touches nothing
   double squeeze = 0;  // of a tool with jaws, at the end of the frame: 0 wide open, 1 closed
   double pedal = 0;    // of an energy device: 0 released to 1 pressed
 };
 
-inline constexpr double kLongestFrame = 1;  // s
+inline constexpr double kLongestFrame = 1;  // greatest duration of a frame, s
 
 struct FrameInput {
   double duration = 1.0 / 60;    // s, 0 (nothing moves) to kLongestFrame
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
   std::optional<float> iso;      // if given: another iso level from this frame on
-  // Edits from outside, applied before those of the tools; working parts do not see their effect in
-  // this frame.
+  // Edits from outside. They are applied before those that working parts queue in this frame. The
+  // working parts do not see their effect before the next frame.
   std::vector<TissueEdit> edits;
 };
 
@@ -45,26 +46,27 @@ struct FrameInput {
 struct StepReport {
   std::int64_t frame = 0;              // number of the frame, from 0
   double time = 0;                     // at the end of the frame, s
-  std::int64_t removed = 0;            // particles
-  double removedVolume = 0;            // m^3
-  std::int64_t severed = 0, torn = 0;  // bonds severed by edits; bonds torn
-  std::int64_t touchedBricks = 0;      // bricks evaluated and meshed again
-  // One per tool and organ: tool after tool, and for each tool organ after organ. Empty for a tool
-  // not in hand.
+  std::int64_t removed = 0;            // number of particles removed
+  double removedVolume = 0;            // volume removed, m^3
+  std::int64_t severed = 0, torn = 0;  // number of bonds severed by edits; of bonds that tore
+  std::int64_t touchedBricks = 0;      // number of bricks evaluated and meshed again
+  // One entry per tool and organ: tool after tool, and for each tool organ after organ. The entry
+  // of a tool that is not in hand has no particles.
   std::vector<ToolContacts> contacts;
-  std::vector<TissueEdit> edits;    // in order, skipped ones included; without tears
+  std::vector<TissueEdit> edits;    // all but the tears, in order; skipped ones (apply_edits.h) too
   std::vector<TissueEdit> tears;    // edits for bonds that tore and grips that slipped
   std::vector<TissueStep> tissue;   // one per organ
-  std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero when nothing moves
+  std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero if no tissue moves
   std::vector<std::string> faults;  // sentences, each naming the setting to change
 };
 
 struct ToolState {
   ToolWay way;
-  // Force on the tool, N: of this frame, and smoothed over 0.05 s as a hand feels it.
+  // Force on the tool, N. force: mean over the last frame. feltForce: smoothed over 0.05 s, as a
+  // hand feels it.
   Vec3 force = Vec3::Zero(), feltForce = Vec3::Zero();
   bool inHand = false;
-  bool wasInHand = false;
+  bool wasInHand = false;  // inHand in the frame before
   std::unique_ptr<Tool> tool;
 
   const Pose& pose() const { return way.to.pose; }
@@ -82,25 +84,29 @@ struct ToolState {
 
 class Simulation {
  public:
-  // Takes at least one organ. joints: between cells of two organs, each given by its number; throws
-  // Error if there is no such organ or cell. table: whether moving tissue can rest on a table at y
-  // = 0.
+  // organs: at least one. joints: each joins cells of two organs, which it gives by their numbers.
+  // Throws Error if a joint names an organ or a cell that does not exist, or has a number that is
+  // out of range. table: whether there is a table, with its top at y = 0, on which moving tissue
+  // can rest.
   Simulation(std::vector<OperatedOrgan> organs, std::vector<std::unique_ptr<Tool>> tools,
              std::vector<TissueJoint> joints = {}, bool table = true);
-  // For one organ. tissue: null if it does not move.
+  // For one organ. tissue: null for still tissue.
   Simulation(Organ organ, std::vector<std::unique_ptr<Tool>> tools,
              std::unique_ptr<TissueModel> tissue = nullptr, bool table = true);
-  // Adds a closed body that stands still and that moving tissue cannot enter, such as the tool box.
-  // Call before the first step. Has no effect if no tissue moves.
+  // Adds an obstacle that stands still, such as the tool box: a closed body that moving tissue
+  // cannot enter. Call before the first step. Has no effect if no tissue moves.
   void addObstacle(const TriangleMesh& shape, const Pose& pose);
 
-  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name. Throws
-  // Error, and changes nothing, if the input is for another number of tools, if its duration is out
-  // of range, or if an edit names an organ or tool that does not exist or is a grip with a pose
-  // that is not finite.
+  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name. In these
+  // cases it throws Error and changes nothing:
+  //
+  //   - the number of tools in the input is not that of tools();
+  //   - the input's duration is out of range;
+  //   - an edit names an organ or a tool that does not exist;
+  //   - an edit is a grip with a pose that is not finite.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
-  // The same with a report that is reused. Then a frame of still tissue that no tool comes near
-  // allocates no memory.
+  // The same with a report that the caller uses again and again. Then a frame of still tissue that
+  // no tool comes near allocates no memory.
   void step(const FrameInput& input, StepReport& report, StageClock* clock = nullptr);
 
   const std::vector<OperatedOrgan>& organs() const { return organs_; }
@@ -110,35 +116,36 @@ class Simulation {
   std::int64_t frame() const { return frame_; }
   bool moves() const;  // whether the tissue of any organ moves
 
-  // Of the first organ, for simulations with one.
+  // For simulations with one organ: data of the first organ.
   const Organ& organ() const { return organs_[0].organ; }
   const TissueModel& tissue() const { return *organs_[0].tissue; }
   std::span<const Vec3f> surfacePoints() const { return organs_[0].points(); }
 
-  // The present surface of all organs as one mesh, world, without the holes of the surface's
-  // arrays.
+  // The present surface of all organs as one mesh, world, m. The holes of the surface's arrays are
+  // left out.
   TriangleMesh surfaceMesh() const;
 
-  // From now on each step updates normals and cut shares, for pictures; nothing else depends on it.
+  // From now on each step also updates normals and cut shares. Only pictures need them.
   void keepLook();
-  // surfaceMesh() with normals and cut shares. Throws Error unless keepLook() was called before.
+  // The mesh of surfaceMesh() with normals and cut shares. Throws Error unless keepLook() was
+  // called before.
   SurfaceTracker::Compact surface() const;
 
-  // Memory held for organs, their tissue and surfaces.
+  // Memory held for organs, their tissue and surfaces, bytes.
   std::size_t bytes() const;
 
-  // The whole state, for restore(). Size: at most 48 bytes per particle of elastic tissue, a bit
-  // per particle of still tissue, and what was cut. Cost: about a pass over the state.
+  // The whole state, for restore(). Size: at most 48 bytes per particle of elastic tissue, or one
+  // bit per particle of still tissue; and the data of cuts. Cost: about one pass over the state.
   Bytes save() const;
-  // Continues from a state that save() gave for the same organs and number of tools: from here on
-  // the same inputs give the same bits. Normals and cut shares are made anew. If the state is of
-  // other organs or damaged, Error is thrown and nothing changes.
+  // Continues from a state that save() gave for the same organs and the same number of tools. From
+  // then on the same inputs give the same bits. Normals and cut shares are made anew. If the state
+  // is of other organs or is damaged, Error is thrown and nothing changes.
   void restore(std::span<const std::byte> state);
   // The state by its fields, for comparison (base/state/saved_state.h).
   SavedState fields() const { return saveState(*this, fingerprint()); }
 
-  // Digest of the state and of the surface that follows from it: points and triangles, not normals
-  // and cut shares.
+  // Digest of the state and of the points and triangles of the surface. Normals and cut shares are
+  // left out.
   std::uint64_t stateHash() const;
 
   template <class Visitor>
@@ -152,7 +159,7 @@ class Simulation {
   }
 
  private:
-  // Data that the stages of a frame pass on; memory is reused.
+  // Data that one stage of a frame passes to later ones. The memory is used again in each frame.
   struct Work {
     std::vector<ToolContacts> contacts;
     std::vector<TissueEdit> edits, tears;
@@ -190,7 +197,7 @@ class Simulation {
   // Set up once, or derived from the state.
   bool table_, keepsLook_ = false;
   std::vector<std::unique_ptr<SignedDistance>> shapes_;          // of the tools, if tissue moves
-  std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // see addObstacle
+  std::vector<std::unique_ptr<SignedDistance>> standingShapes_;  // from addObstacle()
   std::vector<Pose> standingPoses_;
   std::vector<JoinedOrgan> joined_;  // by organ, if there are joints
   Work work_;

@@ -1,19 +1,20 @@
 // The SPH colour field of a lattice organ, on a grid of nodes stored in sparse bricks.
 //
-// The field at a node is c = sum over cells j of A_j V W(r - r_j, h), equation 3.6 of the thesis:
+// The field at a node is c = sum over cells j of A_j V W(r - r_j, h), equation 3.6 of the thesis.
 // A_j is the colour value of cell j, 0 to 100; V is the volume of a cell; W is the kernel
-// (sph/kernel.h) with smoothing length h = 0.8 spacing; r and r_j are the positions of the node and
-// of the cell's centre. The lattice is regular, so for each position of a node within its cell the
-// sum is a fixed stencil of at most 36 cells. Distances are measured in cells, so on a lattice with
-// unequal spacings the kernel is stretched likewise. There are `refine` nodes per cell along each
-// axis. Node 0 lies two cells below the centre of cell 0, so the outermost nodes are always 0.
+// (sph/kernel.h) with smoothing length h = 0.8 spacing; r is the position of the node, r_j that of
+// the centre of cell j. The lattice is regular, so for each position of a node within its cell the
+// sum is a fixed stencil of at most 36 cells. Distances are measured in cells. So on a lattice with
+// unequal spacings the kernel is stretched as the cells are. There are `refine` nodes per cell
+// along each axis. Along each axis node 0 lies two cells below the centre of cell 0, so the field
+// at the outermost nodes is always 0.
 //
-// Nodes are held in bricks of 4 x 4 x 4. A brick is stored only if the surface can pass through it:
-// if all cells in its reach are empty, or all are full, the values of its nodes are known. A change
-// of a cell is never added to the field or subtracted from it. Instead the bricks in its reach are
-// evaluated again, so the field depends on the present cells alone, bit for bit. Cost of a change:
-// the bricks in reach, whatever the size of the organ; the first change also writes 5 bytes for
-// each brick of the grid.
+// Nodes are held in bricks of 4 x 4 x 4. A brick is stored only if the surface can pass through it.
+// In all other bricks the values of the nodes are known: all cells in the brick's reach are empty,
+// or all are full. A change of a cell is never added to the field or subtracted from it. Instead,
+// the bricks in the cell's reach are evaluated again. So the field depends on the present cells
+// alone, bit for bit. The cost of a change is that of the bricks in reach, whatever the size of the
+// organ. The first change also writes 5 bytes for each brick of the grid.
 #pragma once
 
 #include <array>
@@ -36,23 +37,24 @@ void requireIso(float iso);  // throws Error for a level out of this range
 
 class ColourField {
  public:
-  // Slots of bricks that are not stored. kEmpty: all nodes of the brick are 0, and so are the nodes
-  // just above it, in the next bricks. kFull: all of these nodes lie in solid tissue.
+  // Slots of bricks that are not stored. The upper neighbours of a brick's nodes count with it
+  // here: the planes of nodes just above them, in the next bricks. kEmpty: the field is 0 at all
+  // these nodes. kFull: all these nodes lie in solid tissue.
   static constexpr std::int32_t kEmpty = -1;
   static constexpr std::int32_t kFull = -2;
 
   // Whether the lattice's bricks can be numbered with 32 bits.
   static bool canHold(const Lattice& lattice, int refine);
-  // refine: nodes per cell along each axis, 1 to 4; canHold() must be true. Evaluates all bricks.
+  // refine: nodes per cell along each axis, 1 to 4. canHold() must be true. Evaluates all bricks.
   ColourField(const Discretization& cells, int refine);
-  // The same, but leaves the nodes of stored bricks to evaluateBuilt(), so that the caller can read
-  // them while they are in the cache.
+  // As above, but does not evaluate the stored bricks: the caller must do so with evaluateBuilt().
+  // Then the caller can read their nodes while these are in the cache.
   struct NodesLater {};
   ColourField(const Discretization& cells, int refine, NodesLater);
-  // The bricks that were stored when the field was built, ascending; the i-th has slot i. Valid
-  // until the first edit.
+  // The bricks that were stored when the field was built, in ascending order. The i-th of them has
+  // slot i. Valid until the first update() after a change.
   std::span<const std::int32_t> builtBricks() const { return builtBricks_; }
-  void evaluateBuilt(std::size_t begin, std::size_t end);  // builtBricks()[begin, end)
+  void evaluateBuilt(std::size_t begin, std::size_t end);  // evaluates builtBricks()[begin, end)
 
   const Lattice& lattice() const { return lattice_; }
   int refine() const { return refine_; }
@@ -71,7 +73,8 @@ class ColourField {
     return {int(i % dimX), int(i / dimX % dimY), int(i / dimX / dimY)};
   }
 
-  // kEmpty, kFull or a slot >= 0. Slots are reused; there are slotCount() of them.
+  // kEmpty, kFull or a slot from 0 to slotCount() - 1. Slots of bricks that are no longer stored
+  // are reused.
   std::int32_t slot(std::int64_t brick) const { return slotOf_[brick]; }
   std::int32_t slotCount() const { return slotsOf(values_); }
   // The 64 nodes of a stored brick, x fastest.
@@ -96,9 +99,10 @@ class ColourField {
   }
   // Sets a cell's colour value, in [0, 100]; the field follows at the next update().
   void setCellValue(std::int64_t cell, float value);
-  // Evaluates the bricks in reach of the cells set since the last call; returns them, ascending,
-  // each once. The result also has bricks whose own nodes are unchanged, if one of their vertices
-  // or normals depends on a changed node. Valid until the next call.
+  // Evaluates the bricks in reach of the cells that were set since the last update(). Returns these
+  // bricks, in ascending order, each once. Some of them have no changed node: they are returned
+  // because one of their vertices or normals depends on a changed node of another brick. Valid
+  // until the next call.
   std::span<const std::int64_t> update();
 
   // Whether a cell in reach of the brick's nodes was changed since the field was built.
@@ -125,9 +129,9 @@ class ColourField {
     const auto along = [&](int b) { return kBrickNodes * b % refine_; };
     return {along(brick.x()), along(brick.y()), along(brick.z())};
   }
-  // Index of a slot's first node in an array of bricks. The first two bricks of the array are a
-  // full one (kFull) and an empty one (kEmpty), so a brick's nodes are found without a branch on
-  // its kind.
+  // Index of a slot's first node in an array of bricks; `slot` may be kFull or kEmpty. The array
+  // begins with a full brick (for kFull) and an empty brick (for kEmpty). So a brick's nodes are
+  // found without a branch on whether it is stored.
   static std::size_t firstNode(std::int32_t slot) { return std::size_t(slot - kFull) * kBrickSize; }
   static std::int32_t slotsOf(const RawArray<float>& bricks) {
     return std::int32_t(bricks.size() / kBrickSize) + kFull;
@@ -138,8 +142,8 @@ class ColourField {
       return nodesByPhase(b, slot, bricks);
     return bricks.data() + firstNode(slot);
   }
-  // The same where full bricks differ by phase (refine 3). A function of its own, so that the usual
-  // path has no branch on the slot, which the processor could not predict.
+  // nodesOf() where full bricks differ by phase (refine 3). It is a function of its own, so that
+  // the usual path has no branch on the slot. The processor could not predict that branch.
   const float* nodesByPhase(std::int64_t b, std::int32_t slot, const RawArray<float>& bricks) const;
   void classifyBricks(const HeldBits& held);
   std::int32_t classifyRow(const HeldBits& held, std::size_t row, std::uint64_t* bits,
@@ -154,16 +158,17 @@ class ColourField {
   int refine_;
   const FieldStencil* stencil_;
   Vec3i brickDims_;
-  PaddedCells cells_;              // now
+  PaddedCells cells_;              // present colour values
   RawArray<std::int32_t> slotOf_;  // per brick
   RawArray<std::int32_t> builtBricks_;
-  RawArray<float> values_;  // the nodes of stored bricks, by firstNode()
+  RawArray<float> values_;  // the nodes of stored bricks, at firstNode(slot)
   std::vector<std::int32_t> freeSlots_;
-  // Per brick, from the first edit on: kUnedited; or what its slot was when the field was built,
-  // but counted in originals_.
+  // Per brick; empty before the first change. kUnedited, or where originals_ has the brick's nodes
+  // as they were when the field was built: a slot of originals_, kFull or kEmpty.
   std::vector<std::int32_t> originalOf_;
-  RawArray<float> originals_;  // nodes of bricks edited since, as they were before
-  // Per brick, from the first edit on: bits, kPending and one for each plane of nodes to evaluate.
+  RawArray<float> originals_;  // nodes of edited bricks before any edit
+  // Per brick; empty before the first change. Bits: kPending, and one for each plane of nodes that
+  // update() must evaluate.
   std::vector<std::uint8_t> pendingOf_;
   std::vector<std::int64_t> pending_;  // bricks in reach of cells set since the last update
   std::vector<std::int64_t> touched_;  // result of the last update

@@ -18,23 +18,24 @@ struct Discretization {
   // How much of each cell is inside the organ, per cent. The thesis's files have only 0 and 100.
   ColourValues value;
   // 1 where the cell's centre is inside the organ, else 0. The cells with 1 are the particles. The
-  // other cells with value > 0 are skin cells: partly filled, with the centre outside. Each belongs
-  // to a particle beside it.
+  // other cells with value > 0 are skin cells: partly filled, with the centre outside. Each skin
+  // cell belongs to a particle beside it.
   std::vector<std::uint8_t> inside;
-  // Fitted values (organ/fit_surface.h) reproduce the organ's surface, but not its volume.
-  // cellVolume() multiplies values below 100 by this factor, which corrects the organ's volume.
+  // Fitted colour values (organ/fit_surface.h) reproduce the organ's surface, but not its volume.
+  // To correct the volume, cellVolume() multiplies values below 100 by this factor.
   double skinScale = 1;
   // Label of each cell: the structure that it belongs to; 0 is the organ's own parenchyma. If the
   // array is empty, all cells have label 0.
   std::vector<std::uint8_t> label;
-  std::vector<std::string>
-      labelNames;  // by label; without a name the entry is empty or beyond the end
+  // Names by label; empty for a label without a name. Labels beyond the end have no name either.
+  std::vector<std::string> labelNames;
   std::vector<Landmark> landmarks;
 
   std::uint8_t labelOf(std::int64_t cell) const {
     return label.empty() ? std::uint8_t(0) : label[std::size_t(cell)];
   }
-  // Name of a label for people: "tumour", or "label 3" for a label without a name.
+  // Name of a label for people, such as "tumour". Without a name: "parenchyma" for label 0, "label
+  // 3" for label 3.
   std::string labelName(int number) const {
     if (std::size_t(number) < labelNames.size() && !labelNames[std::size_t(number)].empty())
       return labelNames[std::size_t(number)];

@@ -1,5 +1,6 @@
-// Occupancy masks: two bits per cell, whether it holds any tissue ("any") and whether it is full
-// ("full"). They are stored in rows of 64-bit words, so that 64 cells are combined at once.
+// Occupancy masks: two bits per cell. The bit "any" is set if the cell holds some tissue, the bit
+// "full" if the cell is full. The bits are stored in rows of 64-bit words, so that 64 cells are
+// combined at once.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +10,15 @@
 
 namespace resect {
 
-// Each row has first the words of the "any" bits, then those of the "full" bits. Bits beyond the
-// row's last cell are zero.
+// The masks of many rows of cells. Each row has first the words of the "any" bits, then those of
+// the "full" bits. Bits beyond the row's last cell must be zero.
 struct HeldBits {
-  static constexpr std::size_t kWord = 64;  // cells of a word
+  static constexpr std::size_t kWord = 64;  // cells per word
   static constexpr std::size_t kChunk = 4;  // words that are combined at once
-  // words: words of one mask in a row. row: words of both, rounded up to a multiple of kChunk.
+  // words: of one mask, for one row of cells. row: of both masks together, rounded up to a multiple
+  // of kChunk.
   std::size_t words = 0, row = 0;
-  RawArray<std::uint64_t> bits;  // `row` words for each row; uninitialised
+  RawArray<std::uint64_t> bits;  // `row` words per row of cells; the caller writes them
 
   HeldBits() = default;
   HeldBits(std::size_t rows, std::size_t cells)
@@ -25,11 +27,12 @@ struct HeldBits {
         bits(rows * row) {}
 };
 
-// Combined occupancy of a box of cells, for every position of the box along a row. The box that
-// begins at cell i of the row gives two results: bit i of `bits` is set if any of its cells holds
-// tissue; bit i of the words from held.words on is set if any of its cells is not full. width,
-// rows, planes: cells of the box along x, y and z. first: the row where the box begins. perPlane:
-// rows in a plane of the lattice. bits: room for held.row words.
+// Combines the masks of all cells of a box, for every position of the box along a row of cells. The
+// box that begins at cell i of the row has two results. Bit i of the words from bits[0] on is set
+// if any cell of the box holds tissue. Bit i of the words from bits[held.words] on is set if any
+// cell of the box is not full. width, rows, planes: cells of the box along x, y and z. first:
+// number of the row where the box begins. perPlane: rows of cells per plane, those of a halo
+// included. bits: room for held.row words.
 void holdTogether(const HeldBits& held, std::size_t first, int rows, int planes,
                   std::size_t perPlane, int width, std::uint64_t* bits);
 

@@ -1,16 +1,16 @@
 // The quartic spline kernel M5 of the thesis, corrected.
 //
 // Source: Schoenberg's quartic B-spline as used in SPH (Monaghan 1985). The thesis has two errors,
-// which are corrected here. In its second branch (0.5 <= s < 1.5, s = r / h) the term 5 s^2 / 4 has
-// the sign plus; it must be minus. Its factor 1 / pi does not normalise the kernel in three
-// dimensions; 6 / (5 pi) does.
+// which are corrected here. In its branch for 0.5 <= s < 1.5 (s = r / h) the term 5 s^2 / 4 has a
+// plus sign; it must have a minus sign. Its factor 1 / pi does not normalise the kernel in three
+// dimensions; the factor 6 / (5 pi) does.
 #pragma once
 
 #include <numbers>
 
 namespace resect {
 
-constexpr double kKernelSupport = 2.5;  // the kernel is 0 from r = 2.5 h on
+constexpr double kKernelSupport = 2.5;  // radius of the kernel, as a multiple of h
 
 // The spline's shape for s = r / h >= 0. It is 0 from s = 2.5 on, and continuous with its first
 // three derivatives.
@@ -31,7 +31,7 @@ constexpr double kernel(double r, double h) {
   return 6 / (5 * std::numbers::pi * h * h * h) * kernelShape(r / h);
 }
 
-// dW/dr, 1/m^4.
+// The derivative dW/dr of kernel(r, h), 1/m^4.
 constexpr double kernelSlope(double r, double h) {
   return 6 / (5 * std::numbers::pi * h * h * h * h) * kernelShapeSlope(r / h);
 }

@@ -14,7 +14,7 @@ namespace resect {
 // (i, j, k) * spacing, axis by axis. Its index is (k * dims.y + j) * dims.x + i: x is fastest.
 struct Lattice {
   Vec3 origin = Vec3::Zero();   // centre of cell (0, 0, 0), m
-  Vec3 spacing = Vec3::Ones();  // > 0, m; must be equal on the three axes if the organ can deform
+  Vec3 spacing = Vec3::Ones();  // > 0, m; the three must be equal if the organ can deform
   Vec3i dims = Vec3i::Zero();   // cells along each axis, >= 0
 
   std::int64_t cellCount() const { return std::int64_t(dims.x()) * dims.y() * dims.z(); }

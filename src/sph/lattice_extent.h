@@ -1,9 +1,10 @@
-// The spacing of a lattice that is given by two corners and its cell counts.
+// The spacing of a lattice that is given by two corners and by its number of cells along each axis.
 //
-// The thesis's text file holds a lattice as two corners and the cell counts, not its spacing. The
-// extent divided by the count can be 0.0049999999999999992 where 0.005 was meant. spacingBetween()
-// gives the number with the fewest digits that leads from the first corner to the last, bit for
-// bit. A lattice with such a spacing (see settled()) is restored exactly from a text file.
+// The thesis's text file holds two corners of a lattice and the numbers of cells, not the spacing.
+// The distance of the corners divided by the number of cells can be 0.0049999999999999992 where
+// 0.005 was meant. spacingBetween() instead gives the number with the fewest digits that leads from
+// the first corner exactly to the last. settled() gives a lattice this spacing; then the text file
+// restores the lattice exactly.
 #pragma once
 
 #include "sph/lattice.h"
@@ -13,13 +14,13 @@ namespace resect {
 // The far corner of the lattice as written to a text file: origin + dims * spacing, m.
 Vec3 farCorner(const Lattice& lattice);
 
-// The spacing along each axis, m, of `dims` cells from corner `first` to corner `last`. It is the
-// same number on all axes whenever one number fits all of them. Corners must be finite, first <
-// last and dims > 0.
+// The spacing along each axis, m, of `dims` cells from corner `first` to corner `last`. If one
+// number fits all three axes, it is the spacing on each. An axis that no number fits gets the plain
+// quotient. Corners must be finite; first < last and dims > 0 must hold on each axis.
 Vec3 spacingBetween(const Vec3& first, const Vec3& last, const Vec3i& dims);
 
-// The lattice with its spacing replaced by spacingBetween(origin, farCorner(lattice), dims). Only
-// the last bits of the spacing change.
+// The lattice with its spacing replaced by spacingBetween(origin, farCorner(lattice), dims). This
+// changes only the last bits of the spacing.
 Lattice settled(Lattice lattice);
 
 }  // namespace resect

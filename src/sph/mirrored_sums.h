@@ -1,6 +1,5 @@
-// Mirrored sums: cells with equal weights about a node are added before they are weighed. Shared by
-// the sums over floats (sph/field_stencil.cpp) and over levels (sph/level_stencil.cpp); not for use
-// elsewhere.
+// Mirrored sums: cells that have equal weights about a node are added before they are weighed. Used
+// only by the sums over floats (sph/field_stencil.cpp) and over levels (sph/level_stencil.cpp).
 //
 // All functions are inlined, so that they are compiled for the instruction set of their caller.
 #pragma once
@@ -16,7 +15,8 @@
 
 namespace resect {
 
-// Row: the four nodes of a row of a brick. Half: two rows, for machines with eight lanes.
+// Row: one value for each of the four nodes of a row of a brick. Half: the values of two rows, for
+// machines with eight lanes.
 typedef float Row __attribute__((vector_size(16)));
 typedef float Half __attribute__((vector_size(32)));
 
@@ -34,16 +34,17 @@ typedef float Half __attribute__((vector_size(32)));
   return half;
 }
 
-// Sums of mirrored cells along an axis. near: the node's own cell, or the two cells that the node
-// lies between. far: the next cell on each side, added.
+// The two mirrored sums along an axis. near: the value of the node's own cell; if the node lies
+// between two cells, the sum of these two. far: the sum of the next cell on each side.
 template <typename T>
 struct Mirrored {
   T near, far;
 };
 
-// With two nodes per cell: the mirrored sums along an axis for the brick's node i on that axis.
-// at(k): cell k along the axis, counted from the lowest in the brick's reach, or a sum of cells
-// there.
+// With two nodes per cell: the mirrored sums along an axis, for the node that has the index i (0 to
+// 3) on this axis. at(k): the value of cell k along the axis, counted from the lowest cell in the
+// reach of the brick. The value may be that of one cell, a vector, or a mirrored sum along another
+// axis.
 template <typename At>
 [[gnu::always_inline]] inline auto mirrored(int i, At at) {
   using T = std::decay_t<decltype(at(0))>;
@@ -52,9 +53,10 @@ template <typename At>
   return Mirrored<T>{at(h + 1) + at(h + 2), at(h) + at(h + 3)};
 }
 
-// With two nodes per cell: whether any node of the row with these indices y and z reaches the far
-// cells along the axes whose bits are set in k (1 for x, 2 for y, 4 for z). Nodes with odd indices
-// lie midway between cells.
+// With two nodes per cell: whether a mirrored sum matters to a row of nodes. y, z: the indices of
+// the row in the brick. k: the sum; its cells are the far ones along the axes whose bits are set (1
+// for x, 2 for y, 4 for z) and the near ones along the others. True if any node of the row reaches
+// these cells. Nodes with odd indices lie midway between cells.
 constexpr bool reaches(int y, int z, int k) {
   const auto square = [](int node, bool further) {  // squared distance along an axis, in half cells
     return (node % 2 + 2 * further) * (node % 2 + 2 * further);
@@ -62,15 +64,16 @@ constexpr bool reaches(int y, int z, int k) {
   return square(0, k & 1) + square(y, k & 2) + square(z, k & 4) < 16;
 }
 
-// With two nodes per cell: mirrored sums along x and y. First index: 0 for rows 0 and 2 of a
-// brick's nodes, which lie on cell centres in y; 1 for rows 1 and 3, which lie midway. Second
-// index: the plane of cells. Third index: which sum, bit 0 for x and bit 1 for y; 0 is near, 1 is
-// far.
+// SumsBetween: with two nodes per cell, the mirrored sums along x and y. First index: 0 for rows 0
+// and 2 of a brick's nodes, which lie on cell centres in y; 1 for rows 1 and 3, which lie midway.
+// Second index: number of the plane of cells. Third index: number of the sum: bit 0 for x, bit 1
+// for y; a bit is 0 for near, 1 for far.
 constexpr int kCellsBetween = 5;  // cells in reach of a brick along an axis
 using SumsBetween = Half[2][kCellsBetween][4];
 
-// Evaluates planes of a brick from the mirrored sums. Aims at 27 additions and products per node
-// for making the sums and weighing them, eight nodes at a time.
+// Evaluates planes of a brick from the mirrored sums along x and y: plane z if bit z of `planes` is
+// set. Processes eight nodes at a time. To make the sums and weigh them, it aims at 27 additions
+// and products per node.
 [[gnu::always_inline]] inline void weighBetween(const FieldStencil& stencil,
                                                 const SumsBetween& sumsOf, unsigned planes,
                                                 float* out) {

@@ -1,12 +1,14 @@
 // SPH interpolation of any attribute at any point, from particles anywhere in space.
 //
-// The SPH sums of the thesis (equations 3.2 to 3.6). A_j, V_j, m_j and r_j are the attribute,
-// volume, mass and position of particle j; W and h are the kernel and its smoothing length
-// (sph/kernel.h). A query visits the particles near r in a uniform grid, which is built once in
-// O(n). Its cells are as wide as the kernel's radius, 2.5 h, or a little wider. Organs on a lattice
-// use the much faster sph/colour_field.h; the sums here are the general form, and the reference in
-// the tests of the colour field. Source: Gingold and Monaghan 1977; Muller, Charypar and Gross
-// 2003.
+// These are the SPH sums of the thesis (equations 3.2 to 3.6) at a point r. A_j, V_j, m_j and r_j
+// are the attribute, volume, mass and position of particle j; W and h are the kernel and its
+// smoothing length (sph/kernel.h). The particles are sorted into a uniform grid once, in O(number
+// of particles); a query visits those in the cells near r. The grid's cells are at least as wide as
+// the kernel's radius, 2.5 h.
+//
+// Organs on a lattice use the much faster sph/colour_field.h. The sums here are the general form,
+// and the reference in the tests of the colour field. Sources: Gingold and Monaghan 1977; Muller,
+// Charypar and Gross 2003.
 #pragma once
 
 #include <span>
@@ -19,8 +21,8 @@ namespace resect {
 
 class ParticleSums {
  public:
-  // positions: n points, m. volumes: n values V_j > 0, m^3, each mass over density. h > 0, m.
-  // Positions and volumes are copied.
+  // positions: one point per particle, m. volumes: one value V_j > 0 per particle, its mass over
+  // its density, m^3. h > 0, m. Positions and volumes are copied.
   ParticleSums(std::span<const Vec3> positions, std::span<const double> volumes, double h);
 
   // Equation 3.2: sum over j of V_j A_j W(r - r_j, h); `attribute` has one value per particle.
@@ -30,8 +32,8 @@ class ParticleSums {
   double partitionOfUnity(const Vec3& r) const;
   // Equation 3.5: sum over j of m_j W(r - r_j, h), kg/m^3; `mass` in kg.
   double density(std::span<const double> mass, const Vec3& r) const;
-  // Equation 3.6, the colour field: interpolate() with an attribute of 1 for all particles, which
-  // is the same number as partitionOfUnity().
+  // Equation 3.6, the colour field: interpolate() with the attribute 1 for all particles. This is
+  // the same as partitionOfUnity().
   double colour(const Vec3& r) const { return partitionOfUnity(r); }
 
  private:
@@ -41,9 +43,10 @@ class ParticleSums {
   double h_;
   Aabb box_;
   Vec3i dims_;
+  // Per cell: index of its first sorted particle. The last element is the number of particles.
   std::vector<std::int32_t> cellStart_;
-  std::vector<std::int32_t> index_;  // original number of each sorted particle
-  std::vector<Vec3> position_;       // sorted by cell
+  std::vector<std::int32_t> index_;  // per sorted particle: its number in the constructor
+  std::vector<Vec3> position_;       // sorted by cell, as volume_ is
   std::vector<double> volume_;
 };
 

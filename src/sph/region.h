@@ -1,6 +1,7 @@
-// A part of an organ, given by geometry and never by cell numbers, so that it holds at any spacing.
-// It is a box, a ball or the whole organ, and may be limited to a range of depths under the organ's
-// surface. docs/scenarios.md, "Regions", lists the keys by which files give a region.
+// A part of an organ, given by geometry and never by cell numbers, so that it is the same part at
+// any spacing. It is a box, a ball or the whole organ, and may be limited to a range of depths
+// under the organ's surface. docs/scenarios.md, "Regions", lists the keys with which files give a
+// region.
 #pragma once
 
 #include <limits>
@@ -28,7 +29,7 @@ struct Landmark {
 
 struct Region {
   enum class Shape { Whole, Box, Ball };
-  // Both are of the organ at rest.
+  // The coordinates in which a region is given. In both frames the organ is at rest.
   enum class Frame {
     World,  // world coordinates, m
     Organ   // fractions of the organ's box, 0 to 1 on each axis
@@ -38,7 +39,7 @@ struct Region {
   Aabb box;
   Vec3 centre = Vec3::Zero();  // of the ball
   double radius = 0;           // > 0, m
-  std::string landmark;        // if not empty: the ball's centre is this landmark
+  std::string landmark;        // if not empty: the landmark at the ball's centre
   // Least and greatest depth inwards from the organ's surface, m. A particle whose centre lies
   // outside the surface counts as being at depth 0.
   double shallowest = 0;
@@ -63,8 +64,8 @@ struct Region {
   bool holds(const Vec3& p) const;
 };
 
-// The position of the landmark of that name, in fractions of the organ's box. Of several landmarks
-// with that name the last one counts; without any the result is empty.
+// The position of the landmark of that name, in fractions of the organ's box. If several have that
+// name, the last one counts; if none has it, the result is empty.
 std::optional<Vec3> landmarkPlace(const std::vector<Landmark>& landmarks, const std::string& name);
 
 // The position, m, of a point that is given in fractions of a box.
@@ -72,8 +73,8 @@ inline Vec3 pointInBox(const Aabb& box, const Vec3& fractions) {
   return box.min + fractions.cwiseProduct(box.size());
 }
 
-// The region in world coordinates, for an organ that fills `box`. Throws Error when the region
-// names a landmark that is not in `landmarks`. A region with a depth still needs `skin`.
+// The region in world coordinates, for an organ that fills `box`. Throws Error if the region names
+// a landmark that is not in `landmarks`. Does not set `skin`, which a region with a depth needs.
 Region inWorld(Region region, const Aabb& box, const std::vector<Landmark>& landmarks);
 
 }  // namespace resect

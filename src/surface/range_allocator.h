@@ -6,16 +6,16 @@
 
 namespace resect {
 
-// Hands out ranges of a one-dimensional space. Sizes are rounded up to multiples of 8, so that the
-// holder of a range may grow a little in place. A request takes the range released last that has
-// its rounded size; if there is none, the space grows. Each call costs O(1). The same calls give
-// the same ranges.
+// Hands out ranges of indices. Sizes are rounded up to multiples of 8, so that a range can take a
+// few elements more without moving. take() gives the range that was released last among those with
+// the rounded size asked for. If there is none, it gives new indices at the end. Each call costs
+// O(1). The same calls give the same ranges.
 class RangeAllocator {
  public:
   static constexpr std::int32_t kStep = 8;
   static std::int32_t roundedUp(std::int32_t count) { return (count + kStep - 1) / kStep * kStep; }
 
-  // count >= 1. Returns the first element; the range holds roundedUp(count) elements.
+  // count: at least 1. Returns the first index of a range of roundedUp(count) elements.
   std::int32_t take(std::int32_t count) {
     const std::size_t size = std::size_t(roundedUp(count) / kStep);
     if (size < free_.size() && !free_[size].empty()) {
@@ -27,17 +27,19 @@ class RangeAllocator {
     end_ += roundedUp(count);
     return first;
   }
-  // Releases a range that take() gave for a count of the same rounded size.
+  // Releases the range that take() gave with `first`. `count` must round up to the same size as in
+  // that call.
   void release(std::int32_t first, std::int32_t count) {
     const std::size_t size = std::size_t(roundedUp(count) / kStep);
     if (size >= free_.size()) free_.resize(size + 1);
     free_[size].push_back(first);
   }
-  std::int32_t end() const { return end_; }  // all ranges handed out so far lie below
+  std::int32_t end() const { return end_; }  // first index that was never handed out
 
  private:
   std::int32_t end_ = 0;
-  std::vector<std::vector<std::int32_t>> free_;  // released ranges, by rounded size / kStep
+  // Per rounded size / kStep: first indices of the released ranges.
+  std::vector<std::vector<std::int32_t>> free_;
 };
 
 }  // namespace resect

@@ -1,18 +1,20 @@
-// The organ's surface, kept up to date with its edits, and the ranges that the last update changed.
+// The surface of an organ, kept up to date with the organ's edits. Also tells which ranges of the
+// surface's arrays the last update changed.
 //
 // Incremental marching cubes over the bricks of a colour field (Lorensen and Cline 1987). The mesh
-// is a function of the field, the iso level and the wound alone: after any edits mesh() equals that
-// of a rebuild from scratch, bit for bit. It is closed and oriented outwards. The cost of an update
-// depends on the number of touched bricks, not on the size of the organ.
+// is a function of the field, the iso level and the wound alone: after any edits mesh() equals the
+// mesh of a rebuild from scratch, bit for bit. It is closed and oriented outwards. The cost of an
+// update depends on the number of touched bricks, not on the size of the organ.
 //
 // Incisions are meshed in the same bricks (wound/wound_brick.h). An incision removes nothing: its
 // two lips coincide until the tissue moves. Bricks without cuts are meshed by marching cubes as
 // usual.
 //
-// points(), normals(), cut() and triangles() are arrays with holes, for viewers. A brick keeps its
-// ranges as long as their rounded sizes stay the same. Unused triangles are (0, 0, 0). changes()
-// lists what to upload. Only pictures need normals and cut shares, so these are made on demand
-// (updateLook()).
+// points(), normals(), cut() and triangles() are arrays with holes, for viewers. Each brick owns a
+// range of the vertices and one of the triangles. It keeps these ranges as long as their rounded
+// sizes stay the same. Unused triangles are (0, 0, 0). changes() lists the ranges that a viewer
+// must copy again. Normals and cut shares are needed by pictures only, so they are made on demand,
+// by updateLook().
 #pragma once
 
 #include <array>
@@ -40,28 +42,30 @@ class SurfaceTracker {
   // Meshes the whole field. iso: in [kMinIso, kMaxIso]. wound: null for an organ without incisions.
   SurfaceTracker(const ColourField& field, float iso, const Wound* wound = nullptr);
 
-  // Meshes the bricks `touched` again. touched: what field.update() returned.
+  // Meshes the bricks `touched` again; these are the bricks that field.update() returned.
   void update(const ColourField& field, std::span<const std::int64_t> touched);
-  // The same for an organ with incisions. severed: what wound.severed.update() returned. Once a
-  // wound was given, every later call must give one.
+  // The same for an organ with incisions. severed: the bricks that wound.severed.update() returned.
+  // Once a wound was given, every later call of update() and setIso() must get one.
   void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
               std::span<const TouchedBrick> severed);
   // Sets another iso level and meshes everything again.
   void setIso(const ColourField& field, float iso, const Wound* wound = nullptr);
   float iso() const { return iso_; }
 
-  // Computes normals() and cut() for the bricks that were meshed since the last call.
+  // Computes normals() and cut() for the bricks that were meshed since updateLook() was last
+  // called.
   void updateLook(const ColourField& field);
 
   std::span<const Vec3f> points() const { return points_; }  // rest space, m
-  // To be called after updateLook().
+  // These two throw Error if the surface has changed since the last updateLook().
   std::span<const Vec3f> normals() const;  // unit, outwards
   std::span<const float> cut() const;      // cut shares, 0 to 1
   std::span<const Triangle> triangles() const { return triangles_; }
   std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
 
-  // Calls visit(first vertex, bindings) for each brick near a wound, with the bindings of the
-  // brick's vertices in order. Vertices of other bricks follow all particles round them.
+  // Calls visit(first, bindings) for each brick near a wound. `first` is the index of the brick's
+  // first vertex; `bindings` are those of the brick's vertices, in order. Vertices of other bricks
+  // follow all particles round them.
   template <typename Visit>
   void visitBindings(Visit visit) const {
     for (const std::int32_t record : recordOf_)
@@ -72,8 +76,8 @@ class SurfaceTracker {
       }
   }
 
-  // Calls visit(triangle) for each triangle of the bricks that meet the box (rest space, m; may be
-  // infinite).
+  // Calls visit(triangle) for each triangle of the bricks that meet the box. The box is in rest
+  // space, m, and may be infinite.
   template <typename Visit>
   void visitTriangles(const ColourField& field, const Aabb& box, Visit visit) const {
     const IndexBox bricks = field.bricksIn(box);
@@ -84,7 +88,7 @@ class SurfaceTracker {
     }
   }
 
-  // What the last update() or setIso() wrote: ranges of vertices and triangles, or everything.
+  // What the last update() or setIso() changed: ranges of vertices and of triangles, or everything.
   struct Changes {
     std::vector<IndexRange> vertices, triangles;
     std::int64_t bricks = 0;  // number of bricks that were meshed
@@ -92,12 +96,14 @@ class SurfaceTracker {
   };
   const Changes& changes() const { return changes_; }
 
-  // The surface without holes, in the order of the bricks: the same for the same field and wound,
-  // whatever edits led to them.
+  // The surface without holes, in the order of the bricks. It depends on the field, the iso level
+  // and the wound alone, not on the edits that led to them.
   TriangleMesh mesh() const { return mesh(points_); }
-  // The same with other positions. points: one for each vertex of the arrays, holes included.
+  // The same triangles with other positions. points: one for each vertex of the arrays, holes
+  // included.
   TriangleMesh mesh(std::span<const Vec3f> points) const;
-  // The mesh with the normal and cut share of each point. Call updateLook() first.
+  // mesh() with the normal and the cut share of each point. updateLook() must have been called
+  // after the last change.
   struct Compact {
     TriangleMesh mesh;
     std::vector<Vec3f> normals;
@@ -105,11 +111,12 @@ class SurfaceTracker {
   };
   Compact compact() const { return compact(points_, normals()); }
   Compact compact(std::span<const Vec3f> points, std::span<const Vec3f> normals) const;
-  // For each point of mesh(): a node of the field inside the tissue that the point bounds.
+  // For each point of mesh(), a node of the grid that lies in the same piece of tissue.
   std::vector<Vec3i> anchorNodes(const ColourField& field) const;
 
   // A mesh (rest space) of all triangles that the wanted columns of a grid can meet, at any depth.
-  // wanted: one flag per column. The cost depends on the number of bricks over wanted columns.
+  // Triangles elsewhere may be missing. wanted: one flag per column of the grid. The cost depends
+  // on the number of bricks over wanted columns.
   TriangleMesh meshOver(const ColourField& field, const ColumnGrid& grid,
                         std::span<const std::uint8_t> wanted) const;
 
@@ -117,9 +124,9 @@ class SurfaceTracker {
 
  private:
   static constexpr std::int32_t kNone = -1;
-  // The first two records stand for all bricks without a mesh: kOutside for those outside tissue,
-  // kInside for those inside. So a neighbour's inside mask is read without a branch on whether it
-  // has a mesh.
+  // The first two entries of bricks_ stand for all bricks without a mesh: kOutside for those
+  // outside tissue, kInside for those inside tissue. So a neighbour's inside mask is read without a
+  // branch on whether that neighbour has a mesh.
   static constexpr std::int32_t kOutside = 0, kInside = 1, kFirstOwn = 2;
   struct BrickMesh {
     BrickSigns signs;
@@ -129,6 +136,7 @@ class SurfaceTracker {
     bool drawAgain = false;           // the brick is listed in retriangulate_
     std::int32_t wound = kNone;       // index into wounds_
   };
+  // A brick and its seven upper neighbours, numbered as in cornerMasks().
   struct Above {
     std::array<const BrickMesh*, 8> mesh;
     std::array<std::uint64_t, 8> inside;
@@ -190,7 +198,9 @@ class SurfaceTracker {
   }
 
   float iso_ = 50;
-  RawArray<std::int32_t> recordOf_;  // per brick, and for some beyond the last: index into bricks_
+  // Per brick: index into bricks_. Some entries follow, so that a look-up above the last brick is
+  // valid too.
+  RawArray<std::int32_t> recordOf_;
   std::vector<BrickMesh> bricks_;
   std::vector<std::int32_t> freeRecords_;
   std::vector<BrickWound> wounds_;
@@ -198,21 +208,21 @@ class SurfaceTracker {
   RangeAllocator vertexSpace_, triangleSpace_;
   RawArray<Vec3f> points_, normals_;
   RawArray<float> cut_;
-  RawArray<std::uint8_t> edges_;  // CrossedEdges number of each vertex that no wound made
+  RawArray<std::uint8_t> edges_;  // per vertex of marching cubes: its edge (CrossedEdges)
   RawArray<Triangle> triangles_;
   std::int64_t triangleCount_ = 0;
   Changes changes_;
   std::vector<std::int64_t> lookDue_;  // bricks meshed since the last updateLook()
-  bool allLookDue_ = true;             // whether all bricks count as listed
+  bool allLookDue_ = true;             // true: all bricks are due, and lookDue_ is empty
   // Work lists, kept so that a steady update allocates nothing.
   std::vector<std::uint64_t> newInside_;
   std::vector<std::uint8_t> renumbered_;
   std::vector<std::int64_t> retriangulate_, withWound_, woundBricks_;
 };
 
-// Builds field and surface together. The result has the same bits as building one after the other,
-// but bricks are meshed while their nodes are still in the cache. refine, iso: as for ColourField
-// and SurfaceTracker.
+// Builds field and surface together. The result has the same bits as if they were built one after
+// the other. It is faster, since bricks are meshed while their nodes are still in the cache.
+// refine: as for ColourField. iso: as for SurfaceTracker.
 struct FieldAndSurface {
   ColourField field;
   SurfaceTracker surface;

@@ -1,20 +1,21 @@
 // Attachments: regions of an organ that are pinned or held by a ligament. A region is given by
-// geometry in rest space, so an attachment is valid at any spacing.
+// geometry in rest space, so an attachment can be used at any spacing.
 #pragma once
 
 #include "sph/region.h"
 
 namespace resect {
 
-// Holds the cells of a region. The region must be placed (Region::isPlaced()) before tissue is
-// attached.
+// Holds the cells in its region. The region must be placed (Region::isPlaced()) before the
+// attachment is given to ElasticTissue::attach().
 struct TissueAttachment : Region {
   enum class Kind {
     Pin,      // the cells do not move
     Ligament  // a spring pulls each cell to its rest position
   };
   Kind kind = Kind::Pin;
-  double stiffness = 200;  // of the whole ligament, N/m; its cells' springs share it equally
+  // Of a ligament: the stiffness of all its springs together, N/m. Each gets an equal share.
+  double stiffness = 200;
 
   template <class Visitor>
   void visit(Visitor& v) {

@@ -1,9 +1,9 @@
-// Joints: damped springs that hold two organs together. Each leads from a cell of one organ to a
-// cell of another.
+// Joints: damped springs that hold two organs together. Each joint leads from a cell of one organ
+// to a cell of another organ.
 //
-// A spring is without force when the vector between its two cells, in world axes, is the same as at
-// rest. So joined organs behave as if glued at points, not hinged. Equal and opposite forces act on
-// both ends at every substep.
+// A joint exerts no elastic force as long as the vector between its two cells, in world axes, is
+// what it was at rest. So the organs behave as if glued together at points, not as if hinged. In
+// every substep the forces on the two cells are equal and opposite.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace resect {
 
 struct TissueJoint {
   std::array<std::int32_t, 2> organ{};  // organ numbers, different
-  std::array<std::int64_t, 2> cell{};   // in the organs' lattices
+  std::array<std::int64_t, 2> cell{};   // index of each cell in the lattice of its organ
   Vec3 rest = Vec3::Zero();             // from the first cell to the second at rest, m
   double stiffness = 0;                 // N/m
   double damping = 0;                   // N s/m
@@ -31,18 +31,19 @@ struct TissueJoint {
 };
 
 struct JoinedOrgan {
-  std::int32_t number = 0;
+  std::int32_t number = 0;  // of the organ in the simulation
   const Lattice* lattice = nullptr;
   TissueModel* tissue = nullptr;
 };
 
-// Makes a spring from each solid cell of `a` to the nearest solid cell of `b`, if their distance at
-// rest is at most `reach`, m. stiffness: of all springs together, N/m. Each spring has an equal
-// share of it, or less where that would be unstable with a substep of `shortest` s.
+// Makes a joint from each solid cell of `a` to the nearest solid cell of `b`, if the distance of
+// the two at rest is at most `reach`, m. stiffness: of all these joints together, N/m. Each joint
+// gets an equal share of it. It gets less if that share would be unstable in a substep of
+// `shortest` s, and none if neither cell can move.
 std::vector<TissueJoint> joinNear(const JoinedOrgan& a, const JoinedOrgan& b, double reach,
                                   double stiffness, double shortest);
 
-// Applies the joints' forces for the coming substep. organs: by organ number.
+// Applies the joints' forces for the coming substep. organs: entry i is the organ with number i.
 void pullJoints(std::span<const TissueJoint> joints, std::span<const JoinedOrgan> organs);
 
 }  // namespace resect

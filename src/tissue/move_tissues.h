@@ -1,5 +1,5 @@
-// Moves tissues through a frame: each with its own substeps, or all with common ones if there are
-// joints.
+// Moves tissues through a frame. Without joints each tissue has its own number of substeps; with
+// joints all tissues have the same number.
 #pragma once
 
 #include <span>
@@ -17,11 +17,13 @@ struct MovingTissue {
   TissueStep* step = nullptr;  // receives the result; its memory is reused
 };
 
-// Moves tissues through a frame of `duration` > 0, s. organs: by organ number; only joints need
-// them. When a tissue explodes, it is restored to the frame's beginning, and the frame is repeated
-// with substeps of half the length. If there are joints, this is done with all tissues.
+// Moves tissues through a frame of `duration` s, > 0. organs: by organ number; needed only with
+// joints. When a tissue explodes, it is restored to the frame's beginning, and the frame is
+// repeated with substeps of half the length. With joints all tissues are restored and repeat the
+// frame.
 void moveTissues(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
                  std::span<const JoinedOrgan> organs, double duration);
+// The same for one tissue without joints.
 void moveTissue(TissueModel& tissue, std::span<const Obstacle> obstacles, double duration,
                 TissueStep& step);
 

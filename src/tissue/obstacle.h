@@ -1,4 +1,5 @@
-// Obstacles are rigid bodies that tissue cannot enter: instruments, the table, the tray.
+// Obstacles: rigid bodies that tissue cannot enter. These are instruments, the table and the walls
+// of the tool box.
 #pragma once
 
 #include "collision/signed_distance.h"
@@ -10,16 +11,16 @@ namespace resect {
 struct Obstacle {
   std::int32_t tool = -1;                 // number of the instrument; -1: not an instrument
   const SignedDistance* shape = nullptr;  // in the obstacle's coordinates; null: see halfSpace
-  // Used if there is no shape. True: the obstacle is the half space below y = 0 in its own
-  // coordinates. False: the obstacle is nowhere.
+  // Used if `shape` is null. True: the obstacle is the half space below y = 0 in its own
+  // coordinates. False: the obstacle has no extent, and tissue never touches it.
   bool halfSpace = false;
-  Pose from, to;          // at the start and the end of the frame
-  double standOff = 0;    // cells' centres are kept this far from its surface, m
+  Pose from, to;          // at the start and at the end of the frame
+  double standOff = 0;    // distance that the centres of cells keep from the obstacle's surface, m
   double friction = 0.3;  // Coulomb's coefficient
-  double slipForce = 0;   // N: beyond it an instrument's grip releases all cells; 0: never
+  double slipForce = 0;   // force at which an instrument releases all cells it grips, N; 0: never
 };
 
-// A level table top at y = 0. spacing: that of the tissue's lattice, m.
+// The table's top at y = 0. spacing: of the tissue's lattice, m.
 inline Obstacle tableTop(double spacing) {
   Obstacle table;
   table.halfSpace = true;
@@ -27,7 +28,7 @@ inline Obstacle tableTop(double spacing) {
   return table;
 }
 
-// A body that stands still, such as the tray. spacing: as above.
+// A body that stands still, such as the walls of the tool box. spacing: of the tissue's lattice, m.
 inline Obstacle standing(const SignedDistance& shape, const Pose& pose, double spacing) {
   Obstacle body;
   body.shape = &shape;

@@ -1,10 +1,10 @@
 // The 26 neighbours of a cell, their numbering and their weights.
 //
 // Directions are numbered so that direction d and direction 25 - d are opposite. The last 13
-// directions are "forward": each bond is forward as seen from one of its two ends. Weights come
-// from the quartic kernel (sph/kernel.h) with h = 0.8 spacings. Its radius is 2 spacings, and
-// exactly the 26 neighbours are nearer than that. A weight depends only on whether the neighbour is
-// a face, edge or corner neighbour.
+// directions are "forward": each bond is forward as seen from exactly one of its two ends. Weights
+// come from the quartic kernel (sph/kernel.h) with h = 0.8 spacings. Its radius is 2 spacings; the
+// 26 neighbours are exactly the cells nearer than that. A weight depends only on whether the
+// neighbour shares a face, an edge or a corner with the cell.
 #pragma once
 
 #include <array>
@@ -18,15 +18,16 @@ inline constexpr int kDirections = 26;
 inline constexpr int kFirstForward = 13;
 inline constexpr std::uint32_t kAllBonds = (1u << kDirections) - 1;
 
-// Offset of the neighbour in direction d along an axis: -1, 0 or 1. Directions are ordered with x
+// Offset along an axis of the neighbour in direction d: -1, 0 or 1. Directions are ordered with x
 // fastest.
 constexpr int offsetAlong(int d, int axis) {
-  const int place = d < kFirstForward ? d : d + 1;  // 13 is the cell itself
+  const int place = d < kFirstForward ? d : d + 1;  // of 27 places; place 13 is the cell itself
   return axis == 0 ? place % 3 - 1 : axis == 1 ? place / 3 % 3 - 1 : place / 9 - 1;
 }
 constexpr int opposite(int d) { return kDirections - 1 - d; }
 
-// 1 for a face, 2 for an edge, 3 for a corner neighbour: also the squared distance in spacings.
+// 1 for a face neighbour, 2 for an edge neighbour, 3 for a corner neighbour. The number is also the
+// squared distance of the neighbour, in squared spacings.
 constexpr int neighbourKind(int d) {
   const int x = offsetAlong(d, 0), y = offsetAlong(d, 1), z = offsetAlong(d, 2);
   return x * x + y * y + z * z;
@@ -41,7 +42,7 @@ inline int directionTo(const Vec3i& offset) {
 }
 
 // The weights by kind of neighbour (index 1, 2, 3; index 0 is not used): -V W'(r) / r times the
-// squared spacing, with the volume V of a cell, the kernel W and the distance r of the neighbour.
+// squared spacing. V is the volume of a cell, W the kernel, r the distance of the neighbour.
 std::array<double, 4> bondWeights();
 
 }  // namespace resect

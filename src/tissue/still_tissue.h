@@ -1,7 +1,7 @@
 // Tissue that never moves, as in the original system. It takes one byte of memory per cell.
 //
-// Edits apply to it as to any tissue: bonds can be severed, so that the surface parts there, and
-// tools can grip cells.
+// Edits change it as they change any tissue: cells can be removed, bonds can be severed, and tools
+// can grip cells.
 #pragma once
 
 #include "sph/lattice.h"
@@ -11,8 +11,8 @@ namespace resect {
 
 class StillTissue : public TissueModel {
  public:
-  // solid: one flag per cell of the lattice, 1 where tissue is. Throws Error for any other number
-  // of flags.
+  // solid: one flag per cell of the lattice, 1 where there is tissue. Throws Error if the number of
+  // flags is not the number of cells.
   StillTissue(const Lattice& lattice, std::vector<std::uint8_t> solid);
 
   bool moves() const override { return false; }

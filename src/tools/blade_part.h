@@ -1,9 +1,9 @@
-// Working part with a cutting edge: it parts tissue where the edge passes, and removes nothing. The
-// flat of the blade pushes tissue.
+// Working part with a cutting edge. It parts tissue where the edge passes, and removes nothing.
 //
-// Only motion within the blade's plane parts tissue. A blade that moves sideways pushes; one that
-// moves backwards only leaves the cut. The sweep of the frame before counts once more, since tissue
-// may have moved through the edge since then.
+// Tissue is parted only if the edge moves mainly within the plane of the blade, and not backwards
+// out of the cut. In other motions the blade only pushes the tissue that it meets, as other tools
+// do. The sweep of the previous frame is used again together with that of this frame, since tissue
+// may have moved through the edge in the meantime.
 #pragma once
 
 #include "tools/working_part.h"

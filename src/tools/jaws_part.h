@@ -1,5 +1,6 @@
-// Working part of scissors: two edges that part the tissue between them as they close, however the
-// tool moves meanwhile. As an obstacle, the tool always has the shape of wide open jaws.
+// Working part of scissors: two edges that cut the tissue between them while they close. The tool
+// may move in any way at the same time. As an obstacle for tissue, the tool always has the shape of
+// wide open jaws.
 #pragma once
 
 #include "tools/working_part.h"

@@ -1,4 +1,5 @@
-// Parts tissue along the sweep of an edge, of a blade or of closing jaws.
+// Parts tissue along the surface that a cutting edge sweeps. The edge is that of a blade or of
+// closing jaws.
 #pragma once
 
 #include "collision/swept_blade.h"
@@ -6,12 +7,12 @@
 
 namespace resect {
 
-// Queues an incision along the edge's sweep `blade` (world), and the severing of the bonds that
-// cross the sweep. A bond is the segment between the present positions of its two particles. The
-// cost is proportional to the number of particles near the sweep.
+// Queues an incision along `blade`, the sweep of the edge in the world. Also queues the severing of
+// the bonds that cross the sweep. A bond is taken as the segment between the present positions of
+// its two particles. The cost is proportional to the number of particles near the sweep.
 void partAlong(const Touch& touch, SweptBlade blade, std::vector<TissueEdit>& edits);
 
-// Appends the triangles of another sweep to `blade`.
+// Appends the triangles of the sweep `more` to `blade`.
 void append(SweptBlade& blade, const SweptBlade& more);
 
 }  // namespace resect

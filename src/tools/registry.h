@@ -14,7 +14,7 @@ struct PartKind {
   std::string_view name;
   std::unique_ptr<WorkingPart> (*make)();
 };
-// The kinds of working part. A new kind is one more line in this list.
+// The kinds of working part. To add a kind, add a line to the list in registry.cpp.
 std::span<const PartKind> partKinds();
 
 struct ToolKind {
@@ -24,9 +24,10 @@ struct ToolKind {
 // All kinds of instrument, in the order in which they are shown to people.
 std::span<const ToolKind> toolKinds();
 
-// Makes a tool with the working parts that model.parts names, or with those of model.kind if it
-// names none. A tool whose response is "remove" has a Remover as its only part. Throws Error for an
-// unknown name, with the list of the known ones.
+// Makes a tool. Its working parts are those that model.parts names; if model.parts is empty, those
+// of model.kind. But if model.response is "remove", its only part is a Remover. Throws Error for an
+// unknown name of a kind or part, with the list of the known ones; also for a model whose mesh or
+// numbers are wrong.
 std::unique_ptr<Tool> makeTool(ToolModel model);
 
 }  // namespace resect

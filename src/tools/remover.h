@@ -1,5 +1,5 @@
-// Working part with the response of the thesis, for any instrument: it removes each particle that
-// the instrument touches.
+// Working part that removes each particle that its instrument touches, as all instruments of the
+// thesis did. Any instrument can have it.
 #pragma once
 
 #include "tools/working_part.h"

@@ -1,6 +1,6 @@
-// Interface of working parts. Blade, jaws, hook and remover are one class each. A part finds the
-// tissue that it acts on and queues edits. It changes nothing itself, and it need not know whether
-// the tissue moves.
+// Interface of working parts. Blade, jaws, hook and remover are the classes that come with Resect.
+// A working part finds the tissue that it acts on, and queues edits. It changes nothing itself, and
+// it need not know whether the tissue moves.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ struct ToolStance {
   }
 };
 
-// The way of a tool: its stances at the start of the frame before, at the start of this frame, and
-// at the end of this frame.
+// The way of a tool. `earlier`: its stance at the start of the frame before. `from`, `to`: its
+// stances at the start and at the end of this frame.
 struct ToolWay {
   ToolStance earlier, from, to;
 
@@ -39,26 +39,29 @@ struct ToolWay {
 
 // What the body of one tool touches of one organ in one frame.
 struct ToolContacts {
-  std::int32_t tool = -1, organ = -1;
-  std::vector<std::int64_t> cells;  // particles inside the volume that the tool swept, ascending
-  // Overlap of organ and tool at the end of the frame, m^3; 0 for tissue that can move.
+  std::int32_t tool = -1, organ = -1;  // their numbers in the simulation
+  std::vector<std::int64_t> cells;     // particles inside the volume that the tool swept, ascending
+  // Volume that organ and tool share at the end of the frame, m^3. It is not measured for tissue
+  // that can move: then 0.
   double overlapVolume = 0;
-  // For still tissue: the common part of the boxes of organ and moving tool. For tissue that can
-  // move: the box round the particles near the tool. Empty if tool and organ do not meet.
+  // World coordinates, m. For still tissue: the common part of the organ's box and the box round
+  // the tool's motion. For tissue that can move: the box round the particles near the tool. Empty
+  // if these boxes have no common part, or no particle is near.
   Aabb volumeOfInterest;
 };
 
-// One tool at one organ in one frame.
+// What a working part is given: one tool at one organ in one frame.
 struct Touch {
   const ToolModel& model;
   const ToolWay& way;
-  double duration;  // of the frame, s
-  std::int32_t tool;
-  std::int32_t organNumber;
+  double duration;           // of the frame, s
+  std::int32_t tool;         // number of the tool in the simulation
+  std::int32_t organNumber;  // number of the organ in the simulation
   const Organ& organ;
   const TissueModel& tissue;
   const ToolContacts& contacts;
 
+  // Makes an edit by this tool, for this organ.
   TissueEdit edit(decltype(TissueEdit::what) what) const {
     return {organNumber, tool, std::move(what)};
   }
@@ -67,8 +70,8 @@ struct Touch {
 class WorkingPart {
  public:
   virtual ~WorkingPart() = default;
-  // Called for each organ in each frame in which the tool is in hand. It must be cheap and allocate
-  // nothing when no tissue is near.
+  // Appends edits to `edits`. Called for each organ in each frame in which the tool is in hand.
+  // When no tissue is near, it must be cheap and allocate nothing.
   virtual void act(const Touch& touch, std::vector<TissueEdit>& edits) const = 0;
 };
 

@@ -1,5 +1,5 @@
-// Dense windows: the node values and severed edges of a brick with its halo, or of any box of
-// nodes, for the rules of the wound.
+// Dense arrays with the node values and the severed edges in a box of grid nodes. The box is a
+// brick with its halo, or any other. The rules of the wound read these arrays.
 #pragma once
 
 #include "base/index_box.h"
@@ -10,7 +10,7 @@ namespace resect {
 
 // A brick with its halo: the nodes -2 to 6 along each axis, counted from the brick's first node,
 // with their values and the severed edges between them. Outside the colour field's grid, values are
-// 0 and edges are whole. Not copyable, since `grid` points to the other members. Cost: some
+// 0 and edges are whole. Not copyable, since `grid` points to the other members. Cost to make: some
 // microseconds.
 struct BrickWindow {
   static constexpr int kHalo = 2, kSide = 9, kNodes = kSide * kSide * kSide;
@@ -29,7 +29,7 @@ struct BrickWindow {
   }
 };
 
-// The same for any box of nodes.
+// As BrickWindow, for any box of nodes.
 struct BoxWindow {
   std::vector<float> value;
   std::array<std::vector<float>, 3> severed;

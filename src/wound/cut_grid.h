@@ -1,11 +1,12 @@
-// A dense window of grid nodes for the rules of the wound: the field's value at each node, and
-// where the edges between the nodes are severed.
+// Field values and severed edges in a window, for the rules of the wound. A window is a box of
+// nodes of the colour field's grid: a brick with a halo of two nodes, any other box, or in tests
+// the whole grid.
 //
-// A CutGrid is a view of memory that another object holds: a brick with a halo of two nodes, any
-// box of nodes, or in tests the whole grid. Nodes outside the window count as empty, and edges to
-// them count as whole. Nodes are given by their index in the window. A cell is identified by its
-// lowest node, an edge or a face by its lowest node and an axis; a face's axis is that of its
-// normal. Lengths are in node spacings, and positions are relative to the window's first node.
+// A CutGrid points to arrays that another object holds. Nodes outside the window count as empty,
+// and edges to them count as whole. Nodes are given by their index in the window. A cell here is a
+// cell of the grid; its lowest node identifies it. An edge or a face is identified by its lowest
+// node and an axis; a face's axis is that of its normal. Lengths are in node spacings. Positions
+// are relative to the window's first node.
 #pragma once
 
 #include <array>
@@ -20,9 +21,11 @@ struct CutGrid {
   Vec3i first = Vec3i::Zero();  // node of the colour field's grid where the window begins
   Vec3i dims = Vec3i::Zero();   // nodes of the window along each axis
   float iso = 50;
-  const float* value = nullptr;           // per node, x fastest; inside where >= iso
-  std::array<const float*, 3> severed{};  // per axis and lower node: the cut's position, or kWhole
-  const SeveredEdges* wound = nullptr;    // traces and normals; null: none
+  const float* value = nullptr;  // per node, x fastest; inside where >= iso
+  // Per axis, and by the index of an edge's lower node: the cut's position along the edge, 0 to 1,
+  // or kWhole.
+  std::array<const float*, 3> severed{};
+  const SeveredEdges* wound = nullptr;  // traces, and normals of cuts; null: neither
 
   int stride(int axis) const { return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y(); }
   int index(const Vec3i& n) const { return (n.z() * dims.y() + n.y()) * dims.x() + n.x(); }
@@ -37,7 +40,9 @@ struct CutGrid {
   bool whole(int i, int axis) const { return severed[std::size_t(axis)][i] == kWhole; }
 };
 
-// The two axes that span a face, in the order of its corners.
+// The two axes that span a face whose normal is along `axis`. With the unit vectors u along
+// nextAxis() and v along lastAxis(), the face's corners in order are 0, u, u + v and v, as offsets
+// from its node.
 constexpr int nextAxis(int axis) { return (axis + 1) % 3; }
 constexpr int lastAxis(int axis) { return (axis + 2) % 3; }
 
@@ -50,14 +55,14 @@ constexpr NearbyNodes nearbyNode(int x, int y, int z) {
 inline NearbyNodes nearbyNode(const Vec3i& offset) {
   return nearbyNode(offset.x(), offset.y(), offset.z());
 }
-// The same set with the node one lower along the axis as the reference node. Nodes that the mask
-// cannot hold are dropped.
+// The same nodes, with another reference node: the one that is one lower along the axis. Nodes that
+// the mask cannot hold are dropped.
 constexpr NearbyNodes seenFromBelow(NearbyNodes nodes, int axis) {
   return axis == 0   ? (nodes & 0x7777777777777777) << 1
          : axis == 1 ? (nodes & 0x0fff0fff0fff0fff) << 4
                      : nodes << 16;
 }
-// Calls visit(offset from the reference node) for each node of the set, in ascending order.
+// Calls visit(offset from the reference node) for each node of the set, from the lowest bit up.
 template <typename Visit>
 void visitNearby(NearbyNodes nodes, Visit visit) {
   for (; nodes != 0; nodes &= nodes - 1) {

@@ -1,10 +1,10 @@
 // Present positions of grid nodes in tissue that has moved.
 //
 // Blades are tested against the moved tissue (wound/blade_raster.h). So before edges are severed,
-// the nodes near the blade are moved with their particles, as the surface's vertices are
-// (wound/vertex_binding.h). A node outside tissue follows all particles among the eight cells
-// whose centres surround it; if there are none, the node has no position. The cost is proportional
-// to the number of nodes, plus a pass over the box round all of them.
+// the nodes near the blade are moved. A node inside tissue follows particles as a vertex of the
+// surface does (wound/vertex_binding.h). A node outside tissue follows all particles among the
+// eight cells whose centres surround it. If no particle is found, the node has no position. The
+// cost is proportional to the number of nodes, plus a pass over the box round all of them.
 #pragma once
 
 #include <limits>
@@ -16,13 +16,13 @@
 
 namespace resect {
 
-// The bindings of grid nodes, in the order of `nodes`. VertexBinding::count is 0 if no particle is
-// near.
+// The bindings of grid nodes, in the order of `nodes`. If no particle is found for a node, its
+// VertexBinding::count is 0.
 std::vector<VertexBinding> bindNodes(const ColourField& field, const Wound& wound, float iso,
                                      std::span<const Vec3i> nodes);
 
-// The positions of grid nodes (world, m), in the order of `nodes`; NaN for a node that no particle
-// is near. motionOf(cell): the ParticleMotion of a particle, given by its lattice index.
+// The positions of grid nodes (world, m), in the order of `nodes`. NaN for a node for which no
+// particle is found. motionOf(cell): the ParticleMotion of the particle with that lattice index.
 template <typename MotionOf>
 std::vector<Vec3> placeNodes(const ColourField& field, const Wound& wound, float iso,
                              std::span<const Vec3i> nodes, const MotionOf& motionOf) {

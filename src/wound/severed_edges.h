@@ -1,9 +1,9 @@
 // The severed grid edges of an organ, and the traces of blades on the grid's faces.
 //
 // The grid is that of the colour field's nodes. All lengths are in node spacings. A severed edge
-// keeps the position and the normal of the first blade that severed it, and never becomes whole
-// again. Storage is sparse: there is one record for each brick that a blade went through, and none
-// for an uncut organ. Severing an edge costs O(1).
+// keeps the position and the normal of its first cut, and never becomes whole again. Storage is
+// sparse: there is one record for each brick that a blade went through, and none for an uncut
+// organ. Severing an edge costs O(1).
 #pragma once
 
 #include <array>
@@ -17,19 +17,19 @@
 namespace resect {
 
 constexpr float kWhole = -1;  // cut position of an edge that is not severed
-// A cut keeps this fraction of the edge away from each of the edge's ends, so that both sides have
-// a piece of the edge.
+// A cut lies at least this fraction of the edge's length away from each end of the edge, so that
+// both sides have a piece of the edge.
 constexpr float kCutMargin = 0.03f;
 
-// A straight line that a blade left on a face. Its two ends are given in face coordinates, each in
-// [0, 1]: first along nextAxis(), then along lastAxis() of the face's axis (wound/cut_grid.h).
+// A straight line that a blade left on a face. Each end has two coordinates in the face, from 0 to
+// 1: first along nextAxis(), then along lastAxis() of the face's axis (wound/cut_grid.h).
 struct FaceTrace {
   Eigen::Vector2f from = Eigen::Vector2f::Zero(), to = Eigen::Vector2f::Zero();
 };
 
 struct TouchedBrick {
   std::int64_t brick;
-  bool within;  // true: something changed in its own cells; false: only near them
+  bool within;  // true: a change in its own cells; false: only near them
 };
 
 class SeveredEdges {
@@ -40,18 +40,20 @@ class SeveredEdges {
   bool empty() const { return records_.empty(); }
   std::int64_t count() const { return count_; }  // severed edges
 
-  // Severs the edge from `node` along `axis` at the fraction t of its length, clamped to
+  // Severs the edge from `node` along `axis` at the fraction t of its length; t is clamped to
   // [kCutMargin, 1 - kCutMargin]. normal: the blade's normal in rest space, of any length and sign.
-  // Returns false, and changes nothing, when the edge was severed before.
+  // If the edge is severed already, returns false and changes nothing.
   bool sever(const Vec3i& node, int axis, double t, const Vec3& normal);
-  // Records a trace on the face at `node` whose normal is along `axis`. If the trace continues an
-  // earlier one straight on, the earlier one is extended instead.
+  // Records a trace on the face at `node` whose normal is along `axis`. If the face has an earlier
+  // trace that this one continues straight on, extends the earlier trace instead.
   void trace(const Vec3i& node, int axis, const FaceTrace& line);
 
-  // In the functions below, nodes may lie outside the grid; nothing is severed there.
+  // at(), betweenCells(), normal() and visitTraces() also accept nodes outside the grid, where
+  // nothing is severed. at(): the cut's position along an edge, 0 to 1.
   float at(const Vec3i& node, int axis) const;  // kWhole where not severed
-  // Whether this edge is severed, or another edge of the same grid line between the mid-planes of
-  // the same two cells.
+  // Whether a cut separates the two lattice cells that the edge lies between. Every refine-th node
+  // of a grid line lies on the mid-plane of a cell. The edge lies on the stretch of its grid line
+  // between two such nodes. True if any edge of this stretch is severed.
   bool betweenCells(const Vec3i& node, int axis) const;
   Vec3f normal(const Vec3i& node, int axis) const;  // unit, positive along the axis
   // Calls visit(const FaceTrace&) for the traces on a face, in the order in which they were
@@ -64,9 +66,9 @@ class SeveredEdges {
       visit(r->traces[std::size_t(i)].line);
   }
 
-  // mask(): the severed edges of a brick along an axis; bit n stands for the edge whose lower node
-  // is n. shares(): the cut positions on the brick's 64 edges along an axis; null if the brick has
-  // no record.
+  // Of the edges along an axis whose lower node is one of the brick's 64 nodes. mask(): which of
+  // them are severed; bit n stands for the edge whose lower node is node n of the brick. shares():
+  // their cut positions; null if the brick has no record.
   std::uint64_t mask(std::int64_t brick, int axis) const {
     const Record* r = recordOfBrick(brick);
     return r ? r->severed[std::size_t(axis)] : 0;
@@ -75,12 +77,14 @@ class SeveredEdges {
     const Record* r = recordOfBrick(brick);
     return r ? r->share[std::size_t(axis)].data() : nullptr;
   }
-  // Whether a blade severed an edge, or left a trace, in the brick's cells or in the lattice cubes
-  // that contain these cells. In other bricks the surface is that of an uncut organ.
+  // Whether a blade severed an edge, or left a trace, in the brick's cells or close to them: in a
+  // cube whose corners are eight neighbouring cell centres of the lattice and that contains one of
+  // the brick's cells. In other bricks the surface is that of an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
-  // Of the bricks for which near() holds, those whose surface depends on what was severed or traced
-  // since the last call; ascending, each once. Valid until the next call.
+  // The bricks whose surface depends on what was severed or traced since the last update(), in
+  // ascending order, each once. Bricks for which near() is false are left out. Valid until the next
+  // call.
   std::span<const TouchedBrick> update();
   // The bricks that the next update() will consider, in any order.
   std::span<const std::int64_t> pending() const { return pending_; }
@@ -96,7 +100,7 @@ class SeveredEdges {
   void visitMade(Visitor& v) {
     v.made(brickDims_, refine_, touched_);
   }
-  // Whether all numbers are in range and agree with each other, after loading.
+  // For a loaded state: whether all numbers are in range and agree with each other.
   bool fit() const;
 
  private:
@@ -151,10 +155,10 @@ class SeveredEdges {
 
   Vec3i brickDims_;
   int refine_;
-  std::vector<std::int32_t> recordOf_;  // per brick: index or -1; empty while nothing is severed
+  std::vector<std::int32_t> recordOf_;  // per brick: index in records_ or -1; empty: no records
   std::vector<Record> records_;
   std::vector<std::uint8_t> near_;       // per brick: near()
-  std::vector<std::uint8_t> pendingOf_;  // per brick: 0, or the bits kInSight and kWithin
+  std::vector<std::uint8_t> pendingOf_;  // per brick: 0, or bits for the next update()
   std::vector<std::int64_t> pending_;
   std::vector<TouchedBrick> touched_;
   std::int64_t count_ = 0;

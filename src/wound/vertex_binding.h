@@ -1,10 +1,11 @@
 // Bindings: the particles that a vertex near a wound follows, with their weights.
 //
-// Far from wounds a vertex follows the particles at the corners of the lattice cube that it lies
-// in. Beside a cut it must follow only the particles on its own side. These are the cube's
-// particles that are connected to the vertex's anchors, within the cube, over whole grid edges
-// through tissue. If no particle is found so, the search is widened. A vertex at the front of a cut
-// has anchors on both sides and follows both.
+// A lattice cube has the centres of eight neighbouring cells as its corners. Far from wounds a
+// vertex follows the particles at the corners of the lattice cube that it lies in. Beside a cut it
+// must follow only the particles on its own side. To find these, a search starts at the anchors of
+// the vertex and goes over whole grid edges through tissue, within the cube. If the search reaches
+// no particle, it is widened. A vertex at the front of a cut has anchors on both sides, so it
+// follows particles on both sides.
 #pragma once
 
 #include <span>
@@ -15,9 +16,9 @@
 
 namespace resect {
 
-// The present position of a vertex with rest position X is the weighted sum over the cells of
-// x_cell + F (X - X_cell). x_cell, F and X_cell are the cell's present position, deformation
-// gradient and rest position. The weights add up to 1.
+// The present position of a vertex with rest position X is a weighted sum over the cells of its
+// binding: the sum of weight * (x_cell + F (X - X_cell)). x_cell, F and X_cell are the cell's
+// present position, deformation gradient and rest position. The weights add up to 1.
 struct VertexBinding {
   static constexpr int kMost = 8;
   std::int32_t count = 0;
@@ -25,24 +26,27 @@ struct VertexBinding {
   std::array<float, kMost> weight{};
 };
 
-// Binds the vertices that lie in a window of the grid.
+// Binds vertices that lie in a window of the grid (wound/cut_grid.h). Positions of vertices are in
+// the coordinates of that window: node spacings from its first node.
 class VertexBinder {
  public:
-  // particles: per lattice cell, 1 where there is a particle.
+  // grid: the window. refine: nodes per cell. particles: per lattice cell, 1 where there is a
+  // particle.
   VertexBinder(const CutGrid& grid, const Lattice& lattice, int refine,
                std::span<const std::uint8_t> particles);
 
-  // p: position in the window. anchors: relative to `place`, a node of the window. Searches first
-  // the lattice cube that contains p, then the window over whole edges, then the cells up to two
-  // away along each axis, even across a cut. If no particle is found, count is 0. The window must
-  // be that of a brick.
+  // Binds the vertex at p. anchors: the vertex's anchors, relative to the node `place` of the
+  // window. Particles are searched in three ways, until one is found:
+  // 1. over whole edges, within the lattice cube that contains p;
+  // 2. over whole edges, within the window;
+  // 3. without regard to cuts, up to two cells away from p along each axis.
+  // If no particle is found, `count` of the result is 0. The window must be that of a brick.
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
-  // The same, but searches only the lattice cube that contains p. The window may be any that holds
-  // the cube.
+  // The same, but searches only in the first way. The window may be any that holds the cube.
   VertexBinding bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
-  // Whether any search so far went beyond the vertex's lattice cube.
+  // Whether any search so far went beyond the lattice cube of its vertex.
   bool lookedFar() const { return lookedFar_; }
-  // Binds to all particles of the lattice cube that contains p.
+  // Binds the vertex at p to all particles of the lattice cube that contains p.
   VertexBinding bindAll(const Vec3& p);
 
  private:
@@ -54,33 +58,34 @@ class VertexBinder {
   struct CubeEdges;
   CubeEdges edgesOf(const Vec3i& low) const;
   void findParts(const CubeEdges& edges, Cube& made) const;
-  // The lattice cell at a node of the window, or -1 where there is no particle.
+  // The particle at a node of the window, as its lattice index; -1 if there is none.
   std::int64_t particleAt(const Vec3i& node) const;
   std::int64_t particleOf(const Vec3i& cell) const;
-  // Factor of a particle's weight for one axis. p, node: coordinates of vertex and particle on that
-  // axis.
+  // The weight of a particle is a product of three factors, one per axis. This is the factor of one
+  // axis. p, node: coordinates of vertex and particle on that axis.
   double weightAlong(double p, int node) const;
   static void add(VertexBinding& binding, double weight, std::int64_t cell);
-  // Adds the particle at each corner c of the cube for which counts(c) is true. The binding must be
-  // empty.
+  // Adds the particle at each corner c (0 to 7) of the cube for which counts(c) is true. The
+  // binding must be empty.
   template <typename Counts>
   void addCorners(VertexBinding& binding, const Cube& cube, const Vec3& p,
                   const Counts& counts) const;
 
   struct Cube {
-    Vec3i low;
-    std::array<std::uint8_t, 125> part;    // per node: its connected component, or kOutside
-    std::array<std::int64_t, 8> particle;  // per corner: lattice index, or -1
-    std::array<std::uint8_t, 8> partOfCorner;
+    Vec3i low;                           // lowest node, as a node of the window
+    std::array<std::uint8_t, 125> part;  // per node: number of its connected component, or kOutside
+    std::array<std::int64_t, 8> particle;      // per corner: its lattice index, or -1
+    std::array<std::uint8_t, 8> partOfCorner;  // per corner: `part` of its node
   };
-  static constexpr std::uint8_t kOutside = 127;  // no component: a cube has at most 125 nodes
+  // Number for nodes in no component. Other numbers are below, since a cube has at most 125 nodes.
+  static constexpr std::uint8_t kOutside = 127;
 
   const CutGrid& grid_;
   const Lattice& lattice_;
   int refine_;
   std::span<const std::uint8_t> particles_;
-  IndexBox cubesInWindow_;  // a cube is given by the lattice cell at its lowest corner
-  std::vector<std::int32_t> numberOfCube_;
+  IndexBox cubesInWindow_;                  // each cube given by the cell at its lowest corner
+  std::vector<std::int32_t> numberOfCube_;  // index in cubes_; -1: not made yet
   std::vector<Cube> cubes_;
   bool lookedFar_ = false;
 };

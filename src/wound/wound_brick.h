@@ -1,10 +1,11 @@
 // Vertices and triangles of wounds in one brick of the colour field.
 //
-// To a brick's iso vertices (isosurface/brick_mesher.h) are added the vertices that cuts make: two
-// for each cut edge, then those of the faces, then those of the cells, each group in the order of
-// nodes. Neighbouring bricks find these vertices by counting bits. Where a lip meets the organ's
-// surface, a vertex has a twin at the same position with the lip's normal and cut share, so that
-// the edge of a wound looks sharp. Cost: 2 us per cut cell, and some 10 us per brick.
+// A brick's vertices are its iso vertices (isosurface/brick_mesher.h), followed by the vertices
+// that cuts make: two for each cut edge, then those of faces, then those of cells. Edges and faces
+// are ordered by axis, then by node, cells by node. So neighbouring bricks find these vertices by
+// counting bits. Where a lip meets the organ's surface, a vertex has a twin at the same position
+// with the lip's normal and cut share, so that the edge of a wound looks sharp. Cost: 2 us per cut
+// cell, and some 10 us per brick.
 #pragma once
 
 #include <bit>
@@ -30,32 +31,36 @@ struct BrickWound {
     float cut;          // cut share, 0 to 1
     bool twin = false;  // whether it is the twin of the vertex before it
   };
-  // A corner below kFirstCellVertex is a CellVertex of the cell (wound_loops.h). Any other is
-  // kFirstCellVertex + an index into `vertices`.
+  // A corner below kFirstCellVertex is a CellVertex of the cell (wound_loops.h). From any other
+  // corner, subtract kFirstCellVertex to get an index into `vertices`.
   struct Triangle {
-    std::uint8_t cell;
-    bool lip;
+    std::uint8_t cell;  // number in the brick
+    bool lip;           // true: part of a lip; false: part of the organ's surface
     std::array<std::int16_t, 3> corners;
   };
 
-  std::uint64_t cells = 0;                   // cells drawn by the wound's rules
-  std::array<std::uint64_t, 3> edges{};      // per axis, bit = lower node: edges that are cut
-  std::array<std::uint64_t, 3> faces{};      // likewise: faces that have vertices
-  std::array<std::uint64_t, 3> skinFaces{};  // likewise: faces whose vertices have twins
-  std::vector<std::int16_t> firstOfFace;     // first vertex of each face, in the order of `faces`
+  std::uint64_t cells = 0;  // cells meshed by the wound's rules, bit = lowest node
+  // Per axis; bit = lower node of an edge, lowest node of a face.
+  std::array<std::uint64_t, 3> edges{};      // edges that are cut
+  std::array<std::uint64_t, 3> faces{};      // faces that have vertices
+  std::array<std::uint64_t, 3> skinFaces{};  // faces whose vertices have twins
+  std::vector<std::int16_t> firstOfFace;     // per face of `faces`, in order: its first vertex
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
-  // First for the brick's iso vertices, then for `vertices`: the binding and one anchor of each.
-  // The anchor is given as an offset from the brick's first node.
+  // The binding and one anchor of each vertex: first of the brick's iso vertices, then of
+  // `vertices`. An anchor is given as an offset from the brick's first node.
   std::vector<VertexBinding> bindings;
   std::vector<std::array<std::int8_t, 3>> anchors;
-  int unbalanced = 0;  // cells whose volume could not be kept
-  // Whether the result depends on more than the brick's own cells and lattice cubes.
+  int unbalanced = 0;  // number of cells whose volume could not be kept
+  // Whether the result depends on more than the brick's own cells and the lattice cubes that
+  // contain them.
   bool looksFar = false;
   // Whether the last call of makeBrickWound() changed vertex numbers that neighbouring bricks use.
   bool renumbered = false;
 
-  // edgeVertex() and faceVertex() give indices into `vertices`.
+  // Both functions give indices into `vertices`. side: kLower or kUpper. number: of the vertex
+  // among those of the face. lip: true for the vertex with the lip's normal, if vertices have
+  // twins.
   int edgeVertex(int axis, int node, int side) const {
     int before = std::popcount(edges[std::size_t(axis)] & ((std::uint64_t(1) << node) - 1));
     for (int a = 0; a < axis; ++a) before += std::popcount(edges[std::size_t(a)]);
@@ -69,7 +74,8 @@ struct BrickWound {
   }
 };
 
-// Computes the wound of a brick. signs: of the brick; its iso vertices are bound too.
+// Computes the wound of a brick. signs: of this brick; its iso vertices are bound too. out: on
+// entry the brick's previous result (empty if there is none), on return the new one.
 void makeBrickWound(const ColourField& field, const Wound& wound, const Vec3i& brick,
                     const BrickSigns& signs, float iso, BrickWound& out);
 

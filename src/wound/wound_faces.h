@@ -1,41 +1,48 @@
 // The lines in which the surface of a cut organ meets a face of the grid.
 //
-// The lines depend on the face alone, so the cells on both sides of it have the same lines; this is
-// why the surface is closed. Along the face's border solid parts ("runs") alternate with gaps. A
-// gap is a cut edge, which has no width, or a stretch outside the tissue. Seen along the border, in
-// the order of its corners, a line leads from the end of a run either back to the start of the same
-// run, which it cuts off, or across a gap to the start of another. Each end and each start has one
-// line. In three cases the lines
-// pass through one point of the face, each with a vertex of its own there: where three or four cuts
-// meet, where a cut ends in the face, and where a cut meets the organ's surface ("skin").
+// The lines depend on the face alone, so the two cells beside it have the same lines. This is why
+// the surface is closed.
+//
+// The face's border is followed in the order of its corners. Solid stretches ("runs") alternate
+// with gaps. A gap is a cut edge, which has no width, or a stretch outside the tissue. A line leads
+// from the end of a run back to the start of the same run and so cuts it off. There is one
+// exception. If the organ's surface ("skin") continues through a face that is cut (skinHolds()), a
+// line leads across each gap outside the tissue, from the end of the run before the gap to the
+// start of the run after it. For the other lines these two runs then count as one. The end of each
+// run belongs to one line, and so does its start.
+//
+// In three cases lines bend at one point of the face: where three or four cuts meet, where a cut
+// ends in the face, and where a cut meets the skin. Each of these lines has a vertex of its own
+// there.
 #pragma once
 
 #include "wound/wound_edges.h"
 
 namespace resect {
 
-// Kind of a face's own point.
+// Kind of the point at which a face's lines bend.
 enum class FacePoint : std::uint8_t {
-  None,
+  None,      // no line bends
   Tip,       // the cut ends here
-  Junction,  // three or four pieces meet
+  Junction,  // three or four cuts meet
   Skin       // the cut meets the skin
 };
 
 struct FaceLine {
-  // The edge points that the line joins, as 3 * ring edge + EdgeNode. Tissue lies to the left of
-  // the line, seen from above the face.
+  // The line leads from the edge point `end` to the edge point `start`. Each is given as 3 * number
+  // of the ring edge (see RingEdge) + EdgeNode. Tissue lies to the left of the line for a viewer at
+  // whom the face's axis points.
   std::uint8_t end = 0, start = 0;
-  bool bent = false;      // passes through the face's point, with a vertex of its own
-  NearbyNodes anchors{};  // of the line's vertex, relative to the face's node
+  bool bent = false;      // has a vertex at the face's point
+  NearbyNodes anchors{};  // anchors of that vertex, relative to the face's node
 };
 
 struct FaceLines {
-  static constexpr int kMost = 5;
+  static constexpr int kMost = 5;  // lines of a face
   std::array<FaceLine, kMost> line;
-  int count = 0;
+  int count = 0;  // of `line`
   FacePoint kind = FacePoint::None;
-  Vec3 point = Vec3::Zero();  // in the coordinates of the CutGrid's nodes
+  Vec3 point = Vec3::Zero();  // where lines bend, in the coordinates of the CutGrid's nodes
   int points() const {        // number of vertices at the face's point
     int n = 0;
     for (int i = 0; i < count; ++i) n += line[std::size_t(i)].bent;
@@ -43,13 +50,14 @@ struct FaceLines {
   }
 };
 
-// Ring edge i is an edge of a face's border, between corners i and i + 1. The corners, as offsets
-// from the face's node, are 0, u, u + v and v, with the unit vectors u along nextAxis() and v along
-// lastAxis(). offset: the edge's lower node, from the face's node; axis: the edge's own axis.
+// Ring edge i, from 0 to 3, is the edge of a face's border from corner i to the next corner. The
+// corners 0 to 3, as offsets from the face's node, are 0, u, u + v and v. u and v are the unit
+// vectors along nextAxis() and lastAxis().
 struct RingEdge {
-  Vec3i offset;
-  int axis;
+  Vec3i offset;  // from the face's node to the lower node of the edge
+  int axis;      // along which the edge runs
 };
+// axis: that of the face.
 inline RingEdge ringEdge(int axis, int i) {
   const int u = nextAxis(axis), v = lastAxis(axis);
   if (i == 1) return {Vec3i::Unit(u), v};
@@ -58,30 +66,34 @@ inline RingEdge ringEdge(int axis, int i) {
 }
 
 // Whether the organ's surface continues through the face at node i although edges of the face are
-// cut. It does not if a blade crosses the surface's line in the face. It does not either if the
-// nodes that own the two ends of that line are not joined by whole grid edges inside a small box:
-// the two cells beside the face, widened by one node on every side.
+// cut. It ends at the cut in two cases:
+// - An edge of the face is severed outside the tissue or just inside its surface (CutEdge::open).
+//   Then the blade crosses the line of the surface in the face.
+// - The nodes that own the two ends of that line (CutEdge::owner) are not joined by whole grid
+//   edges in tissue within a small box: the two cells beside the face, widened by one node on every
+//   side.
 bool skinHolds(const CutGrid& grid, int i, int axis);
 
-// The lines of the face at node i. holds() gives the answer of skinHolds(); in tests it may give
-// any answer, since the surface is closed with either. It is called only if the lines depend on it.
+// The lines of the face at node i. holds() must give the result of skinHolds(); in tests it may
+// give true or false, since the surface is closed with either. holds() is called only if the lines
+// depend on its result.
 template <typename Holds>
 FaceLines faceLines(const CutGrid& grid, int i, int axis, const Holds& holds);
 FaceLines faceLines(const CutGrid& grid, int i, int axis);
 
 namespace wound {
 
-// A gap in the ring. It leads from the edge point at the end of a run to that at the start of the
-// next.
+// The ring is the face's border. A gap in it leads from the edge point `end`, where a run ends, to
+// the edge point `start`, where the next run starts.
 struct Gap {
   std::uint8_t end = 0, start = 0;
   bool outside = false;   // true: outside the tissue; false: a cut edge
-  NearbyNodes anchors{};  // of the run after the gap, relative to the face's node
+  NearbyNodes anchors{};  // nodes of the run after the gap, relative to the face's node
 };
 struct Ring {
   std::array<CutEdge, 4> edge;
   std::array<Gap, FaceLines::kMost> gap;
-  int gaps = 0, cuts = 0, outside = 0;  // gaps in all; gaps at cut edges; gaps outside the tissue
+  int gaps = 0, cuts = 0, outside = 0;  // all gaps; those at cut edges; those outside the tissue
 };
 Ring ringOf(const CutGrid& grid, int i, int axis);
 FaceLines linesOf(const CutGrid& grid, int i, int axis, const Ring& ring, bool skinHolds);

@@ -1,7 +1,8 @@
-// The closed loops in which the surface meets the border of a cell.
+// The closed loops in which the surface of a cut organ meets the border of a cell of the grid.
 //
-// The lines on the cell's six faces lead from edge point to edge point. Each point is the end of
-// one line and the start of another, so the lines always form closed loops.
+// The lines on the cell's six faces (wound/wound_faces.h) lead from edge point to edge point. Each
+// edge point that is the end of one line is the start of another, so the lines always form closed
+// loops.
 #pragma once
 
 #include <vector>
@@ -11,9 +12,11 @@
 
 namespace resect {
 
-// Number of a vertex of a cell. It stands for one of the cell's 36 edge points (3 * cell edge +
-// EdgeNode), for a vertex at a face's point (faceVertex(): face 2 * axis + side, then the line's
-// number among the bent ones), or for one of the cell's own points.
+// Number of a vertex of a cell. There are three kinds:
+// - one of the cell's 36 edge points: 3 * cell edge + EdgeNode;
+// - a vertex at a face's point: faceVertex(face, number). The face is 2 * axis + side; `number`
+//   counts the bent lines of that face;
+// - one of the cell's own points: from kFirstCellVertex on.
 using CellVertex = std::uint8_t;
 constexpr int kCellNodes = 36;
 constexpr int kFirstFaceVertex = kCellNodes, kFirstCellVertex = kFirstFaceVertex + 6 * 8;
@@ -21,51 +24,51 @@ constexpr CellVertex faceVertex(int face, int number) {
   return CellVertex(kFirstFaceVertex + 8 * face + number);
 }
 
-// The number of the cell edge that is ring edge `ring` of a face.
+// The number, in the cell, of ring edge `ring` of a face (RingEdge in wound_faces.h).
 int cellEdgeOfRing(int face, int ring);
 
-// The loops of one cell. The object is reused for one cell after another, so that it keeps its
+// The loops of one cell. One object is used for one cell after another, so that it keeps its
 // memory.
 struct CellLoops {
-  // One corner of a loop: an edge point, or the vertex at a face's point.
+  // One corner of a loop: an edge point, or a vertex at a face's point.
   struct Vertex {
     CellVertex vertex;
     bool iso;             // an edge point at the iso level
-    NearbyNodes anchors;  // with those of the line that leads from here
+    NearbyNodes anchors;  // the corner's own, and those of the line that begins here
   };
 
-  // Finds the loops of the cell at node i. faces: the lines of its faces, by number (2 * axis +
-  // side).
+  // Finds the loops of the cell at node i. faces: the lines of the cell's faces; a face has the
+  // number 2 * axis + side.
   void set(const CutGrid& grid, int i, const std::array<const FaceLines*, 6>& faces);
 
   Vec3i node;   // the cell's lowest node
-  Vec3 corner;  // the same, as a position in the window
+  Vec3 corner;  // position of that node, in the coordinates of the CutGrid's nodes
   std::array<const FaceLines*, 6> faces;
-  const CellTriangles* table;  // triangles of the uncut cell
+  const CellTriangles* table;  // triangles that the cell would have without cuts
 
-  std::vector<Vertex> loop;           // all loops that were cut, concatenated
-  std::vector<std::size_t> loopEnds;  // where each loop ends in `loop`
-  // A skin loop is a loop of the surface of the uncut cell.
-  std::array<int, 12> skinOf;    // per edge with an iso point: number of its skin loop
-  int skins;                     // all these numbers are below; some may be unused
-  std::array<bool, 4> touched;   // per skin loop: whether it was cut
+  std::vector<Vertex> loop;           // all loops that a cut changed, concatenated
+  std::vector<std::size_t> loopEnds;  // for each loop: where it ends in `loop`
+  // A skin loop is a loop that the cell would have without cuts.
+  std::array<int, 12> skinOf;    // per cell edge: number of its skin loop; -1: no iso point
+  int skins;                     // all numbers in skinOf are less; some may be unused
+  std::array<bool, 4> touched;   // per skin loop: whether a cut changed it
   std::vector<CellVertex> rest;  // work space for capping
 
-  // Position of an edge point or face point, relative to the cell.
+  // Position of an edge point, or of a vertex at a face's point, relative to `corner`.
   Vec3 position(CellVertex v) const {
     return v < kFirstFaceVertex
                ? position_[v]
                : Vec3(faces[std::size_t((v - kFirstFaceVertex) / 8)]->point - corner);
   }
 
-  // Calls visit(edge, next edge, crossed) for each line of the uncut surface on the cell's faces.
-  // The line leads from the cell edge `edge` to the next one. crossed: whether a cut crosses the
-  // line.
+  // Visits the lines that the surface would have on the cell's faces without cuts. For each calls
+  // visit(edge, next, crossed): the line leads from cell edge `edge` to cell edge `next`. crossed:
+  // whether a cut crosses the line.
   template <typename Visit>
   void visitSkinLines(Visit visit) const {
     for (int face = 0; face < 6; ++face) {
       const FaceLines& lines = *faces[std::size_t(face)];
-      int end = -1, start = -1;  // of a line that is crossed
+      int end = -1, start = -1;  // end points of a line that a cut crosses
       const auto give = [&](int from, int to, bool crossed) {
         if (face % 2 == 1) std::swap(from, to);
         visit(cellEdgeOfRing(face, from / 3), cellEdgeOfRing(face, to / 3), crossed);
@@ -83,7 +86,8 @@ struct CellLoops {
     }
   }
 
-  // Calls visit(position) for each face of the cell in which the cut meets skin loop l.
+  // Calls visit(position) for each face of the cell in which a cut meets skin loop l. position:
+  // where they meet, relative to `corner`.
   template <typename Visit>
   void visitSkinPoints(int l, Visit visit) const {
     for (int face = 0; face < 6; ++face) {
@@ -102,7 +106,7 @@ struct CellLoops {
  private:
   struct Link {
     std::int8_t next = -1;
-    std::int8_t face = -1, line = -1;  // of the line that leads there, if it is bent
+    std::int8_t face = -1, line = -1;  // if the line is bent: its face, its number among bent lines
     NearbyNodes anchors = 0;
   };
   void setNodes(const CutGrid& grid);
@@ -110,7 +114,7 @@ struct CellLoops {
   void link();
   void trace();
 
-  std::array<Vec3, kCellNodes> position_;  // relative to the cell
+  std::array<Vec3, kCellNodes> position_;  // relative to `corner`
   std::array<NearbyNodes, kCellNodes> anchors_;
   std::array<Link, kCellNodes> links_;
 };

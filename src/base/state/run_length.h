@@ -1,9 +1,15 @@
 // Run-length coding of arrays of words of 1, 2, 4 or 8 bytes, for saved states.
 //
-// A run is a whole number h, then data. h is written with 7 bits per byte, lowest first; the eighth
-// bit is set on all bytes but the last. The run stands for h / 4 words (rounded down). h % 4 is its
-// type: 0, these words follow; 1, one word follows and is repeated; 2, all words are 0; 3, all
-// words are 1. Cost: some ns per word.
+// The code is a series of runs. A run begins with a whole number h and stands for h / 4 words
+// (rounded down). The type of the run is h % 4:
+//
+//   0: the words follow
+//   1: one word follows; all words of the run are equal to it
+//   2: nothing follows; all words are 0
+//   3: nothing follows; all words are 1
+//
+// h is written with 7 bits per byte, the lowest bits first. The eighth bit is set in all bytes but
+// the last. Cost: some ns per word.
 #pragma once
 
 #include <cstddef>
@@ -17,17 +23,17 @@ using Bytes = std::vector<std::byte>;
 
 void appendNumber(Bytes& to, std::uint64_t number);  // 1 to 10 bytes
 
-// word: bytes per word, 1, 2, 4 or 8. data: whole words.
+// word: bytes per word, 1, 2, 4 or 8. data: a whole number of words.
 void appendRuns(Bytes& to, std::span<const std::byte> data, std::size_t word);
 
 // Reads what appendNumber() and appendRuns() wrote. Throws Error "the state is cut off or damaged"
-// if length or content does not fit.
+// if bytes are missing or make no sense.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
   std::uint64_t number();
-  std::span<const std::byte> bytes(std::size_t count);
-  // Appends to `to` the words of the runs that follow: exactly `bytes` bytes.
+  std::span<const std::byte> bytes(std::size_t count);  // the next `count` bytes, as they are
+  // Unpacks the next runs and appends their words to `to`. `bytes`: size of these words in all.
   void runs(Bytes& to, std::size_t bytes, std::size_t word);
   bool atEnd() const { return rest_.empty(); }
 

@@ -1,12 +1,20 @@
-// A state as columns, for saving, loading and comparing. Each named field has one column: its
-// values in all structs that have this field, one after the other.
+// A state as columns, for saving, loading and comparing.
 //
-// So a state of an older version can be read after structs gained fields or changed their order,
-// and a difference is reported by field. The format: "resect-state", the version, a fingerprint of
-// the operation that the state belongs to, the columns depth first, and a digest of all these bytes
-// (base/state/state_hash.h), by which truncated or damaged bytes are refused. Numbers are packed by
-// base/state/run_length.h in the processor's byte order (little endian on all machines that Resect
-// runs on).
+// Each named field of a struct has one column. If the state holds several of these structs (say, a
+// list of organs), the column holds the values of this field in all of them, one after the other.
+//
+// Columns are found by name. So a state that an older version saved can still be read after structs
+// gained fields or changed the order of their fields. Two states are compared field by field.
+//
+// The format has these parts, in this order:
+// - the text "resect-state",
+// - the version,
+// - a fingerprint of the operation that the state belongs to,
+// - the columns: each column is followed at once by the columns of its own fields,
+// - a digest of all bytes before it (base/state/state_hash.h). If it does not match, the bytes are
+//   refused as truncated or damaged.
+// Numbers are packed by base/state/run_length.h in the byte order of the processor (little endian
+// on all machines that Resect runs on).
 #pragma once
 
 #include <memory>
@@ -19,15 +27,19 @@
 
 namespace resect {
 
-// A field, or a struct of fields.
+// The column of one field. The field consists of numbers, or it is a struct with fields of its own.
+// In both cases it may be a list.
 struct StateColumn {
   std::string name;
-  std::uint8_t size = 0;              // bytes per number; 0: a struct
-  std::vector<std::uint64_t> counts;  // of a list: its length at each visit
+  std::uint8_t size = 0;  // bytes per number; 0: a struct
+  // A list may occur in several structs. counts: the length of the list in each of them, in the
+  // order in which they were visited.
+  std::vector<std::uint64_t> counts;
   bool isList = false;
-  Bytes data;  // numbers
-  std::vector<StateColumn> fields;
-  // Of a list with an entry per cell: the order of its cells at each visit. Not saved.
+  Bytes data;                       // the numbers; empty for a struct
+  std::vector<StateColumn> fields;  // of a struct
+  // For a list with one entry per cell: the order of its cells, once for each entry of `counts`.
+  // Not saved.
   std::vector<CellOrder> orders;
 };
 
@@ -42,18 +54,22 @@ struct SavedState {
 template <typename State>
 SavedState saveState(const State& state, std::uint64_t fingerprint);
 Bytes toBytes(const SavedState& saved);
-// Throws Error if the bytes are no saved state, or are cut off or damaged.
+// Throws Error if the bytes are not a saved state, or are truncated or damaged.
 SavedState stateFromBytes(std::span<const std::byte> bytes);
 
-// Overwrites the state's fields. A field that a saved state of an older version lacks keeps its
-// value. A saved state of the present version must have exactly the state's fields: an Error names
-// the first that is missing or unknown. Whether the values make sense is for the caller to check.
+// Overwrites the fields of `state`. If `saved` lacks a field, an Error names the field. There is
+// one exception: if `saved` is of an older version than kStateVersion, the field of `state` keeps
+// the value that it had before the call. If `saved` has a field that `state` does not have, an
+// Error names it, for every version. Whether the values make sense is for the caller to check.
 template <typename State>
 void loadState(State& state, const SavedState& saved);
 
-// Names the first field in which two states differ, as "organs.tissue.u.1, cell (12, 3, 40)". Where
-// several structs have such a list (several organs), the list is numbered: "organs.tissue.u.1, list
-// 0, cell (12, 3, 40)". Cells are named unless both states were made from bytes.
+// The name of the first field in which two states differ; nothing if the states are equal. In a
+// list with one entry per cell the cell is named too: "organs.tissue.u.1, cell (12, 3, 40)". If
+// this list occurs in several structs (as with several organs), its number follows the field:
+// "organs.tissue.u.1, list 0, cell (12, 3, 40)". If both states were made by stateFromBytes(), the
+// cells are not known. Then a number stands for list and cell: the position of the value in its
+// column, from 0.
 std::optional<std::string> firstDifference(const SavedState& a, const SavedState& b);
 
 class ColumnWriter final : public StateVisitor {
@@ -68,14 +84,14 @@ class ColumnWriter final : public StateVisitor {
 
  private:
   StateColumn& field(const char* name);
-  std::vector<StateColumn*> path_;
-  std::vector<std::size_t> next_{0};  // where in the struct the next field is expected
+  std::vector<StateColumn*> path_;    // from the root to the struct or list being visited
+  std::vector<std::size_t> next_{0};  // per entry of path_: index of the field expected next
 };
 
 class ColumnReader final : public StateVisitor {
  public:
   explicit ColumnReader(const SavedState& saved);
-  // Call it after all fields were visited: throws Error if a column was not read to its end.
+  // To be called after all fields were visited. Throws Error if a column was not read to its end.
   void finish() const;
 
  protected:
@@ -86,9 +102,10 @@ class ColumnReader final : public StateVisitor {
 
  private:
   struct Cursor {
-    const StateColumn* column = nullptr;  // null: the older state lacks this field
-    std::size_t read = 0, lists = 0;      // bytes and counts read so far
-    std::size_t next = 0;
+    const StateColumn* column = nullptr;
+    // Read so far: bytes of column->data, and entries of column->counts.
+    std::size_t read = 0, lists = 0;
+    std::size_t next = 0;  // index in `fields` of the field expected next
     std::vector<Cursor> fields;
   };
   Cursor* find(const char* name);
@@ -98,8 +115,9 @@ class ColumnReader final : public StateVisitor {
   static Cursor cursorOf(const StateColumn& column);
   void finish(const Cursor& cursor, const std::string& path) const;
 
-  const bool older_;
+  const bool older_;  // the saved state is of an older version than kStateVersion
   Cursor root_;
+  // From the root to the struct or list being visited. Null: an older saved state lacks it.
   std::vector<Cursor*> path_;
 };
 

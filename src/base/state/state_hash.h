@@ -1,8 +1,8 @@
 // A 64-bit digest of a state's bytes, to see whether two states are the same bit for bit.
 //
 // Not cryptographic. Each 8-byte word is mixed in by the finaliser of splitmix64 (Steele, Lea,
-// Flood 2014). addBytes() pads the last word with zeros and does not add the length; addSpan() adds
-// the length too.
+// Flood 2014). addBytes() pads the last word with zeros and does not add the number of bytes.
+// addSpan() first adds the number of values.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,7 @@ class StateHash {
  public:
   void addBytes(const void* data, std::size_t bytes);
 
+  // Adds one number as a word.
   template <typename T>
   void add(const T& value) {
     static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);

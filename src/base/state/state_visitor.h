@@ -3,16 +3,21 @@
 //
 //     template <class Visitor> void visit(Visitor& v) { v("time", time); v("poses", poses); ... }
 //
-// and every operation on all fields is a StateVisitor: digest (HashVisitor), save and load
-// (base/state/saved_state.h), memory held (HeldBytes). Derived fields, and those set up once and
-// never changed, are not state. `visitMade` lists them, as v.made(field, another, ...): they take
-// memory too, and a test finds fields that are in neither list.
+// Every operation on all fields is a StateVisitor: the digest (HashVisitor), saving and loading
+// (base/state/saved_state.h), the memory held (HeldBytes). Fields that are derived, or set up once
+// and never changed, are not state. They are named in visitMade(), by v.made(field, another, ...),
+// so that their memory is counted. A test finds fields that neither visit() nor visitMade() names.
 //
-// A field may be a number, an enum, a fixed-size Eigen matrix, an Eigen::Quaterniond, a string or a
-// struct with visit(); an array of these (at most 9 entries unless they are numbers or matrices);
-// a vector of numbers, enums, matrices, arrays of numbers or structs; or a std::optional, which
-// counts as a list of at most one entry. Names are string literals. A visitor that
-// only reads must not write to the fields: visitState() gives it const objects.
+// A field may be:
+//
+//   - a number, an enum, a fixed-size Eigen matrix, an Eigen::Quaterniond or a string;
+//   - a struct with visit();
+//   - an array of these, with at most 9 entries unless they are numbers, enums or matrices;
+//   - a vector of numbers, enums, matrices, arrays of numbers or structs;
+//   - a std::optional, which counts as a list of at most one entry.
+//
+// Names are string literals. A visitor that only reads must not write to the fields, since
+// visitState() gives it const objects.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -29,8 +34,8 @@
 
 namespace resect {
 
-// Layout of an array with an entry per cell, so that a difference can be reported by cell: cell (x,
-// y, z) has the index front + x + strideY * y + strideZ * z.
+// Layout of an array with an entry per cell. Cell (x, y, z) has the index front + x + strideY * y +
+// strideZ * z. With it a difference between two states can be reported by cell.
 struct CellOrder {
   std::int64_t front = 0, strideY = 0, strideZ = 0;
 };
@@ -119,8 +124,8 @@ class StateVisitor {
   void made(T&... fields) {
     (madeOne(fields), ...);
   }
-  // A list of structs whose length never changes: throws Error if the state to be loaded has
-  // another length.
+  // For a list of structs whose length never changes. Throws Error if the list has another length
+  // in the state that is loaded.
   template <typename T>
   void fixed(const char* name, T& field) {
     object(&field, sizeof field);
@@ -129,7 +134,7 @@ class StateVisitor {
     for (auto& element : field) element.visit(*this);
     leave();
   }
-  // A list with an entry per cell.
+  // For a list with an entry per cell.
   template <typename T>
   void perCell(const char* name, T& field, const CellOrder& order) {
     order_ = &order;
@@ -140,13 +145,14 @@ class StateVisitor {
  protected:
   // Called for each field, with its address and size, before its contents are visited.
   virtual void object(const void*, std::size_t) {}
-  // Memory that a list holds on the heap, bytes.
+  // Called with the heap memory that a field holds, bytes.
   virtual void memory(std::size_t) {}
   // `count` numbers of `size` bytes each.
   virtual void numbers(const char* name, void* data, std::size_t count, std::size_t size) = 0;
-  // A list of `count` entries begins; returns how many it must have. The entries follow: numbers or
-  // matrices in one call of numbers() with an empty name, structs one after the other, field by
-  // field. leave() ends the list.
+  // Called when a list of `count` entries begins. Returns the number of entries that it must have;
+  // only a visitor that loads may return another number than `count`. The entries follow. Numbers
+  // and matrices come in one call of numbers() with an empty name. Structs come one after the
+  // other, each field by field. leave() ends the list.
   virtual std::size_t enterList(const char* name, std::size_t count) = 0;
   virtual void enter(const char* name) = 0;
   virtual void leave() = 0;
@@ -209,8 +215,8 @@ class StateVisitor {
       numbers("", field.data(), count * PlainOf<Element>::count,
               sizeof(typename PlainOf<Element>::Scalar));
     } else {
-      // The list grows while it is loaded, so a false count that is too large does not allocate
-      // memory for all its entries.
+      // The list grows while it is loaded. So if a damaged state gives too large a count, no memory
+      // is allocated for that many entries.
       if (count < field.size()) field.resize(count);
       for (std::size_t i = 0; i < count; ++i) {
         if (i == field.size()) field.resize(std::min(count, i + std::max(i, std::size_t(64))));
@@ -245,7 +251,7 @@ void visitState(const State& state, StateVisitor& reader) {
   const_cast<State&>(state).visit(reader);
 }
 
-// Digest of all fields: of their values and order, not of their names.
+// Digest of all fields. It depends on their values and order, not on their names.
 class HashVisitor final : public StateVisitor {
  public:
   std::uint64_t value() const { return hash_.value(); }
@@ -265,8 +271,8 @@ class HashVisitor final : public StateVisitor {
   StateHash hash_;
 };
 
-// Heap memory of the fields, bytes: that of lists, and what bytes() returns of a field that is not
-// state.
+// Heap memory of all fields, bytes. A list counts with its capacity. A field that is not state
+// counts with the result of its function bytes(), if it has one.
 class HeldBytes final : public StateVisitor {
  public:
   std::size_t value() const { return bytes_; }

@@ -1,4 +1,5 @@
-// Winding numbers of points: counts where a ray along +X from each point crosses a closed mesh.
+// Winding numbers of points. For each point a ray along +X is cast, and its crossings with a closed
+// mesh are counted.
 #pragma once
 
 #include <span>
@@ -8,12 +9,12 @@
 
 namespace resect {
 
-// For each point: how often a ray along +X leaves the mesh, less how often it enters. The mesh must
-// be closed and oriented. The number is 1 inside a body, 0 outside, -1 inside a body that is inside
-// out. A ray through an edge or a corner counts once, since edges are half-open and both triangles
-// at an edge evaluate it alike. A point on the surface gets the number of one of the two sides.
-// Triangles are sorted into slabs along Z, so m points cost about m * sqrt(triangles), after
-// O(triangles) for the sorting.
+// For each point: the number of times that the ray leaves the mesh, minus the number of times that
+// it enters. The mesh must be closed and oriented. The result is 1 inside a body, 0 outside, and -1
+// inside a body whose normals point inwards. A crossing at an edge or a corner counts once, since
+// edges are half-open and the two triangles at an edge evaluate that edge alike. A point on the
+// surface gets the number of one of the two sides. Cost: O(triangles) to sort the triangles into
+// slabs along Z, then about sqrt(triangles) per point.
 std::vector<int> crossingNumbers(const TriangleMesh& mesh, std::span<const Vec3> points);
 
 }  // namespace resect

@@ -1,4 +1,5 @@
-// Repair of a damaged mesh: orientation, holes, specks; with a report of what was changed.
+// Repairs a damaged mesh: turns triangles, closes holes, drops specks (components without volume),
+// and reports what was changed.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -7,36 +8,38 @@ namespace resect {
 
 struct RepairReport {
   int trianglesTurned = 0;   // by orientConsistently()
-  int componentsTurned = 0;  // by turnOutwards(), cavities included
-  int specksDropped = 0;     // components without volume
-  int holesClosed = 0;
+  int componentsTurned = 0;  // by turnOutwards(); includes cavities
+  int specksDropped = 0;     // components that dropSpecks() dropped
+  int holesClosed = 0;       // by closeHoles(), as the fields below
   int trianglesAdded = 0;
   double areaAdded = 0;     // m^2
   double volumeBefore = 0;  // m^3, see closeHoles()
-  double volumeAfter = 0;   // m^3, the same
+  double volumeAfter = 0;   // m^3, see closeHoles()
 };
 
-// Each function takes a welded mesh, changes it in place and adds what it did to the report.
-// Deterministic; O(n log n), except closeHoles().
+// Each function takes a welded mesh and changes it in place. It adds to the report what was
+// changed. The results are deterministic. Each function but closeHoles() takes O(n log n) for n
+// triangles.
 
 // Flips triangles so that two triangles that share an edge have the same orientation. Edges of more
-// than two triangles do not count. In each part connected over the other edges, the orientation of
-// most triangles wins. A one-sided surface (Moebius strip) keeps some edges that do not agree.
+// than two triangles are ignored. In each part that is connected over the other edges, the
+// orientation that most triangles have wins. In a one-sided surface (Moebius strip) the two
+// triangles at some edges still disagree.
 void orientConsistently(TriangleMesh& mesh, RepairReport& report);
 
 // Closes every hole of a mesh. Afterwards each edge is used equally often in both directions, so
 // the mesh is closed and oriented, whatever it was before. A hole of up to 300 edges gets the
-// triangulation of least area (Barequet and Sharir 1995; O(edges^3)). From a longer hole triangles
-// are cut off first, each with the shortest new edge, until 300 edges are left. volumeBefore and
-// volumeAfter are the signed volumes about the middle of the bounding box (volumeAbout() in
-// measures.h), without and with the new triangles.
+// triangulation of least area (Barequet and Sharir 1995; O(edges^3)). A longer hole is first
+// reduced to 300 edges: triangles are cut off it, each time the one with the shortest new edge.
+// report.volumeBefore is the signed volume without the new triangles, report.volumeAfter the one
+// with them. Both are taken about the middle of the bounding box (volumeAbout() in measures.h).
 void closeHoles(TriangleMesh& mesh, RepairReport& report);
 
 // Drops components without volume (isSpeck() in mesh_health.h). The mesh must be closed.
 void dropSpecks(TriangleMesh& mesh, RepairReport& report);
 
-// Flips every outermost component whose normals point inwards, and with it all components inside
-// it, so that cavities stay cavities. The mesh must be closed and oriented.
+// Looks at each component that is inside no other. If its normals point inwards, flips it and all
+// components inside it, so that cavities stay cavities. The mesh must be closed and oriented.
 void turnOutwards(TriangleMesh& mesh, RepairReport& report);
 
 }  // namespace resect

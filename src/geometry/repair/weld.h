@@ -1,8 +1,8 @@
-// Welding: merges points at the same position, so that triangles share their points.
+// Welding: merges points at the same position, so that triangles that meet there share one point.
 //
 // The result is the same on every machine: points keep the order in which they first appear, and
-// triangles keep their order. Points at equal positions are found by a hash, usually in O(n); near
-// ones by sorting.
+// triangles keep their order. Points at equal positions are found by a hash, usually in O(n);
+// points that are only near each other are found by sorting.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -19,10 +19,11 @@ struct WeldReport {
 // corners, and points that no triangle uses. A triangle whose three corners lie on one line stays:
 // without it the surface would open along that line.
 //
-// relativeTolerance >= 0: merges also points whose distance is at most this share of the diagonal
-// of the bounding box; they take the position of the first of them. With 0 only equal positions
-// merge. Chains of near points merge as a whole, so keep the tolerance far below the edge lengths
-// (1e-6 is enough for rounding). Positions must be finite.
+// relativeTolerance >= 0: also merges points whose distance is at most this share of the diagonal
+// of the bounding box. Merged points take the position of the first of them. With 0 only points at
+// equal positions merge. If each point of a chain is near the next, the whole chain merges, so the
+// merging distance must be far smaller than the edges. (1e-6 is enough for rounding.) Positions
+// must be finite.
 TriangleMesh weld(const TriangleMesh& mesh, double relativeTolerance = 0,
                   WeldReport* report = nullptr);
 

@@ -1,5 +1,5 @@
-// Inventor engine for marching cubes, as in the original thesis: its inputs are values on a grid,
-// its outputs a surface, which is made anew whenever an input changes.
+// Inventor engine for marching cubes, as in the original thesis. Its inputs are values on a grid.
+// Its outputs are a surface, which is made anew whenever an input changes.
 //
 //     OrganShape {
 //       points     = DEF SURFACE MarchingCubes { dims 20 20 20  value [ ... ]  iso 50 } . points
@@ -8,7 +8,7 @@
 //     }
 //
 // Every change costs a pass over the whole grid. For an organ in an operation use SurfaceTracker
-// (surface/surface_tracker.h), where a change costs only the bricks round it. Source: Lorensen and
+// (surface/surface_tracker.h), which updates only the bricks round a change. Source: Lorensen and
 // Cline 1987.
 #pragma once
 
@@ -31,16 +31,18 @@ class SoMarchingCubes : public SoEngine {
   static void initClass();
   SoMarchingCubes();
 
-  SoSFVec3s dims;   // nodes along x, y, z; no surface below 2 each or above 512^3 in all
-  SoMFFloat value;  // one per node, x fastest; missing ones count as 0, surplus ones are ignored
+  // Number of nodes along x, y and z. The surface is empty if one of the numbers is below 2, or if
+  // there are more than 512^3 nodes in all.
+  SoSFVec3s dims;
+  SoMFFloat value;  // one per node, x fastest; missing ones are 0, surplus ones are ignored
   SoSFVec3f min;    // position of the first node
   SoSFVec3f max;    // position of the last node
-  // A node is inside if its value >= iso. Where inside nodes lie on the grid's border the surface
-  // is open.
+  // A node is inside if its value >= iso. The surface is open where inside nodes lie on the border
+  // of the grid.
   SoSFFloat iso;
 
   SoEngineOutput points;         // SoMFVec3f; adjacent triangles share their points
-  SoEngineOutput normals;        // SoMFVec3f, unit, outwards: against the gradient of the values
+  SoEngineOutput normals;        // SoMFVec3f; per point: unit, towards falling values, so outwards
   SoEngineOutput coordIndex;     // SoMFInt32, as in IndexedFaceSet: three indices, then -1
   SoEngineOutput triangleCount;  // SoSFInt32
 

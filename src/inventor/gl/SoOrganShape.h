@@ -1,9 +1,10 @@
 // Inventor shape for an organ's changing surface: only changes are sent to the graphics card.
 //
-// The shape has its own vertex buffers. update() receives changes. The next rendering uploads the
-// changed ranges to each context that draws the shape; it draws only blocks of triangles that can
-// lie in the scissor box. The field `revision` counts changes and notifies the scene. An .iv file
-// or an engine sets the whole surface through fields (example: inventor/gl/SoMarchingCubes.h).
+// The shape has its own vertex buffers. update() receives changes. When a graphics context next
+// renders the shape, the changed ranges are uploaded to it. Each rendering draws only blocks of
+// triangles that may lie in the view, or in the scissor box if one is set. The field `revision`
+// counts changes and notifies the scene. An .iv file or an engine sets the whole surface through
+// fields (example: inventor/gl/SoMarchingCubes.h).
 //
 // Attributes for shaders: gl_Vertex, gl_Normal, gl_MultiTexCoord1.xyz = rest position (for patterns
 // that move with the tissue), gl_MultiTexCoord2.x = cut share. In .iv files: `OrganShape {}`.
@@ -45,25 +46,26 @@ class SoOrganShape : public SoShape {
   // Number of changes so far. Written by update().
   SoSFInt32 revision;
 
-  // Applies changes. If a range extends beyond the present end, the shape grows. For vertices that
-  // only moved, only points and normals are uploaded. wholeSurface() (surface_update.h) makes an
-  // update that replaces everything.
+  // Applies changes. If a range extends beyond the end of the shape's arrays, they grow. For
+  // vertices that only moved, only points and normals are uploaded. wholeSurface()
+  // (surface_update.h) makes an update that replaces everything.
   void update(const SurfaceUpdate& update);
 
   int vertexCount() const { return int(surface_.points.size()); }
   int triangleCount() const { return int(surface_.triangles.size()); }  // holes included
 
-  // Bounds of everything that changed since the last call, where it was and where it is now; m,
-  // object space.
+  // A box, in object space, m, round everything that changed since the last call of this function.
+  // It contains the changed parts at their former and at their present positions.
   Aabb takeChanged();
 
-  // First intersection of a ray with the present surface, in object space, if any. Cost: a box test
-  // per 128 triangles, and a test of each triangle in the boxes that the ray meets.
+  // The first point, in object space, where a ray meets the present surface; none if there is no
+  // such point. Cost: a box test per 128 triangles, and a test of each triangle in the boxes that
+  // the ray meets.
   std::optional<Vec3> firstPointOn(const Ray& ray);
 
   // Triangles drawn at the last rendering, holes included.
   std::int64_t drawnTriangles() const { return drawnTriangles_; }
-  // Uploaded to all graphics contexts since the shape was made.
+  // What was uploaded to all graphics contexts together since the shape was made.
   std::uint64_t uploadedBytes() const { return uploadedBytes_; }
   std::uint64_t uploadedVertices() const { return uploadedVertices_; }
 

@@ -1,15 +1,15 @@
 // Inventor group with deferred shading: each pixel is shaded once, however many triangles cover it.
 //
 // A software renderer shades blocks of 4 x 4 pixels, triangle by triangle. Where triangles are as
-// small as pixels, it shades each pixel about ten times. This group draws its shapes into a
-// G-buffer (Saito and Takahashi 1990) instead: a shader program (data/shaders/gather.frag) stores
-// the inputs of the liver's shading in two textures and uses the picture's depth buffer. Then each
-// pixel is shaded once (data/shaders/gathered.frag).
+// small as pixels, it shades each pixel about ten times. This group instead draws its shapes into a
+// G-buffer (Saito and Takahashi 1990): a shader program (data/shaders/gather.frag) stores the
+// inputs of the liver's shading in two textures. Depths go to the picture's own depth buffer. Then
+// a second program (data/shaders/gathered.frag) shades each pixel once.
 //
-// The group does this if a shader program is in use and the framebuffer is single-sampled with a
-// depth renderbuffer. Otherwise (antialiased pictures, and so all pictures of a graphics card;
-// shadow maps; picking) it is a plain group. Its children must be shapes with OrganShape's
-// attributes.
+// The group does this if a shader program is in use and the framebuffer is single-sampled and has a
+// depth renderbuffer. Otherwise it is a plain group: in antialiased pictures (on a graphics card
+// all pictures are), in shadow maps, and for picking. Its children must be shapes with the
+// attributes of SoOrganShape.
 #pragma once
 
 #include <Inventor/nodes/SoGroup.h>
@@ -30,7 +30,7 @@ class SoShadeOnce : public SoGroup {
   static void initClass();
   SoShadeOnce();
 
-  int pictures() const { return pictures_; }  // number drawn with deferred shading
+  int pictures() const { return pictures_; }  // drawn with deferred shading so far
 
  protected:
   ~SoShadeOnce() override;

@@ -1,21 +1,22 @@
 // Shadow maps of the surgical lamp, and ambient occlusion of the room's light, for the nodes that
 // follow in the scene.
 //
-// Draws the casters twice into depth textures: seen from the lamp, and from straight above. From
-// both it computes two kinds of share on a square grid: how much of the room the table plane y = 0
-// and the topmost surface see, and how much of the lamp the table plane sees. Shaders of the nodes
-// that follow find the results here:
-//   texture unit 7: depths seen from the lamp, for comparison (shadow2D). gl_TextureMatrix[7]: eye
-//     space -> coordinates in this texture and depth
-//   texture unit 6: depths seen from above. gl_TextureMatrix[6]: eye space -> coordinates x, y in
-//     the textures of units 6 and 5; z: depth from above
-//   texture unit 5: the grid. Red: share of the room seen from the table; green: share of the lamp
-//     seen from the table; blue: share of the room seen from the topmost surface; alpha: height of
-//     that surface over the table, as a share of `radius`
-//   gl_TextureMatrix[5]: eye space -> world space (rotation and translation)
-// The node must follow the camera. It redraws only if a caster, a mover or a field has changed, and
-// only the part given to changedIn(). The casters are kept in depth maps of their own; the movers
-// are drawn over a copy of these.
+// The node draws the shapes under `casters` and `movers` into two depth textures: one as seen from
+// the lamp, and one as seen from straight above. From these it computes, for each point of a square
+// grid over the table, how much is visible of the room and of the lamp. Shaders of the nodes that
+// follow find the results here:
+// - Texture unit 7: depths seen from the lamp, for comparison (shadow2D). gl_TextureMatrix[7] leads
+//   from eye space to the coordinates and the depth in this texture.
+// - Texture unit 6: depths seen from above. gl_TextureMatrix[6] leads from eye space to x and y,
+//   the coordinates in the textures of units 6 and 5, and z, the depth from above.
+// - Texture unit 5: the grid. Red: share of the room seen from the table plane y = 0. Green: share
+//   of the lamp seen from this plane. Blue: share of the room seen from the topmost surface. Alpha:
+//   height of the topmost surface over the table, as a fraction of `radius`.
+// - gl_TextureMatrix[5] leads from eye space to world space (rotation and translation).
+//
+// In the scene this node must come after the camera. It redraws the textures only if a caster, a
+// mover or a field has changed, and then only the part given to changedIn(). The casters alone are
+// kept in depth maps of their own; to redraw, the movers are drawn over a copy of these maps.
 //
 // Sources: shadow maps, Williams 1978; percentage-closer soft shadows, Fernando 2005; occlusion of
 // the room's light over a height field, Oat and Sander 2007.
@@ -50,22 +51,25 @@ class SoShadowMaps : public SoNode {
   static void initClass();
   SoShadowMaps();
 
-  SoSFNode casters;        // drawn without lights and materials
-  SoSFNode movers;         // the same, for small objects that move often
+  SoSFNode casters;        // shapes that cast shadows; drawn without lights and materials
+  SoSFNode movers;         // further such shapes: small ones that move often
   SoSFVec3f lampPosition;  // world, m
   SoSFVec3f focus;         // world, m: centre of the region with shadows
   SoSFFloat radius;        // m, > 0: the region is the sphere of this radius round `focus`
-  // Texels along each side of the depth maps, 64 to 4096; the grid has 3/16 as many, at least 16.
+  // Number of texels along each side of the depth maps, 64 to 4096. The grid has 3/16 as many along
+  // each side, but at least 16.
   SoSFInt32 resolution;
 
-  // Call after a change of casters or movers. `box`: contains the change, world, m; an empty box
-  // means that it may be anywhere. Without any call the maps are redrawn as a whole.
+  // To be called after a change of casters or movers. `box`: contains the change (world, m). An
+  // empty box means that the change may be anywhere. If changedIn() was not called since the last
+  // drawing, the maps are redrawn as a whole.
   void changedIn(const Aabb& box);
 
-  // While held, the maps are not redrawn; only the first drawing is made all the same.
+  // hold(true): the maps are not redrawn until hold(false) is called. Only the very first drawing
+  // is not delayed.
   void hold(bool held) { held_ = held; }
 
-  // How often the maps were drawn, and how often as a whole with all casters.
+  // How often the maps were redrawn, in part or as a whole; and how often as a whole.
   int redraws() const { return redraws_; }
   int wholeRedraws() const { return wholeRedraws_; }
 

@@ -1,8 +1,11 @@
 // Orbit, pan and zoom of the camera about a point of interest.
 //
-// Drag with the right button: orbit. With the left button: the same, if nothing else uses it. With
-// the middle button, or with Shift and any button: pan. Wheel: zoom towards the point of interest.
-// The camera stays upright, and its elevation is limited, so it cannot turn upside down.
+//   right button, dragged                      orbit
+//   left button, dragged                       orbit, if nothing else has used the event
+//   middle button, or Shift and any button     pan
+//   wheel                                      zoom towards the point of interest
+//
+// The camera stays upright. Its elevation is limited, so it cannot turn upside down.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -16,22 +19,26 @@ class SoPerspectiveCamera;
 
 namespace resect {
 
-// The view volume of the camera for a picture of this size, which may be higher than wide.
+// The view volume of the camera for a picture of the size of `viewport`. The picture may be higher
+// than it is wide.
 SbViewVolume viewVolumeOf(const SoPerspectiveCamera& camera, const SbViewportRegion& viewport);
 
 class CameraMoves {
  public:
   explicit CameraMoves(SoPerspectiveCamera* camera) : camera_(camera) {}
 
-  // Handles an event that nothing else has handled; true if it moved the camera.
+  // Handles an event that nothing else has used. Returns true if the event belongs to a drag or to
+  // the wheel, even if the camera did not move.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
 
-  // Moves the camera round the point of interest, so that the scene seems to turn by these angles,
-  // rad, to the right and upwards.
+  // Moves the camera round the point of interest, so that the scene seems to turn to the right and
+  // upwards by these angles, rad.
   void orbit(double right, double up);
-  // Moves the camera, so that the scene seems to move in the view plane, m.
+  // Moves the camera in its view plane, so that the scene seems to move to the right and upwards by
+  // these distances, m.
   void pan(double right, double up);
-  // Multiplies the distance to the point of interest, and keeps it within 5 cm to 10 m.
+  // Multiplies the camera's distance from the point of interest by `factor`. The new distance is
+  // kept within 0.05 to 10 m.
   void zoom(double factor);
   // Turns the camera towards a point, which becomes the point of interest.
   void lookAt(const Vec3& point);

@@ -8,9 +8,9 @@
 
 namespace resect {
 
-// Compiles and links a program in the current context; the files of each stage are concatenated. On
-// failure returns 0 and reports the reason to Coin's error handler. Throws Error if a file cannot
-// be read.
+// Compiles and links a program in the current context. The files of each stage are concatenated. If
+// compiling or linking fails, returns 0 and reports the reason to Coin's error handler. Throws
+// Error if a file cannot be read.
 GLuint makeProgram(std::initializer_list<std::string_view> vertexFiles,
                    std::initializer_list<std::string_view> fragmentFiles);
 

@@ -1,5 +1,5 @@
-// A square render target: a texture of depths or of colours, with its framebuffer. Call its
-// functions only while the context in which it was made is current.
+// A square render target: a texture of depths or of colours, with its framebuffer. Call the
+// functions only while the OpenGL context in which make() was called is current.
 #pragma once
 
 #include <GL/gl.h>
@@ -12,7 +12,7 @@ struct MapTexture {
 
   // Leaves the texture and the framebuffer bound.
   void make(GLsizei texels, bool isDepth);
-  void use() const;  // makes it the render target and sets the viewport to all of it
+  void use() const;  // renders into the texture from now on; sets the viewport to all of it
   void free() const;
 };
 

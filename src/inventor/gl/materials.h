@@ -1,4 +1,4 @@
-// Shader programs (GLSL 1.20, from data/shaders) of the operating room's materials.
+// Shader programs for the materials of the operating room (GLSL 1.20, from data/shaders).
 #pragma once
 
 #include <string>
@@ -11,19 +11,19 @@ namespace resect {
 
 enum class RoomMaterial {
   Liver,   // wet capsule and cut parenchyma, for SoOrganShape
-  Gather,  // writes the inputs of Liver's shading for each pixel, for SoShadeOnce
-  Steel,   // instruments; plastic where the model's specular colour is dark
+  Gather,  // per pixel, the inputs for shading Liver later; for SoShadeOnce
+  Steel,   // instruments; drawn as plastic where the specular colour is dark
   Cloth,   // the drape on the table
-  Room,    // background: for the quad that OperatingRoom draws behind everything
+  Room,    // background, on a quad that OperatingRoom draws behind everything
 };
 
-// A new node (reference count 0). In the scene it must come after the camera, two spot lights and
-// SoShadowMaps, and before the geometry. A shader that does not compile is reported by
-// OffscreenView::render.
+// A new node (reference count 0). In the scene it must come after the camera, two spot lights and a
+// SoShadowMaps node, and before the geometry. If a shader does not compile, OffscreenView::render
+// throws an Error.
 SoShaderProgram* makeMaterial(RoomMaterial material);
 
-// GLSL source: the version line, then these files of data/shaders, concatenated. Throws Error if
-// one cannot be read.
+// GLSL source: the version line, followed by the given files of data/shaders. parts: their names.
+// Throws Error if a file cannot be read.
 std::string shaderSource(const std::vector<std::string_view>& parts);
 
 }  // namespace resect

@@ -1,8 +1,8 @@
 // Holds the OpenGL objects of a scene node, separately for each graphics context, and frees them.
 //
-// OpenGL objects may be deleted only while their context is current. So a context's objects are
-// freed when Coin announces that the context will be destroyed. If the node is destroyed first,
-// they are freed when the context is next current.
+// OpenGL objects may be deleted only while their context is current. So the objects are freed when
+// Coin announces that their context will be destroyed. If the node is destroyed first, they are
+// freed the next time that their context is current.
 #pragma once
 
 #include <Inventor/elements/SoGLCacheContextElement.h>
@@ -14,9 +14,9 @@
 
 namespace resect {
 
-// Kept: a struct of one context's OpenGL objects. Kept::free() deletes them; it is called while
-// their context is current. Kept may be an incomplete type where a PerContext is declared, but not
-// where one is constructed, used or destroyed.
+// Kept: a struct that holds the OpenGL objects of one context. Its member function free() deletes
+// them; it is called while their context is current. Kept may be an incomplete type where a
+// PerContext is declared as a member, but not where one is constructed, used or destroyed.
 template <typename Kept>
 class PerContext {
  public:
@@ -35,7 +35,7 @@ class PerContext {
   PerContext(const PerContext&) = delete;
   PerContext& operator=(const PerContext&) = delete;
 
-  // The objects of this context; made at the first call for it.
+  // The objects of this context. They are made at the first call for the context.
   Kept& operator[](std::uint32_t context) {
     std::unique_ptr<Kept>& kept = contexts_[context];
     if (!kept) kept = std::make_unique<Kept>();

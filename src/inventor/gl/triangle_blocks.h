@@ -1,9 +1,10 @@
-// Finds the triangles of a large, changing surface that can lie in a part of the picture or on a
-// ray.
+// Finds the triangles of a large, changing surface that can be seen in a part of the picture, or
+// that a ray can meet.
 //
-// Divides the triangles into blocks of 128 consecutive ones and stores each block's bounding box
-// and range of vertices. A query tests every box and returns only the blocks that can matter: a few
-// for a few pixels, whatever the size of the surface. Only changed blocks are updated.
+// The triangles are divided into blocks of 128 consecutive ones. For each block its bounding box
+// and the range of its vertices are stored. A query tests every box and returns only the blocks
+// that can matter: a few for a few pixels, whatever the size of the surface. Only changed blocks
+// are updated.
 #pragma once
 
 #include <array>
@@ -21,10 +22,11 @@ class TriangleBlocks {
  public:
   static constexpr std::size_t kTriangles = 128;  // per block
 
-  // Each (a, b, c, d) is the half space of the points with a * x + b * y + c * z + d >= 0.
+  // An entry (a, b, c, d) stands for the half space a * x + b * y + c * z + d >= 0.
   using HalfSpaces = std::array<Eigen::Vector4f, 6>;
+  // Consecutive triangles. The last run can end beyond the last triangle.
   struct Run {
-    std::size_t first = 0, count = 0;  // triangles
+    std::size_t first = 0, count = 0;  // number of the first triangle; how many
   };
   struct Box {
     Vec3f low, high;  // low > high: empty
@@ -33,11 +35,12 @@ class TriangleBlocks {
   };
   static Box emptyBox();
 
-  // Call after the elements [begin, end) have changed; the next refresh() then takes them in.
+  // Call after the entries [begin, end) of the array of vertices or of triangles have changed. The
+  // next refresh() then updates their blocks.
   void verticesChanged(std::size_t begin, std::size_t end) { vertices_.push_back({begin, end}); }
   void trianglesChanged(std::size_t begin, std::size_t end) { triangles_.push_back({begin, end}); }
-  // Updates the blocks that use changed elements. A triangle whose first two corners are equal
-  // counts as a hole.
+  // Updates the blocks that use changed entries. A triangle whose first two corners are equal is a
+  // hole and is left out of its block's box.
   void refresh(std::span<const Vec3f> points, std::span<const Triangle> triangles);
 
   // After refresh(): bounds of the triangles that use any of the vertices [begin, end).
@@ -47,14 +50,14 @@ class TriangleBlocks {
   Box box() const;
   // After refresh(): runs, in order, that include every triangle with a part in all half spaces.
   std::vector<Run> within(const HalfSpaces& spaces) const;
-  // The same for the triangles that the ray meets.
+  // After refresh(): runs, in order, that include every triangle that the ray meets.
   std::vector<Run> along(const Ray& ray) const;
 
  private:
   struct Block {
     Box box = emptyBox();
-    std::int32_t low = 0, high = -1;  // lowest and highest vertex; high -1: none
-    bool stale = true;
+    std::int32_t low = 0, high = -1;  // lowest and highest vertex index; high -1: no triangle
+    bool stale = true;                // must be updated by the next refresh()
   };
   template <typename Wanted>
   std::vector<Run> runsOf(Wanted wanted) const;
@@ -66,8 +69,8 @@ class TriangleBlocks {
 };
 
 // The half spaces whose intersection is the view volume of a part of the picture. `low`, `high`:
-// corners of the part, -1 to 1 across the picture. `matrix`: object space to clip space, for row
-// vectors.
+// lower left and upper right corner of the part; the picture extends from (-1, -1) to (1, 1).
+// `matrix`: from object space to clip space, for row vectors.
 TriangleBlocks::HalfSpaces halfSpacesOf(const float matrix[4][4], const Eigen::Vector2f& low,
                                         const Eigen::Vector2f& high);
 

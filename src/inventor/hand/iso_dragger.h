@@ -1,5 +1,5 @@
-// A dragger that sets the iso level, on a scale in the scene, as in the original thesis. The value
-// is written above the scale.
+// A dragger in the scene that sets the iso level, as in the original thesis. It slides along a
+// vertical scale; the value is written above the scale.
 #pragma once
 
 #include <functional>
@@ -15,18 +15,18 @@ namespace resect {
 
 class IsoDragger {
  public:
-  // `foot`: lower end of the scale, which is vertical; world, m.
+  // `foot`: the lower end of the scale, where the iso level is 0; world, m.
   IsoDragger(SoSeparator* parent, const Vec3& foot);
   ~IsoDragger();
   IsoDragger(const IsoDragger&) = delete;
   IsoDragger& operator=(const IsoDragger&) = delete;
 
   float value() const { return value_; }
-  // The value is clamped to [kMinIso, kMaxIso]; `changed` is not called.
+  // Moves the dragger without calling `changed`. The value is clamped to [kMinIso, kMaxIso].
   void setValue(float iso);
   Vec3 handle() const;  // middle of the dragger, world, m
 
-  std::function<void(float)> changed;  // called with the value after a person moved the dragger
+  std::function<void(float)> changed;  // called with the new value when a person moved the dragger
 
  private:
   static void dragged(void* self, SoDragger* dragger);

@@ -1,8 +1,8 @@
 // An interactive operation without its window: the room, the instruments in hand, the camera, the
 // iso scale and the live operation.
 //
-// Its only inputs are Inventor events and calls of its functions, so any toolkit, or a test, can
-// use it.
+// The only inputs are Inventor events and calls of the functions below. So any window toolkit can
+// use it, and so can a test.
 #pragma once
 
 #include <Inventor/actions/SoHandleEventAction.h>
@@ -27,38 +27,40 @@ namespace resect {
 
 class OperatingSession {
  public:
-  // `aspect`, here and below: width / height of the picture. The tools start in the tool box.
+  // The tools start at their rest poses. `aspect`, here and below: width / height of the picture.
   OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect);
 
-  // Handles an event of mouse or keyboard, with its position in pixels from the lower left of the
-  // viewport. Returns whether anything used it.
+  // Handles an event of mouse or keyboard. The event's position is in pixels from the lower left of
+  // the viewport. Returns whether a tool, a dragger or the camera used the event.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
 
-  // Takes the operation's changes since the last call and runs Inventor's sensors. Returns the
-  // damage since the last call.
+  // Takes from the operation what has changed since the last call of update(), and runs Inventor's
+  // sensors. Returns the damage since that call.
   Damage update();
   bool pending() const { return !damage_.empty(); }  // there is damage to draw
 
-  // Plays the scenario's motions, frame by frame, up to this scenario time, s. Begins where the
-  // last call ended, or at their start if they are over or were stopped. Taking a tool stops them.
+  // Plays the scenario's motions, frame by frame, up to the scenario time `until`, s. Begins where
+  // the last call ended. If the motions are over or were stopped, begins at their start. Taking a
+  // tool stops the motions.
   void play(double until);
   bool playing() const { return playing_; }
 
-  // Moves and turns the tool in hand; without one, the camera.
+  // Moves and turns the tool in hand. If there is none, moves the camera.
   void follow(const ViewMotion& motion);
+  // Places the camera for one of the fixed views of the room.
   void look(RoomView view, double aspect);
-  // Moves the camera so that organs, tool box and iso scale are in the picture; its direction
-  // stays.
+  // Moves the camera, without turning it, so that organs, tool box and iso scale are in the
+  // picture.
   void viewAll(double aspect);
-  // Stops the motions, puts all tools back into the tool box and shows the surgeon's view, which
-  // includes all organs and the tool box.
+  // Stops the motions, puts all tools back to their rest poses, and shows the surgeon's view. That
+  // view includes all organs and the tool box.
   void bringEverythingBack(double aspect);
-  // Sets `point` to the point under a pixel, on an organ's present surface or on the table's plane
-  // (world, m). False if there is none within 5 m.
+  // Sets `point` to the point that is seen at a pixel: on an organ's present surface, or on the
+  // plane of the table's top (world, m). False if there is none within 5 m of the camera.
   bool pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport, Vec3& point) const;
-  // Position of a point in the viewport, pixels.
+  // The pixel of the viewport at which a point (world, m) is seen.
   SbVec2s pixelOf(const Vec3& point, const SbViewportRegion& viewport) const;
-  // Middle of a tool's box, world, m: a click there takes the tool if nothing hides it.
+  // Middle of a tool's bounding box, world, m. A click there takes the tool if nothing hides it.
   Vec3 middleOfTool(int tool) const;
 
   SoNode* root() const { return view_.room().root(); }
@@ -70,7 +72,7 @@ class OperatingSession {
   const LiveState& state() const { return state_; }
   const Scenario& scenario() const { return scenario_; }
   const std::vector<ToolModel>& toolModels() const { return toolModels_; }
-  // Of the first organ, before the operation.
+  // Cells of the first organ before the operation.
   const Discretization& cells() const { return cells_; }
 
  private:
@@ -91,14 +93,18 @@ class OperatingSession {
   TipMarker marker_;
   SoHandleEventAction events_;
   Damage damage_{true, {}, {}};
-  std::vector<Aabb> toolBoxes_;                 // of each tool as drawn last, world
-  std::vector<std::vector<Aabb>> toolSlices_;   // boxes along each tool's axis, in its frame
-  std::vector<std::vector<Aabb>> shownSlices_;  // the same as drawn last, world
-  Aabb markerBox_;
+  std::vector<Aabb> toolBoxes_;  // per tool: its bounding box when it last moved, world, m
+  // Per tool: boxes of its slices along its axis, in the tool's frame, m.
+  std::vector<std::vector<Aabb>> toolSlices_;
+  // Per tool: boxes of its slices when it last moved, world, m; its bounding box if it had a
+  // manipulator then.
+  std::vector<std::vector<Aabb>> shownSlices_;
+  Aabb markerBox_;  // of the marker under the tip, as shown last, world, m
   bool playing_ = false;
-  std::int64_t played_ = 0, playUntil_ = 0;  // frame numbers in the scenario
+  std::int64_t played_ = 0, playUntil_ = 0;  // scenario frames: where play() begins and ends
   LiveState state_;
-  LiveOperation operation_;  // last member: its thread ends before the others are destroyed
+  // The last member, so that its thread ends before the other members are destroyed.
+  LiveOperation operation_;
 };
 
 }  // namespace resect

@@ -8,19 +8,21 @@
 
 namespace resect {
 
-// Deflection, in counts of the device along or about each axis: 0 at rest, some 350 at most.
+// Deflection of the cap along and about each axis, in counts of the device: 0 at rest, some 350 at
+// most.
 struct SixAxes {
   Vec3 push = Vec3::Zero();  // right, up, away
-  Vec3 turn = Vec3::Zero();  // about each of these axes, right-handed
+  Vec3 turn = Vec3::Zero();  // about the axes of `push`, right-handed
 };
 
+// A motion along and about the three axes of the view.
 struct ViewMotion {
   Vec3 move = Vec3::Zero();  // right, up, away, m
-  Vec3 turn = Vec3::Zero();  // about each of these axes, rad
+  Vec3 turn = Vec3::Zero();  // about the axes of `move`, right-handed, rad
 };
 
-// The motion during `seconds`, of which at most 0.1 count. On each axis a small deflection counts
-// as zero.
+// The motion during a time of `seconds`. A time of more than 0.1 s counts as 0.1 s. On each axis
+// the first 12 counts of the deflection have no effect, so that a hand may rest on the cap.
 ViewMotion motionOf(const SixAxes& axes, double seconds);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Depth cues for the instrument's tip: a plumb line down to what lies below it, a ring at the
-// line's lower end, and a glow at the tip when tissue is near or touched.
+// Depth cues for an instrument's tip: a plumb line from the tip down to what lies below it, a ring
+// at the line's lower end, and a glow at the tip when tissue is near or touched.
 #pragma once
 
 #include "base/vec.h"
@@ -22,9 +22,9 @@ class TipMarker {
   TipMarker& operator=(const TipMarker&) = delete;
 
   void hide();
-  // `tip`: its position, world, m. `below`: height of what lies under it, m. `distance`: from the
-  // tip to tissue, m; 0 inside tissue. `touching`: whether the tool touches tissue. Returns false
-  // if nothing changed.
+  // `tip`: position of the tip, world, m. `below`: height (y) of what lies under the tip, world, m.
+  // `distance`: from the tip to tissue, m; 0 inside tissue. `touching`: whether the tool touches
+  // tissue. Returns false if nothing changed.
   bool show(const Vec3& tip, double below, double distance, bool touching);
 
  private:

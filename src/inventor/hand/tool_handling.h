@@ -1,16 +1,16 @@
 // Takes and moves tools with mouse and keyboard.
 //
-// With manipulators, as in the original thesis: a left click on a tool replaces its SoTransform by
-// a handle box, which moves the tool. A middle click changes between the handle box and a
-// trackball, which turns the tool. The next tool that is taken gets whichever of the two was used
-// last. A click beside all tools
-// lets go and restores the SoTransform. The scale that a handle box would set is ignored, so
-// instruments neither change their size nor move by it.
+// A tool can be held with a manipulator, as in the original thesis. A left click on a tool replaces
+// its SoTransform by a handle box, which moves the tool. A middle click replaces the handle box by
+// a trackball, which turns the tool; another middle click brings the handle box again. Of these
+// two, the one that was used last comes with the next left click. A click beside all tools lets go
+// of the tool and restores its SoTransform. A handle box would also scale the tool. The scale is
+// ignored: the tool keeps its size and its position.
 //
-// Directly: dragging a tool moves it in the plane of the view, and the wheel moves it in depth;
-// with Shift both turn it about its tip. Arrow keys and page keys do the same as these two. Keys 1
-// to 9 take a tool, Escape puts it back, C closes its jaws while held down. One tool is held at a
-// time.
+// A tool can also be held directly. Dragging the tool moves it in the plane of the view; the wheel
+// moves it in depth. With Shift, dragging or the wheel turns the tool about its tip. The arrow keys
+// do the same as dragging, the page keys the same as the wheel. Keys 1 to 9 take a tool, Escape
+// puts the tool in hand back, and its jaws close while C is held down. One tool is held at a time.
 //
 // Events come through an SoEventCallback at the start of the scene, so that a window and a test get
 // the same behaviour. Events that are not for tools, such as those that move the camera, stay
@@ -38,41 +38,42 @@ class ToolHandling {
  public:
   enum class Hold { None, Direct, HandleBox, Trackball };
 
-  // `rests`: for each tool of the room its pose in the tool box. The room must outlive this object.
+  // `rests`: per tool of the room, its rest pose. The room must outlive this object.
   ToolHandling(OperatingRoom& room, std::vector<Pose> rests);
   ~ToolHandling();
   ToolHandling(const ToolHandling&) = delete;
   ToolHandling& operator=(const ToolHandling&) = delete;
 
   int toolCount() const { return int(rests_.size()); }
-  int held() const { return held_; }  // -1: none
-  Hold how() const { return how_; }
-  bool squeezing() const { return squeezing_; }  // the held tool's jaws are being closed
+  int held() const { return held_; }             // number of the tool in hand; -1: none
+  Hold how() const { return how_; }              // how it is held
+  bool squeezing() const { return squeezing_; }  // whether the key that closes its jaws is down
   // World pose of a tool, without the scale that a handle box may have set.
   Pose pose(int tool) const;
 
-  // Takes a tool in hand in this way and lets go of another; tool -1 or Hold::None only lets go. A
-  // tool that is taken with Hold::Direct from its rest pose turns to its working rotation.
+  // Lets go of the tool in hand, and then holds `tool` in the way `how`. With tool -1 or Hold::None
+  // no tool is held afterwards. A tool that is taken from its rest pose with Hold::Direct gets its
+  // working rotation (operation/room.h), and its tip moves to where the tool's middle was.
   void hold(int tool, Hold how);
-  // hold(tool, Hold::Direct); a tool at its rest pose also moves to readyPlace.
+  // Calls hold(tool, Hold::Direct). If the tool was at its rest pose, its tip moves to readyPlace.
   void take(int tool);
-  // Puts the tool back to its rest pose, out of hand.
+  // Moves the tool to its rest pose, and lets go of it if it is in hand.
   void putBack(int tool);
   void setPose(int tool, const Pose& pose);
 
-  // Moves the held tool, if any, by metres to the right, up and away in the view.
+  // Moves the tool in hand, if any. inView: distances to the right, up and away from the viewer, m.
   void move(const Vec3& inView);
-  // Turns the held tool, if any, about its tip: by radians about the view's right, up and away
-  // axes.
+  // Turns the tool in hand, if any, about its tip. inView: angles about the axes to the right, up
+  // and away from the viewer, rad.
   void turn(const Vec3& inView);
 
   // Where take() puts the tip of a tool from the tool box; world, m.
   Vec3 readyPlace = Vec3(0, 0.25, 0);
-  // If set: corrects the pose of every setPose(), move() and turn(), so that a tool does not go
-  // through the table. What a manipulator does is not corrected.
+  // If set: replaces each pose that a tool is to get by a corrected one, so that the tool does not
+  // go through the table. Poses from a manipulator and rest poses are not corrected.
   std::function<Pose(int tool, const Pose&)> constrain;
 
-  // Called after a tool was taken, let go, or moved.
+  // Called after a tool was taken, let go or moved, and when its jaws begin or cease to close.
   std::function<void()> changed;
 
  private:
@@ -85,7 +86,7 @@ class ToolHandling {
   void attach(int tool, Hold how);
   void detach();
   static void draggerMoved(void* self, SoDragger* dragger);
-  Vec3 onScreen(const Vec3& inView) const;  // view axes -> world
+  Vec3 onScreen(const Vec3& inView) const;  // a vector along the view's axes, in world axes
   double metresPerPixel(const SoHandleEventAction& action) const;
   bool atRest(int tool) const;
   void notify() const {
@@ -99,8 +100,8 @@ class ToolHandling {
   int held_ = -1;
   Hold how_ = Hold::None;
   bool squeezing_ = false;
-  Hold precise_ = Hold::HandleBox;  // the manipulator that a click brings
-  SbVec3f place_;                   // its translation before its dragger changed the scale
+  Hold precise_ = Hold::HandleBox;  // the manipulator that the next left click brings
+  SbVec3f place_;                   // the manipulator's translation before it last set a scale
 
   // From the press of the left button until its release.
   int pressed_ = -1;            // tool that the drag moves

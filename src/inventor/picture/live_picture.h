@@ -1,10 +1,14 @@
-// A picture of a scene, drawn again only where the scene has changed.
+// A picture of a scene that is kept and drawn again only where the scene has changed.
 //
-// On a graphics card every picture is drawn whole, with antialiased edges. With software rendering
-// only the changed parts are drawn, and new soft shadows only in every third to eighth picture.
-// Parts that are too large for the frame rate are drawn at reduced resolution. Once nothing moves,
-// the caller requests the antialiased picture strip by strip. Only pixels that may have changed
-// need be read back.
+// With a graphics card every picture is drawn whole, with antialiased edges. With software
+// rendering there are these economies:
+// - Only the changed parts are drawn.
+// - While the scene changes, soft shadows are renewed only in every third to eighth picture.
+// - If drawing takes too long for the frame rate, large changed parts are drawn at reduced
+//   resolution.
+// - Edges are not antialiased. Once nothing moves, the caller requests an antialiased picture,
+//   strip by strip, from drawSmooth().
+// The caller need read back only the pixels that may have changed.
 #pragma once
 
 #include <Inventor/SbVec2s.h>
@@ -23,34 +27,38 @@ namespace resect {
 
 class LivePicture {
  public:
-  // Draws in an offscreen context of its own. Throws Error in one sentence when there is none.
+  // The picture is drawn in an offscreen context of its own. Throws Error, with one sentence, if
+  // this context cannot be made.
   LivePicture();
   ~LivePicture();
   LivePicture(const LivePicture&) = delete;
   LivePicture& operator=(const LivePicture&) = delete;
 
-  bool processorDraws() const;             // software rendering: no graphics card
-  void setProcessorDraws(bool draws);      // overrides processorDraws(), for tests
-  void setLongestPicture(double seconds);  // drawing time above which the resolution is reduced
+  bool processorDraws() const;             // whether OpenGL renders in software
+  void setProcessorDraws(bool draws);      // for tests: sets processorDraws()
+  void setLongestPicture(double seconds);  // a longer drawing time reduces the resolution
 
-  // Whether draw() will draw the changed soft shadows too; if not, the shadow maps need no update.
+  // Whether draw(), if it is called with this damage, will draw the changed soft shadows too. If
+  // not, the shadow maps need no update before.
   bool shadowsAreDue(const Damage& damage) const;
-  // Draws the damaged parts of the scene, which contains `camera`. Returns the pixels that may have
-  // changed; valid until the next call.
+  // Draws the damaged parts of the scene. The scene must contain `camera`. size: of the picture,
+  // pixels. Returns rectangles that contain all pixels that may have changed; they are valid until
+  // the next call of draw().
   std::span<const PixelRect> draw(SoNode* scene, const SoPerspectiveCamera& camera,
                                   const Damage& damage, const SbVec2s& size);
-  // Divides the picture into `strips` horizontal strips and draws strip number `strip`, counted
-  // from 0 at the bottom, with antialiased edges. Scene and size must be those of the last draw().
+  // Divides the picture into `strips` horizontal strips and draws one of them again, with
+  // antialiased edges. strip: its number, from 0 at the bottom. The scene must be that of the last
+  // draw(). Returns the rectangle of the strip.
   PixelRect drawSmooth(SoNode* scene, int strip, int strips);
-  // Copies the pixels of `part` as 0xffRRGGBB: the top row to `topLeft`, each next row `stride`
-  // pixels further.
+  // Copies the pixels of `part` as 0xffRRGGBB. The top row goes to `topLeft`; each row below it
+  // begins `stride` pixels after the start of the row above.
   void read(const PixelRect& part, std::uint32_t* topLeft, std::ptrdiff_t stride);
-  // Discards the picture: the next one is drawn whole.
+  // Discards the picture: the next draw() draws all of it.
   void forget();
 
-  // Resolution along each axis while much of the picture changes, as a fraction of the full one.
+  // Resolution along each axis at which large changes are drawn, as a fraction of the full one.
   double scale() const { return scale_; }
-  std::int64_t drawnPixels() const { return drawnPixels_; }  // by the last draw
+  std::int64_t drawnPixels() const { return drawnPixels_; }  // by the last draw() or drawSmooth()
 
  private:
   struct Buffer;
@@ -62,13 +70,14 @@ class LivePicture {
   void adapt(double seconds);
 
   std::unique_ptr<Context> context_;
-  double scale_ = 1, longest_ = 0.028;
+  double scale_ = 1, longest_ = 0.028;  // resolution, see scale(); longest drawing time, s
   std::int64_t drawnPixels_ = 0;
-  Damage late_;  // changes of soft shadows that are not drawn yet
+  Damage late_;  // changes of soft shadows that have not been drawn yet
   std::vector<PixelRect> parts_;
-  std::vector<std::uint32_t> rows_;  // for read()
+  std::vector<std::uint32_t> rows_;  // work space of read()
   int sinceShadows_ = 0;             // pictures since the last one with new shadows
-  double plain_ = 0, shadowed_ = 0;  // recent drawing times without and with new shadows, s
+  // Moving averages of the drawing times without and with new shadows, s.
+  double plain_ = 0, shadowed_ = 0;
 };
 
 }  // namespace resect

@@ -1,7 +1,7 @@
 // Draws a scene to a picture without a display.
 //
-// Keeps an offscreen context and a multisampled framebuffer for many pictures, so that buffers,
-// textures and shaders need not be made again. The scene must contain its camera and its lights.
+// Keeps an offscreen context and a multisampled framebuffer for many pictures. So buffers, textures
+// and shaders need not be made again. The scene must contain a camera and lights.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,9 @@ namespace resect {
 
 class OffscreenView {
  public:
-  // `width`, `height`: 16 to 8192 pixels. `samples`: per pixel, 1 for no antialiasing; the driver's
-  // most are used if it has fewer. Throws Error in one sentence if EGL or OpenGL is missing, or the
-  // size is refused.
+  // `width`, `height`: 16 to 8192 pixels. `samples`: per pixel; 1: no antialiasing. If the driver
+  // supports fewer samples, its largest number is used. Throws Error if EGL or OpenGL is missing,
+  // or if the size is refused.
   OffscreenView(int width, int height, int samples = 4);
   ~OffscreenView();
   OffscreenView(const OffscreenView&) = delete;

@@ -1,7 +1,8 @@
 // Triangles of FaceSet and QuadMesh nodes.
 //
-// These two are converted here, with range checks, and not by Coin, which reads out of bounds if an
-// index or a count is wrong. The three shapes of the thesis have headers of their own.
+// Resect converts these two kinds of node itself, with range checks. Coin would read out of bounds
+// if an index or a count is wrong. The three kinds of shape that the thesis used have headers of
+// their own in this folder.
 #pragma once
 
 #include <span>
@@ -15,14 +16,14 @@ class SoQuadMesh;
 namespace resect {
 
 // Appends the faces' triangles to `triangles`, as indices into `points` (the coordinates in effect
-// at the node). Each run of points (point_runs.h) is a polygon. Throws an Error, beginning with
-// `where`, if a face needs more points than exist.
+// at the node). Each run of points (point_runs.h) is a polygon. If a face needs more points than
+// exist, throws an Error whose sentence begins with `where`.
 void appendTriangles(const SoFaceSet& shape, std::span<const Vec3> points, const std::string& where,
                      std::vector<Triangle>& triangles);
 
-// The same for a mesh of verticesPerColumn rows of verticesPerRow points, the first of them point
-// startIndex. As in Coin, each quadrilateral is split from its first corner to the opposite one.
-// Fewer than two rows or columns give nothing.
+// As above, for a mesh of verticesPerColumn rows, each of verticesPerRow points. The first point of
+// the mesh has the index startIndex. As in Coin, each quadrilateral is split from its first corner
+// to the opposite one. A mesh of fewer than two rows or columns adds nothing.
 void appendTriangles(const SoQuadMesh& shape, std::span<const Vec3> points,
                      const std::string& where, std::vector<Triangle>& triangles);
 

@@ -11,10 +11,11 @@ class SoIndexedTriangleStripSet;
 namespace resect {
 
 // Appends the strips' triangles to `triangles`, as indices into `points` (the coordinates in effect
-// at the node). A strip ends at a negative index or at the end of coordIndex. Strips of fewer than
-// three points give nothing. Every second triangle of a strip is reversed, so that all have the
-// same orientation. Triangles that use a point twice, by which files join strips, are kept; weld()
-// drops them later. Throws an Error, beginning with `where`, if there is no point for an index.
+// at the node). A strip ends at a negative index or at the end of coordIndex. A strip of fewer than
+// three points gives nothing. In each strip every second triangle is reversed, so that all have the
+// same orientation. Files join strips by triangles that use a point twice; these are kept here, and
+// weld() drops them later. Throws an Error, which begins with `where`, if an index names a point
+// that does not exist.
 void appendTriangles(const SoIndexedTriangleStripSet& shape, std::span<const Vec3> points,
                      const std::string& where, std::vector<Triangle>& triangles);
 

@@ -1,7 +1,7 @@
 // Reads the surfaces of Inventor and VRML files with Coin.
 //
 // Formats: Inventor V1.0 to V2.1, ascii and binary; VRML 1.0 and 97. For untrusted files call
-// readModel() (inventor/reading/model_file.h) instead, which runs this in a child process.
+// readModel() (inventor/reading/model_file.h) instead, which does the reading in a child process.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,10 @@
 
 namespace resect {
 
-// `bytes`: the file's content, decompressed. `path`: for messages only. Throws Error, with the
-// line, for any read error that Coin reports, since Coin then returns a partial scene; only a
-// texture that cannot be read is ignored. Not thread-safe. `tell` is called after every 10 000
-// numbers with the fraction of the bytes that is read.
+// `bytes`: the file's content, decompressed. `path`: for messages only. `tell`: called after every
+// 10 000 numbers with the fraction of the bytes that has been read. If Coin reports a read error,
+// it returns a partial scene; so an Error with the line is thrown. Only a texture that cannot be
+// read is ignored. Not thread-safe.
 Model readInventorFile(const std::string& path, std::string_view bytes,
                        ShapeReading reading = ShapeReading::Converted,
                        const std::function<void(double share)>& tell = {});

@@ -1,4 +1,5 @@
-// Reads model files of any format safely. Files from outside are read by these functions only.
+// Reads model files of all supported formats safely. Models from outside are read by these
+// functions only.
 #pragma once
 
 #include <filesystem>
@@ -8,21 +9,24 @@
 
 namespace resect {
 
-// Reads .iv and .wrl (any Inventor or VRML), .obj .stl .ply .off .glb .gltf and legacy .vtk, each
-// also gzip-compressed. The format is recognised by the first bytes if possible, else by the name.
-// The model is in metres: Units nodes of Inventor are followed; numbers of other formats are taken
-// as metres.
+// Reads .iv and .wrl (any version of Inventor or VRML), .obj, .stl, .ply, .off, .glb, .gltf and
+// legacy .vtk. Each may be gzip-compressed. The format is recognised by the first bytes if
+// possible, otherwise by the extension. The model is in metres: Units nodes of Inventor are
+// followed, and all other numbers are taken as metres.
 //
-// A child process (formats/child_process.h) reads the file, with 2 GB of memory and 5 s of
-// processor time plus 1 s for each MB of the file. If a file crashes or stalls its reader, an Error
-// is thrown. Files over 1 GB are refused.
+// A child process (formats/child_process.h) reads the file. It may use 2 GB of memory, and 5 s of
+// processor time plus 1 s for each MB of the file. If the file makes it crash or exceed a limit, an
+// Error is thrown. A file is refused if it and the files that it refers to have more than 1 GB in
+// all.
 Model readModel(const std::filesystem::path& path);
 
-// The same with progress: reports the fraction of an Inventor or VRML file that is read, and -1
-// during the reading of other formats. Cancelling kills the child.
+// The same with progress reports. For an Inventor or VRML file `progress` gets the fraction of the
+// file that has been read; for other formats it gets -1 while the file is read. At the end it gets
+// 1. Cancelling kills the child process.
 Model readModelWatched(const std::filesystem::path& path, const Progress& progress);
 
-// The same with `seconds` > 0 of processor time instead of 5.
+// The same with a limit of `seconds` > 0 of processor time instead of 5; 1 s for each MB is added
+// here too.
 Model readModelWithin(const std::filesystem::path& path, double seconds,
                       const Progress& progress = {});
 

@@ -1,4 +1,5 @@
-// Runs: the ranges of consecutive points of the strips or faces of a shape without indices.
+// Runs of points: in a shape without indices, each strip or face uses a range of consecutive
+// points.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +14,10 @@ struct PointRun {
   std::int32_t first, count;
 };
 
-// Run i has numVertices[i] points, or all remaining ones if that is -1. The first run begins at
-// point startIndex, each later one where the run before it ends. `available`: number of points.
-// Throws an Error, beginning with `where`, if a run is not within [0, available).
+// Run i has numVertices[i] points; if numVertices[i] is -1, it has all points that remain. The
+// first run begins at point startIndex. Each later run begins where the run before it ends.
+// `available`: number of points that exist. If a run is not within [0, available), throws an Error
+// whose sentence begins with `where`.
 std::vector<PointRun> pointRuns(const SoMFInt32& numVertices, std::int32_t startIndex,
                                 std::size_t available, const std::string& where);
 

@@ -9,15 +9,17 @@ class SoNode;
 
 namespace resect {
 
-// How shapes become triangles. Converted: by our own range-checked converters where there is one,
-// else by Coin. ByCoin: all by Coin, as a reference for tests; safe for valid scenes only.
+// Who turns shapes into triangles. Converted: Resect's own converters, which check ranges; Coin for
+// kinds of shape that have no such converter. ByCoin: Coin for all shapes; a reference for tests,
+// safe for valid scenes only.
 enum class ShapeReading { Converted, ByCoin };
 
 // Adds to model.parts the triangles of all shapes that would be drawn. Switch, LevelOfDetail, USE,
-// Array, Units and all transforms are followed; lines, points, flat text and draggers are left out.
-// A part is named by the innermost DEF around its shape. Throws an Error about model.path if a
-// count or an index in the scene is out of range, or the scene has more than 20 million triangles.
-// `root` must be referenced.
+// Array, Units and all transforms are followed. Lines, points, flat text and draggers are left out.
+// A shape's triangles go to the part with the shape's DEF name; if it has none, with that of the
+// innermost node round it that has one. Throws an Error about model.path if a count or an index in
+// the scene is out of range, or if the scene has more than 20 million triangles. The caller must
+// hold a reference to `root` (SoNode::ref()).
 void addScene(SoNode* root, ShapeReading reading, Model& model);
 
 }  // namespace resect

@@ -59,7 +59,8 @@ class OperatingRoom {
 
   SoNode* root() const;
   SoPerspectiveCamera* camera() const { return camera_; }
-  // The shape of an organ: number 0 is the first, addOrgan() adds the others.
+  // The shape of an organ. The room has one organ, number 0, from the start; addOrgan() adds
+  // others.
   SoOrganShape* organ(int number = 0) const {
     require(number >= 0 && number < organCount(),
             "there is no organ {} among the room's {}; number from 0", number, organCount());
@@ -68,19 +69,20 @@ class OperatingRoom {
   int organCount() const { return int(organs_.size()); }
   void addOrgan(const Vec3f& colour);
 
-  // `model` replaces the present table or tool box; nullptr removes it.
+  // `model` replaces the present table or tool box. With nullptr there is none afterwards.
   void setTable(SoNode* model);
   void setToolbox(SoNode* model, const Pose& pose = {});
 
-  // Returns the tool's number; tools are numbered from 0 in the order they are added. `model` is in
-  // the tool's frame: tip at the origin, handle along +Z, m.
+  // Returns the tool's number; tools are numbered from 0 in the order in which they are added.
+  // `model` is in the tool's frame (m): tip at the origin, handle along +Z.
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
-  // Opens or closes the jaws of a tool; `squeeze`: 0 wide open to 1 closed. Jaws are the
-  // SoTransforms of the model whose names begin with "Jaw". Wide open they have the rotation given
-  // in the model, closed none. Returns false if nothing turned.
+  // Opens or closes the jaws of a tool. `squeeze`: 0 wide open to 1 closed. Jaws are the
+  // SoTransforms of the model whose names begin with "Jaw". When wide open, they have the rotation
+  // given in the model; when closed, no rotation. Returns false if nothing turned.
   bool setToolSqueeze(int tool, double squeeze);
-  // The tool's SoTransform, or the manipulator in its place, which is an SoTransform too.
+  // The tool's SoTransform. If a manipulator has taken its place: the manipulator, which is an
+  // SoTransform too.
   SoTransform* toolTransform(int tool) const;
   // Bounds of a tool, and of its manipulator if it has one; world, m.
   Aabb toolBounds(int tool) const;
@@ -88,20 +90,20 @@ class OperatingRoom {
   int toolOfPath(const SoFullPath& path) const;
 
   // Shows a mesh as the first organ, uncut, with smooth normals (geometry/normals.h). For an organ
-  // that changes, update organ() instead; the surface of an added organ must be closed, since its
-  // back faces are not drawn.
+  // that changes, update organ() instead. If that organ came from addOrgan(), its surface must be
+  // closed, since its back faces are not drawn.
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
   void setOrganColour(const Vec3f& colour);  // of the first organ
   void setOrganPose(const Pose& pose);       // of all organs and tissues
 
-  // Shows another mesh beside the organ, in the organ's coordinate frame: vessels, gallbladder.
+  // Shows another mesh beside the organs, in their coordinate frame: vessels, gallbladder.
   void addTissue(const TriangleMesh& mesh, const Vec3f& colour);
 
-  // Adds a callback before all nodes that handle events.
+  // Adds a callback in front of all nodes that handle events, so that it gets each event first.
   void addListener(SoEventCallback* listener);
   void removeListener(SoEventCallback* listener);
 
-  // Models and poses, for writing the room to a file. Null: there is no such model.
+  // Models and poses, for writing the room to a file. A null pointer: there is no model.
   SoNode* tableModel() const;
   SoNode* toolboxModel() const;
   Pose toolboxPose() const;
@@ -109,13 +111,13 @@ class OperatingRoom {
   SoNode* toolModel(int tool) const;
   const SoSpotLight* lamp(int which) const { return lamps_[which]; }  // 0 or 1
 
-  // Aids for the operator that are not part of a real room: draggers, markers. They have no shadows
-  // and no shaders.
+  // Aids for the operator that are not part of a real room: draggers, markers. They cast no shadows
+  // and are drawn without shaders.
   SoSeparator* aids() const { return aids_; }
 
-  // Call after a change of organs, tools or tool box, with a box that contains it, world, m.
-  // Shadows are redrawn only in the boxes given since the last picture; everywhere after an empty
-  // box, or if there was no call.
+  // Call after a change of organs, tools or tool box. `box`: contains the change, world, m. The
+  // next picture redraws shadows only in the boxes given since the last picture. It redraws all
+  // shadows if one of these boxes was empty, or if there was no call.
   void changedIn(const Aabb& box);
 
   const SoShadowMaps& shadows() const { return *shadows_; }
@@ -127,12 +129,13 @@ class OperatingRoom {
   // is set, but not in every frame: the light would flicker.
   void lightUp(const Aabb& box);
 
-  // Aims the camera at the box, so that all of it is in a picture. `aspect`: the picture's width /
-  // height.
+  // Aims the camera at the box (world, m), so that all of it is in a picture. `aspect`: the
+  // picture's width / height.
   void look(RoomView view, const Aabb& box, double aspect);
-  // The same with the box in the middle, and the camera as near as the box's corners allow.
+  // As look(), but with the box in the middle, and with the camera as near as the box's corners
+  // allow.
   void frame(RoomView view, const Aabb& box, double aspect);
-  // Shows all of the box from the camera's present direction.
+  // Moves the camera so that all of the box is in a picture. The camera's direction stays.
   void viewAll(const Aabb& box, double aspect);
 
  private:
@@ -162,8 +165,8 @@ class OperatingRoom {
   SoSeparator* aids_;
 };
 
-// Sets and returns position and rotation of an Inventor transform. setPose() keeps its scale,
-// getPose() ignores it.
+// setPose() sets the position and rotation of an Inventor transform and keeps its scale. getPose()
+// returns position and rotation and ignores the scale.
 void setPose(SoTransform* transform, const Pose& pose);
 Pose getPose(const SoTransform& transform);
 

@@ -15,22 +15,22 @@ class SoNode;
 
 namespace resect {
 
-// Reads one of the models that come with Resect, as a scene graph with its materials. Not for
+// Reads one of the models that come with Resect; returns its scene graph, with materials. Not for
 // untrusted files: read those by readModel().
 SoNode* readSceneFile(const std::filesystem::path& path);
 
 class OperationView {
  public:
-  // Sets up room, tools and organs. Aims the lamps at the organs; aims the camera at
+  // Sets up room, tools and organs. Aims the lamps at the organs. Aims the camera at
   // scenario.closeUp if that is set, else at the organs. `aspect`: width / height of the picture.
-  // If there is no view named scenario.view (roomView()), throws an Error that lists the views.
-  // Calls simulation.keepLook().
+  // Calls simulation.keepLook(). If there is no view named scenario.view (roomView()), throws an
+  // Error that lists the views.
   OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
 
-  // Call after every step: moves the tools and applies the surfaces' changes.
+  // Call after every step. Moves the tools and applies the changes of all organs' surfaces.
   void follow(const Simulation& simulation);
-  // For an operation in another thread: applies the surfaces' changes, one update per organ; moves
-  // no tools.
+  // For an operation that runs in another thread. Applies the changes of the organs' surfaces, one
+  // update per organ; moves no tools.
   void follow(std::span<const SurfaceUpdate> updates);
 
   RgbImage draw(OffscreenView& picture) const;
@@ -39,7 +39,7 @@ class OperationView {
 
  private:
   OperatingRoom room_;
-  // One per organ of the simulation. They leave out no motion, however small.
+  // One per organ of the simulation. These publishers publish every motion, however small.
   std::vector<SurfacePublisher> publishers_;
 };
 

@@ -1,8 +1,9 @@
-// Saves an operation as a file that any Inventor viewer shows, and reads its poses back.
+// Saves an operation as a file that any Inventor viewer shows, and reads the poses back from that
+// file.
 //
-// The file has plain nodes only: camera, lamps, materials, transforms, and the organ as an
-// IndexedFaceSet with normals, named Organ. The cells are not saved: who operates on the file again
-// gets new cells, made from the cut surface.
+// The file has plain nodes only: camera, lamps, materials and transforms, and the organ as an
+// IndexedFaceSet with normals, named Organ. The cells are not saved. If the file is opened for
+// another operation, new cells are made from the cut surface.
 #pragma once
 
 #include <filesystem>
@@ -14,23 +15,23 @@
 
 namespace resect {
 
-constexpr const char* kOrganNode = "Organ";  // name of the file's part that is the organ
+constexpr const char* kOrganNode = "Organ";  // name of the node that holds the organ
 
-// Writes atomically (io/atomic_file.h); throws Error in one sentence if that fails.
+// Writes atomically (io/atomic_file.h). Throws Error if the file cannot be written.
 void writeSceneFile(const std::filesystem::path& path, const OperatingRoom& room,
                     const SurfaceTracker::Compact& organ);
 
 struct ScenePlaces {
-  std::vector<Pose> tools;  // in the order of the saved room
+  std::vector<Pose> tools;  // one per tool, in the order of the saved room
   Pose camera;
-  double heightAngle = 0;    // rad
-  double focalDistance = 0;  // m
+  double heightAngle = 0;    // of the camera's view, rad
+  double focalDistance = 0;  // from the camera to its point of interest, m
 };
 
-// Tools and camera of a file that writeSceneFile() wrote; nothing for other files. Reads in this
-// process, not in a child: so call readModel() first, which rejects harmful files.
+// Tools and camera of a file that writeSceneFile() wrote; nullopt for any other file. The file is
+// read in this process, not in a child. So call readModel() first, which rejects harmful files.
 std::optional<ScenePlaces> readScenePlaces(const std::filesystem::path& path);
-// Gives the room's camera the saved pose and angle.
+// Gives the room's camera the saved pose, height angle and focal distance.
 void setCamera(OperatingRoom& room, const ScenePlaces& places);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Reads and writes files *.resect-cells: an organ's cells, that is lattice, colour values,
-// particles, labels with names and landmarks, and the origin of the cells.
+// Reads and writes files *.resect-cells. Such a file holds an organ's lattice, colour values,
+// particles, labels, names of labels, and landmarks. It also says where these come from.
 //
 // docs/cells_file.md describes the format: a text header, then runs (io/cells/byte_runs.h), then a
 // checksum. Lengths are in metres. The same cells give the same bytes on every machine; reading
@@ -32,13 +32,14 @@ inline bool isCellsFile(const std::filesystem::path& path) {
   return path.extension() == ".resect-cells";
 }
 
-// The bytes of such a file. Throws Error if the cells cannot be stored: there are none or more than
-// kMaxCells, the lattice reaches beyond 1000 km, or a name is not UTF-8.
+// The bytes of a *.resect-cells file. Throws Error if the cells cannot be stored. Limits: 1 to
+// kMaxCells cells, fewer than a million along each axis; origin and spacing below 1000 km; names in
+// UTF-8; header of at most 1 MB.
 std::string formatCells(const KeptCells& kept);
 
-// Reads the bytes of such a file. Throws Error if anything in them is wrong. Memory is allocated
-// only after all lengths are checked, and for kMaxCells at most. `name`: the file's name for
-// errors.
+// Reads the bytes of a *.resect-cells file. Throws Error if anything in them is wrong. Memory is
+// allocated only after all lengths are checked, and for kMaxCells cells at most. `name`: the file's
+// name, for Errors.
 KeptCells parseCells(std::string_view bytes, const std::string& name);
 
 KeptCells readCells(const std::filesystem::path& path);

@@ -1,5 +1,5 @@
-// Files that hold particles, in one of two formats, chosen by the extension: the thesis's text
-// (*.dis) or cells with all their data (*.resect-cells).
+// Reads and writes files of particles. The extension chooses one of two formats: the thesis's text
+// (*.dis), or cells with all their data (*.resect-cells).
 #pragma once
 
 #include "io/cells/cells_file.h"
@@ -11,11 +11,11 @@ inline bool isParticleFile(const std::filesystem::path& path) {
   return isDiscretizationFile(path) || isCellsFile(path);
 }
 
-// unit: metres per unit of a *.dis file; must be 1 for other files, which are in metres. Throws the
-// Errors of the format's own reader.
+// unit: metres per unit of a *.dis file. It must be 1 for a *.resect-cells file, which is always in
+// metres; else Error is thrown. Also throws the Errors of the format's own reader.
 KeptCells readParticleFile(const std::filesystem::path& path, double unit = 1);
 
-// A *.resect-cells file gets everything; a file of any other name is written in the thesis's
+// A file named *.resect-cells gets all data. A file of any other name is written in the thesis's
 // format, which has no labels, landmarks or origin.
 void writeParticleFile(const std::filesystem::path& path, const KeptCells& kept);
 

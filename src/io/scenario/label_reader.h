@@ -1,5 +1,5 @@
-// Reads the labels of an organ and their materials: [[organ.label]] and [[tissue.material]] of
-// docs/scenarios.md.
+// Reads the labels of an organ and their materials from a scenario: [[organ.label]] and
+// [[tissue.material]] in docs/scenarios.md.
 #pragma once
 
 #include "io/scenario/toml_table.h"
@@ -7,15 +7,16 @@
 
 namespace resect {
 
-// All [[label]] of an organ's table. A label's number may occur several times, but with one name
-// only (else an Error).
+// All [[label]] entries of an organ's table. Several entries may have the same number, but they
+// must not give it different names; else Error is thrown.
 std::vector<OrganLabel> readLabels(const TomlTable& organ);
 
-// Reads young, poisson, density and tear_stretch; a missing key has its value from `defaults`.
+// Reads young, poisson, density and tear_stretch. A key that is missing gets its value from
+// `defaults`.
 TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults);
 
-// All [[material]] of the tissue's table; a missing key has its value from `own`, the material of
-// the organ's own cells.
+// All [[material]] entries of the tissue's table, at most one per label. A key that is missing gets
+// its value from `own`, the material of the cells with label 0.
 std::vector<LabelMaterial> readMaterials(const TomlTable& tissue, const TissueMaterial& own);
 
 }  // namespace resect

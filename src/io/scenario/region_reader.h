@@ -1,5 +1,5 @@
-// Reads a region of an organ from a table. docs/scenarios.md, "Regions", lists the keys, which are
-// the same in all tables that give a region.
+// Reads a region of an organ from a TOML table. docs/scenarios.md, "Regions", lists the keys. They
+// are the same in every table that gives a region.
 #pragma once
 
 #include "io/scenario/toml_table.h"
@@ -7,16 +7,16 @@
 
 namespace resect {
 
-// Reads key = [[x, y, z], [x, y, z]], any two opposite corners of a box. `advice`: what to give;
-// the Error says it if the key is missing or wrong.
+// Reads key = [[x, y, z], [x, y, z]], any two opposite corners of a box. If the key is missing, or
+// does not have two points, throws an Error that ends with `advice`: what to give instead.
 Aabb readBox(const TomlTable& t, const std::string& key, const std::string& advice);
 
-// Reads the keys of a region; the caller reports unknown keys. Throws Error if neither shape nor
-// depth is given, or several shapes are.
+// Reads the keys of a region; the caller reports unknown keys. Throws Error if a value is wrong, if
+// more than one shape is given, or if neither a shape nor a depth is given.
 Region readRegion(const TomlTable& t);
 
-// Reads the landmarks of the table [landmark] in `t`: name = [x, y, z] for each, in fractions of
-// the organ's box.
+// Reads the landmarks of an organ: for each a line name = [x, y, z] in the table [landmark] inside
+// `t`. The coordinates are fractions of the organ's box.
 std::vector<Landmark> readLandmarks(const TomlTable& t);
 
 }  // namespace resect

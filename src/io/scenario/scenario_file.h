@@ -1,4 +1,5 @@
-// Reads scenario files (TOML) and tools' description files. docs/scenarios.md lists the keys.
+// Reads scenario files and the description files of tools, both TOML. docs/scenarios.md and
+// docs/how-to/add_a_tool.md list the keys.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +11,20 @@
 
 namespace resect {
 
-// Function that reads a model file as one closed, outward mesh in metres, or throws Error. Supplied
-// by the caller, since the layer that reads Inventor files lies above this one.
+// Function that reads a model file and returns one closed mesh, oriented outwards, in metres, or
+// throws Error. The caller supplies it, since the layer that reads Inventor files lies above this
+// one.
 using MeshReader = std::function<TriangleMesh(const std::filesystem::path&)>;
 
-// Reads and checks a scenario; Errors name file and line. A file that the scenario names is looked
-// for beside it; if it is not there, its name is kept as given (loadTools() in io/operation_setup.h
-// then also looks among the shipped tools).
+// Reads and checks a scenario; Errors name file and line. If the scenario names a file that lies
+// beside it, the result has the path to that file. Else the result has the name as given. For a
+// tool, loadTools() (io/operation_setup.h) then looks among those that come with Resect too.
 Scenario readScenario(const std::filesystem::path& path);
-// The same from text; `name` stands for the file in Errors, and names of files are kept as given.
+// Does the same with the text of a scenario. `name` stands for the file in Errors. The result has
+// the names of files as given.
 Scenario parseScenario(const std::string& text, const std::string& name);
 
-// Reads a tool's description and, with `readMesh`, the model beside it.
+// Reads a tool's description file, and with `readMesh` the model file that it names.
 ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh);
 // The same from text; `name` stands for the file in Errors.
 ToolModel parseTool(const std::string& text, const std::string& name, const MeshReader& readMesh);

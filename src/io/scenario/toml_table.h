@@ -1,6 +1,6 @@
-// A checked TOML table: values with their ranges, and Errors with file, line and key.
+// A TOML table whose values are checked when they are read. An Error names file, line and key.
 //
-// Wraps one toml++ table. Every value that is read is checked for type and range.
+// Wraps one toml++ table. Type and range of every value that is read are checked.
 // refuseUnknownKeys() throws Error for keys that were never read, so that a misspelt key is not
 // silently ignored.
 #pragma once
@@ -26,11 +26,12 @@ namespace resect {
 class TomlTable {
  public:
   static TomlTable readFile(const std::filesystem::path& path);
-  // `name` stands for a file in Errors.
+  // `name`: used in Errors as the name of the file.
   static TomlTable parse(const std::string& text, const std::string& name);
 
   bool has(const std::string& key) const;
-  // A missing key gives the default, `missing`; if there is no default, it is an Error.
+  // low, high: the least and the greatest value allowed. If the key is missing, the result is
+  // `missing`; without `missing`, a missing key is an Error.
   double number(const std::string& key, double low, double high,
                 std::optional<double> missing = {}) const;
   int integer(const std::string& key, int low, int high, std::optional<int> missing = {}) const;
@@ -43,20 +44,22 @@ class TomlTable {
   std::vector<std::string> texts(const std::string& key) const;  // empty when missing
   double length(const std::string& key, double low,
                 double high) const;  // "5mm", or a number of metres
-  // { axis = [x, y, z], degrees = 30 }, or { handle = [...], edge = [...] }: directions of a tool's
-  // handle (+Z of its frame) and edge (-Y). Identity if missing.
+  // { axis = [x, y, z], degrees = 30 }, or { handle = [x, y, z], edge = [x, y, z] }. The second
+  // form gives the directions in which a tool's handle (+Z of the tool's frame) and edge (-Y) are
+  // to point. Identity if the key is missing.
   Eigen::Quaterniond rotation(const std::string& key) const;
 
   std::optional<TomlTable> table(const std::string& key) const;
   bool isList(const std::string& key) const;
-  std::vector<TomlTable> tables(
-      const std::string& key) const;  // [[key]] or key = [{...}, ...]; empty when missing
+  // [[key]] or key = [{...}, ...]; one table [key] is a list of one. Empty when missing.
+  std::vector<TomlTable> tables(const std::string& key) const;
 
   std::vector<std::string> keys() const;  // of this table, not of tables in it; sorted
 
-  // Throws Error if this table has a key that was not read; tables in it are not looked at.
+  // Throws Error if this table has a key that was not read. Does not look into tables inside this
+  // one.
   void refuseUnknownKeys() const;
-  // Throws Error: file, line and key, then the sentence.
+  // Throws an Error that gives file, line and key, then the sentence.
   [[noreturn]] void complain(const std::string& key, const std::string& sentence) const;
   const std::string& file() const { return file_; }
 
@@ -70,7 +73,7 @@ class TomlTable {
   std::shared_ptr<const toml::table> root_;  // keeps the document alive
   const toml::table* table_;
   std::string file_, path_;
-  std::shared_ptr<std::set<std::string>> asked_;
+  std::shared_ptr<std::set<std::string>> asked_;  // keys that were read
 };
 
 }  // namespace resect

@@ -1,9 +1,9 @@
 // An operation that runs in a thread of its own while a person looks at it.
 //
-// The thread steps the simulation at the frame rate of real time; the window never waits for it.
-// Inputs can be set at any moment and apply from the next frame on; surface changes are taken as
-// updates. Time lost by slow frames is not made up: the operation then runs slower than the clock,
-// and StepTimes::realTimeFactor is below 1.
+// The thread steps the simulation at `frameRate` frames per second of real time. The window never
+// waits for a frame, except in surface(). Inputs can be set at any moment and apply from the next
+// frame on. take() gives surface changes as updates. Time lost by slow frames is not made up: the
+// operation then runs slower than the clock, and StepTimes::realTimeFactor is below 1.
 #pragma once
 
 #include <chrono>
@@ -31,23 +31,25 @@ class LiveOperation {
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;
 
-  // Takes effect from the next frame on. May be called from any thread. Jaws move no faster than a
-  // hand moves them (squeeze_speed.h).
+  // setTool() and setIso() take effect from the next frame on and may be called from any thread.
+  // The jaws of a tool that is set here move no faster than a hand moves them (squeeze_speed.h).
   void setTool(int tool, const ToolInput& input);
   void setIso(float iso);
   // From the next frame on `motion` moves the tools. It is called once per frame, in the
-  // operation's thread, until it returns nothing; play({}) ends it earlier. Of its result only
-  // `tools` is used. If a step refuses this input, the motion ends too, and LiveState::faults says
-  // why.
+  // operation's thread, until it returns nothing. play({}) ends it earlier. Of the FrameInput that
+  // it returns, only `tools` is used. If a step refuses these tools, the motion ends too, and
+  // LiveState::faults says why.
   void play(std::function<std::optional<FrameInput>()> motion);
   bool playing() const;
   void setPaused(bool paused);
 
-  // Moves the changes since the last call to `updates`, one per organ, and copies the state.
-  // Returns false, and changes neither, if no frame has ended since.
+  // Gives what is new since the last call of take(): writes one surface update per organ to
+  // `updates`, and copies the state to `state`. If no frame has ended since that call, returns
+  // false and changes neither.
   bool take(std::vector<SurfaceUpdate>& updates, LiveState& state);
 
-  // The present surface, for saving. Waits at most until the current frame ends.
+  // The present surface of all organs, for saving. If a frame is being computed, waits until that
+  // frame ends.
   SurfaceTracker::Compact surface();
   // Waits until at least this frame is done (for tests).
   void waitFor(std::int64_t frame);
@@ -55,7 +57,7 @@ class LiveOperation {
  private:
   struct Frame {
     FrameInput input;
-    std::vector<ToolInput> played;  // the tools as a motion moves them; empty: none does
+    std::vector<ToolInput> played;  // the tools as motion_ moves them; empty: no motion plays
   };
   void work();
   std::optional<Frame> nextFrame(std::chrono::steady_clock::time_point due);
@@ -63,10 +65,11 @@ class LiveOperation {
   std::unique_ptr<Simulation> simulation_;
   const double frameRate_;
   const double wholeVolume_;  // m^3, before the operation
-  mutable std::mutex mutex_;  // guards all below, and the simulation between frames
+  mutable std::mutex mutex_;  // guards all members below; between frames, also simulation_
   std::condition_variable newFrame_, wake_;
   FrameInput input_;
   std::function<std::optional<FrameInput>()> motion_;
+  // fresh_: a frame has ended since the last take().
   bool paused_ = false, ending_ = false, fresh_ = false;
   bool stepping_ = false;  // a frame is being computed: only the thread may use the simulation
   int readers_ = 0;  // callers waiting for the end of the frame; the next frame waits for them

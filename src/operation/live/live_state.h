@@ -1,4 +1,5 @@
-// The state of an operation besides its surface, for panels: counts, volumes, forces, times.
+// The state of an operation that the window shows in its panels: counts, volumes, forces, times.
+// The surface is not part of it.
 #pragma once
 
 #include <cstdint>
@@ -15,25 +16,26 @@ namespace resect {
 struct LiveState {
   std::int64_t frame = 0;
   double time = 0;         // simulated, s
-  double lastRemoval = 0;  // when a frame last removed particles, steady clock, s
+  double lastRemoval = 0;  // steady clock at the last removal of particles, s; 0: none
+  // Particles left; particles removed so far; triangles of the surface.
   std::int64_t particles = 0, removed = 0, triangles = 0;
-  double removedVolume = 0, volume = 0;  // m^3
-  float iso = 50;
-  bool moves = false;               // the tissue is elastic
-  std::vector<std::string> faults;  // since the last LiveOperation::take(), each once
-  std::vector<ToolInput> played;    // inputs of a motion that plays; empty: none plays
+  double removedVolume = 0, volume = 0;  // of the tissue removed; of the tissue left; m^3
+  float iso = 50;                        // iso level
+  bool moves = false;                    // whether any tissue is elastic
+  std::vector<std::string> faults;       // since the last LiveOperation::take(), each once
+  std::vector<ToolInput> played;  // the tools' inputs while a motion plays; empty: no motion plays
   StepTimes times;
-  // One per tool.
-  std::vector<TipPlace> tips;          // meaningful only while the tool is in hand
-  std::vector<double> squeeze;         // of its jaws: 0 wide open, 1 closed
-  std::vector<double> forces;          // smoothed force of the tissue on it, N
-  std::vector<double> peakForces;      // largest of its forces so far, each the mean of a frame, N
-  std::vector<double> lastTouch;       // simulated time when it last touched tissue, s; -1 never
-  std::vector<std::uint8_t> touching;  // 1 if lastTouch is within the last 0.1 s
+  // The lists below have one element per tool.
+  std::vector<TipPlace> tips;      // valid only while the tool is in hand
+  std::vector<double> squeeze;     // of its jaws: 0 wide open, 1 closed
+  std::vector<double> forces;      // smoothed force of the tissue on the tool, N
+  std::vector<double> peakForces;  // largest force in any frame so far, as that frame's mean, N
+  std::vector<double> lastTouch;   // simulated time when the tool last touched tissue, s; -1: never
+  std::vector<std::uint8_t> touching;  // 1: the tool touched tissue in the last 0.1 s
 };
 
-// Updates everything except `played` and `times` after a step. simulation.keepLook() must have been
-// called. `before`: volume of the tissue before the operation, m^3.
+// To be called after a step: updates everything except `played` and `times`. simulation.keepLook()
+// must have been called before the step. `before`: volume of the tissue before the operation, m^3.
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
               double before);
 

@@ -1,4 +1,4 @@
-// The present surface of an organ.
+// The surface of an organ where its tissue is now.
 #pragma once
 
 #include <span>
@@ -7,15 +7,15 @@
 
 namespace resect {
 
-// View of an organ's surface after a step: the tracker's arrays, moved with the tissue. Valid until
-// the next step.
+// View of an organ's surface after a step. Its arrays are those of Organ::surface, with the points
+// and normals moved as the tissue has moved. Valid until the next step.
 struct PresentSurface {
   const Organ& organ;
   std::span<const Vec3f> points, normals;  // world, m; unit, outwards; one per vertex
-  bool moves = false;                      // the tissue is elastic
+  bool moves = false;                      // TissueModel::moves()
 };
 
-// simulation.keepLook() must have been called: the view has normals.
+// organ: its number. Call simulation.keepLook() before, since the view has normals.
 inline PresentSurface presentSurface(const Simulation& simulation, std::size_t organ = 0) {
   const OperatedOrgan& o = simulation.organs()[organ];
   return {o.organ, o.points(), o.normals(), o.tissue->moves()};

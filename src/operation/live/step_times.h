@@ -1,4 +1,4 @@
-// Speed of an operation, measured over its steps of the last second.
+// Speed of an operation, measured over its last steps: those of the last second of simulated time.
 #pragma once
 
 #include <string>
@@ -10,21 +10,22 @@ namespace resect {
 
 struct StageTime {
   std::string name;
-  double median = 0;  // s
+  double median = 0;  // duration of the stage, s
 };
 
 struct StepTimes {
   std::vector<StageTime> stages;
-  double median = 0, worst = 0;  // s, of whole steps
+  double median = 0, worst = 0;  // median and longest duration of whole steps, s
   double realTimeFactor = 1;     // simulated time / elapsed time
 };
 
+// Keeps the times of the last steps, `frameRate` of them (rounded up).
 class LastSecond {
  public:
   explicit LastSecond(double frameRate);  // simulated frames per second
-  // clock: the laps of one step. arrival: when the step ended, steady clock, s.
+  // Adds one step. clock: the laps of this step alone. arrival: when it ended, steady clock, s.
   void add(const StageClock& clock, double arrival);
-  // Measured over the last steps, as many as a second should have. Cost: a sort for each stage.
+  // The figures of the steps that are kept. Cost: a sort for each stage.
   StepTimes times() const;
 
  private:

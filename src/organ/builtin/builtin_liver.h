@@ -1,11 +1,11 @@
 // The built-in human liver, as a signed function and as a mesh.
 //
 // A liver computed from a formula, so that nothing has to be downloaded. It has a right and a left
-// lobe under a domed diaphragmatic face; a hollow visceral face with the gallbladder fossa, the
-// umbilical fissure and the groove of the vena cava; and a sharp inferior margin. The formula
-// blends ellipsoids that tools/fit_liver fitted to the liver of the Visible Human Male;
-// docs/methods/builtin_liver.md describes the fit and how close it comes. In metres, Y up, +Z
-// anterior, +X the patient's left, its centre of volume near the origin; about 1.6 l.
+// lobe under a domed diaphragmatic face. Its visceral face is hollow, with the gallbladder fossa,
+// the umbilical fissure and the groove of the vena cava. Its inferior margin is sharp. The formula
+// blends ellipsoids that tools/fit_liver fitted to the liver of the Visible Human Male.
+// docs/methods/builtin_liver.md describes the fit and its error. The volume is about 1.6 l, with
+// its centre near the origin. Coordinates are in metres: Y up, +Z anterior, +X the patient's left.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -17,9 +17,9 @@ namespace resect {
 // microsecond.
 double builtinLiverDistance(const Vec3& p);
 
-// Its surface: closed, oriented outwards, one piece of genus 0. `edge`, 0.0005 to 0.005 m, is the
-// longest edge of most triangles; at 2.5 mm there are some 60 000 triangles, computed in a fraction
-// of a second.
+// The liver's surface: closed, oriented outwards, one piece of genus 0. `edge`, 0.0005 to 0.005 m:
+// most triangles have no edge longer than this. At 2.5 mm there are some 60 000 triangles, computed
+// in a fraction of a second.
 TriangleMesh builtinLiver(double edge = 0.0025);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Owners of grid nodes near cuts: the particle that each node goes with.
+// Owners of grid nodes near cuts: for each node, the particle that it goes with.
 #pragma once
 
 #include <array>
@@ -11,25 +11,27 @@
 
 namespace resect {
 
-// The nodes of a box that lie in tissue, and the whole grid edges between them, that is those that
-// are not severed. Found on demand, brick by brick, for 64 nodes at a time.
+// The nodes of a box that lie in tissue, and the grid edges between them that are whole, that is,
+// not severed. Found on demand, for the 64 nodes of a brick at a time.
 class TissueGrid {
  public:
-  // Serves the nodes of the box and those next to it. Nodes may lie outside the field.
+  // Answers for the nodes of the box and those next to it. A node outside the field is not in
+  // tissue.
   TissueGrid(const Organ& organ, const IndexBox& nodes);
 
   bool inTissue(const Vec3i& node) { return inside(brickOf(node)) >> bitOf(node) & 1; }
-  // The whole edges from a node in tissue to other nodes in tissue, one bit each: bit 2 * axis, + 1
-  // if the edge leads upwards.
+  // The whole edges that lead from a node in tissue to neighbouring nodes in tissue, one bit each:
+  // bit 2 * axis for the edge downwards along the axis, bit 2 * axis + 1 for the edge upwards.
   unsigned ways(const Vec3i& node);
-  // Whether all edges are whole in a block of `side` grid cells along each axis, with `first` as
-  // its lowest node.
+  // Whether all nodes lie in tissue and all edges are whole in a block of grid cells. The block has
+  // `side` cells along each axis; `first` is its lowest node.
   bool whole(const Vec3i& first, int side);
 
  private:
   struct Brick {
     bool insideKnown = false, wholeKnown = false, cellsKnown = false;
-    // whole: edges per axis, bit = lower node; cells: those with twelve whole edges
+    // Bits stand for nodes. inside: nodes in tissue. whole: per axis, the lower nodes of whole
+    // edges. cells: the lowest nodes of cells with twelve whole edges.
     std::uint64_t inside = 0, whole[3] = {}, cells = 0;
   };
 
@@ -45,17 +47,19 @@ class TissueGrid {
   std::vector<Brick> bricks_;
 };
 
-// The owner of a grid node: the particle that is the fewest whole edges away, on a path through
-// tissue; among equals the one with the lowest index. -1 if none is within kFar edges.
+// The owner of a grid node: the particle that is the fewest edges away, on a path of whole edges
+// through tissue. Of several at the same distance it is the one with the lowest index. -1 if no
+// particle is within kFar edges.
 class NodeOwners {
  public:
-  static constexpr int kFar = 6;  // edges
+  static constexpr int kFar = 6;  // greatest distance of an owner, edges
 
-  // Serves the nodes of a box. grid: must cover the box and kFar nodes round it. Cost: four bytes
-  // per node that the grid must cover, and work proportional to the nodes that searches visit.
+  // Answers for the nodes of a box. grid: must cover the box and kFar nodes round it. Cost: four
+  // bytes per node that the grid must cover, and work proportional to the number of nodes that
+  // searches visit.
   NodeOwners(const Organ& organ, TissueGrid& grid, const IndexBox& box);
 
-  // node: in tissue.
+  // node: must lie in tissue.
   std::int64_t operator()(const Vec3i& node) {
     const std::int32_t owner = within(kFar, box_.index(node));
     return owner == kNobody ? -1 : owner;
@@ -66,7 +70,8 @@ class NodeOwners {
 
   struct Known {
     std::int32_t owner = kNobody;
-    // Radius searched so far, edges: the owner is known, or it is farther away.
+    // Radius searched so far, edges. If `owner` is known, this is its distance; if not, the owner
+    // is farther away.
     std::int8_t searched = 0;
     std::uint8_t ways;  // TissueGrid::ways() of the node
   };
@@ -77,8 +82,8 @@ class NodeOwners {
   }
   std::int32_t lookAt(std::int32_t i);
 
-  // The owner of node i if it is at most `edges` away, else kNobody. The result is chosen without a
-  // branch, which the processor could not predict.
+  // The owner of node i if that particle is at most `edges` away, else kNobody. The result is
+  // selected without a branch, since the processor could not predict one.
   std::int32_t within(int edges, std::int32_t i) {
     const Known* own = &known(i);
     if (own->owner == kNobody && own->searched < edges) {
@@ -88,8 +93,9 @@ class NodeOwners {
     const std::int32_t near = -std::int32_t(own->searched <= edges);  // all bits set, or none
     return (own->owner & near) | (kNobody & ~near);
   }
-  // Searches up to `edges` away for the owner of node i. A node has the same owner as a neighbour
-  // that is one edge nearer to that owner.
+  // Searches up to `edges` away for the owner of node i. If the owner is d edges away, some
+  // neighbours of i along whole edges have an owner that is d - 1 edges away from them. The lowest
+  // of these owners is the owner of i.
   void search(int edges, std::int32_t i);
 
   std::int64_t particleAt(const Vec3i& node) const;
@@ -97,8 +103,8 @@ class NodeOwners {
   const Organ& organ_;
   IndexBox box_;
   TissueGrid& grid_;
-  std::int32_t step_[6];              // to the neighbour, by bit of ways()
-  std::vector<std::int32_t> number_;  // per node, into known_
+  std::int32_t step_[6];              // index offset to the neighbour, by bit of ways()
+  std::vector<std::int32_t> number_;  // per node of box_: index into known_, or kUnknown
   std::vector<Known> known_;
 };
 

@@ -1,10 +1,10 @@
-// Arrays aligned to cache lines. Large ones begin at different offsets within a page, to avoid
-// cache conflicts.
+// Arrays aligned to cache lines. Arrays of 64 KiB or more ("large") begin at different offsets
+// within a page, to avoid cache conflicts.
 //
 // The passes over tissue use some fifty arrays. Large blocks from the system all begin at the same
-// offset in a page. If the arrays did so too, the entries of one cell would map to the same few
-// sets of the first-level cache and evict each other, and memory would limit the speed of substeps
-// (docs/methods/tissue.md).
+// offset in a page. If the arrays began there too, the entries of one cell would map to the same
+// few sets of the first-level cache. They would evict each other, and memory would limit the speed
+// of substeps (docs/methods/tissue.md).
 #pragma once
 
 #include <atomic>
@@ -17,7 +17,7 @@ namespace resect {
 
 inline constexpr std::size_t kCacheLine = 64, kPage = 4096;
 
-// Next offset within a page for a large array, bytes.
+// The offset within a page of the next large array, bytes.
 inline std::size_t nextShift() {
   static std::atomic<std::size_t> next = 0;
   constexpr std::size_t kStep = 5 * kCacheLine;  // reaches every line of a page before repeating
@@ -34,8 +34,8 @@ struct LineAllocator {
   template <typename U>
   LineAllocator(const LineAllocator<U>&) {}
 
-  // The cache line before a large array holds the array's offset from the start of its memory
-  // block.
+  // The cache line before a large array holds one number: the array's offset from the start of its
+  // memory block, bytes.
   T* allocate(std::size_t n) {
     if (!large(n)) return static_cast<T*>(::operator new(n * sizeof(T), kAlignment));
     const std::size_t shift = nextShift() + kCacheLine;

@@ -1,9 +1,9 @@
-// Memory layout of tissue cells: a dense box with a halo. A cell's 26 neighbours are at fixed
-// distances, and rows can be read sixteen cells at a time.
+// Memory layout of tissue cells: a dense box of cells with a halo. A cell's 26 neighbours are at
+// fixed index offsets from it, and rows can be read sixteen cells at a time.
 //
-// x is fastest. Each row ends with at least one empty cell and each plane with an empty row; the
-// box has an empty plane at each end. So a neighbour outside the lattice is always an empty cell of
-// the box.
+// x is fastest. Each row ends with at least one empty cell, and each plane ends with an empty row.
+// The box has an empty plane at each end. So a neighbour outside the lattice is always an empty
+// cell of the box.
 #pragma once
 
 #include <array>
@@ -18,14 +18,14 @@ namespace resect {
 inline constexpr int kChunk = 16;  // cells processed together; a row's length is a multiple of it
 
 struct CellBox {
-  Vec3i dims = Vec3i::Zero();
-  std::int32_t strideY = 0, strideZ = 0;
+  Vec3i dims = Vec3i::Zero();                    // cells of the lattice along each axis
+  std::int32_t strideY = 0, strideZ = 0;         // index offset to the next cell along y, along z
   std::int32_t front = 0;                        // cells before cell (0, 0, 0)
   std::int32_t size = 0;                         // cells in all, halo included
   std::array<std::int32_t, kDirections> step{};  // index offset of the neighbour in each direction
 
   CellBox() = default;
-  // cells: number along each axis, >= 1; at most 2^31 - 1 cells in all, halo included.
+  // cells: number along each axis, >= 1. The box may have at most 2^31 - 1 cells, halo included.
   explicit CellBox(const Vec3i& cells) : dims(cells) {
     const auto roundUp = [](int n) { return (n + kChunk - 1) / kChunk * kChunk; };
     strideY = roundUp(dims.x() + 1);

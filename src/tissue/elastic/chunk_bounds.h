@@ -1,5 +1,5 @@
-// Bounds of the present positions and speeds of a chunk's cells. With them a search rejects sixteen
-// cells at a time.
+// Bounds of the present positions and of the speeds of a chunk's cells. By these bounds a search
+// can reject the sixteen cells of a chunk at once.
 #pragma once
 
 #include "geometry/aabb.h"
@@ -7,8 +7,8 @@
 
 namespace resect {
 
-// A box that contains the present centres of the chunk's solid cells, m. It may be too large, but
-// is never too small. origin: rest position of cell (0, 0, 0).
+// A box that contains the present centres of the chunk's solid cells, m. It may be larger than
+// needed. origin: rest position of the centre of cell (0, 0, 0), m.
 Aabb chunkBounds(const ElasticState& state, const TissueChunk& chunk, const Vec3& origin);
 
 // Upper bound of the speed of the chunk's cells, m/s.

@@ -1,8 +1,8 @@
 // Sets up the state of elastic tissue and updates it after bonds are severed or cells removed.
 //
-// Edits change bonds. refreshCells() then updates the moment matrices of the cells concerned and
-// the flags of the chunks at these cells, in some microseconds per hundred cells. No other cells
-// are computed again.
+// Edits change bonds. After that, refreshCells() updates the moment matrices of the cells whose
+// bonds changed, and the chunks that contain these cells or neighbours of them. It takes some
+// microseconds per hundred cells. No other cells are computed again.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@
 
 namespace resect {
 
-// Tissue at rest, with a bond between any two solid neighbours. penalty: alpha of
-// docs/methods/tissue.md, 0 or more. Throws Error when the lattice's cells are not cubes.
+// Tissue at rest, with a bond between every two solid cells that are neighbours. penalty: alpha of
+// docs/methods/tissue.md, 0 or more. Throws Error if the lattice's cells are not cubes.
 ElasticState makeElasticState(const TissueCells& cells, double penalty);
 
-// Severs a bond, if it exists. cell: index in the box, here and below.
+// Severs a bond, if it exists. cell: index in the CellBox, as in all functions below.
 void severBond(ElasticState& s, std::int32_t cell, int direction);
 // Removes the cell: it then has no bonds, no mass and no motion.
 void removeCell(ElasticState& s, std::int32_t cell);
@@ -26,15 +26,16 @@ void checkMaterial(const TissueMaterial& material);
 // The material's index in s.materials; a new material is appended. Throws Error if there are 256
 // materials already.
 std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material);
-// Computes masses, stiffnesses and plane weights of these cells, after their `solid` or `material`
-// was changed. Cells that are not solid lose their motion and forces. refreshCells() must be called
-// next.
+// Computes masses, stiffnesses and plane weights of these cells. Call after their `solid` or
+// `material` was changed; call refreshCells() next. Cells that are not solid lose their motion and
+// forces.
 void remakeCells(ElasticState& s, std::span<const std::int32_t> cells);
 
-// Computes inverse moments, skews, kappa and the chunks, after the bonds of these cells were
-// changed.
+// Computes inverse moments, skews and kappa of these cells, then calls refreshChunks(). Call after
+// the bonds of these cells were changed.
 void refreshCells(ElasticState& s, std::span<const std::int32_t> cells);
-// Computes the chunks alone, after `held` or `loaded` of these cells was changed.
+// Computes the chunks that contain one of these cells or a neighbour of one. Call after `held` or
+// `loaded` of these cells was changed.
 void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells);
 
 }  // namespace resect

@@ -1,9 +1,9 @@
 // Elastic tissue: explicit total-Lagrangian SPH on the organ's lattice.
 //
-// docs/methods/tissue.md derives the method. A frame is divided into substeps that are shorter than
-// the time in which a pressure wave passes from one cell to the next. Cost: two passes over the
-// solid cells per substep. The results have the same bits at any number of threads and on any
-// instruction set. Functions take a cell's index in the lattice.
+// docs/methods/tissue.md derives the method. A frame is divided into substeps. A substep is shorter
+// than the time in which a pressure wave passes from one cell to the next. Cost: two passes over
+// the solid cells per substep. The results have the same bits at any number of threads and with any
+// instruction set. `cell` is always the index of a cell in the lattice.
 #pragma once
 
 #include <cstdint>
@@ -24,26 +24,27 @@
 
 namespace resect {
 
-inline constexpr int kMostHalvings = 6;  // of the substep; if they do not help, tissue is stopped
+// How often the substep may be halved. If tissue still explodes then, it is stopped.
+inline constexpr int kMostHalvings = 6;
 
 struct TissueSettings {
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
-  // Forces are evaluated at positions that are extrapolated by this fraction of a substep, from 0
-  // to 0.5. 0 conserves energy; 0.5 damps the fastest waves most, and slow motion hardly. More
-  // would be unstable.
+  // Forces are evaluated at extrapolated positions. This is how far they are extrapolated, as a
+  // fraction of a substep, from 0 to 0.5. 0 conserves energy. 0.5 damps the fastest waves most, and
+  // slow motion hardly. More would be unstable.
   double damping = 0.1;
-  // Rate at which friction of the surroundings makes velocities decay, 1/s; 0 for none.
+  // Rate at which velocities decay by friction of the surroundings, 1/s; 0: no friction.
   double drag = 0;
   // alpha: stiffness of the bonds against zero-energy modes of the cells' gradients, as a multiple
   // of the shear modulus; above 0, up to 3. At 1.55 the second-order error of bending and torsion
-  // vanishes. With less, tissue is too soft and its lattice wrinkles; with more, it is too stiff.
+  // vanishes. With less, tissue is too soft and its lattice wrinkles. With more, it is too stiff.
   double penalty = 1.55;
   // Longest substep, as a fraction of the time in which a pressure wave passes from one cell to the
   // next; above 0, up to 1. Beyond 0.5, tissue that is sheared or stretched as a whole may become
   // unstable (docs/methods/tissue.md).
   double stepShare = 0.5;
-  // Largest number of threads for the two passes; 0: all that the program may use. With more
-  // threads than idle cores the passes are slower than with one.
+  // Largest number of threads for the two passes; 0: all threads that the program may use. If there
+  // are fewer idle cores than threads, the passes are slower than with one thread.
   int threads = 1;
 
   template <class Visitor>
@@ -54,29 +55,30 @@ struct TissueSettings {
 };
 
 struct TissueEnergy {
-  double kinetic = 0, elastic = 0, gravity = 0;  // J; gravity is 0 at rest positions
+  double kinetic = 0, elastic = 0, gravity = 0;  // J; `gravity` is 0 at rest positions
   double total() const { return kinetic + elastic + gravity; }
 };
 
 class ElasticTissue final : public TissueModel {
  public:
-  // Throws Error when the lattice's cells are not cubes, a setting is out of range or no cell is
-  // solid.
+  // Throws Error if the lattice's cells are not cubes, if a setting is out of range, or if no cell
+  // is solid.
   ElasticTissue(const TissueCells& cells, const TissueSettings& settings);
 
-  // Holds the solid cells of the region. Returns how many there are.
+  // Attaches the solid cells of the region: pins them, or adds the springs of a ligament. Returns
+  // the number of these cells.
   std::int64_t attach(const TissueAttachment& attachment);
 
-  // advance() computes a frame of `duration`, s, without obstacles and without tearing.
-  struct Advance {
+  struct Advance {  // as in TissueStep
     int substeps = 0;
     int retries = 0;
     bool calm = true;
   };
+  // Computes a frame of `duration`, s, without obstacles and without tearing.
   Advance advance(double duration);
 
-  // When tissue explodes in a frame, it is restored to the frame's beginning, and the frame is
-  // repeated with substeps of half the length.
+  // The computation of a frame, as in tissue/tissue_model.h. If the tissue explodes, it is restored
+  // to the beginning of the frame, and the frame is repeated with substeps of half the length.
   void beginFrame(double duration, std::span<const Obstacle> obstacles) override;
   int substepsWanted() const override;
   bool substep(int number, int count) override;
@@ -93,9 +95,10 @@ class ElasticTissue final : public TissueModel {
   std::int32_t gripped(std::int32_t tool) const override;
   const TissueMaterial* material(std::int64_t cell) const override;
   void setMaterial(std::int64_t cell, const TissueMaterial& material) override;
-  // Prescribes the cell's velocity, m/s, along some axes. axes: HeldAxis bits; 0 releases the cell.
+  // Prescribes the velocity of the cell, m/s, along some axes. axes: bits of HeldAxis; 0 releases
+  // the cell.
   void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
-  // Outside force on the cell, N; it acts until it is set again.
+  // Sets the outside force on the cell, N. It acts until it is set again.
   void setLoad(std::int64_t cell, const Vec3& force);
   void setDisplacement(std::int64_t cell, const Vec3& u);
   void setVelocity(std::int64_t cell, const Vec3& v);
@@ -111,9 +114,9 @@ class ElasticTissue final : public TissueModel {
     return state_.bonds[state_.box.fromLattice(cell)];
   }
   double mass(std::int64_t cell) const override;       // kg
-  Mat3 deformation(std::int64_t cell) const override;  // F; identity where a cell has no gradient
-  Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff, Pa
-  Vec3 elasticForce(std::int64_t cell) const;          // of the last stress pass, N
+  Mat3 deformation(std::int64_t cell) const override;  // F; identity if there is no gradient
+  Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff stress, Pa
+  Vec3 elasticForce(std::int64_t cell) const;          // as the last stress pass computed it, N
   TissueEnergy energy();
   void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override;
   void visit(StateVisitor& visitor) override;
@@ -127,9 +130,10 @@ class ElasticTissue final : public TissueModel {
   const ElasticState& state() const { return state_; }
   void useKernel(const ElasticKernel& kernel) { kernel_ = &kernel; }
 
-  // Computes the forces of the present displacements without moving any cell: elasticForce() then
-  // gives them.
+  // Computes the forces at the present displacements without moving any cell. elasticForce() then
+  // returns them.
   void evaluateForces();
+  // Sets all velocities to 0, except the prescribed ones of held cells.
   void stopMotion();
 
  private:
@@ -141,7 +145,7 @@ class ElasticTissue final : public TissueModel {
     std::int32_t substeps = 0, retries = 0;
     bool calm = true;
   };
-  // Cells before a restore, to find those that changed.
+  // What the cells were before a restore. It serves to find the cells that the restore changed.
   struct Before {
     AlignedArray<std::uint8_t> solid, material, held, loaded;
     AlignedArray<std::uint32_t> bonds;
@@ -162,24 +166,24 @@ class ElasticTissue final : public TissueModel {
   // State.
   ElasticState state_;
   int halvings_ = 0;    // how often the substep is halved at present
-  int calmFrames_ = 0;  // calm frames since the substep's length last changed
+  int calmFrames_ = 0;  // while it is halved: calm frames since it last changed
   TissueContacts contacts_;
   TissueSprings springs_;
   std::vector<Fibre> fibres_;
-  std::vector<std::int32_t> cut_;     // cells of which a bond was severed
+  std::vector<std::int32_t> cut_;     // both cells of each severed bond
   std::vector<std::int32_t> pulled_;  // cells that joints may pull, ascending
 
-  // What is set up once, and data derived from the state.
+  // Data that are set up once, and data derived from the state.
   Lattice lattice_;
   TissueSettings settings_;
   const ElasticKernel* kernel_;
   double longestSubstep_ = 0;
   std::vector<UnevenBond> uneven_;
-  std::vector<std::int32_t> gripper_;  // per cell of the box: tool that holds it, or -1
+  std::vector<std::int32_t> gripper_;  // per cell of the box: the tool that holds it, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   Frame frame_;
   Before before_;
-  FloatArray kept_;  // u and v of the chunks at the frame's beginning
+  FloatArray kept_;  // u and v of all chunks at the beginning of the frame
 };
 
 }  // namespace resect

@@ -1,9 +1,9 @@
-// Fibres: springs along bonds of tissue that is only one cell thick.
+// Fibres: springs along the bonds of tissue that is only one cell thick.
 //
-// A cell of a sheet or a string of single cells has no deformation gradient. A bond between two
-// such cells has no energy, so it gets a fibre. This is a spring along the bond of about the
-// tissue's stiffness: E s / 2 between face neighbours and less between others, with Young's modulus
-// E and the spacing s. A fibre rotates with the tissue and does not resist bending.
+// In a sheet or a string of single cells, no cell has a deformation gradient. So without a fibre a
+// bond between two of these cells would not resist stretching. A fibre is a spring along the bond,
+// about as stiff as the tissue: E s / 2 between face neighbours and less between others, with
+// Young's modulus E and the spacing s. A fibre rotates with the tissue and does not resist bending.
 #pragma once
 
 #include <span>
@@ -14,10 +14,10 @@
 namespace resect {
 
 struct Fibre {
-  std::int32_t a = 0, b = 0;   // cells of the box
+  std::int32_t a = 0, b = 0;   // its two cells: indices in ElasticState::box
   float stiffness = 0;         // N/m
-  Vec3f rest = Vec3f::Zero();  // from a to b at rest, m
-  float length = 0;            // rest length, m
+  Vec3f rest = Vec3f::Zero();  // from a to b in rest space, m
+  float length = 0;            // length at which the fibre pulls with no force, m
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -25,17 +25,20 @@ struct Fibre {
   }
 };
 
-// Stiffness of a fibre as a fraction of E s, by kind of neighbour (tissue/stencil.h).
+// Stiffness of a fibre divided by E s, by kind of neighbour: see neighbourKind() in
+// tissue/stencil.h.
 inline constexpr float kFibreShare[4] = {0, 0.5f, 0.25f, 0.15f};
 
-// The fibres of all bonds of which neither end has a gradient, in ascending order of a, then b. A
-// bond that has a fibre in `before` keeps it. A new fibre's rest length is the bond's present
-// length, so that a cut through stretched tissue adds no energy.
+// The fibres of all bonds between two cells without a gradient, in ascending order of a, then b. A
+// bond that has a fibre in `before` keeps that fibre. Any other bond gets a fibre whose length
+// without force is the bond's present length, so that a cut through stretched tissue adds no
+// energy.
 std::vector<Fibre> findFibres(const ElasticState& state, std::span<const Fibre> before);
 
-// Adds the fibres' forces to the bond forces of the stress pass.
+// Adds the fibres' forces to ElasticState::bondForce. Call after the stress pass.
 void pullFibres(std::span<const Fibre> fibres, ElasticState& state);
 
-double fibreEnergy(std::span<const Fibre> fibres, const ElasticState& state);  // J
+// Elastic energy of all fibres, J.
+double fibreEnergy(std::span<const Fibre> fibres, const ElasticState& state);
 
 }  // namespace resect

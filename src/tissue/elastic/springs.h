@@ -1,8 +1,8 @@
-// Springs on single cells: ligaments, and the grips of tools.
+// Springs on single cells, for ligaments and for the grips of tools.
 //
-// Each is a damped spring from a cell to an anchor, which is fixed in the world or in a tool's
+// Each is a damped spring from a cell to an anchor. The anchor is fixed in the world or in a tool's
 // coordinate frame. While a cell has springs, its load (ElasticState::load) is computed anew in
-// each substep from these springs and its joints.
+// each substep from the forces of these springs and of the cell's joints.
 #pragma once
 
 #include <span>
@@ -14,9 +14,9 @@
 namespace resect {
 
 struct TissueSpring {
-  std::int32_t cell = 0;       // index in the box
-  std::int32_t tool = -1;      // the tool that grips the cell; -1: the anchor is in the world
-  Vec3 anchor = Vec3::Zero();  // where the spring pulls to, in the tool's frame or the world, m
+  std::int32_t cell = 0;       // index in ElasticState::box
+  std::int32_t tool = -1;      // number of the tool that grips the cell; -1: a ligament
+  Vec3 anchor = Vec3::Zero();  // m, in the tool's frame; of a ligament in the world
   double stiffness = 0;        // N/m
   double damping = 0;          // N s/m
 
@@ -30,7 +30,7 @@ struct TissueSpring {
 class TissueSprings {
  public:
   void add(const TissueSpring& spring) { springs_.push_back(spring); }
-  // Removes the springs for which drop(spring) is true; returns their cells.
+  // Removes the springs for which drop(spring) is true. Returns the cells of the removed springs.
   template <typename Drop>
   std::vector<std::int32_t> drop(Drop drop) {
     std::vector<std::int32_t> cells;
@@ -42,13 +42,16 @@ class TissueSprings {
   }
   std::span<const TissueSpring> all() const { return springs_; }
 
-  // Adds the springs' forces to the loads, for a substep of `dt` s that ends at the fraction
-  // `share` (0 to 1) of the frame. frame: the frame's duration, s. origin: rest position of cell
-  // (0, 0, 0), m. Springs of tools that are not among the obstacles exert no force.
+  // Adds the springs' forces to the loads of their cells, for one substep. dt: duration of the
+  // substep, s. share: when it ends, as a fraction of the frame (0 to 1). frame: duration of the
+  // frame, s. origin: rest position of the centre of cell (0, 0, 0), m. A spring of a tool that is
+  // not among the obstacles exerts no force.
   void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
             double share, double frame, double dt);
-  // Momentum given to each of the obstacles since forgetImpulses(), kg m/s.
+  // Per obstacle: the momentum that the springs have given to it since the last forgetImpulses(),
+  // kg m/s.
   std::span<const Vec3> impulse() const { return impulse_; }
+  // Sets these momenta to 0. obstacles: number of obstacles.
   void forgetImpulses(std::size_t obstacles) { impulse_.assign(obstacles, Vec3::Zero()); }
 
   template <class Visitor>

@@ -1,8 +1,9 @@
-// Correction of uneven bonds: those between two cells of different penalty stiffness kappa. The
-// cells are of two materials, or one of them has no deformation gradient.
+// Correction of the forces in uneven bonds: bonds between two cells of different penalty stiffness
+// kappa. Either the cells are of materials with different kappa, or one of them has no deformation
+// gradient and so a kappa of 0.
 //
-// The stress pass uses a cell's own kappa for both ends of each of its bonds, so that it needs one
-// sum only. The forces of the few uneven bonds are corrected afterwards.
+// In the stress pass a cell uses its own kappa for both ends of each of its bonds, so that one sum
+// is enough. The forces in the few uneven bonds are corrected afterwards.
 #pragma once
 
 #include <span>
@@ -13,15 +14,15 @@
 namespace resect {
 
 struct UnevenBond {
-  std::int32_t a, b;  // cells of the box
-  float stiffness;    // w (kappa_b - kappa_a) / spacing^2, N/m; w: bondWeights()
+  std::int32_t a, b;  // its two cells: indices in ElasticState::box
+  float stiffness;    // w (kappa_b - kappa_a) / spacing^2, N/m; w: the bond's weight, bondWeights()
 };
 
 // All uneven bonds, in ascending order of a. Cost: some ns per cell of the chunks that are marked
-// as uneven.
+// as uneven (TissueChunk::uneven).
 std::vector<UnevenBond> findUnevenBonds(const ElasticState& state);
 
-// Adds the corrections to the bond forces of the stress pass.
+// Adds the corrections to ElasticState::bondForce. Call after the stress pass.
 void pullUnevenBonds(std::span<const UnevenBond> bonds, ElasticState& state);
 
 }  // namespace resect

@@ -20,8 +20,9 @@ namespace resect {
 inline constexpr float kMostStiffening = 6;
 
 // Components of velocity up to this size, m/s, are set to zero. At the front of a wave that enters
-// tissue at rest, velocities become ever smaller. As denormal numbers they would make a pass ten
-// times slower, and machines flush these to zero in different ways or not at all.
+// tissue at rest, velocities become smaller and smaller until they are denormal numbers. These
+// would make a pass ten times slower. Some machines flush them to zero, in different ways; others
+// do not.
 inline constexpr float kAtRest = 1e-12f;
 
 // Constants of a substep that both passes read.
@@ -34,7 +35,7 @@ struct SubstepConstants {
   float lookAhead = 0;         // beta dt, s; beta: TissueSettings::damping
   float keep = 1;              // drag multiplies velocities by this in a substep
   float gravity[3] = {};       // m/s^2
-  float mostSpeedSquared = 0;  // a faster cell counts as exploded, m^2/s^2
+  float mostSpeedSquared = 0;  // m^2/s^2; beyond it a cell counts as exploded
 };
 
 // Pointers to the arrays of an ElasticState.
@@ -58,10 +59,11 @@ struct ElasticKernel {
   // if a speed is beyond the limit or NaN.
   bool (*motionPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                      std::size_t end);
-  // Writes the placements of cells of one chunk to `out`: rows 0 to 2 are the displacement, rows 3
-  // to 11 are F - I, row by row; column n is the cell start + n. start: a multiple of kChunk.
-  // wanted: bit n is set if cell start + n is needed; columns of other cells may be written too.
-  // weight: by kind of neighbour, in units of an edge neighbour's weight.
+  // Writes the placements of the cells of one chunk to `out`: column n is that of the cell start +
+  // n. Rows 0 to 2 are the displacement; rows 3 to 11 are F - I, row by row. start: index in the
+  // box, a multiple of kChunk. wanted: bit n is set if the caller needs the cell start + n; other
+  // columns may be written too. weight: of neighbours, in units of an edge neighbour's weight, by
+  // neighbourKind() (tissue/stencil.h).
   void (*placements)(const ElasticView& s, const float weight[4], std::int32_t start,
                      std::uint32_t wanted, float (*out)[kChunk]);
 };
