@@ -77,6 +77,13 @@ void MainWindow::makeMenus() {
   file->addSeparator();
   add(file, "&Quit", QKeySequence("Ctrl+Q"), "Ends the operation", [this] { close(); });
 
+  QMenu* edit = menuBar()->addMenu("&Edit");
+  add(edit, "&Undo stroke", QKeySequence::Undo,
+      "Takes back the last stroke: from the first touch until the instrument left the organ",
+      [this] { undo(false); });
+  add(edit, "&Redo stroke", QKeySequence("Ctrl+Shift+Z"),
+      "Does again the stroke that was taken back last", [this] { undo(true); });
+
   QMenu* view = menuBar()->addMenu("&View");
   const std::pair<const char*, RoomView> views[] = {{"&Surgeon", RoomView::Surgeon},
                                                     {"&Assistant", RoomView::Assistant},

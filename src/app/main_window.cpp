@@ -28,6 +28,7 @@
 #include "base/error.h"
 #include "formats/png_file.h"
 #include "inventor/scene/scene_file.h"
+#include "record/session_recordings.h"
 
 namespace resect {
 namespace {
@@ -231,6 +232,17 @@ void MainWindow::loadDefault() {
   load(scenario);
 }
 
+// A recorder of the coming operation; null if none is wanted, or none can be made, which is said.
+std::shared_ptr<Recorder> MainWindow::record(const OrganLoader::Result& result) {
+  if (!QSettings().value("record", true).toBool()) return nullptr;
+  try {
+    return recordSession(result.scenario, *result.simulation);
+  } catch (const std::exception& e) {
+    complain(e.what());
+    return nullptr;
+  }
+}
+
 void MainWindow::begin(OrganLoader::Result result) {
   progress_->hide();
   cancel_->hide();
@@ -245,8 +257,10 @@ void MainWindow::begin(OrganLoader::Result result) {
     std::optional<ScenePlaces> places;
     if (result.scenario.organs[0].source.part == kOrganNode)
       places = readScenePlaces(result.scenario.organs[0].source.file);
-    auto session = std::make_unique<OperatingSession>(result.scenario, std::move(result.simulation),
-                                                      viewer_->aspect());
+    std::shared_ptr<Recorder> recorder = record(result);
+    auto session = std::make_unique<OperatingSession>(
+        result.scenario, std::move(result.simulation), viewer_->aspect(),
+        recorder ? watchOf(recorder) : OperationWatch());
     if (places) {
       const int tools = std::min(int(places->tools.size()), session->tools().toolCount());
       for (int i = 0; i < tools; ++i) session->tools().setPose(i, places->tools[std::size_t(i)]);
@@ -256,6 +270,7 @@ void MainWindow::begin(OrganLoader::Result result) {
       session->room().camera()->copyFieldValues(session_->room().camera());
     viewer_->show(nullptr);
     session_ = std::move(session);
+    recorder_ = std::move(recorder);
   } catch (const std::exception& e) {
     return complain(e.what());
   }
@@ -297,6 +312,10 @@ void MainWindow::tick() {
   }
   for (const std::string& fault : state.faults)
     if (fault != faultSaid_) complain(faultSaid_ = fault);
+  if (const std::string failure = recorder_ ? recorder_->failure() : ""; failure != recorderSaid_) {
+    recorderSaid_ = failure;
+    if (!failure.empty()) complain(failure + "; the operation goes on unrecorded");
+  }
   film(now);
   if (options_.reports && playingSaid_ && !session_->playing()) say("played");
   playingSaid_ = session_->playing();
@@ -342,6 +361,21 @@ void MainWindow::play(double until) {
   if (std::ranges::all_of(tools, [](const ScenarioTool& tool) { return tool.keys.empty(); }))
     return complain("There is no motion to play; open a scenario that has one.");
   session_->play(until);
+}
+
+// Takes the last stroke back, or does it again.
+void MainWindow::undo(bool again) {
+  if (!session_) return;
+  const LiveState& state = session_->state();
+  const int strokes = again ? state.redoable : state.undoable;
+  statusBar()->showMessage(
+      strokes == 0 ? again ? "There is nothing to do again" : "There is no stroke to take back"
+      : again      ? "The stroke is done again"
+                   : "The last stroke is taken back",
+      4000);
+  if (strokes == 0) return;
+  again ? session_->redo() : session_->undo();
+  if (options_.reports) say(again ? "redo" : "undo");
 }
 
 void MainWindow::look(RoomView view) {

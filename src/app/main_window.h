@@ -10,6 +10,7 @@
 #include "app/window.h"
 #include "formats/video.h"
 #include "inventor/hand/operating_session.h"
+#include "record/recorder.h"
 
 class QAction;
 class QLabel;
@@ -52,6 +53,7 @@ class MainWindow : public QMainWindow {
   void makeMenus();
   void makeDocks();
   void begin(OrganLoader::Result result);
+  std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
   void loadDefault();
   void cancelLoading();
   void tick();
@@ -67,6 +69,7 @@ class MainWindow : public QMainWindow {
   void savePicture();
   void toggleVideo();
   bool viewerEvent(const SoEvent& event, const SbViewportRegion& viewport);
+  void undo(bool again);
   void look(RoomView view);
   void viewAll();
   void bringEverythingBack();
@@ -80,6 +83,7 @@ class MainWindow : public QMainWindow {
             const std::function<void(const std::string&)>& write);
 
   WindowOptions options_;
+  std::shared_ptr<Recorder> recorder_;  // of the session; null: it is not recorded
   std::unique_ptr<OperatingSession> session_;
   OrganLoader loader_;
   SpaceMouse spaceMouse_;
@@ -105,7 +109,7 @@ class MainWindow : public QMainWindow {
   double forceSaid_ = 0;            // largest force on a tool since the last report, N
   int heldSaid_ = -2;               // number of the tool in hand; -1: none; -2: nothing said yet
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
-  std::string script_, faultSaid_;
+  std::string script_, faultSaid_, recorderSaid_;
   bool lookingAt_ = false;  // the next click chooses the point that the camera looks at
   bool readySaid_ = false;
   bool playingSaid_ = false;

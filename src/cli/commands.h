@@ -15,6 +15,8 @@ void addRunCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addConvertCommand(CLI::App& app);
+void addReplayCommand(CLI::App& app);
+void addVerifyCommand(CLI::App& app);
 void addWindowCommand(CLI::App& app);
 
 }  // namespace resect

@@ -52,6 +52,8 @@ int parseAndRun(int argc, char** argv) {
   resect::addBenchCommand(app);
   resect::addRenderCommand(app);
   resect::addConvertCommand(app);
+  resect::addReplayCommand(app);
+  resect::addVerifyCommand(app);
   resect::addWindowCommand(app);
   const auto named = [&](CLI::App* command) { return command->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())

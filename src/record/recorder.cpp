@@ -97,8 +97,7 @@ Recorder::Recorder(const std::filesystem::path& path, const Scenario& scenario,
                                   setupOf(scenario, simulation))),
       framesPerKey_(
           std::max<std::int64_t>(1, std::llround(kKeyStateSeconds * scenario.frameRate))) {
-  put(Branch{0, -1, simulation.frame(), "first"});
-  putKeyState(simulation);
+  begin(-1, "first", simulation);
   thread_ = std::thread([this] { write(); });
 }
 
@@ -114,7 +113,7 @@ void Recorder::put(Item item) {
 
 void Recorder::putKeyState(const Simulation& simulation) {
   keyFrame_ = simulation.frame();
-  put(KeyState{branch_, keyFrame_, simulation.save(), simulation.stateHash()});
+  put(KeyState{presentBranch(), keyFrame_, simulation.save(), simulation.stateHash()});
   before_ = {};
 }
 
@@ -134,23 +133,38 @@ void Recorder::record(const FrameInput& input, const StepReport& report,
   before_.edits.clear();
   put(std::move(frame));
   for (RecordedEvent& event : eventsOf(report, simulation, events_)) {
-    event.branch = branch_;
+    event.branch = presentBranch();
     put(std::move(event));
   }
   for (RecordedSample& sample : samplesOf(report, simulation)) {
-    sample.branch = branch_;
+    sample.branch = presentBranch();
     put(sample);
   }
   if (simulation.frame() - keyFrame_ >= framesPerKey_) putKeyState(simulation);
 }
 
-std::int64_t Recorder::branch(std::int64_t parent, const std::string& name,
-                              const Simulation& simulation) {
-  branch_ = branches_++;
+void Recorder::begin(std::int64_t parent, std::string name, const Simulation& simulation) {
+  branches_.push_back(
+      {std::int64_t(branches_.size()), parent, simulation.frame(), std::move(name)});
   events_ = {};  // as in a replay, which begins here
-  put(Branch{branch_, parent, simulation.frame(), name});
+  put(branches_.back());
   putKeyState(simulation);
-  return branch_;
+}
+
+void Recorder::wentBack(const Simulation& simulation) {
+  leftAt_.push_back(presentBranch());
+  // The frame may be older than the present branch.
+  std::int64_t parent = presentBranch();
+  while (parent > 0 && branches_[std::size_t(parent)].from > simulation.frame())
+    parent = branches_[std::size_t(parent)].parent;
+  begin(parent, fmt::format("undo {}", leftAt_.size()), simulation);
+}
+
+void Recorder::wentForward(const Simulation& simulation) {
+  require(!leftAt_.empty(), "nothing was taken back; call wentBack() first");
+  const std::int64_t parent = leftAt_.back();
+  leftAt_.pop_back();
+  begin(parent, "redo", simulation);
 }
 
 std::string Recorder::failure() const {

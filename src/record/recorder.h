@@ -54,10 +54,13 @@ class Recorder {
   // Simulation::save() and stateHash() once in kKeyStateSeconds.
   void record(const FrameInput& input, const StepReport& report, const Simulation& simulation);
 
-  // The simulation was restored to a frame of the present branch or of another one: what follows is
-  // a branch of its own. Returns its number.
-  std::int64_t branch(std::int64_t parent, const std::string& name, const Simulation& simulation);
-  std::int64_t presentBranch() const { return branch_; }
+  // To be called when the simulation has been restored to an earlier frame of its course: a stroke
+  // was taken back. What follows is a branch of its own.
+  void wentBack(const Simulation& simulation);
+  // To be called when the simulation has been restored to the state in which wentBack() was called
+  // last (of the calls that were not answered yet): what follows is a branch, too.
+  void wentForward(const Simulation& simulation);
+  std::int64_t presentBranch() const { return branches_.back().number; }
 
   // Why nothing is recorded any more; empty while all is well.
   std::string failure() const;
@@ -68,6 +71,7 @@ class Recorder {
 
  private:
   using Item = std::variant<Branch, RecordedFrame, KeyState, RecordedEvent, RecordedSample>;
+  void begin(std::int64_t parent, std::string name, const Simulation& simulation);
   void put(Item item);
   void putKeyState(const Simulation& simulation);
   void write();
@@ -75,8 +79,10 @@ class Recorder {
   FrameHashes hashes_;  // before file_, which asks for their fields
   RecordingFile file_;
   EventMemory events_;
-  FrameInput before_;  // without tools: the next input is written in full
-  std::int64_t branch_ = 0, branches_ = 1, keyFrame_ = 0;
+  FrameInput before_;                 // without tools: the next input is written in full
+  std::vector<Branch> branches_;      // the last one is the present one
+  std::vector<std::int64_t> leftAt_;  // branches that wentBack() left
+  std::int64_t keyFrame_ = 0;
   std::int64_t framesPerKey_;
 
   mutable std::mutex mutex_;  // guards all below

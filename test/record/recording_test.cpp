@@ -120,7 +120,8 @@ TEST_CASE("branches begin where a stroke was taken back, and are proved too") {
       recorder.record(input, simulation.step(input), simulation);
     }
     simulation.restore(kept);
-    CHECK(recorder.branch(0, "another way", simulation) == 1);
+    recorder.wentBack(simulation);
+    CHECK(recorder.presentBranch() == 1);
     for (int i = 0; i < 15; ++i) {
       const FrameInput input = frameInput(scenario, 20 + 2 * i);
       recorder.record(input, simulation.step(input), simulation);

@@ -76,7 +76,7 @@ Aabb boxOfOrgans(const Simulation& simulation) {
 }  // namespace
 
 OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation,
-                                   double aspect)
+                                   double aspect, OperationWatch watch)
     : scenario_(scenario),
       toolModels_(modelsOf(*simulation)),
       cells_(simulation->organ().rest),
@@ -87,7 +87,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       iso_(view_.room().aids(), isoFoot(organBox_)),
       marker_(view_.room().aids()),
       events_(SbViewportRegion(640, 480)),
-      operation_(std::move(simulation), restsOf(scenario), scenario.frameRate) {
+      operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch)) {
   for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
   tools_.changed = [this] { toolsChanged(); };
   tools_.readyPlace = Vec3(organBox_.centre().x(), organBox_.max.y() + 0.02,
@@ -118,7 +118,9 @@ void OperatingSession::toolsChanged() {
   shownSlices_.resize(toolBoxes_.size());
   for (int i = 0; i < tools_.toolCount(); ++i) {
     const bool held = i == tools_.held();
-    operation_.setTool(i, {tools_.pose(i), held, held && !tools_.squeezing() ? 0.0 : 1.0});
+    // Until an undo is done, the operation decides where the tools are.
+    if (jumps_ == jumpsShown_)
+      operation_.setTool(i, {tools_.pose(i), held, held && !tools_.squeezing() ? 0.0 : 1.0});
     const Aabb box = room().toolBounds(i);
     Aabb& before = toolBoxes_[std::size_t(i)];
     if (box.min == before.min && box.max == before.max) continue;
@@ -174,6 +176,7 @@ Damage OperatingSession::update() {
     for (int i = 0; i < tools_.toolCount(); ++i)
       turned |= room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);
     if (turned) toolsChanged();
+    if (state_.jumps != jumpsShown_) followJump();
     if (playing_) followMotion();
     const int held = tools_.held();
     if (held >= 0 && std::size_t(held) < state_.tips.size()) {
@@ -218,6 +221,33 @@ void OperatingSession::followMotion() {
   }
   for (std::size_t i = 0; i < inputs.size(); ++i) room().setToolPose(int(i), inputs[i].pose);
   toolsChanged();
+}
+
+void OperatingSession::undo() {
+  stopPlaying();
+  tools_.interrupt();
+  ++jumps_;
+  operation_.undo();
+}
+
+void OperatingSession::redo() {
+  stopPlaying();
+  tools_.interrupt();
+  ++jumps_;
+  operation_.redo();
+}
+
+void OperatingSession::followJump() {
+  // Two calls within a frame are one jump.
+  jumpsShown_ = jumps_ = state_.jumps;
+  int inHand = -1;
+  for (std::size_t i = 0; i < state_.jumpedTools.size(); ++i) {
+    room().setToolPose(int(i), state_.jumpedTools[i].pose);
+    if (state_.jumpedTools[i].inHand) inHand = int(i);
+  }
+  tools_.hold(inHand, inHand == tools_.held() ? tools_.how() : ToolHandling::Hold::Direct);
+  toolsChanged();
+  damage_.everything = true;
 }
 
 void OperatingSession::stopPlaying() {

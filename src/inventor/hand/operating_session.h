@@ -28,7 +28,9 @@ namespace resect {
 class OperatingSession {
  public:
   // The tools start at their rest poses. `aspect`, here and below: width / height of the picture.
-  OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect);
+  // watch: looks on at the operation, in its thread.
+  OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect,
+                   OperationWatch watch = {});
 
   // Handles an event of mouse or keyboard. The event's position is in pixels from the lower left of
   // the viewport. Returns whether a tool, a dragger or the camera used the event.
@@ -44,6 +46,12 @@ class OperatingSession {
   // tool stops the motions.
   void play(double until);
   bool playing() const { return playing_; }
+
+  // Takes the last stroke back, or does again what was taken back last. The tools go where they
+  // were before the stroke, or where they were when it was taken back. Takes effect with the next
+  // frame; nothing happens if there is no such stroke.
+  void undo();
+  void redo();
 
   // Moves and turns the tool in hand. If there is none, moves the camera.
   void follow(const ViewMotion& motion);
@@ -79,6 +87,7 @@ class OperatingSession {
   Aabb allThereIs() const;
   void toolsChanged();
   void followMotion();
+  void followJump();
   void stopPlaying();
   Vec3 lampPosition() const;
 
@@ -100,6 +109,8 @@ class OperatingSession {
   // manipulator then.
   std::vector<std::vector<Aabb>> shownSlices_;
   Aabb markerBox_;  // of the marker under the tip, as shown last, world, m
+  // Calls of undo() and redo(), and how many of them the room shows.
+  std::int64_t jumps_ = 0, jumpsShown_ = 0;
   bool playing_ = false;
   std::int64_t played_ = 0, playUntil_ = 0;  // scenario frames: where play() begins and ends
   LiveState state_;

@@ -89,6 +89,11 @@ void ToolHandling::setPose(int tool, const Pose& pose) {
   notify();
 }
 
+void ToolHandling::interrupt() {
+  pressed_ = -1;
+  elsewhere_ = dragging_ = false;
+}
+
 void ToolHandling::hold(int tool, Hold how) {
   if (tool != -1) requireTool(tool);
   if (tool < 0) how = Hold::None;

@@ -60,6 +60,8 @@ class ToolHandling {
   // Moves the tool to its rest pose, and lets go of it if it is in hand.
   void putBack(int tool);
   void setPose(int tool, const Pose& pose);
+  // Ends a drag: the mouse moves no tool until a button is pressed again.
+  void interrupt();
 
   // Moves the tool in hand, if any. inView: distances to the right, up and away from the viewer, m.
   void move(const Vec3& inView);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "base/error.h"
 #include "base/stage_clock.h"
@@ -19,8 +20,9 @@ double restVolume(const Simulation& simulation) {
 }  // namespace
 
 LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
-                             double frameRate)
+                             double frameRate, OperationWatch watch)
     : simulation_(std::move(simulation)),
+      watch_(std::move(watch)),
       frameRate_(frameRate),
       wholeVolume_(restVolume(*simulation_)),
       publishers_(simulation_->organs().size()) {
@@ -74,6 +76,34 @@ void LiveOperation::setPaused(bool paused) {
   wake_.notify_all();
 }
 
+void LiveOperation::undo() { ask(Jump::Undo); }
+void LiveOperation::redo() { ask(Jump::Redo); }
+
+void LiveOperation::ask(Jump jump) {
+  const std::lock_guard lock(mutex_);
+  jump_ = jump;
+}
+
+// In the thread: goes to another state; the tools stay where they are in it.
+void LiveOperation::jump(Jump jump, FrameInput& input) {
+  const bool undo = jump == Jump::Undo;
+  const bool done = undo ? history_.undo(*simulation_) : history_.redo(*simulation_);
+  if (done && watch_.jumped) watch_.jumped(undo, *simulation_);
+  const std::lock_guard lock(mutex_);
+  if (done) {
+    for (std::size_t o = 0; o < publishers_.size(); ++o)
+      publishers_[o].follow(presentSurface(*simulation_, o));
+    for (std::size_t i = 0; i < input.tools.size(); ++i) {
+      const ToolState& tool = simulation_->tools()[i];
+      input.tools[i] = {tool.pose(), tool.inHand, tool.way.to.squeeze, 0};
+    }
+    input_.tools = input.tools;
+    motion_ = {};
+  }
+  ++state_.jumps;
+  state_.jumpedTools = input.tools;
+}
+
 bool LiveOperation::take(std::vector<SurfaceUpdate>& updates, LiveState& state) {
   const std::lock_guard lock(mutex_);
   if (!fresh_) return false;
@@ -109,7 +139,7 @@ std::optional<LiveOperation::Frame> LiveOperation::nextFrame(
   wake_.wait(lock, [&] { return ending_ || (!paused_ && readers_ == 0); });
   if (ending_) return std::nullopt;
   stepping_ = true;
-  Frame frame{input_, {}};
+  Frame frame{input_, {}, std::exchange(jump_, Jump::None)};
   input_.iso.reset();
   if (const auto next = motion_ ? motion_() : std::nullopt)
     frame.input.tools = frame.played = next->tools;
@@ -127,14 +157,20 @@ void LiveOperation::work() {
   auto due = Clock::now();
   while (std::optional<Frame> frame = nextFrame(due)) {
     FrameInput& input = frame->input;
-    if (frame->played.empty())  // moved by hand
+    if (frame->jump != Jump::None) {
+      frame->played.clear();
+      jump(frame->jump, input);
+    } else if (frame->played.empty())  // moved by hand
       for (std::size_t i = 0; i < input.tools.size(); ++i)
         input.tools[i].squeeze = squeezeTowards(
             input.tools[i].squeeze, simulation_->tools()[i].way.to.squeeze, input.duration);
     StageClock clock;
     std::string refusal;
     try {
+      history_.beforeStep(input, *simulation_);
       simulation_->step(input, report, &clock);
+      history_.afterStep(input, report);
+      if (watch_.stepped) watch_.stepped(input, report, *simulation_);
     } catch (const Error& e) {
       refusal = e.what();
     }
@@ -147,6 +183,8 @@ void LiveOperation::work() {
           publishers_[o].follow(presentSurface(*simulation_, o));
         noteStep(state_, *simulation_, report, wholeVolume_);
         state_.played = std::move(frame->played);
+        state_.undoable = history_.undoable();
+        state_.redoable = history_.redoable();
       } else {
         motion_ = {};
         state_.faults.push_back(refusal);

@@ -16,17 +16,25 @@
 #include <vector>
 
 #include "operation/live/live_state.h"
+#include "operation/live/stroke_history.h"
 #include "operation/live/surface_publisher.h"
 #include "simulation/simulation.h"
 
 namespace resect {
+
+// Looks on, in the operation's thread: at each step, and at each undo and redo, which leave the
+// simulation in another state.
+struct OperationWatch {
+  std::function<void(const FrameInput&, const StepReport&, const Simulation&)> stepped;
+  std::function<void(bool undone, const Simulation&)> jumped;  // undone: false after a redo
+};
 
 class LiveOperation {
  public:
   // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
   // frameRate: simulated frames per second, 1 to 1000.
   LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
-                double frameRate = 60);
+                double frameRate = 60, OperationWatch watch = {});
   ~LiveOperation();  // ends the thread after the current frame
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;
@@ -41,6 +49,11 @@ class LiveOperation {
   // LiveState::faults says why.
   void play(std::function<std::optional<FrameInput>()> motion);
   bool playing() const;
+  // Before the next frame, takes the last stroke back, or does the stroke again that was taken back
+  // last (operation/live/stroke_history.h). All tools are then where they were in that state, and a
+  // motion ends. LiveState::jumps counts these calls, also those that changed nothing.
+  void undo();
+  void redo();
   void setPaused(bool paused);
 
   // Gives what is new since the last call of take(): writes one surface update per organ to
@@ -55,14 +68,20 @@ class LiveOperation {
   void waitFor(std::int64_t frame);
 
  private:
+  enum class Jump { None, Undo, Redo };
   struct Frame {
     FrameInput input;
     std::vector<ToolInput> played;  // the tools as motion_ moves them; empty: no motion plays
+    Jump jump = Jump::None;
   };
   void work();
+  void ask(Jump jump);
+  void jump(Jump jump, FrameInput& input);
   std::optional<Frame> nextFrame(std::chrono::steady_clock::time_point due);
 
   std::unique_ptr<Simulation> simulation_;
+  StrokeHistory history_;  // used by the thread alone
+  const OperationWatch watch_;
   const double frameRate_;
   const double wholeVolume_;  // m^3, before the operation
   mutable std::mutex mutex_;  // guards all members below; between frames, also simulation_
@@ -71,6 +90,7 @@ class LiveOperation {
   std::function<std::optional<FrameInput>()> motion_;
   // fresh_: a frame has ended since the last take().
   bool paused_ = false, ending_ = false, fresh_ = false;
+  Jump jump_ = Jump::None;
   bool stepping_ = false;  // a frame is being computed: only the thread may use the simulation
   int readers_ = 0;  // callers waiting for the end of the frame; the next frame waits for them
   std::vector<SurfacePublisher> publishers_;  // one per organ

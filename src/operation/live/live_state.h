@@ -23,7 +23,11 @@ struct LiveState {
   float iso = 50;                        // iso level
   bool moves = false;                    // whether any tissue is elastic
   std::vector<std::string> faults;       // since the last LiveOperation::take(), each once
-  std::vector<ToolInput> played;  // the tools' inputs while a motion plays; empty: no motion plays
+  std::vector<ToolInput> played;   // the tools' inputs while a motion plays; empty: no motion plays
+  int undoable = 0, redoable = 0;  // strokes that can be taken back; that can be done again
+  // Number of calls of undo() and redo() that were done, and the tools as the last one left them.
+  std::int64_t jumps = 0;
+  std::vector<ToolInput> jumpedTools;
   StepTimes times;
   // The lists below have one element per tool.
   std::vector<TipPlace> tips;      // valid only while the tool is in hand

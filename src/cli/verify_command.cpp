@@ -1,0 +1,57 @@
+// resect verify: plays a recording and compares every frame with what was recorded.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "cli/commands.h"
+#include "cli/json_output.h"
+#include "cli/progress_bar.h"
+#include "record/replay.h"
+
+namespace resect {
+
+void addVerifyCommand(CLI::App& app) {
+  struct Options {
+    std::string file;
+    int threads = 0;
+    bool json = false;
+  };
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("verify", "Play a recording and compare every frame with it");
+  command->add_option("FILE", options->file, "Recording (.resect)")->required();
+  command
+      ->add_option("--threads", options->threads, "Threads to use; 0 = all. The result is the same")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer(
+      "Exit status 1 where a frame differs: the first one is named, with the stage of the step and "
+      "the field.\nExample:\n  resect verify press.resect");
+  command->callback([options] {
+    const ThreadLimit threads(options->threads);
+    const Verification proof = verify(options->file, progressBar("verify"));
+    if (proof.first)
+      throw error(
+          "{}: frame {} of branch {} differs, in the stage {}: {}; the recording was "
+          "changed, or made by a program that computes otherwise",
+          options->file, proof.first->frame, proof.first->branch, proof.first->stage,
+          proof.first->what);
+    if (options->json) {
+      writeJson("-", {{"file", options->file},
+                      {"frames", proof.frames},
+                      {"key_states", proof.keyStates},
+                      {"branches", proof.branches},
+                      {"complete", proof.complete}});
+      return;
+    }
+    fmt::print("verified {} frames, {} key states, {} {}{}\n", proof.frames, proof.keyStates,
+               proof.branches, proof.branches == 1 ? "branch" : "branches",
+               proof.complete ? "" : "; the program ended before the recording did");
+  });
+}
+
+}  // namespace resect
