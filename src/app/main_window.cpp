@@ -27,6 +27,7 @@
 #include "app/viewer.h"
 #include "base/error.h"
 #include "formats/png_file.h"
+#include "inventor/reading/model_file.h"
 #include "inventor/scene/scene_file.h"
 #include "record/session_recordings.h"
 
@@ -256,7 +257,7 @@ void MainWindow::begin(OrganLoader::Result result) {
   try {
     std::optional<ScenePlaces> places;
     if (result.scenario.organs[0].source.part == kOrganNode)
-      places = readScenePlaces(result.scenario.organs[0].source.file);
+      places = readModel(result.scenario.organs[0].source.file).places;
     std::shared_ptr<Recorder> recorder = record(result);
     auto session = std::make_unique<OperatingSession>(
         result.scenario, std::move(result.simulation), viewer_->aspect(),

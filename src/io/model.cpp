@@ -1,7 +1,10 @@
 #include "io/model.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <numbers>
 #include <utility>
 
 #include "base/error.h"
@@ -10,15 +13,6 @@ namespace resect {
 namespace {
 
 constexpr double kLargestCoordinate = 1e9;  // m; beyond it a double no longer resolves 0.1 um
-
-// Names from foreign files are shown in one-line messages.
-std::string printable(std::string_view name) {
-  constexpr std::size_t kLongest = 60;
-  std::string text;
-  for (const char c : name.substr(0, kLongest)) text += (c >= 0 && c < ' ') || c == 127 ? '?' : c;
-  if (name.size() > kLongest) text += "...";
-  return text;
-}
 
 template <typename T>
 void put(std::string& bytes, const T* values, std::size_t count) {
@@ -53,6 +47,13 @@ class ByteReader {
     take(text.data(), text.size());
     return text;
   }
+  // Whether something optional follows.
+  bool takeFlag() {
+    std::uint8_t flag = 0;
+    take(&flag, 1);
+    if (flag > 1) throw broken();
+    return flag == 1;
+  }
   void expectEnd() const {
     if (!bytes_.empty()) throw broken();
   }
@@ -65,6 +66,97 @@ class ByteReader {
   const std::string& path_;
 };
 
+void putFlag(std::string& bytes, bool flag) { bytes += char(flag); }
+
+// Numbers of a finish, of a pose, of places without their tools: as they cross the pipe.
+using FinishNumbers = std::array<float, 7>;
+using PoseNumbers = std::array<double, 7>;
+
+FinishNumbers numbersOf(const Finish& f) {
+  return {f.diffuse.x(),  f.diffuse.y(),  f.diffuse.z(), f.specular.x(),
+          f.specular.y(), f.specular.z(), f.shininess};
+}
+
+Finish finishOf(const FinishNumbers& n) {
+  return {Vec3f(n[0], n[1], n[2]), Vec3f(n[3], n[4], n[5]), n[6]};
+}
+
+void putPose(std::string& bytes, const Pose& pose) {
+  const Vec3& p = pose.position;
+  const Eigen::Quaterniond& q = pose.rotation;
+  const PoseNumbers n{p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+  put(bytes, n.data(), n.size());
+}
+
+Pose takePose(ByteReader& reader) {
+  PoseNumbers n;
+  reader.take(n.data(), n.size());
+  return {Vec3(n[0], n[1], n[2]), Eigen::Quaterniond(n[3], n[4], n[5], n[6])};
+}
+
+void putPlaces(std::string& bytes, const ScenePlaces& places) {
+  const std::uint64_t tools = places.tools.size();
+  put(bytes, &tools, 1);
+  for (const Pose& tool : places.tools) putPose(bytes, tool);
+  putPose(bytes, places.camera);
+  put(bytes, &places.heightAngle, 1);
+  put(bytes, &places.focalDistance, 1);
+}
+
+ScenePlaces takePlaces(ByteReader& reader) {
+  ScenePlaces places;
+  places.tools.resize(reader.takeCount(sizeof(PoseNumbers)));
+  for (Pose& tool : places.tools) tool = takePose(reader);
+  places.camera = takePose(reader);
+  reader.take(&places.heightAngle, 1);
+  reader.take(&places.focalDistance, 1);
+  return places;
+}
+
+void checkLook(const ModelPart& part, const std::string& path, const std::string& where) {
+  constexpr float kRounding = 1e-3f;
+  if (!part.normals.empty() && part.normals.size() != part.mesh.points.size())
+    throw error("{}: {} has {} normals for {} points; export the model again", path, where,
+                part.normals.size(), part.mesh.points.size());
+  for (const Vec3f& n : part.normals)
+    if (!(n.isZero(0) || std::abs(n.norm() - 1) < kRounding))
+      throw error(
+          "{}: {} has the normal ({:g}, {:g}, {:g}), which is no direction; export the "
+          "model again",
+          path, where, n.x(), n.y(), n.z());
+  if (!part.finish) return;
+  for (const float number : numbersOf(*part.finish))
+    if (!(number >= 0 && number <= 1))
+      throw error(
+          "{}: the material of {} has the number {:g}, which is not between 0 and 1; "
+          "export the model again",
+          path, where, number);
+}
+
+void checkPlace(const Pose& pose, const std::string& path, const std::string& what) {
+  constexpr double kFarthest = 1e6;  // m
+  if (!isFinite(pose) || pose.position.cwiseAbs().maxCoeff() > kFarthest ||
+      std::abs(pose.rotation.norm() - 1) > 1e-6)
+    throw error("{}: the place of {} in the saved scene is out of range; save the scene again",
+                path, what);
+}
+
+void checkPlaces(const ScenePlaces& places, const std::string& path) {
+  if (places.tools.size() > kMostSceneTools)
+    throw error("{}: the saved scene has more than {} tools; remove some", path, kMostSceneTools);
+  for (std::size_t i = 0; i < places.tools.size(); ++i)
+    checkPlace(places.tools[i], path, fmt::format("tool {}", i + 1));
+  checkPlace(places.camera, path, "the camera");
+  const double angle = places.heightAngle, distance = places.focalDistance;
+  if (!(angle >= 1e-3 && angle <= std::numbers::pi - 1e-3))
+    throw error("{}: the camera of the saved scene has an angle of {:g} rad; save the scene again",
+                path, angle);
+  if (!(distance >= 1e-6 && distance <= 1e6))
+    throw error(
+        "{}: the camera of the saved scene looks at a distance of {:g} m; save the scene again",
+        path, distance);
+}
+
 }  // namespace
 
 TriangleMesh merged(const Model& model) {
@@ -74,20 +166,37 @@ TriangleMesh merged(const Model& model) {
 }
 
 void addToPart(Model& model, const std::string& name, TriangleMesh mesh) {
-  if (mesh.triangles.empty()) return;
-  const auto part = std::find_if(model.parts.begin(), model.parts.end(),
-                                 [&](const ModelPart& p) { return p.name == name; });
-  if (part == model.parts.end())
-    model.parts.push_back({name, std::move(mesh)});
-  else
-    append(part->mesh, mesh);
+  addToPart(model, ModelPart{name, std::move(mesh)});
+}
+
+void addToPart(Model& model, ModelPart piece) {
+  if (piece.mesh.triangles.empty()) return;
+  const auto part = std::ranges::find(model.parts, piece.name, &ModelPart::name);
+  if (part == model.parts.end()) {
+    model.parts.push_back(std::move(piece));
+    return;
+  }
+  if (!part->normals.empty() || !piece.normals.empty()) {
+    piece.normals.resize(piece.mesh.points.size(), Vec3f::Zero());
+    part->normals.resize(part->mesh.points.size(), Vec3f::Zero());
+    part->normals.insert(part->normals.end(), piece.normals.begin(), piece.normals.end());
+  }
+  append(part->mesh, piece.mesh);
 }
 
 const ModelPart& partNamed(const Model& model, const std::string& name) {
   for (const ModelPart& part : model.parts)
     if (part.name == name) return part;
-  throw error("{} has no part '{}'; choose one of: {}", model.path, printable(name),
+  throw error("{} has no part '{}'; choose one of: {}", model.path, shownName(name),
               partList(model));
+}
+
+std::string shownName(std::string_view name) {
+  constexpr std::size_t kLongest = 60;
+  std::string text;
+  for (const char c : name.substr(0, kLongest)) text += (c >= 0 && c < ' ') || c == 127 ? '?' : c;
+  if (name.size() > kLongest) text += "...";
+  return text;
 }
 
 std::string partList(const Model& model, std::size_t most) {
@@ -96,7 +205,7 @@ std::string partList(const Model& model, std::size_t most) {
   const std::size_t shown = count > most ? most : count;
   for (std::size_t i = 0; i < shown; ++i) {
     if (i > 0) list += ", ";
-    list += model.parts[i].name.empty() ? "(no name)" : printable(model.parts[i].name);
+    list += model.parts[i].name.empty() ? "(no name)" : shownName(model.parts[i].name);
   }
   if (shown < count) list += fmt::format(" and {} more", count - shown);
   return list;
@@ -107,7 +216,7 @@ void checkModel(const Model& model) {
   for (const ModelPart& part : model.parts) {
     const auto points = std::int32_t(part.mesh.points.size());
     const std::string where =
-        part.name.empty() ? "the mesh" : fmt::format("part '{}'", printable(part.name));
+        part.name.empty() ? "the mesh" : fmt::format("part '{}'", shownName(part.name));
     triangles += part.mesh.triangles.size();
     for (const Vec3& p : part.mesh.points)
       if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestCoordinate)
@@ -122,16 +231,18 @@ void checkModel(const Model& model) {
               "{}: {} has a triangle with point {} of only {}; export the model "
               "again",
               model.path, where, i, points);
+    checkLook(part, model.path, where);
   }
   if (triangles == 0)
     throw error("{}: there are no triangles in it; choose a file that holds a surface", model.path);
+  if (model.places) checkPlaces(*model.places, model.path);
 }
 
 std::string modelToBytes(const Model& model) {
-  std::size_t size = 2 * sizeof(std::uint64_t) + model.format.size();
+  std::size_t size = 4096 + model.format.size();
   for (const ModelPart& part : model.parts)
-    size += 3 * sizeof(std::uint64_t) + part.name.size() + part.mesh.points.size() * sizeof(Vec3) +
-            part.mesh.triangles.size() * sizeof(Triangle);
+    size += 128 + part.name.size() + part.mesh.points.size() * sizeof(Vec3) +
+            part.mesh.triangles.size() * sizeof(Triangle) + part.normals.size() * sizeof(Vec3f);
   std::string bytes;
   bytes.reserve(size);
   putText(bytes, model.format);
@@ -144,7 +255,14 @@ std::string modelToBytes(const Model& model) {
     put(bytes, part.mesh.points.data(), points);
     put(bytes, &triangles, 1);
     put(bytes, part.mesh.triangles.data(), triangles);
+    const std::uint64_t normals = part.normals.size();
+    put(bytes, &normals, 1);
+    put(bytes, part.normals.data(), normals);
+    putFlag(bytes, part.finish.has_value());
+    if (part.finish) put(bytes, numbersOf(*part.finish).data(), FinishNumbers().size());
   }
+  putFlag(bytes, model.places.has_value());
+  if (model.places) putPlaces(bytes, *model.places);
   return bytes;
 }
 
@@ -153,14 +271,21 @@ Model bytesToModel(std::string_view bytes, const std::string& path) {
   model.path = path;
   ByteReader reader(bytes, path);
   model.format = reader.takeText();
-  model.parts.resize(reader.takeCount(3 * sizeof(std::uint64_t)));
+  model.parts.resize(reader.takeCount(4 * sizeof(std::uint64_t)));
   for (ModelPart& part : model.parts) {
     part.name = reader.takeText();
     part.mesh.points.resize(reader.takeCount(sizeof(Vec3)));
     reader.take(part.mesh.points.data(), part.mesh.points.size());
     part.mesh.triangles.resize(reader.takeCount(sizeof(Triangle)));
     reader.take(part.mesh.triangles.data(), part.mesh.triangles.size());
+    part.normals.resize(reader.takeCount(sizeof(Vec3f)));
+    reader.take(part.normals.data(), part.normals.size());
+    if (FinishNumbers numbers; reader.takeFlag()) {
+      reader.take(numbers.data(), numbers.size());
+      part.finish = finishOf(numbers);
+    }
   }
+  if (reader.takeFlag()) model.places = takePlaces(reader);
   reader.expectEnd();
   checkModel(model);
   return model;

@@ -2,11 +2,14 @@
 // metres.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "geometry/pose.h"
 #include "geometry/triangle_mesh.h"
+#include "tools/finish.h"
 
 namespace resect {
 
@@ -15,12 +18,27 @@ namespace resect {
 struct ModelPart {
   std::string name;  // as the file calls it; may be empty
   TriangleMesh mesh;
+  // For pictures. One normal for each point: unit, or zero where the file gives none; no normals at
+  // all where it gives none to the whole part. Readers of other formats than Inventor give none.
+  std::vector<Vec3f> normals{};
+  std::optional<Finish> finish{};  // of the first shape of the part
 };
+
+// Where a saved scene (inventor/scene/scene_file.h) has its camera and its tools, world.
+struct ScenePlaces {
+  std::vector<Pose> tools;  // in the order of the room that was saved; at most kMostSceneTools
+  Pose camera;
+  double heightAngle = 0;    // rad, between 0 and pi
+  double focalDistance = 0;  // m, > 0
+};
+
+constexpr std::size_t kMostSceneTools = 1000;
 
 struct Model {
   std::string path;
-  std::string format;            // "Inventor V2.1 binary", "STL", ...
-  std::vector<ModelPart> parts;  // in the order of the file; no two have the same name
+  std::string format;                   // "Inventor V2.1 binary", "STL", ...
+  std::vector<ModelPart> parts;         // in the order of the file; no two have the same name
+  std::optional<ScenePlaces> places{};  // of a saved scene
 };
 
 // All parts as one mesh.
@@ -29,16 +47,23 @@ TriangleMesh merged(const Model& model);
 // Appends a mesh to the part of that name, or to a new part of that name if there is none yet. A
 // mesh without triangles is ignored.
 void addToPart(Model& model, const std::string& name, TriangleMesh mesh);
+// The same with normals; the finish is that of the first piece.
+void addToPart(Model& model, ModelPart piece);
 
 // The part of that name. If there is none, throws an Error that lists the names of the parts.
 const ModelPart& partNamed(const Model& model, const std::string& name);
+
+// A name from a foreign file for a message of one line: at most 60 characters, '?' for what cannot
+// be printed.
+std::string shownName(std::string_view name);
 
 // The names of the first `most` parts, as "a, b, c and 23 more". A name longer than 60 characters
 // is cut short.
 std::string partList(const Model& model, std::size_t most = 40);
 
 // Throws Error for what no reader may return: no triangles at all, an index out of range, a
-// coordinate that is not finite or is beyond 1e9 m on either side of 0.
+// coordinate that is not finite or is beyond 1e9 m on either side of 0, a normal that is neither
+// unit nor zero, a finish or a place of a saved scene that is out of range.
 void checkModel(const Model& model);
 
 // For sending a model through a pipe: modelToBytes() gives its bytes, bytesToModel() makes the

@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include "inventor/gl/SoOrganShape.h"
-#include "inventor/scene/scene_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
 #include "io/scenario/scenario_file.h"
@@ -12,7 +11,6 @@
 #include "operation/run.h"
 #include "support/operating_bench.h"
 #include "support/references/nearest_triangle.h"
-#include "support/temporary_folder.h"
 
 using namespace resect;
 
@@ -284,27 +282,6 @@ TEST_CASE(
   auto* camera = bench.session->room().camera();
   camera->pointAt(camera->position.getValue() + SbVec3f(0, 0.2f, -1), SbVec3f(0, 1, 0));
   CHECK_FALSE(bench.session->pointUnder({400, 250}, bench.viewport, point));
-}
-
-TEST_CASE("a scene that is saved comes back with organ, tools and camera") {
-  Bench bench;
-  const test::TemporaryFolder folder;
-  const auto file = folder.path() / "scene.iv";
-  bench.tools().setPose(1, {Vec3(0.1, 0.2, 0.05), toolBoxPlace(1).rotation});
-  bench.session->look(RoomView::Top, 1.6);
-  const auto surface = bench.session->operation().surface();
-  writeSceneFile(file, bench.session->room(), surface);
-
-  const Model model = readModel(file);
-  const TriangleMesh& organ = partNamed(model, kOrganNode).mesh;
-  CHECK(organ.triangles.size() == surface.mesh.triangles.size());
-  const auto places = readScenePlaces(file);
-  REQUIRE(places);
-  REQUIRE(places->tools.size() == toolKinds().size());
-  CHECK((places->tools[1].position - Vec3(0.1, 0.2, 0.05)).norm() < 1e-6);
-  const SbVec3f camera = bench.session->room().camera()->position.getValue();
-  CHECK((places->camera.position - Vec3(camera[0], camera[1], camera[2])).norm() < 1e-5);
-  CHECK_FALSE(readScenePlaces(bench.session->toolModels()[0].file).has_value());
 }
 
 TEST_CASE("C held down closes the scissors in hand, and they open again when it is let go") {

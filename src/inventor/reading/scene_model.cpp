@@ -21,6 +21,7 @@
 #include <Inventor/nodes/SoIndexedTriangleStripSet.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoMultipleCopy.h>
+#include <Inventor/nodes/SoNormalBinding.h>
 #include <Inventor/nodes/SoNurbsCurve.h>
 #include <Inventor/nodes/SoNurbsSurface.h>
 #include <Inventor/nodes/SoPointSet.h>
@@ -29,7 +30,10 @@
 #include <Inventor/nodes/SoTriangleStripSet.h>
 #include <Inventor/nodes/SoVertexProperty.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "base/error.h"
@@ -37,12 +41,51 @@
 #include "inventor/reading/indexed_face_set.h"
 #include "inventor/reading/indexed_triangle_strip_set.h"
 #include "inventor/reading/scene_limits.h"
+#include "inventor/reading/scene_places.h"
 #include "inventor/reading/triangle_strip_set.h"
 
 namespace resect {
 namespace {
 
 constexpr std::size_t kMostTriangles = 20'000'000;
+
+// The material of the shape that is traversed, brought into range; none if that is Inventor's own,
+// which shapes without a Material node have, or a number is not finite.
+std::optional<Finish> finishAt(const SoCallbackAction& action) {
+  SbColor ambient, diffuse, specular, emission;
+  float shininess = 0, transparency = 0;
+  action.getMaterial(ambient, diffuse, specular, emission, shininess, transparency);
+  if (diffuse == SbColor(0.8f, 0.8f, 0.8f) && specular == SbColor(0, 0, 0) && shininess == 0.2f)
+    return std::nullopt;
+  Finish finish{Vec3f(diffuse.getValue()), Vec3f(specular.getValue()), shininess};
+  if (!finish.diffuse.allFinite() || !finish.specular.allFinite() || !std::isfinite(shininess))
+    return std::nullopt;
+  finish.diffuse = finish.diffuse.cwiseMax(0).cwiseMin(1);
+  finish.specular = finish.specular.cwiseMax(0).cwiseMin(1);
+  finish.shininess = std::clamp(shininess, 0.0f, 1.0f);
+  return finish;
+}
+
+// The normals of a shape without indices, one for each of its points, in the world; none unless the
+// scene gives each point one.
+std::vector<Vec3f> normalsAt(const SoTriangleStripSet& shape, const SoCallbackAction& action,
+                             std::size_t points) {
+  const auto binding = action.getNormalBinding();
+  const bool each =
+      binding == SoNormalBinding::PER_VERTEX || binding == SoNormalBinding::PER_VERTEX_INDEXED;
+  if (!each || shape.vertexProperty.getValue() || shape.startIndex.getValue() != 0 ||
+      std::size_t(action.getNumNormals()) < points)
+    return {};
+  const SbMatrix turn = action.getModelMatrix().inverse().transpose();
+  std::vector<Vec3f> normals(points, Vec3f::Zero());
+  for (std::size_t i = 0; i < points; ++i) {
+    SbVec3f n;
+    turn.multDirMatrix(action.getNormal(int(i)), n);
+    const Vec3f unit = Vec3f(n.getValue()).normalized();
+    if (std::abs(unit.norm() - 1) < 1e-4f) normals[i] = unit;
+  }
+  return normals;
+}
 
 // Collects triangles in the callbacks of one traversal.
 class Collector {
@@ -63,11 +106,11 @@ class Collector {
     return SoCallbackAction::ABORT;
   }
 
-  void add(const SoCallbackAction& action, TriangleMesh mesh) {
+  void add(const SoCallbackAction& action, TriangleMesh mesh, std::vector<Vec3f> normals = {}) {
     triangles_ += mesh.triangles.size();
     if (triangles_ > kMostTriangles)
       throw error("{}: more than {} triangles; simplify the model", model_.path, kMostTriangles);
-    addToPart(model_, partName(action), std::move(mesh));
+    addToPart(model_, {partName(action), std::move(mesh), std::move(normals), finishAt(action)});
   }
 
   // Coin's triangles come one by one and are collected per shape.
@@ -146,7 +189,10 @@ SoCallbackAction::Response convert(void* data, SoCallbackAction* action, const S
     const auto& shape = *static_cast<const Shape*>(node);
     TriangleMesh mesh{pointsAt(shape, *action), {}};
     appendTriangles(shape, mesh.points, collector.path() + ":", mesh.triangles);
-    collector.add(*action, inWorld(*action, std::move(mesh)));
+    std::vector<Vec3f> normals;
+    if constexpr (std::is_same_v<Shape, SoTriangleStripSet>)
+      normals = normalsAt(shape, *action, mesh.points.size());
+    collector.add(*action, inWorld(*action, std::move(mesh)), std::move(normals));
     return SoCallbackAction::PRUNE;
   });
 }
@@ -226,6 +272,7 @@ void addScene(SoNode* root, ShapeReading reading, Model& model) {
   action.addPostCallback(SoShape::getClassTypeId(), endShape, &collector);
   action.apply(root);
   collector.throwFailure();
+  model.places = findPlaces(root);
 }
 
 }  // namespace resect

@@ -1,9 +1,6 @@
 #include "inventor/scene/scene_file.h"
 
-#include <Inventor/SoDB.h>
-#include <Inventor/SoInput.h>
 #include <Inventor/SoOutput.h>
-#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/actions/SoWriteAction.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoIndexedFaceSet.h>
@@ -16,19 +13,16 @@
 #include <Inventor/nodes/SoShapeHints.h>
 #include <Inventor/nodes/SoSpotLight.h>
 #include <Inventor/nodes/SoTransform.h>
-#include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
 
-#include "inventor/init.h"
+#include "inventor/reading/scene_places.h"
 #include "io/atomic_file.h"
 
 namespace resect {
 namespace {
-
-constexpr const char* kMark = "Resect operation";
 
 SoSeparator* placed(const Pose& pose, SoNode* model) {
   auto* separator = new SoSeparator;
@@ -87,17 +81,6 @@ SoSeparator* organNode(const SurfaceTracker::Compact& organ) {
   return separator;
 }
 
-template <typename Node>
-Node* named(SoNode* root, const char* name) {
-  SoSearchAction search;
-  search.setName(name);
-  search.setType(Node::getClassTypeId());
-  search.apply(root);
-  return search.getPath() ? static_cast<Node*>(search.getPath()->getTail()) : nullptr;
-}
-
-std::string toolNode(int tool) { return fmt::format("Tool_{}", tool + 1); }
-
 }  // namespace
 
 void writeSceneFile(const std::filesystem::path& path, const OperatingRoom& room,
@@ -105,10 +88,10 @@ void writeSceneFile(const std::filesystem::path& path, const OperatingRoom& room
   auto* root = new SoSeparator;
   root->ref();
   auto* info = new SoInfo;
-  info->string = kMark;
+  info->string = kSceneMark;
   root->addChild(info);
   SoNode* camera = room.camera()->copy();
-  camera->setName("Camera");
+  camera->setName(kCameraNode);
   root->addChild(camera);
   for (int i : {0, 1}) root->addChild(room.lamp(i)->copy());
   if (room.tableModel()) root->addChild(room.tableModel());
@@ -130,32 +113,6 @@ void writeSceneFile(const std::filesystem::path& path, const OperatingRoom& room
   std::string text(static_cast<const char*>(buffer), size);
   std::free(buffer);
   writeFileAtomically(path, [&](std::ostream& stream) { stream << text; });
-}
-
-std::optional<ScenePlaces> readScenePlaces(const std::filesystem::path& path) {
-  initInventor();
-  SoInput input;
-  SoSeparator* root = input.openFile(path.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;
-  if (!root) return std::nullopt;
-  root->ref();
-  std::optional<ScenePlaces> places;
-  const auto* info =
-      root->getNumChildren() > 0 && root->getChild(0)->isOfType(SoInfo::getClassTypeId())
-          ? static_cast<SoInfo*>(root->getChild(0))
-          : nullptr;
-  const auto* camera = named<SoPerspectiveCamera>(root, "Camera");
-  if (info && info->string.getValue() == kMark && camera) {
-    places.emplace();
-    const SbVec3f& at = camera->position.getValue();
-    const float* q = camera->orientation.getValue().getValue();
-    places->camera = {Vec3(at[0], at[1], at[2]), Eigen::Quaterniond(q[3], q[0], q[1], q[2])};
-    places->heightAngle = camera->heightAngle.getValue();
-    places->focalDistance = camera->focalDistance.getValue();
-    for (int i = 0; const auto* tool = named<SoTransform>(root, toolNode(i).c_str()); ++i)
-      places->tools.push_back(getPose(*tool));
-  }
-  root->unref();
-  return places;
 }
 
 void setCamera(OperatingRoom& room, const ScenePlaces& places) {

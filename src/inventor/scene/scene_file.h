@@ -7,10 +7,9 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <vector>
 
 #include "inventor/scene/operating_room.h"
+#include "io/model.h"
 #include "surface/surface_tracker.h"
 
 namespace resect {
@@ -21,17 +20,9 @@ constexpr const char* kOrganNode = "Organ";  // name of the node that holds the 
 void writeSceneFile(const std::filesystem::path& path, const OperatingRoom& room,
                     const SurfaceTracker::Compact& organ);
 
-struct ScenePlaces {
-  std::vector<Pose> tools;  // one per tool, in the order of the saved room
-  Pose camera;
-  double heightAngle = 0;    // of the camera's view, rad
-  double focalDistance = 0;  // from the camera to its point of interest, m
-};
-
-// Tools and camera of a file that writeSceneFile() wrote; nullopt for any other file. The file is
-// read in this process, not in a child. So call readModel() first, which rejects harmful files.
-std::optional<ScenePlaces> readScenePlaces(const std::filesystem::path& path);
-// Gives the room's camera the saved pose, height angle and focal distance.
+// Gives the room's camera the pose, height angle and focal distance of a saved scene. The places of
+// a file that writeSceneFile() wrote are in readModel(file).places (inventor/reading/model_file.h),
+// read and checked as any file from outside.
 void setCamera(OperatingRoom& room, const ScenePlaces& places);
 
 }  // namespace resect

@@ -1,0 +1,15 @@
+// Colour and gloss of an instrument's surface, as Inventor's Material node gives them.
+#pragma once
+
+#include "base/vec.h"
+
+namespace resect {
+
+// Each number 0 to 1. Without values of its own: the steel of the scissors that come with Resect.
+struct Finish {
+  Vec3f diffuse{0.62f, 0.63f, 0.65f};
+  Vec3f specular{0.65f, 0.65f, 0.67f};
+  float shininess = 0.4f;  // 1 is OpenGL's exponent 128
+};
+
+}  // namespace resect
