@@ -19,7 +19,6 @@
 #include "inventor/reading/model_file.h"
 #include "inventor/scene/operating_room.h"
 #include "inventor/scene/operation_view.h"
-#include "io/data_folder.h"
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
 #include "organ/pieces.h"
@@ -86,7 +85,7 @@ void draw(const char* file, Organ& organ, const std::vector<Vec3f>& points, cons
   for (const Vec3& n : pointNormals(mesh)) normals.push_back(n.cast<float>());
   OffscreenView picture(1280, 720);
   OperatingRoom room;
-  room.setTable(readSceneFile(dataFolder() / "tools" / "table.iv"));
+  room.setTable(readRoomModel("table"));
   room.organ()->update(
       wholeSurface(points, normals, organ.surface.cut(), triangles, organ.surface.points()));
   room.lightUp(organ.rest.lattice.box());

@@ -19,7 +19,7 @@
 #include "inventor/scene/operating_room.h"
 #include "inventor/scene/operation_view.h"
 #include "io/atomic_file.h"
-#include "io/data_folder.h"
+#include "io/operation_setup.h"
 #include "io/organ_mesh.h"
 #include "io/scenario/length.h"
 #include "operation/room.h"
@@ -91,12 +91,11 @@ void render(const Options& options) {
       room.addTissue(meshes[i], tissueColour(options.models[i]));
   }
   if (!options.noRoom) {
-    const auto tools = dataFolder() / "tools";
-    room.setTable(readSceneFile(tools / "table.iv"));
-    room.setToolbox(readSceneFile(tools / "toolbox.iv"), toolBoxPose());
+    room.setTable(readRoomModel("table"));
+    room.setToolbox(readRoomModel("toolbox"), toolBoxPose());
     int place = 0;
-    for (const char* tool : {"scalpel.iv", "hook.iv", "baton.iv"})
-      room.setToolPose(room.addTool(readSceneFile(tools / tool)), toolBoxPlace(place++));
+    for (const char* tool : {"scalpel", "hook", "baton"})
+      room.setToolPose(room.addTool(loadTool(tool, &readModel)), toolBoxPlace(place++));
   }
   const std::size_t triangles = all.triangles.size();
   const Aabb box = bounds(transformed(std::move(all), pose));

@@ -8,6 +8,7 @@
 #include "geometry/resting_pose.h"
 #include "io/cells/particle_file.h"
 #include "io/data_folder.h"
+#include "io/drawn_parts.h"
 #include "io/organ_mesh.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
@@ -157,14 +158,22 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
   return cells;
 }
 
+ToolModel loadTool(const std::string& name, const ModelReader& readModel) {
+  Model shape;
+  const auto readMesh = [&](const std::filesystem::path& path) {
+    shape = readModel(path);
+    return prepareOrganMesh(shape).mesh;
+  };
+  ToolModel tool = readTool(findDataFile(name, "tools", ".toml"), readMesh);
+  tool.drawn = drawnParts(shape, tool.jaws);
+  return tool;
+}
+
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel) {
-  const auto readMesh = [&](const std::filesystem::path& path) {
-    return prepareOrganMesh(readModel(path), {}).mesh;
-  };
   std::vector<std::unique_ptr<Tool>> tools;
   for (const ScenarioTool& tool : scenario.tools) {
-    ToolModel model = readTool(findDataFile(tool.model, "tools", ".toml"), readMesh);
+    ToolModel model = loadTool(tool.model, readModel);
     if (tool.response) model.response = *tool.response;
     if (scenario.mode == OperationMode::Thesis) model.response = "remove";
     tools.push_back(makeTool(std::move(model)));

@@ -41,8 +41,11 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr);
 
-// The scenario's tools, from their description files. The scenario names a file by its path, or by
-// its name among those that come with Resect ("scalpel").
+// A tool from its description file, given by the file's path or by its name among those that come
+// with Resect ("scalpel"). It is drawn as the parts of its model (io/drawn_parts.h).
+ToolModel loadTool(const std::string& name, const ModelReader& readModel);
+
+// The scenario's tools.
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 

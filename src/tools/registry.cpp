@@ -76,6 +76,12 @@ std::unique_ptr<Tool> makeTool(ToolModel model) {
               model.friction >= 0 && model.slipForce >= 0,
           "a length, friction or force of tool \"{}\" is not a number from 0; correct it",
           model.name);
+  for (const DrawnPart& part : model.drawn) {
+    requireSound(part.mesh);
+    require(part.normals.empty() || part.normals.size() == part.mesh.points.size(),
+            "a drawn part of tool \"{}\" has {} normals for {} points; give one for each, or none",
+            model.name, part.normals.size(), part.mesh.points.size());
+  }
   tool->bounds = bounds(model.mesh);
   tool->model = std::move(model);
   return tool;

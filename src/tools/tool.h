@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/triangle_mesh.h"
+#include "tools/finish.h"
 #include "tools/working_part.h"
 
 namespace resect {
@@ -23,6 +25,15 @@ struct Jaws {
   }
 };
 
+// A piece of an instrument as viewers draw it, in the tool's frame, with the jaws closed.
+struct DrawnPart {
+  TriangleMesh mesh;
+  std::vector<Vec3f> normals{};    // unit, one for each point; none: to be made from the triangles
+  std::optional<Finish> finish{};  // none: steel
+  bool closed = false;             // closed and outwards: back faces are never seen
+  double opens = 0;  // rad: turned by this about the jaws' pivot and axis when wide open
+};
+
 // An instrument's shape and working parts. The coordinates are those of the tool, m: its tip is at
 // the origin, its handle along +Z.
 struct ToolModel {
@@ -30,7 +41,7 @@ struct ToolModel {
   std::string kind;                // chooses its working parts: see tools/registry.h
   std::vector<std::string> parts;  // names of its working parts; empty: those of its kind
   std::string description;         // one sentence
-  std::filesystem::path file;      // the model's file, for viewers
+  std::filesystem::path file;      // the model's file, for messages
   TriangleMesh mesh;               // closed, oriented outwards
   Vec3 tip = Vec3::Zero();
   Vec3 axis = Vec3::UnitZ();  // unit, from tip to handle
@@ -38,6 +49,7 @@ struct ToolModel {
   // for a blunt tool.
   std::vector<Vec3> edge;
   Jaws jaws;                  // the mesh shows them wide open
+  std::vector<DrawnPart> drawn;  // for viewers; none: they draw the mesh
   std::vector<Vec3> hook;     // centre line of a hook's bend; empty: the tool has no hook
   Vec3 point = Vec3::Zero();  // end of the hook
   double contactRadius = 0;   // radius of a round tip; 0: the tool has none

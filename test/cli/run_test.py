@@ -236,6 +236,53 @@ class Complaints(unittest.TestCase):
             self.assertEqual(done.returncode, 1, args)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
+    def test_an_instrument_from_outside_gives_pictures_or_one_sentence(self):
+        """Coin alone ends in a segmentation fault on most of these."""
+        points = [(x, y, z) for z in (0, 0.1) for y in (-0.01, 0.01) for x in (-0.01, 0.01)]
+        faces = "0,2,3,1,-1, 4,5,7,6,-1, 0,1,5,4,-1, 2,6,7,3,-1, 0,4,6,2,-1, 1,3,7,5,-1"
+        shape = "Coordinate3 { point [ " + ", ".join("%g %g %g" % p for p in points) + " ] }\n"
+        rod = shape + f"IndexedFaceSet {{ coordIndex [ {faces} ] }}\n"
+        wild = "[ " + ", ".join(["90000000"] * 30) + " ]"
+        each = "{ value PER_VERTEX_INDEXED }\n"
+        indexed = shape + f"IndexedFaceSet {{ coordIndex [ {faces} ] %sIndex {wild} }}\n"
+        models = {
+            "normal": f"Normal {{ vector [ 0 0 1 ] }}\nNormalBinding {each}" + indexed % "normal",
+            "material": f"Material {{ diffuseColor [ 1 0 0 ] }}\nMaterialBinding {each}" + indexed % "material",
+            "texture": "Texture2 { image 1 1 3 0xff0000 }\nTextureCoordinate2 { point [ 0 0 ] }\n"
+                       f"TextureCoordinateBinding {each}" + indexed % "textureCoord",
+            "points": rod + "PointSet { numPoints 90000000 }\n",
+            "lines": rod + "LineSet { numVertices [ 90000000 ] }\n",
+            "far_jaw": rod + "DEF JawUpper Separator { Transform { translation 1e30 0 0 }\n" + rod + "}\n",
+            "large_jaw": rod + "DEF JawUpper Separator { Transform { scaleFactor 9e9 9e9 9e9 }\n" + rod + "}\n",
+        }
+        folder = FOLDER / "instruments"
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, body in models.items():
+            (folder / f"{name}.iv").write_text("#Inventor V2.1 ascii\nSeparator {\n" + body + "}\n")
+            (folder / f"{name}.toml").write_text(
+                f'name = "Own"\nkind = "baton"\nmodel = "{name}.iv"\njaw_opening = 0.5\n')
+            scenario = folder / f"run_{name}.toml"
+            scenario.write_text('title = "Own"\nduration = 0.05\n[organ]\nspacing = "16mm"\n'
+                                f'[[tool]]\nmodel = "{name}.toml"\n'
+                                'keys = [ { time = 0, position = [0, 0.2, 0] }, '
+                                '{ time = 0.05, position = [0, 0.19, 0], squeeze = 1 } ]\n')
+            done = resect("run", scenario, "--frames", folder / name, "--size", "160x90")
+            self.assertEqual(done.returncode, 1 if "jaw" in name else 0, (name, done.stderr))
+            if done.returncode == 1:
+                self.assertIn(f"{name}.iv: ", done.stderr)
+                self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+            self.assertEqual(len(list(folder.glob(f"{name}/*.png"))) > 0, done.returncode == 0, name)
+
+    def test_a_saved_scene_whose_camera_is_nowhere_gives_one_sentence(self):
+        scene = FOLDER / "nowhere.iv"
+        for camera in ("position nan 0 0", "position 1e300 0 0", "focalDistance 1e300", "heightAngle -1"):
+            scene.write_text('#Inventor V2.1 ascii\nSeparator {\nInfo { string "Resect operation" }\n'
+                             f"DEF Camera PerspectiveCamera {{ {camera} }}\nDEF Organ Separator {{ Cube {{ }} }}\n}}\n")
+            done = resect("info", scene)
+            self.assertEqual(done.returncode, 1, camera)
+            self.assertIn("nowhere.iv:", done.stderr)
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

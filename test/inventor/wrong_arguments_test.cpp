@@ -18,6 +18,11 @@ TEST_CASE("tools, organs, views and materials that the room does not have are re
   initInventor();
   OperatingRoom room;
   CHECK(refuses([&] { room.addTool(nullptr); }, "without a model"));
+  ToolModel broken;
+  broken.mesh = {{Vec3::Zero()}, {{0, 1, 2}}};
+  CHECK(refuses([&] { room.addTool(broken); }, "a point beyond"));
+  broken.drawn = {{{{Vec3::Zero()}, {{0, 0, 0}}}, {Vec3f::UnitX(), Vec3f::UnitX()}}};
+  CHECK(refuses([&] { room.addTool(broken); }, "2 normals for 1 points"));
   ToolHandling hand(room, {});
   for (const int wrong : {-2, -1, 0, 7}) {
     CHECK(refuses([&] { room.toolTransform(wrong); }, "no tool"));

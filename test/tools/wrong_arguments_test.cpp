@@ -29,6 +29,18 @@ TEST_CASE("a tool without a shape, of no known kind or with numbers that are non
   CHECK(toolRefused([](ToolModel& m) { m.mesh = {}; }, "has no shape"));
   CHECK(toolRefused([](ToolModel& m) { m.mesh.triangles[0][1] = -7; }, "uses a point"));
   CHECK(toolRefused([&](ToolModel& m) { m.mesh.points[0].x() = none; }, "not finite"));
+  CHECK(toolRefused(
+      [](ToolModel& m) {
+        m.drawn = {{m.mesh}};
+        m.drawn[0].mesh.triangles[0][1] = 99;
+      },
+      "a point beyond"));
+  CHECK(toolRefused(
+      [](ToolModel& m) {
+        m.drawn = {{m.mesh}};
+        m.drawn[0].normals.resize(3);
+      },
+      "3 normals"));
   CHECK(toolRefused([](ToolModel& m) { m.kind = "spoon"; }, "no kind of tool \"spoon\""));
   CHECK(toolRefused([](ToolModel& m) { m.parts = {"drill"}; }, "no working part \"drill\""));
   CHECK(toolRefused([&](ToolModel& m) { m.edge = {Vec3::Constant(none)}; }, "\"probe\""));

@@ -141,16 +141,16 @@ def build():
     """The scissors closed: two halves and the screw, each a closed surface or several that
     overlap."""
     surface = Surface(unit=0.001)
-    build_half(surface, "UpperHalf", turned=False)
-    build_half(surface, "LowerHalf", turned=True)
+    build_half(surface, "JawUpper", turned=False)
+    build_half(surface, "JawLower", turned=True)
     screw(surface)
     return surface
 
 
-def jaw(name, angle):
-    """The transform of a half: it turns about the screw."""
+def opened(angle):
+    """The transform that holds a half open: it turns about the screw."""
     return (
-        f"DEF {name} Transform {{\n"
+        "Transform {\n"
         f"  rotation 1 0 0 {numbers([angle], 6)}\n"
         f"  center 0 0 {numbers([0.001 * PIVOT], 6)}\n"
         "}\n"
@@ -161,8 +161,8 @@ def files():
     """{file name: text} of this instrument."""
     description = f"""
 Dissecting scissors, {LENGTH:.0f} mm long, in metres, open. Closed, the tip is at the origin; handle
-towards +Z; the blades turn in the Y-Z plane about the screw. The transforms JawUpper and JawLower
-hold the halves open: viewers turn them to no rotation as the scissors close.
+towards +Z; the blades turn in the Y-Z plane about the screw. The parts JawUpper and JawLower are
+wide open: viewers turn them about the screw as the scissors close.
 """
     opening = """
 Scissors. Lengths in metres, in the frame of scissors.iv: the closed tip at the origin, the handle
@@ -183,10 +183,10 @@ towards +Z; the blades move in the Y-Z plane.
         ("jaw_opening", OPENING, "Angle between the edges when wide open (rad)."),
     ]
     before = {
-        "UpperHalf": jaw("JawUpper", 0.5 * OPENING),
-        "LowerHalf": jaw("JawLower", -0.5 * OPENING),
+        "JawUpper": opened(0.5 * OPENING),
+        "JawLower": opened(-0.5 * OPENING),
     }
-    materials = {part: STEEL for part in ("UpperHalf", "LowerHalf", "Screw")}
+    materials = {part: STEEL for part in ("JawUpper", "JawLower", "Screw")}
     return {
         "scissors.iv": model_text(description, build(), materials, before=before),
         "scissors.toml": description_text(opening, entries),

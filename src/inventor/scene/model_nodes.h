@@ -1,15 +1,34 @@
 // Scene nodes for models.
 #pragma once
 
+#include <vector>
+
 #include "geometry/triangle_mesh.h"
+#include "tools/tool.h"
 
 class SoNode;
+class SoTransform;
 
 namespace resect {
 
 // A scene graph that draws the triangles. An edge looks sharp if the normals of its two triangles
 // differ by more than `creaseDegrees`, else smooth.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
+
+// An instrument as a scene graph, and the transforms that turn its jaws, closed to begin with.
+struct ToolNodes {
+  struct Jaw {
+    SoTransform* transform;
+    Vec3f axis;
+    float opens;  // rad: the angle about the axis when wide open
+  };
+  SoNode* model;
+  std::vector<Jaw> jaws;
+};
+
+// Nodes for the tool's drawn parts, or for its mesh if it has none; its file is not read. Throws
+// Error if an index of a part is out of range, or it has another number of normals than points.
+ToolNodes makeToolNodes(const ToolModel& tool);
 
 // An invisible box round a model, at least 2 cm along each axis. It makes thin models easy to
 // click, and manipulators take their size from it. An empty model gets no box.

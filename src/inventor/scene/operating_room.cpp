@@ -2,7 +2,6 @@
 
 #include <Inventor/SoFullPath.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
-#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoEventCallback.h>
@@ -199,18 +198,15 @@ int OperatingRoom::addTool(SoNode* model) {
   tool->addChild(body);
   tools_->addChild(tool);
   jaws_.emplace_back();
-  SoSearchAction search;
-  search.setType(SoTransform::getClassTypeId());
-  search.setInterest(SoSearchAction::ALL);
-  search.apply(model);
-  for (int i = 0; i < search.getPaths().getLength(); ++i) {
-    auto* transform = static_cast<SoTransform*>(search.getPaths()[i]->getTail());
-    if (std::string_view(transform->getName().getString()).starts_with("Jaw"))
-      jaws_.back().push_back({transform, getPose(*transform).rotation.cast<float>()});
-  }
   const int number = tools_->getNumChildren() - 1;
-  setToolSqueeze(number, 1);
   tool->addChild(makePickProxy(model));
+  return number;
+}
+
+int OperatingRoom::addTool(const ToolModel& tool) {
+  ToolNodes nodes = makeToolNodes(tool);
+  const int number = addTool(nodes.model);
+  jaws_.back() = std::move(nodes.jaws);
   return number;
 }
 
@@ -222,9 +218,8 @@ void OperatingRoom::requireTool(int tool) const {
 bool OperatingRoom::setToolSqueeze(int tool, double squeeze) {
   requireTool(tool);
   bool turned = false;
-  for (const Jaw& jaw : jaws_[std::size_t(tool)]) {
-    const Eigen::Quaternionf q = jaw.open.slerp(float(squeeze), Eigen::Quaternionf::Identity());
-    const SbRotation rotation(q.x(), q.y(), q.z(), q.w());
+  for (const ToolNodes::Jaw& jaw : jaws_[std::size_t(tool)]) {
+    const SbRotation rotation(SbVec3f(jaw.axis.data()), float(1 - squeeze) * jaw.opens);
     if (jaw.transform->rotation.getValue() == rotation) continue;
     jaw.transform->rotation = rotation;
     turned = true;

@@ -21,6 +21,7 @@
 #include "base/error.h"
 #include "geometry/pose.h"
 #include "geometry/triangle_mesh.h"
+#include "inventor/scene/model_nodes.h"
 
 class SoBaseColor;
 class SoEventCallback;
@@ -73,13 +74,14 @@ class OperatingRoom {
   void setTable(SoNode* model);
   void setToolbox(SoNode* model, const Pose& pose = {});
 
-  // Returns the tool's number; tools are numbered from 0 in the order in which they are added.
-  // `model` is in the tool's frame (m): tip at the origin, handle along +Z.
+  // Returns the tool's number; tools are numbered from 0 in the order in which they are added. The
+  // first form draws what makeToolNodes() makes, jaws included. `model` is in the tool's frame (m):
+  // tip at the origin, handle along +Z.
+  int addTool(const ToolModel& tool);
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
-  // Opens or closes the jaws of a tool. `squeeze`: 0 wide open to 1 closed. Jaws are the
-  // SoTransforms of the model whose names begin with "Jaw". When wide open, they have the rotation
-  // given in the model; when closed, no rotation. Returns false if nothing turned.
+  // Opens or closes the jaws of a tool that has any. `squeeze`: 0 wide open to 1 closed. Returns
+  // false if nothing turned.
   bool setToolSqueeze(int tool, double squeeze);
   // The tool's SoTransform. If a manipulator has taken its place: the manipulator, which is an
   // SoTransform too.
@@ -140,10 +142,6 @@ class OperatingRoom {
 
  private:
   void requireTool(int tool) const;
-  struct Jaw {
-    SoTransform* transform;
-    Eigen::Quaternionf open;
-  };
   void place(RoomView view, const Vec3& target, double distance);
 
   SoSeparator* root_;
@@ -155,7 +153,7 @@ class OperatingRoom {
   SoSeparator* toolbox_;
   SoTransform* toolboxPose_;
   SoSeparator* tools_;
-  std::vector<std::vector<Jaw>> jaws_;  // by tool
+  std::vector<std::vector<ToolNodes::Jaw>> jaws_;  // by tool
   SoSeparator* tissue_;
   SoTransform* organPose_;
   SoBaseColor* organColour_;

@@ -5,6 +5,7 @@
 #include <Inventor/nodes/SoSeparator.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "base/error.h"
 #include "inventor/gl/SoOrganShape.h"
@@ -14,8 +15,11 @@
 
 namespace resect {
 
-SoNode* readSceneFile(const std::filesystem::path& path) {
+SoNode* readRoomModel(const std::string& name) {
+  require(name == "table" || name == "toolbox",
+          "there is no model \"{}\" of the room; use table or toolbox", name);
   initInventor();
+  const std::filesystem::path path = dataFolder() / "tools" / (name + ".iv");
   SoInput input;
   SoSeparator* root = input.openFile(path.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;
   if (!root)
@@ -36,11 +40,9 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
   if (!view)
     throw usageError("there is no view \"{}\"; use surgeon, assistant, top or laparoscope",
                      scenario.view);
-  const auto tools = dataFolder() / "tools";
-  if (scenario.table) room_.setTable(readSceneFile(tools / "table.iv"));
-  if (scenario.toolBox) room_.setToolbox(readSceneFile(tools / "toolbox.iv"), toolBoxPose());
-  for (const ToolState& state : simulation.tools())
-    room_.addTool(readSceneFile(state.tool->model.file));
+  if (scenario.table) room_.setTable(readRoomModel("table"));
+  if (scenario.toolBox) room_.setToolbox(readRoomModel("toolbox"), toolBoxPose());
+  for (const ToolState& state : simulation.tools()) room_.addTool(state.tool->model);
   simulation.keepLook();
   publishers_.assign(simulation.organs().size(), SurfacePublisher(0));
   room_.setOrganColour(colourOf(scenario.organs[0].source));

@@ -1,7 +1,6 @@
 // View of an operation: the operating room with a scenario's organs and tools.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "inventor/picture/offscreen_view.h"
@@ -15,9 +14,9 @@ class SoNode;
 
 namespace resect {
 
-// Reads one of the models that come with Resect; returns its scene graph, with materials. Not for
-// untrusted files: read those by readModel().
-SoNode* readSceneFile(const std::filesystem::path& path);
+// "table" or "toolbox" of Resect's own data folder as a scene graph, materials and all: the only
+// files that Coin reads in this process. All others go through readModel.
+SoNode* readRoomModel(const std::string& name);
 
 class OperationView {
  public:
