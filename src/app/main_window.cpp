@@ -233,17 +233,6 @@ void MainWindow::loadDefault() {
   load(scenario);
 }
 
-// A recorder of the coming operation; null if none is wanted, or none can be made, which is said.
-std::shared_ptr<Recorder> MainWindow::record(const OrganLoader::Result& result) {
-  if (!QSettings().value("record", true).toBool()) return nullptr;
-  try {
-    return recordSession(result.scenario, *result.simulation);
-  } catch (const std::exception& e) {
-    complain(e.what());
-    return nullptr;
-  }
-}
-
 void MainWindow::begin(OrganLoader::Result result) {
   progress_->hide();
   cancel_->hide();
@@ -362,21 +351,6 @@ void MainWindow::play(double until) {
   if (std::ranges::all_of(tools, [](const ScenarioTool& tool) { return tool.keys.empty(); }))
     return complain("There is no motion to play; open a scenario that has one.");
   session_->play(until);
-}
-
-// Takes the last stroke back, or does it again.
-void MainWindow::undo(bool again) {
-  if (!session_) return;
-  const LiveState& state = session_->state();
-  const int strokes = again ? state.redoable : state.undoable;
-  statusBar()->showMessage(
-      strokes == 0 ? again ? "There is nothing to do again" : "There is no stroke to take back"
-      : again      ? "The stroke is done again"
-                   : "The last stroke is taken back",
-      4000);
-  if (strokes == 0) return;
-  again ? session_->redo() : session_->undo();
-  if (options_.reports) say(again ? "redo" : "undo");
 }
 
 void MainWindow::look(RoomView view) {

@@ -12,7 +12,8 @@ struct WindowOptions {
   Scenario scenario;               // what the window shows first
   int width = 1280, height = 720;  // of the window, pixels
   double fpsLimit = 60;            // most pictures per second
-  bool overlay = true;             // show the controls the first time that a window is opened
+  // Explain mouse and keyboard over the picture, once: when this user first opens a window.
+  bool overlay = true;
   // Obey the commands of a script on standard input, and report to it on standard output.
   bool reports = false;
   // True: dark colours. False: light ones. None: as chosen last; dark if nothing was chosen yet.

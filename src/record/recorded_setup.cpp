@@ -41,7 +41,8 @@ struct ToolFields {
     v("name", model.name), v("kind", model.kind), v("parts", parts);
     v("description", model.description), v("file", file), v("mesh", model.mesh);
     v("tip", model.tip), v("axis", model.axis), v("edge", model.edge), v("jaws", model.jaws);
-    v("hook", model.hook), v("point", model.point), v("contactRadius", model.contactRadius);
+    v("drawn", model.drawn), v("hook", model.hook), v("point", model.point),
+        v("contactRadius", model.contactRadius);
     v("response", model.response), v("friction", model.friction);
     v("slipForce", model.slipForce);
   }

@@ -10,6 +10,11 @@ struct Finish {
   Vec3f diffuse{0.62f, 0.63f, 0.65f};
   Vec3f specular{0.65f, 0.65f, 0.67f};
   float shininess = 0.4f;  // 1 is OpenGL's exponent 128
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("diffuse", diffuse), v("specular", specular), v("shininess", shininess);
+  }
 };
 
 }  // namespace resect

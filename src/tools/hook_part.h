@@ -1,8 +1,8 @@
 // Working part of a hook: grips the cells in the hook's bend, so that the hook pulls them.
 //
 // It grips in a frame in which the hook moves towards its handle and holds no cell of the organ
-// yet. It releases the cells when the pull exceeds ToolModel::slipForce, or when the tool is put
-// away.
+// yet. The simulation releases the cells when the force on the grip exceeds ToolModel::slipForce,
+// or when the tool is put away.
 #pragma once
 
 #include "tools/working_part.h"

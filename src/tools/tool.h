@@ -32,6 +32,12 @@ struct DrawnPart {
   std::optional<Finish> finish{};  // none: steel
   bool closed = false;             // closed and outwards: back faces are never seen
   double opens = 0;  // rad: turned by this about the jaws' pivot and axis when wide open
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("mesh", mesh), v("normals", normals), v("finish", finish), v("closed", closed);
+    v("opens", opens);
+  }
 };
 
 // An instrument's shape and working parts. The coordinates are those of the tool, m: its tip is at
@@ -48,11 +54,11 @@ struct ToolModel {
   // Cutting edge from tip to heel; with jaws, where the edges of both jaws lie when closed. Empty
   // for a blunt tool.
   std::vector<Vec3> edge;
-  Jaws jaws;                  // the mesh shows them wide open
+  Jaws jaws;                     // the mesh shows them wide open
   std::vector<DrawnPart> drawn;  // for viewers; none: they draw the mesh
-  std::vector<Vec3> hook;     // centre line of a hook's bend; empty: the tool has no hook
-  Vec3 point = Vec3::Zero();  // end of the hook
-  double contactRadius = 0;   // radius of a round tip; 0: the tool has none
+  std::vector<Vec3> hook;        // centre line of a hook's bend; empty: the tool has no hook
+  Vec3 point = Vec3::Zero();     // end of the hook
+  double contactRadius = 0;      // radius of a round tip; 0: the tool has none
   // Empty: the tool's working parts act. "remove": the tool removes what it touches, as all
   // instruments of the thesis did.
   std::string response;

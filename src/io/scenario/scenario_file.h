@@ -17,8 +17,9 @@ namespace resect {
 using MeshReader = std::function<TriangleMesh(const std::filesystem::path&)>;
 
 // Reads and checks a scenario; Errors name file and line. If the scenario names a file that lies
-// beside it, the result has the path to that file. Else the result has the name as given. For a
-// tool, loadTools() (io/operation_setup.h) then looks among those that come with Resect too.
+// beside it, the result has the path to that file. Else the result has the name as given. A tool's
+// file that does not lie beside the scenario may be one that comes with Resect: loadTools()
+// (io/operation_setup.h) finds it.
 Scenario readScenario(const std::filesystem::path& path);
 // Does the same with the text of a scenario. `name` stands for the file in Errors. The result has
 // the names of files as given.

@@ -35,8 +35,9 @@ struct TissueSettings {
   double damping = 0.1;
   // Rate at which velocities decay by friction of the surroundings, 1/s; 0: no friction.
   double drag = 0;
-  // alpha: stiffness of the bonds against zero-energy modes of the cells' gradients, as a multiple
-  // of the shear modulus; above 0, up to 3. At 1.55 the second-order error of bending and torsion
+  // Stiffness of the bonds against motions that the cells' gradients do not see (zero-energy
+  // modes), as a multiple of the shear modulus: alpha in docs/methods/tissue.md. Above 0, up to 3.
+  // At 1.55 the second-order error of bending and torsion
   // vanishes. With less, tissue is too soft and its lattice wrinkles. With more, it is too stiff.
   double penalty = 1.55;
   // Longest substep, as a fraction of the time in which a pressure wave passes from one cell to the
@@ -179,7 +180,7 @@ class ElasticTissue final : public TissueModel {
   const ElasticKernel* kernel_;
   double longestSubstep_ = 0;
   std::vector<UnevenBond> uneven_;
-  std::vector<std::int32_t> gripper_;  // per cell of the box: the tool that holds it, or -1
+  std::vector<std::int32_t> gripper_;  // per cell of state_.box (lattice and halo): tool, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   Frame frame_;
   Before before_;

@@ -1,13 +1,15 @@
-// Recording of the window's picture as a film.
+// What the window keeps of an operation: its recording, strokes to undo, films of the picture.
 #include <QCloseEvent>
 #include <QDateTime>
 #include <QFileDialog>
 #include <QLabel>
+#include <QSettings>
 #include <QStatusBar>
 
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
+#include "record/session_recordings.h"
 
 namespace resect {
 
@@ -64,6 +66,32 @@ void MainWindow::film(qint64 now) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (video_) toggleVideo();
   QMainWindow::closeEvent(event);
+}
+
+// A recorder of the coming operation; null if none is wanted, or none can be made, which is said.
+std::shared_ptr<Recorder> MainWindow::record(const OrganLoader::Result& result) {
+  if (!QSettings().value("record", true).toBool()) return nullptr;
+  try {
+    return recordSession(result.scenario, *result.simulation);
+  } catch (const std::exception& e) {
+    complain(e.what());
+    return nullptr;
+  }
+}
+
+// Takes the last stroke back, or does it again.
+void MainWindow::undo(bool again) {
+  if (!session_) return;
+  const LiveState& state = session_->state();
+  const int strokes = again ? state.redoable : state.undoable;
+  statusBar()->showMessage(
+      strokes == 0 ? again ? "There is nothing to do again" : "There is no stroke to take back"
+      : again      ? "The stroke is done again"
+                   : "The last stroke is taken back",
+      4000);
+  if (strokes == 0) return;
+  again ? session_->redo() : session_->undo();
+  if (options_.reports) say(again ? "redo" : "undo");
 }
 
 }  // namespace resect
