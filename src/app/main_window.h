@@ -60,6 +60,8 @@ class MainWindow : public QMainWindow {
   void film(qint64 now);  // now: ms since 1970
   void listenToScript();
   void writeScene(const std::string& file);
+  // Throws Error if the operation has read the file, or will read it again.
+  void checkWritten(const std::string& file) const;
   void openFile(const QString& file);
   void askOrgan(const QString& file);
   void remember(const QString& file);

@@ -10,13 +10,22 @@
 #include "app/say.h"
 #include "app/viewer.h"
 #include "base/error.h"
+#include "formats/gltf_files.h"
 #include "formats/png_file.h"
 #include "inventor/scene/scene_file.h"
 #include "io/cells/particle_file.h"
 #include "io/mesh_file.h"
+#include "io/output/run_files.h"
 #include "io/scenario/scenario_file.h"
+#include "io/scenario/scenario_files.h"
 
 namespace resect {
+
+void MainWindow::checkWritten(const std::string& file) const {
+  std::vector<std::filesystem::path> inputs = filesRead(session_->scenario());
+  addFilesOfGltf(inputs);
+  checkOutputs({{{"the window", file}}}, inputs);
+}
 
 void MainWindow::writeScene(const std::string& file) {
   writeSceneFile(file, session_->room(), session_->operation().surface());
@@ -94,6 +103,7 @@ void MainWindow::save(const char* title, const char* filter, const QString& name
   const QString file = QFileDialog::getSaveFileName(this, title, name, filter);
   if (file.isEmpty()) return;
   try {
+    checkWritten(file.toStdString());
     write(file.toStdString());
     statusBar()->showMessage("Written: " + file, 5000);
     if (options_.reports) say("written {}", file.toStdString());

@@ -31,6 +31,7 @@ void MainWindow::toggleVideo() {
       QFileDialog::getSaveFileName(this, "Record video", "operation.mp4", "MPEG-4 (*.mp4)");
   if (file.isEmpty()) return;
   try {
+    checkWritten(file.toStdString());
     const RgbImage picture = viewer_->grabPicture(false);
     videoSize_ = {picture.width, picture.height};
     video_ = std::make_unique<VideoWriter>(file.toStdString(), picture.width, picture.height,

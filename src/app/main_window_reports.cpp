@@ -32,6 +32,7 @@ void MainWindow::listenToScript() {
                         file = space == std::string::npos ? "" : line.substr(space + 1);
       try {
         if (what == "open") openFile(QString::fromStdString(file));
+        if (what.starts_with("save")) checkWritten(file);
         if (what == "save-scene") writeScene(file);
         if (what == "save-surface") writeMeshFile(file, session_->operation().surface().mesh);
         if (what == "save-picture") writePng(file, viewer_->grabPicture(true));

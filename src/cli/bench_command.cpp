@@ -10,12 +10,17 @@
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/organ_options.h"
+#include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
 #include "cli/thesis_profile.h"
+#include "formats/gltf_files.h"
 #include "io/cells/particle_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
+#include "io/output/output_target.h"
+#include "io/output/run_files.h"
 #include "io/scenario/scenario_file.h"
+#include "io/scenario/scenario_files.h"
 
 namespace resect {
 namespace {
@@ -43,6 +48,9 @@ void run(const Options& options, const OrganOptions& organOptions) {
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
   organOptions.applyTo(scenario, options.organ);
   if (options.thesis) makeThesis(scenario);
+  std::vector<std::filesystem::path> inputs = filesRead(scenario);
+  addFilesOfGltf(inputs);
+  checkOutputs({{{"--json", options.json}}}, inputs);
 
   const BenchReport report = measure(scenario, scenario.name);
   std::optional<RealTimeLimit> limit;
@@ -61,7 +69,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
     if (options.profile) json["profile"] = profileJson(report);
     writeJson(options.json, json);
   }
-  if (options.json == "-") return;
+  if (isStandardOutput(options.json)) return;
   fmt::print("{}", toText(report, limit, scenario));
   if (options.profile) fmt::print("{}", profileText(report));
 }

@@ -6,11 +6,14 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
+#include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
+#include "formats/gltf_files.h"
 #include "geometry/measures.h"
 #include "inventor/reading/model_file.h"
 #include "io/mesh_file.h"
 #include "io/organ_mesh.h"
+#include "io/output/run_files.h"
 #include "io/scenario/length.h"
 
 namespace resect {
@@ -23,7 +26,10 @@ struct Options {
 
 void convert(const Options& options) {
   // Wrong names and units are reported before the work.
-  checkWritableMeshFile(options.out, {&options.in, 1});
+  checkWritableMeshFile(options.out);
+  std::vector<std::filesystem::path> inputs{options.in};
+  addFilesOfGltf(inputs);
+  checkOutputs({{{"OUT", options.out}, {"--json", options.json ? "-" : ""}}}, inputs);
   const double metres = parseUnit(options.unit, "--unit");
   const Model model = readModelWatched(options.in, progressBar("reading"));
   TriangleMesh mesh;
@@ -46,8 +52,9 @@ void convert(const Options& options) {
                     {"notes", notes}});
     return;
   }
-  for (const std::string& note : notes) fmt::print("{}: {}\n", options.in, note);
-  fmt::print("{}: {} triangles, {} vertices, {:.6g} ml\n", options.out, mesh.triangles.size(),
+  std::FILE* text = placeForText({options.out});
+  for (const std::string& note : notes) fmt::print(text, "{}: {}\n", options.in, note);
+  fmt::print(text, "{}: {} triangles, {} vertices, {:.6g} ml\n", options.out, mesh.triangles.size(),
              mesh.points.size(), volume(mesh) * 1e6);
 }
 

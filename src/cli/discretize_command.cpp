@@ -9,13 +9,15 @@
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/organ_options.h"
+#include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
-#include "inventor/reading/model_file.h"
-#include "io/atomic_file.h"
+#include "formats/gltf_files.h"
 #include "io/cells/particle_file.h"
 #include "io/operation_setup.h"
+#include "io/output/run_files.h"
 #include "io/scenario/length.h"
 #include "io/scenario/scenario_file.h"
+#include "io/scenario/scenario_files.h"
 
 namespace resect {
 
@@ -46,19 +48,22 @@ void addDiscretizeCommand(CLI::App& app) {
   command->callback([options, organ] {
     OrganSource source;
     std::vector<std::string> notes;
+    std::vector<std::filesystem::path> inputs{options->mesh};
     if (std::filesystem::path(options->mesh).extension() == ".toml") {
       const Scenario scenario = readScenario(options->mesh);
       if (scenario.organs.size() > 1)
         notes.push_back(fmt::format("of {} organs only the first, \"{}\", is written",
                                     scenario.organs.size(), scenario.organs[0].source.name));
       source = scenario.organs[0].source;  // at its position there, with its labels
+      inputs = filesRead(scenario);
     } else {
       source.file = options->mesh;
       source.onTable = false;
       source.spacing = 0.005;
     }
     organ->applyTo(source);
-    checkTarget(options->output, {&options->mesh, 1});
+    addFilesOfGltf(inputs);
+    checkOutputs({{{"--output", options->output}, {"--json", options->json ? "-" : ""}}}, inputs);
     const Discretization cells = loadCells(source, modelReader(), progressBar("particles"), &notes);
     if (cells.particleCount() == 0)
       throw error(
@@ -85,8 +90,9 @@ void addDiscretizeCommand(CLI::App& app) {
       writeJson("-", json);
       return;
     }
-    for (const std::string& note : notes) fmt::print("note: {}\n", note);
-    fmt::print("{}: {} particles, spacing {}{}, {:.1f} ml\n", options->output,
+    std::FILE* text = placeForText({options->output});
+    for (const std::string& note : notes) fmt::print(text, "note: {}\n", note);
+    fmt::print(text, "{}: {} particles, spacing {}{}, {:.1f} ml\n", options->output,
                cells.particleCount(), lengthText(lattice.spacing.x()),
                lattice.cubic() ? ""
                                : fmt::format(" x {} x {}", lengthText(lattice.spacing.y()),
@@ -94,6 +100,7 @@ void addDiscretizeCommand(CLI::App& app) {
                1e6 * cells.volume());
     if (!lattice.cubic())
       fmt::print(
+          text,
           "note: cells are not cubes; such an organ can be shown and carved but not deform: use "
           "--spacing for one that can\n");
   });

@@ -7,8 +7,10 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
+#include "cli/process/standard_streams.h"
 #include "geometry/measures.h"
 #include "io/mesh_file.h"
+#include "io/output/run_files.h"
 #include "io/scenario/length.h"
 #include "organ/builtin/builtin_liver.h"
 
@@ -32,6 +34,7 @@ void addLiverCommand(CLI::App& app) {
     if (!(edge >= 0.0005 && edge <= 0.005))
       throw usageError("--edge is {}; give a length from 0.5mm to 5mm", options->edge);
     checkWritableMeshFile(options->output);
+    checkOutputs({{{"--output", options->output}, {"--json", options->json ? "-" : ""}}});
     const TriangleMesh mesh = builtinLiver(edge);
     writeMeshFile(options->output, mesh);
     if (options->json) {
@@ -41,8 +44,8 @@ void addLiverCommand(CLI::App& app) {
                       {"volume_ml", 1e6 * volume(mesh)}});
       return;
     }
-    fmt::print("{}: {} triangles, {:.1f} ml\n", options->output, mesh.triangles.size(),
-               1e6 * volume(mesh));
+    fmt::print(placeForText({options->output}), "{}: {} triangles, {:.1f} ml\n", options->output,
+               mesh.triangles.size(), 1e6 * volume(mesh));
   });
 }
 

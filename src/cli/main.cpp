@@ -11,6 +11,7 @@
 #include "base/kept_memory.h"
 #include "base/progress.h"
 #include "cli/commands.h"
+#include "cli/process/standard_streams.h"
 #include "formats/sandbox.h"
 
 namespace {
@@ -71,9 +72,12 @@ int parseAndRun(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  resect::openStandardStreams();
   resect::keepFreedMemory();
   try {
-    return parseAndRun(argc, argv);
+    const int status = parseAndRun(argc, argv);
+    resect::finishStandardOutput();
+    return status;
   } catch (const resect::Error& e) {
     return complain(e.what(), int(e.status()));
   } catch (const resect::Cancelled&) {
@@ -81,6 +85,8 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return complain("out of memory; use a larger spacing or a smaller model", 1);
   } catch (const std::exception& e) {
+    if (std::ferror(stdout))
+      return complain("cannot write to standard output; what was printed is not complete", 1);
     return complain(e.what(), 1);
   }
 }

@@ -26,6 +26,10 @@ void parseSize(const std::string& text, int& width, int& height) {
                    text);
 }
 
+NumberedOutputs framesIn(const std::string& folder) {
+  return {"--frames", folder, "frame_", ".png"};
+}
+
 struct PictureWriter::State {
   State(const Scenario& scenario, Simulation& simulation, const PictureSettings& wanted, int width,
         int height)
@@ -35,6 +39,8 @@ struct PictureWriter::State {
         picture(width, height),
         operation(scenario, simulation, double(width) / height) {
     if (!settings.video.empty()) video.emplace(settings.video, width, height, settings.rate);
+    if (!settings.folder.empty() && settings.overwrite)
+      removeNumberedFiles(framesIn(settings.folder));
   }
 
   void draw() {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/output/run_files.h"
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
 
@@ -15,7 +16,12 @@ struct PictureSettings {
   std::string video;   // name of an .mp4 file; "": no video
   std::string size;    // in pixels, as "1280x720"
   double rate = 10;    // pictures per simulated second
+  // The numbered pictures that are in the folder are removed before the first is written.
+  bool overwrite = false;
 };
+
+// The files that are written to the folder.
+NumberedOutputs framesIn(const std::string& folder);
 
 class PictureWriter {
  public:

@@ -11,17 +11,20 @@
 #include "cli/commands.h"
 #include "cli/json_output.h"
 #include "cli/picture_writer.h"
+#include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
+#include "formats/gltf_files.h"
 #include "formats/png_file.h"
 #include "geometry/resting_pose.h"
 #include "inventor/picture/offscreen_view.h"
 #include "inventor/reading/model_file.h"
 #include "inventor/scene/operating_room.h"
 #include "inventor/scene/operation_view.h"
-#include "io/atomic_file.h"
-#include "io/operation_setup.h"
+#include "io/data_folder.h"
 #include "io/organ_mesh.h"
+#include "io/output/run_files.h"
 #include "io/scenario/length.h"
+#include "io/scenario/scenario_files.h"
 #include "operation/room.h"
 
 namespace resect {
@@ -56,9 +59,11 @@ void render(const Options& options) {
   const auto view = roomView(options.view);
   if (!view) throw usageError("--view is \"{}\"; choose {}", options.view, kRoomViewNames);
   const double metres = parseUnit(options.unit, "--unit");
-  if (std::filesystem::path(options.out).extension() != ".png")
-    throw usageError("cannot write a picture as {}; give a name that ends in .png", options.out);
-  checkTarget(options.out, options.models);
+  checkPngFile(options.out);
+  std::vector<std::filesystem::path> inputs = shippedFiles();
+  inputs.insert(inputs.end(), options.models.begin(), options.models.end());
+  addFilesOfGltf(inputs);
+  checkOutputs({{{"--output", options.out}, {"--json", options.json ? "-" : ""}}}, inputs);
   OffscreenView picture(width, height);  // before reading, so that a missing EGL is reported first
 
   std::vector<TriangleMesh> meshes;
@@ -110,7 +115,8 @@ void render(const Options& options) {
                     {"renderer", picture.renderer()}});
     return;
   }
-  fmt::print("{}: {} x {} pixels, drawn by {}\n", options.out, width, height, picture.renderer());
+  fmt::print(placeForText({options.out}), "{}: {} x {} pixels, drawn by {}\n", options.out, width,
+             height, picture.renderer());
 }
 
 }  // namespace

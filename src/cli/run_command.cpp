@@ -12,15 +12,20 @@
 #include "cli/json_output.h"
 #include "cli/organ_options.h"
 #include "cli/picture_writer.h"
+#include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
 #include "cli/run_report.h"
-#include "inventor/reading/model_file.h"
+#include "formats/gltf_files.h"
+#include "formats/video.h"
 #include "inventor/scene/operating_room.h"
 #include "io/atomic_file.h"
 #include "io/data_folder.h"
 #include "io/mesh_file.h"
 #include "io/operation_setup.h"
+#include "io/output/output_target.h"
+#include "io/output/run_files.h"
 #include "io/scenario/scenario_file.h"
+#include "io/scenario/scenario_files.h"
 #include "operation/run.h"
 #include "organ/pieces.h"
 
@@ -31,8 +36,12 @@ struct Options {
   std::string scenario, organ, frames, video, surface, pieces, plot, json, size = "1280x720", view;
   double pictureRate = 10;
   int threads = 0;
-  bool list = false, thesis = false;
+  bool list = false, thesis = false, overwrite = false;
 };
+
+NumberedOutputs piecesOf(const Options& options) {
+  return {"--pieces", options.pieces, "piece_", ".stl"};
+}
 
 void listScenarios() {
   for (const std::string& name : shippedNames("scenarios", ".toml"))
@@ -40,39 +49,47 @@ void listScenarios() {
                readScenario(dataFolder() / "scenarios" / (name + ".toml")).title);
 }
 
-std::vector<std::string> writePieces(const std::filesystem::path& folder,
-                                     const Simulation& simulation) {
+std::vector<std::string> writePieces(const Options& options, const Simulation& simulation) {
+  const NumberedOutputs pieces = piecesOf(options);
+  if (options.overwrite) removeNumberedFiles(pieces);
   std::vector<std::string> files;
   for (const OperatedOrgan& o : simulation.organs())
     for (const Body& body : bodies(o.organ, o.organ.surface.mesh(o.points()))) {
-      files.push_back(folder / fmt::format("piece_{}.stl", files.size() + 1));
+      files.push_back(pieces.folder /
+                      fmt::format("{}{}{}", pieces.before, files.size() + 1, pieces.extension));
       writeMeshFile(files.back(), body.mesh);
     }
   return files;
 }
 
-// Reports wrong names before the work, without leaving files.
-void checkTargets(const Options& options) {
+void checkOptions(const Options& options) {
   int width = 0, height = 0;
   parseSize(options.size, width, height);
   if (!options.view.empty() && !roomView(options.view))
     throw usageError("--view is \"{}\"; choose {}", options.view, kRoomViewNames);
   if (!std::isfinite(options.pictureRate))
     throw usageError("--picture-rate is not a number; give pictures per second, 0.01 to 1000");
-  const std::string inputs[] = {options.organ, options.scenario};
-  if (!options.surface.empty()) checkWritableMeshFile(options.surface, inputs);
-  for (const std::string* file : {&options.video, &options.plot})
-    if (!file->empty()) checkTarget(*file, inputs);
-  if (!options.json.empty() && options.json != "-") checkTarget(options.json, inputs);
-  for (const std::string* folder : {&options.frames, &options.pieces})
-    if (!folder->empty()) checkTarget(std::filesystem::path(*folder) / "1");
+  if (!options.surface.empty()) checkWritableMeshFile(options.surface);
+  if (!options.video.empty()) checkVideoFile(options.video);
+}
+
+void checkFiles(const Options& options, const Scenario& scenario) {
+  std::vector<std::filesystem::path> inputs = filesRead(scenario);
+  addFilesOfGltf(inputs);
+  checkOutputs({{{"--surface", options.surface},
+                 {"--video", options.video},
+                 {"--plot", options.plot},
+                 {"--json", options.json}},
+                {framesIn(options.frames), piecesOf(options)},
+                options.overwrite},
+               inputs);
 }
 
 void run(const Options& options, const OrganOptions& organOptions) {
   if (options.list) return listScenarios();
   if (options.scenario.empty())
     throw usageError("no scenario given; name one, or see what there is with resect run --list");
-  checkTargets(options);
+  checkOptions(options);
   const ThreadLimit threads(options.threads);
 
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
@@ -87,15 +104,16 @@ void run(const Options& options, const OrganOptions& organOptions) {
         "--plot shows forces, and the tissue of \"{}\" does not move; leave it out, or "
         "set model = \"elastic\" in the scenario's [tissue]",
         scenario.name);
+  checkFiles(options, scenario);
 
   std::vector<std::string> notes, files;
   Simulation simulation = makeSimulation(scenario, modelReader(), progressBar("particles"), &notes);
 
   std::optional<PictureWriter> pictures;
   if (!options.frames.empty() || !options.video.empty())
-    pictures.emplace(
-        scenario, simulation,
-        PictureSettings{options.frames, options.video, options.size, options.pictureRate});
+    pictures.emplace(scenario, simulation,
+                     PictureSettings{options.frames, options.video, options.size,
+                                     options.pictureRate, options.overwrite});
 
   const Progress progress = progressBar(scenario.name);
   const double frames = double(frameCount(scenario));
@@ -115,7 +133,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
     files.push_back(options.surface);
   }
   if (!options.pieces.empty()) {
-    const auto written = writePieces(options.pieces, simulation);
+    const auto written = writePieces(options, simulation);
     files.insert(files.end(), written.begin(), written.end());
   }
   if (!options.plot.empty()) {
@@ -124,10 +142,11 @@ void run(const Options& options, const OrganOptions& organOptions) {
     files.push_back(options.plot);
   }
   if (!options.json.empty()) writeJson(options.json, toJson(summary, scenario));
-  if (options.json == "-") return;
+  if (isStandardOutput(options.json)) return;
   if (!options.json.empty()) files.push_back(options.json);
-  for (const std::string& note : notes) fmt::print("note: {}\n", note);
-  fmt::print("{}", toText(summary, scenario, files));
+  std::FILE* text = placeForText({options.surface, options.plot});
+  for (const std::string& note : notes) fmt::print(text, "note: {}\n", note);
+  fmt::print(text, "{}", toText(summary, scenario, files));
 }
 
 }  // namespace
@@ -161,6 +180,9 @@ void addRunCommand(CLI::App& app) {
                       "Mesh file for the surface at the end: .obj .stl .ply .vtk .iv");
   command->add_option("--pieces", options->pieces,
                       "Folder for a mesh of each separate piece at the end (.stl)");
+  command->add_flag(
+      "--overwrite", options->overwrite,
+      "Remove the numbered files of an earlier run from the folders of --frames and --pieces");
   command->add_option("--plot", options->plot,
                       "Plot of the force on each instrument over time, where tissue moves (.svg)");
   command->add_option("--json", options->json, "JSON file for the summary; - for standard output");

@@ -7,8 +7,10 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/json_output.h"
+#include "cli/process/standard_streams.h"
 #include "io/cells/particle_file.h"
 #include "io/mesh_file.h"
+#include "io/output/run_files.h"
 #include "io/scenario/length.h"
 #include "operation/run.h"
 #include "organ/organ.h"
@@ -39,7 +41,10 @@ void addSurfaceCommand(CLI::App& app) {
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example:\n  resect surface liver.dis --iso 50 --refine 2 -o surface.obj");
   command->callback([options] {
-    checkWritableMeshFile(options->output, {&options->input, 1});
+    checkWritableMeshFile(options->output);
+    const std::filesystem::path input = options->input;
+    checkOutputs({{{"--output", options->output}, {"--json", options->json ? "-" : ""}}},
+                 {&input, 1});
     Discretization cells =
         readParticleFile(options->input, parseUnit(options->unit, "--unit")).cells;
     const Organ organ = makeOrgan(std::move(cells), {options->refine, options->iso});
@@ -58,7 +63,8 @@ void addSurfaceCommand(CLI::App& app) {
                       {"file", options->output}});
       return;
     }
-    fmt::print("{}: {} triangles from {} particles, {}, {:.1f} ml\n", options->output,
+    fmt::print(placeForText({options->output}),
+               "{}: {} triangles from {} particles, {}, {:.1f} ml\n", options->output,
                summary.triangles, organ.particles, summary.closed ? "closed" : "open",
                1e6 * summary.volume);
   });

@@ -4,8 +4,15 @@
 
 #include "base/error.h"
 #include "io/atomic_file.h"
+#include "io/output/output_target.h"
 
 namespace resect {
+
+void checkPngFile(const std::filesystem::path& path) {
+  const bool file = findTarget(path).kind == OutputTarget::Kind::File;
+  if (path.extension() != ".png" && (file || path.has_extension()))
+    throw usageError("cannot write a picture as {}; give a name that ends in .png", path.string());
+}
 
 void writePng(const std::filesystem::path& path, const RgbImage& image) {
   require(image.width > 0 && image.height > 0 &&

@@ -15,6 +15,10 @@ struct RgbImage {
   const std::uint8_t* at(int x, int y) const { return &pixels[3 * (std::size_t(y) * width + x)]; }
 };
 
+// To be called before long work: a usage Error unless the name ends in .png, or is that of a device
+// or pipe without an extension; else as findTarget() (io/output/output_target.h).
+void checkPngFile(const std::filesystem::path& path);
+
 // Writes 8 bits per channel, sRGB. Width and height must be positive. Throws Error if the file
 // cannot be written; a file that existed under that name is then unchanged.
 void writePng(const std::filesystem::path& path, const RgbImage& image);

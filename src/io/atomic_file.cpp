@@ -1,72 +1,64 @@
 #include "io/atomic_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <fstream>
 
 #include "base/error.h"
+#include "io/output/descriptor_buffer.h"
+#include "io/output/output_target.h"
+#include "io/output/temporary_file.h"
 
 namespace resect {
 namespace {
 
-// Whether all write permissions are off. Reads the permission bits, since the system lets the
-// superuser write anyway.
-bool writeProtected(const std::filesystem::path& path) {
-  namespace fs = std::filesystem;
-  constexpr fs::perms kWrite =
-      fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
-  std::error_code ec;
-  return (fs::status(path, ec).permissions() & kWrite) == fs::perms::none;
+using Write = std::function<void(std::ostream&)>;
+
+// Throws Error unless all that `write` writes has got into the descriptor.
+void writeInto(int descriptor, const std::filesystem::path& path, const Write& write) {
+  DescriptorBuffer buffer(descriptor);
+  std::ostream out(&buffer);
+  write(out);
+  const int finished = buffer.finish();
+  if (const int fault = finished == 0 && !out ? EIO : finished; fault != 0)
+    throw error("cannot write {}: {}; {}", path.string(), std::strerror(fault),
+                fault == EPIPE ? "its reader has ended"
+                : fault == ENOSPC || fault == EDQUOT || fault == EFBIG
+                    ? "free some space and try again"
+                    : "choose another name");
+}
+
+void writeStream(const std::filesystem::path& path, const Write& write) {
+  const int opened = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC);
+  if (opened < 0)
+    throw error("cannot write {}: {}; name a file", path.string(), std::strerror(errno));
+  try {
+    writeInto(opened, path, write);
+  } catch (...) {
+    ::close(opened);
+    throw;
+  }
+  ::close(opened);
 }
 
 }  // namespace
 
-void checkTarget(const std::filesystem::path& path, std::span<const std::string> inputs) {
-  namespace fs = std::filesystem;
-  std::error_code ec;
-  for (const std::string& input : inputs)
-    if (fs::equivalent(path, input, ec))
-      throw usageError("{} is read and would be overwritten; choose another name to write to",
-                       path.string());
-  if (fs::is_directory(path, ec))
-    throw error("cannot write {}: it is a folder; give the name of a file", path.string());
-  if (fs::is_regular_file(path, ec) && writeProtected(path))
-    throw error("cannot write {}: it is write-protected; choose another name", path.string());
-  fs::path folder = fs::absolute(path, ec).parent_path();
-  while (!fs::exists(folder, ec) && folder.has_relative_path()) folder = folder.parent_path();
-  if (!fs::is_directory(folder, ec))
-    throw error("cannot write {}: {} is not a folder; choose another place", path.string(),
-                folder.string());
-  if (::access(folder.c_str(), W_OK) != 0)
-    throw error("cannot write {}: {}; choose a folder you may write to", path.string(),
-                std::strerror(errno));
-}
-
-void writeFileAtomically(const std::filesystem::path& path,
-                         const std::function<void(std::ostream&)>& write) {
-  namespace fs = std::filesystem;
-  std::error_code ec;
-  checkTarget(path);
-  if (path.has_parent_path()) fs::create_directories(path.parent_path(), ec);
-  const fs::path temporary = path.string() + fmt::format(".{}.tmp", ::getpid());
-  try {
-    std::ofstream out(temporary, std::ios::binary);
-    if (!out)
-      throw error("cannot write {}: {}; choose a folder you may write to", path.string(),
-                  std::strerror(errno));
-    write(out);
-    out.close();
-    if (!out)
-      throw error("cannot write {}: {}; free some space and try again", path.string(),
-                  std::strerror(errno));
-    fs::rename(temporary, path, ec);
-    if (ec) throw error("cannot write {}: {}; choose another name", path.string(), ec.message());
-  } catch (...) {
-    fs::remove(temporary, ec);
-    throw;
+void writeFileAtomically(const std::filesystem::path& path, const Write& write) {
+  const OutputTarget target = findTarget(path);
+  if (target.kind == OutputTarget::Kind::Descriptor) {
+    std::fflush(nullptr);  // what was printed before comes before
+    return writeInto(target.descriptor, path, write);
   }
+  if (target.kind == OutputTarget::Kind::Stream) return writeStream(path, write);
+  std::error_code ec;  // that a folder is missing is said when the file is created
+  if (target.path.has_parent_path())
+    std::filesystem::create_directories(target.path.parent_path(), ec);
+  TemporaryFile file(target.path);
+  writeInto(file.descriptor(), path, write);
+  file.rename();
 }
 
 }  // namespace resect

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "io/atomic_file.h"
+#include "io/output/output_target.h"
 
 namespace resect {
 namespace {
@@ -133,16 +134,17 @@ Writer writerFor(const std::filesystem::path& path) {
   if (extension == ".ply") return writePly;
   if (extension == ".vtk") return writeVtk;
   if (extension == ".iv") return writeIv;
-  return nullptr;
+  const bool stream = extension.empty() && findTarget(path).kind != OutputTarget::Kind::File;
+  return stream ? writeObj : nullptr;
 }
 
 }  // namespace
 
-void checkWritableMeshFile(const std::filesystem::path& path, std::span<const std::string> inputs) {
+void checkWritableMeshFile(const std::filesystem::path& path) {
   if (!writerFor(path))
     throw usageError("cannot write a surface as {}; use .obj, .stl, .ply, .vtk or .iv",
                      path.string());
-  checkTarget(path, inputs);
+  findTarget(path);
 }
 
 void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh) {

@@ -2,20 +2,18 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
-#include <string>
 
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
 
 // Call before long work whose result goes to `path`. Throws a usage Error unless the extension is
-// .obj, .stl, .ply, .vtk or .iv, in upper or lower case. Then calls checkTarget()
-// (io/atomic_file.h) with `path` and `inputs`, the files that will be read.
-void checkWritableMeshFile(const std::filesystem::path& path,
-                           std::span<const std::string> inputs = {});
+// .obj, .stl, .ply, .vtk or .iv, in upper or lower case. Then calls findTarget()
+// (io/output/output_target.h).
+void checkWritableMeshFile(const std::filesystem::path& path);
 
-// Writes the mesh, atomically (io/atomic_file.h) and in metres. The extension decides the format:
+// Writes the mesh, atomically (io/atomic_file.h) and in metres. The extension decides the format; a
+// device or pipe without an extension, as /dev/stdout, gets .obj.
 //  .obj  text, every coordinate with enough digits to restore the same double
 //  .ply  binary little-endian, doubles: exact
 //  .vtk  legacy PolyData, binary big-endian, doubles: exact

@@ -150,6 +150,7 @@ struct OrganJoint {
 
 struct Scenario {
   std::string name;         // the file's name without extension
+  std::string file;         // the file that it was read from; "": it was not read from a file
   std::string title;        // one line for people
   std::string description;  // what the scenario shows, for people
   OperationMode mode = OperationMode::Thesis;

@@ -125,6 +125,14 @@ class AtTheWindow(unittest.TestCase):
         window.wait("organ scene.iv")
         time.sleep(1.0)
         screen.picture("8_scene_again")
+        # What it has read it does not write; another name it does.
+        before = scene.read_bytes()
+        for what in ("save-scene", "save-surface"):
+            window.tell(f"{what} {scene.parent / '.' / scene.name}")
+            self.assertIn("is read", window.wait("error "))
+        self.assertEqual(scene.read_bytes(), before)
+        window.tell(f"save-surface {FOLDER / 'scene.stl'}")
+        window.wait("written ")
 
         screen.focus("^Resect$")
         screen.key("ctrl+q")

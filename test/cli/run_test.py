@@ -88,7 +88,7 @@ class Scenarios(unittest.TestCase):
         self.assertIn("labelled.resect-cells: its last line is no checksum", refused.stderr)
 
     def test_the_segment_and_the_rest_add_up_and_are_closed(self):
-        summary = run("resect-segment", "--pieces", FOLDER)
+        summary = run("resect-segment", "--pieces", FOLDER, "--overwrite")
         # What is printed adds up, to a rounding of each number.
         printed = resect("run", "resect-segment").stdout
         whole, removed = (float(re.search(rf"{row} .* ([\d.]+) ml", printed)[1]) for row in ("organ", "removed"))
@@ -108,7 +108,7 @@ class Scenarios(unittest.TestCase):
 
     def test_a_piece_cut_off_moving_tissue_is_a_body_with_its_mass_and_the_tissue_adds_up(self):
         plot = FOLDER / "forces.svg"
-        summary = run("resect-segment-elastic", "--pieces", FOLDER / "moving", "--plot", plot)
+        summary = run("resect-segment-elastic", "--pieces", FOLDER / "moving", "--overwrite", "--plot", plot)
         large = [piece for piece in summary["pieces"] if piece["volume_ml"] > 10]
         self.assertEqual(len(large), 2)
         self.assertTrue(all(piece["closed"] and piece["oriented"] for piece in summary["pieces"]))

@@ -205,6 +205,7 @@ std::string resolved(const std::string& name, const std::filesystem::path& from)
 Scenario readScenario(const std::filesystem::path& path) {
   Scenario scenario = toScenario(TomlTable::readFile(path));
   scenario.name = path.stem().string();
+  scenario.file = path.string();
   for (ScenarioOrgan& organ : scenario.organs)
     if (!isBuiltIn(organ.source)) organ.source.file = resolved(organ.source.file, path);
   for (ScenarioTool& tool : scenario.tools) tool.model = resolved(tool.model, path);

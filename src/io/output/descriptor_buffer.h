@@ -1,0 +1,29 @@
+// The buffer of a std::ostream into an open file descriptor; it knows what went wrong.
+#pragma once
+
+#include <streambuf>
+#include <vector>
+
+namespace resect {
+
+// Does not close the descriptor. Once a write has failed, nothing more is written.
+class DescriptorBuffer : public std::streambuf {
+ public:
+  explicit DescriptorBuffer(int descriptor);
+
+  // Writes what is buffered; returns 0, or the errno of the first write that failed.
+  int finish();
+
+ private:
+  int_type overflow(int_type next) override;
+  std::streamsize xsputn(const char* bytes, std::streamsize count) override;
+  int sync() override;
+  bool writeBuffered();
+  bool writeAll(const char* bytes, std::size_t count);
+
+  int descriptor_;
+  int fault_ = 0;
+  std::vector<char> buffer_;
+};
+
+}  // namespace resect
