@@ -9,8 +9,8 @@
 
 #include "base/error.h"
 #include "base/kept_memory.h"
-#include "base/progress.h"
 #include "cli/commands.h"
+#include "cli/process/end_by_signal.h"
 #include "cli/process/standard_streams.h"
 #include "formats/sandbox.h"
 
@@ -73,6 +73,7 @@ int parseAndRun(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   resect::openStandardStreams();
+  resect::cleanUpOnSignals();
   resect::keepFreedMemory();
   try {
     const int status = parseAndRun(argc, argv);
@@ -80,8 +81,6 @@ int main(int argc, char** argv) {
     return status;
   } catch (const resect::Error& e) {
     return complain(e.what(), int(e.status()));
-  } catch (const resect::Cancelled&) {
-    return complain("cancelled; nothing was written", 1);
   } catch (const std::bad_alloc&) {
     return complain("out of memory; use a larger spacing or a smaller model", 1);
   } catch (const std::exception& e) {
