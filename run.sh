@@ -25,9 +25,19 @@ if (($#)); then exec "$resect" "$@"; fi
 
 if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then exec "$resect" window; fi
 
+# One at a time, since each begins by clearing the folder.
 output="$root/output/resect-segment"
+if ! mkdir -p "$output" 2>/dev/null || ! { : >>"$root/output/lock"; } 2>/dev/null; then
+  echo "resect: error: $output cannot be written; copy Resect to a folder of your own and start it there" >&2
+  exit 1
+fi
+exec 9>>"$root/output/lock"
+if command -v flock >/dev/null && ! flock --nonblock 9; then
+  echo "Waiting for another ./run.sh to end" >&2
+  flock 9
+fi
 rm -rf "$output"
 mkdir -p "$output"
-"$resect" run resect-segment --frames "$output" --surface "$output/surface.obj" --pieces "$output/pieces" --json "$output/summary.json"
+"$resect" run resect-segment --frames "$output" --surface "$output/surface.obj" --pieces "$output/pieces" --json "$output/summary.json" 9>&-
 echo
 echo "Pictures, surface and summary: $output"

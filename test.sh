@@ -8,15 +8,18 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 cd "$root"
 
-case ${1:-} in
-  "") builds=(release) ;;
-  --all) builds=(release asan tsan) ;;
-  -*)
-    echo "resect: error: ./test.sh knows --all and the names release, asan, tsan and dev, not $1" >&2
-    exit 2
-    ;;
-  *) builds=("$@") ;;
-esac
+(($#)) || set -- release
+builds=()
+for name in "$@"; do
+  case $name in
+    release | asan | tsan | dev) builds+=("$name") ;;
+    --all) builds+=(release asan tsan) ;;
+    *)
+      printf 'resect: error: ./test.sh knows --all and the names release, asan, tsan and dev, not %q\n' "$name" >&2
+      exit 2
+      ;;
+  esac
+done
 
 tools/install_packages.sh
 

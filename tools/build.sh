@@ -1,8 +1,15 @@
 #!/usr/bin/env bash
 # tools/build.sh PRESET [TARGET...]: configures and builds; shows its log only when that fails.
+# PRESET is release, asan, tsan or dev. A second build of the same preset waits for the first.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-preset=$1
+case ${1:-} in
+  release | asan | tsan | dev) preset=$1 ;;
+  *)
+    printf 'resect: error: there is no build named %q; choose release, asan, tsan or dev\n' "${1:-}" >&2
+    exit 2
+    ;;
+esac
 shift
 cd "$root"
 
@@ -11,8 +18,18 @@ if [[ ! -w ${HOME:-/nonexistent} && -z ${CCACHE_DIR:-} ]]; then export CCACHE_DI
 
 targets=()
 if (($#)); then targets=(--target "$@"); fi
-mkdir -p "build/$preset"
 log="build/$preset/build.log"
+lock="build/$preset/build.lock"
+if ! mkdir -p "build/$preset" 2>/dev/null || ! { : >>"$lock"; } 2>/dev/null; then
+  echo "resect: error: $root/build/$preset cannot be written; copy Resect to a folder of your own and start it there" >&2
+  exit 1
+fi
+# Two builds in one folder break each other. The lock goes with this process, however it ends.
+exec 9>>"$lock"
+if command -v flock >/dev/null && ! flock --nonblock 9; then
+  echo "Waiting for another build of Resect ($preset) to end" >&2
+  flock 9
+fi
 [[ -f build/$preset/build.ninja ]] || echo "Building Resect ($preset); the first time takes some minutes"
 
 failed() {
@@ -25,5 +42,5 @@ failed() {
   echo "resect: error: the $preset build failed; all of its output is in $root/$log" >&2
   exit 1
 }
-cmake --preset "$preset" >"$log" 2>&1 </dev/null || failed
-cmake --build --preset "$preset" "${targets[@]}" >>"$log" 2>&1 </dev/null || failed
+cmake --preset "$preset" >"$log" 2>&1 </dev/null 9>&- || failed
+cmake --build --preset "$preset" "${targets[@]}" >>"$log" 2>&1 </dev/null 9>&- || failed
