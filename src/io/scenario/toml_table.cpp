@@ -1,7 +1,9 @@
 #include "io/scenario/toml_table.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
@@ -21,6 +23,7 @@ namespace {
 #include "base/error.h"
 #include "geometry/rotation.h"
 #include "io/scenario/length.h"
+#include "io/scenario/toml_limits.h"
 
 namespace resect {
 
@@ -36,8 +39,9 @@ TomlTable TomlTable::readFile(const std::filesystem::path& path) {
   std::error_code ec;
   if (!std::filesystem::is_regular_file(path, ec))
     throw error("cannot read {}: there is no such file; check the name", path.string());
-  if (std::filesystem::file_size(path, ec) > (64u << 20))
-    throw error("{} is larger than 64 MB, no settings file is; check the name", path.string());
+  if (std::filesystem::file_size(path, ec) > kMostTomlBytes)
+    throw error("{} is larger than {} MB, no settings file is; check the name", path.string(),
+                kMostTomlBytes >> 20);
   std::ifstream in(path, std::ios::binary);
   if (!in) throw error("cannot read {}: no permission to open it", path.string());
   std::stringstream text;
@@ -45,14 +49,29 @@ TomlTable TomlTable::readFile(const std::filesystem::path& path) {
   return parse(text.str(), path.string());
 }
 
+namespace {
+
+// The line at whose end the parser's assertions fail first: the parser reads forwards, so that they
+// fail for each longer beginning of the text too.
+int lineRefused(std::string_view text) {
+  const auto fails = [&](std::size_t bytes) {
+    try {
+      toml::parse(text.substr(0, bytes));
+    } catch (const toml::parse_error&) {
+    } catch (const std::logic_error&) {
+      return true;
+    }
+    return false;
+  };
+  std::vector<std::size_t> ends;  // of the lines
+  for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos;) ends.push_back(++at);
+  return int(std::ranges::partition_point(ends, std::not_fn(fails)) - ends.begin()) + 1;
+}
+
+}  // namespace
+
 TomlTable TomlTable::parse(const std::string& text, const std::string& name) {
-  // The parser recurses per level and overflows the stack on a file of brackets; no settings file
-  // is nested that deep.
-  int depth = 0;
-  for (const char c : text) {
-    depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
-    if (depth > 100) throw error("{} is nested more than 100 deep; that is no settings file", name);
-  }
+  requireParsable(text, name);
   try {
     auto root = std::make_shared<toml::table>(toml::parse(text, name));
     const toml::table* top = root.get();
@@ -63,7 +82,7 @@ TomlTable TomlTable::parse(const std::string& text, const std::string& name) {
       if (static_cast<unsigned char>(c) < 32) c = ' ';
     throw error("{}:{}: {}; correct the line", name, e.source().begin.line, what);
   } catch (const std::logic_error& e) {  // from refuseText()
-    throw error("{}: {} somewhere; correct the file", name, e.what());
+    throw error("{}:{}: {}; correct the line", name, lineRefused(text), e.what());
   }
 }
 
