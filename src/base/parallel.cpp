@@ -1,13 +1,16 @@
 #include "base/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <thread>
+
+#include "base/progress.h"
+#include "base/stop.h"
 
 #ifdef RESECT_TBB
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #else
-#include <atomic>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -21,6 +24,19 @@ namespace {
 std::size_t threadsMeant(int threads) {
   return threads > 0 ? std::size_t(threads) : std::max(1u, std::thread::hardware_concurrency());
 }
+
+// Runs blocks by their number, on any thread, unless the work of the thread that made it is to
+// stop.
+struct Blocks {
+  std::size_t count, grain;
+  const RangeBody& body;
+  const std::atomic<bool>* stop = stopFlag();
+
+  void operator()(std::size_t block) const {
+    if (stop && stop->load(std::memory_order_relaxed)) throw Cancelled{};
+    body(block * grain, std::min(count, (block + 1) * grain));
+  }
+};
 
 }  // namespace
 
@@ -38,9 +54,7 @@ std::size_t threadsAllowed() {
 
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
   const std::size_t blocks = (count + grain - 1) / grain;
-  const auto run = [&](std::size_t block) {
-    body(block * grain, std::min(count, (block + 1) * grain));
-  };
+  const Blocks run{count, grain, body};
   // One thread needs no scheduler.
   if (blocks <= 1 || threadsAllowed() <= 1)
     for (std::size_t block = 0; block < blocks; ++block) run(block);
@@ -80,13 +94,14 @@ std::size_t threadsAllowed() {
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body) {
   const std::size_t blocks = (count + grain - 1) / grain;
   const std::size_t most = std::min(inLoop ? 1 : threadsAllowed(), blocks);
+  const Blocks run{count, grain, body};
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::exception_ptr error;
   const auto work = [&] {
     const bool outer = std::exchange(inLoop, true);
     for (std::size_t block = next++; block < blocks; block = next++) try {
-        body(block * grain, std::min(count, (block + 1) * grain));
+        run(block);
       } catch (...) {
         const std::lock_guard lock(mutex);
         error = std::current_exception();

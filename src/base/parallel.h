@@ -45,7 +45,7 @@ class RangeBody {
 };
 
 // grain >= 1: indices per block; the last block may have fewer. With count = 0 nothing is called.
-// An exception that `body` throws is thrown again to the caller.
+// An exception that `body` throws is thrown again to the caller. Stops as base/stop.h says.
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body);
 
 }  // namespace resect

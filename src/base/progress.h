@@ -1,4 +1,5 @@
-// Callback through which long work reports its progress and can be cancelled.
+// Callback through which long work reports its progress and can be cancelled. Work that reports
+// nothing is stopped by base/stop.h.
 #pragma once
 
 #include <functional>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/stop.h"
+
 namespace resect {
 namespace {
 
@@ -34,6 +36,7 @@ EdgesByCorner edgesByCorner(const TriangleMesh& mesh) {
     std::sort(result.edges.begin() + first, result.edges.begin() + end);
     first = end;
   }
+  checkStop();
   return result;
 }
 
@@ -46,6 +49,7 @@ std::int32_t findRoot(std::vector<std::int32_t>& parent, std::int32_t i) {
 
 Topology topology(const TriangleMesh& mesh) {
   requireTriangles(mesh);
+  checkStop();
   Topology result;
   const auto [ends, edges] = edgesByCorner(mesh);
   std::size_t first = 0;
@@ -66,6 +70,7 @@ Topology topology(const TriangleMesh& mesh) {
       if (std::abs(balance) > int(uses % 2)) ++result.unorientedEdges;
       first = last;
     }
+  checkStop();
   pointComponents(mesh, &result.components);
   return result;
 }
@@ -97,6 +102,7 @@ std::vector<std::int32_t> pointComponents(const TriangleMesh& mesh, int* count) 
 std::vector<TriangleMesh> splitComponents(const TriangleMesh& mesh) {
   int count = 0;
   const std::vector<std::int32_t> component = pointComponents(mesh, &count);
+  checkStop();
   std::vector<TriangleMesh> pieces(count);
   std::vector<std::int32_t> newIndex(mesh.points.size(), -1);
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/stop.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
 #include "organ/pieces.h"
@@ -94,6 +95,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
       summary.retries += step.retries;
     }
     if (observer && !observer(simulation, report)) break;
+    checkStop();
   }
 
   for (const OperatedOrgan& o : simulation.organs()) {
@@ -108,6 +110,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   for (std::size_t i = 0; i < simulation.organs().size(); ++i) {
     const OperatedOrgan& o = simulation.organs()[i];
     const TissueSetup& tissue = scenario.organs[i].tissue;
+    checkStop();
     for (const Body& body : bodies(o.organ, o.organ.surface.mesh(o.points())))
       summary.pieces.push_back(
           {summarise(body.mesh), body.particles, body.tissue, massOf(body, tissue), o.name});

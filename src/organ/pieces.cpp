@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/stop.h"
 #include "collision/inside.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
@@ -110,6 +111,7 @@ std::vector<std::int32_t> tissuePieces(const Organ& organ, int* count) {
     piece[std::size_t(first)] = pieces;
     stack.push_back(first);
     while (!stack.empty()) {
+      checkStop();
       const std::int64_t i = stack.back();
       stack.pop_back();
       const Vec3i n(int(i % dims.x()), int(i / dims.x() % dims.y()), int(i / step[2]));
@@ -144,6 +146,7 @@ std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface) {
     if (!organ.alive[cell] || !organ.rest.inside[cell]) continue;
     const std::int32_t piece = pieceOfCell(organ, pieceOf, cell);
     if (piece < 0) continue;
+    checkStop();
     ++pieces[piece].particles;
     const double tissue = particleVolume(organ.rest, cell);
     pieces[piece].tissue += tissue;
@@ -156,6 +159,7 @@ std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface) {
                          [](const Body& piece) { return piece.particles > 0; });
   const std::vector<std::int32_t> joined = joinSlivers(organ, pieceOf, std::move(holdsParticle));
 
+  checkStop();
   const std::vector<Vec3i> anchors = organ.surface.anchorNodes(organ.field);
   std::vector<std::int32_t> piece(surface.points.size()), number(surface.points.size());
   for (std::size_t p = 0; p < surface.points.size(); ++p) {
@@ -166,6 +170,7 @@ std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface) {
   }
   for (const Triangle& t : surface.triangles)
     pieces[piece[t[0]]].mesh.triangles.push_back({number[t[0]], number[t[1]], number[t[2]]});
+  checkStop();
   std::erase_if(pieces, [](const Body& body) { return body.mesh.triangles.empty(); });
 
   std::vector<std::pair<double, std::size_t>> order;

@@ -104,6 +104,8 @@ class Simulation {
   //   - the input's duration is out of range;
   //   - an edit names an organ or a tool that does not exist;
   //   - an edit is a grip with a pose that is not finite.
+  //
+  // If it is stopped by base/stop.h, call restore(), or destroy the simulation.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
   // The same with a report that the caller uses again and again. Then a frame of still tissue that
   // no tool comes near allocates no memory.

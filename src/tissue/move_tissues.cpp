@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/stop.h"
 
 namespace resect {
 namespace {
@@ -13,6 +14,7 @@ TissueModel* tryFrame(std::span<const MovingTissue> tissues, std::span<const Tis
   int count = 0;
   for (const MovingTissue& t : tissues) count = std::max(count, t.tissue->substepsWanted());
   for (int number = 1; number <= count; ++number) {
+    checkStop();
     pullJoints(joints, organs);
     for (const MovingTissue& t : tissues)
       if (!t.tissue->substep(number, count)) return t.tissue;

@@ -6,12 +6,17 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/progress.h"
 #include "base/random.h"
+#include "base/stop.h"
 #include "geometry/topology.h"
 #include "support/block_organ.h"
+#include "support/elastic_block.h"
 #include "support/same_at_any_threads.h"
 #include "support/surface_look.h"
 #include "support/test_tools.h"
+#include "tissue/move_tissues.h"
+#include "tissue/still_tissue.h"
 
 using namespace resect;
 
@@ -126,4 +131,57 @@ TEST_CASE("the stage clock gets a lap of every stage in the order of the step") 
     CHECK(clock.stages()[i].name == names[i]);
     CHECK(clock.stages()[i].seconds.size() == 3);
   }
+}
+
+namespace {
+
+// Tissue whose frame has more substeps than anyone would wait for, stopped from outside in the
+// third.
+class EndlessTissue final : public StillTissue {
+ public:
+  EndlessTissue(const Lattice& lattice, std::atomic<bool>& stop)
+      : StillTissue(lattice, std::vector<std::uint8_t>(std::size_t(lattice.cellCount()), 1)),
+        stop_(stop) {}
+  bool moves() const override { return true; }
+  int substepsWanted() const override { return std::numeric_limits<int>::max() - 1; }
+  bool substep(int number, int) override {
+    done = number;
+    if (number == 3) stop_ = true;
+    return true;
+  }
+  int done = 0;
+
+ private:
+  std::atomic<bool>& stop_;
+};
+
+}  // namespace
+
+TEST_CASE("a frame is left between two substeps when work is to stop") {
+  const Discretization cells = test::fullBlock({4, 4, 4}, 0.01);
+  std::atomic<bool> flag = false;
+  EndlessTissue tissue(cells.lattice, flag);
+  const StopBy stop(flag);
+  TissueStep step;
+  CHECK_THROWS_AS(moveTissue(tissue, {}, 1.0 / 60, step), Cancelled);
+  CHECK(tissue.done == 3);
+}
+
+TEST_CASE(
+    "a simulation that was stopped within a frame goes on from a saved state with the same bits") {
+  const auto stepOf = [](Simulation& simulation) { simulation.step({1.0 / 60, {}, {}, {}}); };
+  Simulation simulation = test::elasticBlock({6, 6, 6}, 0.01, std::vector<std::unique_ptr<Tool>>());
+  for (int i = 0; i < 3; ++i) stepOf(simulation);
+  const Bytes saved = simulation.save();
+  stepOf(simulation);
+  const std::uint64_t after = simulation.stateHash();
+  simulation.restore(saved);
+  {
+    const std::atomic<bool> flag = true;
+    const StopBy stop(flag);
+    CHECK_THROWS_AS(stepOf(simulation), Cancelled);
+  }
+  simulation.restore(saved);
+  stepOf(simulation);
+  CHECK(simulation.stateHash() == after);
 }

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/progress.h"
 #include "base/stage_clock.h"
+#include "base/stop.h"
 #include "operation/live/squeeze_speed.h"
 
 namespace resect {
@@ -41,6 +43,7 @@ LiveOperation::~LiveOperation() {
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;
+    stop_ = true;
   }
   wake_.notify_all();
   thread_.join();
@@ -153,6 +156,7 @@ void LiveOperation::work() {
   const auto period =
       std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / frameRate_));
   LastSecond lastSecond(frameRate_);
+  const StopBy stop(stop_);
   StepReport report;
   auto due = Clock::now();
   while (std::optional<Frame> frame = nextFrame(due)) {
@@ -171,6 +175,8 @@ void LiveOperation::work() {
       simulation_->step(input, report, &clock);
       history_.afterStep(input, report);
       if (watch_.stepped) watch_.stepped(input, report, *simulation_);
+    } catch (const Cancelled&) {
+      return;  // only the destructor stops a frame
     } catch (const Error& e) {
       refusal = e.what();
     }

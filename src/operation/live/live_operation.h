@@ -6,6 +6,7 @@
 // operation then runs slower than the clock, and StepTimes::realTimeFactor is below 1.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -35,7 +36,7 @@ class LiveOperation {
   // frameRate: simulated frames per second, 1 to 1000.
   LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                 double frameRate = 60, OperationWatch watch = {});
-  ~LiveOperation();  // ends the thread after the current frame
+  ~LiveOperation();  // stops the thread within the current frame
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;
 
@@ -93,6 +94,7 @@ class LiveOperation {
   Jump jump_ = Jump::None;
   bool stepping_ = false;  // a frame is being computed: only the thread may use the simulation
   int readers_ = 0;  // callers waiting for the end of the frame; the next frame waits for them
+  std::atomic<bool> stop_ = false;            // leaves the frame that is being computed
   std::vector<SurfacePublisher> publishers_;  // one per organ
   LiveState state_;
   std::thread thread_;
