@@ -9,10 +9,10 @@
 
 #include "base/error.h"
 #include "base/kept_memory.h"
-#include "cli/commands.h"
+#include "cli/command/commands.h"
 #include "cli/process/end_by_signal.h"
 #include "cli/process/standard_streams.h"
-#include "formats/sandbox.h"
+#include "formats/child/sandbox.h"
 
 namespace {
 

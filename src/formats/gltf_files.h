@@ -1,4 +1,4 @@
-// The files beside .gltf models that belong to them.
+// The files beside .gltf models that may belong to them.
 #pragma once
 
 #include <filesystem>
@@ -6,9 +6,9 @@
 
 namespace resect {
 
-// Appends the buffers and pictures to which .gltf files among `files` refer (glTF 2.0, 3.6.1.1),
-// whether they exist or not. Models of other formats are one file; what cannot be read as JSON
-// refers to none.
+// For each .gltf among `files`, appends the files of its folder that its reader may be given: those
+// whose names end in .bin, .glbin or .glbuf. Which of them the model names is not looked up, since
+// only the reader in its sandbox parses a model.
 void addFilesOfGltf(std::vector<std::filesystem::path>& files);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-#include "formats/child_process.h"
+#include "formats/child/child_process.h"
 
 #include <doctest/doctest.h>
 #include <signal.h>

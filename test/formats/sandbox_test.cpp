@@ -1,4 +1,4 @@
-#include "formats/sandbox.h"
+#include "formats/child/sandbox.h"
 
 #include <doctest/doctest.h>
 #include <fcntl.h>
@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "formats/child_process.h"
+#include "formats/child/child_process.h"
 #include "support/temporary_folder.h"
 
 using namespace resect;

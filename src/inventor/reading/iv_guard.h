@@ -17,8 +17,8 @@ std::string inventorFormat(std::string_view bytes);
 // something that crashes Coin 4.0.0: nesting deeper than 500, a word longer than 200 characters, a
 // node used inside itself, or a PROTO that contains itself. Brackets without a partner and strings
 // without an end are errors too. A binary file is not scanned. O(bytes). The guard is needed for
-// its sentences to the user, not for safety: the sandbox (formats/sandbox.h) contains crashes and
-// refuses access to other files.
+// its sentences to the user, not for safety: the sandbox (formats/child/sandbox.h) contains crashes
+// and refuses access to other files.
 void guardInventorFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

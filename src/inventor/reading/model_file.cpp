@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "formats/assimp_file.h"
-#include "formats/child_process.h"
-#include "formats/foreign_file.h"
+#include "formats/child/child_process.h"
+#include "formats/child/foreign_file.h"
 #include "formats/gzip.h"
 #include "formats/vtk_file.h"
 #include "inventor/init.h"

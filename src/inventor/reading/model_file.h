@@ -14,10 +14,10 @@ namespace resect {
 // possible, otherwise by the extension. The model is in metres: Units nodes of Inventor are
 // followed, and all other numbers are taken as metres.
 //
-// A child process (formats/child_process.h) reads the file. It may use 2 GB of memory, and 5 s of
-// processor time plus 1 s for each MB of the file. If the file makes it crash or exceed a limit, an
-// Error is thrown. A file is refused if it and the files that it refers to have more than 1 GB in
-// all.
+// A child process (formats/child/child_process.h) reads the file. It may use 2 GB of memory, and 5
+// s of processor time plus 1 s for each MB of the file. If the file makes it crash or exceed a
+// limit, an Error is thrown. A file is refused if it and the files that it refers to have more than
+// 1 GB in all.
 Model readModel(const std::filesystem::path& path);
 
 // The same with progress reports. For an Inventor or VRML file `progress` gets the fraction of the

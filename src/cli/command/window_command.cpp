@@ -5,7 +5,7 @@
 #include "app/window.h"
 #include "base/error.h"
 #include "base/parallel.h"
-#include "cli/commands.h"
+#include "cli/command/commands.h"
 #include "cli/organ_options.h"
 #include "cli/picture_writer.h"
 #include "io/data_folder.h"

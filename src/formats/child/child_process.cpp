@@ -1,4 +1,4 @@
-#include "formats/child_process.h"
+#include "formats/child/child_process.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -22,7 +22,7 @@
 #endif
 
 #include "base/error.h"
-#include "formats/sandbox.h"
+#include "formats/child/sandbox.h"
 
 namespace resect {
 namespace {

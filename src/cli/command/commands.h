@@ -1,4 +1,5 @@
-// The subcommands of `resect`. Each function adds one; src/cli/<subcommand>_command.cpp defines it.
+// The subcommands of `resect`. Each function adds one; src/cli/command/<subcommand>_command.cpp
+// defines it.
 #pragma once
 
 namespace CLI {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
-#include "cli/commands.h"
+#include "cli/command/commands.h"
 #include "cli/json_output.h"
 #include "cli/picture_writer.h"
 #include "cli/progress_bar.h"

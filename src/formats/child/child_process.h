@@ -1,6 +1,6 @@
 // Runs work on untrusted bytes in a forked child process, with limits on time and memory. The child
-// works inside a sandbox (formats/sandbox.h). The result comes back through a pipe. Cost: about 3
-// ms per call, plus copying the result.
+// works inside a sandbox (formats/child/sandbox.h). The result comes back through a pipe. Cost:
+// about 3 ms per call, plus copying the result.
 //
 // If the work crashes, loops endlessly or takes too much memory, this process goes on unharmed.
 // Code that a file plants in the child can reach nothing but the pipe.

@@ -1,4 +1,4 @@
-#include "formats/foreign_file.h"
+#include "formats/child/foreign_file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "cli/bench_report.h"
-#include "cli/commands.h"
+#include "cli/command/commands.h"
 #include "cli/json_output.h"
 #include "cli/organ_options.h"
 #include "cli/process/standard_streams.h"

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/commands.h"
+#include "cli/command/commands.h"
 #include "cli/json_output.h"
 #include "cli/picture_writer.h"
 #include "cli/process/standard_streams.h"

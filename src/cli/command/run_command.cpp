@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "cli/commands.h"
+#include "cli/command/commands.h"
 #include "cli/json_output.h"
 #include "cli/organ_options.h"
 #include "cli/picture_writer.h"

@@ -1,4 +1,4 @@
-#include "formats/sandbox.h"
+#include "formats/child/sandbox.h"
 
 #include <fcntl.h>
 #include <linux/capability.h>

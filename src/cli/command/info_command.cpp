@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "cli/commands.h"
+#include "cli/command/commands.h"
 #include "cli/json_output.h"
 #include "cli/progress_bar.h"
 #include "formats/model_info.h"
