@@ -93,6 +93,10 @@ class Streams(Case):
         os.mknod(full, stat.S_IFCHR | 0o666, os.makedev(1, 7))
         self.refused(small(full), 1, "No space left")
         self.assertTrue(stat.S_ISCHR(full.stat().st_mode))
+        disk = self.folder / "disk"
+        os.mknod(disk, stat.S_IFBLK | 0o666, os.makedev(240, 77))  # for experiments: no driver, nothing to lose
+        self.refused(small(disk), 1, "it is a disk")
+        self.assertTrue(stat.S_ISBLK(disk.stat().st_mode))
 
     def test_a_named_pipe_gives_its_reader_what_a_file_would_hold(self):
         pipe, file = self.folder / "pipe", self.folder / "file"
