@@ -92,7 +92,7 @@ void MainWindow::undo(bool again) {
       4000);
   if (strokes == 0) return;
   again ? session_->redo() : session_->undo();
-  if (options_.reports) say(again ? "redo" : "undo");
+  if (options_.reports) say("{}", again ? "redo" : "undo");
 }
 
 }  // namespace resect

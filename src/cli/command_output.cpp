@@ -1,4 +1,4 @@
-#include "cli/json_output.h"
+#include "cli/command_output.h"
 
 #include <cstdio>
 #include <ostream>

@@ -120,7 +120,7 @@ void Recorder::putKeyState(const Simulation& simulation) {
 void Recorder::record(const FrameInput& input, const StepReport& report,
                       const Simulation& simulation) {
   if (!failure().empty()) return;
-  RecordedFrame frame{branch_,
+  RecordedFrame frame{presentBranch(),
                       simulation.frame(),
                       simulation.time(),
                       before_.tools.empty(),

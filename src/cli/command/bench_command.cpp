@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "cli/bench_report.h"
 #include "cli/command/commands.h"
-#include "cli/json_output.h"
+#include "cli/command_output.h"
 #include "cli/organ_options.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"

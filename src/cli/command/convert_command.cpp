@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "cli/command/commands.h"
-#include "cli/json_output.h"
+#include "cli/command_output.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
 #include "formats/gltf_files.h"

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "cli/command/commands.h"
-#include "cli/json_output.h"
+#include "cli/command_output.h"
 #include "cli/progress_bar.h"
 #include "formats/model_info.h"
 #include "formats/particle_info.h"

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "cli/command/commands.h"
-#include "cli/json_output.h"
+#include "cli/command_output.h"
 #include "cli/picture_writer.h"
 #include "cli/progress_bar.h"
 #include "record/replay.h"

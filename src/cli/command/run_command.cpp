@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "cli/command/commands.h"
-#include "cli/json_output.h"
+#include "cli/command_output.h"
 #include "cli/organ_options.h"
 #include "cli/picture_writer.h"
 #include "cli/process/standard_streams.h"

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "cli/command/commands.h"
-#include "cli/json_output.h"
+#include "cli/command_output.h"
 #include "cli/process/standard_streams.h"
 #include "io/cells/particle_file.h"
 #include "io/mesh_file.h"
