@@ -113,7 +113,13 @@ class AtTheWindow(unittest.TestCase):
         after = screen.picture("6_iso")
         self.assertGreater(difference(before, after, around), 0.01)
 
-        # The scene into a file and back; then another organ.
+        # The scene, seen from above with an instrument out of the tool box, into a file and back.
+        screen.key("2", "ctrl+3")
+        window.wait("held Hook direct")
+        screen.key("g")
+        window.wait("held nothing")
+        time.sleep(1.5)
+        saved = screen.picture("6_saved")
         scene = FOLDER / "scene.iv"
         window.tell(f"save-scene {scene}")
         window.wait(f"written {scene}")
@@ -123,8 +129,10 @@ class AtTheWindow(unittest.TestCase):
         screen.picture("7_open_scene")
         screen.click(*window.places["open"])
         window.wait("organ scene.iv")
-        time.sleep(1.0)
-        screen.picture("8_scene_again")
+        time.sleep(1.5)
+        again = screen.picture("8_scene_again")
+        view = (100, 100, 800, 700)
+        self.assertLess(difference(saved, again, view), 0.05)
         # What it has read it does not write; another name it does.
         before = scene.read_bytes()
         for what in ("save-scene", "save-surface"):
@@ -135,6 +143,10 @@ class AtTheWindow(unittest.TestCase):
         window.wait("written ")
 
         screen.focus("^Resect$")
+        screen.key("space")  # the window's own view, and all instruments in the tool box
+        time.sleep(1.5)
+        self.assertGreater(difference(saved, screen.picture("9_own_view"), view), 0.2)
+
         screen.key("ctrl+q")
         window.process.wait(timeout=30)
         self.assertEqual(window.process.returncode, 0)
