@@ -7,6 +7,7 @@
 #include "cli/progress_bar.h"
 #include "inventor/reading/model_file.h"
 #include "io/scenario/length.h"
+#include "operation/setting_ranges.h"
 
 namespace resect {
 namespace {
@@ -39,8 +40,9 @@ void OrganOptions::applyTo(OrganSource& source) const {
   source.repair = source.repair || repair;
   if (!spacing.empty()) {
     const double s = parseLength(spacing, "--spacing");
-    if (!(s >= 1e-5 && s <= 0.1))
-      throw usageError("--spacing is {}; give a length from 0.01mm to 100mm", spacing);
+    if (!ranges::kSpacing.holds(s))
+      throw usageError("--spacing is {}; give a length from {} to {}", spacing,
+                       lengthText(ranges::kSpacing.low), lengthText(ranges::kSpacing.high));
     source.spacing = s;
     source.dims.reset();
     source.resample = true;

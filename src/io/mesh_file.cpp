@@ -8,9 +8,11 @@
 #include <cctype>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <ostream>
 
 #include "base/error.h"
+#include "base/stop.h"
 #include "io/atomic_file.h"
 #include "io/output/output_target.h"
 
@@ -32,7 +34,7 @@ class Buffer {
   template <typename... Args>
   void print(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(bytes_), format, std::forward<Args>(args)...);
-    if (bytes_.size() > kBlock) flush();
+    flushFull();
   }
   template <typename T>
   void raw(T value) {
@@ -51,7 +53,12 @@ class Buffer {
     std::memcpy(data, &value, sizeof(T));
     if (reversed) std::reverse(std::begin(data), std::end(data));
     bytes_.append(data, sizeof(T));
-    if (bytes_.size() > kBlock) flush();
+    flushFull();
+  }
+  void flushFull() {
+    if (bytes_.size() <= kBlock) return;
+    checkStop();
+    flush();
   }
   void flush() {
     out_.write(bytes_.data(), std::streamsize(bytes_.size()));
@@ -149,6 +156,14 @@ void checkWritableMeshFile(const std::filesystem::path& path) {
 
 void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh) {
   checkWritableMeshFile(path);
+  // Some formats hold 32-bit numbers.
+  constexpr double kMost = std::numeric_limits<float>::max();
+  for (const Vec3& p : mesh.points)
+    if (!(p.cwiseAbs().maxCoeff() <= kMost))
+      throw error(
+          "{} is not written: the surface has a point ({:g}, {:g}, {:g}) m, which is nowhere; "
+          "check unit and poses",
+          path.string(), p.x(), p.y(), p.z());
   writeFileAtomically(path, [&](std::ostream& out) { writerFor(path)(out, mesh); });
 }
 

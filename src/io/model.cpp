@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/text/shown_text.h"
 
 namespace resect {
 namespace {

@@ -12,6 +12,7 @@
 #include "io/organ_mesh.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
+#include "operation/frame_estimate.h"
 #include "operation/room.h"
 #include "organ/cell_labels.h"
 #include "organ/discretize.h"
@@ -274,11 +275,20 @@ Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
   return simulation;
 }
 
+void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
+                    std::vector<std::string>* notes) {
+  const std::string note = slowFrameNote(simulation, 1 / scenario.frameRate);
+  if (notes && !note.empty()) notes->push_back(note);
+}
+
 Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress, std::vector<std::string>* notes) {
   std::vector<OperatedOrgan> organs = loadOrgans(scenario, readModel, progress, notes);
   std::vector<TissueJoint> joints = makeJoints(scenario, organs);
-  return assemble(scenario, std::move(organs), std::move(joints), loadTools(scenario, readModel));
+  Simulation simulation =
+      assemble(scenario, std::move(organs), std::move(joints), loadTools(scenario, readModel));
+  noteSlowFrames(simulation, scenario, notes);
+  return simulation;
 }
 
 }  // namespace resect

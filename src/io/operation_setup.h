@@ -68,6 +68,10 @@ std::vector<TissueJoint> makeJoints(const Scenario& scenario,
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools);
 
+// Adds a note if frames will take long (operation/frame_estimate.h).
+void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
+                    std::vector<std::string>* notes);
+
 // Does all of the above. The simulation is ready for its first frame.
 Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress = {}, std::vector<std::string>* notes = nullptr);

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/text/shown_text.h"
 #include "io/whole_file.h"
 
 namespace resect {
@@ -31,7 +32,7 @@ std::size_t takeCount(std::string_view& bytes, std::string_view words, const std
     count = 10 * count + std::size_t(c - '0');
   }
   if (!fine)
-    throw error("{} has \"{}\" where \"{}NUMBER\" belongs; {}", path, line.substr(0, 60), words,
+    throw error("{} has \"{}\" where \"{}NUMBER\" belongs; {}", path, shownText(line, 60), words,
                 kForm);
   return count;
 }

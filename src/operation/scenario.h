@@ -172,10 +172,9 @@ struct Scenario {
   }
 };
 
-// Each throws Error for a value that cannot be run, such as a time or stiffness out of range, or
-// the name of an organ that does not exist. They are for scenarios that programs make; the reader
-// of scenario files (io/scenario/scenario_file.h) checks more. Spacings, refinement, iso level and
-// materials are checked where they are used.
+// Each throws Error unless all numbers are in their ranges (setting_ranges.h) and all names of
+// organs are known. They check for scenarios made by programs what the reader of scenario files
+// (io/scenario/scenario_file.h) checks in a file.
 void requireSound(const OrganSource& source);
 void requireSound(const TissueSetup& tissue);
 void requireSound(const Scenario& scenario);

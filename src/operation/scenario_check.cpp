@@ -4,9 +4,25 @@
 
 #include "base/error.h"
 #include "operation/scenario.h"
+#include "operation/setting_ranges.h"
 
 namespace resect {
 namespace {
+
+void within(double value, const SettingRange& range, std::string_view what, const char* unit) {
+  require(range.holds(value), "{} is {:g}{}; give {:g} to {:g}{}", what, value, unit, range.low,
+          range.high, unit);
+}
+
+bool isNear(const Vec3& position, double farthest) {
+  return position.allFinite() && position.cwiseAbs().maxCoeff() <= farthest;
+}
+
+void requirePose(const Pose& pose, const std::string& what) {
+  require(isFinite(pose), "{} is not a number; give numbers", what);
+  require(isNear(pose.position, ranges::kFarthestPose),
+          "{} is farther than {:g} m from the table; place it nearer", what, ranges::kFarthestPose);
+}
 
 bool isLabel(int label) { return label >= 1 && label <= 255; }
 
@@ -24,17 +40,18 @@ void requireSound(const Region& region) {
 
 void requireSound(const ScenarioTool& tool) {
   require(!tool.model.empty(), "a tool names no description; give its .toml file");
-  require(isFinite(tool.rest), "tool \"{}\" rests at a place that is not a number; give numbers",
-          tool.model);
+  requirePose(tool.rest, fmt::format("the place where tool \"{}\" rests", tool.model));
   double before = -1;
   for (const ToolKey& key : tool.keys) {
     require(key.time >= 0 && key.time > before && std::isfinite(key.time),
             "a key of tool \"{}\" is at {} s; give times from 0, each later than that of the key "
             "before",
             tool.model, key.time);
-    require(isFinite(key.pose) && std::isfinite(key.squeeze) && std::isfinite(key.pedal),
-            "the key at {} s of tool \"{}\" holds something that is not a number; give numbers",
-            key.time, tool.model);
+    const std::string name = fmt::format("the key at {} s of tool \"{}\"", key.time, tool.model);
+    within(key.time, ranges::kKeyTime, name, " s");
+    require(std::isfinite(key.squeeze) && std::isfinite(key.pedal),
+            "{} holds something that is not a number; give numbers", name);
+    requirePose(key.pose, name);
     before = key.time;
   }
 }
@@ -42,10 +59,11 @@ void requireSound(const ScenarioTool& tool) {
 }  // namespace
 
 void requireSound(const OrganSource& source) {
-  require(source.unit > 0 && std::isfinite(source.unit),
-          "organ \"{}\" has units of {} m; give a length above 0", source.name, source.unit);
-  require(isFinite(source.pose), "the pose of organ \"{}\" is not a number; give numbers",
-          source.name);
+  within(source.unit, ranges::kUnit, fmt::format("the units of organ \"{}\"", source.name), " m");
+  if (source.spacing)
+    within(*source.spacing, ranges::kSpacing,
+           fmt::format("the spacing of organ \"{}\"", source.name), " m");
+  requirePose(source.pose, fmt::format("the pose of organ \"{}\"", source.name));
   for (const OrganLabel& one : source.labels) {
     require(isLabel(one.label), "organ \"{}\" has a label {}; give 1 to 255", source.name,
             one.label);
@@ -53,20 +71,49 @@ void requireSound(const OrganSource& source) {
   }
 }
 
+void requireSound(const TissueMaterial& material) {
+  const auto named = [&](const char* what) {
+    return fmt::format("{} of material \"{}\"", what, material.name);
+  };
+  within(material.young, ranges::kYoung, named("young"), " Pa");
+  within(material.poisson, ranges::kPoisson, named("poisson"), "");
+  within(material.density, ranges::kDensity, named("density"), " kg/m^3");
+  require(material.tearStretch >= ranges::kTearStretch.low,
+          "{} is {:g}; give a stretch above 1, or infinity", named("tear stretch"),
+          material.tearStretch);
+  require(material.waveSpeed() <= ranges::kFastestWave,
+          "pressure waves in material \"{}\" run at {:.0f} m/s, faster than the {:g} m/s of any "
+          "tissue; give a smaller young or "
+          "poisson, or a greater density",
+          material.name, material.waveSpeed(), ranges::kFastestWave);
+}
+
 void requireSound(const TissueSetup& tissue) {
   require(tissue.materials.size() <= 255, "there are {} materials; give 255 or fewer",
           tissue.materials.size());
   for (const LabelMaterial& one : tissue.materials)
     require(isLabel(one.label), "there is a material for label {}; give 1 to 255", one.label);
-  for (const TissueAttachment& one : tissue.attachments) requireSound(one);
+  requireSound(tissue.material);
+  for (const LabelMaterial& one : tissue.materials) requireSound(one.material);
+  for (const TissueAttachment& one : tissue.attachments) {
+    requireSound(one);
+    within(one.stiffness, ranges::kSpringStiffness, "the stiffness of an attachment", " N/m");
+  }
+  require(tissue.settings.gravity.allFinite() &&
+              tissue.settings.gravity.norm() <= ranges::kGravity.high,
+          "gravity is {:g} m/s^2; give at most {:g}", tissue.settings.gravity.norm(),
+          ranges::kGravity.high);
+  within(tissue.settings.drag, ranges::kDrag, "drag", " 1/s");
+  within(tissue.settings.damping, ranges::kDamping, "damping", "");
 }
 
 void requireSound(const Scenario& scenario) {
   require(!scenario.organs.empty(), "the scenario has no organ; give at least one");
-  require(scenario.frameRate >= 1 && scenario.frameRate <= 1000,
-          "the scenario has {} frames a second; give 1 to 1000", scenario.frameRate);
-  require(scenario.duration > 0 && std::isfinite(scenario.duration),
-          "the scenario lasts {} s; give a time above 0", scenario.duration);
+  const auto& [fewest, most] = ranges::kFrameRate;
+  require(ranges::kFrameRate.holds(scenario.frameRate),
+          "the scenario has {} frames a second; give {} to {}", scenario.frameRate, fewest, most);
+  require(ranges::kDuration.holds(scenario.duration), "the scenario lasts {} s; give {} to {} s",
+          scenario.duration, ranges::kDuration.low, ranges::kDuration.high);
   std::vector<std::string> names;
   const auto known = [&](const std::string& name) {
     return std::ranges::find(names, name) != names.end();
@@ -85,10 +132,10 @@ void requireSound(const Scenario& scenario) {
     require(known(joint.organs[0]) && known(joint.organs[1]) && joint.organs[0] != joint.organs[1],
             "a joint is between \"{}\" and \"{}\"; give the names of two organs", joint.organs[0],
             joint.organs[1]);
-    require(joint.reach > 0 && joint.stiffness >= 0 && std::isfinite(joint.reach) &&
-                std::isfinite(joint.stiffness),
-            "the joint of \"{}\" and \"{}\" reaches {} m with {} N/m; give finite numbers above 0",
-            joint.organs[0], joint.organs[1], joint.reach, joint.stiffness);
+    const std::string name =
+        fmt::format("of the joint of \"{}\" and \"{}\"", joint.organs[0], joint.organs[1]);
+    within(joint.reach, ranges::kJointReach, "the reach " + name, " m");
+    within(joint.stiffness, ranges::kSpringStiffness, "the stiffness " + name, " N/m");
   }
   for (const ScenarioTool& tool : scenario.tools) requireSound(tool);
 }

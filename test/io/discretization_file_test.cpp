@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "base/error.h"
@@ -137,6 +139,21 @@ TEST_CASE("blank lines at the end and line ends of other systems do no harm") {
   for (const char c : kThesis) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
   CHECK(refusal(dos) == "");
   CHECK(refusal(kThesis.substr(0, kThesis.size() - 1)) == "");
+}
+
+TEST_CASE("lines that end in \\r alone are lines, in messages too") {
+  std::string old = kThesis;
+  std::ranges::replace(old, '\n', '\r');
+  CHECK(parseDiscretization(old, "a.dis").particleCount() == 3);
+  CHECK(refusal(replaced(old, "39.7075 100\r2", "39.7075 x\r2")).starts_with("organ.dis:8: \"x\""));
+}
+
+TEST_CASE("cells that would lie nowhere are neither read nor written") {
+  CHECK(test::refuses([] { parseDiscretization(kThesis, "a.dis", 1e300); },
+                      "a.dis:5: the box reaches"));
+  Discretization cells = parseDiscretization(kThesis, "a.dis");
+  cells.lattice.origin.x() = std::numeric_limits<double>::infinity();
+  CHECK(test::refuses([&] { formatDiscretization(cells); }, "cells cannot be written"));
 }
 
 TEST_CASE("whatever is wrong is refused with its line") {

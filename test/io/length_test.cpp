@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "base/error.h"
+#include "support/sentence.h"
 
 using namespace resect;
 
@@ -28,6 +29,8 @@ TEST_CASE("what is no length is refused in one sentence that names the argument"
   }
   for (const char* text : {"", "0", "-1", "nan", "mile"})
     CHECK_THROWS_AS(parseUnit(text, "--unit"), Error);
+  for (const char* text : {"1e308", "inf", "1001", "1e-10"})
+    CHECK(test::refuses([&] { parseUnit(text, "--unit"); }, "from 1e-09 to 1000"));
   CHECK(parseUnit("mm", "--unit") == 1e-3);
   CHECK(parseUnit("0.25", "--unit") == 0.25);
 }

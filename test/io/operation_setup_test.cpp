@@ -1,6 +1,7 @@
 #include "io/operation_setup.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "geometry/measures.h"
 #include "io/scenario/scenario_file.h"
@@ -56,4 +57,23 @@ int pointsInWalls(const std::string& room) {
 TEST_CASE("tissue that falls on the rim of the tray does not go into its walls") {
   CHECK(pointsInWalls("[room]\ntool_box = false\n") > 20);
   CHECK(pointsInWalls("") == 0);
+}
+
+TEST_CASE("frames that will take seconds are told of before the first one") {
+  const auto notes = [](const std::string& tissue) {
+    std::vector<std::string> all;
+    const Scenario scenario =
+        parseScenario(fmt::format("title = \"Stiff\"\nduration = 1\nframe_rate = "
+                                  "1\n[organ]\nspacing = \"9mm\"\n[tissue]\nmodel = "
+                                  "\"elastic\"\nthreads = 1\n{}",
+                                  tissue),
+                      "test.toml");
+    makeSimulation(scenario, {}, {}, &all);
+    return all;
+  };
+  CHECK(notes("").empty());
+  const auto stiff = notes("young = 1e9\npoisson = 0.49\n");
+  REQUIRE(stiff.size() == 1);
+  CHECK_MESSAGE(stiff[0].starts_with("each frame will take about"), stiff[0]);
+  CHECK(stiff[0].find("softer tissue (young, poisson)") != stiff[0].npos);
 }

@@ -87,6 +87,38 @@ TEST_CASE("a wrong scenario file is refused with file, line and key") {
   CHECK(complaint(std::string(100000, '[')).find("nested") != std::string::npos);
 }
 
+TEST_CASE("what is wrong is told with its line, after texts of lines and whatever ends the lines") {
+  const std::string text =
+      "title = \"\"\"\nA cut\n\"\"\"\nduration = 1\n[[organ]]\nname = \"a\"\n[[organ]]\nname = "
+      "\"b\"\n"
+      "beside = \"c\"\n[[tool]]\nmodel = \"hook\"\nkeys = [\n  { time = 0, position = [0, 0, 0] "
+      "},\n\n"
+      "  { time = 1, position = [0, 0, 101] },\n]\n";
+  CHECK(complaint(text) == "x.toml:9: organ[2].beside is \"c\", which is no organ before this one");
+  const std::string second = replaced(text, "\"c\"", "\"a\"");
+  std::string windows;
+  for (const char c : second) windows += c == '\n' ? "\r\n" : std::string(1, c);
+  for (const std::string& file : {second, windows})
+    CHECK(complaint(file) ==
+          "x.toml:15: tool[1].keys[2].position is not three finite numbers [x, y, z] from -100 to "
+          "100");
+}
+
+TEST_CASE("an empty text where a name is meant is refused with its line") {
+  for (const char* line : {"title = \"A cut\"", "source = \"liver\"", "model = \"scalpel\""}) {
+    const std::string key = std::string(line).substr(0, std::string(line).find(' '));
+    for (const char* empty : {" = \"\"", " = \"  \"", " = ''"}) {
+      const std::string sentence = complaint(replaced(kGood, line, key + empty));
+      CHECK_MESSAGE(sentence.find(key + " is empty; give a text") != sentence.npos, sentence);
+    }
+  }
+  const std::string nameless =
+      complaint(std::string(kGood) + "[organ.landmark]\n\"\" = [0, 0, 0]\n");
+  CHECK_MESSAGE(nameless.find("is a place without a name") != nameless.npos, nameless);
+  CHECK(parseScenario("title = \"A\"\nduration = 1\ndescription = \"\"\n", "x.toml")
+            .description.empty());
+}
+
 TEST_CASE("a scenario file with any bytes changed is read or refused in one line, never worse") {
   Random random(5);
   int refused = 0;

@@ -3,9 +3,11 @@
 
 #include <limits>
 
+#include "io/mesh_file.h"
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
 #include "support/sentence.h"
+#include "support/temporary_folder.h"
 
 using namespace resect;
 using test::refuses;
@@ -53,4 +55,15 @@ TEST_CASE("joints between organs that were not made are refused") {
   scenario.mode = OperationMode::Operation;
   scenario.joints.push_back({{"organ", "spleen"}});
   CHECK(refuses([&] { makeJoints(scenario, {}); }, "\"organ\""));
+}
+
+TEST_CASE("a surface with a point that is nowhere is not written") {
+  const test::TemporaryFolder folder;
+  for (const double wrong :
+       {std::numeric_limits<double>::infinity(), 1e39, std::numeric_limits<double>::quiet_NaN()})
+    for (const char* name : {"a.obj", "a.stl", "a.ply", "a.vtk", "a.iv"}) {
+      const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, wrong, 0}}, {{0, 1, 2}}};
+      CHECK(refuses([&] { writeMeshFile(folder / name, mesh); }, "which is nowhere"));
+      CHECK_FALSE(std::filesystem::exists(folder / name));
+    }
 }

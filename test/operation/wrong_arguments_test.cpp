@@ -36,7 +36,7 @@ TEST_CASE("a scenario with a value out of range or a name that is unknown is ref
   CHECK(scenarioRefused([](Scenario& s) { s.organs.clear(); }, "no organ"));
   for (const double wrong : {0.0, -60.0, kNaN, 1e9})
     CHECK(scenarioRefused([&](Scenario& s) { s.frameRate = wrong; }, "frames a second"));
-  for (const double wrong : {0.0, -1.0, kNaN})
+  for (const double wrong : {0.0, -1.0, kNaN, 1e9})
     CHECK(scenarioRefused([&](Scenario& s) { s.duration = wrong; }, "lasts"));
   CHECK(scenarioRefused([](Scenario& s) { s.organs.resize(2); }, "two organs are named"));
   CHECK(scenarioRefused([](Scenario& s) { s.organs[0].source.beside = "spleen"; }, "\"spleen\""));
@@ -119,4 +119,34 @@ TEST_CASE("a live operation refuses tools that it does not have") {
   operation.waitFor(state.frame + 2);  // it goes on, and what was said is not lost on the way
   operation.take(updates, state);
   CHECK(said.size() + state.faults.size() == 1);
+}
+
+TEST_CASE("values that no tissue, organ or instrument reaches are refused") {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const auto tissue = [](auto change, const char* what) {
+    return scenarioRefused([&](Scenario& s) { change(s.organs[0].tissue); }, what);
+  };
+  for (const double wrong : {1.0, 1e10, kNaN, kInfinity})
+    CHECK(tissue([&](TissueSetup& t) { t.material.young = wrong; }, "give 10 to 1e+09 Pa"));
+  for (const double wrong : {-0.1, 0.5, kNaN})
+    CHECK(tissue([&](TissueSetup& t) { t.material.poisson = wrong; }, "poisson"));
+  for (const double wrong : {1.0, 1e4, kNaN})
+    CHECK(tissue([&](TissueSetup& t) { t.material.density = wrong; }, "give 100 to 5000 kg/m^3"));
+  CHECK(tissue(
+      [](TissueSetup& t) {
+        t.materials.push_back({1, {}});
+        t.materials[0].material.young = 1e9;
+        t.materials[0].material.poisson = 0.4999;
+      },
+      "faster than the 5000 m/s of any tissue"));
+  CHECK(tissue([](TissueSetup& t) { t.settings.gravity.y() = -1e3; }, "gravity"));
+  CHECK(tissue([](TissueSetup& t) { t.settings.drag = -1; }, "drag"));
+  for (const double wrong : {1e308, kInfinity, 1e-12})
+    CHECK(scenarioRefused([&](Scenario& s) { s.organs[0].source.unit = wrong; }, "units"));
+  for (const double wrong : {1e-6, 1.0, kNaN})
+    CHECK(scenarioRefused([&](Scenario& s) { s.organs[0].source.spacing = wrong; }, "spacing"));
+  CHECK(scenarioRefused([](Scenario& s) { s.organs[0].source.pose.position.x() = 101; }, "100 m"));
+  CHECK(scenarioRefused([](Scenario& s) { s.tools[0].rest.position.y() = -1e5; }, "rests"));
+  CHECK(scenarioRefused([](Scenario& s) { s.tools[0].keys[1].pose.position.z() = 1e5; }, "1 s"));
+  CHECK(scenarioRefused([](Scenario& s) { s.tools[0].keys[1].time = 3601; }, "give 0 to 3600 s"));
 }

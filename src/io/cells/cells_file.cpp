@@ -189,7 +189,7 @@ KeptCells parseCells(std::string_view bytes, const std::string& name) {
 
   KeptCells kept;
   Discretization& d = kept.cells;
-  kept.origin = {t.text("program", ""), t.text("source", ""), t.number("unit", 1e-12, 1e12, 1)};
+  kept.origin = {t.freeText("program"), t.freeText("source"), t.number("unit", 1e-12, 1e12, 1)};
   d.lattice = readLattice(t);
   d.skinScale = t.number("skin_scale", 0, kLargestScale);
   const int particles = t.integer("particles", 0, int(kMaxCells));

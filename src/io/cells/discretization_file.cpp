@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/stop.h"
+#include "base/text/shown_text.h"
 #include "io/atomic_file.h"
 #include "io/whole_file.h"
 #include "organ/discretize.h"
@@ -18,6 +20,7 @@ namespace resect {
 namespace {
 
 constexpr double kLargestOffset = 0.02;  // of a cell: tolerance for rounded positions
+constexpr double kFarthest = 1e9;        // m
 
 std::vector<std::string_view> splitWords(std::string_view line) {
   constexpr std::string_view kBlank = " \t\r";
@@ -33,12 +36,14 @@ std::vector<std::string_view> splitWords(std::string_view line) {
 // The text line by line; every Error names its line.
 class Lines {
  public:
-  Lines(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+  // Lines end in \n, as a rule after \r; in old files of the Macintosh in \r alone.
+  Lines(std::string_view text, const std::string& name)
+      : rest_(text), name_(name), end_(text.find('\n') == text.npos ? '\r' : '\n') {}
 
   // False at the end of the text.
   bool next() {
     if (rest_.empty()) return false;
-    const std::size_t end = rest_.find('\n');
+    const std::size_t end = rest_.find(end_);
     words_ = splitWords(rest_.substr(0, end));
     rest_.remove_prefix(end == rest_.npos ? rest_.size() : end + 1);
     ++number_;
@@ -88,17 +93,13 @@ class Lines {
     return value;
   }
 
-  // Text of the file, shortened and made printable for messages.
-  static std::string shown(std::string_view word) {
-    std::string text(word.substr(0, 24));
-    for (char& c : text)
-      if (c < ' ' || c > '~') c = '?';
-    return text;
-  }
+  // Text of the file, shortened for messages.
+  static std::string shown(std::string_view word) { return shownText(word, 24); }
 
  private:
   std::string_view rest_;
   const std::string& name_;
+  char end_;
   std::vector<std::string_view> words_;
   int number_ = 0;
 };
@@ -179,6 +180,9 @@ Discretization parseDiscretization(std::string_view text, const std::string& nam
     if (!(last[a] > first[a]) || !std::isfinite(spacing) || !(spacing > 0))
       throw lines.complaint("the box must have room between {} and {} on each axis", first[a],
                             last[a]);
+    if (!(std::max(std::abs(first[a]), std::abs(last[a])) * unit <= kFarthest))
+      throw lines.complaint("the box reaches from {:g} to {:g}, farther than {:g} m; check --unit",
+                            first[a], last[a], kFarthest);
   }
   lines.expect("particle: x: y: z: LevelSet:", 0);
 
@@ -199,6 +203,7 @@ Discretization parseDiscretization(std::string_view text, const std::string& nam
                             words.size());
     if (lines.number<std::int64_t>(words[0]) != i)
       throw lines.complaint("particle {} should stand here, not {}", i, Lines::shown(words[0]));
+    checkStop();
     Row row;
     for (int a = 0; a < 3; ++a) row.position[a] = lines.number<double>(words[a + 1]);
     row.value = lines.number<float>(words[4]);
@@ -252,6 +257,9 @@ Discretization readDiscretization(const std::filesystem::path& path, double unit
 }
 
 std::string formatDiscretization(const Discretization& d) {
+  if (!d.lattice.origin.allFinite() || !farCorner(d.lattice).allFinite())
+    throw error(
+        "cells cannot be written: they lie at a place that is not a number; check unit and poses");
   std::vector<std::int64_t> cells;
   for (std::int64_t c = 0; c < d.lattice.cellCount(); ++c)
     if (d.inside[c] && d.value[c] > 0) cells.push_back(c);
@@ -271,6 +279,7 @@ std::string formatDiscretization(const Discretization& d) {
     for (int a = 0; a < 3; ++a) append(corner[a]);
   text += "\nparticle: x: y: z: LevelSet:\n";
   for (std::size_t i = 0; i < cells.size(); ++i) {
+    checkStop();
     appendNumber(text, i);
     const Vec3 centre = d.lattice.centre(d.lattice.cell(cells[i]));
     for (int a = 0; a < 3; ++a) append(centre[a]);
@@ -281,8 +290,14 @@ std::string formatDiscretization(const Discretization& d) {
 }
 
 void writeDiscretization(const std::filesystem::path& path, const Discretization& discretization) {
-  writeFileAtomically(path,
-                      [&](std::ostream& out) { out << formatDiscretization(discretization); });
+  writeFileAtomically(path, [&](std::ostream& out) {
+    const std::string text = formatDiscretization(discretization);
+    constexpr std::size_t kBlock = 1 << 20;
+    for (std::size_t at = 0; at < text.size(); at += kBlock) {
+      checkStop();
+      out << std::string_view(text).substr(at, kBlock);
+    }
+  });
 }
 
 }  // namespace resect

@@ -1,5 +1,7 @@
 #include "io/scenario/label_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "io/scenario/region_reader.h"
@@ -28,10 +30,16 @@ std::vector<OrganLabel> readLabels(const TomlTable& organ) {
 
 TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults) {
   TissueMaterial material = defaults;
-  material.young = t.number("young", 1, 1e9, defaults.young);
-  material.poisson = t.number("poisson", 0, 0.4999, defaults.poisson);
-  material.density = t.number("density", 1, 1e5, defaults.density);
-  material.tearStretch = t.number("tear_stretch", 1, 1e9, defaults.tearStretch);
+  material.young = t.number("young", ranges::kYoung, defaults.young);
+  material.poisson = t.number("poisson", ranges::kPoisson, defaults.poisson);
+  material.density = t.number("density", ranges::kDensity, defaults.density);
+  material.tearStretch = t.number("tear_stretch", ranges::kTearStretch, defaults.tearStretch);
+  if (material.waveSpeed() > ranges::kFastestWave)
+    t.complain("young",
+               fmt::format("makes pressure waves, with poisson and density, of {:.0f} m/s, faster "
+                           "than the {:g} m/s of "
+                           "any tissue; give a smaller young or poisson, or a greater density",
+                           material.waveSpeed(), ranges::kFastestWave));
   return material;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "operation/setting_ranges.h"
 
 namespace resect {
 namespace {
@@ -47,12 +48,11 @@ double parseUnit(std::string_view text, std::string_view what) {
   if (const auto factor = unitFactor(unit); factor && !unit.empty()) return *factor;
   double number = 0;
   const auto [rest, ec] = std::from_chars(unit.data(), unit.data() + unit.size(), number);
-  if (ec != std::errc() || rest != unit.data() + unit.size() || !(number > 0) ||
-      !std::isfinite(number))
+  if (ec != std::errc() || rest != unit.data() + unit.size() || !ranges::kUnit.holds(number))
     throw usageError(
-        "{} is \"{}\", which is no unit; write mm, cm, m, um, in, or metres per unit as a number > "
-        "0",
-        what, text);
+        "{} is \"{}\", which is no unit; write mm, cm, m, um, in, or metres per unit as a number "
+        "from {:g} to {:g}",
+        what, text, ranges::kUnit.low, ranges::kUnit.high);
   return number;
 }
 

@@ -12,7 +12,8 @@ namespace resect {
 double parseLength(std::string_view text, std::string_view what);
 
 // Metres per unit. "mm" gives 0.001, "cm" 0.01, "m" 1, "um" 1e-6, "in" or "inch" 0.0254. A plain
-// number > 0 gives that number. Throws a usage Error that names `what` for any other text.
+// number in ranges::kUnit gives that number. Throws a usage Error that names `what` for any other
+// text.
 double parseUnit(std::string_view text, std::string_view what);
 
 // A length as text for people, such as "5 mm": with three significant digits, in mm if it is below

@@ -55,7 +55,10 @@ Region readRegion(const TomlTable& t) {
 std::vector<Landmark> readLandmarks(const TomlTable& t) {
   std::vector<Landmark> landmarks;
   if (const auto places = t.table("landmark"))
-    for (const std::string& name : places->keys()) landmarks.push_back({name, places->vec3(name)});
+    for (const std::string& name : places->keys()) {
+      if (name.empty()) places->complain(name, "is a place without a name; name it");
+      landmarks.push_back({name, places->vec3(name)});
+    }
   return landmarks;
 }
 

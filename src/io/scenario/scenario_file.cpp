@@ -13,7 +13,7 @@
 namespace resect {
 namespace {
 
-constexpr double kMinSpacing = 1e-5, kMaxSpacing = 0.1;  // m
+constexpr std::size_t kMostKeys = 1'000'000, kMostOrgans = 100, kMostTools = 100;
 
 Vec3i readDims(const TomlTable& t) {
   const Vec3 dims = t.vec3("dims");
@@ -32,11 +32,12 @@ OrganSource readOrgan(const TomlTable& t) {
   organ.part = t.text("part", "");
   organ.unit = parseUnit(t.text("unit", "m"), "organ.unit");
   organ.repair = t.flag("repair", false);
-  if (t.has("spacing")) organ.spacing = t.length("spacing", kMinSpacing, kMaxSpacing);
+  if (t.has("spacing"))
+    organ.spacing = t.length("spacing", ranges::kSpacing.low, ranges::kSpacing.high);
   if (t.has("dims")) organ.dims = readDims(t);
   if (organ.spacing && organ.dims) t.complain("dims", "and spacing are both given; keep one");
   if (!organ.spacing && !organ.dims) organ.spacing = 0.005;
-  organ.pose = {t.vec3("position", Vec3::Zero()), t.rotation("rotation")};
+  organ.pose = {t.place("position", ranges::kFarthestPose, Vec3::Zero()), t.rotation("rotation")};
   organ.onTable = t.flag("on_table", true);
   organ.settle = t.flag("settle", true);
   organ.settings.refine = t.integer("refine", 1, 4, organ.settings.refine);
@@ -60,7 +61,7 @@ TissueAttachment readAttachment(const TomlTable& t) {
     t.complain("kind", "is \"" + kind + "\"; use \"pin\" or \"ligament\"");
   attachment.kind = kind == "pin" ? TissueAttachment::Kind::Pin : TissueAttachment::Kind::Ligament;
   static_cast<Region&>(attachment) = readRegion(t);
-  attachment.stiffness = t.number("stiffness", 0, 1e6, attachment.stiffness);
+  attachment.stiffness = t.number("stiffness", ranges::kSpringStiffness, attachment.stiffness);
   t.refuseUnknownKeys();
   return attachment;
 }
@@ -73,9 +74,9 @@ TissueSetup readTissue(const TomlTable& t) {
   tissue.elastic = model == "elastic";
   tissue.material = readMaterial(t, tissue.material);
   tissue.materials = readMaterials(t, tissue.material);
-  tissue.settings.gravity = {0, -t.number("gravity", -1000, 1000, 9.81), 0};
-  tissue.settings.damping = t.number("damping", 0, 0.5, tissue.settings.damping);
-  tissue.settings.drag = t.number("drag", 0, 1e4, 3);
+  tissue.settings.gravity = {0, -t.number("gravity", ranges::kGravity, 9.81), 0};
+  tissue.settings.damping = t.number("damping", ranges::kDamping, tissue.settings.damping);
+  tissue.settings.drag = t.number("drag", ranges::kDrag, 3);
   tissue.settings.threads = t.integer("threads", 0, 64, 0);
   for (const TomlTable& attachment : t.tables("attachment"))
     tissue.attachments.push_back(readAttachment(attachment));
@@ -89,15 +90,15 @@ ScenarioTool readScenarioTool(const TomlTable& t, int number) {
   if (t.has("response")) tool.response = readResponse(t);
   tool.rest = toolBoxPlace(number);
   if (const auto rest = t.table("rest")) {
-    tool.rest = {rest->vec3("position"), rest->rotation("rotation")};
+    tool.rest = {rest->place("position", ranges::kFarthestPose), rest->rotation("rotation")};
     rest->refuseUnknownKeys();
   }
-  for (const TomlTable& key : t.tables("keys")) {
-    const double time = key.number("time", 0, 1e5);
+  for (const TomlTable& key : t.tables("keys", kMostKeys)) {
+    const double time = key.number("time", ranges::kKeyTime);
     if (!tool.keys.empty() && time <= tool.keys.back().time)
       key.complain("time", "is not later than that of the key before");
     tool.keys.push_back({time,
-                         {key.vec3("position"), key.rotation("rotation")},
+                         {key.place("position", ranges::kFarthestPose), key.rotation("rotation")},
                          key.number("squeeze", 0, 1, 0),
                          key.number("pedal", 0, 1, 0)});
     key.refuseUnknownKeys();
@@ -130,7 +131,7 @@ void readOrgans(const TomlTable& t, Scenario& scenario) {
   };
   std::vector<ScenarioOrgan> organs;
   if (t.isList("organ"))
-    for (const TomlTable& organ : t.tables("organ")) {
+    for (const TomlTable& organ : t.tables("organ", kMostOrgans)) {
       organs.push_back(read(organ));
       const std::string& name = organs.back().source.name;
       if (std::ranges::count(organs, name, [](const auto& o) { return o.source.name; }) > 1)
@@ -151,8 +152,8 @@ void readOrgans(const TomlTable& t, Scenario& scenario) {
       const bool before = std::any_of(organs.begin(), organs.begin() + std::ptrdiff_t(i),
                                       [&](const auto& o) { return o.source.name == beside; });
       if (!before)
-        t.complain("organ", "\"" + organs[i].source.name + "\" lies beside \"" + beside +
-                                "\", which is no organ before it");
+        t.tables("organ", kMostOrgans)[i].complain(
+            "beside", "is \"" + beside + "\", which is no organ before this one");
     }
   for (const TomlTable& joint : t.tables("joint")) {
     OrganJoint one;
@@ -161,8 +162,9 @@ void readOrgans(const TomlTable& t, Scenario& scenario) {
       joint.complain("organs", "is not the names of two organs; give organs = [\"...\", \"...\"]");
     one.organs[0] = names[0];
     one.organs[1] = names[1];
-    if (joint.has("reach")) one.reach = joint.length("reach", 1e-5, 1);
-    one.stiffness = joint.number("stiffness", 0, 1e6, one.stiffness);
+    if (joint.has("reach"))
+      one.reach = joint.length("reach", ranges::kJointReach.low, ranges::kJointReach.high);
+    one.stiffness = joint.number("stiffness", ranges::kSpringStiffness, one.stiffness);
     joint.refuseUnknownKeys();
     scenario.joints.push_back(one);
   }
@@ -173,9 +175,9 @@ void readOrgans(const TomlTable& t, Scenario& scenario) {
 Scenario toScenario(const TomlTable& t) {
   Scenario scenario;
   scenario.title = t.text("title");
-  scenario.description = t.text("description", "");
-  scenario.frameRate = t.number("frame_rate", 1, 1000, 60);
-  scenario.duration = t.number("duration", 1e-3, 3600);
+  scenario.description = t.freeText("description");
+  scenario.frameRate = t.number("frame_rate", ranges::kFrameRate, 60);
+  scenario.duration = t.number("duration", ranges::kDuration);
   scenario.view = t.text("view", "surgeon");
   if (t.has("close_up")) {
     scenario.closeUp = readBox(t, "close_up", "close_up = [[x, y, z], [x, y, z]]");
@@ -187,7 +189,7 @@ Scenario toScenario(const TomlTable& t) {
     scenario.toolBox = room->flag("tool_box", true);
     room->refuseUnknownKeys();
   }
-  for (const TomlTable& tool : t.tables("tool"))
+  for (const TomlTable& tool : t.tables("tool", kMostTools))
     scenario.tools.push_back(readScenarioTool(tool, int(scenario.tools.size())));
   t.refuseUnknownKeys();
   return scenario;
@@ -225,24 +227,24 @@ ToolModel toTool(const TomlTable& t, const std::filesystem::path& folder,
   ToolModel model;
   model.name = t.text("name");
   model.kind = t.text("kind");
-  model.description = t.text("description", "");
-  model.tip = t.vec3("tip", Vec3::Zero());
+  model.description = t.freeText("description");
+  model.tip = t.place("tip", ranges::kFarthestToolPoint, Vec3::Zero());
   model.axis = t.vec3("axis", Vec3::UnitZ());
   if (model.axis.norm() < 1e-9) t.complain("axis", "has no length");
   model.axis.normalize();
-  model.edge = t.points("edge");
-  model.hook = t.points("hook");
-  model.jaws.pivot = t.vec3("jaw_pivot", Vec3::Zero());
+  model.edge = t.points("edge", ranges::kFarthestToolPoint);
+  model.hook = t.points("hook", ranges::kFarthestToolPoint);
+  model.jaws.pivot = t.place("jaw_pivot", ranges::kFarthestToolPoint, Vec3::Zero());
   model.jaws.axis = t.vec3("jaw_axis", Vec3::UnitX());
   if (model.jaws.axis.norm() < 1e-9) t.complain("jaw_axis", "has no length");
   model.jaws.axis.normalize();
-  model.jaws.opening = t.number("jaw_opening", 0, 3, 0);
-  model.point = t.vec3("point", Vec3::Zero());
-  model.contactRadius = t.number("contact_radius", 0, 1, 0);
+  model.jaws.opening = t.number("jaw_opening", ranges::kJawOpening, 0);
+  model.point = t.place("point", ranges::kFarthestToolPoint, Vec3::Zero());
+  model.contactRadius = t.number("contact_radius", ranges::kContactRadius, 0);
   model.parts = t.texts("parts");
   model.response = readResponse(t);
-  model.friction = t.number("friction", 0, 10, model.friction);
-  model.slipForce = t.number("slip_force", 0, 1e4, model.slipForce);
+  model.friction = t.number("friction", ranges::kFriction, model.friction);
+  model.slipForce = t.number("slip_force", ranges::kSlipForce, model.slipForce);
   model.file = folder / t.text("model");
   t.refuseUnknownKeys();
   model.mesh = readMesh(model.file);

@@ -56,7 +56,7 @@ namespace {
 int lineRefused(std::string_view text) {
   const auto fails = [&](std::size_t bytes) {
     try {
-      toml::parse(text.substr(0, bytes));
+      static_cast<void>(toml::parse(text.substr(0, bytes)));
     } catch (const toml::parse_error&) {
     } catch (const std::logic_error&) {
       return true;
@@ -129,7 +129,20 @@ std::string TomlTable::text(const std::string& key, std::optional<std::string> m
   if (!node && missing) return *missing;
   if (!node) complain(key, "is missing; give a text in quotes");
   if (!node->is_string()) complain(key, "is no text in quotes");
-  return *node->value<std::string>();
+  return toText(*node, key);
+}
+
+std::string TomlTable::freeText(const std::string& key) const {
+  const toml::node* node = find(key);
+  if (node && !node->is_string()) complain(key, "is no text in quotes");
+  return node ? *node->value<std::string>() : "";
+}
+
+std::string TomlTable::toText(const toml::node& node, const std::string& key) const {
+  std::string text = *node.value<std::string>();
+  if (text.find_first_not_of(" \t\r\n") == text.npos)
+    complain(key, "is empty; give a text, or leave the key out");
+  return text;
 }
 
 bool TomlTable::flag(const std::string& key, bool missing) const {
@@ -139,16 +152,19 @@ bool TomlTable::flag(const std::string& key, bool missing) const {
   return *node->value<bool>();
 }
 
-Vec3 TomlTable::toVec3(const toml::node& node, const std::string& key) const {
+Vec3 TomlTable::toVec3(const toml::node& node, const std::string& key, double farthest) const {
   const toml::array* array = node.as_array();
   Vec3 v;
   bool good = array && array->size() == 3;
   for (std::size_t a = 0; good && a < 3; ++a) {
     const auto value = (*array)[a].value<double>();
-    good = (*array)[a].is_number() && value && std::isfinite(*value) && std::abs(*value) < 1e6;
+    good =
+        (*array)[a].is_number() && value && std::isfinite(*value) && std::abs(*value) <= farthest;
     if (good) v[Eigen::Index(a)] = *value;
   }
-  if (!good) complain(key, "is not three finite numbers [x, y, z]");
+  if (!good)
+    complain(key,
+             fmt::format("is not three finite numbers [x, y, z] from -{0:g} to {0:g}", farthest));
   return v;
 }
 
@@ -157,6 +173,13 @@ Vec3 TomlTable::vec3(const std::string& key, std::optional<Vec3> missing) const 
   if (!node && missing) return *missing;
   if (!node) complain(key, "is missing; give three numbers [x, y, z]");
   return toVec3(*node, key);
+}
+
+Vec3 TomlTable::place(const std::string& key, double farthest, std::optional<Vec3> missing) const {
+  const toml::node* node = find(key);
+  if (!node && missing) return *missing;
+  if (!node) complain(key, "is missing; give three numbers [x, y, z]");
+  return toVec3(*node, key, farthest);
 }
 
 std::vector<double> TomlTable::numbers(const std::string& key, double low, double high) const {
@@ -173,12 +196,13 @@ std::vector<double> TomlTable::numbers(const std::string& key, double low, doubl
   return result;
 }
 
-std::vector<Vec3> TomlTable::points(const std::string& key) const {
+std::vector<Vec3> TomlTable::points(const std::string& key, double farthest) const {
   std::vector<Vec3> result;
   const toml::node* node = find(key);
   if (!node) return result;
   if (!node->is_array()) complain(key, "is no list of points [[x, y, z], ...]");
-  for (const toml::node& element : *node->as_array()) result.push_back(toVec3(element, key));
+  for (const toml::node& element : *node->as_array())
+    result.push_back(toVec3(element, key, farthest));
   return result;
 }
 
@@ -194,7 +218,7 @@ std::vector<std::string> TomlTable::texts(const std::string& key) const {
   if (!node->is_array()) complain(key, "is no list of texts [\"...\", ...]");
   for (const toml::node& element : *node->as_array()) {
     if (!element.is_string()) complain(key, "is no list of texts [\"...\", ...]");
-    result.push_back(*element.value<std::string>());
+    result.push_back(toText(element, key));
   }
   return result;
 }
@@ -247,7 +271,7 @@ std::optional<TomlTable> TomlTable::table(const std::string& key) const {
   return tables(key).front();
 }
 
-std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
+std::vector<TomlTable> TomlTable::tables(const std::string& key, std::size_t most) const {
   std::vector<TomlTable> result;
   const toml::node* node = find(key);
   if (!node) return result;
@@ -257,6 +281,8 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) const {
   }
   const toml::array* array = node->as_array();
   if (!array) complain(key, "is no table");
+  if (array->size() > most)
+    complain(key, fmt::format("is given {} times; give at most {}", array->size(), most));
   for (std::size_t i = 0; i < array->size(); ++i) {
     const toml::table* element = (*array)[i].as_table();
     if (!element) complain(key, "holds something that is no table");

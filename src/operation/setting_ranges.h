@@ -1,0 +1,49 @@
+// The ranges of a scenario's numbers: wider than any tissue, organ or instrument reaches, and
+// narrow enough that a slip of a unit is found. docs/scenarios.md, "Ranges", is the same table.
+#pragma once
+
+#include "tissue/material.h"
+
+namespace resect {
+
+struct SettingRange {
+  double low, high;
+  bool holds(double value) const { return value >= low && value <= high; }  // false for NaN
+};
+
+namespace ranges {
+
+// Tissue: fat has 1 kPa, liver 5 kPa, cartilage 10 MPa, tendon 1 GPa; lung 200 kg/m^3, bone 2000.
+inline constexpr SettingRange kYoung{10, 1e9};       // Pa
+inline constexpr SettingRange kPoisson{0, 0.4999};   // 1
+inline constexpr SettingRange kDensity{100, 5000};   // kg/m^3
+inline constexpr SettingRange kTearStretch{1, 100};  // 1; a hundredfold stretch never tears
+inline constexpr double kFastestWave = 5000;  // m/s; pressure waves in liver 1600, in bone 4000
+inline constexpr SettingRange kGravity{-100, 100};  // m/s^2
+inline constexpr SettingRange kDrag{0, 1000};       // 1/s
+inline constexpr SettingRange kDamping{0, 0.5};     // 1
+inline constexpr SettingRange kSpringStiffness{0,
+                                               1e6};  // N/m, of a ligament or a joint; a knee's 2e5
+
+// Organs.
+inline constexpr SettingRange kUnit{1e-9, 1000};     // m: nanometres to kilometres
+inline constexpr SettingRange kSpacing{1e-5, 0.1};   // m
+inline constexpr SettingRange kJointReach{1e-5, 1};  // m
+
+// Time and place.
+inline constexpr SettingRange kFrameRate{1, 1000};    // 1/s
+inline constexpr SettingRange kDuration{1e-3, 3600};  // s
+inline constexpr SettingRange kKeyTime{0, 3600};      // s
+inline constexpr double kFarthestPose = 100;          // m, of organs and instruments, on each axis
+inline constexpr double kFarthestToolPoint = 10;      // m, in an instrument's own frame
+inline constexpr SettingRange kFriction{0, 10};       // 1
+inline constexpr SettingRange kSlipForce{0, 1e4};     // N
+inline constexpr SettingRange kContactRadius{0, 1};   // m
+inline constexpr SettingRange kJawOpening{0, 3};      // rad
+
+}  // namespace ranges
+
+// Throws a usage Error that names the value, its range and the unit.
+void requireSound(const TissueMaterial& material);
+
+}  // namespace resect
