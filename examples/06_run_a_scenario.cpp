@@ -37,12 +37,13 @@ RunSummary runWith(int threads) {
   std::unique_ptr<TissueModel> tissue = makeTissue(scenario.organs[0].tissue, organ);
   Simulation simulation(std::move(organ), loadTools(scenario, readModel), std::move(tissue),
                         scenario.table);
-  return runScenario(simulation, scenario, [](const Simulation&, const StepReport& report) {
-    if (report.removed > 0)
-      fmt::print("{:.3f} s: {} particles, {:.2f} ml\n", report.time, report.removed,
-                 1e6 * report.removedVolume);
-    return true;
-  });
+  return runScenario(simulation, scenario,
+                     [](const Simulation&, const FrameInput&, const StepReport& report) {
+                       if (report.removed > 0)
+                         fmt::print("{:.3f} s: {} particles, {:.2f} ml\n", report.time,
+                                    report.removed, 1e6 * report.removedVolume);
+                       return true;
+                     });
 }
 
 int main() {

@@ -13,6 +13,7 @@
 #include "app/controls_overlay.h"
 #include "app/main_window.h"
 #include "app/panels.h"
+#include "app/say.h"
 #include "app/viewer.h"
 #include "base/error.h"
 #include "io/data_folder.h"
@@ -22,8 +23,9 @@ namespace resect {
 namespace {
 
 QString titleOf(const std::string& scenario) {
-  return QString::fromStdString(
-      readScenario(dataFolder() / "scenarios" / (scenario + ".toml")).title);
+  return "<p>" +
+         shownInHtml(readScenario(dataFolder() / "scenarios" / (scenario + ".toml")).title) +
+         "</p>";
 }
 
 }  // namespace
@@ -180,7 +182,8 @@ void MainWindow::fillRecent() {
   recent_->clear();
   const QStringList files = QSettings().value("recent").toStringList();
   for (const QString& file : files)
-    connect(recent_->addAction(file), &QAction::triggered, this, [this, file] { openFile(file); });
+    connect(recent_->addAction(shown(file.toStdString(), kLongestShownPath)), &QAction::triggered,
+            this, [this, file] { openFile(file); });
   recent_->setEnabled(!files.isEmpty());
 }
 

@@ -272,7 +272,7 @@ void MainWindow::begin(OrganLoader::Result result) {
   instruments_->setTools(session_->toolModels());
   const ScenarioOrgan& organ = session_->scenario().organs[0];
   QString notes;
-  for (const std::string& note : result.notes) notes += QString::fromStdString(note) + "\n";
+  for (const std::string& note : result.notes) notes += shown(note, kLongestSentence) + "\n";
   organ_->setOrgans(session_->scenario().organs, session_->cells().lattice.spacing.x(),
                     notes.trimmed());
   organ_->setIso(session_->iso().value());
@@ -289,8 +289,7 @@ void MainWindow::tick() {
     heldSaid_ = tools.held();
     howSaid_ = tools.how();
     const QString name =
-        heldSaid_ < 0 ? QString()
-                      : QString::fromStdString(session_->toolModels()[std::size_t(heldSaid_)].name);
+        heldSaid_ < 0 ? QString() : shown(session_->toolModels()[std::size_t(heldSaid_)].name);
     instruments_->setHeld(heldSaid_, sentenceOf(howSaid_, name));
     if (options_.reports)
       say("held {} {}", heldSaid_ < 0 ? "nothing" : name.toStdString(), nameOf(howSaid_));
@@ -375,7 +374,7 @@ void MainWindow::bringEverythingBack() {
 
 void MainWindow::complain(const std::string& sentence) {
   if (options_.reports) say("error {}", sentence);
-  complaint_->setText(QString::fromStdString(sentence));
+  complaint_->setText(shown(sentence, kLongestSentence));
   complaint_->show();
   placeOverlays();
 }

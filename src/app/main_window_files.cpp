@@ -105,7 +105,7 @@ void MainWindow::save(const char* title, const char* filter, const QString& name
   try {
     checkWritten(file.toStdString());
     write(file.toStdString());
-    statusBar()->showMessage("Written: " + file, 5000);
+    statusBar()->showMessage("Written: " + shown(file.toStdString()), 5000);
     if (options_.reports) say("written {}", file.toStdString());
   } catch (const std::exception& e) {
     complain(e.what());

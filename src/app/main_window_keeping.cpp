@@ -38,7 +38,7 @@ void MainWindow::toggleVideo() {
                                            kVideoRate);
     pictureTaken_ = QDateTime::currentMSecsSinceEpoch();
     recording_->show();
-    statusBar()->showMessage("Recording " + file + "; Ctrl+R ends it", 5000);
+    statusBar()->showMessage("Recording " + shown(file.toStdString()) + "; Ctrl+R ends it", 5000);
   } catch (const std::exception& e) {
     complain(e.what());
   }

@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -15,7 +14,9 @@
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "app/say.h"
 #include "inventor/scene/scene_file.h"
 
 namespace resect {
@@ -46,9 +47,10 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   setWindowTitle("Open organ");
   setMinimumWidth(460);
   auto* form = new QFormLayout(this);
-  form->addRow(new QLabel(
-      "<b>" + QFileInfo(QString::fromStdString(file)).fileName().toHtmlEscaped() + "</b>"));
+  form->addRow(
+      new QLabel("<b>" + shownInHtml(std::filesystem::path(file).filename().string()) + "</b>"));
   report_ = new QLabel("Reading ...");
+  report_->setTextFormat(Qt::PlainText);
   report_->setWordWrap(true);
   form->addRow(report_);
   unit_ = new QComboBox;
@@ -127,7 +129,7 @@ void OpenOrganDialog::unitChanged() {
 // False if the result changes the choice of part, so that another examination follows.
 bool OpenOrganDialog::show(const std::string& json, const std::string& problem) {
   if (!problem.empty()) {
-    tell(QString::fromStdString(problem));
+    tell(shown(problem, kLongestSentence));
     return true;
   }
   const QJsonObject info = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
@@ -174,7 +176,7 @@ bool OpenOrganDialog::listParts(const QJsonArray& parts) {
   if (parts.size() < 2) return false;
   for (const QJsonValue part : parts) {
     const QString name = part.isString() ? part.toString() : part["name"].toString();
-    part_->addItem(name, name);
+    part_->addItem(shown(name.toStdString()), name);
     if (name == kOrganNode) part_->setCurrentIndex(part_->count() - 1);
   }
   return part_->currentIndex() > 0;

@@ -14,6 +14,7 @@
 
 #include "base/error.h"
 #include "base/progress.h"
+#include "base/stop.h"
 #include "formats/assimp_file.h"
 #include "inventor/reading/model_file.h"
 #include "io/cells/particle_file.h"
@@ -86,6 +87,7 @@ struct OrganLoader::Job {
     thread = std::thread([this] { build(); });
   }
   void build() {
+    const StopBy stop(cancelled);
     try {
       organs = loadOrgans(
           wanted, readOwnFile,
@@ -162,7 +164,7 @@ void OrganLoader::readNext() {
   QStringList arguments{"convert", QString::fromStdString(organ.file),
                         QString::fromStdString(converted_.back()), "--unit",
                         QString::number(organ.unit, 'g', 17)};
-  if (!organ.part.empty()) arguments << "--part" << QString::fromStdString(organ.part);
+  if (!organ.part.empty()) arguments << "--part=" + QString::fromStdString(organ.part);
   if (organ.repair) arguments << "--repair";
   reader_ = std::make_unique<QProcess>();
   reader_->start(QCoreApplication::applicationFilePath(), arguments);
@@ -195,6 +197,7 @@ void OrganLoader::poll() {
       result.simulation = std::make_unique<Simulation>(
           assemble(job->scenario, std::move(job->organs), std::move(job->joints),
                    loadTools(job->scenario, &readModel)));
+      noteSlowFrames(*result.simulation, job->scenario, &result.notes);
     } catch (const std::exception& e) {
       result.problem = e.what();
     }
@@ -223,7 +226,7 @@ void FileExaminer::examine(
                        done("", sentenceOf(*process));
                    });
   QStringList arguments{"info", "--json", QString::fromStdString(file)};
-  if (!part.empty()) arguments << "--part" << QString::fromStdString(part);
+  if (!part.empty()) arguments << "--part=" + QString::fromStdString(part);
   process->start(QCoreApplication::applicationFilePath(), arguments);
 }
 

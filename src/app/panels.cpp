@@ -4,7 +4,6 @@
 
 #include <QCheckBox>
 #include <QDoubleSpinBox>
-#include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPainter>
@@ -15,7 +14,9 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <filesystem>
 
+#include "app/say.h"
 #include "sph/colour_field.h"
 
 namespace resect {
@@ -52,14 +53,14 @@ void drawHistory(QPainter& painter, const QRectF& plot, const History& history, 
 
 QString nameOf(const OrganSource& organ) {
   if (isBuiltIn(organ)) return QString::fromStdString("Built-in " + organ.file);
-  return QFileInfo(QString::fromStdString(organ.file)).fileName();
+  return shown(std::filesystem::path(organ.file).filename().string());
 }
 
 // The organs' names for the panel: "Built-in liver", "liver, gallbladder".
 QString namesOf(const std::vector<ScenarioOrgan>& organs) {
   if (organs.size() == 1) return nameOf(organs[0].source);
   QStringList names;
-  for (const ScenarioOrgan& organ : organs) names << QString::fromStdString(organ.source.name);
+  for (const ScenarioOrgan& organ : organs) names << shown(organ.source.name);
   return names.join(", ");
 }
 
@@ -68,6 +69,7 @@ QString namesOf(const std::vector<ScenarioOrgan>& organs) {
 InstrumentsPanel::InstrumentsPanel(QWidget* parent) : QWidget(parent) {
   layout_ = new QVBoxLayout(this);
   how_ = new QLabel(this);
+  how_->setTextFormat(Qt::PlainText);
   how_->setWordWrap(true);
   how_->setMinimumHeight(2 * fontMetrics().height() + 6);
   layout_->addWidget(how_);
@@ -79,10 +81,11 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
   buttons_.clear();
   for (std::size_t i = 0; i < tools.size(); ++i) {
     auto* button = new QToolButton(this);
-    button->setText(QString("%1   %2").arg(i + 1).arg(QString::fromStdString(tools[i].name)));
-    button->setToolTip(QString::fromStdString(tools[i].description) +
-                       QString("\nKey %1 takes it in hand; Escape puts it back.").arg(i + 1));
-    button->setAccessibleName(QString::fromStdString(tools[i].name));
+    button->setText(QString("%1   %2").arg(i + 1).arg(shown(tools[i].name)));
+    button->setToolTip(QString("<p>%1<br>Key %2 takes it in hand; Escape puts it back.</p>")
+                           .arg(shownInHtml(tools[i].description))
+                           .arg(i + 1));
+    button->setAccessibleName(shown(tools[i].name));
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -147,6 +150,7 @@ OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {
   QObject::connect(refine_, &QSpinBox::valueChanged, this, [this] { sayWhatWaits(); });
   QObject::connect(elastic_, &QCheckBox::toggled, this, [this] { sayWhatWaits(); });
   notes_ = new QLabel(this);
+  notes_->setTextFormat(Qt::PlainText);
   notes_->setWordWrap(true);
   form->addRow(notes_);
 }
@@ -173,7 +177,7 @@ void OrganPanel::setOrgans(const std::vector<ScenarioOrgan>& organs, double spac
                            const QString& notes) {
   const QString name = namesOf(organs);
   name_->setText("<b>" + name.toHtmlEscaped() + "</b>");
-  name_->setToolTip("What is operated on: " + name);
+  name_->setToolTip("<p>What is operated on: " + name.toHtmlEscaped() + "</p>");
   const QSignalBlocker quiet(spacing_);
   spacing_->setValue(spacing * 1e3);
   refine_->setValue(organs[0].source.settings.refine);

@@ -1,15 +1,29 @@
-// Reports to scripts on standard output: one line per event, flushed at once.
+// What the window shows of foreign text, and its reports to scripts on standard output: one line
+// per event, flushed at once.
 #pragma once
 
 #include <fmt/format.h>
 
+#include <QString>
 #include <cstdio>
+#include <string>
+
+#include "base/text/shown_text.h"
 
 namespace resect {
 
+// Foreign text for labels, buttons and dialogs: one line, with control characters made visible.
+inline QString shown(const std::string& text, std::size_t most = kLongestShown) {
+  return QString::fromStdString(shownText(text, most));
+}
+
+// For tool tips and labels that may hold marks of HTML, in which the text is to have no effect.
+inline QString shownInHtml(const std::string& text) { return shown(text).toHtmlEscaped(); }
+
 template <typename... Args>
 void say(fmt::format_string<Args...> format, Args&&... args) {
-  fmt::print(format, std::forward<Args>(args)...);
+  const std::string line = fmt::format(format, std::forward<Args>(args)...);
+  std::fputs(shownText(line, kLongestShownPath).c_str(), stdout);
   std::fputc('\n', stdout);
   std::fflush(stdout);
 }

@@ -1,5 +1,7 @@
 #include "cli/bench_report.h"
 
+#include "base/text/shown_text.h"
+
 #include <fmt/format.h>
 
 namespace resect {
@@ -75,7 +77,7 @@ nlohmann::ordered_json toJson(const BenchReport& report, const std::optional<Rea
 
 std::string toText(const BenchReport& report, const std::optional<RealTimeLimit>& limit,
                    const Scenario& scenario) {
-  std::string text = fmt::format("{}\n", scenario.title);
+  std::string text = fmt::format("{}\n", shownText(scenario.title));
   const auto row = [&](const char* what, const std::string& value) {
     text += fmt::format("  {:<10} {}\n", what, value);
   };

@@ -9,7 +9,7 @@ namespace resect {
 
 void writeJson(const std::string& target, const nlohmann::ordered_json& json) {
   const std::string text =
-      json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+      json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
   if (target == "-")
     std::fputs(text.c_str(), stdout);
   else

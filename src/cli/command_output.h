@@ -1,13 +1,31 @@
-// Writes the JSON that a command puts out, to a file or to standard output.
+// What a command says: lines in which file names and foreign text may stand, and JSON.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
+
+#include "base/text/shown_text.h"
 
 namespace resect {
 
+// One line, whatever stands in it (base/text/shown_text.h).
+template <typename... Args>
+void printLine(std::FILE* file, fmt::format_string<Args...> format, Args&&... args) {
+  const std::string line = fmt::format(format, std::forward<Args>(args)...);
+  fmt::print(file, "{}\n", shownText(line, kLongestShownPath));
+}
+
+inline void printNotes(std::FILE* file, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) printLine(file, "note: {}", shownSentence(note));
+}
+
 // target: name of the file, or "-" for standard output. Indents by two spaces and keeps the order
-// in which keys were added. A file is written atomically (io/atomic_file.h).
+// in which keys were added; what is not ASCII becomes \uXXXX, so that a terminal can
+// show it. A file is written atomically (io/atomic_file.h).
 void writeJson(const std::string& target, const nlohmann::ordered_json& json);
 
 }  // namespace resect

@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/kept_memory.h"
 #include "cli/command/commands.h"
+#include "cli/command_output.h"
 #include "cli/process/end_by_signal.h"
 #include "cli/process/standard_streams.h"
 #include "formats/child/sandbox.h"
@@ -29,9 +31,23 @@ Examples:
 
 Lengths take units: 5mm, 0.5cm, 0.005m. Exit status: 0 done, 1 failed, 2 wrong usage.)";
 
-int complain(const char* sentence, int status) {
-  std::fprintf(stderr, "resect: error: %s\n", sentence);
+// All errors leave the program here.
+int complain(std::string_view sentence, int status) {
+  resect::printLine(stderr, "resect: error: {}", resect::shownSentence(sentence));
   return status;
+}
+
+// An empty value is a slip, as of a variable that a script did not set; it is not the same as none.
+void refuseEmptyValues(CLI::App& app) {
+  const CLI::Validator full(
+      [](std::string& value) {
+        const bool blank = value.find_first_not_of(" \t\r\n") == value.npos;
+        return std::string(blank ? "the value is empty; give one, or leave the option out" : "");
+      },
+      "");
+  for (CLI::App* command : app.get_subcommands({}))
+    for (CLI::Option* option : command->get_options())
+      if (option->get_items_expected_max() > 0) option->check(full);
 }
 
 int parseAndRun(int argc, char** argv) {
@@ -43,7 +59,8 @@ int parseAndRun(int argc, char** argv) {
   app.failure_message([](const CLI::App* failed, const CLI::Error& e) {
     std::string command = failed->get_name();
     for (const CLI::App* sub : failed->get_subcommands()) command += " " + sub->get_name();
-    return std::string("resect: error: ") + e.what() + "; see " + command + " --help\n";
+    complain(fmt::format("{}; see {} --help", e.what(), command), 2);
+    return std::string();
   });
   resect::addInfoCommand(app);
   resect::addLiverCommand(app);
@@ -56,12 +73,13 @@ int parseAndRun(int argc, char** argv) {
   resect::addReplayCommand(app);
   resect::addVerifyCommand(app);
   resect::addWindowCommand(app);
+  refuseEmptyValues(app);
   const auto named = [&](CLI::App* command) { return command->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && app.get_subcommands(named).empty())
     throw resect::usageError("there is no command \"{}\"; see resect --help", argv[1]);
   try {
     if (const std::string lack = resect::missingWalls(); !lack.empty())
-      std::fprintf(stderr, "resect: note: %s\n", lack.c_str());
+      resect::printLine(stderr, "resect: note: {}", lack);
     app.parse(argc, argv);
     return 0;
   } catch (const CLI::ParseError& e) {

@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/text/shown_text.h"
+
 namespace resect {
 namespace {
 
@@ -24,7 +26,8 @@ struct Bar {
 
 }  // namespace
 
-Progress progressBar(const std::string& title) {
+Progress progressBar(const std::string& name) {
+  const std::string title = shownText(name);
   using Clock = std::chrono::steady_clock;
   const auto started = Clock::now();
   const auto bar = std::make_shared<Bar>();

@@ -1,6 +1,7 @@
-// Progress bar for long work at a terminal.
+// Progress bar for long work at a terminal, and Ctrl-C.
 #pragma once
 
+#include <atomic>
 #include <string>
 
 #include "base/progress.h"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text/shown_text.h"
+
 namespace resect {
 namespace {
 
@@ -80,7 +82,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
 
 std::string toText(const RunSummary& summary, const Scenario& scenario,
                    const std::vector<std::string>& files) {
-  std::string text = fmt::format("{}\n", scenario.title);
+  std::string text = fmt::format("{}\n", shownText(scenario.title));
   const auto row = [&](const char* what, const std::string& value) {
     text += fmt::format("  {:<10} {}\n", what, value);
   };
@@ -106,15 +108,16 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
     for (const LabelSummary& label : summary.labels)
       row(&label == &summary.labels[0] ? "labels" : "",
           fmt::format("{}{}: {} of {} particles removed, {:.2f} of {:.2f} ml, {:.2f} of {:.2f} g",
-                      label.organ == "organ" ? "" : label.organ + ", ", label.name,
-                      label.removed.particles, label.before.particles, 1e6 * label.removed.volume,
-                      1e6 * label.before.volume, 1e3 * label.removed.mass,
-                      1e3 * label.before.mass));
+                      label.organ == "organ" ? "" : shownText(label.organ) + ", ",
+                      shownText(label.name), label.removed.particles, label.before.particles,
+                      1e6 * label.removed.volume, 1e6 * label.before.volume,
+                      1e3 * label.removed.mass, 1e3 * label.before.mass));
   if (summary.tissueMoves) {
     std::string forces;
     for (const ToolForces& tool : summary.forces)
       if (tool.peak > 0)
-        forces += fmt::format("{}{} {:.2f} N", forces.empty() ? "" : ", ", tool.tool, tool.peak);
+        forces += fmt::format("{}{} {:.2f} N", forces.empty() ? "" : ", ", shownText(tool.tool),
+                              tool.peak);
     row("tissue", fmt::format("{} bonds cut, {} torn; {:.1f} substeps per frame{}", summary.severed,
                               summary.torn, double(summary.substeps) / double(summary.frames),
                               summary.retries ? fmt::format(", {} retries", summary.retries) : ""));
@@ -135,10 +138,11 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
                         1e3 * t.median, 1e3 * t.p95, 1e3 * t.max, 1e3 * t.total,
                         100 * t.total / std::max(1e-12, summary.computedSeconds));
   }
-  for (const std::string& fault : summary.faults) text += "\n  fault: " + fault;
+  for (const std::string& fault : summary.faults) text += "\n  fault: " + shownSentence(fault);
   if (!files.empty()) {
     text += "\n  written:\n";
-    for (const std::string& file : files) text += "    " + file + "\n";
+    for (const std::string& file : files)
+      text += "    " + shownText(file, kLongestShownPath) + "\n";
   }
   return text;
 }

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/text/shown_text.h"
+
 namespace resect {
 namespace {
 
@@ -30,7 +32,9 @@ struct Axis {
   }
 };
 
-std::string escaped(const std::string& text) {
+// For XML, which cannot hold control characters.
+std::string escaped(const std::string& foreign) {
+  const std::string text = shownText(foreign);
   std::string result;
   for (const char c : text)
     result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/text/shown_text.h"
 #include "geometry/measures.h"
 #include "geometry/repair/mesh_health.h"
 #include "geometry/repair/weld.h"
@@ -65,7 +66,8 @@ nlohmann::ordered_json toJson(const ModelInfo& info) {
 std::string toText(const ModelInfo& info) {
   const auto yes = [](bool value) { return value ? "yes" : "no"; };
   const Vec3 size = info.bounds.size();
-  std::string text = fmt::format("{}: {}\n", info.path, info.format);
+  std::string text =
+      fmt::format("{}: {}\n", shownText(info.path, kLongestShownPath), shownText(info.format));
   const auto line = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<16}{}\n", name, value);
   };
@@ -89,7 +91,7 @@ std::string toText(const ModelInfo& info) {
                              info.unitHint));
   if (info.parts.size() > 1) {
     line("parts", fmt::format("{}", info.parts.size()));
-    for (const std::string& part : info.parts) text += fmt::format("    {}\n", part);
+    for (const std::string& part : info.parts) text += fmt::format("    {}\n", shownText(part));
   }
   return text;
 }

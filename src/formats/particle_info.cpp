@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/text/shown_text.h"
+
 #include "io/scenario/length.h"
 #include "organ/cell_labels.h"
 #include "organ/region_placer.h"
@@ -58,9 +60,9 @@ Json toJson(const KeptCells& kept, const std::string& path) {
 std::string toText(const KeptCells& kept, const std::string& path) {
   const Discretization& cells = kept.cells;
   const Aabb box = particleBox(cells);
-  std::string text = fmt::format("{}: {}\n", path, formatOf(path));
+  std::string text = fmt::format("{}: {}\n", shownText(path, kLongestShownPath), formatOf(path));
   const auto line = [&](const char* name, const std::string& value) {
-    text += fmt::format("  {:<16}{}\n", name, value);
+    text += fmt::format("  {:<16}{}\n", name, shownSentence(value));
   };
   const Vec3 spacing = cells.lattice.spacing;
   line("particles", fmt::format("{}", cells.particleCount()));
@@ -77,14 +79,14 @@ std::string toText(const KeptCells& kept, const std::string& path) {
   if (hasLabels(cells))
     for (int label = 0; label < 256; ++label)
       if (particles[std::size_t(label)] > 0)
-        line("label", fmt::format("{} {}: {} particles", label, cells.labelName(label),
+        line("label", fmt::format("{} {}: {} particles", label, shownText(cells.labelName(label)),
                                   particles[std::size_t(label)]));
   for (const Landmark& landmark : cells.landmarks)
-    line("landmark", fmt::format("{} at ({:g}, {:g}, {:g}) of the box", landmark.name,
+    line("landmark", fmt::format("{} at ({:g}, {:g}, {:g}) of the box", shownText(landmark.name),
                                  landmark.place.x(), landmark.place.y(), landmark.place.z()));
   if (!kept.origin.source.empty())
-    line("source", fmt::format("{}, unit {:g} m", kept.origin.source, kept.origin.unit));
-  if (!kept.origin.program.empty()) line("written by", kept.origin.program);
+    line("source", fmt::format("{}, unit {:g} m", shownText(kept.origin.source), kept.origin.unit));
+  if (!kept.origin.program.empty()) line("written by", shownText(kept.origin.program));
   return text;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/text/shown_text.h"
 #include "geometry/polygon.h"
 
 namespace resect {
@@ -66,17 +67,19 @@ class VtkReader {
  private:
   template <typename... Args>
   Error fail(fmt::format_string<Args...> format, Args&&... args) const {
-    return error("{}: section {} {}; export the file again as legacy VTK PolyData", path_, section_,
-                 fmt::format(format, std::forward<Args>(args)...));
+    return error("{}{}: section {} {}; export the file again as legacy VTK PolyData", path_,
+                 lineNumber(), section_, fmt::format(format, std::forward<Args>(args)...));
   }
-  static std::string shortened(std::string_view text) {
-    std::string clean(text.substr(0, 30));
-    for (char& c : clean)
-      if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
-    return clean;
+  // Of what was read last, as ":12"; a binary file has lines in its header only.
+  std::string lineNumber() const {
+    if (binary_) return "";
+    const std::string_view read = bytes_.substr(0, read_);
+    return fmt::format(":{}", 1 + std::ranges::count(read, '\n'));
   }
+  static std::string shortened(std::string_view text) { return shownText(text, 30); }
 
   std::string_view line() {
+    read_ = at_;
     const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
     std::string_view text = bytes_.substr(at_, end - at_);
     at_ = std::min(end + 1, bytes_.size());
@@ -86,7 +89,7 @@ class VtkReader {
   static bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
   std::string_view token() {
     while (at_ < bytes_.size() && isSpace(bytes_[at_])) ++at_;
-    const std::size_t begin = at_;
+    const std::size_t begin = read_ = at_;
     while (at_ < bytes_.size() && !isSpace(bytes_[at_])) ++at_;
     return bytes_.substr(begin, at_ - begin);
   }
@@ -114,8 +117,8 @@ class VtkReader {
     if (word() != "DATASET") throw fail("names no DATASET");
     const std::string kind = word();
     if (kind != "POLYDATA")
-      throw error("{}: holds {} and not a surface; extract the surface and save it as POLYDATA",
-                  path_, shortened(kind));
+      throw error("{}{}: holds {} and not a surface; extract the surface and save it as POLYDATA",
+                  path_, lineNumber(), shortened(kind));
   }
 
   // `count` numbers of that type as doubles or integers.
@@ -261,7 +264,7 @@ class VtkReader {
 
   const std::string& path_;
   std::string_view bytes_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, read_ = 0;  // the next byte; the first of what was read last
   std::string section_ = "header";
   bool binary_ = false, havePoints_ = false;
   TriangleMesh mesh_;

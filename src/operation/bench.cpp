@@ -44,7 +44,8 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
   std::vector<std::size_t> updates;  // frames
   const std::int64_t frames = frameCount(scenario);
   while (report.frames < frames) {
-    simulation.step(frameInput(scenario, report.frames), step, &clock);
+    const FrameInput input = frameInput(scenario, report.frames);
+    simulation.step(input, step, &clock);
     report.inHand += std::ranges::any_of(simulation.tools(), &ToolState::inHand);
     if (step.touchedBricks > 0) updates.push_back(std::size_t(report.frames));
     report.updates.bricks += step.touchedBricks;
@@ -53,7 +54,7 @@ BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
       report.substeps += step.tissue[o].substeps;
       moved += particles[o] * step.tissue[o].substeps;
     }
-    if (observer && !observer(simulation, step)) break;
+    if (observer && !observer(simulation, input, step)) break;
   }
 
   std::vector<double> wholeFrames(std::size_t(report.frames), 0.0);

@@ -73,7 +73,8 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   StepReport report;
   const std::int64_t frames = frameCount(scenario);
   for (std::int64_t frame = 0; frame < frames; ++frame) {
-    simulation.step(frameInput(scenario, frame), report, &clock);
+    const FrameInput input = frameInput(scenario, frame);
+    simulation.step(input, report, &clock);
     ++summary.frames;
     for (const ToolContacts& contacts : report.contacts)
       summary.deepestOverlap = std::max(summary.deepestOverlap, contacts.overlapVolume),
@@ -94,7 +95,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
       summary.substeps += step.substeps;
       summary.retries += step.retries;
     }
-    if (observer && !observer(simulation, report)) break;
+    if (observer && !observer(simulation, input, report)) break;
     checkStop();
   }
 

@@ -80,7 +80,7 @@ struct RunSummary {
 };
 
 // Called after each frame. If it returns false, the operation ends with this frame.
-using FrameObserver = std::function<bool(const Simulation&, const StepReport&)>;
+using FrameObserver = std::function<bool(const Simulation&, const FrameInput&, const StepReport&)>;
 
 // Runs all frames of the scenario. `simulation` must have been made from this scenario by the
 // caller, since the layer `operation` reads no files.

@@ -120,12 +120,8 @@ void Recorder::putKeyState(const Simulation& simulation) {
 void Recorder::record(const FrameInput& input, const StepReport& report,
                       const Simulation& simulation) {
   if (!failure().empty()) return;
-  RecordedFrame frame{presentBranch(),
-                      simulation.frame(),
-                      simulation.time(),
-                      before_.tools.empty(),
-                      frameToBytes(input, before_),
-                      {}};
+  RecordedFrame frame{presentBranch(),       simulation.frame(),           simulation.time(),
+                      before_.tools.empty(), frameToBytes(input, before_), {}};
   frame.hashes.push_back(fastHash(frame.input.data(), frame.input.size()));
   const std::vector<std::uint64_t>& fields = hashes_.of(simulation);
   frame.hashes.insert(frame.hashes.end(), fields.begin(), fields.end());

@@ -6,6 +6,7 @@
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 import time
@@ -206,6 +207,68 @@ class Complaints(unittest.TestCase):
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
         self.assertIn('"nonsense"', resect("nonsense").stderr)
         self.assertIn("resect surface --help", resect("surface", "a.dis", "--iso", "abc").stderr)
+
+    def test_an_empty_value_of_an_option_is_a_wrong_argument(self):
+        for args in (["run", "cut-120", "--organ", ""], ["run", ""],
+                     ["run", "cut-120", "--view", ""], ["run", "cut-120", "--json", " "],
+                     ["info", ""], ["convert", "", "a.obj"], ["discretize", "liver", "-o", ""]):
+            done = resect(*args)
+            self.assertEqual(done.returncode, 2, args)
+            self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+            self.assertIn("empty", done.stderr, args)
+
+    def test_foreign_text_is_shown_as_one_line_without_control_characters(self):
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        foreign = "a\nresect: error: forged\x1b[2J\x07\u202e\x9b"
+        part = FOLDER / "foreign_parts.obj"
+        part.write_text("".join(f"o {name}\nv 0 0 {i}\nv 1 0 {i}\nv 0 1 {i}\nf {3 * i + 1} {3 * i + 2} {3 * i + 3}\n"
+                                for i, name in enumerate(("one\x1b[31m", "two\u202e"))))
+        title = FOLDER / "foreign_title.toml"
+        title.write_text('title = "a\\nforged\\u001b[2J\\u202e"\nduration = 0.02\n[organ]\ndims = [6, 6, 6]\n'
+                         '[[organ.label]]\nlabel = 1\nname = "b\\nforged\\u001b[2J"\nat = "c\\nd"\nradius = 0.1\n'
+                         '[organ.landmark]\n"c\\nd" = [0.5, 0.5, 0.5]\n')
+        shown = [resect(foreign), resect("info", foreign), resect("run", foreign), resect("run", "cut", "--view", foreign),
+                 resect("run", "cut", f"--{foreign}"), resect("info", part), resect("run", title), resect("info", FOLDER / "no" / ("x" * 9000))]
+        for done in shown:
+            for text in (done.stdout, done.stderr):
+                seen = text.replace("\n", "")
+                self.assertTrue(seen.isprintable(), repr(seen))
+                self.assertFalse(any(line.startswith("forged") for line in text.splitlines()), text)
+            self.assertLessEqual(len(done.stderr.splitlines()), 1, done.stderr)
+            self.assertLess(len(done.stderr), 1200)
+        self.assertIn("\\x1b[31m", shown[5].stdout)
+        self.assertIn("forged\\x1b[2J", shown[6].stdout)
+        raw = subprocess.run([PROGRAM.encode(), b"info", b"\xff\xfe.obj"], capture_output=True, timeout=LIMIT)
+        self.assertIn("\\xff\\xfe.obj", raw.stderr.decode("utf-8"))
+
+    def test_a_frame_of_many_substeps_is_told_of_and_left_at_ctrl_c(self):
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        stiff = FOLDER / "stiff.toml"
+        stiff.write_text('title = "Stiff"\nduration = 60\nframe_rate = 1\n[organ]\nspacing = "8mm"\n'
+                         '[tissue]\nmodel = "elastic"\nyoung = 1e9\npoisson = 0.49\n')
+        surface = FOLDER / "stiff.obj"
+        surface.unlink(missing_ok=True)
+        process = subprocess.Popen([PROGRAM, "run", stiff, "--surface", surface], stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        self.assertIn("note: each frame will take about", process.stdout.readline())
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        _, stderr = process.communicate(timeout=LIMIT)
+        self.assertEqual(process.returncode, 1)
+        self.assertEqual(stderr, "resect: error: cancelled; no file was left half written\n")
+        self.assertFalse(surface.exists())
+
+    def test_numbers_beyond_all_measure_are_refused_and_nothing_is_written(self):
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        mesh, out = FOLDER / "measured.obj", FOLDER / "beyond.obj"
+        resect("liver", "-o", mesh)
+        for args in (["convert", mesh, out, "--unit", "1e308"], ["info", mesh, "--unit", "1e308"], ["info", mesh, "--unit", "inf"],
+                     ["discretize", mesh, "--unit", "1e-300", "-o", out]):
+            done = resect(*args)
+            self.assertEqual(done.returncode, 2, args)
+            self.assertIn("from 1e-09 to 1000", done.stderr)
+            self.assertEqual(done.stdout, "")
+        self.assertFalse(out.exists())
 
     def test_what_is_read_and_what_is_protected_is_not_written(self):
         mesh, cells = FOLDER / "guarded.obj", FOLDER / "guarded.dis"

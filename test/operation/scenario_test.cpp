@@ -44,8 +44,8 @@ TEST_CASE("a scenario runs all its frames and its summary adds up") {
   tools.push_back(test::ballTool(0.01));
   Simulation simulation(makeOrgan(cells, {}), std::move(tools));
   int observed = 0;
-  const RunSummary summary =
-      runScenario(simulation, scenario, [&](const Simulation&, const StepReport&) {
+  const RunSummary summary = runScenario(
+      simulation, scenario, [&](const Simulation&, const FrameInput&, const StepReport&) {
         ++observed;
         return true;
       });
@@ -66,9 +66,10 @@ TEST_CASE("a scenario runs all its frames and its summary adds up") {
 TEST_CASE("the observer can stop an operation") {
   Scenario scenario;
   Simulation simulation(makeOrgan(test::ball(8), {}), {});
-  CHECK(runScenario(simulation, scenario, [](const Simulation&, const StepReport& r) {
-          return r.frame < 4;
-        }).frames == 5);
+  CHECK(runScenario(
+            simulation, scenario,
+            [](const Simulation&, const FrameInput&, const StepReport& r) { return r.frame < 4; })
+            .frames == 5);
 }
 
 TEST_CASE("in thesis mode tissue is still, and of two tools in hand at once the first alone is") {

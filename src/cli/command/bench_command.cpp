@@ -37,10 +37,11 @@ BenchReport measure(const Scenario& scenario, const std::string& title) {
   simulation.keepLook();  // as in the window
   const Progress progress = progressBar(title);
   const double frames = double(frameCount(scenario));
-  return benchScenario(simulation, scenario, [&](const Simulation&, const StepReport& step) {
-    report(progress, double(step.frame + 1) / frames);
-    return true;
-  });
+  return benchScenario(simulation, scenario,
+                       [&](const Simulation&, const FrameInput&, const StepReport& step) {
+                         report(progress, double(step.frame + 1) / frames);
+                         return true;
+                       });
 }
 
 void run(const Options& options, const OrganOptions& organOptions) {

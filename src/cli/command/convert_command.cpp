@@ -53,9 +53,9 @@ void convert(const Options& options) {
     return;
   }
   std::FILE* text = placeForText({options.out});
-  for (const std::string& note : notes) fmt::print(text, "{}: {}\n", options.in, note);
-  fmt::print(text, "{}: {} triangles, {} vertices, {:.6g} ml\n", options.out, mesh.triangles.size(),
-             mesh.points.size(), volume(mesh) * 1e6);
+  for (const std::string& note : notes) printLine(text, "{}: {}", options.in, shownSentence(note));
+  printLine(text, "{}: {} triangles, {} vertices, {:.6g} ml", options.out, mesh.triangles.size(),
+            mesh.points.size(), volume(mesh) * 1e6);
 }
 
 }  // namespace

@@ -91,13 +91,13 @@ void addDiscretizeCommand(CLI::App& app) {
       return;
     }
     std::FILE* text = placeForText({options->output});
-    for (const std::string& note : notes) fmt::print(text, "note: {}\n", note);
-    fmt::print(text, "{}: {} particles, spacing {}{}, {:.1f} ml\n", options->output,
-               cells.particleCount(), lengthText(lattice.spacing.x()),
-               lattice.cubic() ? ""
-                               : fmt::format(" x {} x {}", lengthText(lattice.spacing.y()),
-                                             lengthText(lattice.spacing.z())),
-               1e6 * cells.volume());
+    printNotes(text, notes);
+    printLine(text, "{}: {} particles, spacing {}{}, {:.1f} ml", options->output,
+              cells.particleCount(), lengthText(lattice.spacing.x()),
+              lattice.cubic() ? ""
+                              : fmt::format(" x {} x {}", lengthText(lattice.spacing.y()),
+                                            lengthText(lattice.spacing.z())),
+              1e6 * cells.volume());
     if (!lattice.cubic())
       fmt::print(
           text,

@@ -44,8 +44,8 @@ void addLiverCommand(CLI::App& app) {
                       {"volume_ml", 1e6 * volume(mesh)}});
       return;
     }
-    fmt::print(placeForText({options->output}), "{}: {} triangles, {:.1f} ml\n", options->output,
-               mesh.triangles.size(), 1e6 * volume(mesh));
+    printLine(placeForText({options->output}), "{}: {} triangles, {:.1f} ml", options->output,
+              mesh.triangles.size(), 1e6 * volume(mesh));
   });
 }
 

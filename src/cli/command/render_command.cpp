@@ -115,8 +115,8 @@ void render(const Options& options) {
                     {"renderer", picture.renderer()}});
     return;
   }
-  fmt::print(placeForText({options.out}), "{}: {} x {} pixels, drawn by {}\n", options.out, width,
-             height, picture.renderer());
+  printLine(placeForText({options.out}), "{}: {} x {} pixels, drawn by {}", options.out, width,
+            height, picture.renderer());
 }
 
 }  // namespace

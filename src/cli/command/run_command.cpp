@@ -28,12 +28,14 @@
 #include "io/scenario/scenario_files.h"
 #include "operation/run.h"
 #include "organ/pieces.h"
+#include "record/recorder.h"
 
 namespace resect {
 namespace {
 
 struct Options {
-  std::string scenario, organ, frames, video, surface, pieces, plot, json, size = "1280x720", view;
+  std::string scenario, organ, record, frames, video, surface, pieces, plot, json,
+      size = "1280x720", view;
   double pictureRate = 10;
   int threads = 0;
   bool list = false, thesis = false, overwrite = false;
@@ -45,8 +47,8 @@ NumberedOutputs piecesOf(const Options& options) {
 
 void listScenarios() {
   for (const std::string& name : shippedNames("scenarios", ".toml"))
-    fmt::print("{:<24} {}\n", name,
-               readScenario(dataFolder() / "scenarios" / (name + ".toml")).title);
+    printLine(stdout, "{:<24} {}", name,
+              readScenario(dataFolder() / "scenarios" / (name + ".toml")).title);
 }
 
 std::vector<std::string> writePieces(const Options& options, const Simulation& simulation) {
@@ -79,7 +81,8 @@ void checkFiles(const Options& options, const Scenario& scenario) {
   checkOutputs({{{"--surface", options.surface},
                  {"--video", options.video},
                  {"--plot", options.plot},
-                 {"--json", options.json}},
+                 {"--json", options.json},
+                 {"--record", options.record}},
                 {framesIn(options.frames), piecesOf(options)},
                 options.overwrite},
                inputs);
@@ -109,6 +112,15 @@ void run(const Options& options, const OrganOptions& organOptions) {
   std::vector<std::string> notes, files;
   Simulation simulation = makeSimulation(scenario, modelReader(), progressBar("particles"), &notes);
 
+  // Before the frames, since they may say that these take long.
+  std::FILE* text =
+      isStandardOutput(options.json) ? stderr : placeForText({options.surface, options.plot});
+  printNotes(text, notes);
+  std::fflush(text);
+
+  std::optional<Recorder> recorder;
+  if (!options.record.empty()) recorder.emplace(options.record, scenario, simulation);
+
   std::optional<PictureWriter> pictures;
   if (!options.frames.empty() || !options.video.empty())
     pictures.emplace(scenario, simulation,
@@ -118,12 +130,20 @@ void run(const Options& options, const OrganOptions& organOptions) {
   const Progress progress = progressBar(scenario.name);
   const double frames = double(frameCount(scenario));
   const RunSummary summary =
-      runScenario(simulation, scenario, [&](const Simulation& now, const StepReport& step) {
-        if (pictures) pictures->follow(now, step);
-        report(progress, double(step.frame + 1) / frames);
-        return true;
-      });
+      runScenario(simulation, scenario,
+                  [&](const Simulation& now, const FrameInput& input, const StepReport& step) {
+                    if (recorder) recorder->record(input, step, now);
+                    if (pictures) pictures->follow(now, step);
+                    report(progress, double(step.frame + 1) / frames);
+                    return true;
+                  });
 
+  if (recorder) {
+    recorder->finish();
+    if (const std::string failure = recorder->failure(); !failure.empty())
+      throw error("{}; the operation was run, but not recorded to its end", failure);
+    files.push_back(options.record);
+  }
   if (pictures) {
     const auto written = pictures->finish();
     files.insert(files.end(), written.begin(), written.end());
@@ -144,8 +164,6 @@ void run(const Options& options, const OrganOptions& organOptions) {
   if (!options.json.empty()) writeJson(options.json, toJson(summary, scenario));
   if (isStandardOutput(options.json)) return;
   if (!options.json.empty()) files.push_back(options.json);
-  std::FILE* text = placeForText({options.surface, options.plot});
-  for (const std::string& note : notes) fmt::print(text, "note: {}\n", note);
   fmt::print(text, "{}", toText(summary, scenario, files));
 }
 
@@ -185,6 +203,8 @@ void addRunCommand(CLI::App& app) {
       "Remove the numbered files of an earlier run from the folders of --frames and --pieces");
   command->add_option("--plot", options->plot,
                       "Plot of the force on each instrument over time, where tissue moves (.svg)");
+  command->add_option("--record", options->record,
+                      "Recording of the operation (.resect), for replay and verify");
   command->add_option("--json", options->json, "JSON file for the summary; - for standard output");
   command->footer(
       "Examples:\n"
@@ -192,6 +212,7 @@ void addRunCommand(CLI::App& app) {
       "  resect run resect-segment --frames pictures --pieces pieces\n"
       "  resect run cut --organ my_liver.stl --unit mm --spacing 4mm --json cut.json\n"
       "  resect run lift --plot lift.svg\n"
+      "  resect run press --record press.resect\n"
       "  resect run perforate --video perforate.mp4 --picture-rate 30");
   command->callback([options, organ] { run(*options, *organ); });
 }

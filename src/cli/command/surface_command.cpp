@@ -63,10 +63,9 @@ void addSurfaceCommand(CLI::App& app) {
                       {"file", options->output}});
       return;
     }
-    fmt::print(placeForText({options->output}),
-               "{}: {} triangles from {} particles, {}, {:.1f} ml\n", options->output,
-               summary.triangles, organ.particles, summary.closed ? "closed" : "open",
-               1e6 * summary.volume);
+    printLine(placeForText({options->output}), "{}: {} triangles from {} particles, {}, {:.1f} ml",
+              options->output, summary.triangles, organ.particles,
+              summary.closed ? "closed" : "open", 1e6 * summary.volume);
   });
 }
 
