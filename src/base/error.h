@@ -16,10 +16,16 @@ class Error : public std::runtime_error {
  public:
   enum class Status { Failed = 1, Usage = 2 };
   explicit Error(const std::string& sentence, Status status = Status::Failed)
-      : std::runtime_error(sentence), status_(status) {}
+      : std::runtime_error(withoutNul(sentence)), status_(status) {}
   Status status() const { return status_; }
 
  private:
+  // what() ends at the first NUL, and foreign text in the sentence may hold one.
+  static std::string withoutNul(std::string sentence) {
+    for (char& c : sentence)
+      if (c == '\0') c = ' ';
+    return sentence;
+  }
   Status status_;
 };
 

@@ -21,6 +21,7 @@
 #include "inventor/scene/operating_room.h"
 #include "inventor/scene/operation_view.h"
 #include "io/data_folder.h"
+#include "io/operation_setup.h"
 #include "io/organ_mesh.h"
 #include "io/output/run_files.h"
 #include "io/scenario/length.h"

@@ -15,6 +15,7 @@ class Scanner {
     if (text_.size() > kMostTomlBytes)
       throw error("{} is larger than {} MB, no settings file is; check the name", name_,
                   kMostTomlBytes >> 20);
+    if (text_.starts_with("\xef\xbb\xbf")) at_ = 3;  // byte order mark
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '"' || c == '\'') {
@@ -29,6 +30,8 @@ class Scanner {
   }
 
  private:
+  static bool isAscii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
   template <typename... Args>
   void limit(bool within, fmt::format_string<Args...> what, Args&&... args) const {
     if (!within)
@@ -36,8 +39,10 @@ class Scanner {
                   fmt::format(what, std::forward<Args>(args)...));
   }
 
-  // A character outside texts and comments.
+  // A character outside texts and comments. TOML has only ASCII there, and the parser must not be
+  // given anything else: its test for blanks is undefined for some characters.
   void note(char c) {
+    limit(isAscii(c), "a character that is not ASCII stands outside quotes and comments");
     const bool opens = c == '[' || c == '{', closes = c == ']' || c == '}';
     depth_ += opens ? 1 : closes ? -1 : 0;
     limit(depth_ <= kDeepestToml, "brackets are nested more than {} deep", kDeepestToml);
@@ -61,7 +66,12 @@ class Scanner {
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (lines ? text_.substr(at_).starts_with(three) : c == quote || c == '\n') break;
-      if (c == '\\' && quote == '"' && at_ + 1 < text_.size()) ++at_;
+      if (c == '\\' && quote == '"' && at_ + 1 < text_.size()) {
+        const std::size_t after = text_.find_first_not_of(" \t\r\n", at_ + 1);
+        limit(after == text_.npos || after == at_ + 1 || isAscii(text_[after]),
+              "a line that begins with a character that is not ASCII follows a '\\'");
+        ++at_;
+      }
       ends += text_[at_] == '\n';
       ++at_;
     }
