@@ -159,7 +159,7 @@ void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh) 
   // Some formats hold 32-bit numbers.
   constexpr double kMost = std::numeric_limits<float>::max();
   for (const Vec3& p : mesh.points)
-    if (!(p.cwiseAbs().maxCoeff() <= kMost))
+    if (!(p.array().abs() <= kMost).all())
       throw error(
           "{} is not written: the surface has a point ({:g}, {:g}, {:g}) m, which is nowhere; "
           "check unit and poses",
