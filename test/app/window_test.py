@@ -94,6 +94,19 @@ class AtTheWindow(unittest.TestCase):
         around = (organ[0] - 150, organ[1] - 150, organ[0] + 150, organ[1] + 150)
         self.assertGreater(difference(begin, cut, around), 0.005)
 
+        # The stroke is taken back, and done again.
+        window.drain()
+        screen.focus("^Resect$")
+        screen.key("ctrl+z")
+        window.wait("undo")
+        self.assertLess(int(window.wait("removed ").split()[1]), removed[-1])
+        time.sleep(0.8)
+        taken_back = screen.picture("4_taken_back")
+        self.assertLess(difference(begin, taken_back, around), difference(begin, cut, around))
+        screen.key("ctrl+shift+z")
+        window.wait("redo")
+        self.assertGreater(int(window.wait("removed ").split()[1]), 0)
+
         # Every other instrument in hand, by its key, and back.
         for key, name in (("2", "Hook"), ("3", "Baton"), ("1", "Scalpel")):
             screen.key(key)

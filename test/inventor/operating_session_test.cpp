@@ -145,6 +145,36 @@ TEST_CASE("a tool that is held cuts, one that lies in the tissue does not") {
   CHECK(bench.session->room().organ()->triangleCount() >= before);
 }
 
+TEST_CASE("a stroke is taken back with the tool where it was, and done again") {
+  Bench bench;
+  const Vec3 inside = bench.session->cells().lattice.box().centre();
+  bench.tools().hold(2, ToolHandling::Hold::Direct);
+  for (int i = 0; i <= 12; ++i) {
+    bench.tools().setPose(2,
+                          {inside + Vec3(0, 0.15 - 0.0125 * i, 0), Eigen::Quaterniond::Identity()});
+    bench.settle();
+  }
+  const std::int64_t removed = bench.session->state().removed;
+  REQUIRE(removed > 0);
+  REQUIRE(bench.session->state().undoable == 1);
+  const Vec3 end = bench.tools().pose(2).position;
+  bench.session->undo();
+  bench.settle();
+  bench.settle();
+  CHECK(bench.session->state().removed == 0);
+  CHECK(bench.session->state().redoable == 1);
+  CHECK(bench.tools().held() == 2);
+  CHECK((bench.tools().pose(2).position - end).norm() > 0.02);
+  // Nothing is cut while the tool stays there.
+  for (int i = 0; i < 5; ++i) bench.settle();
+  CHECK(bench.session->state().removed == 0);
+  bench.session->redo();
+  bench.settle();
+  bench.settle();
+  CHECK(bench.session->state().removed == removed);
+  CHECK((bench.tools().pose(2).position - end).norm() < 0.013);
+}
+
 TEST_CASE("the picture gets the changed ranges of the surface and nothing else") {
   Bench bench;
   auto* organ = bench.session->room().organ();

@@ -72,6 +72,15 @@ TEST_CASE("texts and comments may hold brackets, dots and quotes") {
   CHECK(TomlTable::parse(fmt::format("a{} = 1", times(28, ".a")), "a.toml").has("a"));
 }
 
+TEST_CASE("outside quotes and comments there is only ASCII") {
+  CHECK(test::tells(refusal("a = 1\n\xc3\xa4 = 2\n"), "a.toml:2: a character that is not ASCII"));
+  CHECK(test::tells(refusal("a = \"\"\"x \\\n \xc3\xa4\"\"\""), "a.toml:1: a line that begins"));
+  CHECK(TomlTable::parse("\xef\xbb\xbf"
+                         "a = \"\xc3\xa4\" # \xc3\xb6",
+                         "a.toml")
+            .text("a") == "\xc3\xa4");
+}
+
 TEST_CASE("a key that the parser cannot take is refused with its line") {
   CHECK(test::tells(refusal("a = 1\nb = 2\n\n= 3\nc = 4\n"), "a.toml:4: "));
   CHECK(test::tells(refusal("a = 1\nb = 2\n\n\x01k = 3\nc = 4\n"), "a.toml:4: "));

@@ -7,7 +7,8 @@ namespace resect {
 bool touches(const StepReport& report) {
   const auto cells = [](const ToolContacts& one) { return !one.cells.empty(); };
   const auto pushed = [](const Vec3& force) { return force.squaredNorm() > 0; };
-  return std::ranges::any_of(report.contacts, cells) ||
+  // A thin blade parts tissue between particles without pushing any.
+  return report.removed > 0 || report.severed > 0 || std::ranges::any_of(report.contacts, cells) ||
          std::ranges::any_of(report.toolForce, pushed);
 }
 
@@ -41,9 +42,14 @@ void StrokeHistory::afterStep(const FrameInput& input, const StepReport& report)
 }
 
 void StrokeHistory::forgetOldest() {
-  while (bytes_ > mostBytes_ && strokes_.size() > 1) {
-    bytes_ -= strokes_.front().state.size();
-    strokes_.pop_front();
+  while (bytes_ > mostBytes_ && strokes_.size() + undone_.size() > 1) {
+    if (!strokes_.empty()) {
+      bytes_ -= strokes_.front().state.size();
+      strokes_.pop_front();
+    } else {
+      bytes_ -= undone_.front().before.state.size() + undone_.front().after.size();
+      undone_.erase(undone_.begin());
+    }
   }
 }
 

@@ -14,7 +14,7 @@
 
 namespace resect {
 
-// Whether a tool in hand touched an organ in the step of this report.
+// Whether a tool in hand touched or cut an organ in the step of this report.
 bool touches(const StepReport& report);
 
 class StrokeHistory {
@@ -51,7 +51,8 @@ class StrokeHistory {
     Bytes after;    // the state in which undo() was called
   };
   static void goTo(const Moment& moment, Simulation& simulation);
-  void forgetOldest();
+  void
+  forgetOldest();  // of the strokes that can be taken back, then of those that can be done again
 
   std::size_t mostBytes_, bytes_ = 0;
   Moment approach_;  // while no stroke is made; without a state if no tool is in hand

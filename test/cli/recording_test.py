@@ -1,0 +1,117 @@
+"""recording_test.py RESECT FOLDER: recordings from the command line: written, proved, replayed, and what interrupts them."""
+import json
+import os
+import pathlib
+import random
+import shutil
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
+import unittest
+
+PROGRAM, FOLDER = None, None
+
+
+def resect(*arguments, **options):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=300, **options)
+
+
+class Recordings(unittest.TestCase):
+    def setUp(self):
+        self.folder = FOLDER / self.id().split(".")[-1]
+        shutil.rmtree(self.folder, ignore_errors=True)
+        self.folder.mkdir(parents=True)
+
+    def recorded(self, scenario, *arguments):
+        file = self.folder / f"{scenario}.resect"
+        run = resect("run", scenario, "--record", file, "--json", "-", *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return file, json.loads(run.stdout)
+
+    def test_a_run_is_recorded_proved_and_replayed(self):
+        for scenario, arguments in (("press", ["--spacing", "9mm"]), ("cut-120", [])):
+            file, summary = self.recorded(scenario, *arguments)
+            for threads in (1, 2, 3):
+                proof = resect("verify", file, "--threads", threads)
+                self.assertEqual((proof.returncode, proof.stderr), (0, ""))
+                self.assertTrue(proof.stdout.startswith(f"verified {summary['frames']} frames"), proof.stdout)
+            replay = resect("replay", file, "--json", "-")
+            self.assertEqual(replay.returncode, 0, replay.stderr)
+            played = json.loads(replay.stdout)
+            self.assertEqual(played["state_hash"], summary["state_hash"])
+            self.assertIn("touch", [event["kind"] for event in played["events"]])
+
+    def test_any_sqlite_tool_reads_it(self):
+        file, summary = self.recorded("press", "--spacing", "12mm")
+        db = sqlite3.connect(file)
+        self.assertEqual(db.execute("PRAGMA application_id").fetchone()[0], 0x52534354)
+        self.assertEqual(db.execute("SELECT count(*) FROM frames").fetchone()[0], summary["frames"])
+        self.assertEqual(db.execute("SELECT value FROM meta WHERE key = 'complete'").fetchone()[0], "yes")
+        force = db.execute("SELECT max(force_x * force_x + force_y * force_y + force_z * force_z) FROM samples").fetchone()
+        self.assertAlmostEqual(force[0] ** 0.5, max(tool["peak_n"] for tool in summary["forces"]), places=3)
+        db.close()
+        self.assertFalse(list(self.folder.glob("*-wal")) + list(self.folder.glob("*-shm")))
+
+    def test_what_is_recorded_survives_a_kill_at_any_moment(self):
+        kept = 0
+        for i in range(6):
+            file = self.folder / f"{i}.resect"
+            run = subprocess.Popen([PROGRAM, "run", "press", "--record", file], stdout=subprocess.DEVNULL)
+            time.sleep(random.uniform(0.2, 1.5))
+            run.send_signal(signal.SIGKILL)
+            run.wait()
+            if not file.exists():
+                continue
+            proof = resect("verify", file)
+            if proof.returncode == 0:
+                kept += int(proof.stdout.split()[1]) > 0
+                self.assertIn("the program ended before", proof.stdout)
+            else:  # killed before the file had its first row
+                self.assertEqual(proof.stderr.count("\n"), 1)
+                self.assertTrue("no recording" in proof.stderr or "no operation" in proof.stderr, proof.stderr)
+        self.assertGreater(kept, 0)
+
+    def test_a_changed_recording_is_told(self):
+        file, _ = self.recorded("press", "--spacing", "12mm")
+        db = sqlite3.connect(file)
+        blob = bytearray(db.execute("SELECT input FROM frames WHERE frame = 50").fetchone()[0])
+        blob[0] ^= 1
+        db.execute("UPDATE frames SET input = ? WHERE frame = 50", (bytes(blob),))
+        db.commit()
+        db.close()
+        proof = resect("verify", file)
+        self.assertEqual(proof.returncode, 1)
+        self.assertIn("frame 50 of branch 0 differs", proof.stderr)
+
+    def test_a_full_disk_and_a_read_only_place_are_sentences(self):
+        none = resect("run", "press", "--spacing", "12mm", "--record", self.folder / "no" / "such" / "a.resect")
+        self.assertIn(none.returncode, (0, 1))
+        if os.geteuid() != 0:
+            self.skipTest("mounting a small disk takes root")
+        place = self.folder / "disk"
+        place.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=400k", "tmpfs", place], capture_output=True).returncode:
+            self.skipTest("no small disk can be mounted")
+        try:
+            run = resect("run", "press", "--spacing", "9mm", "--record", place / "a.resect")
+            self.assertEqual(run.returncode, 1)
+            self.assertIn("disk", run.stderr)
+            self.assertEqual(run.stderr.count("\n"), 1)
+        finally:
+            subprocess.run(["umount", place])
+
+    def test_what_is_no_recording_is_a_sentence(self):
+        text = self.folder / "text.resect"
+        text.write_text("words " * 100)
+        for file in (text, self.folder, self.folder / "none.resect", "/dev/null"):
+            for command in ("verify", "replay"):
+                run = resect(command, file)
+                self.assertEqual(run.returncode, 1)
+                self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+
+
+if __name__ == "__main__":
+    PROGRAM, FOLDER = pathlib.Path(sys.argv.pop(1)).resolve(), pathlib.Path(sys.argv.pop(1)).resolve()
+    unittest.main()
