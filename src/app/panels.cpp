@@ -217,6 +217,8 @@ void RemovedPanel::follow(const LiveState& state) {
   removed_ = state.removedVolume;
   whole_ = state.removedVolume + state.volume;
   particles_ = state.removed;
+  // A stroke that was taken back has not happened.
+  std::erase_if(history_, [&](const auto& p) { return p.first > state.time; });
   if (history_.empty() || history_.back().second != removed_ * 1e6 ||
       state.time - history_.back().first > 1)
     history_.emplace_back(state.time, removed_ * 1e6);

@@ -174,6 +174,23 @@ void checkGltfFrame(const std::string& path, std::string_view bytes) {
     if (at + 8 > length || number(at) > length - at - 8) throw cutOff();
 }
 
+// The library reads as many elements as a .ply's header promises, for minutes if the number is
+// damaged. Each takes a byte at least.
+void checkPlyCounts(const std::string& path, std::string_view bytes) {
+  const std::string_view header = bytes.substr(0, bytes.find("end_header"));
+  for (std::size_t at = header.find("element "); at != header.npos;
+       at = header.find("element ", at + 1)) {
+    const std::size_t number = header.find(' ', at + 8);
+    if (number == header.npos) continue;
+    std::uint64_t count = 0;
+    for (std::size_t i = number + 1; i < header.size() && header[i] >= '0' && header[i] <= '9'; ++i)
+      count = std::min<std::uint64_t>(10 * count + std::uint64_t(header[i] - '0'), std::uint64_t(1)
+                                                                                       << 40);
+    if (count > bytes.size())
+      throw error("{}: is shorter than its header says; copy or export it again", path);
+  }
+}
+
 }  // namespace
 
 bool isAssimpFile(const std::filesystem::path& path) {
@@ -184,6 +201,7 @@ Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::p
                      std::string_view bytes, const BesideFiles& beside) {
   const std::string extension = extensionOf(formatName);
   if (extension == "glb") checkGltfFrame(path.string(), bytes);
+  if (extension == "ply") checkPlyCounts(path.string(), bytes);
   Assimp::Importer importer;
   // Everything but surfaces is skipped, so that no texture or animation can do harm.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,

@@ -50,7 +50,7 @@ class Recordings(unittest.TestCase):
         self.assertEqual(db.execute("SELECT count(*) FROM frames").fetchone()[0], summary["frames"])
         self.assertEqual(db.execute("SELECT value FROM meta WHERE key = 'complete'").fetchone()[0], "yes")
         force = db.execute("SELECT max(force_x * force_x + force_y * force_y + force_z * force_z) FROM samples").fetchone()
-        self.assertAlmostEqual(force[0] ** 0.5, max(tool["peak_n"] for tool in summary["forces"]), places=3)
+        self.assertAlmostEqual(force[0] ** 0.5, max(tool["peak"] for tool in summary["tool_forces_n"]), places=3)
         db.close()
         self.assertFalse(list(self.folder.glob("*-wal")) + list(self.folder.glob("*-shm")))
 

@@ -58,4 +58,10 @@ TEST_CASE("what kills Coin is refused with its line") {
   refuses("DEF a Separator {\n USE a }", "a.iv:3: 'a' is used inside itself");
   refuses("DEF a Separator { Group { USE a } }", "'a' is used inside itself");
   refuses("PROTO P [ ] { Group { children P { } } }", "PROTO 'P' holds itself");
+  // Lines of older Macintosh files end with \r.
+  CHECK(test::tells(test::sentenceOf([&] {
+                      guardInventorFile("a.iv",
+                                        "#Inventor V2.1 ascii\r# note\rDEF a Group {\rUSE a }");
+                    }),
+                    "a.iv:4: 'a' is used inside itself"));
 }

@@ -95,11 +95,12 @@ class TextGuard {
   void skipSpace() {
     for (; at_ < bytes_.size(); ++at_) {
       const char c = bytes_[at_];
-      line_ += c == '\n';
+      // Lines end with \n, \r\n or \r.
+      line_ += c == '\n' || (c == '\r' && !bytes_.substr(at_ + 1).starts_with('\n'));
       if (kindOf(c) == kSpace) continue;
       if (kindOf(c) != kComment) return;
       // Skips to the end of the line, which the next iteration counts.
-      at_ = std::min(bytes_.find('\n', at_), bytes_.size()) - 1;
+      at_ = std::min(bytes_.find_first_of("\r\n", at_), bytes_.size()) - 1;
     }
   }
 

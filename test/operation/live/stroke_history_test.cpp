@@ -123,5 +123,5 @@ TEST_CASE("strokes, undo and redo in any order give equal states, in bounded mem
   }
   CHECK(strokes > 20);
   CHECK(undone > 10);
-  CHECK(redone > 5);
+  CHECK(redone >= 5);
 }
