@@ -46,7 +46,7 @@ class Reader {
   }
   void raw(void* data, std::size_t size) {
     if (size > bytes_.size()) damaged();
-    std::memcpy(data, bytes_.data(), size);
+    if (size > 0) std::memcpy(data, bytes_.data(), size);
     bytes_ = bytes_.subspan(size);
   }
   // At most as many entries as bytes are left for.
