@@ -1,7 +1,9 @@
-// Scanline rasteriser: finds all crossings of columns (lines along +z) with a closed mesh. Which
-// triangles a column crosses is decided exactly; only the depth of a crossing is rounded.
+// Scanline rasteriser: finds all crossings of columns (lines along +z) with a closed mesh. First
+// the x and y of the mesh's points and of the columns are snapped to an integer raster. Which
+// triangles of the snapped mesh a column crosses is decided exactly; the depth of a crossing is
+// rounded as any floating-point number.
 //
-// The x and y of the mesh's points and of the columns are snapped to one integer raster. It has
+// The raster has
 // 2^30 steps over the larger of the mesh's extents in x and y; on a liver a step is 0.2 nm. With
 // these integers every edge function is an exact 64-bit integer. A column through an edge or a
 // vertex is treated as if it were shifted by (s, s^2), where s > 0 is infinitesimal. The shifted
@@ -117,9 +119,9 @@ struct SampleLine {
   std::int32_t upTo(double depth) const;
 };
 
-// The same for the points of `line`. Calls visit(i0, i1) for every interval that contains some of
-// them, in ascending order. The interval contains the points i0 to i1 - 1; i0 < i1. If no point
-// lies between two intervals, i1 of the first equals i0 of the second.
+// As forEachInside() above, but for the points of `line`: calls visit(i0, i1) for every interval
+// that contains some of them, in ascending order. The interval contains the points i0 to i1 - 1; i0
+// < i1. If no point lies between two intervals, i1 of the first equals i0 of the second.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, const SampleLine& line, Visit&& visit) {
   forEachInside(column, [&](double entered, double left) {

@@ -39,8 +39,10 @@ WeldedSurface weldSurface(const TriangleMesh& mesh);
 // `repair` is on, drops specks (components without volume) and orients the rest outwards. Throws
 // Error in these cases:
 // - The surface is open and `repair` is off. The Error has the number of boundary edges and the
-//   position of the first; if all parts of several were taken, also their names.
-// - The surface is open, and it is made of several parts that share edges. The Error is the same.
+//   position of the first. If the model has several parts and all were taken, it also has their
+//   names.
+// - The surface is open, all of several parts were taken, and more than two triangles meet at some
+//   edge. Its holes are then not closed, even if `repair` is on. The Error is as above.
 // - The triangles cannot be oriented consistently.
 // - The triangles enclose no volume.
 OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options = {});

@@ -27,7 +27,7 @@ struct SeverBond {  // severs the bond of the cell in this direction
   std::int32_t direction = -1;
 };
 struct Incision {                   // cuts the surface where a blade has passed
-  SweptBlade blade;                 // world: it cuts the tissue where that is now
+  SweptBlade blade;                 // world; cuts the tissue at its present position
   std::vector<std::int64_t> cells;  // of the particles near the blade, ascending
 };
 struct Grip {  // the cell keeps its present position relative to the tool from now on

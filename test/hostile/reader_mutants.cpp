@@ -16,6 +16,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "base/text/shown_text.h"
 #include "inventor/reading/model_file.h"
 #include "io/whole_file.h"
 #include "support/sentence.h"
@@ -102,7 +103,7 @@ std::string faultOf(Seed& seed, const fs::path& file) {
     readModelWithin(file, kReaderSeconds);
     ++seed.read;
   } catch (const Error& e) {
-    const std::string text = e.what();
+    const std::string text = shownSentence(e.what());  // as every command and the window show it
     ++seed.refused;
     if (test::tells(text, "the reader stopped on it")) ++seed.contained;
     if (test::tells(text, "so it was given up")) ++seed.slow;

@@ -33,7 +33,8 @@ TEST_CASE("a stroke in 13 000 elastic particles is taken back and done again at 
   const auto timed = [&](auto act) {
     const auto begin = std::chrono::steady_clock::now();
     act();
-    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    times.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   };
   for (int i = 0; i < 5; ++i) {
     timed([&] { CHECK(history.undo(simulation)); });
