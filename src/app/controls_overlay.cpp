@@ -19,6 +19,7 @@ constexpr std::pair<const char*, const char*> kControls[] = {
     {"Click elsewhere / Escape", "let go / back into the tool box"},
     {"Right drag, wheel", "look round, zoom; middle drag: shift"},
     {"Ctrl + 1 2 3 4", "surgeon, assistant, top, laparoscope"},
+    {"Ctrl + Z", "takes the last stroke back; with Shift does it again"},
     {"Space", "brings view and instruments back"},
 };
 

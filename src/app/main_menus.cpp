@@ -81,7 +81,7 @@ void MainWindow::makeMenus() {
 
   QMenu* edit = menuBar()->addMenu("&Edit");
   add(edit, "&Undo stroke", QKeySequence::Undo,
-      "Takes back the last stroke: from the first touch until the instrument left the organ",
+      "Takes back the last stroke: from the first touch until the button was released",
       [this] { undo(false); });
   add(edit, "&Redo stroke", QKeySequence("Ctrl+Shift+Z"),
       "Does again the stroke that was taken back last", [this] { undo(true); });

@@ -1,24 +1,74 @@
 #include "record/database.h"
 
 #include <sqlite3.h>
+#include <stdlib.h>
 
 #include "base/error.h"
 
 namespace resect {
 
+namespace fs = std::filesystem;
+
 void Database::Close::operator()(sqlite3* db) const { ::sqlite3_close(db); }
 void Statement::Finish::operator()(sqlite3_stmt* statement) const { ::sqlite3_finalize(statement); }
 
-Database::Database(const std::filesystem::path& path, Mode mode) : name_(path.string()) {
-  namespace fs = std::filesystem;
+void Database::RemoveFolder::operator()(fs::path* folder) const {
   std::error_code ec;
-  if (mode == Mode::Create)
-    for (const char* end : {"", "-wal", "-shm", "-journal"}) fs::remove(name_ + end, ec);
-  else if (!fs::is_regular_file(path, ec))
-    throw error("{}: there is no such file; check the name", name_);
+  fs::remove_all(*folder, ec);
+  delete folder;
+}
+
+namespace {
+
+constexpr const char* kBeside[] = {"-wal", "-shm", "-journal"};
+
+void requireNothingThere(const fs::path& path) {
+  std::error_code ec;
+  if (fs::exists(fs::symlink_status(path, ec)))
+    throw error("{}: is there already, and a recording replaces nothing; choose another name",
+                path.string());
+  for (const char* end : kBeside)
+    if (fs::exists(fs::symlink_status(path.string() + end, ec)))
+      throw error("{}{}: is there already, and a recording would remove it; choose another name",
+                  path.string(), end);
+}
+
+void copyOrdinaryFile(const fs::path& from, const fs::path& to) {
+  std::error_code ec;
+  const fs::file_status status = fs::symlink_status(from, ec);
+  if (!fs::exists(status)) throw error("{}: there is no such file; check the name", from.string());
+  if (!fs::is_regular_file(status))
+    throw error("{}: is no ordinary file; name the recording itself", from.string());
+  if (!fs::copy_file(from, to, ec))
+    throw error("{}: cannot be copied for reading: {}; check who may read it, and free some space",
+                from.string(), ec.message());
+}
+
+// A folder of this user's own with copies of a recording and of its write-ahead log.
+fs::path copied(const fs::path& path) {
+  std::string folder = (fs::temp_directory_path() / "resect_recording_XXXXXX").string();
+  if (!::mkdtemp(folder.data()))
+    throw error("{}: there is no temporary folder to read it in; set TMPDIR", path.string());
+  copyOrdinaryFile(path, fs::path(folder) / "copy");
+  std::error_code ec;
+  if (fs::exists(fs::symlink_status(path.string() + "-wal", ec)))
+    copyOrdinaryFile(path.string() + "-wal", fs::path(folder) / "copy-wal");
+  return folder;
+}
+
+}  // namespace
+
+Database::Database(const fs::path& path, Mode mode) : name_(path.string()) {
+  fs::path file = fs::absolute(path);
+  if (mode == Mode::Create) {
+    requireNothingThere(file);
+  } else {
+    folder_.reset(new fs::path(copied(file)));
+    file = *folder_ / "copy";
+  }
   const int flags = SQLITE_OPEN_READWRITE | (mode == Mode::Create ? SQLITE_OPEN_CREATE : 0);
   sqlite3* db = nullptr;
-  const int result = ::sqlite3_open_v2(name_.c_str(), &db,
+  const int result = ::sqlite3_open_v2(file.c_str(), &db,
                                        flags | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX, nullptr);
   db_.reset(db);
   if (result != SQLITE_OK) fail();
@@ -28,6 +78,13 @@ Database::Database(const std::filesystem::path& path, Mode mode) : name_(path.st
   ::sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   ::sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   ::sqlite3_busy_timeout(db, 2000);
+}
+
+Database::Database() : name_("memory") {
+  sqlite3* db = nullptr;
+  const int result = ::sqlite3_open(":memory:", &db);
+  db_.reset(db);
+  if (result != SQLITE_OK) fail();
 }
 
 Database::~Database() = default;

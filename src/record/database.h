@@ -18,9 +18,13 @@ namespace resect {
 // All members throw Error in one sentence that begins with the file's name.
 class Database {
  public:
-  // Create: replaces a file that is there. Open: read-only if it may not be written.
-  enum class Mode { Create, Open };
+  // Create: a new file; nothing may be there under its name, nor under the names that SQLite uses
+  // beside it (-wal, -shm, -journal), since it would remove them. Copy: opens a private copy of a
+  // file and of its -wal in a temporary folder. So what a file or its neighbours say makes SQLite
+  // change nothing but the copy. Both take ordinary files only, and follow no link.
+  enum class Mode { Create, Copy };
   Database(const std::filesystem::path& path, Mode mode);
+  Database();  // in memory, empty
   ~Database();
   Database(Database&&) = default;
 
@@ -36,7 +40,11 @@ class Database {
   struct Close {
     void operator()(sqlite3* db) const;
   };
+  struct RemoveFolder {
+    void operator()(std::filesystem::path* folder) const;
+  };
   std::string name_;
+  std::unique_ptr<std::filesystem::path, RemoveFolder> folder_;  // of the copy
   std::unique_ptr<sqlite3, Close> db_;
 };
 

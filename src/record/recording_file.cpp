@@ -68,6 +68,20 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
+// All that a database defines: tables, and whatever else somebody put into it.
+std::string tablesOf(Database& db) {
+  Statement rows(db, "SELECT type || name || coalesce(sql, '') FROM sqlite_master ORDER BY name");
+  std::string all;
+  while (rows.step()) all += rows.text(0) + "\n";
+  return all;
+}
+
+std::string ownTables() {
+  Database memory;
+  memory.run(kSchema);
+  return tablesOf(memory);
+}
+
 std::span<const std::byte> bytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
 
 }  // namespace
@@ -109,7 +123,7 @@ RecordingFile RecordingFile::create(const std::filesystem::path& path, const Rec
 }
 
 RecordingFile RecordingFile::open(const std::filesystem::path& path) {
-  RecordingFile file(path, Database::Mode::Open);
+  RecordingFile file(path, Database::Mode::Copy);
   Database& db = file.database_;
   if (db.number("PRAGMA application_id") != kApplication)
     throw error("{}: is no recording of Resect; choose a .resect file", db.name());
@@ -118,6 +132,8 @@ RecordingFile RecordingFile::open(const std::filesystem::path& path) {
         "{}: has version {} of the schema, and this program reads version {}; use a newer "
         "Resect",
         db.name(), version, kRecordingSchema);
+  if (tablesOf(db) != ownTables())
+    throw error("{}: its tables are not those of a recording; choose another file", db.name());
   Statement meta(db, "SELECT key, value FROM meta");
   while (meta.step()) {
     const std::string key = meta.text(0), value = meta.text(1);

@@ -67,14 +67,15 @@ struct RecordingInfo {
 
 class RecordingFile {
  public:
-  // A new file; one that is there is replaced.
+  // A new file; nothing may be there under that name.
   static RecordingFile create(const std::filesystem::path& path, const RecordingInfo& info,
                               const RecordedSetup& setup);
-  // Opens a finished or an interrupted recording for reading. Throws Error if it is none, or of a
-  // newer schema.
+  // Opens a finished or an interrupted recording for reading, as a private copy. Throws Error if it
+  // is none, is of a newer schema, or has other tables than a recording.
   static RecordingFile open(const std::filesystem::path& path);
 
   const RecordingInfo& info() const { return info_; }
+  const std::string& name() const { return database_.name(); }
   RecordedSetup setup();
 
   void begin();  // a transaction: what follows is kept together or not at all

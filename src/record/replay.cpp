@@ -178,9 +178,14 @@ bool Replay::step(FrameInput* input, StepReport* stepped) {
   auto next = file_.frame(branch_, simulation_->frame() + 1);
   if (!next) return false;
   recorded_ = std::move(*next);
-  FrameInput now = frameFromBytes(recorded_.input, recorded_.whole ? FrameInput() : before_);
-  StepReport& to = stepped ? *stepped : report_;
-  simulation_->step(now, to);
+  FrameInput now;
+  try {
+    now = frameFromBytes(recorded_.input, recorded_.whole ? FrameInput() : before_);
+    simulation_->step(now, stepped ? *stepped : report_);
+  } catch (const Error& e) {
+    throw error("{}: frame {} of branch {} cannot be played ({}); take an earlier copy of it",
+                file_.name(), recorded_.frame, branch_, e.what());
+  }
   if (input) *input = now;
   before_ = std::move(now);
   before_.edits.clear();

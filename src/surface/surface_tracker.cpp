@@ -107,6 +107,7 @@ void SurfaceTracker::dropRecord(std::int64_t brick) {
 // `bricks`: ascending, each once.
 void SurfaceTracker::remesh(const ColourField& field, std::span<const std::int64_t> bricks,
                             const Wound* wound) {
+  ++changes_.number;
   changes_.vertices.clear();
   changes_.triangles.clear();
   changes_.bricks = std::int64_t(bricks.size());

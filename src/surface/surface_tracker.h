@@ -93,6 +93,9 @@ class SurfaceTracker {
     std::vector<IndexRange> vertices, triangles;
     std::int64_t bricks = 0;  // number of bricks that were meshed
     bool everything = false;  // the arrays were made anew; the ranges are empty
+    // Grows by 1 with each update. When the arrays are made anew it gets a number that no surface
+    // of this process had before, so a follower sees that it missed something.
+    std::uint64_t number = 0;
   };
   const Changes& changes() const { return changes_; }
 

@@ -6,6 +6,7 @@
 // was just written and is still in the second-level cache. Evaluating the nodes can be the first
 // stage.
 #include <algorithm>
+#include <atomic>
 
 #include "base/error.h"
 #include "base/growth.h"
@@ -15,6 +16,12 @@
 
 namespace resect {
 namespace {
+
+// Far from the numbers of all earlier builds and of their updates.
+std::uint64_t nextBuild() {
+  static std::atomic<std::uint64_t> builds{0};
+  return ++builds << 32;
+}
 
 constexpr std::size_t kGrain = 128;  // bricks per block of work: some 50 us
 // Bricks that the pass advances by, for each thread: their nodes take a quarter of a megabyte.
@@ -146,6 +153,7 @@ void SurfaceTracker::meshAll(const ColourField& field, const RangeBody* evaluate
   changes_.triangles.clear();
   changes_.bricks = std::int64_t(bricks.size());
   changes_.everything = true;
+  changes_.number = nextBuild();
   lookIsDue({});
 
   const NodeGrid grid(field, iso_);

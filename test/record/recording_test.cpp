@@ -1,5 +1,6 @@
 // Recordings: what is recorded comes back, is proved, and any change is found.
 #include <doctest/doctest.h>
+#include <sqlite3.h>
 
 #include <fstream>
 
@@ -37,6 +38,19 @@ std::uint64_t recordRun(const Scenario& scenario, const std::filesystem::path& p
   recorder.finish();
   CHECK(recorder.failure() == "");
   return simulation.stateHash();
+}
+
+// Changes a file as another program would.
+void write(const std::filesystem::path& path, const std::string& sql, const Bytes& blob = {}) {
+  sqlite3* db = nullptr;
+  REQUIRE(::sqlite3_open(path.c_str(), &db) == SQLITE_OK);
+  sqlite3_stmt* statement = nullptr;
+  REQUIRE(::sqlite3_prepare_v2(db, sql.c_str(), -1, &statement, nullptr) == SQLITE_OK);
+  if (!blob.empty())
+    ::sqlite3_bind_blob64(statement, 1, blob.data(), blob.size(), SQLITE_TRANSIENT);
+  CHECK(::sqlite3_step(statement) == SQLITE_DONE);
+  ::sqlite3_finalize(statement);
+  ::sqlite3_close(db);
 }
 
 }  // namespace
@@ -150,25 +164,23 @@ TEST_CASE("a changed bit is found, wherever it is") {
                                {"scenario", "setup"},
                                {"organ", "cells"}};
     const auto& place = places[i % 5];
+    const std::string of = std::string(" FROM ") + place[0];
+    std::string row;
+    Bytes bytes;
     {
-      Database db(changed, Database::Mode::Open);
-      const std::string of = std::string(" FROM ") + place[0];
-      const std::int64_t rows = db.number("SELECT count(*)" + of);
-      const std::string row = std::to_string(random.below(int(rows)));
+      Database db(changed, Database::Mode::Copy);
+      row = std::to_string(random.below(int(db.number("SELECT count(*)" + of))));
       Statement read(db, std::string("SELECT ") + place[1] + of + " LIMIT 1 OFFSET " + row);
       REQUIRE(read.step());
       const auto blob = read.blob(0);
-      Bytes bytes(blob.begin(), blob.end());
-      while (read.step()) {
-      }
-      bytes[std::size_t(random.below(int(bytes.size())))] ^= std::byte(1 << random.below(8));
-      const std::string key = std::string(place[0]) == "frames"
-                                  ? "frame = (SELECT frame FROM frames LIMIT 1 OFFSET " + row + ")"
-                                  : "rowid = (SELECT rowid" + of + " LIMIT 1 OFFSET " + row + ")";
-      Statement(db, std::string("UPDATE ") + place[0] + " SET " + place[1] + " = ? WHERE " + key)
-          .bind(0, std::span<const std::byte>(bytes))
-          .run();
+      bytes.assign(blob.begin(), blob.end());
     }
+    bytes[std::size_t(random.below(int(bytes.size())))] ^= std::byte(1 << random.below(8));
+    const std::string key = std::string(place[0]) == "frames"
+                                ? "frame = (SELECT frame FROM frames LIMIT 1 OFFSET " + row + ")"
+                                : "rowid = (SELECT rowid" + of + " LIMIT 1 OFFSET " + row + ")";
+    write(changed, std::string("UPDATE ") + place[0] + " SET " + place[1] + " = ? WHERE " + key,
+          bytes);
     CAPTURE(place[0]);
     CAPTURE(place[1]);
     std::string found;
@@ -189,6 +201,31 @@ TEST_CASE("what is no recording is refused in a sentence") {
   CHECK(test::isOneSentence(test::sentenceOf([&] { verify(path); })));
   CHECK(test::isOneSentence(test::sentenceOf([&] { verify(folder / "none.resect"); })));
   const auto other = folder / "other.resect";
-  Database(other, Database::Mode::Create).run("CREATE TABLE t (x)");
+  write(other, "CREATE TABLE t (x)");
   CHECK(test::refuses([&] { verify(other); }, "is no recording"));
+}
+
+TEST_CASE("a recording replaces nothing, and reading one changes nothing") {
+  const test::TemporaryFolder folder;
+  const Scenario scenario = shipped("press", 0.015);
+  const Simulation simulation = makeSimulation(scenario, readPlainMesh);
+  for (const char* name : {"a.resect", "b.resect-wal", "c.resect-journal"}) {
+    const auto kept = folder.write(name, "mine");
+    const std::string target = std::string(1, name[0]) + ".resect";
+    CHECK(test::refuses([&] { Recorder(folder / target, scenario, simulation); },
+                        "is there already"));
+    CHECK(test::bytesOf(kept) == "mine");
+  }
+  const auto path = folder / "d.resect";
+  recordRun(scenario, path, 5);
+  // A journal beside it that would have SQLite delete another file.
+  const auto journal = folder.write("d.resect-journal", "not SQLite's");
+  const std::string before = test::bytesOf(path);
+  CHECK(!verify(path).first);
+  CHECK(test::bytesOf(path) == before);
+  CHECK(test::bytesOf(journal) == "not SQLite's");
+  write(path, "CREATE VIEW v AS SELECT 1");
+  CHECK(test::refuses([&] { verify(path); }, "its tables are not those of a recording"));
+  std::filesystem::create_symlink(path, folder / "link.resect");
+  CHECK(test::refuses([&] { verify(folder / "link.resect"); }, "is no ordinary file"));
 }

@@ -48,8 +48,9 @@ void addVerifyCommand(CLI::App& app) {
                       {"complete", proof.complete}});
       return;
     }
-    fmt::print("verified {} frames, {} key states, {} {}{}\n", proof.frames, proof.keyStates,
-               proof.branches, proof.branches == 1 ? "branch" : "branches",
+    fmt::print("verified {} frames, {} key {}, {} {}{}\n", proof.frames, proof.keyStates,
+               proof.keyStates == 1 ? "state" : "states", proof.branches,
+               proof.branches == 1 ? "branch" : "branches",
                proof.complete ? "" : "; the program ended before the recording did");
   });
 }

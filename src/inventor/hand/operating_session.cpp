@@ -90,6 +90,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch)) {
   for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
   tools_.changed = [this] { toolsChanged(); };
+  tools_.released = [this] { operation_.endStroke(); };
   tools_.readyPlace = Vec3(organBox_.centre().x(), organBox_.max.y() + 0.02,
                            organBox_.centre().z() + 0.15 * organBox_.size().z());
   tools_.constrain = [this](int tool, const Pose& pose) {

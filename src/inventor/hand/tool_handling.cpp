@@ -248,6 +248,7 @@ void ToolHandling::mouseButton(SoEventCallback& node) {
         if (!dragging_ && !elsewhere_ && pressed_ >= 0) hold(pressed_, precise_);
         // The release of a press that the camera handled is the camera's too.
         if (pressed_ >= 0) node.setHandled();
+        if (dragging_ && released) released();
         pressed_ = -1;
         elsewhere_ = dragging_ = false;
         return;

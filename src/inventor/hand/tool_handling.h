@@ -77,6 +77,8 @@ class ToolHandling {
 
   // Called after a tool was taken, let go or moved, and when its jaws begin or cease to close.
   std::function<void()> changed;
+  // Called when the mouse button with which a tool was moved is released.
+  std::function<void()> released;
 
  private:
   void requireTool(int tool) const;

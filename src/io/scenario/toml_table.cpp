@@ -24,6 +24,7 @@ namespace {
 #include "geometry/rotation.h"
 #include "io/scenario/length.h"
 #include "io/scenario/toml_limits.h"
+#include "io/whole_file.h"
 
 namespace resect {
 
@@ -39,14 +40,7 @@ TomlTable TomlTable::readFile(const std::filesystem::path& path) {
   std::error_code ec;
   if (!std::filesystem::is_regular_file(path, ec))
     throw error("cannot read {}: there is no such file; check the name", path.string());
-  if (std::filesystem::file_size(path, ec) > kMostTomlBytes)
-    throw error("{} is larger than {} MB, no settings file is; check the name", path.string(),
-                kMostTomlBytes >> 20);
-  std::ifstream in(path, std::ios::binary);
-  if (!in) throw error("cannot read {}: no permission to open it", path.string());
-  std::stringstream text;
-  text << in.rdbuf();
-  return parse(text.str(), path.string());
+  return parse(readWholeFile(path, kMostTomlBytes), path.string());
 }
 
 namespace {

@@ -82,6 +82,11 @@ void LiveOperation::setPaused(bool paused) {
 void LiveOperation::undo() { ask(Jump::Undo); }
 void LiveOperation::redo() { ask(Jump::Redo); }
 
+void LiveOperation::endStroke() {
+  const std::lock_guard lock(mutex_);
+  strokeEnds_ = true;
+}
+
 void LiveOperation::ask(Jump jump) {
   const std::lock_guard lock(mutex_);
   jump_ = jump;
@@ -142,7 +147,7 @@ std::optional<LiveOperation::Frame> LiveOperation::nextFrame(
   wake_.wait(lock, [&] { return ending_ || (!paused_ && readers_ == 0); });
   if (ending_) return std::nullopt;
   stepping_ = true;
-  Frame frame{input_, {}, std::exchange(jump_, Jump::None)};
+  Frame frame{input_, {}, std::exchange(jump_, Jump::None), std::exchange(strokeEnds_, false)};
   input_.iso.reset();
   if (const auto next = motion_ ? motion_() : std::nullopt)
     frame.input.tools = frame.played = next->tools;
@@ -171,6 +176,7 @@ void LiveOperation::work() {
     StageClock clock;
     std::string refusal;
     try {
+      if (frame->strokeEnds) history_.endStroke();
       history_.beforeStep(input, *simulation_);
       simulation_->step(input, report, &clock);
       history_.afterStep(input, report);

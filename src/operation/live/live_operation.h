@@ -55,6 +55,8 @@ class LiveOperation {
   // motion ends. LiveState::jumps counts these calls, also those that changed nothing.
   void undo();
   void redo();
+  // What is done from the next frame on is another stroke.
+  void endStroke();
   void setPaused(bool paused);
 
   // Gives what is new since the last call of take(): writes one surface update per organ to
@@ -74,6 +76,7 @@ class LiveOperation {
     FrameInput input;
     std::vector<ToolInput> played;  // the tools as motion_ moves them; empty: no motion plays
     Jump jump = Jump::None;
+    bool strokeEnds = false;
   };
   void work();
   void ask(Jump jump);
@@ -92,6 +95,7 @@ class LiveOperation {
   // fresh_: a frame has ended since the last take().
   bool paused_ = false, ending_ = false, fresh_ = false;
   Jump jump_ = Jump::None;
+  bool strokeEnds_ = false;
   bool stepping_ = false;  // a frame is being computed: only the thread may use the simulation
   int readers_ = 0;  // callers waiting for the end of the frame; the next frame waits for them
   std::atomic<bool> stop_ = false;            // leaves the frame that is being computed

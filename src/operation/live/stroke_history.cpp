@@ -12,6 +12,16 @@ bool touches(const StepReport& report) {
          std::ranges::any_of(report.toolForce, pushed);
 }
 
+namespace {
+
+bool still(const ToolInput& a, const ToolInput& b) {
+  return a.pose.position == b.pose.position &&
+         a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.inHand == b.inHand &&
+         a.squeeze == b.squeeze && a.pedal == b.pedal;
+}
+
+}  // namespace
+
 void StrokeHistory::beforeStep(const FrameInput& input, const Simulation& simulation) {
   if (stroke_) return;
   const bool inHand = std::ranges::any_of(input.tools, &ToolInput::inHand);
@@ -22,7 +32,9 @@ void StrokeHistory::beforeStep(const FrameInput& input, const Simulation& simula
 }
 
 void StrokeHistory::afterStep(const FrameInput& input, const StepReport& report) {
-  const bool contact = touches(report);
+  if (!std::ranges::equal(input.tools, before_, still)) resting_ = false;
+  before_ = input.tools;
+  const bool contact = touches(report) && !resting_;
   if (contact) untouched_ = 0;
   if (stroke_) {
     untouched_ += input.duration;

@@ -12,7 +12,9 @@ void SurfacePublisher::follow(const PresentSurface& surface) {
   // A viewer that falls behind gets the whole surface once instead of the same ranges many times.
   const bool late = update_.rest.size() > 2 * tracker.points().size() ||
                     update_.triangles.size() > 2 * tracker.triangles().size();
-  if (!std::exchange(begun_, true) || update_.everything || changes.everything || late)
+  const std::uint64_t last = std::exchange(followed_, changes.number);
+  const bool missed = changes.number != last && changes.number != last + 1;
+  if (!std::exchange(begun_, true) || update_.everything || changes.everything || late || missed)
     return tellEverything(surface);
 
   for (const IndexRange& r : changes.vertices)

@@ -25,9 +25,10 @@ class SurfacePublisher {
   // the block was last published.
   explicit SurfacePublisher(float seenMotion = kSeenMotion) : seenMotion_(seenMotion) {}
 
-  // Call after every step, since the surface keeps only the changes of the last step. In three
+  // Call after every step, since the surface keeps only the changes of the last step. In four
   // cases the next update is the whole surface: after the first call, after the surface's arrays
-  // were made anew, and when the collected changes exceed twice the surface.
+  // were made anew, after a step that was not followed (an undo restores a state and plays on), and
+  // when the collected changes exceed twice the surface.
   void follow(const PresentSurface& surface);
 
   // Returns the changes collected since take() was last called. A viewer that applies all updates
@@ -40,6 +41,7 @@ class SurfacePublisher {
 
   float seenMotion_;
   bool begun_ = false;
+  std::uint64_t followed_ = 0;  // SurfaceTracker::Changes::number at the last follow()
   SurfaceUpdate update_;
   std::vector<Vec3f> told_;           // for moving tissue: last published position of each vertex
   std::vector<std::uint8_t> unseen_;  // 1 for each block whose motion has not been taken yet

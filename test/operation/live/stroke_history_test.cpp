@@ -46,7 +46,7 @@ struct Operation {
     for (int i = 1; i <= 10; ++i) step(above - Vec3(0, (0.028 + deep) * i / 10, 0));
     for (int i = 1; i <= 6; ++i) step(above + Vec3(along * i / 6, -0.028 - deep, 0));
     for (int i = 1; i <= 6; ++i) step(above + Vec3(along, (-0.028 - deep) * (6 - i) / 6, 0));
-    wait(8);
+    wait(8);  // put back: the stroke ends
   }
   // Checks that the state is one of the way, forgets what came after it.
   void wentBack() {
@@ -90,6 +90,23 @@ TEST_CASE("strokes beside the organ are none, and a new stroke ends what can be 
   op.stroke(0.02, 0.012, 0.004);
   CHECK(op.history.redoable() == 0);
   CHECK(op.history.undoable() == 2);
+}
+
+TEST_CASE("a stroke ends when the button is released, and the next one when the tool moves again") {
+  Operation op;
+  const Vec3 above(0.03, 0.06, -0.005), inside = above - Vec3(0, 0.04, 0);
+  for (int i = 0; i <= 10; ++i) op.step(above + (inside - above) * i / 10);
+  CHECK(op.history.undoable() == 1);
+  op.history.endStroke();
+  for (int i = 0; i < 10; ++i) op.step(inside);
+  CHECK(op.history.undoable() == 1);
+  for (int i = 0; i <= 4; ++i) op.step(inside + Vec3(0.002 * i, 0, 0));
+  CHECK(op.history.undoable() == 2);
+  CHECK(op.history.undo(op.simulation));
+  op.wentBack();
+  CHECK(op.history.undo(op.simulation));
+  op.wentBack();
+  CHECK(op.simulation.frame() < 8);
 }
 
 TEST_CASE("strokes, undo and redo in any order give equal states, in bounded memory") {

@@ -176,3 +176,32 @@ TEST_CASE("new vertices of tissue that moves come with rest place, cut, point an
   CHECK(live.off() < 2 * SurfacePublisher::kSeenMotion);
   CHECK(live.sameAtRest());
 }
+
+TEST_CASE("after a restore and steps that were not followed the viewer gets the whole surface") {
+  for (const bool elastic : {false, true}) {
+    CAPTURE(elastic);
+    Followed live = elastic ? elasticBlock() : stillBlock();
+    const Vec3 middle = live.simulation.organ().rest.lattice.box().centre();
+    const auto pose = [&](int i) {
+      return elastic ? pressed(0.0005 * i) : Pose{middle + Vec3(0.002 * (i - 6), 0, 0), kUpright};
+    };
+    Bytes kept;
+    for (int i = 0; i < 12; ++i) {
+      if (i == 4) kept = live.simulation.save();
+      live.step(pose(i));
+      live.take();
+    }
+    live.simulation.restore(kept);
+    FrameInput input;
+    input.tools = {{pose(4)}};
+    live.simulation.step(input);
+    live.simulation.step(input);
+    live.publisher.follow(presentSurface(live.simulation));
+    live.take();
+    CHECK(live.off() < 1e-4f);
+    CHECK(live.sameAtRest());
+    live.step(pose(7));
+    live.take();
+    CHECK(live.off() < 1e-4f);
+  }
+}
