@@ -1,19 +1,26 @@
 #!/usr/bin/env bash
-# tools/fuzz.sh [SECONDS [BUILD]]: builds the fuzz targets of the readers that are ours (test/fuzz) below BUILD
-# (build/fuzz) with clang and its sanitizers, and runs each for SECONDS (10), two at a time. What a longer run finds is
+# tools/fuzz.sh [HOURS | --seconds N] [BUILD]: builds the fuzz targets of the readers that are ours (test/fuzz) below
+# BUILD (build/fuzz) with clang and its sanitizers, and runs each for so long (10 s), two at a time. What a longer run finds is
 # added to BUILD/found/TARGET, where the next run begins; an input that breaks a reader lies in BUILD/broken.
 # Exits with 77 where clang is missing, with 1 where a reader broke or did not build.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-seconds=${1:-10}
-build=${2:-$root/build/fuzz}
+seconds=10
+if [[ ${1:-} == --seconds ]]; then
+  seconds=${2:-}
+  shift $(($# > 1 ? 2 : 1))
+elif (($#)); then
+  seconds=$(awk -v hours="$1" 'BEGIN { print int(3600 * hours) }')
+  shift
+fi
+build=${1:-$root/build/fuzz}
 
 if ! command -v clang++ >/dev/null; then
   echo "skipped: there is no clang++; tools/install_packages.sh installs it"
   exit 77
 fi
 if ! [[ $seconds =~ ^[1-9][0-9]*$ ]]; then
-  echo "resect: error: $seconds is not a number of seconds; use tools/fuzz.sh 3600 for an hour a target" >&2
+  echo "resect: error: that is no time; use tools/fuzz.sh 2 for two hours a target, or --seconds 30" >&2
   exit 2
 fi
 mkdir -p "$build/broken"
