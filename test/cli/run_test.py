@@ -330,7 +330,7 @@ class Complaints(unittest.TestCase):
                                 f'[[tool]]\nmodel = "{name}.toml"\n'
                                 'keys = [ { time = 0, position = [0, 0.2, 0] }, '
                                 '{ time = 0.05, position = [0, 0.19, 0], squeeze = 1 } ]\n')
-            done = resect("run", scenario, "--frames", folder / name, "--size", "160x90")
+            done = resect("run", scenario, "--frames", folder / name, "--overwrite", "--size", "160x90")
             self.assertEqual(done.returncode, 1 if name == "far_jaw" else 0, (name, done.stderr))
             if done.returncode == 1:
                 self.assertIn(f"{name}.iv: ", done.stderr)
