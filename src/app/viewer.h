@@ -51,7 +51,6 @@ class Viewer : public QWidget {
   std::function<void()> ticked;  // called after each update from the operation
   // Called with each event. If it returns true, the session does not get the event.
   std::function<bool(const SoEvent&, const SbViewportRegion&)> before;
-  std::function<void(const std::string&)> failed;  // gets a sentence
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -26,7 +26,7 @@ void addSurfaceCommand(CLI::App& app) {
   };
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("surface", "Draw the surface of the organ in a file of particles");
+      app.add_subcommand("surface", "Write the surface of the organ in a file of particles");
   command->add_option("FILE", options->input, "File of particles: .dis .resect-cells")->required();
   command->add_option("-o,--output", options->output, "Mesh file: .obj .stl .ply .vtk .iv")
       ->required();
