@@ -21,6 +21,7 @@ class Screen:
             raise AssertionError("Xvfb does not start")
         self.environment = {**os.environ, "DISPLAY": ":" + number,
                             "QT_QPA_PLATFORM": "xcb", "XDG_CONFIG_HOME": str(folder / "config"),
+                            "XDG_STATE_HOME": str(folder / "state"),
                             "XDG_RUNTIME_DIR": str(folder)}
 
     def start(self):

@@ -164,6 +164,14 @@ class AtTheWindow(unittest.TestCase):
         window.process.wait(timeout=30)
         self.assertEqual(window.process.returncode, 0)
 
+        # The window has recorded both operations by itself, with the strokes taken back.
+        recordings = sorted((FOLDER / "state" / "resect" / "recordings").glob("*.resect"))
+        self.assertGreaterEqual(len(recordings), 2)
+        proofs = [subprocess.run([PROGRAM, "verify", file], capture_output=True, text=True, timeout=120)
+                  for file in recordings[-2:]]
+        self.assertEqual([proof.stderr for proof in proofs], ["", ""])
+        self.assertIn("3 branches", proofs[0].stdout)
+
     def test_keys_come_back_from_the_panels(self):
         screen = self.screen
         window = self.opened()
