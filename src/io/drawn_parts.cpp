@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/text/shown_text.h"
 #include "geometry/measures.h"
 #include "geometry/rotation.h"
 #include "geometry/topology.h"
@@ -20,7 +21,7 @@ double opening(const ModelPart& part, const Jaws& jaws, const std::string& path)
   throw error(
       "{}: the part '{}' is neither jaw; begin the names of its two jaws with JawUpper and "
       "JawLower",
-      path, shownName(part.name));
+      path, shownText(part.name, kLongestName));
 }
 
 void close(DrawnPart& part, const Jaws& jaws) {

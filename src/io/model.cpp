@@ -188,16 +188,8 @@ void addToPart(Model& model, ModelPart piece) {
 const ModelPart& partNamed(const Model& model, const std::string& name) {
   for (const ModelPart& part : model.parts)
     if (part.name == name) return part;
-  throw error("{} has no part '{}'; choose one of: {}", model.path, shownName(name),
+  throw error("{} has no part '{}'; choose one of: {}", model.path, shownText(name, kLongestName),
               partList(model));
-}
-
-std::string shownName(std::string_view name) {
-  constexpr std::size_t kLongest = 60;
-  std::string text;
-  for (const char c : name.substr(0, kLongest)) text += (c >= 0 && c < ' ') || c == 127 ? '?' : c;
-  if (name.size() > kLongest) text += "...";
-  return text;
 }
 
 std::string partList(const Model& model, std::size_t most) {
@@ -206,7 +198,7 @@ std::string partList(const Model& model, std::size_t most) {
   const std::size_t shown = count > most ? most : count;
   for (std::size_t i = 0; i < shown; ++i) {
     if (i > 0) list += ", ";
-    list += model.parts[i].name.empty() ? "(no name)" : shownName(model.parts[i].name);
+    list += model.parts[i].name.empty() ? "(no name)" : shownText(model.parts[i].name, kLongestName);
   }
   if (shown < count) list += fmt::format(" and {} more", count - shown);
   return list;
@@ -217,7 +209,7 @@ void checkModel(const Model& model) {
   for (const ModelPart& part : model.parts) {
     const auto points = std::int32_t(part.mesh.points.size());
     const std::string where =
-        part.name.empty() ? "the mesh" : fmt::format("part '{}'", shownName(part.name));
+        part.name.empty() ? "the mesh" : fmt::format("part '{}'", shownText(part.name, kLongestName));
     triangles += part.mesh.triangles.size();
     for (const Vec3& p : part.mesh.points)
       if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestCoordinate)

@@ -53,9 +53,7 @@ void addToPart(Model& model, ModelPart piece);
 // The part of that name. If there is none, throws an Error that lists the names of the parts.
 const ModelPart& partNamed(const Model& model, const std::string& name);
 
-// A name from a foreign file for a message of one line: at most 60 characters, '?' for what cannot
-// be printed.
-std::string shownName(std::string_view name);
+inline constexpr std::size_t kLongestName = 60;  // characters of a part's name in a message
 
 // The names of the first `most` parts, as "a, b, c and 23 more". A name longer than 60 characters
 // is cut short.
