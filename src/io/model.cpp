@@ -198,7 +198,8 @@ std::string partList(const Model& model, std::size_t most) {
   const std::size_t shown = count > most ? most : count;
   for (std::size_t i = 0; i < shown; ++i) {
     if (i > 0) list += ", ";
-    list += model.parts[i].name.empty() ? "(no name)" : shownText(model.parts[i].name, kLongestName);
+    list +=
+        model.parts[i].name.empty() ? "(no name)" : shownText(model.parts[i].name, kLongestName);
   }
   if (shown < count) list += fmt::format(" and {} more", count - shown);
   return list;
@@ -208,8 +209,9 @@ void checkModel(const Model& model) {
   std::size_t triangles = 0;
   for (const ModelPart& part : model.parts) {
     const auto points = std::int32_t(part.mesh.points.size());
-    const std::string where =
-        part.name.empty() ? "the mesh" : fmt::format("part '{}'", shownText(part.name, kLongestName));
+    const std::string where = part.name.empty()
+                                  ? "the mesh"
+                                  : fmt::format("part '{}'", shownText(part.name, kLongestName));
     triangles += part.mesh.triangles.size();
     for (const Vec3& p : part.mesh.points)
       if (!p.allFinite() || p.cwiseAbs().maxCoeff() > kLargestCoordinate)
