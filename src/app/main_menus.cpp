@@ -10,11 +10,11 @@
 #include <QSettings>
 #include <QStatusBar>
 
-#include "app/controls_overlay.h"
 #include "app/main_window.h"
-#include "app/panels.h"
 #include "app/say.h"
 #include "app/viewer.h"
+#include "app/widgets/controls_overlay.h"
+#include "app/widgets/panels.h"
 #include "base/error.h"
 #include "io/data_folder.h"
 #include "io/scenario/scenario_file.h"
@@ -47,7 +47,7 @@ void MainWindow::makeMenus() {
         const QString name = QFileDialog::getOpenFileName(
             this, "Open", {},
             "All that can be opened (*.iv *.wrl *.obj *.stl *.ply *.off "
-            "*.glb *.gltf *.vtk *.dis *.resect-cells *.toml "
+            "*.glb *.gltf *.vtk *.dis *.resect-cells *.toml *.resect "
             "*.gz);;All files (*)");
         if (!name.isEmpty()) openFile(name);
       });
@@ -64,12 +64,27 @@ void MainWindow::makeMenus() {
     });
   recent_ = file->addMenu("&Recent files");
   fillRecent();
+  recordings_ = file->addMenu("Recorded op&erations");
+  recordings_->setToolTip("What the window has recorded by itself; opened, an operation goes on");
+  recordingOn_ = new QAction("&Record operations", this);
+  recordingOn_->setCheckable(true);
+  recordingOn_->setToolTip("Whether the next operations are recorded");
+  recordingOn_->setChecked(QSettings().value("record", true).toBool());
+  connect(recordingOn_, &QAction::toggled, this,
+          [](bool on) { QSettings().setValue("record", on); });
+  connect(recordings_, &QMenu::aboutToShow, this, [this] { listRecordings(); });
   add(file, "Begin &again", QKeySequence("Ctrl+N"),
       "The organ whole again, with the settings of its panel", [this] { organ_->beginAgain(); });
   file->addSeparator();
+  add(file, "&Save operation", QKeySequence::Save,
+      "All that was done, as one file: opened, the operation goes on where it was",
+      [this] { saveOperation(false); });
+  add(file, "Save operation &as ...", QKeySequence("Ctrl+Shift+S"), "The same under another name",
+      [this] { saveOperation(true); });
+  file->addSeparator();
   add(file, "Save s&urface ...", QKeySequence("Ctrl+E"), "The organ as it is now, as a closed mesh",
       [this] { saveSurface(); });
-  add(file, "&Save scene ...", QKeySequence::Save,
+  add(file, "Save s&cene ...", QKeySequence("Ctrl+Shift+E"),
       "The whole room as an Inventor file, for this program and others", [this] { saveScene(); });
   add(file, "Save &picture ...", QKeySequence("Ctrl+P"),
       "The picture as it is seen, with smooth edges", [this] { savePicture(); });
@@ -80,11 +95,13 @@ void MainWindow::makeMenus() {
   add(file, "&Quit", QKeySequence("Ctrl+Q"), "Ends the operation", [this] { close(); });
 
   QMenu* edit = menuBar()->addMenu("&Edit");
-  add(edit, "&Undo stroke", QKeySequence::Undo,
-      "Takes back the last stroke: from the first touch until the button was released",
-      [this] { undo(false); });
-  add(edit, "&Redo stroke", QKeySequence("Ctrl+Shift+Z"),
-      "Does again the stroke that was taken back last", [this] { undo(true); });
+  undo_ = add(edit, "&Undo stroke", QKeySequence::Undo,
+              "Takes back the last stroke: from the first touch until the button was released",
+              [this] { undo(false); });
+  redo_ = add(edit, "&Redo stroke", QKeySequence("Ctrl+Shift+Z"),
+              "Does again the stroke that was taken back last", [this] { undo(true); });
+
+  makeTimelineMenu();
 
   QMenu* view = menuBar()->addMenu("&View");
   const std::pair<const char*, RoomView> views[] = {{"&Surgeon", RoomView::Surgeon},

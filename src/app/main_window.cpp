@@ -20,11 +20,12 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/controls_overlay.h"
-#include "app/panels.h"
 #include "app/say.h"
-#include "app/theme.h"
 #include "app/viewer.h"
+#include "app/widgets/controls_overlay.h"
+#include "app/widgets/panels.h"
+#include "app/widgets/theme.h"
+#include "app/widgets/timeline_panel.h"
 #include "base/error.h"
 #include "formats/png_file.h"
 #include "inventor/reading/model_file.h"
@@ -132,7 +133,10 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
     settings.setValue("controls_seen", true);
   }
   if (options.reports) listenToScript();
-  load(options.scenario);
+  if (options.operation.empty())
+    load(options.scenario);
+  else
+    openOperation(QString::fromStdString(options.operation));
 }
 
 MainWindow::~MainWindow() {
@@ -152,6 +156,7 @@ void MainWindow::makeDocks() {
   removed_ = new RemovedPanel;
   force_ = new ForcePanel;
   timing_ = new TimingPanel;
+  timeline_ = new TimelinePanel;
   dock("Instruments", instruments_);
   dock("Organ", organ_);
   dock("Removed", removed_);
@@ -162,9 +167,15 @@ void MainWindow::makeDocks() {
   stages->setFocusPolicy(Qt::NoFocus);
   stages->setWidget(timing_);
   dock("Timing", stages);
+  auto* below = new QDockWidget("Timeline", this);
+  below->setObjectName("Timeline");
+  below->setWidget(timeline_);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  addDockWidget(Qt::BottomDockWidgetArea, below);
   force_->parentWidget()->hide();  // until tissue moves and exerts forces
   // Fixed width from the start, so that the picture does not shift when numbers appear.
   QList<QDockWidget*> docks = findChildren<QDockWidget*>();
+  docks.removeOne(below);
   resizeDocks(docks, QList<int>(docks.size(), 32 * fontMetrics().averageCharWidth()),
               Qt::Horizontal);
   // In lines of text.
@@ -181,12 +192,15 @@ void MainWindow::makeDocks() {
   };
   organ_->isoChanged = [this](float iso) {
     if (!session_) return;
-    session_->iso().setValue(iso);
-    session_->operation().setIso(iso);
+    session_->setIso(iso);
   };
   organ_->rebuild = [this](std::optional<double> spacing, int refine, bool elastic) {
     if (!session_) return;
     Scenario scenario = session_->scenario();
+    // The files from which an opened operation was made need not be here.
+    if (goesOn_ && !spacing && refine == scenario.organs[0].source.settings.refine &&
+        elastic == scenario.organs[0].tissue.elastic)
+      return session_->show({0, 0});
     if (spacing) setSpacing(scenario, session_->cells().lattice.spacing.x(), *spacing);
     for (ScenarioOrgan& organ : scenario.organs) organ.source.settings.refine = refine;
     if (elastic != scenario.organs[0].tissue.elastic)
@@ -194,91 +208,6 @@ void MainWindow::makeDocks() {
     load(scenario);
     keepsView_ = true;
   };
-}
-
-void MainWindow::load(const Scenario& scenario) {
-  keepsView_ = false;
-  if (session_) complaint_->hide();
-  progress_->setRange(0, 0);
-  progress_->show();
-  cancel_->show();
-  statusBar()->showMessage("Preparing the organ ...");
-  loader_.load(
-      scenario,
-      [this](double share) {
-        progress_->setRange(0, share < 0 ? 0 : 1000);
-        progress_->setValue(int(1000 * share));
-      },
-      [this](OrganLoader::Result result) { begin(std::move(result)); });
-}
-
-void MainWindow::cancelLoading() {
-  loader_.cancel();
-  progress_->hide();
-  cancel_->hide();
-  if (session_) {
-    statusBar()->showMessage("Cancelled; nothing has changed", 4000);
-  } else {
-    loadDefault();
-  }
-}
-
-// Loads the built-in liver at the start, coarse enough to appear at once.
-void MainWindow::loadDefault() {
-  Scenario scenario = options_.scenario;
-  keepFirstOrgan(scenario);
-  scenario.organs[0] = {};
-  scenario.organs[0].source.spacing = 0.006;
-  makeThesis(scenario);
-  load(scenario);
-}
-
-void MainWindow::begin(OrganLoader::Result result) {
-  progress_->hide();
-  cancel_->hide();
-  statusBar()->clearMessage();
-  if (!result.simulation) {
-    complain(result.problem);
-    const std::vector<ScenarioOrgan>& organs = result.scenario.organs;
-    if (!session_ && (organs.size() > 1 || organs[0].source.file != "liver")) loadDefault();
-    return;
-  }
-  try {
-    std::optional<ScenePlaces> places;
-    if (result.scenario.organs[0].source.part == kOrganNode)
-      places = readModel(result.scenario.organs[0].source.file).places;
-    std::shared_ptr<Recorder> recorder = record(result);
-    auto session = std::make_unique<OperatingSession>(
-        result.scenario, std::move(result.simulation), viewer_->aspect(),
-        recorder ? watchOf(recorder) : OperationWatch());
-    if (places) {
-      const int tools = std::min(int(places->tools.size()), session->tools().toolCount());
-      for (int i = 0; i < tools; ++i) session->tools().setPose(i, places->tools[std::size_t(i)]);
-      setCamera(session->room(), *places);
-    }
-    if (keepsView_ && session_)
-      session->room().camera()->copyFieldValues(session_->room().camera());
-    viewer_->show(nullptr);
-    session_ = std::move(session);
-    recorder_ = std::move(recorder);
-  } catch (const std::exception& e) {
-    return complain(e.what());
-  }
-  viewer_->show(session_.get());
-  heldSaid_ = -2;
-  removedSaid_ = 0;
-  uploadedSaid_ = 0;
-  removed_->clear();
-  instruments_->setTools(session_->toolModels());
-  const ScenarioOrgan& organ = session_->scenario().organs[0];
-  QString notes;
-  for (const std::string& note : result.notes) notes += shown(note, kLongestSentence) + "\n";
-  organ_->setOrgans(session_->scenario().organs, session_->cells().lattice.spacing.x(),
-                    notes.trimmed());
-  organ_->setIso(session_->iso().value());
-  viewer_->setFocus();
-  if (options_.reports)
-    say("organ {}", std::filesystem::path(organ.source.file).filename().string());
 }
 
 void MainWindow::tick() {
@@ -308,6 +237,7 @@ void MainWindow::tick() {
   film(now);
   if (options_.reports && playingSaid_ && !session_->playing()) say("played");
   playingSaid_ = session_->playing();
+  if (options_.reports) reportMoment();
   if (options_.reports) reportPace();
   if (now - panelsShown_ < kPanelInterval) return;
   panelsShown_ = now;
@@ -318,6 +248,9 @@ void MainWindow::tick() {
     force_->parentWidget()->setVisible(state.moves);
   if (state.moves) force_->follow(state, session_->playing() ? playedTool(state) : tools.held());
   timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
+  timeline_->follow(state, session_->showing());
+  undo_->setEnabled(state.undoable > 0);
+  redo_->setEnabled(state.redoable > 0);
   if (!options_.reports || state.frame == 0) return;
   // After the layout of the panels is final.
   const QSize size = viewer_->size();

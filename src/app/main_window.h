@@ -4,8 +4,8 @@
 #include <QMainWindow>
 #include <memory>
 
-#include "app/open_organ_dialog.h"
-#include "app/organ_loader.h"
+#include "app/loading/operation_loader.h"
+#include "app/loading/organ_loader.h"
 #include "app/space_mouse.h"
 #include "app/window.h"
 #include "formats/video.h"
@@ -25,6 +25,7 @@ class ForcePanel;
 class InstrumentsPanel;
 class OrganPanel;
 class RemovedPanel;
+class TimelinePanel;
 class TimingPanel;
 class Viewer;
 
@@ -54,6 +55,15 @@ class MainWindow : public QMainWindow {
   void makeDocks();
   void begin(OrganLoader::Result result);
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
+  void openOperation(const QString& file);
+  // Whether the operation may be given up: nothing would be lost, or the person says so.
+  bool mayEnd();
+  void saveOperation(bool elsewhere);
+  void writeOperation(const std::string& file);
+  void listRecordings();
+  void makeTimelineMenu();
+  void compareBranches();
+  void showProgress(double share);
   void loadDefault();
   void cancelLoading();
   void tick();
@@ -77,6 +87,7 @@ class MainWindow : public QMainWindow {
   void bringEverythingBack();
   void reportPlaces();
   void reportPace();
+  void reportMoment();
   void resizePicture(const std::string& text);
   void placeOverlays();
   // Asks the user for a file name and calls `write` with it. If `write` throws, the user sees the
@@ -88,6 +99,7 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<Recorder> recorder_;  // of the session; null: it is not recorded
   std::unique_ptr<OperatingSession> session_;
   OrganLoader loader_;
+  OperationLoader operations_;
   SpaceMouse spaceMouse_;
   Viewer* viewer_;
   ControlsOverlay* overlay_;
@@ -95,13 +107,15 @@ class MainWindow : public QMainWindow {
   QProgressBar* progress_;
   QPushButton* cancel_;
   QLabel* recording_;
-  QMenu* recent_;
+  QMenu *recent_, *recordings_;
+  QAction *undo_, *redo_, *recordingOn_;
   QAction* dark_;
   InstrumentsPanel* instruments_;
   OrganPanel* organ_;
   RemovedPanel* removed_;
   ForcePanel* force_;
   TimingPanel* timing_;
+  TimelinePanel* timeline_;
   std::unique_ptr<VideoWriter> video_;
   QSize videoSize_;
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // times, ms since 1970
@@ -112,9 +126,12 @@ class MainWindow : public QMainWindow {
   int heldSaid_ = -2;               // number of the tool in hand; -1: none; -2: nothing said yet
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::string script_, faultSaid_, recorderSaid_;
-  bool lookingAt_ = false;  // the next click chooses the point that the camera looks at
+  std::string operationFile_;  // in which the operation is kept; empty: it has no name yet
+  bool goesOn_ = false;        // it was opened from a recording
+  bool lookingAt_ = false;     // the next click chooses the point that the camera looks at
   bool readySaid_ = false;
-  bool playingSaid_ = false;
+  bool playingSaid_ = false, showingSaid_ = false;
+  Moment momentSaid_;
   bool keepsView_ = false;  // the same organ is being loaded again: the camera stays
   // The picture's size at the last update of the panels, and at the last report of positions.
   QSize lastSize_, placesSize_;

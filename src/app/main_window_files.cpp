@@ -9,6 +9,7 @@
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
+#include "app/widgets/open_organ_dialog.h"
 #include "base/error.h"
 #include "formats/gltf_files.h"
 #include "formats/png_file.h"
@@ -49,7 +50,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
 void MainWindow::openFile(const QString& file) {
   try {
     const std::filesystem::path path = file.toStdString();
-    if (path.extension() == ".toml") {
+    if (path.extension() == ".resect") {
+      openOperation(file);
+    } else if (path.extension() == ".toml") {
       load(readScenario(path));
       remember(file);
     } else if (isParticleFile(path)) {

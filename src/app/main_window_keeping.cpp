@@ -1,15 +1,13 @@
-// What the window keeps of an operation: its recording, strokes to undo, films of the picture.
+// What the window keeps of an operation: strokes to undo, films of the picture.
 #include <QCloseEvent>
 #include <QDateTime>
 #include <QFileDialog>
 #include <QLabel>
-#include <QSettings>
 #include <QStatusBar>
 
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
-#include "record/session_recordings.h"
 
 namespace resect {
 
@@ -63,21 +61,10 @@ void MainWindow::film(qint64 now) {
   }
 }
 
-// Finishes a film in progress.
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (video_) toggleVideo();
+  if (!mayEnd()) return event->ignore();
+  if (video_) toggleVideo();  // finishes the film
   QMainWindow::closeEvent(event);
-}
-
-// A recorder of the coming operation; null if none is wanted, or none can be made, which is said.
-std::shared_ptr<Recorder> MainWindow::record(const OrganLoader::Result& result) {
-  if (!QSettings().value("record", true).toBool()) return nullptr;
-  try {
-    return recordSession(result.scenario, *result.simulation);
-  } catch (const std::exception& e) {
-    complain(e.what());
-    return nullptr;
-  }
 }
 
 // Takes the last stroke back, or does it again.

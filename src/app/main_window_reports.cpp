@@ -9,6 +9,7 @@
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
+#include "app/widgets/timeline_panel.h"
 #include "formats/png_file.h"
 #include "inventor/gl/SoOrganShape.h"
 #include "io/mesh_file.h"
@@ -16,7 +17,8 @@
 namespace resect {
 
 // Commands of scripts, which bypass the file dialogs: "open FILE", "save-scene FILE", "save-surface
-// FILE", "save-picture FILE"; and the picture's size: "picture-size WIDTH HEIGHT".
+// FILE", "save-picture FILE", "save-operation FILE"; and the picture's size: "picture-size WIDTH
+// HEIGHT".
 void MainWindow::listenToScript() {
   auto* lines = new QSocketNotifier(0, QSocketNotifier::Read, this);
   connect(lines, &QSocketNotifier::activated, this, [this, lines] {
@@ -32,6 +34,10 @@ void MainWindow::listenToScript() {
                         file = space == std::string::npos ? "" : line.substr(space + 1);
       try {
         if (what == "open") openFile(QString::fromStdString(file));
+        if (what == "save-operation") {
+          writeOperation(file);
+          continue;
+        }
         if (what.starts_with("save")) checkWritten(file);
         if (what == "save-scene") writeScene(file);
         if (what == "save-surface") writeMeshFile(file, session_->operation().surface().mesh);
@@ -75,7 +81,22 @@ void MainWindow::reportPlaces() {
     say("place {} {} {}", field->accessibleName().toStdString(), int(global.x() * ratio),
         int(global.y() * ratio));
   }
+  const auto [start, end] = timeline_->barEnds();
+  say("place timeline-start {} {}", int(start.x() * ratio), int(start.y() * ratio));
+  say("place timeline-end {} {}", int(end.x() * ratio), int(end.y() * ratio));
   say("places");
+}
+
+// Reports the moment that is shown, and that the operation goes on.
+void MainWindow::reportMoment() {
+  const LiveState& state = session_->state();
+  const bool arrived = session_->showing() && state.showing && session_->answered();
+  if (arrived && (!showingSaid_ || momentSaid_ != state.moment))
+    say("showing branch {} frame {} removed {}", state.moment.branch, state.moment.frame,
+        state.removed);
+  if (showingSaid_ && !session_->showing()) say("operating");
+  if (arrived) momentSaid_ = state.moment;
+  if (arrived || !session_->showing()) showingSaid_ = session_->showing();
 }
 
 // Reports rates and latencies while somebody operates.

@@ -62,7 +62,7 @@ Database::Database(const fs::path& path, Mode mode) : name_(path.string()) {
   fs::path file = fs::absolute(path);
   if (mode == Mode::Create) {
     requireNothingThere(file);
-  } else {
+  } else if (mode == Mode::Copy) {
     folder_.reset(new fs::path(copied(file)));
     file = *folder_ / "copy";
   }
@@ -102,6 +102,18 @@ void Database::fail() const {
 
 void Database::run(const std::string& sql) {
   if (::sqlite3_exec(db_.get(), sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
+}
+
+void Database::copyTo(const fs::path& path) {
+  requireNothingThere(path);
+  try {
+    Statement(*this, "VACUUM INTO ?").bind(0, std::string_view(fs::absolute(path).string())).run();
+  } catch (const Error& e) {
+    std::error_code ec;
+    fs::remove(path, ec);
+    throw error("{}: cannot be written ({}); free some space or choose another place",
+                path.string(), e.what());
+  }
 }
 
 std::int64_t Database::number(const std::string& sql) {

@@ -21,8 +21,9 @@ class Database {
   // Create: a new file; nothing may be there under its name, nor under the names that SQLite uses
   // beside it (-wal, -shm, -journal), since it would remove them. Copy: opens a private copy of a
   // file and of its -wal in a temporary folder. So what a file or its neighbours say makes SQLite
-  // change nothing but the copy. Both take ordinary files only, and follow no link.
-  enum class Mode { Create, Copy };
+  // change nothing but the copy. Both take ordinary files only, and follow no link. GoOn: opens a
+  // file that this program has made just now, for adding to it.
+  enum class Mode { Create, Copy, GoOn };
   Database(const std::filesystem::path& path, Mode mode);
   Database();  // in memory, empty
   ~Database();
@@ -30,6 +31,8 @@ class Database {
 
   // Runs statements that return nothing.
   void run(const std::string& sql);
+  // Writes the whole database as a new file; nothing may be there, nor beside it (Mode::Create).
+  void copyTo(const std::filesystem::path& path);
   std::int64_t number(const std::string& sql);  // the first value of the first row; 0 without one
   const std::string& name() const { return name_; }
   // Throws the Error for the last failure.

@@ -149,7 +149,7 @@ Bytes frameToBytes(const FrameInput& input, const FrameInput& before) {
   Bytes bytes;
   Writer to(bytes);
   to.plain(input.duration);
-  to.plain(std::uint8_t(input.iso.has_value()));
+  to.plain(std::uint8_t(input.strokeEnds)), to.plain(std::uint8_t(input.iso.has_value()));
   if (input.iso) to.plain(*input.iso);
   to.count(input.tools.size());
   for (std::size_t i = 0; i < input.tools.size(); ++i) {
@@ -173,6 +173,7 @@ FrameInput frameFromBytes(std::span<const std::byte> bytes, const FrameInput& be
   Reader from(bytes);
   FrameInput input;
   input.duration = from.plain<double>();
+  input.strokeEnds = from.flag();
   if (from.flag()) input.iso = from.plain<float>();
   const std::uint64_t tools = from.count(1);
   if (tools > kMostTools) damaged();

@@ -3,10 +3,17 @@
 #include <fmt/format.h>
 #include <resect/version.h>
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <cstring>
+#include <fstream>
 
 #include "base/error.h"
+#include "io/output/output_target.h"
+#include "io/output/temporary_file.h"
 #include "record/frame_bytes.h"
 
 namespace resect {
@@ -24,6 +31,23 @@ std::size_t sizeOf(const T& item) {
   return sizeof item;
 }
 
+// The bytes of `from` as a file of its own at `to`, which is replaced when all is on the disk.
+void copyOver(const std::filesystem::path& from, const std::filesystem::path& to) {
+  TemporaryFile file(findTarget(to).path);
+  std::ifstream in(from, std::ios::binary);
+  std::vector<char> block(std::size_t(1) << 20);
+  while (in.read(block.data(), std::streamsize(block.size())), in.gcount() > 0) {
+    for (std::streamsize at = 0; at < in.gcount();) {
+      const auto put = ::write(file.descriptor(), block.data() + at, std::size_t(in.gcount() - at));
+      if (put < 0)
+        throw error("{}: cannot be written: {}; choose another place or free some space",
+                    to.string(), std::strerror(errno));
+      at += put;
+    }
+  }
+  file.rename();
+}
+
 const char* instructionSet() {
 #if defined(__x86_64__)
   return __builtin_cpu_supports("avx2") ? "x86-64 with AVX2" : "x86-64";
@@ -39,40 +63,16 @@ RecordingInfo infoOf(const Scenario& scenario, FrameHashes& hashes, const Simula
   return {"resect " RESECT_VERSION, instructionSet(), scenario.frameRate, hashes.fields()};
 }
 
+std::int64_t framesPerKey(double frameRate) {
+  return std::max<std::int64_t>(1, std::llround(Recorder::kKeyStateSeconds * frameRate));
+}
+
 }  // namespace
 
 const std::vector<std::uint64_t>& FrameHashes::of(const Simulation& simulation) {
   hashes_.clear();
   visitState(simulation, hashes_);
   return hashes_.values();
-}
-
-std::vector<RecordedEvent> eventsOf(const StepReport& report, const Simulation& simulation,
-                                    EventMemory& memory) {
-  std::vector<RecordedEvent> events;
-  const auto note = [&](std::string kind, std::int64_t tool, std::int64_t organ, double amount,
-                        std::string text = {}) {
-    events.push_back({0, simulation.frame(), simulation.time(), tool, organ, std::move(kind),
-                      amount, std::move(text)});
-  };
-  const std::size_t tools = simulation.tools().size(), organs = simulation.organs().size();
-  memory.touching.resize(tools, 0), memory.inHand.resize(tools, 0);
-  for (std::size_t t = 0; t < tools; ++t) {
-    const bool inHand = simulation.tools()[t].inHand;
-    if (inHand != bool(memory.inHand[t]))
-      note(inHand ? "take" : "put_back", std::int64_t(t), -1, 0);
-    bool touching = t < report.toolForce.size() && report.toolForce[t].squaredNorm() > 0;
-    for (std::size_t o = 0; o < organs; ++o)
-      touching |= !report.contacts[t * organs + o].cells.empty();
-    if (touching != bool(memory.touching[t]))
-      note(touching ? "touch" : "release", std::int64_t(t), -1, 0);
-    memory.inHand[t] = inHand, memory.touching[t] = touching;
-  }
-  if (report.removed > 0) note("remove", -1, -1, double(report.removed));
-  if (report.severed > 0) note("cut", -1, -1, double(report.severed));
-  if (report.torn > 0) note("tear", -1, -1, double(report.torn));
-  for (const std::string& fault : report.faults) note("fault", -1, -1, 0, fault);
-  return events;
 }
 
 std::vector<RecordedSample> samplesOf(const StepReport& report, const Simulation& simulation) {
@@ -93,11 +93,20 @@ std::vector<RecordedSample> samplesOf(const StepReport& report, const Simulation
 
 Recorder::Recorder(const std::filesystem::path& path, const Scenario& scenario,
                    const Simulation& simulation)
-    : file_(RecordingFile::create(path, infoOf(scenario, hashes_, simulation),
+    : path_(path),
+      file_(RecordingFile::create(path, infoOf(scenario, hashes_, simulation),
                                   setupOf(scenario, simulation))),
-      framesPerKey_(
-          std::max<std::int64_t>(1, std::llround(kKeyStateSeconds * scenario.frameRate))) {
-  begin(-1, "first", simulation);
+      framesPerKey_(framesPerKey(scenario.frameRate)) {
+  begin({0, -1, simulation.frame(), kFirstBranch}, simulation);
+  thread_ = std::thread([this] { write(); });
+}
+
+Recorder::Recorder(const std::filesystem::path& path, RecordingFile& done)
+    : path_(path),
+      file_(RecordingFile::goOn(path, done)),
+      framesPerKey_(framesPerKey(done.info().frameRate)) {
+  for (const Branch& branch : file_.branches())
+    keyFrame_.push_back(file_.keyFrames(branch.number).back());
   thread_ = std::thread([this] { write(); });
 }
 
@@ -111,56 +120,84 @@ void Recorder::put(Item item) {
   if (queued_ > kMostQueued) failure_ = "the disk is too slow for the recording, which ends here";
 }
 
-void Recorder::putKeyState(const Simulation& simulation) {
-  keyFrame_ = simulation.frame();
-  put(KeyState{presentBranch(), keyFrame_, simulation.save(), simulation.stateHash()});
-  before_ = {};
+void Recorder::putKeyState(Moment moment, const Simulation& simulation) {
+  keyFrame_[std::size_t(moment.branch)] = moment.frame;
+  put(KeyState{moment.branch, moment.frame, simulation.save(), simulation.stateHash()});
+  last_ = {-1, 0};
+}
+
+void Recorder::begin(const Branch& branch, const Simulation& simulation) {
+  require(branch.number == std::int64_t(keyFrame_.size()),
+          "branch {} begins after {} branches; number them in the order in which they begin",
+          branch.number, keyFrame_.size());
+  keyFrame_.push_back(branch.from);
+  put(branch);
+  putKeyState({branch.number, branch.from}, simulation);
+}
+
+void Recorder::record(Moment moment, const FrameInput& input, const StepReport& report,
+                      std::span<const OperationEvent> events, const Simulation& simulation) {
+  if (!failure().empty()) return;
+  const bool follows = last_.branch == moment.branch && last_.frame + 1 == moment.frame;
+  RecordedFrame frame{moment.branch, moment.frame, simulation.time(), !follows, {}, {}};
+  frame.input = frameToBytes(input, follows ? before_ : FrameInput());
+  frame.hashes.push_back(fastHash(frame.input.data(), frame.input.size()));
+  const std::vector<std::uint64_t>& fields = hashes_.of(simulation);
+  frame.hashes.insert(frame.hashes.end(), fields.begin(), fields.end());
+  last_ = moment;
+  before_ = input;
+  before_.edits.clear();
+  put(std::move(frame));
+  for (const OperationEvent& event : events) put(event);
+  for (RecordedSample& sample : samplesOf(report, simulation)) {
+    sample.branch = moment.branch;
+    put(sample);
+  }
+  if (moment.frame - keyFrame_[std::size_t(moment.branch)] >= framesPerKey_)
+    putKeyState(moment, simulation);
 }
 
 void Recorder::record(const FrameInput& input, const StepReport& report,
                       const Simulation& simulation) {
-  if (!failure().empty()) return;
-  RecordedFrame frame{presentBranch(),       simulation.frame(),           simulation.time(),
-                      before_.tools.empty(), frameToBytes(input, before_), {}};
-  frame.hashes.push_back(fastHash(frame.input.data(), frame.input.size()));
-  const std::vector<std::uint64_t>& fields = hashes_.of(simulation);
-  frame.hashes.insert(frame.hashes.end(), fields.begin(), fields.end());
-  before_ = input;
-  before_.edits.clear();
-  put(std::move(frame));
-  for (RecordedEvent& event : eventsOf(report, simulation, events_)) {
-    event.branch = presentBranch();
-    put(std::move(event));
+  record({0, simulation.frame()}, input, report, eventsOf(report, simulation, events_), simulation);
+}
+
+std::uintmax_t Recorder::size() const {
+  std::uintmax_t sum = 0;
+  for (const char* end : {"", "-wal"}) {
+    std::error_code ec;
+    const std::uintmax_t bytes = std::filesystem::file_size(path_.string() + end, ec);
+    if (!ec) sum += bytes;
   }
-  for (RecordedSample& sample : samplesOf(report, simulation)) {
-    sample.branch = presentBranch();
-    put(sample);
+  return sum;
+}
+
+void Recorder::saveAs(const std::filesystem::path& path) {
+  std::filesystem::path copy = path_;
+  copy += ".copy";
+  const auto removeCopy = [&] {
+    std::error_code ec;
+    std::filesystem::remove(copy, ec);
+  };
+  removeCopy();  // of a program that was killed
+  std::string failed;
+  {
+    std::unique_lock lock(mutex_);
+    if (!failure_.empty()) throw error("{}; nothing was saved", failure_);
+    saveFailure_.clear();
+    saveAs_ = copy;
+    wake_.notify_all();
+    wake_.wait(lock, [&] { return saveAs_.empty(); });
+    failed = saveFailure_;
   }
-  if (simulation.frame() - keyFrame_ >= framesPerKey_) putKeyState(simulation);
-}
-
-void Recorder::begin(std::int64_t parent, std::string name, const Simulation& simulation) {
-  branches_.push_back(
-      {std::int64_t(branches_.size()), parent, simulation.frame(), std::move(name)});
-  events_ = {};  // as in a replay, which begins here
-  put(branches_.back());
-  putKeyState(simulation);
-}
-
-void Recorder::wentBack(const Simulation& simulation) {
-  leftAt_.push_back(presentBranch());
-  // The frame may be older than the present branch.
-  std::int64_t parent = presentBranch();
-  while (parent > 0 && branches_[std::size_t(parent)].from > simulation.frame())
-    parent = branches_[std::size_t(parent)].parent;
-  begin(parent, fmt::format("undo {}", leftAt_.size()), simulation);
-}
-
-void Recorder::wentForward(const Simulation& simulation) {
-  require(!leftAt_.empty(), "nothing was taken back; call wentBack() first");
-  const std::int64_t parent = leftAt_.back();
-  leftAt_.pop_back();
-  begin(parent, "redo", simulation);
+  try {
+    if (!failed.empty()) throw error("{}", failed);
+    copyOver(copy, path);
+  } catch (...) {
+    removeCopy();
+    throw;
+  }
+  removeCopy();
 }
 
 std::string Recorder::failure() const {
@@ -172,24 +209,39 @@ std::string Recorder::failure() const {
 void Recorder::write() {
   for (bool last = false; !last;) {
     std::deque<Item> items;
+    std::filesystem::path saveAs;
+    bool failedBefore = false;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait_for(lock, kCommitPeriod, [&] { return ending_; });
+      wake_.wait_for(lock, kCommitPeriod, [&] { return ending_ || !saveAs_.empty(); });
       last = ending_;
+      saveAs = saveAs_;
       items.swap(queue_);
       queued_ = 0;
-      if (!failure_.empty()) continue;
+      failedBefore = !failure_.empty();
     }
-    if (items.empty() && !last) continue;
+    std::string failed, saveFailed;
     try {
-      file_.begin();
-      for (const Item& item : items) std::visit([&](const auto& one) { file_.add(one); }, item);
-      file_.commit();
-      if (last) file_.finish();
+      if (!items.empty() && !failedBefore) {
+        file_.begin();
+        for (const Item& item : items) std::visit([&](const auto& one) { file_.add(one); }, item);
+        file_.commit();
+      }
+      if (last && !failedBefore) file_.finish();
     } catch (const std::exception& e) {
-      const std::lock_guard lock(mutex_);
-      failure_ = e.what();
+      failed = e.what();
     }
+    try {
+      if (!saveAs.empty()) file_.copyTo(saveAs);
+    } catch (const std::exception& e) {
+      saveFailed = e.what();
+    }
+    const std::lock_guard lock(mutex_);
+    if (failure_.empty()) failure_ = failed;
+    if (saveAs.empty()) continue;
+    saveFailure_ = !failure_.empty() ? failure_ : saveFailed;
+    saveAs_.clear();
+    wake_.notify_all();
   }
 }
 

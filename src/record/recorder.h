@@ -31,58 +31,56 @@ class FrameHashes {
   FieldHashes hashes_;
 };
 
-// The events of a step: contacts that begin and end, tissue removed, cut and torn, pieces that came
-// off, instruments taken and put back, faults. `touching` (one flag per tool) and `pieces` are the
-// observer's memory from step to step.
-struct EventMemory {
-  std::vector<char> touching, inHand;
-};
-std::vector<RecordedEvent> eventsOf(const StepReport& report, const Simulation& simulation,
-                                    EventMemory& memory);
+// Where the tools in hand are and what they feel, after the step of the report.
 std::vector<RecordedSample> samplesOf(const StepReport& report, const Simulation& simulation);
 
 class Recorder {
  public:
-  // Creates the file; throws Error if that fails. simulation: at its start.
+  // Creates the file; throws Error if that fails. simulation: at its start, where branch 0 begins.
   Recorder(const std::filesystem::path& path, const Scenario& scenario,
            const Simulation& simulation);
+  // Creates a file that holds all that `done` holds, to which more will be added.
+  Recorder(const std::filesystem::path& path, RecordingFile& done);
   ~Recorder();  // as finish()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // After each step, by the thread that steps: 0.5 ms at 13 000 elastic particles, and the time of
-  // Simulation::save() and stateHash() once in kKeyStateSeconds.
+  // The two below are called by the thread that steps.
+  // A branch begins at the present state.
+  void begin(const Branch& branch, const Simulation& simulation);
+  // After each step; the frame follows the last one of its branch. Cost: 0.5 ms at 13 000 elastic
+  // particles, and the time of Simulation::save() and stateHash() once in kKeyStateSeconds.
+  void record(Moment moment, const FrameInput& input, const StepReport& report,
+              std::span<const OperationEvent> events, const Simulation& simulation);
+  // The same for an operation with one branch alone.
   void record(const FrameInput& input, const StepReport& report, const Simulation& simulation);
-
-  // To be called when the simulation has been restored to an earlier frame of its course: a stroke
-  // was taken back. What follows is a branch of its own.
-  void wentBack(const Simulation& simulation);
-  // To be called when the simulation has been restored to the state in which wentBack() was called
-  // last (of the calls that were not answered yet): what follows is a branch, too.
-  void wentForward(const Simulation& simulation);
-  std::int64_t presentBranch() const { return branches_.back().number; }
 
   // Why nothing is recorded any more; empty while all is well.
   std::string failure() const;
+  // Bytes of the file so far.
+  std::uintmax_t size() const;
+  // Writes all that is recorded so far as a file of its own, whole or not at all; replaces `path`.
+  // Waits until it is done. Throws Error if that fails.
+  void saveAs(const std::filesystem::path& path);
   // Waits until all is written and closes the file.
   void finish();
 
+  const std::filesystem::path& path() const { return path_; }
   static constexpr double kKeyStateSeconds = 10;  // of simulated time
 
  private:
-  using Item = std::variant<Branch, RecordedFrame, KeyState, RecordedEvent, RecordedSample>;
-  void begin(std::int64_t parent, std::string name, const Simulation& simulation);
+  using Item = std::variant<Branch, RecordedFrame, KeyState, OperationEvent, RecordedSample>;
   void put(Item item);
-  void putKeyState(const Simulation& simulation);
+  void putKeyState(Moment moment, const Simulation& simulation);
   void write();
 
+  const std::filesystem::path path_;
   FrameHashes hashes_;  // before file_, which asks for their fields
   RecordingFile file_;
-  EventMemory events_;
-  FrameInput before_;                 // without tools: the next input is written in full
-  std::vector<Branch> branches_;      // the last one is the present one
-  std::vector<std::int64_t> leftAt_;  // branches that wentBack() left
-  std::int64_t keyFrame_ = 0;
+  Moment last_{-1, 0};                  // the last frame; another one is written in full
+  FrameInput before_;                   // its input
+  EventMemory events_;                  // of an operation with one branch
+  std::vector<std::int64_t> keyFrame_;  // of the last key state, by branch
   std::int64_t framesPerKey_;
 
   mutable std::mutex mutex_;  // guards all below
@@ -90,6 +88,8 @@ class Recorder {
   std::deque<Item> queue_;
   std::size_t queued_ = 0;  // bytes, about
   bool ending_ = false;
+  std::filesystem::path saveAs_;  // empty: nothing is to be saved
+  std::string saveFailure_;
   std::string failure_;
   std::thread thread_;
 };

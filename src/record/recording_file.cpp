@@ -122,6 +122,33 @@ RecordingFile RecordingFile::create(const std::filesystem::path& path, const Rec
   return file;
 }
 
+RecordingFile RecordingFile::goOn(const std::filesystem::path& path, RecordingFile& done) {
+  done.copyTo(path);
+  RecordingFile file(path, Database::Mode::GoOn);
+  file.info_ = done.info_;
+  file.database_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+  file.database_.run("UPDATE meta SET value = 'no' WHERE key = 'complete'");
+  return file;
+}
+
+void RecordingFile::copyTo(const std::filesystem::path& path) {
+  const auto setComplete = [&](const std::string& value) {
+    Statement(database_, "UPDATE meta SET value = ? WHERE key = 'complete'")
+        .bind(0, std::string_view(value))
+        .run();
+  };
+  // VACUUM takes everything as it is, so the copy's mark is set for the moment.
+  const std::string before = complete() ? "yes" : "no";
+  setComplete("yes");
+  try {
+    database_.copyTo(path);
+  } catch (...) {
+    setComplete(before);
+    throw;
+  }
+  setComplete(before);
+}
+
 RecordingFile RecordingFile::open(const std::filesystem::path& path) {
   RecordingFile file(path, Database::Mode::Copy);
   Database& db = file.database_;
@@ -200,7 +227,7 @@ void RecordingFile::add(const KeyState& state) {
       .run();
 }
 
-void RecordingFile::add(const RecordedEvent& event) {
+void RecordingFile::add(const OperationEvent& event) {
   prepared(3, "INSERT INTO events VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
       .bind(0, event.branch)
       .bind(1, event.frame)
@@ -240,6 +267,12 @@ std::int64_t RecordingFile::lastFrame(std::int64_t branch) {
   return row.step() && row.integer(1) > 0 ? row.integer(0) : -1;
 }
 
+std::int64_t RecordingFile::lastBranch() {
+  return database_.number(
+      "SELECT coalesce((SELECT branch FROM events ORDER BY rowid DESC LIMIT 1), max(number)) "
+      "FROM branch");
+}
+
 std::optional<RecordedFrame> RecordingFile::frame(std::int64_t branch, std::int64_t number) {
   Statement& row =
       prepared(5, "SELECT time, whole, input, hashes FROM frames WHERE branch = ? AND frame = ?");
@@ -276,8 +309,8 @@ std::vector<std::int64_t> RecordingFile::keyFrames(std::int64_t branch) {
   return frames;
 }
 
-std::vector<RecordedEvent> RecordingFile::events(std::int64_t branch) {
-  std::vector<RecordedEvent> events;
+std::vector<OperationEvent> RecordingFile::events(std::int64_t branch) {
+  std::vector<OperationEvent> events;
   Statement rows(database_,
                  "SELECT frame, time, tool, organ, kind, amount, text FROM events WHERE branch = ? "
                  "ORDER BY rowid");

@@ -10,12 +10,14 @@
 #include <string>
 #include <vector>
 
+#include "operation/live/branch.h"
+#include "operation/live/operation_events.h"
 #include "record/database.h"
 #include "record/recorded_setup.h"
 
 namespace resect {
 
-inline constexpr int kRecordingSchema = 1;
+inline constexpr int kRecordingSchema = 2;
 
 // A frame as stored. Frames of a branch are numbered by Simulation::frame() after the step.
 struct RecordedFrame {
@@ -32,24 +34,6 @@ struct KeyState {
   std::int64_t branch = 0, frame = 0;
   Bytes state;                  // Simulation::save()
   std::uint64_t stateHash = 0;  // of the surface too
-};
-
-// A course of the operation. Branch 0 is the first; another one begins where a stroke was taken
-// back.
-struct Branch {
-  std::int64_t number = 0, parent = -1;  // -1: none
-  std::int64_t from = 0;                 // frame of the parent at which it begins
-  std::string name;
-};
-
-// Something that happened, for people and for skills.
-struct RecordedEvent {
-  std::int64_t branch = 0, frame = 0;
-  double time = 0;                     // s
-  std::int64_t tool = -1, organ = -1;  // -1: none
-  std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault
-  double amount = 0;  // particles, bonds or pieces; by kind
-  std::string text;
 };
 
 // Where a tool in hand was and what it felt.
@@ -70,6 +54,9 @@ class RecordingFile {
   // A new file; nothing may be there under that name.
   static RecordingFile create(const std::filesystem::path& path, const RecordingInfo& info,
                               const RecordedSetup& setup);
+  // A new file at `path` that holds all that `done` holds, to add to. Throws Error if something is
+  // there, or if this program computes other fields than the one that made `done`.
+  static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
   // Opens a finished or an interrupted recording for reading, as a private copy. Throws Error if it
   // is none, is of a newer schema, or has other tables than a recording.
   static RecordingFile open(const std::filesystem::path& path);
@@ -83,17 +70,21 @@ class RecordingFile {
   void add(const Branch& branch);
   void add(const RecordedFrame& frame);
   void add(const KeyState& state);  // compressed
-  void add(const RecordedEvent& event);
+  void add(const OperationEvent& event);
   void add(const RecordedSample& sample);
+  // Writes all that is there as a finished recording of its own; nothing may be at `path`. Not
+  // between begin() and commit().
+  void copyTo(const std::filesystem::path& path);
   void finish();  // marks it complete and folds the write-ahead log into the file
 
   std::vector<Branch> branches();
   std::int64_t lastFrame(std::int64_t branch);  // -1 without frames
+  std::int64_t lastBranch();                    // in which the last event happened
   std::optional<RecordedFrame> frame(std::int64_t branch, std::int64_t number);
   // The latest key state of the branch at `frame` or before.
   std::optional<KeyState> keyState(std::int64_t branch, std::int64_t frame);
   std::vector<std::int64_t> keyFrames(std::int64_t branch);
-  std::vector<RecordedEvent> events(std::int64_t branch);
+  std::vector<OperationEvent> events(std::int64_t branch);
   std::vector<RecordedSample> samples(std::int64_t branch, std::int64_t frame);
   bool complete();            // false: the program ended before the recording did
   std::string damagedPage();  // what SQLite's own check finds, in one line; empty: nothing

@@ -26,7 +26,7 @@ std::string stageOf(const std::string& field) {
   return "step";
 }
 
-bool same(const RecordedEvent& a, const RecordedEvent& b) {
+bool same(const OperationEvent& a, const OperationEvent& b) {
   return a.frame == b.frame && a.time == b.time && a.tool == b.tool && a.organ == b.organ &&
          a.kind == b.kind && a.amount == b.amount && a.text == b.text;
 }
@@ -81,7 +81,7 @@ class Verifier {
         return differ(b, branch.from, "file", "the first state is not that of the scenario");
     }
     checkKeyState(b);
-    const std::vector<RecordedEvent> events = file.events(b);
+    const std::vector<OperationEvent> events = file.events(b);
     std::size_t nextEvent = 0;
     EventMemory memory;
     const std::int64_t last = file.lastFrame(b);
@@ -89,7 +89,7 @@ class Verifier {
     while (!found_.first && replay_.step(nullptr, &stepped)) {
       const std::int64_t frame = replay_.simulation().frame();
       checkHashes(b, frame);
-      for (RecordedEvent& event : eventsOf(stepped, replay_.simulation(), memory)) {
+      for (OperationEvent& event : eventsOf(stepped, replay_.simulation(), memory)) {
         if (nextEvent >= events.size() || !same(events[nextEvent++], event))
           differ(b, frame, "measure", fmt::format("event \"{}\"", event.kind));
       }

@@ -44,7 +44,10 @@ fs::path recordingsFolder() {
   return base / "resect" / "recordings";
 }
 
-std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulation& simulation) {
+namespace {
+
+// A new name in the folder, which is made if need be: date, time, scenario.
+fs::path newRecording(const Scenario& scenario) {
   const fs::path folder = recordingsFolder();
   std::error_code ec;
   fs::create_directories(folder, ec);
@@ -53,21 +56,49 @@ std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulati
                 ec.message());
   const auto now =
       std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
-  const std::string name = fmt::format("{:%Y-%m-%d_%H-%M-%S}_{:03}_{}.resect",
-                                       fmt::localtime(std::chrono::system_clock::to_time_t(now)),
-                                       now.time_since_epoch().count() % 1000,
-                                       scenario.name.empty() ? "operation" : scenario.name);
-  auto recorder = std::make_shared<Recorder>(folder / name, scenario, simulation);
-  keepNewest(folder, kKeptRecordings);
+  return folder / fmt::format("{:%Y-%m-%d_%H-%M-%S}_{:03}_{}.resect",
+                              fmt::localtime(std::chrono::system_clock::to_time_t(now)),
+                              now.time_since_epoch().count() % 1000,
+                              scenario.name.empty() ? "operation" : scenario.name);
+}
+
+}  // namespace
+
+std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulation& simulation) {
+  auto recorder = std::make_shared<Recorder>(newRecording(scenario), scenario, simulation);
+  keepNewest(recordingsFolder(), kKeptRecordings);
+  return recorder;
+}
+
+std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done) {
+  auto recorder = std::make_shared<Recorder>(newRecording(scenario), done);
+  keepNewest(recordingsFolder(), kKeptRecordings);
   return recorder;
 }
 
 OperationWatch watchOf(std::shared_ptr<Recorder> recorder) {
-  return {[recorder](const FrameInput& input, const StepReport& report,
-                     const Simulation& simulation) { recorder->record(input, report, simulation); },
-          [recorder](bool undone, const Simulation& simulation) {
-            undone ? recorder->wentBack(simulation) : recorder->wentForward(simulation);
+  return {[recorder](const Branch& branch, const Simulation& simulation) {
+            recorder->begin(branch, simulation);
+          },
+          [recorder](Moment moment, const FrameInput& input, const StepReport& report,
+                     std::span<const OperationEvent> events, const Simulation& simulation) {
+            recorder->record(moment, input, report, events, simulation);
           }};
+}
+
+std::vector<SessionRecording> sessionRecordings() {
+  std::vector<SessionRecording> recordings;
+  for (const fs::path& path : recordingsIn(recordingsFolder())) {
+    SessionRecording one{path, 0};
+    for (const char* end : {"", "-wal"}) {
+      std::error_code ec;
+      if (const std::uintmax_t bytes = fs::file_size(path.string() + end, ec); !ec)
+        one.bytes += bytes;
+    }
+    recordings.push_back(std::move(one));
+  }
+  std::ranges::reverse(recordings);
+  return recordings;
 }
 
 }  // namespace resect

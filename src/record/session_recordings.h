@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "operation/live/live_operation.h"
 #include "record/recorder.h"
@@ -19,7 +20,17 @@ std::filesystem::path recordingsFolder();
 // beyond kKeptRecordings are removed. Throws Error if the folder cannot be written.
 std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulation& simulation);
 
+// The same for an operation that goes on from a recording, which stays as it is.
+std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done);
+
 // Hands what happens in an operation to the recorder, which lives as long as the watch.
 OperationWatch watchOf(std::shared_ptr<Recorder> recorder);
+
+struct SessionRecording {
+  std::filesystem::path path;
+  std::uintmax_t bytes = 0;
+};
+// What is in the folder, the newest first.
+std::vector<SessionRecording> sessionRecordings();
 
 }  // namespace resect

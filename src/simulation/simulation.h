@@ -40,6 +40,9 @@ struct FrameInput {
   // Edits from outside. They are applied before those that working parts queue in this frame. The
   // working parts do not see their effect before the next frame.
   std::vector<TissueEdit> edits;
+  // The hand let go before this frame: what follows is another stroke (operation/live/strokes.h).
+  // No stage of the step reads it.
+  bool strokeEnds = false;
 };
 
 // Result of a frame. Output only: no stage reads it.

@@ -165,14 +165,48 @@ TEST_CASE("a stroke is taken back with the tool where it was, and done again") {
   CHECK(bench.session->state().redoable == 1);
   CHECK(bench.tools().held() == 2);
   CHECK((bench.tools().pose(2).position - end).norm() > 0.02);
-  // Nothing is cut while the tool stays there.
+  // The moment stays until the hand moves.
+  const std::int64_t frame = bench.session->state().frame;
+  CHECK(bench.session->showing());
   for (int i = 0; i < 5; ++i) bench.settle();
-  CHECK(bench.session->state().removed == 0);
+  CHECK(bench.session->state().frame == frame);
   bench.session->redo();
   bench.settle();
   bench.settle();
   CHECK(bench.session->state().removed == removed);
   CHECK((bench.tools().pose(2).position - end).norm() < 0.013);
+  CHECK(bench.session->state().timeline->courses.size() == 1);
+  // From an earlier moment the hand goes on in another branch.
+  bench.session->show({0, frame});
+  bench.settle();
+  CHECK(bench.session->state().removed == 0);
+  bench.tools().setPose(2, {inside, Eigen::Quaterniond::Identity()});
+  CHECK_FALSE(bench.session->showing());
+  bench.settle();
+  bench.settle();
+  CHECK(bench.session->state().removed > 0);
+  CHECK(bench.session->state().moment.branch == 1);
+  CHECK(bench.session->state().timeline->courses.size() == 2);
+}
+
+TEST_CASE("what was recorded plays again, as fast as is asked for, and stands at its end") {
+  Bench bench;
+  for (int i = 0; i < 10; ++i) bench.settle();
+  const std::int64_t end = bench.session->state().frame;
+  bench.session->show({0, 2});
+  bench.settle();
+  CHECK(bench.session->state().frame == 2);
+  bench.session->setPlayback(4);
+  for (int i = 0; i < 500 && bench.session->state().frame < end; ++i) {
+    bench.session->operation().waitFor(bench.session->state().frame + 1);
+    bench.session->update();
+  }
+  CHECK(bench.session->state().frame >= end);
+  CHECK(bench.session->showing());
+  bench.session->goOn();
+  bench.settle();
+  CHECK_FALSE(bench.session->state().showing);
+  CHECK(bench.session->state().moment.branch == 0);
 }
 
 TEST_CASE("the picture gets the changed ranges of the surface and nothing else") {

@@ -134,11 +134,13 @@ TEST_CASE("branches begin where a stroke was taken back, and are proved too") {
       recorder.record(input, simulation.step(input), simulation);
     }
     simulation.restore(kept);
-    recorder.wentBack(simulation);
-    CHECK(recorder.presentBranch() == 1);
+    recorder.begin({1, 0, 20, "second"}, simulation);
+    EventMemory memory;
     for (int i = 0; i < 15; ++i) {
       const FrameInput input = frameInput(scenario, 20 + 2 * i);
-      recorder.record(input, simulation.step(input), simulation);
+      const StepReport report = simulation.step(input);
+      recorder.record({1, simulation.frame()}, input, report, eventsOf(report, simulation, memory),
+                      simulation);
     }
   }
   const Verification proof = verify(path);

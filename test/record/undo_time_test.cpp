@@ -9,7 +9,7 @@
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
-#include "operation/live/stroke_history.h"
+#include "operation/live/operation_history.h"
 
 using namespace resect;
 
@@ -18,14 +18,14 @@ TEST_CASE("a stroke in 13 000 elastic particles is taken back and done again at 
   setSpacing(scenario, *scenario.organs[0].source.spacing, 0.005);
   Simulation simulation = makeSimulation(scenario, readPlainMesh);
   CHECK(simulation.organ().particles > 12'000);
-  StrokeHistory history;
+  OperationHistory history(simulation, scenario.frameRate);
   StepReport report;
   std::vector<std::uint64_t> way{simulation.stateHash()};
   for (int i = 0; i < 200; ++i) {
     const FrameInput input = frameInput(scenario, i);
     history.beforeStep(input, simulation);
     simulation.step(input, report);
-    history.afterStep(input, report);
+    history.afterStep(input, report, simulation);
     way.push_back(simulation.stateHash());
   }
   REQUIRE(history.undoable() == 1);
@@ -37,9 +37,16 @@ TEST_CASE("a stroke in 13 000 elastic particles is taken back and done again at 
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   };
   for (int i = 0; i < 5; ++i) {
-    timed([&] { CHECK(history.undo(simulation)); });
+    timed([&] {
+      const Moment from = history.now();
+      history.goTo(history.undoMoment().value(), simulation);
+      history.undone(from);
+    });
     CHECK(simulation.stateHash() == way[std::size_t(simulation.frame())]);
-    timed([&] { CHECK(history.redo(simulation)); });
+    timed([&] {
+      history.goTo(history.redoMoment().value(), simulation);
+      history.redone();
+    });
     CHECK(simulation.stateHash() == way.back());
   }
   std::ranges::sort(times);

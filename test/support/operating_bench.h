@@ -41,7 +41,10 @@ struct OperatingBench {
   // Lets the operation do two more frames.
   void settle() {
     session->update();
-    session->operation().waitFor(session->state().frame + 2);
+    if (session->showing())
+      session->operation().waitForAnswer();
+    else
+      session->operation().waitFor(session->state().frame + 2);
     session->update();
   }
   bool send(SoEvent& event, const SbVec2s& at, bool shift = false, bool control = false) {

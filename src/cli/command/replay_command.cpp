@@ -27,7 +27,7 @@ struct Options {
   bool events = false, overwrite = false;
 };
 
-nlohmann::ordered_json toJson(const RecordedEvent& event, const Scenario& scenario) {
+nlohmann::ordered_json toJson(const OperationEvent& event, const Scenario& scenario) {
   nlohmann::ordered_json json{{"frame", event.frame}, {"time_s", event.time}, {"kind", event.kind}};
   if (event.tool >= 0 && std::size_t(event.tool) < scenario.tools.size())
     json["tool"] = scenario.tools[std::size_t(event.tool)].model;
@@ -37,7 +37,7 @@ nlohmann::ordered_json toJson(const RecordedEvent& event, const Scenario& scenar
 }
 
 // "cut 12 by scalpel"
-std::string lineOf(const RecordedEvent& event, const Scenario& scenario) {
+std::string lineOf(const OperationEvent& event, const Scenario& scenario) {
   std::string line = event.kind;
   if (event.amount != 0) line += fmt::format(" {}", event.amount);
   if (event.tool >= 0 && std::size_t(event.tool) < scenario.tools.size())
@@ -102,7 +102,7 @@ void play(const Options& options) {
                      PictureSettings{options.frames, options.video, options.size,
                                      options.pictureRate, options.overwrite});
   const Progress progress = progressBar("replay");
-  std::vector<RecordedEvent> events;
+  std::vector<OperationEvent> events;
   StepReport step;
   for (const Span& span : course) {
     if (replay.branch() != span.branch) replay.goTo(span.branch, span.first);
@@ -112,7 +112,7 @@ void play(const Options& options) {
       report(progress, double(replay.simulation().frame() - first) /
                            double(std::max<std::int64_t>(1, end - first)));
     }
-    for (RecordedEvent& event : replay.file().events(span.branch))
+    for (OperationEvent& event : replay.file().events(span.branch))
       if (event.frame > begin && event.frame <= last) events.push_back(std::move(event));
   }
   std::vector<std::string> files;
@@ -120,7 +120,7 @@ void play(const Options& options) {
 
   const Simulation& now = replay.simulation();
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const RecordedEvent& event : events) list.push_back(toJson(event, scenario));
+  for (const OperationEvent& event : events) list.push_back(toJson(event, scenario));
   if (!options.json.empty())
     writeJson(options.json, {{"file", options.file},
                              {"title", scenario.title},
@@ -147,7 +147,7 @@ void play(const Options& options) {
         one.parent < 0 ? "" : fmt::format(", from frame {} of branch {}", one.from, one.parent));
   if (options.events && events.empty()) fmt::print("  no events in these frames\n");
   if (options.events)
-    for (const RecordedEvent& event : events)
+    for (const OperationEvent& event : events)
       printLine(stdout, "  {:8.2f} s  frame {:6}  {}", event.time, event.frame,
                 lineOf(event, scenario));
   fmt::print("  played frames {} to {}, state {:016x}\n", first, now.frame(), now.stateHash());

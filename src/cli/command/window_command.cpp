@@ -1,5 +1,6 @@
 // resect window: interactive operation.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "app/window.h"
@@ -25,7 +26,11 @@ void window(const Options& options, const OrganOptions& organOptions) {
   WindowOptions window;
   parseSize(options.size, window.width, window.height);
   const ThreadLimit threads(options.threads);
-  if (!options.scenario.empty())
+  const std::filesystem::path given = options.scenario;
+  if (given.extension() == ".resect") {
+    window.operation = given.string();
+    window.scenario.organs[0].source.spacing = 0.005;
+  } else if (!options.scenario.empty())
     window.scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
   else
     window.scenario.organs[0].source.spacing = 0.005;
@@ -44,8 +49,10 @@ void window(const Options& options, const OrganOptions& organOptions) {
 void addWindowCommand(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("window", "Operate with mouse and keyboard");
-  command->add_option("SCENARIO", options->scenario,
-                      "Organ and room of this scenario; without it the built-in liver at 5 mm");
+  command->add_option(
+      "SCENARIO", options->scenario,
+      "Organ and room of this scenario, or a recorded operation (*.resect) that goes "
+      "on; without it the built-in liver at 5 mm");
   command->add_option("--organ", options->organ,
                       "Another organ: model or file of particles, or \"liver\"");
   auto organ = addOrganOptions(*command);
@@ -70,7 +77,8 @@ void addWindowCommand(CLI::App& app) {
       "Examples:\n"
       "  resect window\n"
       "  resect window --organ my_liver.stl --unit mm --spacing 6mm\n"
-      "  resect window cut-950");
+      "  resect window cut-950\n"
+      "  resect window operation.resect");
   command->callback([options, organ] { window(*options, *organ); });
 }
 

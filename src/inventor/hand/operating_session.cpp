@@ -76,7 +76,8 @@ Aabb boxOfOrgans(const Simulation& simulation) {
 }  // namespace
 
 OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation,
-                                   double aspect, OperationWatch watch)
+                                   double aspect, OperationWatch watch,
+                                   std::optional<OperationHistory> history)
     : scenario_(scenario),
       toolModels_(modelsOf(*simulation)),
       cells_(simulation->organ().rest),
@@ -87,9 +88,10 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       iso_(view_.room().aids(), isoFoot(organBox_)),
       marker_(view_.room().aids()),
       events_(SbViewportRegion(640, 480)),
-      operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch)) {
+      operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch),
+                 std::move(history)) {
   for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
-  tools_.changed = [this] { toolsChanged(); };
+  tools_.changed = [this] { handMoved(); };
   tools_.released = [this] { operation_.endStroke(); };
   tools_.readyPlace = Vec3(organBox_.centre().x(), organBox_.max.y() + 0.02,
                            organBox_.centre().z() + 0.15 * organBox_.size().z());
@@ -100,10 +102,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
     return Pose{pose.position - Vec3(0, lowest, 0), pose.rotation};
   };
   iso_.setValue(scenario.organs[0].source.settings.iso);
-  iso_.changed = [this](float iso) {
-    operation_.setIso(iso);
-    damage_.everything = true;
-  };
+  iso_.changed = [this](float iso) { setIso(iso); };
   toolsChanged();
   look(RoomView::Surgeon, aspect);
 }
@@ -113,14 +112,34 @@ Vec3 OperatingSession::lampPosition() const {
   return {p[0], p[1], p[2]};
 }
 
+// By a hand that moves an instrument, an operation goes on from the moment that is shown.
+void OperatingSession::handMoved() {
+  if (!following_) goOn();
+  toolsChanged();
+}
+
+void OperatingSession::goOn() {
+  if (!state_.showing || asked_ > state_.answered) return;
+  operation_.goOn();
+  goingOn_ = true;
+  toolsChanged();
+}
+
+void OperatingSession::setIso(float iso) {
+  goOn();
+  iso_.setValue(iso);
+  operation_.setIso(iso);
+  damage_.everything = true;
+}
+
 void OperatingSession::toolsChanged() {
   if (tools_.held() >= 0) stopPlaying();
   toolBoxes_.resize(std::size_t(tools_.toolCount()));
   shownSlices_.resize(toolBoxes_.size());
   for (int i = 0; i < tools_.toolCount(); ++i) {
     const bool held = i == tools_.held();
-    // Until an undo is done, the operation decides where the tools are.
-    if (jumps_ == jumpsShown_)
+    // While a moment is shown, the operation decides where the tools are.
+    if (!showing())
       operation_.setTool(i, {tools_.pose(i), held, held && !tools_.squeezing() ? 0.0 : 1.0});
     const Aabb box = room().toolBounds(i);
     Aabb& before = toolBoxes_[std::size_t(i)];
@@ -177,8 +196,11 @@ Damage OperatingSession::update() {
     for (int i = 0; i < tools_.toolCount(); ++i)
       turned |= room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);
     if (turned) toolsChanged();
-    if (state_.jumps != jumpsShown_) followJump();
-    if (playing_) followMotion();
+    if (!state_.showing) goingOn_ = false;
+    if (state_.showing && !goingOn_)
+      followMoment();
+    else if (playing_)
+      followMotion();
     const int held = tools_.held();
     if (held >= 0 && std::size_t(held) < state_.tips.size()) {
       const TipPlace& place = state_.tips[std::size_t(held)];
@@ -199,14 +221,20 @@ Damage OperatingSession::update() {
 }
 
 void OperatingSession::play(double until) {
+  following_ = true;
   tools_.hold(-1, ToolHandling::Hold::None);
+  following_ = false;
   const std::int64_t all = frameCount(scenario_);
   if (played_ >= all) played_ = 0;
   playUntil_ = std::min<std::int64_t>(all, std::llround(until * scenario_.frameRate));
   playing_ = true;
-  operation_.play([scenario = scenario_, frame = played_, end = playUntil_]() mutable {
+  auto motion = [scenario = scenario_, frame = played_, end = playUntil_]() mutable {
     return frame < end ? std::optional(frameInput(scenario, frame++)) : std::nullopt;
-  });
+  };
+  if (played_ == 0)
+    asked_ = operation_.playFromStart(std::move(motion));
+  else
+    operation_.play(std::move(motion));
 }
 
 void OperatingSession::followMotion() {
@@ -227,28 +255,39 @@ void OperatingSession::followMotion() {
 void OperatingSession::undo() {
   stopPlaying();
   tools_.interrupt();
-  ++jumps_;
-  operation_.undo();
+  asked_ = operation_.undo();
+  goingOn_ = false;
 }
 
 void OperatingSession::redo() {
   stopPlaying();
   tools_.interrupt();
-  ++jumps_;
-  operation_.redo();
+  asked_ = operation_.redo();
+  goingOn_ = false;
 }
 
-void OperatingSession::followJump() {
-  // Two calls within a frame are one jump.
-  jumpsShown_ = jumps_ = state_.jumps;
+void OperatingSession::show(Moment moment) {
+  stopPlaying();
+  tools_.interrupt();
+  asked_ = operation_.show(moment);
+  goingOn_ = false;
+}
+
+// Puts the tools where they are in the moment that is shown.
+void OperatingSession::followMoment() {
+  following_ = true;
   int inHand = -1;
-  for (std::size_t i = 0; i < state_.jumpedTools.size(); ++i) {
-    room().setToolPose(int(i), state_.jumpedTools[i].pose);
-    if (state_.jumpedTools[i].inHand) inHand = int(i);
+  for (std::size_t i = 0; i < state_.played.size(); ++i) {
+    room().setToolPose(int(i), state_.played[i].pose);
+    if (state_.played[i].inHand) inHand = int(i);
   }
-  tools_.hold(inHand, inHand == tools_.held() ? tools_.how() : ToolHandling::Hold::Direct);
+  if (inHand != tools_.held()) {
+    tools_.hold(inHand, ToolHandling::Hold::Direct);
+    if (inHand >= 0) room().setToolPose(inHand, state_.played[std::size_t(inHand)].pose);
+  }
+  iso_.setValue(state_.iso);
   toolsChanged();
-  damage_.everything = true;
+  following_ = false;
 }
 
 void OperatingSession::stopPlaying() {

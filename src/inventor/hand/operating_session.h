@@ -28,9 +28,9 @@ namespace resect {
 class OperatingSession {
  public:
   // The tools start at their rest poses. `aspect`, here and below: width / height of the picture.
-  // watch: looks on at the operation, in its thread.
+  // watch, history: as LiveOperation takes them.
   OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect,
-                   OperationWatch watch = {});
+                   OperationWatch watch = {}, std::optional<OperationHistory> history = {});
 
   // Handles an event of mouse or keyboard. The event's position is in pixels from the lower left of
   // the viewport. Returns whether a tool, a dragger or the camera used the event.
@@ -42,16 +42,24 @@ class OperatingSession {
   bool pending() const { return !damage_.empty(); }  // there is damage to draw
 
   // Plays the scenario's motions, frame by frame, up to the scenario time `until`, s. Begins where
-  // the last call ended. If the motions are over or were stopped, begins at their start. Taking a
-  // tool stops the motions.
+  // the last call ended. If the motions are over or were stopped, begins at their start, with the
+  // organs as they were at the start of the operation. Taking a tool stops the motions.
   void play(double until);
   bool playing() const { return playing_; }
 
-  // Takes the last stroke back, or does again what was taken back last. The tools go where they
-  // were before the stroke, or where they were when it was taken back. Takes effect with the next
-  // frame; nothing happens if there is no such stroke.
+  // Takes the last stroke back, or does again what was taken back last; shows any moment
+  // (LiveOperation::show()). The tools go where they were then. Operating goes on from there as
+  // soon as the hand takes or moves an instrument, or with goOn(). Nothing happens if there is no
+  // such stroke.
   void undo();
   void redo();
+  void show(Moment moment);
+  void setPlayback(double speed) { operation_.setPlayback(speed); }
+  void goOn();
+  void setIso(float iso);  // and goes on
+  // A moment is shown, or on its way.
+  bool answered() const { return asked_ == state_.answered; }
+  bool showing() const { return asked_ > state_.answered || (state_.showing && !goingOn_); }
 
   // Moves and turns the tool in hand. If there is none, moves the camera.
   void follow(const ViewMotion& motion);
@@ -87,7 +95,8 @@ class OperatingSession {
   Aabb allThereIs() const;
   void toolsChanged();
   void followMotion();
-  void followJump();
+  void followMoment();
+  void handMoved();
   void stopPlaying();
   Vec3 lampPosition() const;
 
@@ -108,9 +117,10 @@ class OperatingSession {
   // Per tool: boxes of its slices when it last moved, world, m; its bounding box if it had a
   // manipulator then.
   std::vector<std::vector<Aabb>> shownSlices_;
-  Aabb markerBox_;  // of the marker under the tip, as shown last, world, m
-  // Calls of undo() and redo(), and how many of them the room shows.
-  std::int64_t jumps_ = 0, jumpsShown_ = 0;
+  Aabb markerBox_;          // of the marker under the tip, as shown last, world, m
+  std::int64_t asked_ = 0;  // number of the last request to the operation
+  bool goingOn_ = false;    // goOn() was called, and no frame has ended since
+  bool following_ = false;  // the tools are being put where the operation has them
   bool playing_ = false;
   std::int64_t played_ = 0, playUntil_ = 0;  // scenario frames: where play() begins and ends
   LiveState state_;

@@ -22,8 +22,11 @@ double restVolume(const Simulation& simulation) {
 }  // namespace
 
 LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
-                             double frameRate, OperationWatch watch)
+                             double frameRate, OperationWatch watch,
+                             std::optional<OperationHistory> history)
     : simulation_(std::move(simulation)),
+      history_(history ? std::move(*history) : OperationHistory(*simulation_, frameRate)),
+      lastSecond_(frameRate),
       watch_(std::move(watch)),
       frameRate_(frameRate),
       wholeVolume_(restVolume(*simulation_)),
@@ -36,6 +39,11 @@ LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::
   simulation_->keepLook();
   input_.duration = 1 / frameRate_;
   for (const Pose& rest : rests) input_.tools.push_back({rest, false, 1});
+  if (history) {
+    showing_ = true;
+    input_.tools = presentTools();
+    publishMoment(history_.now());
+  }
   thread_ = std::thread([this] { work(); });
 }
 
@@ -61,14 +69,18 @@ void LiveOperation::setIso(float iso) {
   input_.iso = iso;
 }
 
-void LiveOperation::play(std::function<std::optional<FrameInput>()> motion) {
+void LiveOperation::play(Motion motion) {
   const std::lock_guard lock(mutex_);
   motion_ = std::move(motion);
 }
 
+std::int64_t LiveOperation::playFromStart(Motion motion) {
+  return ask({Request::Kind::Show, {0, 0}, std::move(motion)});
+}
+
 bool LiveOperation::playing() const {
   const std::lock_guard lock(mutex_);
-  return bool(motion_);
+  return motion_ || motionComes_ || (request_ && request_->motion);
 }
 
 void LiveOperation::setPaused(bool paused) {
@@ -79,37 +91,46 @@ void LiveOperation::setPaused(bool paused) {
   wake_.notify_all();
 }
 
-void LiveOperation::undo() { ask(Jump::Undo); }
-void LiveOperation::redo() { ask(Jump::Redo); }
+std::int64_t LiveOperation::undo() { return ask({Request::Kind::Undo, {}, {}}); }
+std::int64_t LiveOperation::redo() { return ask({Request::Kind::Redo, {}, {}}); }
+std::int64_t LiveOperation::show(Moment moment) { return ask({Request::Kind::Show, moment, {}}); }
+
+std::int64_t LiveOperation::ask(Request request) {
+  std::int64_t number = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    request.number = number = ++asked_;
+    request_ = std::move(request);
+    if (replaceable_) stop_ = true;
+  }
+  wake_.notify_all();
+  return number;
+}
+
+void LiveOperation::setPlayback(double speed) {
+  require(speed >= 0 && speed <= 100, "a playback speed of {} was asked for; give 0 to 100", speed);
+  {
+    const std::lock_guard lock(mutex_);
+    playback_ = speed;
+    state_.playback = showing_ ? speed : 0;
+    fresh_ = true;
+  }
+  wake_.notify_all();
+}
+
+void LiveOperation::goOn() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (request_ || state_.answered != asked_) return;
+    showing_ = false;
+    playback_ = 0;
+  }
+  wake_.notify_all();
+}
 
 void LiveOperation::endStroke() {
   const std::lock_guard lock(mutex_);
-  strokeEnds_ = true;
-}
-
-void LiveOperation::ask(Jump jump) {
-  const std::lock_guard lock(mutex_);
-  jump_ = jump;
-}
-
-// In the thread: goes to another state; the tools stay where they are in it.
-void LiveOperation::jump(Jump jump, FrameInput& input) {
-  const bool undo = jump == Jump::Undo;
-  const bool done = undo ? history_.undo(*simulation_) : history_.redo(*simulation_);
-  if (done && watch_.jumped) watch_.jumped(undo, *simulation_);
-  const std::lock_guard lock(mutex_);
-  if (done) {
-    for (std::size_t o = 0; o < publishers_.size(); ++o)
-      publishers_[o].follow(presentSurface(*simulation_, o));
-    for (std::size_t i = 0; i < input.tools.size(); ++i) {
-      const ToolState& tool = simulation_->tools()[i];
-      input.tools[i] = {tool.pose(), tool.inHand, tool.way.to.squeeze, 0};
-    }
-    input_.tools = input.tools;
-    motion_ = {};
-  }
-  ++state_.jumps;
-  state_.jumpedTools = input.tools;
+  input_.strokeEnds = true;
 }
 
 bool LiveOperation::take(std::vector<SurfaceUpdate>& updates, LiveState& state) {
@@ -139,75 +160,208 @@ void LiveOperation::waitFor(std::int64_t frame) {
   newFrame_.wait(lock, [&] { return state_.frame >= frame; });
 }
 
-// Waits until the next frame is due; returns nothing when the operation ends.
-std::optional<LiveOperation::Frame> LiveOperation::nextFrame(
+void LiveOperation::waitForAnswer() {
+  std::unique_lock lock(mutex_);
+  newFrame_.wait(lock, [&] { return state_.answered == asked_ && !stepping_; });
+}
+
+// Waits until there is something to do, and a frame is due if it is a frame; returns nothing when
+// the operation ends.
+std::optional<LiveOperation::Task> LiveOperation::nextTask(
     std::chrono::steady_clock::time_point due) {
   std::unique_lock lock(mutex_);
-  wake_.wait_until(lock, due, [&] { return ending_; });
-  wake_.wait(lock, [&] { return ending_ || (!paused_ && readers_ == 0); });
+  wake_.wait_until(lock, due, [&] { return ending_ || (request_ && readers_ == 0); });
+  wake_.wait(lock, [&] {
+    const bool frames = !paused_ && (!showing_ || playback_ > 0);
+    return ending_ || (readers_ == 0 && (request_ || frames));
+  });
   if (ending_) return std::nullopt;
   stepping_ = true;
-  Frame frame{input_, {}, std::exchange(jump_, Jump::None), std::exchange(strokeEnds_, false)};
+  Task task;
+  if (request_) {
+    task.request = std::exchange(request_, std::nullopt);
+    stop_ = ending_;
+    motionComes_ = bool(task.request->motion);
+    return task;
+  }
+  if (showing_) {
+    task.playback = playback_;
+    return task;
+  }
+  task.input = input_;
   input_.iso.reset();
-  if (const auto next = motion_ ? motion_() : std::nullopt)
-    frame.input.tools = frame.played = next->tools;
-  else
+  input_.strokeEnds = false;
+  if (const auto next = motion_ ? motion_() : std::nullopt) {
+    task.input.tools = next->tools;
+    task.byMotion = true;
+  } else {
     motion_ = {};
-  return frame;
+  }
+  return task;
 }
+
+// In the thread, all below.
 
 void LiveOperation::work() {
   using Clock = std::chrono::steady_clock;
-  const auto period =
-      std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1 / frameRate_));
-  LastSecond lastSecond(frameRate_);
   const StopBy stop(stop_);
-  StepReport report;
   auto due = Clock::now();
-  while (std::optional<Frame> frame = nextFrame(due)) {
-    FrameInput& input = frame->input;
-    if (frame->jump != Jump::None) {
-      frame->played.clear();
-      jump(frame->jump, input);
-    } else if (frame->played.empty())  // moved by hand
-      for (std::size_t i = 0; i < input.tools.size(); ++i)
-        input.tools[i].squeeze = squeezeTowards(
-            input.tools[i].squeeze, simulation_->tools()[i].way.to.squeeze, input.duration);
-    StageClock clock;
-    std::string refusal;
+  while (std::optional<Task> task = nextTask(due)) {
+    const double speed = task->playback > 0 ? task->playback : 1;
     try {
-      if (frame->strokeEnds) history_.endStroke();
-      history_.beforeStep(input, *simulation_);
-      simulation_->step(input, report, &clock);
-      history_.afterStep(input, report);
-      if (watch_.stepped) watch_.stepped(input, report, *simulation_);
+      if (task->request)
+        answer(std::move(*task->request));
+      else if (task->playback > 0)
+        playBack();
+      else
+        operate(std::move(*task));
     } catch (const Cancelled&) {
-      return;  // only the destructor stops a frame
-    } catch (const Error& e) {
-      refusal = e.what();
+      // By the destructor, or by a newer request, which nextTask() will find.
+    } catch (const Error& e) {  // a recorded frame that cannot be played
+      const std::lock_guard lock(mutex_);
+      playback_ = state_.playback = 0;
+      state_.faults.push_back(e.what());
     }
-    lastSecond.add(clock, steadySeconds());
-    StepTimes times = lastSecond.times();
     {
       const std::lock_guard lock(mutex_);
-      if (refusal.empty()) {
-        for (std::size_t o = 0; o < publishers_.size(); ++o)
-          publishers_[o].follow(presentSurface(*simulation_, o));
-        noteStep(state_, *simulation_, report, wholeVolume_);
-        state_.played = std::move(frame->played);
-        state_.undoable = history_.undoable();
-        state_.redoable = history_.redoable();
-      } else {
-        motion_ = {};
-        state_.faults.push_back(refusal);
-      }
-      state_.times = std::move(times);
-      fresh_ = true;
       stepping_ = false;
     }
     newFrame_.notify_all();
+    const auto period = std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double>(1 / (frameRate_ * speed)));
     due = std::max(due + period, Clock::now());
   }
+}
+
+void LiveOperation::operate(Task task) {
+  if (!task.byMotion)
+    for (std::size_t i = 0; i < task.input.tools.size(); ++i) {
+      ToolInput& tool = task.input.tools[i];
+      tool.squeeze =
+          squeezeTowards(tool.squeeze, simulation_->tools()[i].way.to.squeeze, task.input.duration);
+    }
+  StageClock clock;
+  std::string refusal;
+  std::optional<Branch> begun;
+  try {
+    begun = history_.beforeStep(task.input, *simulation_);
+    if (begun && watch_.began) watch_.began(*begun, *simulation_);
+    simulation_->step(task.input, report_, &clock);
+    const auto events = history_.afterStep(task.input, report_, *simulation_);
+    if (watch_.stepped) watch_.stepped(history_.now(), task.input, report_, events, *simulation_);
+  } catch (const Cancelled&) {
+    throw;
+  } catch (const Error& e) {
+    refusal = e.what();
+  }
+  lastSecond_.add(clock, steadySeconds());
+  StepTimes times = lastSecond_.times();
+  const std::lock_guard lock(mutex_);
+  if (refusal.empty()) {
+    for (std::size_t o = 0; o < publishers_.size(); ++o)
+      publishers_[o].follow(presentSurface(*simulation_, o));
+    noteStep(state_, *simulation_, report_, wholeVolume_, history_.peaks());
+    if (task.byMotion)
+      state_.played = std::move(task.input.tools);
+    else
+      state_.played.clear();
+    state_.showing = false;
+    if (begun || std::abs(simulation_->frame() - timelineFrame_) > 15) timelineFrame_ = -1;
+    noteHistory();
+  } else {
+    motion_ = {};
+    state_.faults.push_back(refusal);
+  }
+  state_.times = std::move(times);
+  fresh_ = true;
+}
+
+// Goes to the moment that is asked for and shows it.
+void LiveOperation::answer(Request request) {
+  const Moment before = history_.now();
+  std::optional<Moment> moment = request.moment;
+  if (request.kind == Request::Kind::Undo) moment = history_.undoMoment();
+  if (request.kind == Request::Kind::Redo) moment = history_.redoMoment();
+  std::string refusal;
+  if (moment) {
+    try {
+      history_.goTo(*moment, *simulation_, [&] {
+        publishMoment({moment->branch, simulation_->frame()});
+        const std::lock_guard lock(mutex_);
+        replaceable_ = true;
+      });
+    } catch (const Cancelled&) {
+      const std::lock_guard lock(mutex_);
+      replaceable_ = motionComes_ = false;
+      throw;
+    } catch (const Error& e) {
+      refusal = e.what();
+    }
+    if (refusal.empty()) {
+      if (request.kind == Request::Kind::Undo) history_.undone(before);
+      if (request.kind == Request::Kind::Redo) history_.redone();
+    }
+  }
+  const std::lock_guard lock(mutex_);
+  replaceable_ = motionComes_ = false;
+  stop_ = ending_;
+  state_.answered = request.number;
+  if (!refusal.empty()) state_.faults.push_back(refusal);
+  if (moment && refusal.empty()) {
+    noteMoment(state_, *simulation_, wholeVolume_, history_.peaks());
+    input_.tools = state_.played = presentTools();
+    showing_ = state_.showing = !request.motion;
+    playback_ = state_.playback = 0;
+    motion_ = std::move(request.motion);
+    timelineFrame_ = -1;
+    noteHistory();
+  }
+  fresh_ = true;
+}
+
+// Plays the next recorded frame; stands at the end of the branch.
+void LiveOperation::playBack() {
+  const bool played = history_.playNext(*simulation_, report_);
+  const std::lock_guard lock(mutex_);
+  if (!played) playback_ = state_.playback = 0;
+  for (std::size_t o = 0; played && o < publishers_.size(); ++o)
+    publishers_[o].follow(presentSurface(*simulation_, o));
+  if (played) noteStep(state_, *simulation_, report_, wholeVolume_, history_.peaks());
+  state_.played = presentTools();
+  if (showing_) input_.tools = state_.played;
+  noteHistory();
+  fresh_ = true;
+}
+
+// On the way to a moment: what is there so far is published.
+void LiveOperation::publishMoment(Moment moment) {
+  const std::lock_guard lock(mutex_);
+  for (std::size_t o = 0; o < publishers_.size(); ++o)
+    publishers_[o].follow(presentSurface(*simulation_, o));
+  noteMoment(state_, *simulation_, wholeVolume_, history_.peaks());
+  state_.played = presentTools();
+  state_.showing = true;
+  state_.moment = moment;
+  if (!state_.timeline) noteHistory();
+  fresh_ = true;
+}
+
+// With mutex_ locked.
+void LiveOperation::noteHistory() {
+  state_.moment = history_.now();
+  state_.undoable = history_.undoable();
+  state_.redoable = history_.redoable();
+  state_.historyBytes = history_.bytes();
+  if (timelineFrame_ >= 0 && state_.timeline) return;
+  state_.timeline = std::make_shared<const Timeline>(timelineOf(history_));
+  timelineFrame_ = simulation_->frame();
+}
+
+std::vector<ToolInput> LiveOperation::presentTools() const {
+  std::vector<ToolInput> tools;
+  for (const ToolState& tool : simulation_->tools())
+    tools.push_back({tool.pose(), tool.inHand, tool.way.to.squeeze, 0});
+  return tools;
 }
 
 }  // namespace resect

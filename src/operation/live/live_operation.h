@@ -17,25 +17,33 @@
 #include <vector>
 
 #include "operation/live/live_state.h"
-#include "operation/live/stroke_history.h"
+#include "operation/live/operation_history.h"
 #include "operation/live/surface_publisher.h"
 #include "simulation/simulation.h"
 
 namespace resect {
 
-// Looks on, in the operation's thread: at each step, and at each undo and redo, which leave the
-// simulation in another state.
+// Looks on, in the operation's thread, at what is new: branches that begin, and frames. What was
+// done before and is shown again is not reported.
 struct OperationWatch {
-  std::function<void(const FrameInput&, const StepReport&, const Simulation&)> stepped;
-  std::function<void(bool undone, const Simulation&)> jumped;  // undone: false after a redo
+  std::function<void(const Branch&, const Simulation&)> began;
+  // events: of this frame; moment: its end.
+  std::function<void(Moment moment, const FrameInput&, const StepReport&,
+                     std::span<const OperationEvent> events, const Simulation&)>
+      stepped;
 };
 
 class LiveOperation {
  public:
+  // Gives the next frame of a motion; nothing at its end.
+  using Motion = std::function<std::optional<FrameInput>()>;
+
   // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
-  // frameRate: simulated frames per second, 1 to 1000.
+  // frameRate: simulated frames per second, 1 to 1000. history: of an operation that was done
+  // before, with `simulation` at history.now(); that moment is then shown until somebody goes on.
   LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
-                double frameRate = 60, OperationWatch watch = {});
+                double frameRate = 60, OperationWatch watch = {},
+                std::optional<OperationHistory> history = {});
   ~LiveOperation();  // stops the thread within the current frame
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;
@@ -48,13 +56,25 @@ class LiveOperation {
   // operation's thread, until it returns nothing. play({}) ends it earlier. Of the FrameInput that
   // it returns, only `tools` is used. If a step refuses these tools, the motion ends too, and
   // LiveState::faults says why.
-  void play(std::function<std::optional<FrameInput>()> motion);
+  void play(Motion motion);
+  // The same after going back to the start of the operation, which is a request as below.
+  std::int64_t playFromStart(Motion motion);
   bool playing() const;
-  // Before the next frame, takes the last stroke back, or does the stroke again that was taken back
-  // last (operation/live/stroke_history.h). All tools are then where they were in that state, and a
-  // motion ends. LiveState::jumps counts these calls, also those that changed nothing.
-  void undo();
-  void redo();
+
+  // Requests are numbered from 1 on; each call returns its number. A newer request replaces one
+  // that is not done; LiveState::answered is the number of the last one done. After it the moment
+  // is shown: all tools are where they were then, a motion has ended, and nothing happens until
+  // goOn(). undo(), redo(): the moment before the last stroke; the one at which undo() was called
+  // last. If there is none, nothing changes. show(): any moment of LiveState::timeline.
+  std::int64_t undo();
+  std::int64_t redo();
+  std::int64_t show(Moment moment);
+  // While a moment is shown: plays what happened after it, in its branch. speed: recorded seconds a
+  // second, 0 to 100; 0: stands.
+  void setPlayback(double speed);
+  // Operates on from the moment that is shown: its branch goes on if it ends there, else another
+  // one begins. Has no effect while a request is not done.
+  void goOn();
   // What is done from the next frame on is another stroke.
   void endStroke();
   void setPaused(bool paused);
@@ -67,38 +87,60 @@ class LiveOperation {
   // The present surface of all organs, for saving. If a frame is being computed, waits until that
   // frame ends.
   SurfaceTracker::Compact surface();
-  // Waits until at least this frame is done (for tests).
+  // Wait until at least this frame is done, or all requests are (for tests).
   void waitFor(std::int64_t frame);
+  void waitForAnswer();
 
  private:
-  enum class Jump { None, Undo, Redo };
-  struct Frame {
-    FrameInput input;
-    std::vector<ToolInput> played;  // the tools as motion_ moves them; empty: no motion plays
-    Jump jump = Jump::None;
-    bool strokeEnds = false;
+  struct Request {
+    enum class Kind { Undo, Redo, Show };
+    Kind kind = Kind::Undo;
+    Moment moment;
+    Motion motion;  // to be played then
+    std::int64_t number = 0;
   };
+  // What the thread is to do next; if neither request nor playback is set: a frame of the
+  // operation.
+  struct Task {
+    std::optional<Request> request;
+    double playback = 0;  // the next frame of the history, at this speed
+    FrameInput input;
+    bool byMotion = false;  // a motion gave the input's tools
+  };
+  std::int64_t ask(Request request);
   void work();
-  void ask(Jump jump);
-  void jump(Jump jump, FrameInput& input);
-  std::optional<Frame> nextFrame(std::chrono::steady_clock::time_point due);
+  std::optional<Task> nextTask(std::chrono::steady_clock::time_point due);
+  void answer(Request request);
+  void playBack();
+  void operate(Task task);
+  void publishMoment(Moment moment);
+  void noteHistory();
+  std::vector<ToolInput> presentTools() const;
 
   std::unique_ptr<Simulation> simulation_;
-  StrokeHistory history_;  // used by the thread alone
+  OperationHistory history_;  // used by the thread alone
+  LastSecond lastSecond_;     // so are these
+  StepReport report_;
+  std::int64_t timelineFrame_ = 0;
   const OperationWatch watch_;
   const double frameRate_;
   const double wholeVolume_;  // m^3, before the operation
   mutable std::mutex mutex_;  // guards all members below; between frames, also simulation_
   std::condition_variable newFrame_, wake_;
   FrameInput input_;
-  std::function<std::optional<FrameInput>()> motion_;
+  Motion motion_;
   // fresh_: a frame has ended since the last take().
   bool paused_ = false, ending_ = false, fresh_ = false;
-  Jump jump_ = Jump::None;
-  bool strokeEnds_ = false;
-  bool stepping_ = false;  // a frame is being computed: only the thread may use the simulation
+  bool showing_ = false;
+  double playback_ = 0;
+  std::optional<Request> request_;
+  std::int64_t asked_ = 0;
+  // A request is being answered and has shown a state, so that a newer one may stop it.
+  bool replaceable_ = false;
+  bool motionComes_ = false;  // the request that is being answered brings one
+  bool stepping_ = false;     // a frame is being computed: only the thread may use the simulation
   int readers_ = 0;  // callers waiting for the end of the frame; the next frame waits for them
-  std::atomic<bool> stop_ = false;            // leaves the frame that is being computed
+  std::atomic<bool> stop_ = false;  // leaves the frame, or the way to a moment, being computed
   std::vector<SurfacePublisher> publishers_;  // one per organ
   LiveState state_;
   std::thread thread_;

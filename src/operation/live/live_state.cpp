@@ -5,7 +5,7 @@
 namespace resect {
 
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
-              double before) {
+              double before, const std::vector<double>& peaks) {
   constexpr double kTouchShows = 0.1;    // s: removed tissue is in contact for one frame only
   constexpr double kFeltContact = 0.01;  // N
   state.frame = report.frame + 1;
@@ -31,6 +31,7 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   state.tips.resize(tools.size());
   state.squeeze.resize(tools.size());
   state.forces.resize(tools.size());
+  state.peakForces = peaks;
   state.peakForces.resize(tools.size());
   state.lastTouch.resize(tools.size(), -1);
   state.touching.resize(tools.size());
@@ -38,7 +39,6 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   for (std::size_t i = 0; i < tools.size(); ++i) {
     state.squeeze[i] = tools[i].way.to.squeeze;
     state.forces[i] = tools[i].feltForce.norm();
-    state.peakForces[i] = std::max(state.peakForces[i], report.toolForce[i].norm());
     double& touch = state.lastTouch[i];
     bool touches = report.toolForce[i].norm() > kFeltContact;
     for (std::size_t o = 0; o < organs; ++o)
@@ -53,6 +53,17 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
       place = {std::max(place.below, other.below), std::min(place.distance, other.distance)};
     }
   }
+}
+
+void noteMoment(LiveState& state, const Simulation& simulation, double before,
+                const std::vector<double>& peaks) {
+  StepReport report;
+  report.frame = simulation.frame() - 1;
+  report.time = simulation.time();
+  report.toolForce.assign(simulation.tools().size(), Vec3::Zero());
+  report.contacts.resize(simulation.tools().size() * simulation.organs().size());
+  state.lastTouch.clear();
+  noteStep(state, simulation, report, before, peaks);
 }
 
 }  // namespace resect

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "operation/live/step_times.h"
+#include "operation/live/timeline.h"
 #include "operation/live/tip_place.h"
 #include "simulation/simulation.h"
 
@@ -23,11 +25,16 @@ struct LiveState {
   float iso = 50;                        // iso level
   bool moves = false;                    // whether any tissue is elastic
   std::vector<std::string> faults;       // since the last LiveOperation::take(), each once
-  std::vector<ToolInput> played;   // the tools' inputs while a motion plays; empty: no motion plays
+  // The tools' inputs while something else than the hand moves them: a motion that plays, or a
+  // moment of the history that is shown. Empty: the hand moves them.
+  std::vector<ToolInput> played;
+  Moment moment;         // the end of the newest frame in the history
+  bool showing = false;  // an earlier moment is shown: nothing happens before somebody goes on
+  double playback = 0;   // recorded seconds a second while showing; 0: it stands
   int undoable = 0, redoable = 0;  // strokes that can be taken back; that can be done again
-  // Number of calls of undo() and redo() that were done, and the tools as the last one left them.
-  std::int64_t jumps = 0;
-  std::vector<ToolInput> jumpedTools;
+  std::int64_t answered = 0;     // number of the last request that was done (LiveOperation::undo())
+  std::size_t historyBytes = 0;  // memory for the states of the history
+  std::shared_ptr<const Timeline> timeline;  // renewed several times a second
   StepTimes times;
   // The lists below have one element per tool.
   std::vector<TipPlace> tips;      // valid only while the tool is in hand
@@ -38,9 +45,13 @@ struct LiveState {
   std::vector<std::uint8_t> touching;  // 1: the tool touched tissue in the last 0.1 s
 };
 
-// To be called after a step: updates everything except `played` and `times`. simulation.keepLook()
-// must have been called before the step. `before`: volume of the tissue before the operation, m^3.
+// To be called after a step: updates what the simulation and its report say: counts, volumes,
+// faults and the lists. simulation.keepLook() must have been called before the step. `before`:
+// volume of the tissue before the operation, m^3. peaks: OperationHistory::peaks().
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
-              double before);
+              double before, const std::vector<double>& peaks);
+// The same for a simulation that has gone to another moment, where no step is reported.
+void noteMoment(LiveState& state, const Simulation& simulation, double before,
+                const std::vector<double>& peaks);
 
 }  // namespace resect

@@ -104,7 +104,7 @@ TEST_CASE("jaws follow a hand as fast as it closes, and a motion at once") {
   live.operation.play([input, frames = 3]() mutable -> std::optional<FrameInput> {
     input.squeeze = 1;
     if (frames-- == 0) return std::nullopt;
-    return FrameInput{1.0 / 240, {input}, {}};
+    return FrameInput{1.0 / 240, {input}, {}, {}, false};
   });
   std::vector<double> seen;
   for (int i = 0; i < 40; ++i) live.frames(1), seen.push_back(live.state.squeeze[0]);

@@ -1,4 +1,4 @@
-#include "app/panels.h"
+#include "app/widgets/panels.h"
 
 #include <fmt/format.h>
 

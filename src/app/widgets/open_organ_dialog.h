@@ -5,7 +5,7 @@
 #include <QDialog>
 #include <functional>
 
-#include "app/organ_loader.h"
+#include "app/loading/organ_loader.h"
 #include "operation/scenario.h"
 
 class QComboBox;

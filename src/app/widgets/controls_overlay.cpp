@@ -1,4 +1,4 @@
-#include "app/controls_overlay.h"
+#include "app/widgets/controls_overlay.h"
 
 #include <QMouseEvent>
 #include <QPainter>

@@ -1,4 +1,4 @@
-#include "app/organ_loader.h"
+#include "app/loading/organ_loader.h"
 
 #include <fmt/format.h>
 
@@ -40,19 +40,17 @@ Model readOwnFile(const std::filesystem::path& path) {
   return readAssimpFile(path, path, bytes);
 }
 
-// Uses half of the processor's threads unless the scenario sets a number, leaving the rest for
-// drawing.
-TissueSetup beside(TissueSetup setup) {
-  if (setup.settings.threads == 0)
-    setup.settings.threads = std::max(1, int(std::thread::hardware_concurrency()) / 2);
-  return setup;
-}
-
 bool isModelFile(const OrganSource& source) {
   return !isBuiltIn(source) && !isParticleFile(source.file);
 }
 
 }  // namespace
+
+TissueSetup besideDrawing(TissueSetup setup) {
+  if (setup.settings.threads == 0)
+    setup.settings.threads = std::max(1, int(std::thread::hardware_concurrency()) / 2);
+  return setup;
+}
 
 Scenario withAllInstruments(Scenario scenario) {
   for (const ToolKind& kind : toolKinds()) {
@@ -145,7 +143,7 @@ void OrganLoader::load(const Scenario& scenario, std::function<void(double)> pro
   job_ = std::make_unique<Job>();
   job_->scenario = withAllInstruments(scenario);
   job_->wanted = job_->scenario;
-  for (ScenarioOrgan& organ : job_->wanted.organs) organ.tissue = beside(organ.tissue);
+  for (ScenarioOrgan& organ : job_->wanted.organs) organ.tissue = besideDrawing(organ.tissue);
   next_ = 0;
   readNext();
   timer_.start();

@@ -9,10 +9,13 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "operation/live/operation_history.h"
 #include "operation/scenario.h"
+#include "record/recorder.h"
 #include "simulation/simulation.h"
 
 namespace resect {
@@ -20,6 +23,10 @@ namespace resect {
 // Adds the shipped instruments that the scenario lacks; they come after the scenario's own. Sets
 // the rest pose of every instrument to its place in the tool box.
 Scenario withAllInstruments(Scenario scenario);
+
+// Uses half of the processor's threads unless the scenario sets a number, leaving the rest for
+// drawing.
+TissueSetup besideDrawing(TissueSetup setup);
 
 class OrganLoader {
  public:
@@ -31,6 +38,9 @@ class OrganLoader {
     std::unique_ptr<Simulation> simulation;  // null: `problem` says why
     std::vector<std::string> notes;
     std::string problem;
+    // Of an operation that goes on (operation_loader.h): what was done, and its recorder.
+    std::optional<OperationHistory> history = {};
+    std::shared_ptr<Recorder> recorder = {};
   };
 
   // Loads one scenario at a time. A new call abandons the loading that is in progress, and does not

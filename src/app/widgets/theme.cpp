@@ -1,4 +1,4 @@
-#include "app/theme.h"
+#include "app/widgets/theme.h"
 
 #include <QApplication>
 #include <QPalette>

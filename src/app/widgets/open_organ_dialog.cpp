@@ -1,4 +1,4 @@
-#include "app/open_organ_dialog.h"
+#include "app/widgets/open_organ_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -1,0 +1,83 @@
+#include "app/loading/operation_loader.h"
+
+#include <atomic>
+#include <thread>
+#include <utility>
+
+#include "base/error.h"
+#include "base/progress.h"
+#include "base/stop.h"
+#include "record/recorded_history.h"
+#include "record/session_recordings.h"
+
+namespace resect {
+
+struct OperationLoader::Job {
+  std::filesystem::path file;
+  bool record = true;
+  OrganLoader::Result result;
+  std::atomic<double> share{-1};
+  std::atomic<bool> cancelled{false}, done{false};
+
+  void work() {
+    const StopBy stop(cancelled);
+    try {
+      RecordingFile recording = RecordingFile::open(file);
+      RecordedSetup setup = recording.setup();
+      for (ScenarioOrgan& organ : setup.scenario.organs) organ.tissue = besideDrawing(organ.tissue);
+      RecordedOperation operation =
+          operationOf(recording, std::move(setup), {}, [this](double now) {
+            share = now;
+            return !cancelled;
+          });
+      share = -1;
+      if (record) try {
+          result.recorder = recordSession(operation.setup.scenario, recording);
+        } catch (const Error& e) {
+          result.notes.push_back(e.what());
+        }
+      result.scenario = std::move(operation.setup.scenario);
+      result.simulation = std::move(operation.simulation);
+      result.history = std::move(operation.history);
+    } catch (const Cancelled&) {
+      result.problem = "cancelled";
+    } catch (const std::exception& e) {
+      result.problem = e.what();
+    }
+    done = true;
+  }
+};
+
+OperationLoader::OperationLoader() {
+  QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { poll(); });
+  timer_.setInterval(40);
+}
+
+void OperationLoader::cancel() {
+  timer_.stop();
+  done_ = {};
+  if (job_) job_->cancelled = true;
+  job_.reset();
+}
+
+void OperationLoader::load(const std::filesystem::path& file, bool record,
+                           std::function<void(double)> progress,
+                           std::function<void(OrganLoader::Result)> done) {
+  cancel();
+  progress_ = std::move(progress);
+  done_ = std::move(done);
+  job_ = std::make_shared<Job>();
+  job_->file = file;
+  job_->record = record;
+  std::thread([job = job_] { job->work(); }).detach();
+  timer_.start();
+}
+
+void OperationLoader::poll() {
+  if (!job_->done) return progress_(job_->share);
+  timer_.stop();
+  const std::shared_ptr<Job> job = std::exchange(job_, nullptr);
+  std::exchange(done_, {})(std::move(job->result));
+}
+
+}  // namespace resect

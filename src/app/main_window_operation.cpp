@@ -1,0 +1,236 @@
+// Operations in the main window: begun, opened, saved and given up.
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+
+#include <QApplication>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QStatusBar>
+#include <algorithm>
+#include <filesystem>
+
+#include "app/main_window.h"
+#include "app/say.h"
+#include "app/viewer.h"
+#include "app/widgets/panels.h"
+#include "app/widgets/timeline_panel.h"
+#include "base/error.h"
+#include "inventor/reading/model_file.h"
+#include "inventor/scene/scene_file.h"
+#include "record/session_recordings.h"
+
+namespace resect {
+
+void MainWindow::showProgress(double share) {
+  progress_->setRange(0, share < 0 ? 0 : 1000);
+  progress_->setValue(int(1000 * share));
+  progress_->show();
+  cancel_->show();
+}
+
+void MainWindow::load(const Scenario& scenario) {
+  if (!mayEnd()) return;
+  operations_.cancel();
+  keepsView_ = false;
+  if (session_) complaint_->hide();
+  showProgress(-1);
+  statusBar()->showMessage("Preparing the organ ...");
+  loader_.load(
+      scenario, [this](double share) { showProgress(share); },
+      [this](OrganLoader::Result result) { begin(std::move(result)); });
+}
+
+void MainWindow::openOperation(const QString& file) {
+  if (!mayEnd()) return;
+  loader_.cancel();
+  keepsView_ = false;
+  if (session_) complaint_->hide();
+  showProgress(-1);
+  statusBar()->showMessage("Opening the operation ...");
+  operations_.load(
+      file.toStdString(), QSettings().value("record", true).toBool(),
+      [this](double share) { showProgress(share); },
+      [this, file](OrganLoader::Result result) {
+        const bool fine = result.simulation != nullptr;
+        const std::filesystem::path path = file.toStdString();
+        begin(std::move(result));
+        if (!fine || !goesOn_) return;
+        // A recording of the window's own has no name that a person gave it.
+        if (path.parent_path() != recordingsFolder()) {
+          operationFile_ = path.string();
+          remember(file);
+        }
+        setWindowTitle("Resect - " + shown(path.filename().string()));
+      });
+}
+
+void MainWindow::cancelLoading() {
+  loader_.cancel();
+  operations_.cancel();
+  progress_->hide();
+  cancel_->hide();
+  if (session_) {
+    statusBar()->showMessage("Cancelled; nothing has changed", 4000);
+  } else {
+    loadDefault();
+  }
+}
+
+// Loads the built-in liver at the start, coarse enough to appear at once.
+void MainWindow::loadDefault() {
+  Scenario scenario = options_.scenario;
+  keepFirstOrgan(scenario);
+  scenario.organs[0] = {};
+  scenario.organs[0].source.spacing = 0.006;
+  makeThesis(scenario);
+  load(scenario);
+}
+
+void MainWindow::begin(OrganLoader::Result result) {
+  progress_->hide();
+  cancel_->hide();
+  statusBar()->clearMessage();
+  if (!result.simulation) {
+    complain(result.problem);
+    const std::vector<ScenarioOrgan>& organs = result.scenario.organs;
+    if (!session_ && (organs.size() > 1 || organs[0].source.file != "liver")) loadDefault();
+    return;
+  }
+  try {
+    std::optional<ScenePlaces> places;
+    if (result.scenario.organs[0].source.part == kOrganNode && !result.history)
+      places = readModel(result.scenario.organs[0].source.file).places;
+    std::shared_ptr<Recorder> recorder = result.history ? result.recorder : record(result);
+    const bool goesOn = result.history.has_value();
+    auto session = std::make_unique<OperatingSession>(
+        result.scenario, std::move(result.simulation), viewer_->aspect(),
+        recorder ? watchOf(recorder) : OperationWatch(), std::move(result.history));
+    if (places) {
+      const int tools = std::min(int(places->tools.size()), session->tools().toolCount());
+      for (int i = 0; i < tools; ++i) session->tools().setPose(i, places->tools[std::size_t(i)]);
+      setCamera(session->room(), *places);
+    }
+    if (keepsView_ && session_)
+      session->room().camera()->copyFieldValues(session_->room().camera());
+    viewer_->show(nullptr);
+    session_ = std::move(session);
+    recorder_ = std::move(recorder);
+    goesOn_ = goesOn;
+    operationFile_.clear();
+    setWindowTitle("Resect");
+  } catch (const std::exception& e) {
+    return complain(e.what());
+  }
+  viewer_->show(session_.get());
+  heldSaid_ = -2;
+  removedSaid_ = 0;
+  uploadedSaid_ = 0;
+  removed_->clear();
+  instruments_->setTools(session_->toolModels());
+  std::vector<QString> tools;
+  for (const ToolModel& tool : session_->toolModels()) tools.push_back(shown(tool.name));
+  timeline_->begin(tools, session_->scenario().frameRate);
+  const ScenarioOrgan& organ = session_->scenario().organs[0];
+  QString notes;
+  for (const std::string& note : result.notes) notes += shown(note, kLongestSentence) + "\n";
+  organ_->setOrgans(session_->scenario().organs, session_->cells().lattice.spacing.x(),
+                    notes.trimmed());
+  organ_->setIso(session_->iso().value());
+  viewer_->setFocus();
+  if (options_.reports)
+    say("organ {}", std::filesystem::path(organ.source.file).filename().string());
+}
+
+// A recorder of the coming operation; null if none is wanted, or none can be made, which is said.
+std::shared_ptr<Recorder> MainWindow::record(const OrganLoader::Result& result) {
+  if (!QSettings().value("record", true).toBool()) return nullptr;
+  try {
+    return recordSession(result.scenario, *result.simulation);
+  } catch (const std::exception& e) {
+    complain(e.what());
+    return nullptr;
+  }
+}
+
+bool MainWindow::mayEnd() {
+  if (!session_ || (recorder_ && recorder_->failure().empty())) return true;
+  const std::shared_ptr<const Timeline> timeline = session_->state().timeline;
+  const bool done = timeline && std::ranges::any_of(timeline->courses, [](const auto& course) {
+                      return !course.strokes.empty();
+                    });
+  return !done || QMessageBox::question(
+                      this, "Resect",
+                      "This operation is not recorded: what was done would be lost. Give it up?",
+                      QMessageBox::Discard | QMessageBox::Cancel,
+                      QMessageBox::Cancel) == QMessageBox::Discard;
+}
+
+// All that was done, into a recording with a name.
+void MainWindow::writeOperation(const std::string& file) {
+  if (!recorder_)
+    throw error(
+        "this operation is not recorded, so that it cannot be saved; switch recording on "
+        "in the File menu before the next one");
+  checkWritten(file);
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  try {
+    recorder_->saveAs(file);
+  } catch (...) {
+    QApplication::restoreOverrideCursor();
+    throw;
+  }
+  QApplication::restoreOverrideCursor();
+  operationFile_ = file;
+  setWindowTitle("Resect - " + shown(std::filesystem::path(file).filename().string()));
+  remember(QString::fromStdString(file));
+  statusBar()->showMessage("Saved: " + shown(file, kLongestShownPath), 5000);
+  if (options_.reports) say("written {}", file);
+}
+
+void MainWindow::saveOperation(bool elsewhere) {
+  if (!session_) return;
+  std::string file = operationFile_;
+  if (file.empty() || elsewhere) {
+    QString chosen = QFileDialog::getSaveFileName(
+        this, "Save operation", file.empty() ? "operation.resect" : QString::fromStdString(file),
+        "Operations (*.resect)");
+    if (chosen.isEmpty()) return;
+    if (!chosen.contains('.')) chosen += ".resect";
+    file = chosen.toStdString();
+  }
+  try {
+    writeOperation(file);
+  } catch (const std::exception& e) {
+    complain(e.what());
+  }
+}
+
+// The menu of what the window has recorded by itself.
+void MainWindow::listRecordings() {
+  recordings_->clear();
+  std::uintmax_t sum = 0;
+  const auto megabytes = [](std::uintmax_t bytes) {
+    return QString("%1 MB").arg(double(bytes) / 1e6, 0, 'f', 1);
+  };
+  for (const SessionRecording& recording : sessionRecordings()) {
+    sum += recording.bytes;
+    const bool present = recorder_ && recording.path == recorder_->path();
+    const QString name = shown(recording.path.stem().string()) + ",  " + megabytes(recording.bytes);
+    QAction* action = recordings_->addAction(present ? name + "  (this one)" : name);
+    action->setEnabled(!present);
+    connect(action, &QAction::triggered, this, [this, path = recording.path] {
+      openOperation(QString::fromStdString(path.string()));
+    });
+  }
+  recordings_->addSeparator();
+  QAction* all = recordings_->addAction(
+      QString("The last %1 are kept; together %2").arg(kKeptRecordings).arg(megabytes(sum)));
+  all->setEnabled(false);
+  recordings_->addAction(recordingOn_);
+}
+
+}  // namespace resect

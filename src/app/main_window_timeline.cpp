@@ -1,0 +1,68 @@
+// The timeline of the main window: its menu, and what a person asks of it.
+#include <QAction>
+#include <QMenu>
+#include <QMenuBar>
+
+#include "app/main_window.h"
+#include "app/say.h"
+#include "app/viewer.h"
+#include "app/widgets/branches_dialog.h"
+#include "app/widgets/timeline_panel.h"
+
+namespace resect {
+
+void MainWindow::makeTimelineMenu() {
+  timeline_->wanted = [this](Moment moment) {
+    if (session_) session_->show(moment);
+  };
+  timeline_->playback = [this](double speed) {
+    if (session_) session_->setPlayback(speed);
+  };
+  timeline_->goOn = [this] {
+    if (session_) session_->goOn();
+    viewer_->setFocus();
+  };
+  timeline_->compare = [this] { compareBranches(); };
+
+  QMenu* menu = menuBar()->addMenu("&Timeline");
+  menu->setToolTipsVisible(true);
+  const auto add = [this, menu](const char* text, const QKeySequence& key, const char* tip,
+                                auto act) {
+    QAction* action = menu->addAction(text);
+    action->setShortcut(key);
+    action->setToolTip(tip);
+    connect(action, &QAction::triggered, this, act);
+  };
+  const auto second = [this] { return std::int64_t(timeline_->frameRate() + 0.5); };
+  add("One frame &back", QKeySequence(Qt::Key_Comma), "Shows the frame before",
+      [this] { timeline_->step(-1); });
+  add("One frame &on", QKeySequence(Qt::Key_Period), "Shows the frame after",
+      [this] { timeline_->step(1); });
+  add("One second b&ack", QKeySequence("Ctrl+Left"), "Shows what was a second before",
+      [this, second] { timeline_->step(-second()); });
+  add("One second o&n", QKeySequence("Ctrl+Right"), "Shows what was a second after",
+      [this, second] { timeline_->step(second()); });
+  add("To the &start", QKeySequence("Ctrl+Home"), "Shows the start of the operation",
+      [this] { timeline_->step(-1'000'000'000); });
+  add("To the &end", QKeySequence(Qt::Key_End), "Shows the end of the branch",
+      [this] { timeline_->toEnd(); });
+  menu->addSeparator();
+  add("&Play or stop", QKeySequence("Ctrl+Space"), "Plays again what happened after this moment",
+      [this] { timeline_->togglePlayback(); });
+  add("&Go on from here", QKeySequence(Qt::Key_Return),
+      "Operates from the moment that is shown; what came after it stays as a branch",
+      [this] { timeline_->goOn(); });
+  menu->addSeparator();
+  add("&Compare branches ...", QKeySequence("Ctrl+B"), "All branches side by side",
+      [this] { compareBranches(); });
+}
+
+void MainWindow::compareBranches() {
+  if (!session_ || !session_->state().timeline) return;
+  BranchesDialog dialog(
+      *session_->state().timeline, timeline_->branch(), timeline_->frameRate(),
+      [this](std::int64_t branch) { timeline_->lookAt(branch); }, this);
+  dialog.exec();
+}
+
+}  // namespace resect

@@ -1,0 +1,64 @@
+#include "app/widgets/branches_dialog.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include "app/say.h"
+#include "app/widgets/timeline_panel.h"
+
+namespace resect {
+
+BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, double frameRate,
+                               std::function<void(std::int64_t)> wanted, QWidget* parent)
+    : QDialog(parent) {
+  setWindowTitle("Branches");
+  const QStringList titles{"Branch",  "Begins at",   "Ends at",
+                           "Strokes", "Removed, ml", "Largest force, N"};
+  auto* table = new QTableWidget(0, int(titles.size()), this);
+  table->setHorizontalHeaderLabels(titles);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->verticalHeader()->hide();
+  for (const Timeline::Course& course : timeline.courses) {
+    const Branch& branch = course.branch;
+    if (branch.number != 0 && branch.number != present && course.strokes.empty()) continue;
+    const int row = table->rowCount();
+    table->insertRow(row);
+    const QStringList texts{shown(branch.name),
+                            clockText(double(branch.from) / frameRate),
+                            clockText(double(course.end) / frameRate),
+                            QString::number(timeline.strokesOn(branch.number).size()),
+                            QString::number(course.removedVolume * 1e6, 'f', 2),
+                            QString::number(course.force, 'f', 2)};
+    for (int i = 0; i < texts.size(); ++i) {
+      auto* item = new QTableWidgetItem(texts[i]);
+      item->setTextAlignment(Qt::AlignVCenter | (i == 0 ? Qt::AlignLeft : Qt::AlignRight));
+      item->setData(Qt::UserRole, qlonglong(branch.number));
+      table->setItem(row, i, item);
+    }
+    if (branch.number == present) table->selectRow(row);
+  }
+  table->resizeColumnsToContents();
+  table->horizontalHeader()->setStretchLastSection(true);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  auto* show = buttons->addButton("Show its end", QDialogButtonBox::ActionRole);
+  const auto choose = [this, table, wanted] {
+    const QList<QTableWidgetItem*> chosen = table->selectedItems();
+    if (chosen.isEmpty()) return;
+    wanted(chosen.front()->data(Qt::UserRole).toLongLong());
+    accept();
+  };
+  connect(show, &QPushButton::clicked, this, choose);
+  connect(table, &QTableWidget::cellDoubleClicked, this, choose);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(table);
+  column->addWidget(buttons);
+  resize(720, 90 + 34 * (table->rowCount() + 2));
+}
+
+}  // namespace resect

@@ -1,0 +1,24 @@
+// The courses that an operation has taken. Branch 0 is the first; another one begins wherever
+// somebody went back to an earlier moment and worked on from there.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace resect {
+
+inline constexpr const char* kFirstBranch = "1, from the start";  // its name
+
+struct Branch {
+  std::int64_t number = 0, parent = -1;  // -1: none
+  std::int64_t from = 0;                 // frame of the parent at which it begins
+  std::string name;
+};
+
+// The end of a frame of a branch. Frames are numbered by Simulation::frame() after the step.
+struct Moment {
+  std::int64_t branch = 0, frame = 0;
+  bool operator==(const Moment&) const = default;
+};
+
+}  // namespace resect

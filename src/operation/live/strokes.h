@@ -1,0 +1,44 @@
+// Strokes: what a hand does with an instrument between two rests, the unit of undo.
+//
+// A stroke begins when an instrument in hand touches or cuts an organ. It ends when the hand lets
+// go (FrameInput::strokeEnds), when no instrument has touched an organ for kEndSeconds, or when all
+// instruments are put back. After the hand has let go, the next stroke begins only when a tool that
+// touches an organ is moved.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "operation/live/operation_events.h"
+
+namespace resect {
+
+struct Stroke {
+  std::int64_t from = 0, to = 0;  // frames: the last one before contact; the last one in contact
+  std::int64_t tool = -1;         // the first that touched; -1: a blade cut without touching
+  // So far: particles removed, bonds cut by instruments, bonds torn.
+  std::int64_t removed = 0, severed = 0, torn = 0;
+};
+
+// Finds the strokes of one branch. Its result depends on the inputs and events alone, so that it is
+// the same for a recording as it was while it was made.
+class StrokeTracker {
+ public:
+  // After each step, with its events. frame: number after the step.
+  void add(std::int64_t frame, const FrameInput& input, std::span<const OperationEvent> events);
+  const std::vector<Stroke>& strokes() const { return strokes_; }
+  bool inStroke() const { return inStroke_; }  // the last stroke goes on
+
+  static constexpr double kEndSeconds = 1;
+
+ private:
+  std::vector<Stroke> strokes_;
+  EventMemory memory_;
+  std::vector<ToolInput> before_;  // tools of the last frame
+  bool inStroke_ = false;
+  bool resting_ = false;  // the hand has let go, and no tool has moved since
+  double untouched_ = 0;  // s, since the last contact of the stroke
+};
+
+}  // namespace resect

@@ -1,0 +1,39 @@
+// An overview of an operation's history for those who show it.
+//
+// The way to a branch is what led to its end: its own frames after those of its parent up to the
+// frame at which it begins, and so on back to the start of the operation.
+#pragma once
+
+#include <vector>
+
+#include "operation/live/operation_history.h"
+
+namespace resect {
+
+struct Timeline {
+  struct Course {
+    Branch branch;
+    std::int64_t end = 0;  // its last frame
+    std::vector<Stroke> strokes;
+    std::vector<std::int64_t> faults;  // frames
+    double removedVolume = 0;          // at its end, m^3
+    double force = 0;                  // largest on any tool on the way to its end, N
+  };
+  std::vector<Course> courses;  // one per branch, by number
+
+  // The moment of that frame on the way to the end of `branch`.
+  Moment momentOn(std::int64_t branch, std::int64_t frame) const;
+  // Whether the moment is on the way to the end of `branch`.
+  bool leadsTo(std::int64_t branch, Moment moment) const;
+  // The strokes, and the frames of faults, on the way to the end of `branch`, in order.
+  std::vector<Stroke> strokesOn(std::int64_t branch) const;
+  std::vector<std::int64_t> faultsOn(std::int64_t branch) const;
+
+ private:
+  template <typename Visit>
+  void walkBack(std::int64_t branch, const Visit& visit) const;
+};
+
+Timeline timelineOf(const OperationHistory& history);
+
+}  // namespace resect

@@ -1,0 +1,83 @@
+#include "record/recorded_history.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "record/frame_bytes.h"
+
+namespace resect {
+namespace {
+
+OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch, std::size_t tools,
+                                  const std::function<void()>& frameRead) {
+  OperationHistory::Course course;
+  course.branch = branch;
+  for (const std::int64_t frame : file.keyFrames(branch.number))
+    if (std::optional<KeyState> key = file.keyState(branch.number, frame))
+      course.states[frame] = std::move(key->state);
+  if (course.states.empty() || course.states.begin()->first != branch.from)
+    throw error("{}: the first state of branch {} is missing; take an earlier copy of it",
+                file.name(), branch.number);
+  const std::vector<OperationEvent> events = file.events(branch.number);
+  auto event = events.begin();
+  FrameInput before;
+  for (std::int64_t number = branch.from + 1;; ++number) {
+    const std::optional<RecordedFrame> frame = file.frame(branch.number, number);
+    if (!frame) break;
+    FrameInput input = frameFromBytes(frame->input, frame->whole ? FrameInput() : before);
+    if (input.tools.size() != tools)
+      throw error(
+          "{}: frame {} of branch {} has {} tools instead of {}; take an earlier copy of it",
+          file.name(), number, branch.number, input.tools.size(), tools);
+    const auto first = event;
+    while (event != events.end() && event->frame <= number) ++event;
+    const std::span<const OperationEvent> happened(first, event);
+    for (const OperationEvent& one : happened) remember(course.events, one, tools);
+    std::vector<double> forces(tools, 0);
+    for (const RecordedSample& s : file.samples(branch.number, number))
+      if (s.tool >= 0 && std::size_t(s.tool) < tools)
+        forces[std::size_t(s.tool)] = Vec3(s.force[0], s.force[1], s.force[2]).norm();
+    course.add(input, happened, forces);
+    before = std::move(input);
+    before.edits.clear();
+    frameRead();
+  }
+  // A state beyond the frames would let the operation go on where nothing led.
+  course.states.erase(course.states.upper_bound(course.end()), course.states.end());
+  return course;
+}
+
+}  // namespace
+
+RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
+                              std::optional<std::int64_t> branch, const Progress& progress) {
+  auto simulation = std::make_unique<Simulation>(simulationOf(setup));
+  const std::vector<Branch> branches = file.branches();
+  std::int64_t frames = 1, read = 0;
+  for (const Branch& one : branches)
+    frames += std::max<std::int64_t>(0, file.lastFrame(one.number) - one.from);
+  std::vector<OperationHistory::Course> courses;
+  for (const Branch& one : branches) {
+    if (one.number != std::int64_t(courses.size()) || one.parent >= one.number ||
+        (one.number > 0 && one.parent < 0))
+      throw error("{}: its branches are not in order; take an earlier copy of it", file.name());
+    courses.push_back(courseOf(file, one, simulation->tools().size(), [&] {
+      if (progress && ++read % 64 == 0) report(progress, 0.9 * double(read) / double(frames));
+    }));
+  }
+  const std::int64_t last = branch.value_or(file.lastBranch());
+  if (last < 0 || std::size_t(last) >= courses.size())
+    throw error("{}: there is no branch {} in it; choose 0 to {}", file.name(), last,
+                std::int64_t(courses.size()) - 1);
+  const Moment start{last, courses[std::size_t(last)].branch.from};
+  const Moment end{last, courses[std::size_t(last)].end()};
+  RecordedOperation operation{std::move(setup), std::move(simulation),
+                              OperationHistory(std::move(courses), file.info().frameRate, start)};
+  operation.simulation->restore(
+      operation.history.courses()[std::size_t(last)].states.begin()->second);
+  operation.history.goTo(end, *operation.simulation);
+  return operation;
+}
+
+}  // namespace resect

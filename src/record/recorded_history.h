@@ -1,0 +1,22 @@
+// An operation that goes on from a recording.
+#pragma once
+
+#include "base/progress.h"
+#include "operation/live/operation_history.h"
+#include "record/recording_file.h"
+
+namespace resect {
+
+struct RecordedOperation {
+  RecordedSetup setup;
+  std::unique_ptr<Simulation> simulation;  // at history.now()
+  OperationHistory history;
+};
+
+// The operation as it was at its end: in the branch in which something happened last, or in
+// `branch`. setup: file.setup(). Throws Error if the recording is damaged.
+RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
+                              std::optional<std::int64_t> branch = {},
+                              const Progress& progress = {});
+
+}  // namespace resect

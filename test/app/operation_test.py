@@ -1,0 +1,206 @@
+#!/usr/bin/env python3
+"""A person who keeps an operation, with real mouse and keys on a virtual screen: cuts, takes back, looks at earlier
+moments, works on from one, saves, quits, opens, goes on. What was recorded is proved afterwards.
+
+    operation_test.py PROGRAM FOLDER [--random N]     N random operations besides; pictures are left in FOLDER
+"""
+import argparse
+import random
+import shutil
+import subprocess
+import sys
+import time
+import unittest
+from pathlib import Path
+
+from screen import Screen, Window, difference
+
+arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+arguments.add_argument("program", metavar="PROGRAM", type=lambda text: str(Path(text).resolve()))
+arguments.add_argument("folder", metavar="FOLDER", type=lambda text: Path(text).resolve())
+arguments.add_argument("--random", type=int, default=1, metavar="N", help="random operations (default 1)")
+arguments.add_argument("--seed", type=int, default=1)
+OPTIONS = arguments.parse_args()
+PROGRAM, FOLDER = OPTIONS.program, OPTIONS.folder
+
+
+class KeptOperation(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(FOLDER, ignore_errors=True)
+        FOLDER.mkdir(parents=True, mode=0o700)
+        cls.screen = Screen(FOLDER)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.screen.close()
+
+    def opened(self, *args):
+        window = Window(PROGRAM, self.screen, "--size", "1240x900", *args)
+        self.addCleanup(window.quit)
+        window.wait("ready")
+        self.screen.focus("^Resect")
+        return window
+
+    def stroke(self, window, first, last, deep=20):
+        """The instrument in hand to `first`, into the organ with the wheel, and on to `last`."""
+        screen = self.screen
+        screen.drag(first, last, steps=12)
+        for button in [4] * deep + [5] * deep:
+            screen.do("click", button)
+            time.sleep(0.02)
+
+    def removed(self, window):
+        window.drain()
+        counts = [int(line.split()[1]) for line in window.said if line.startswith("removed ")]
+        return counts[-1] if counts else 0
+
+    def shown(self, window):
+        """Branch, frame and particles removed of the next moment that is shown."""
+        words = window.wait("showing").split()
+        return int(words[2]), int(words[4]), int(words[6])
+
+    def close(self, window):
+        self.screen.focus("^Resect")
+        self.screen.key("ctrl+q")
+        self.assertEqual(window.process.wait(timeout=60), 0)
+
+    def recordings(self):
+        return sorted((FOLDER / "state" / "resect" / "recordings").glob("*.resect"))
+
+    def verify(self, file, threads=(1, 2, 3)):
+        said = set()
+        for n in threads:
+            done = subprocess.run([PROGRAM, "verify", str(file), "--threads", str(n)], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, f"{file} at {n} threads: {done.stdout}{done.stderr}")
+            said.add(done.stdout)
+        self.assertEqual(len(said), 1)
+        return said.pop()
+
+    def test_cut_undo_scrub_branch_save_quit_open_go_on(self):
+        screen = self.screen
+        window = self.opened("--spacing", "8mm", "--thesis")
+        organ, scalpel = window.places["organ"], window.places["Scalpel"]
+        screen.drag(scalpel, (organ[0], organ[1] + 40), steps=25)
+        window.wait("held Scalpel direct")
+        self.stroke(window, (organ[0], organ[1] + 250), (organ[0] - 40, organ[1] + 285))
+        one = self.removed(window)
+        self.assertGreater(one, 0, window.said[-20:])
+        time.sleep(1.2)  # the stroke ends
+        self.stroke(window, (organ[0] - 40, organ[1] + 290), (organ[0] + 50, organ[1] + 275))
+        two = self.removed(window)
+        self.assertGreater(two, one)
+        cut = screen.picture("1_cut")
+
+        # Undo until nothing is cut, and redo.
+        removed = two
+        while removed > 0:
+            screen.key("ctrl+z")
+            branch, _, removed = self.shown(window)
+            self.assertEqual(branch, 0)
+        screen.picture("2_undone")
+        while removed < two:
+            screen.key("ctrl+shift+z")
+            branch, last, removed = self.shown(window)
+        self.assertEqual(branch, 0)
+
+        # Scrub: a press in the middle of the bar, a drag to its end.
+        start, end = window.places["timeline-start"], window.places["timeline-end"]
+        screen.click((start[0] + end[0]) // 2, start[1])
+        _, middle, _ = self.shown(window)
+        self.assertLess(abs(middle - last / 2), last / 10)
+        time.sleep(0.6)
+        scrubbed = screen.picture("3_scrubbed")
+        around = (organ[0] - 150, organ[1] - 150, organ[0] + 150, organ[1] + 150)
+        self.assertGreater(difference(cut, scrubbed, around), 0.001)
+        screen.key("comma")
+        self.assertEqual(self.shown(window)[1], middle - 1)
+        screen.key("period")
+        self.assertEqual(self.shown(window)[1], middle)
+        # Plays again, and stops.
+        screen.key("ctrl+space")
+        for _ in range(5):
+            frame = self.shown(window)[1]
+        self.assertGreater(frame, middle)
+        screen.key("ctrl+space")
+        time.sleep(0.5)
+        window.drain()
+
+        # From before the first cut, another way: a branch.
+        screen.click(*start)
+        _, frame, removed = self.shown(window)
+        self.assertEqual((frame, removed), (0, 0))
+        screen.key("1")
+        window.wait("operating")
+        screen.drag((organ[0], organ[1] + 60), (organ[0] + 40, organ[1] + 60), steps=10)
+        self.stroke(window, (organ[0] + 40, organ[1] + 60), (organ[0] + 80, organ[1] + 80), deep=25)
+        time.sleep(1)
+        branched = self.removed(window)
+        self.assertGreater(branched, 0)
+        screen.picture("4_branch")
+        screen.key("ctrl+b")
+        screen.focus("^Branches$")
+        screen.picture("5_branches")
+        screen.key("Escape")
+        screen.focus("^Resect")
+
+        # Save, quit, open, go on.
+        screen.key("ctrl+s")
+        screen.focus("^Save operation$")
+        kept = FOLDER / "kept.resect"
+        screen.type(kept)
+        screen.key("Return")
+        window.wait("written", seconds=30)
+        self.assertEqual(self.removed(window), branched)
+        self.close(window)
+        self.assertIn("2 branches", self.verify(kept))
+        before = kept.read_bytes()
+
+        again = self.opened(str(kept))
+        words = [line for line in again.said if line.startswith("showing")][-1].split()
+        self.assertEqual((words[2], words[6]), ("1", str(branched)))
+        time.sleep(1)
+        screen.picture("6_opened")
+        organ = again.places["organ"]
+        screen.key("2")
+        again.wait("operating")
+        self.stroke(again, (organ[0], organ[1] + 40), (organ[0] - 30, organ[1] + 70), deep=25)
+        more = self.removed(again)
+        self.assertGreater(more, branched)
+        screen.focus("^Resect")
+        screen.key("ctrl+s")  # it has its name
+        again.wait("written", seconds=30)
+        self.close(again)
+        self.assertNotEqual(before, kept.read_bytes())
+        self.verify(kept)
+        for file in self.recordings():
+            self.verify(file, threads=(2,))
+
+    def test_random_operations_are_proved_at_any_number_of_threads(self):
+        screen, chance = self.screen, random.Random(OPTIONS.seed)
+        for number in range(OPTIONS.random):
+            kind = chance.choice(["--thesis", "press", "incise", "snip"])
+            window = self.opened("--spacing", f"{chance.choice([8, 9, 11])}mm", kind)
+            organ = window.places["organ"]
+            near = lambda: (organ[0] + chance.randint(-120, 120), organ[1] + chance.randint(-40, 160))
+            for _ in range(12):
+                what = chance.random()
+                if what < 0.3:
+                    screen.key(chance.choice("123456"))
+                elif what < 0.7:
+                    self.stroke(window, near(), near(), deep=chance.randint(0, 25))
+                elif what < 0.8:
+                    screen.key(*chance.choice([["ctrl+z"], ["ctrl+z", "ctrl+z"], ["ctrl+z", "ctrl+shift+z"]]))
+                elif what < 0.9:
+                    start, end = window.places["timeline-start"], window.places["timeline-end"]
+                    screen.click(chance.randint(start[0], end[0]), start[1])
+                    screen.key(chance.choice(["Return", "1", "ctrl+space"]))
+                else:
+                    screen.key(chance.choice(["p", "Escape", "g", "c"]))
+            self.close(window)
+            said = self.verify(self.recordings()[-1])
+            print(f"random operation {number + 1}, {kind}: {said.strip()}", flush=True)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])
