@@ -1,7 +1,6 @@
 #include "record/database.h"
 
 #include <sqlite3.h>
-#include <stdlib.h>
 
 #include "base/error.h"
 
@@ -11,12 +10,6 @@ namespace fs = std::filesystem;
 
 void Database::Close::operator()(sqlite3* db) const { ::sqlite3_close(db); }
 void Statement::Finish::operator()(sqlite3_stmt* statement) const { ::sqlite3_finalize(statement); }
-
-void Database::RemoveFolder::operator()(fs::path* folder) const {
-  std::error_code ec;
-  fs::remove_all(*folder, ec);
-  delete folder;
-}
 
 namespace {
 
@@ -33,43 +26,40 @@ void requireNothingThere(const fs::path& path) {
                   path.string(), end);
 }
 
-void copyOrdinaryFile(const fs::path& from, const fs::path& to) {
-  std::error_code ec;
-  const fs::file_status status = fs::symlink_status(from, ec);
-  if (!fs::exists(status)) throw error("{}: there is no such file; check the name", from.string());
-  if (!fs::is_regular_file(status))
-    throw error("{}: is no ordinary file; name the recording itself", from.string());
-  if (!fs::copy_file(from, to, ec))
-    throw error("{}: cannot be copied for reading: {}; check who may read it, and free some space",
-                from.string(), ec.message());
-}
-
-// A folder of this user's own with copies of a recording and of its write-ahead log.
-fs::path copied(const fs::path& path) {
-  std::string folder = (fs::temp_directory_path() / "resect_recording_XXXXXX").string();
-  if (!::mkdtemp(folder.data()))
-    throw error("{}: there is no temporary folder to read it in; set TMPDIR", path.string());
-  copyOrdinaryFile(path, fs::path(folder) / "copy");
-  std::error_code ec;
-  if (fs::exists(fs::symlink_status(path.string() + "-wal", ec)))
-    copyOrdinaryFile(path.string() + "-wal", fs::path(folder) / "copy-wal");
-  return folder;
-}
-
 }  // namespace
 
-Database::Database(const fs::path& path, Mode mode) : name_(path.string()) {
-  fs::path file = fs::absolute(path);
-  if (mode == Mode::Create) {
-    requireNothingThere(file);
-  } else if (mode == Mode::Copy) {
-    folder_.reset(new fs::path(copied(file)));
-    file = *folder_ / "copy";
-  }
-  const int flags = SQLITE_OPEN_READWRITE | (mode == Mode::Create ? SQLITE_OPEN_CREATE : 0);
+Database::Database(const fs::path& path) : name_(path.string()) {
+  const fs::path file = fs::absolute(path);
+  requireNothingThere(file);
+  open(file.string(), SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW, nullptr);
+  ::sqlite3_busy_timeout(db_.get(), 2000);
+}
+
+Database Database::existing(const fs::path& path) {
+  Database database;
+  database.name_ = path.string();
+  database.open(fs::absolute(path).string(), SQLITE_OPEN_NOFOLLOW, nullptr);
+  ::sqlite3_busy_timeout(database.db_.get(), 2000);
+  return database;
+}
+
+Database Database::inMemory(const std::string& name) {
+  Database database;
+  database.name_ = name;
+  database.open(":memory:", SQLITE_OPEN_CREATE, nullptr);
+  return database;
+}
+
+Database::Database(RecordingBytes& bytes, const std::string& name) : name_(name) {
+  open("recording", 0, memoryFiles(bytes));
+  // Exclusive: the log's index is then not shared with other processes. Nothing is put into files.
+  run("PRAGMA locking_mode = EXCLUSIVE; PRAGMA temp_store = MEMORY;");
+}
+
+void Database::open(const std::string& file, int flags, const char* files) {
   sqlite3* db = nullptr;
   const int result = ::sqlite3_open_v2(file.c_str(), &db,
-                                       flags | SQLITE_OPEN_NOFOLLOW | SQLITE_OPEN_NOMUTEX, nullptr);
+                                       SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | flags, files);
   db_.reset(db);
   if (result != SQLITE_OK) fail();
   // What a file holds is never run: no triggers or views of others, no functions, checked pages.
@@ -77,22 +67,15 @@ Database::Database(const fs::path& path, Mode mode) : name_(path.string()) {
   ::sqlite3_db_config(db, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   ::sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   ::sqlite3_db_config(db, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
-  ::sqlite3_busy_timeout(db, 2000);
 }
-
-Database::Database() : name_("memory") {
-  sqlite3* db = nullptr;
-  const int result = ::sqlite3_open(":memory:", &db);
-  db_.reset(db);
-  if (result != SQLITE_OK) fail();
-}
-
-Database::~Database() = default;
 
 void Database::fail() const {
   const int code = db_ ? ::sqlite3_errcode(db_.get()) : SQLITE_NOMEM;
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
     throw error("{}: is no recording, or is damaged; choose another file", name_);
+  if (code == SQLITE_CONSTRAINT)
+    throw error("{}: is damaged ({}); take an earlier copy of it", name_,
+                ::sqlite3_errmsg(db_.get()));
   if (code == SQLITE_FULL) throw error("{}: the disk is full; free some space", name_);
   if (code == SQLITE_READONLY || code == SQLITE_CANTOPEN || code == SQLITE_PERM)
     throw error("{}: cannot be written; choose a folder you may write to", name_);
@@ -154,6 +137,11 @@ Statement& Statement::bind(int parameter, std::span<const std::byte> blob) {
   return *this;
 }
 
+Statement& Statement::bindNothing(int parameter) {
+  if (::sqlite3_bind_null(statement_.get(), parameter + 1) != SQLITE_OK) database_.fail();
+  return *this;
+}
+
 bool Statement::step() {
   const int result = ::sqlite3_step(statement_.get());
   if (result == SQLITE_ROW) return true;
@@ -164,6 +152,13 @@ bool Statement::step() {
   ::sqlite3_reset(statement_.get());
   return false;
 }
+
+static_assert(SQLITE_INTEGER == 1 && SQLITE_FLOAT == 2 && SQLITE_TEXT == 3 && SQLITE_BLOB == 4 &&
+              SQLITE_NULL == 5);
+Statement::Kind Statement::kind(int column) const {
+  return Kind(::sqlite3_column_type(statement_.get(), column));
+}
+int Statement::columns() const { return ::sqlite3_column_count(statement_.get()); }
 
 std::int64_t Statement::integer(int column) const {
   return ::sqlite3_column_int64(statement_.get(), column);

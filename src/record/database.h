@@ -1,4 +1,4 @@
-// A SQLite database file.
+// A SQLite database.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "base/state/run_length.h"
+#include "record/memory_files.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -18,16 +19,16 @@ namespace resect {
 // All members throw Error in one sentence that begins with the file's name.
 class Database {
  public:
-  // Create: a new file; nothing may be there under its name, nor under the names that SQLite uses
-  // beside it (-wal, -shm, -journal), since it would remove them. Copy: opens a private copy of a
-  // file and of its -wal in a temporary folder. So what a file or its neighbours say makes SQLite
-  // change nothing but the copy. Both take ordinary files only, and follow no link. GoOn: opens a
-  // file that this program has made just now, for adding to it.
-  enum class Mode { Create, Copy, GoOn };
-  Database(const std::filesystem::path& path, Mode mode);
-  Database();  // in memory, empty
-  ~Database();
-  Database(Database&&) = default;
+  // A new file. Nothing may be there under its name, nor under the names that SQLite uses beside it
+  // (-wal, -shm, -journal), since it would remove them.
+  explicit Database(const std::filesystem::path& path);
+  // A file that this program has made just now, to add to it.
+  static Database existing(const std::filesystem::path& path);
+  // In memory, empty. name: for messages.
+  static Database inMemory(const std::string& name);
+  // The database of somebody else that `bytes` hold, its log joined; nothing that it defines is
+  // run. For the child that reads it (record/foreign_recording.h).
+  Database(RecordingBytes& bytes, const std::string& name);
 
   // Runs statements that return nothing.
   void run(const std::string& sql);
@@ -40,14 +41,12 @@ class Database {
 
  private:
   friend class Statement;
+  Database() = default;
+  void open(const std::string& file, int flags, const char* files);
   struct Close {
     void operator()(sqlite3* db) const;
   };
-  struct RemoveFolder {
-    void operator()(std::filesystem::path* folder) const;
-  };
   std::string name_;
-  std::unique_ptr<std::filesystem::path, RemoveFolder> folder_;  // of the copy
   std::unique_ptr<sqlite3, Close> db_;
 };
 
@@ -61,6 +60,7 @@ class Statement {
   Statement& bind(int parameter, double value);
   Statement& bind(int parameter, std::string_view text);
   Statement& bind(int parameter, std::span<const std::byte> blob);
+  Statement& bindNothing(int parameter);
   // True: there is a row. False: no more; the statement is then ready for the next binding.
   bool step();
   void run() {  // for statements that return nothing
@@ -68,6 +68,10 @@ class Statement {
     }
   }
 
+  // Of the present row: what kind of value a column holds, which SQLite leaves to each row.
+  enum class Kind : char { Integer = 1, Real, Text, Blob, Nothing };
+  Kind kind(int column) const;
+  int columns() const;
   std::int64_t integer(int column) const;
   double real(int column) const;
   std::string text(int column) const;

@@ -63,6 +63,17 @@ RecordingInfo infoOf(const Scenario& scenario, FrameHashes& hashes, const Simula
   return {"resect " RESECT_VERSION, instructionSet(), scenario.frameRate, hashes.fields()};
 }
 
+FrameHashes hashesLike(const RecordingFile& done, const Simulation& simulation) {
+  FrameHashes hashes;
+  hashes.of(simulation);
+  if (hashes.fields() != done.info().fields)
+    throw error(
+        "{}: was recorded by {}, which keeps other fields; what is done from now on is not "
+        "recorded: to go on with it, take that version",
+        done.name(), done.info().program);
+  return hashes;
+}
+
 std::int64_t framesPerKey(double frameRate) {
   return std::max<std::int64_t>(1, std::llround(Recorder::kKeyStateSeconds * frameRate));
 }
@@ -101,8 +112,10 @@ Recorder::Recorder(const std::filesystem::path& path, const Scenario& scenario,
   thread_ = std::thread([this] { write(); });
 }
 
-Recorder::Recorder(const std::filesystem::path& path, RecordingFile& done)
+Recorder::Recorder(const std::filesystem::path& path, RecordingFile& done,
+                   const Simulation& simulation)
     : path_(path),
+      hashes_(hashesLike(done, simulation)),
       file_(RecordingFile::goOn(path, done)),
       framesPerKey_(framesPerKey(done.info().frameRate)) {
   for (const Branch& branch : file_.branches())

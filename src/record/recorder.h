@@ -39,8 +39,9 @@ class Recorder {
   // Creates the file; throws Error if that fails. simulation: at its start, where branch 0 begins.
   Recorder(const std::filesystem::path& path, const Scenario& scenario,
            const Simulation& simulation);
-  // Creates a file that holds all that `done` holds, to which more will be added.
-  Recorder(const std::filesystem::path& path, RecordingFile& done);
+  // Creates a file that holds all that `done` holds, to which more will be added. simulation: of
+  // the operation that goes on. Throws Error also if the two keep different fields.
+  Recorder(const std::filesystem::path& path, RecordingFile& done, const Simulation& simulation);
   ~Recorder();  // as finish()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;

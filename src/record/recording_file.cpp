@@ -5,14 +5,16 @@
 
 #include <cstdlib>
 #include <cstring>
+#include <type_traits>
 
 #include "base/error.h"
+#include "base/state/field_hashes.h"
+#include "record/foreign_recording.h"
 
 namespace resect {
 namespace {
 
 constexpr std::int64_t kApplication = 0x52534354;  // "RSCT", shown by `file`
-constexpr std::size_t kLargestState = std::size_t(4) << 30;
 
 constexpr const char* kSchema = R"(
 CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -42,19 +44,6 @@ Bytes packed(const Bytes& bytes) {
   return out;
 }
 
-Bytes unpacked(std::span<const std::byte> bytes, std::int64_t size, const std::string& name) {
-  const auto damaged = [&] {
-    return error("{}: a key state in it is damaged; take an earlier copy of it", name);
-  };
-  if (size < 0 || std::uint64_t(size) > kLargestState ||
-      ::ZSTD_getFrameContentSize(bytes.data(), bytes.size()) != std::uint64_t(size))
-    throw damaged();
-  Bytes out(static_cast<std::size_t>(size));
-  const std::size_t got = ::ZSTD_decompress(out.data(), out.size(), bytes.data(), bytes.size());
-  if (::ZSTD_isError(got) || got != out.size()) throw damaged();
-  return out;
-}
-
 std::string joined(const std::vector<std::string>& lines) {
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
@@ -68,34 +57,100 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
-// All that a database defines: tables, and whatever else somebody put into it.
-std::string tablesOf(Database& db) {
-  Statement rows(db, "SELECT type || name || coalesce(sql, '') FROM sqlite_master ORDER BY name");
-  std::string all;
-  while (rows.step()) all += rows.text(0) + "\n";
-  return all;
-}
-
-std::string ownTables() {
-  Database memory;
-  memory.run(kSchema);
-  return tablesOf(memory);
-}
-
 std::span<const std::byte> bytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
+
+// Rows as they are stored. The columns of each row, in the order of its table.
+struct StoredKeyState {
+  std::int64_t branch = 0, frame = 0;
+  std::string hash;  // 16 hexadecimal digits
+  std::int64_t size = 0;
+  Bytes state;  // packed
+};
+template <class Visitor>
+void columns(Visitor&& v, Branch& r) {
+  v("branch", r.number, r.parent, r.from, r.name);
+}
+template <class Visitor>
+void columns(Visitor&& v, RecordedFrame& r) {
+  v("frames", r.branch, r.frame, r.time, r.whole, r.input, r.hashes);
+}
+template <class Visitor>
+void columns(Visitor&& v, StoredKeyState& r) {
+  v("key_states", r.branch, r.frame, r.hash, r.size, r.state);
+}
+template <class Visitor>
+void columns(Visitor&& v, OperationEvent& r) {
+  v("events", r.branch, r.frame, r.time, r.tool, r.organ, r.kind, r.amount, r.text);
+}
+template <class Visitor>
+void columns(Visitor&& v, RecordedSample& r) {
+  v("samples", r.branch, r.frame, r.tool, r.tip[0], r.tip[1], r.tip[2], r.force[0], r.force[1],
+    r.force[2]);
+}
+
+template <typename T>
+void bindColumn(Statement& statement, int column, const T& value) {
+  if constexpr (std::is_same_v<T, bool>)
+    statement.bind(column, std::int64_t(value));
+  else if constexpr (std::is_same_v<T, std::string>)
+    statement.bind(column, std::string_view(value));
+  else if constexpr (std::is_arithmetic_v<T>)
+    statement.bind(column, value);
+  else
+    statement.bind(column, std::as_bytes(std::span(value)));
+}
+
+template <typename T>
+void readColumn(const Statement& statement, int column, T& value) {
+  if constexpr (std::is_same_v<T, double>) {
+    value = statement.real(column);
+  } else if constexpr (std::is_same_v<T, std::string>) {
+    value = statement.text(column);
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    value = static_cast<T>(statement.integer(column));
+  } else {
+    const auto blob = statement.blob(column);
+    value.resize(blob.size() / sizeof value[0]);
+    if (!value.empty()) std::memcpy(value.data(), blob.data(), value.size() * sizeof value[0]);
+  }
+}
+
+template <class Row>
+Row rowOf(const Statement& statement) {
+  Row row;
+  columns(
+      [&](const char*, auto&... values) {
+        int column = 0;
+        (readColumn(statement, column++, values), ...);
+      },
+      row);
+  return row;
+}
+
+// All rows of a bound statement that begins with SELECT *.
+template <class Row>
+std::vector<Row> rowsOf(Statement& statement) {
+  std::vector<Row> rows;
+  while (statement.step()) rows.push_back(rowOf<Row>(statement));
+  return rows;
+}
 
 }  // namespace
 
+void makeRecordingTables(Database& db) {
+  db.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", kApplication,
+                     kRecordingSchema));
+  db.run(kSchema);
+}
+
 RecordingFile RecordingFile::create(const std::filesystem::path& path, const RecordingInfo& info,
                                     const RecordedSetup& setup) {
-  RecordingFile file(path, Database::Mode::Create);
+  RecordingFile file{Database(path)};
   Database& db = file.database_;
   file.info_ = info;
   db.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
-  db.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", kApplication,
-                     kRecordingSchema));
   file.begin();
-  db.run(kSchema);
+  makeRecordingTables(db);
   Statement meta(db, "INSERT INTO meta VALUES (?, ?)");
   const auto keep = [&](std::string_view key, std::string_view value) {
     meta.bind(0, key).bind(1, value).run();
@@ -104,7 +159,6 @@ RecordingFile RecordingFile::create(const std::filesystem::path& path, const Rec
   keep("instruction_set", info.instructionSet);
   keep("frame_rate", fmt::format("{}", info.frameRate));
   keep("fields", joined(info.fields));
-  keep("complete", "no");
   const SetupBytes bytes = toBytes(setup);
   Statement(db, "INSERT INTO scenario VALUES (?, ?, ?, ?)")
       .bind(0, std::string_view(setup.scenario.name))
@@ -118,60 +172,81 @@ RecordingFile RecordingFile::create(const std::filesystem::path& path, const Rec
         .bind(1, std::string_view(setup.scenario.organs[i].source.name))
         .bind(2, bytesOf(bytes.cells[i]))
         .run();
+  file.keepDigest(false);
   file.commit();
   return file;
 }
 
 RecordingFile RecordingFile::goOn(const std::filesystem::path& path, RecordingFile& done) {
   done.copyTo(path);
-  RecordingFile file(path, Database::Mode::GoOn);
+  RecordingFile file{Database::existing(path)};
   file.info_ = done.info_;
   file.database_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
-  file.database_.run("UPDATE meta SET value = 'no' WHERE key = 'complete'");
+  file.keepDigest(false);
   return file;
 }
 
 void RecordingFile::copyTo(const std::filesystem::path& path) {
-  const auto setComplete = [&](const std::string& value) {
-    Statement(database_, "UPDATE meta SET value = ? WHERE key = 'complete'")
-        .bind(0, std::string_view(value))
-        .run();
-  };
-  // VACUUM takes everything as it is, so the copy's mark is set for the moment.
-  const std::string before = complete() ? "yes" : "no";
-  setComplete("yes");
+  // VACUUM takes everything as it is, so that the mark is set for the moment.
+  const bool before = complete();
+  keepDigest(true);
   try {
     database_.copyTo(path);
   } catch (...) {
-    setComplete(before);
+    keepDigest(before);
     throw;
   }
-  setComplete(before);
+  keepDigest(before);
 }
 
-RecordingFile RecordingFile::open(const std::filesystem::path& path) {
-  RecordingFile file(path, Database::Mode::Copy);
+RecordingFile RecordingFile::open(const std::filesystem::path& path, const Progress& progress) {
+  RecordingFile file(Database::inMemory(path.string()));
   Database& db = file.database_;
-  if (db.number("PRAGMA application_id") != kApplication)
-    throw error("{}: is no recording of Resect; choose a .resect file", db.name());
-  if (const std::int64_t version = db.number("PRAGMA user_version"); version != kRecordingSchema)
-    throw error(
-        "{}: has version {} of the schema, and this program reads version {}; use a newer "
-        "Resect",
-        db.name(), version, kRecordingSchema);
-  if (tablesOf(db) != ownTables())
-    throw error("{}: its tables are not those of a recording; choose another file", db.name());
+  makeRecordingTables(db);
+  file.damagedPage_ = addForeignRows(path, db, progress);
   Statement meta(db, "SELECT key, value FROM meta");
+  std::string digest;
   while (meta.step()) {
     const std::string key = meta.text(0), value = meta.text(1);
     if (key == "program") file.info_.program = value;
     if (key == "instruction_set") file.info_.instructionSet = value;
     if (key == "frame_rate") file.info_.frameRate = std::atof(value.c_str());
     if (key == "fields") file.info_.fields = linesOf(value);
+    if (key == "digest") digest = value;
   }
+  if (digest != file.digest())
+    throw error(
+        "{}: its description, organs or branches were changed or are damaged; take an earlier copy "
+        "of it",
+        db.name());
   if (!(file.info_.frameRate >= 1 && file.info_.frameRate <= 1000))
     throw error("{}: its frame rate is not 1 to 1000; it is damaged", db.name());
   return file;
+}
+
+// Of what playing does not prove. Branches are written until the end, so they are in the digest of
+// a complete recording only.
+std::string RecordingFile::digest() {
+  std::string rows;
+  const auto add = [&](std::string_view sql) {
+    Statement all(database_, sql);
+    while (all.step()) appendRow(rows, all);
+  };
+  add("SELECT * FROM meta WHERE key <> 'digest' ORDER BY key");
+  add("SELECT * FROM scenario");
+  add("SELECT * FROM organ ORDER BY number");
+  if (complete()) {
+    add("SELECT * FROM branch ORDER BY number");
+    add("SELECT branch, frame, whole FROM frames ORDER BY branch, frame");
+  }
+  return fmt::format("{:016x}", fastHash(rows.data(), rows.size()));
+}
+
+void RecordingFile::keepDigest(bool complete) {
+  Statement meta(database_, "INSERT OR REPLACE INTO meta VALUES (?, ?)");
+  meta.bind(0, std::string_view("complete")).bind(1, std::string_view(complete ? "yes" : "no"));
+  meta.run();
+  meta.bind(0, std::string_view("digest")).bind(1, std::string_view(digest())).run();
 }
 
 RecordedSetup RecordingFile::setup() {
@@ -188,77 +263,51 @@ RecordedSetup RecordingFile::setup() {
   return setupFromBytes(bytes);
 }
 
-Statement& RecordingFile::prepared(std::size_t slot, std::string_view sql) {
-  if (statements_.size() <= slot) statements_.resize(slot + 1);
-  if (!statements_[slot]) statements_[slot] = std::make_unique<Statement>(database_, sql);
-  return *statements_[slot];
+Statement& RecordingFile::prepared(const std::string& sql) {
+  std::unique_ptr<Statement>& statement = statements_[sql];
+  if (!statement) statement = std::make_unique<Statement>(database_, sql);
+  return *statement;
 }
 
 void RecordingFile::begin() { database_.run("BEGIN"); }
 void RecordingFile::commit() { database_.run("COMMIT"); }
 
-void RecordingFile::add(const Branch& branch) {
-  prepared(0, "INSERT INTO branch VALUES (?, ?, ?, ?)")
-      .bind(0, branch.number)
-      .bind(1, branch.parent)
-      .bind(2, branch.from)
-      .bind(3, std::string_view(branch.name))
-      .run();
+template <class Row>
+void RecordingFile::insert(const Row& row) {
+  columns(
+      [&](const char* table, const auto&... values) {
+        // The state at which a branch begins may be given twice.
+        constexpr bool again = std::is_same_v<Row, StoredKeyState>;
+        std::string sql =
+            fmt::format("INSERT {}INTO {} VALUES (?", again ? "OR REPLACE " : "", table);
+        for (std::size_t i = 1; i < sizeof...(values); ++i) sql += ", ?";
+        Statement& statement = prepared(sql + ")");
+        int column = 0;
+        (bindColumn(statement, column++, values), ...);
+        statement.run();
+      },
+      const_cast<Row&>(row));  // it is only read
 }
 
-void RecordingFile::add(const RecordedFrame& frame) {
-  prepared(1, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?)")
-      .bind(0, frame.branch)
-      .bind(1, frame.frame)
-      .bind(2, frame.time)
-      .bind(3, std::int64_t(frame.whole))
-      .bind(4, std::span<const std::byte>(frame.input))
-      .bind(5, std::as_bytes(std::span(frame.hashes)))
-      .run();
-}
-
+void RecordingFile::add(const Branch& branch) { insert(branch); }
+void RecordingFile::add(const RecordedFrame& frame) { insert(frame); }
+void RecordingFile::add(const OperationEvent& event) { insert(event); }
+void RecordingFile::add(const RecordedSample& sample) { insert(sample); }
 void RecordingFile::add(const KeyState& state) {
-  prepared(2, "INSERT OR REPLACE INTO key_states VALUES (?, ?, ?, ?, ?)")
-      .bind(0, state.branch)
-      .bind(1, state.frame)
-      .bind(2, std::string_view(fmt::format("{:016x}", state.stateHash)))
-      .bind(3, std::int64_t(state.state.size()))
-      .bind(4, std::span<const std::byte>(packed(state.state)))
-      .run();
-}
-
-void RecordingFile::add(const OperationEvent& event) {
-  prepared(3, "INSERT INTO events VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
-      .bind(0, event.branch)
-      .bind(1, event.frame)
-      .bind(2, event.time)
-      .bind(3, event.tool)
-      .bind(4, event.organ)
-      .bind(5, std::string_view(event.kind))
-      .bind(6, event.amount)
-      .bind(7, std::string_view(event.text))
-      .run();
-}
-
-void RecordingFile::add(const RecordedSample& sample) {
-  Statement& insert = prepared(4, "INSERT INTO samples VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  insert.bind(0, sample.branch).bind(1, sample.frame).bind(2, sample.tool);
-  for (int a = 0; a < 3; ++a) insert.bind(3 + a, sample.tip[a]).bind(6 + a, sample.force[a]);
-  insert.run();
+  insert(StoredKeyState{state.branch, state.frame, fmt::format("{:016x}", state.stateHash),
+                        std::int64_t(state.state.size()), packed(state.state)});
 }
 
 void RecordingFile::finish() {
   statements_.clear();
-  database_.run("UPDATE meta SET value = 'yes' WHERE key = 'complete'");
+  begin();
+  keepDigest(true);
+  commit();
   database_.run("PRAGMA wal_checkpoint(TRUNCATE); PRAGMA journal_mode = DELETE;");
 }
 
 std::vector<Branch> RecordingFile::branches() {
-  std::vector<Branch> branches;
-  Statement rows(database_, "SELECT number, parent, from_frame, name FROM branch ORDER BY number");
-  while (rows.step())
-    branches.push_back({rows.integer(0), rows.integer(1), rows.integer(2), rows.text(3)});
-  return branches;
+  return rowsOf<Branch>(prepared("SELECT * FROM branch ORDER BY number"));
 }
 
 std::int64_t RecordingFile::lastFrame(std::int64_t branch) {
@@ -274,31 +323,23 @@ std::int64_t RecordingFile::lastBranch() {
 }
 
 std::optional<RecordedFrame> RecordingFile::frame(std::int64_t branch, std::int64_t number) {
-  Statement& row =
-      prepared(5, "SELECT time, whole, input, hashes FROM frames WHERE branch = ? AND frame = ?");
-  row.bind(0, branch).bind(1, number);
-  if (!row.step()) return std::nullopt;
-  RecordedFrame frame{branch, number, row.real(0), row.integer(1) != 0, {}, {}};
-  const auto input = row.blob(2);
-  frame.input.assign(input.begin(), input.end());
-  const auto hashes = row.blob(3);
-  frame.hashes.resize(hashes.size() / sizeof(std::uint64_t));
-  if (!hashes.empty())
-    std::memcpy(frame.hashes.data(), hashes.data(), frame.hashes.size() * sizeof(std::uint64_t));
-  while (row.step()) {  // to its end, so that it can be bound again
-  }
-  return frame;
+  auto found = rowsOf<RecordedFrame>(prepared("SELECT * FROM frames WHERE branch = ? AND frame = ?")
+                                         .bind(0, branch)
+                                         .bind(1, number));
+  if (found.empty()) return std::nullopt;
+  return std::move(found[0]);
 }
 
 std::optional<KeyState> RecordingFile::keyState(std::int64_t branch, std::int64_t frame) {
-  Statement row(
-      database_,
-      "SELECT frame, state_hash, size, state FROM key_states WHERE branch = ? AND frame <= ? "
-      "ORDER BY frame DESC LIMIT 1");
-  row.bind(0, branch).bind(1, frame);
-  if (!row.step()) return std::nullopt;
-  return KeyState{branch, row.integer(0), unpacked(row.blob(3), row.integer(2), database_.name()),
-                  std::strtoull(row.text(1).c_str(), nullptr, 16)};
+  const auto found = rowsOf<StoredKeyState>(
+      prepared(
+          "SELECT * FROM key_states WHERE branch = ? AND frame <= ? ORDER BY frame DESC LIMIT 1")
+          .bind(0, branch)
+          .bind(1, frame));
+  if (found.empty()) return std::nullopt;
+  const StoredKeyState& key = found[0];
+  return KeyState{branch, key.frame, unpackForeign(key.state, key.size, database_.name()),
+                  std::strtoull(key.hash.c_str(), nullptr, 16)};
 }
 
 std::vector<std::int64_t> RecordingFile::keyFrames(std::int64_t branch) {
@@ -310,40 +351,21 @@ std::vector<std::int64_t> RecordingFile::keyFrames(std::int64_t branch) {
 }
 
 std::vector<OperationEvent> RecordingFile::events(std::int64_t branch) {
-  std::vector<OperationEvent> events;
-  Statement rows(database_,
-                 "SELECT frame, time, tool, organ, kind, amount, text FROM events WHERE branch = ? "
-                 "ORDER BY rowid");
-  rows.bind(0, branch);
-  while (rows.step())
-    events.push_back({branch, rows.integer(0), rows.real(1), rows.integer(2), rows.integer(3),
-                      rows.text(4), rows.real(5), rows.text(6)});
-  return events;
+  return rowsOf<OperationEvent>(
+      prepared("SELECT * FROM events WHERE branch = ? ORDER BY rowid").bind(0, branch));
 }
 
 std::vector<RecordedSample> RecordingFile::samples(std::int64_t branch, std::int64_t frame) {
-  std::vector<RecordedSample> samples;
-  Statement& rows = prepared(6,
-                             "SELECT tool, x, y, z, force_x, force_y, force_z FROM samples "
-                             "WHERE branch = ? AND frame = ? ORDER BY tool");
-  rows.bind(0, branch).bind(1, frame);
-  while (rows.step()) {
-    RecordedSample sample{branch, frame, rows.integer(0), {}, {}};
-    for (int a = 0; a < 3; ++a)
-      sample.tip[a] = rows.real(1 + a), sample.force[a] = rows.real(4 + a);
-    samples.push_back(sample);
-  }
-  return samples;
+  return rowsOf<RecordedSample>(
+      prepared("SELECT * FROM samples WHERE branch = ? AND frame = ? ORDER BY tool")
+          .bind(0, branch)
+          .bind(1, frame));
 }
 
 bool RecordingFile::complete() {
   return database_.number("SELECT count(*) FROM meta WHERE key = 'complete' AND value = 'yes'") > 0;
 }
 
-std::string RecordingFile::damagedPage() {
-  Statement check(database_, "PRAGMA integrity_check(1)");
-  const std::string found = check.step() ? check.text(0) : "";
-  return found == "ok" ? "" : found;
-}
+std::string RecordingFile::damagedPage() { return damagedPage_; }
 
 }  // namespace resect

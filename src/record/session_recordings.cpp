@@ -70,8 +70,9 @@ std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulati
   return recorder;
 }
 
-std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done) {
-  auto recorder = std::make_shared<Recorder>(newRecording(scenario), done);
+std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done,
+                                        const Simulation& simulation) {
+  auto recorder = std::make_shared<Recorder>(newRecording(scenario), done, simulation);
   keepNewest(recordingsFolder(), kKeptRecordings);
   return recorder;
 }

@@ -21,7 +21,8 @@ std::filesystem::path recordingsFolder();
 std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulation& simulation);
 
 // The same for an operation that goes on from a recording, which stays as it is.
-std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done);
+std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done,
+                                        const Simulation& simulation);
 
 // Hands what happens in an operation to the recorder, which lives as long as the watch.
 OperationWatch watchOf(std::shared_ptr<Recorder> recorder);

@@ -22,7 +22,7 @@ struct OperationLoader::Job {
   void work() {
     const StopBy stop(cancelled);
     try {
-      RecordingFile recording = RecordingFile::open(file);
+      RecordingFile recording = RecordingFile::open(file, [this](double) { return !cancelled; });
       RecordedSetup setup = recording.setup();
       for (ScenarioOrgan& organ : setup.scenario.organs) organ.tissue = besideDrawing(organ.tissue);
       RecordedOperation operation =
@@ -32,7 +32,8 @@ struct OperationLoader::Job {
           });
       share = -1;
       if (record) try {
-          result.recorder = recordSession(operation.setup.scenario, recording);
+          result.recorder =
+              recordSession(operation.setup.scenario, recording, *operation.simulation);
         } catch (const Error& e) {
           result.notes.push_back(e.what());
         }

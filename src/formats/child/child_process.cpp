@@ -140,27 +140,31 @@ void answerWhenOutOfMemory(const char* report) {
   ::_exit(0);  // no destructors: the objects are the parent's
 }
 
-// Reads until the child closes its end; false on timeout.
-bool readAll(int pipe, double seconds, const std::function<void()>& meanwhile, std::string& bytes) {
+enum class Ended { Whole, TooLate, TooLong };
+
+// Reads until the child closes its end.
+Ended readAll(int pipe, const ChildLimits& limits, const std::function<void()>& meanwhile,
+              std::string& bytes) {
   using Clock = std::chrono::steady_clock;
-  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  const auto end = Clock::now() + std::chrono::duration<double>(limits.wallSeconds);
   std::string block(kAtOnce, '\0');
   auto due = Clock::now();
   for (;;) {
     const double left = std::chrono::duration<double>(end - Clock::now()).count();
-    if (left <= 0) return false;
+    if (left <= 0) return Ended::TooLate;
     if (meanwhile && Clock::now() >= due) {
       meanwhile();
       due = Clock::now() + std::chrono::milliseconds(100);
     }
     pollfd request{pipe, POLLIN, 0};
     const int ready = ::poll(&request, 1, int(std::min(left * 1000 + 1, 100.0)));
-    if (ready < 0 && errno != EINTR) return true;
+    if (ready < 0 && errno != EINTR) return Ended::Whole;
     if (ready <= 0) continue;
     const ssize_t got = ::read(pipe, block.data(), block.size());
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return true;
+    if (got <= 0) return Ended::Whole;
     bytes.append(block.data(), std::size_t(got));
+    if (bytes.size() > limits.answerBytes + sizeof(MessageEnd)) return Ended::TooLong;
   }
 }
 
@@ -174,23 +178,18 @@ int waitFor(pid_t child) {
 [[noreturn]] void throwOutcome(const std::string& subject, const ChildLimits& limits, int status) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU || signal == SIGKILL)
-    throw error(
-        "{}: reading it took more than {:.0f} s of computing, so it was given up; simplify the "
-        "model",
-        subject, limits.cpuSeconds);
+    throw error("{}: reading it took more than {:.0f} s of computing, so it was given up; {}",
+                subject, limits.cpuSeconds, limits.ifTooLarge);
   if (signal != 0)
     throw error(
-        "{}: the reader stopped on it ({}), so it is damaged or beyond what can be read; "
-        "export it again",
-        subject, ::strsignal(signal));
+        "{}: the reader stopped on it ({}), so it is damaged or beyond what can be read; {}",
+        subject, ::strsignal(signal), limits.ifDamaged);
 #ifdef RESECT_SANITIZED
   // A sanitizer reported an error in the child: do not hide it.
   if (WEXITSTATUS(status) != 0 && WEXITSTATUS(status) != kCannotWrite) std::abort();
 #endif
-  throw error(
-      "{}: the reader stopped on it, so it is damaged or beyond what can be read; export "
-      "it again",
-      subject);
+  throw error("{}: the reader stopped on it, so it is damaged or beyond what can be read; {}",
+              subject, limits.ifDamaged);
 }
 
 }  // namespace
@@ -219,9 +218,9 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   }
   ::close(ends[1]);
   std::string bytes;
-  bool inTime = false;
+  Ended ended{};
   try {
-    inTime = readAll(ends[0], limits.wallSeconds, meanwhile, bytes);
+    ended = readAll(ends[0], limits, meanwhile, bytes);
   } catch (...) {
     ::close(ends[0]);
     ::kill(child, SIGKILL);
@@ -229,11 +228,14 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
     throw;
   }
   ::close(ends[0]);
-  if (!inTime) ::kill(child, SIGKILL);
+  if (ended != Ended::Whole) ::kill(child, SIGKILL);
   const int status = waitFor(child);
-  if (!inTime)
-    throw error("{}: reading it took more than {:.1f} s, so it was given up; simplify the model",
-                subject, limits.wallSeconds);
+  if (ended == Ended::TooLate)
+    throw error("{}: reading it took more than {:.1f} s, so it was given up; {}", subject,
+                limits.wallSeconds, limits.ifTooLarge);
+  if (ended == Ended::TooLong)
+    throw error("{}: its content is larger than the {} MB that are taken; {}", subject,
+                limits.answerBytes >> 20, limits.ifTooLarge);
   Kind kind{};
   if (!takeEnd(bytes, kind)) {
     if (meanwhile) meanwhile();  // the user may have killed the child
@@ -243,10 +245,10 @@ std::string runInChild(const std::string& subject, const ChildLimits& limits,
   if (kind == kFailed) throw Error(bytes);
   if (kind == kUsage) throw Error(bytes, Error::Status::Usage);
   if (kind == kNoMemory)
-    throw error("{}: reading it needs more than {} MB of memory; simplify the model", subject,
-                limits.memoryBytes >> 20);
+    throw error("{}: reading it needs more than {} MB of memory; {}", subject,
+                limits.memoryBytes >> 20, limits.ifTooLarge);
   if (kind != kOther) throwOutcome(subject, limits, status);
-  throw error("{}: the reader failed ({}); export the model again", subject, bytes);
+  throw error("{}: the reader failed ({}); {}", subject, bytes, limits.ifDamaged);
 }
 
 static_assert(std::atomic<double>::is_always_lock_free);  // a lock would not work across processes

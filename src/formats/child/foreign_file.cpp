@@ -39,10 +39,10 @@ RawArray<char> readFile(const fs::path& path, const std::string& name, int flags
     throw error("{}: cannot be opened: {}; check who may read it", name, std::strerror(errno));
   struct stat status {};
   if (::fstat(file.number(), &status) != 0 || !S_ISREG(status.st_mode))
-    throw error("{}: is no ordinary file; copy the model into one", name);
+    throw error("{}: is no ordinary file; copy its content into one", name);
   const auto size = std::size_t(status.st_size);
   if (size > most)
-    throw error("{}: has {} MB, more than the {} MB that are read; simplify the model", name,
+    throw error("{}: has {} MB, more than the {} MB that are read; make it smaller", name,
                 size >> 20, most >> 20);
   RawArray<char> bytes;
   bytes.reserve(size);
@@ -61,14 +61,15 @@ RawArray<char> readFile(const fs::path& path, const std::string& name, int flags
 
 }  // namespace
 
-RawArray<char> readForeignFile(const fs::path& path, std::size_t most) {
+RawArray<char> readForeignFile(const fs::path& path, std::size_t most, Links links) {
   std::error_code ec;
-  const fs::file_status status = fs::status(path, ec);
+  const fs::file_status status =
+      links == Links::Followed ? fs::status(path, ec) : fs::symlink_status(path, ec);
   if (!fs::exists(status)) throw error("{}: there is no such file; check the name", path.string());
   if (fs::is_directory(status)) throw error("{}: is a folder; name a file in it", path.string());
   if (!fs::is_regular_file(status))
-    throw error("{}: is no ordinary file; copy the model into one", path.string());
-  return readFile(path, path.string(), 0, most);
+    throw error("{}: is no ordinary file; copy its content into one", path.string());
+  return readFile(path, path.string(), links == Links::Followed ? 0 : O_NOFOLLOW, most);
 }
 
 RawArray<char> readForeignFileBeside(const fs::path& path, const std::string& name,

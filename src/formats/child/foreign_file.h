@@ -9,10 +9,13 @@
 
 namespace resect {
 
-// Returns all bytes of the file. Throws Error if it is not an ordinary file (or a link to one), if
-// it has more than `most` bytes, or if it cannot be read. Never waits: a FIFO or a device is
-// refused at once.
-RawArray<char> readForeignFile(const std::filesystem::path& path, std::size_t most);
+enum class Links { Followed, Refused };
+
+// Returns all bytes of the file. Throws Error if it is not an ordinary file (or a link to one where
+// links are followed), if it has more than `most` bytes, or if it cannot be read. Never waits: a
+// FIFO or a device is refused at once.
+RawArray<char> readForeignFile(const std::filesystem::path& path, std::size_t most,
+                               Links links = Links::Followed);
 
 // The same for a second file, which the file at `path` refers to by `name`; a .gltf file refers to
 // its buffers so. The second file must lie in the same folder and must not be a link. `name` is
