@@ -58,15 +58,14 @@ const char* instructionSet() {
 #endif
 }
 
-RecordingInfo infoOf(const Scenario& scenario, FrameHashes& hashes, const Simulation& simulation) {
-  hashes.of(simulation);
+RecordingInfo infoOf(const Scenario& scenario, const FrameHashes& hashes) {
   return {"resect " RESECT_VERSION, instructionSet(), scenario.frameRate, hashes.fields()};
 }
 
 FrameHashes hashesLike(const RecordingFile& done, const Simulation& simulation) {
-  FrameHashes hashes;
+  FrameHashes hashes(done.info().fields);
   hashes.of(simulation);
-  if (hashes.fields() != done.info().fields)
+  if (hashes.strange())
     throw error(
         "{}: was recorded by {}, which keeps other fields; what is done from now on is not "
         "recorded: to go on with it, take that version",
@@ -79,6 +78,11 @@ std::int64_t framesPerKey(double frameRate) {
 }
 
 }  // namespace
+
+FrameHashes::FrameHashes(const Simulation& start) {
+  visitState(start, hashes_);
+  hashes_.seal();
+}
 
 const std::vector<std::uint64_t>& FrameHashes::of(const Simulation& simulation) {
   hashes_.clear();
@@ -105,8 +109,8 @@ std::vector<RecordedSample> samplesOf(const StepReport& report, const Simulation
 Recorder::Recorder(const std::filesystem::path& path, const Scenario& scenario,
                    const Simulation& simulation)
     : path_(path),
-      file_(RecordingFile::create(path, infoOf(scenario, hashes_, simulation),
-                                  setupOf(scenario, simulation))),
+      hashes_(simulation),
+      file_(RecordingFile::create(path, infoOf(scenario, hashes_), setupOf(scenario, simulation))),
       framesPerKey_(framesPerKey(scenario.frameRate)) {
   begin({0, -1, simulation.frame(), kFirstBranch}, simulation);
   thread_ = std::thread([this] { write(); });

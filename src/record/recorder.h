@@ -20,12 +20,17 @@
 
 namespace resect {
 
-// Digests of the state's fields after a step, in the order of `fields`, which is filled at the
-// first call.
+// Digests of the state's fields after a step, in the order of fields().
 class FrameHashes {
  public:
+  // start: at the start of the operation, whose fields are kept.
+  explicit FrameHashes(const Simulation& start);
+  // The fields of a recording.
+  explicit FrameHashes(std::vector<std::string> fields) : hashes_(std::move(fields)) {}
   const std::vector<std::uint64_t>& of(const Simulation& simulation);
   const std::vector<std::string>& fields() const { return hashes_.paths(); }
+  // Whether the state has a field that is not among them.
+  bool strange() const { return hashes_.strange(); }
 
  private:
   FieldHashes hashes_;

@@ -39,7 +39,7 @@ bool same(const RecordedSample& a, const RecordedSample& b) {
 class Verifier {
  public:
   Verifier(const std::filesystem::path& path, const Progress& progress)
-      : replay_(path), progress_(progress) {}
+      : replay_(path), progress_(progress), hashes_(replay_.file().info().fields) {}
 
   Verification run() {
     found_.complete = replay_.file().complete();
@@ -109,6 +109,9 @@ class Verifier {
   void checkHashes(std::int64_t branch, std::int64_t frame) {
     const RecordedFrame& recorded = replay_.recorded();
     const std::vector<std::uint64_t>& now = hashes_.of(replay_.simulation());
+    if (hashes_.strange())
+      return differ(branch, frame, "step",
+                    "the state has fields that " + replay_.file().info().program + " did not keep");
     if (recorded.hashes.size() != now.size() + 1)
       return differ(branch, frame, "file", "it has another number of digests");
     if (recorded.hashes[0] != fastHash(recorded.input.data(), recorded.input.size()))

@@ -16,6 +16,16 @@ namespace resect {
 
 class FieldHashes final : public StateVisitor {
  public:
+  FieldHashes() = default;
+  // With the paths that another object had, sealed.
+  explicit FieldHashes(std::vector<std::string> paths);
+
+  // From now on there are no other paths. A list that had no entries so far is one field with all
+  // that its entries hold, so that the number of digests does not depend on what happened.
+  void seal();
+  // Whether a field was visited that no path stands for: its state is of another program.
+  bool strange() const { return strange_; }
+
   // Paths as "organs.tissue.u", in the order in which visit() first names them.
   const std::vector<std::string>& paths() const { return paths_; }
   // One digest per path.
@@ -33,6 +43,11 @@ class FieldHashes final : public StateVisitor {
  private:
   std::uint64_t& at(const char* name);
 
+  bool sealed_ = false, strange_ = false;
+  std::vector<char> leaf_;  // 1: no path lies below this one
+  // Depth inside a list that is one field, and the number of that field.
+  std::size_t inField_ = 0, field_ = 0;
+  std::uint64_t ignored_ = 0;
   std::string path_;
   std::vector<std::size_t> lengths_;  // of path_ before each enter()
   std::vector<std::string> paths_;
