@@ -11,9 +11,9 @@ namespace resect {
 namespace {
 
 constexpr const char* kName = "resect_memory";
-constexpr std::size_t kLargestWritten = std::size_t(1) << 30;
 
 RecordingBytes* gBytes = nullptr;  // what the VFS serves at present
+std::size_t gMost = 0;             // bytes of each of the two that may be written
 
 struct MemoryFile {
   sqlite3_file base;  // SQLite's part, first
@@ -38,7 +38,7 @@ int readFile(sqlite3_file* file, void* to, int size, sqlite3_int64 at) {
 int writeFile(sqlite3_file* file, const void* from, int size, sqlite3_int64 at) {
   RawArray<char>& bytes = bytesOf(file);
   if (size <= 0) return SQLITE_OK;
-  if (at < 0 || std::size_t(at) > kLargestWritten) return SQLITE_FULL;
+  if (at < 0 || std::size_t(at) > gMost) return SQLITE_FULL;
   const std::size_t end = std::size_t(at) + std::size_t(size);
   try {
     if (end > bytes.size()) bytes.resize(end, '\0');
@@ -127,6 +127,7 @@ void prepareSqliteInChild() {
 const char* memoryFiles(RecordingBytes& bytes) {
   static sqlite3_vfs vfs;
   gBytes = &bytes;
+  gMost = bytes.file.size() + bytes.log.size() + (std::size_t(1) << 20);
   if (::sqlite3_vfs_find(kName)) return kName;
   vfs = *::sqlite3_vfs_find(nullptr);  // clock and random numbers are the system's
   vfs.szOsFile = sizeof(MemoryFile);
