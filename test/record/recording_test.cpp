@@ -2,7 +2,9 @@
 #include <doctest/doctest.h>
 #include <sqlite3.h>
 
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "base/error.h"
 #include "base/random.h"
@@ -262,6 +264,43 @@ TEST_CASE("a flipped bit anywhere in the file is found, or changes nothing that 
   }
   MESSAGE(refused << " refused, " << told << " told by verify, " << unread << " change nothing");
   CHECK(refused + told > 0);
+}
+
+TEST_CASE("a flipped bit in the log of a recording that was not ended shortens it, or is found") {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "going-on.resect";
+  const Scenario scenario = shipped("press", 0.015);
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
+  Recorder recorder(path, scenario, simulation);
+  for (int i = 0; i < 90; ++i) {
+    const FrameInput input = frameInput(scenario, i);
+    recorder.record(input, simulation.step(input), simulation);
+    if (i % 30 == 29) std::this_thread::sleep_for(std::chrono::milliseconds(300));  // it commits
+  }
+  const std::string file = test::bytesOf(path), log = test::bytesOf(path.string() + "-wal");
+  REQUIRE(log.size() > 4096);
+  const auto copy = folder.write("copy.resect", file);
+  folder.write("copy.resect-wal", log);
+  CHECK(verify(copy).frames == 90);
+  Random random(3);
+  int shorter = 0, found = 0;
+  for (int i = 0; i < 30; ++i) {
+    std::string damaged = log;
+    char& byte = damaged[std::size_t(random.below(int(log.size())))];
+    byte = char(byte ^ (1 << random.below(8)));
+    folder.write("copy.resect-wal", damaged);
+    try {
+      const Verification proof = verify(copy);
+      CHECK(!proof.complete);
+      CHECK(proof.frames <= 90);
+      proof.first ? ++found : ++shorter;
+    } catch (const Error& e) {
+      ++found;
+      CHECK(test::isOneSentence(e.what()));
+    }
+  }
+  MESSAGE(shorter << " shortened or unchanged, " << found << " found");
+  recorder.finish();
 }
 
 TEST_CASE("what is no recording is refused in a sentence") {
