@@ -94,6 +94,16 @@ TEST_CASE("a child that sleeps is stopped by the clock") {
   CHECK(text.find("more than 0.2 s") != std::string::npos);
 }
 
+TEST_CASE("a child that answers with more than is taken is stopped, with what to do") {
+  ChildLimits limits;
+  limits.answerBytes = std::size_t(1) << 20;
+  limits.ifTooLarge = "take another";
+  const auto answer = [](std::size_t bytes) { return [=] { return std::string(bytes, 'x'); }; };
+  CHECK(sentenceOf(answer(limits.answerBytes), limits) == "");
+  const std::string text = sentenceOf(answer(8 * limits.answerBytes), limits);
+  CHECK(text.find("larger than the 1 MB that are taken; take another") != std::string::npos);
+}
+
 #ifndef RESECT_SANITIZED
 TEST_CASE("a child that wants more memory than it may is told so") {
   ChildLimits limits;
