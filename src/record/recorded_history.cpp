@@ -21,6 +21,8 @@ OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch, std
                 file.name(), branch.number);
   const std::vector<OperationEvent> events = file.events(branch.number);
   auto event = events.begin();
+  const std::vector<RecordedSample> samples = file.samples(branch.number);
+  auto sample = samples.begin();
   FrameInput before;
   for (std::int64_t number = branch.from + 1;; ++number) {
     const std::optional<RecordedFrame> frame = file.frame(branch.number, number);
@@ -35,9 +37,10 @@ OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch, std
     const std::span<const OperationEvent> happened(first, event);
     for (const OperationEvent& one : happened) remember(course.events, one, tools);
     std::vector<double> forces(tools, 0);
-    for (const RecordedSample& s : file.samples(branch.number, number))
-      if (s.tool >= 0 && std::size_t(s.tool) < tools)
-        forces[std::size_t(s.tool)] = Vec3(s.force[0], s.force[1], s.force[2]).norm();
+    for (; sample != samples.end() && sample->frame <= number; ++sample)
+      if (sample->tool >= 0 && std::size_t(sample->tool) < tools)
+        forces[std::size_t(sample->tool)] =
+            Vec3(sample->force[0], sample->force[1], sample->force[2]).norm();
     course.add(input, happened, forces);
     before = std::move(input);
     before.edits.clear();

@@ -355,11 +355,9 @@ std::vector<OperationEvent> RecordingFile::events(std::int64_t branch) {
       prepared("SELECT * FROM events WHERE branch = ? ORDER BY rowid").bind(0, branch));
 }
 
-std::vector<RecordedSample> RecordingFile::samples(std::int64_t branch, std::int64_t frame) {
+std::vector<RecordedSample> RecordingFile::samples(std::int64_t branch) {
   return rowsOf<RecordedSample>(
-      prepared("SELECT * FROM samples WHERE branch = ? AND frame = ? ORDER BY tool")
-          .bind(0, branch)
-          .bind(1, frame));
+      prepared("SELECT * FROM samples WHERE branch = ? ORDER BY rowid").bind(0, branch));
 }
 
 bool RecordingFile::complete() {

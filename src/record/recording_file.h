@@ -92,7 +92,7 @@ class RecordingFile {
   std::optional<KeyState> keyState(std::int64_t branch, std::int64_t frame);
   std::vector<std::int64_t> keyFrames(std::int64_t branch);
   std::vector<OperationEvent> events(std::int64_t branch);
-  std::vector<RecordedSample> samples(std::int64_t branch, std::int64_t frame);
+  std::vector<RecordedSample> samples(std::int64_t branch);  // frame by frame
   bool complete();            // false: the program ended before the recording did
   std::string damagedPage();  // what SQLite's own check finds, in one line; empty: nothing
 

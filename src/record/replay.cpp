@@ -83,6 +83,8 @@ class Verifier {
     checkKeyState(b);
     const std::vector<OperationEvent> events = file.events(b);
     std::size_t nextEvent = 0;
+    samples_ = file.samples(b);
+    nextSample_ = 0;
     EventMemory memory;
     const std::int64_t last = file.lastFrame(b);
     StepReport stepped;
@@ -102,6 +104,7 @@ class Verifier {
     }
     if (found_.first) return;
     if (nextEvent != events.size()) differ(b, last, "measure", "an event that did not happen");
+    if (nextSample_ != samples_.size()) differ(b, last, "measure", "a sample of no frame");
     if (last >= 0 && replay_.simulation().frame() != last)
       differ(b, replay_.simulation().frame() + 1, "file", "a frame is missing");
   }
@@ -124,12 +127,15 @@ class Verifier {
   }
 
   void checkSamples(std::int64_t branch, std::int64_t frame, const StepReport& stepped) {
-    const auto recorded = replay_.file().samples(branch, frame);
-    const auto now = samplesOf(stepped, replay_.simulation());
-    if (recorded.size() != now.size() ||
-        !std::equal(now.begin(), now.end(), recorded.begin(),
-                    [](const auto& a, const auto& c) { return same(a, c); }))
-      differ(branch, frame, "measure", "a sample of a tool");
+    bool equal = true;
+    for (const RecordedSample& now : samplesOf(stepped, replay_.simulation())) {
+      const bool there = nextSample_ < samples_.size();
+      equal = equal && there && samples_[nextSample_].frame == frame &&
+              same(samples_[nextSample_], now);
+      if (there) ++nextSample_;
+    }
+    if (nextSample_ < samples_.size() && samples_[nextSample_].frame <= frame) equal = false;
+    if (!equal) differ(branch, frame, "measure", "a sample of a tool");
   }
 
   void checkKeyState(std::int64_t branch) {
@@ -146,6 +152,8 @@ class Verifier {
   Replay replay_;
   const Progress& progress_;
   FrameHashes hashes_;
+  std::vector<RecordedSample> samples_;  // of the branch
+  std::size_t nextSample_ = 0;
   Verification found_;
 };
 

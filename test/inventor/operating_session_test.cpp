@@ -416,9 +416,28 @@ TEST_CASE("a scenario that is played in the window removes what it removes witho
   CHECK(session.state().removed == expected.removed);
   CHECK((session.tools().pose(0).position - scenario.tools[0].rest.position).norm() < 1e-6);
 
-  session.play(1e9);
+  // Each time from the start of the operation, whatever was cut since.
   session.tools().take(0);
+  // Particles lie between the box's centre and half a cell beside it.
+  const Vec3 inside =
+      session.cells().lattice.box().centre() + 0.5 * session.cells().lattice.spacing;
+  for (int i = -5; i <= 5; ++i) {
+    session.tools().setPose(0, {inside + Vec3(0.02 * i, 0, 0), Eigen::Quaterniond::Identity()});
+    session.operation().waitFor(session.state().frame + 2);
+    session.update();
+  }
+  REQUIRE(session.state().removed > expected.removed);
+  playUntil(1e9);
+  CHECK(session.state().removed == expected.removed);
+  CHECK(session.state().moment.branch == 2);
+
+  session.play(1e9);
+  session.tools().take(0);  // before the start is reached
   CHECK_FALSE(session.playing());
+  session.operation().waitForAnswer();
+  session.update();
+  CHECK_FALSE(session.operation().playing());
+  CHECK(session.state().removed == 0);
 }
 
 TEST_CASE("a drag ends when its tool is put back by a key") {

@@ -211,8 +211,8 @@ void TimelinePanel::follow(const LiveState& state, bool showing) {
   goOn_->setEnabled(showing);
   hint_->setText(!showing        ? QString()
                  : asked_ >= 0   ? "going there ..."
-                 : frame_ < end_ ? "An earlier moment is shown."
-                                 : "The operation stands.");
+                 : frame_ < end_ ? "An earlier moment is shown. Take an instrument to go on."
+                                 : "The end of this branch. Take an instrument to go on.");
   bar_->update();
 }
 

@@ -71,6 +71,10 @@ void LiveOperation::setIso(float iso) {
 
 void LiveOperation::play(Motion motion) {
   const std::lock_guard lock(mutex_);
+  if (!motion) {  // also one that is to come
+    if (request_) request_->motion = {};
+    motionComes_ = false;
+  }
   motion_ = std::move(motion);
 }
 
@@ -303,19 +307,21 @@ void LiveOperation::answer(Request request) {
     }
   }
   const std::lock_guard lock(mutex_);
-  replaceable_ = motionComes_ = false;
+  replaceable_ = false;
   stop_ = ending_;
   state_.answered = request.number;
   if (!refusal.empty()) state_.faults.push_back(refusal);
   if (moment && refusal.empty()) {
     noteMoment(state_, *simulation_, wholeVolume_, history_.peaks());
     input_.tools = state_.played = presentTools();
-    showing_ = state_.showing = !request.motion;
+    const bool plays = motionComes_;
+    showing_ = state_.showing = !plays;
     playback_ = state_.playback = 0;
-    motion_ = std::move(request.motion);
+    motion_ = plays ? std::move(request.motion) : Motion();
     timelineFrame_ = -1;
     noteHistory();
   }
+  motionComes_ = false;
   fresh_ = true;
 }
 
