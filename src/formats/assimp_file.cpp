@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "formats/gltf_files.h"
 #include "geometry/polygon.h"
 
 namespace resect {
@@ -39,9 +40,6 @@ std::string nameOfFormat(const std::string& extension) {
   for (char& c : name) c = char(std::toupper(static_cast<unsigned char>(c)));
   return name;
 }
-
-// What a glTF buffer that is a file of its own may be called (glTF 2.0, "Implementation Note").
-constexpr std::array kBufferExtensions{"bin", "glbin", "glbuf"};
 
 // "my%20buffer.bin" as "my buffer.bin" (RFC 3986, 2.1).
 std::string withoutPercents(std::string_view text) {
@@ -212,9 +210,8 @@ Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::p
   auto* disk = new MemoryDisk(name, bytes, beside);
   importer.SetIOHandler(disk);  // which owns it
   const aiScene* scene = importer.ReadFile(name, aiProcess_RemoveComponent);
-  if (extension == "gltf" && disk->lacking()) {
-    const std::string kind = extensionOf(*disk->lacking());
-    if (std::ranges::find(kBufferExtensions, kind) == kBufferExtensions.end())
+  if (isGltf(name) && disk->lacking()) {
+    if (!isGltfBuffer(*disk->lacking()))
       throw error("{}: a buffer of it is no .bin file beside it; export it as .glb", path.string());
     throw LacksFile{*disk->lacking()};
   }

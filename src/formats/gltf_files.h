@@ -6,9 +6,14 @@
 
 namespace resect {
 
-// For each .gltf among `files`, appends the files of its folder that its reader may be given: those
-// whose names end in .bin, .glbin or .glbuf. Which of them the model names is not looked up, since
-// only the reader in its sandbox parses a model.
+// By the name's ending, in upper or lower case. A buffer: .bin, .glbin or .glbuf (glTF 2.0,
+// "Implementation Note").
+bool isGltf(const std::filesystem::path& name);
+bool isGltfBuffer(const std::filesystem::path& name);
+
+// For each .gltf among `files`, appends the buffers of its folder: those that its reader may be
+// given. Which of them the model names is not looked up, since only the reader in its sandbox
+// parses a model.
 void addFilesOfGltf(std::vector<std::filesystem::path>& files);
 
 }  // namespace resect

@@ -287,11 +287,13 @@ class Spared(Case):
             self.assertEqual((data / file).read_bytes(), before)
 
     def test_the_buffers_of_a_gltf_model_are_never_written(self):
-        buffer = self.file("my buffer.bin")
-        model = self.file("model.gltf", json.dumps({"asset": {"version": "2.0"}, "buffers": [{"uri": "my%20buffer.bin"}]}))
-        for args in (["discretize", model, "-o", buffer], ["run", "cut-120", "--organ", model, "--json", buffer]):
-            self.refused(resect(*args), 2, "my buffer.bin is read")
-        self.assertEqual(buffer.read_text(), "old")
+        for ending, name in (("gltf", "my buffer.bin"), ("GLTF", "my buffer.BIN")):
+            buffer = self.file(name)
+            uri = name.replace(" ", "%20")
+            model = self.file(f"model.{ending}", json.dumps({"asset": {"version": "2.0"}, "buffers": [{"uri": uri}]}))
+            for args in (["discretize", model, "-o", buffer], ["run", "cut-120", "--organ", model, "--json", buffer]):
+                self.refused(resect(*args), 2, f"{name} is read")
+            self.assertEqual(buffer.read_text(), "old")
 
     def test_two_outputs_of_one_file_are_refused_before_the_work(self):
         one, link, folder = self.file("one.json"), self.folder / "link", self.folder / "folder"

@@ -24,3 +24,18 @@ TEST_CASE("the files that a .gltf's reader may be given are those beside it") {
   addFilesOfGltf(none);
   CHECK(none.size() == 2);
 }
+
+TEST_CASE("a .gltf and its buffers are known by endings in upper and lower case") {
+  CHECK(isGltf("a.GLTF"));
+  CHECK(isGltf("b.gltf"));
+  CHECK(!isGltf("c.glb"));
+  CHECK(isGltfBuffer("d.Bin"));
+  CHECK(isGltfBuffer("e.GLBUF"));
+  CHECK(!isGltfBuffer("f.gltf"));
+  const test::TemporaryFolder folder;
+  std::vector<fs::path> files = {folder.write("model.GLTF", "{}")};
+  const fs::path buffer = folder.write("model.BIN", "");
+  addFilesOfGltf(files);
+  REQUIRE(files.size() == 2);
+  CHECK(files[1] == buffer);
+}

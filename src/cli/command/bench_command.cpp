@@ -12,6 +12,7 @@
 #include "cli/organ_options.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
+#include "cli/shared_options.h"
 #include "cli/thesis_profile.h"
 #include "formats/gltf_files.h"
 #include "io/cells/particle_file.h"
@@ -88,10 +89,7 @@ void addBenchCommand(CLI::App& app) {
   command->add_option("--organ", options->organ,
                       "Another organ: model or file of particles, or \"liver\"");
   auto organ = addOrganOptions(*command);
-  command
-      ->add_option("--threads", options->threads, "Threads to use; 0 = all. The result is the same")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  addThreadsOption(*command, options->threads);
   command->add_flag("--once", options->once,
                     "Measure the scenario as it is; do not look for the largest organ");
   command->add_flag(

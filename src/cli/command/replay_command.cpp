@@ -14,6 +14,7 @@
 #include "cli/command_output.h"
 #include "cli/picture_writer.h"
 #include "cli/progress_bar.h"
+#include "cli/shared_options.h"
 #include "io/output/run_files.h"
 #include "record/replay.h"
 
@@ -21,9 +22,9 @@ namespace resect {
 namespace {
 
 struct Options {
-  std::string file, frames, video, json, size = "1280x720", view;
-  double from = 0, to = INFINITY, pictureRate = 10;
-  std::int64_t branch = -1;  // the last one
+  std::string file, json;
+  PictureOptions pictures;
+  RecordedPart part;
   bool events = false, overwrite = false;
 };
 
@@ -46,74 +47,41 @@ std::string lineOf(const OperationEvent& event, const Scenario& scenario) {
   return event.text.empty() ? line : line + ": " + event.text;
 }
 
-// A part of the course: frames of one branch, from the state `first` to `last`.
-struct Span {
-  std::int64_t branch, first, last;
-};
-
-// The frames that lead from the start to the end of a branch, through the branches before it.
-std::vector<Span> courseOf(RecordingFile& file, std::int64_t branch) {
-  const std::vector<Branch> branches = file.branches();
-  std::vector<Span> course;
-  std::int64_t end = file.lastFrame(branch);
-  while (branch >= 0 && branch < std::int64_t(branches.size())) {
-    const Branch& one = branches[std::size_t(branch)];
-    if (end > one.from) course.insert(course.begin(), {branch, one.from, end});
-    end = one.from;
-    branch = one.parent < branch ? one.parent : -1;
-  }
-  return course;
-}
-
 void play(const Options& options) {
-  if (!(options.from >= 0) || !(options.to >= options.from))
-    throw usageError(
-        "--from {} and --to {} are no span of time; give seconds from 0 on, the first "
-        "not after the second",
-        options.from, options.to);
-  if (!options.frames.empty() || !options.video.empty() || !options.json.empty())
-    checkOutputs({{{"--video", options.video}, {"--json", options.json}},
-                  {framesIn(options.frames)},
+  options.part.check();
+  options.pictures.check();
+  if (options.pictures.wanted() || !options.json.empty())
+    checkOutputs({{{"--video", options.pictures.video}, {"--json", options.json}},
+                  {framesIn(options.pictures.frames)},
                   options.overwrite},
                  std::vector<std::filesystem::path>{options.file});
   Replay replay(options.file);
   Scenario scenario = replay.setup().scenario;
-  if (!options.view.empty()) {
-    scenario.view = options.view;
+  if (!options.pictures.view.empty()) {
+    scenario.view = options.pictures.view;
     scenario.closeUp.reset();
   }
-  const std::int64_t branch =
-      options.branch < 0 ? std::int64_t(replay.file().branches().size()) - 1 : options.branch;
-  std::vector<Span> course = courseOf(replay.file(), branch);
-  if (course.empty())
-    throw error("{}: has no frames in branch {}; leave --branch out", options.file, branch);
-  const auto frameAt = [&](double time) {
-    const double frame = time * scenario.frameRate;
-    return frame < double(course.back().last) ? std::llround(frame) : course.back().last;
-  };
-  const std::int64_t first = frameAt(options.from), end = frameAt(options.to);
-  std::erase_if(course, [&](const Span& s) { return s.last <= first && first < end; });
-  std::erase_if(course, [&](const Span& s) { return s.first >= end && first < end; });
-  replay.goTo(course[0].branch, std::clamp(first, course[0].first, course[0].last));
+  const std::vector<CourseSpan> course = options.part.of(replay.file(), scenario.frameRate);
+  const std::int64_t branch = options.part.branchIn(replay.file());
+  const std::int64_t first = course[0].first, end = course.back().last;
+  replay.goTo(course[0].branch, first);
 
   std::optional<PictureWriter> pictures;
-  if (!options.frames.empty() || !options.video.empty())
+  if (options.pictures.wanted())
     pictures.emplace(scenario, replay.simulation(),
-                     PictureSettings{options.frames, options.video, options.size,
-                                     options.pictureRate, options.overwrite});
+                     settingsOf(options.pictures, options.overwrite));
   const Progress progress = progressBar("replay");
   std::vector<OperationEvent> events;
   StepReport step;
-  for (const Span& span : course) {
+  for (const CourseSpan& span : course) {
     if (replay.branch() != span.branch) replay.goTo(span.branch, span.first);
-    const std::int64_t last = std::min(end, span.last), begin = replay.simulation().frame();
-    while (replay.simulation().frame() < last && replay.step(nullptr, &step)) {
+    while (replay.simulation().frame() < span.last && replay.step(nullptr, &step)) {
       if (pictures) pictures->follow(replay.simulation(), step);
       report(progress, double(replay.simulation().frame() - first) /
                            double(std::max<std::int64_t>(1, end - first)));
     }
     for (OperationEvent& event : replay.file().events(span.branch))
-      if (event.frame > begin && event.frame <= last) events.push_back(std::move(event));
+      if (event.frame > span.first && event.frame <= span.last) events.push_back(std::move(event));
   }
   std::vector<std::string> files;
   if (pictures) files = pictures->finish();
@@ -159,23 +127,12 @@ void play(const Options& options) {
 void addReplayCommand(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("replay", "Play a recorded operation, and draw it");
-  command->add_option("FILE", options->file, "Recording (.resect)")->required();
-  command->add_option("--from", options->from, "Where to begin, s")->capture_default_str();
-  command->add_option("--to", options->to, "Where to end, s; without it at the recording's end");
-  command->add_option("--branch", options->branch,
-                      "Course of the operation, from its start; without it the one that was last");
-  command->add_flag("--overwrite", options->overwrite,
-                    "Remove the numbered pictures of an earlier run from the folder of --frames");
+  addRecordingOption(*command, options->file);
+  addPartOptions(*command, options->part);
+  addOverwriteOption(*command, options->overwrite,
+                     "the numbered pictures of an earlier run from the folder of --frames");
   command->add_flag("--events", options->events, "List what happened, line by line");
-  command->add_option("--frames", options->frames, "Folder for numbered pictures (PNG)");
-  command->add_option("--video", options->video,
-                      "Video to make of the pictures (.mp4; needs ffmpeg)");
-  command->add_option("--picture-rate", options->pictureRate, "Pictures per simulated second")
-      ->check(CLI::Range(0.01, 1000.0))
-      ->capture_default_str();
-  command->add_option("--size", options->size, "Width and height of the pictures, pixels")
-      ->capture_default_str();
-  command->add_option("--view", options->view, "Camera: surgeon, assistant, top or laparoscope");
+  addPictureOptions(*command, options->pictures);
   command->add_option("--json", options->json, "JSON file for the summary; - for standard output");
   command->footer(
       "Examples:\n  resect replay press.resect --events\n"

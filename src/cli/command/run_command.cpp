@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <optional>
 
 #include "base/error.h"
@@ -15,9 +14,8 @@
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
 #include "cli/run_report.h"
+#include "cli/shared_options.h"
 #include "formats/gltf_files.h"
-#include "formats/video.h"
-#include "inventor/scene/operating_room.h"
 #include "io/atomic_file.h"
 #include "io/data_folder.h"
 #include "io/mesh_file.h"
@@ -34,9 +32,8 @@ namespace resect {
 namespace {
 
 struct Options {
-  std::string scenario, organ, record, frames, video, surface, pieces, plot, json,
-      size = "1280x720", view;
-  double pictureRate = 10;
+  std::string scenario, organ, record, surface, pieces, plot, json;
+  PictureOptions pictures;
   int threads = 0;
   bool list = false, thesis = false, overwrite = false;
 };
@@ -65,25 +62,19 @@ std::vector<std::string> writePieces(const Options& options, const Simulation& s
 }
 
 void checkOptions(const Options& options) {
-  int width = 0, height = 0;
-  parseSize(options.size, width, height);
-  if (!options.view.empty() && !roomView(options.view))
-    throw usageError("--view is \"{}\"; choose {}", options.view, kRoomViewNames);
-  if (!std::isfinite(options.pictureRate))
-    throw usageError("--picture-rate is not a number; give pictures per second, 0.01 to 1000");
+  options.pictures.check();
   if (!options.surface.empty()) checkWritableMeshFile(options.surface);
-  if (!options.video.empty()) checkVideoFile(options.video);
 }
 
 void checkFiles(const Options& options, const Scenario& scenario) {
   std::vector<std::filesystem::path> inputs = filesRead(scenario);
   addFilesOfGltf(inputs);
   checkOutputs({{{"--surface", options.surface},
-                 {"--video", options.video},
+                 {"--video", options.pictures.video},
                  {"--plot", options.plot},
                  {"--json", options.json},
                  {"--record", options.record}},
-                {framesIn(options.frames), piecesOf(options)},
+                {framesIn(options.pictures.frames), piecesOf(options)},
                 options.overwrite},
                inputs);
 }
@@ -96,8 +87,8 @@ void run(const Options& options, const OrganOptions& organOptions) {
   const ThreadLimit threads(options.threads);
 
   Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
-  if (!options.view.empty()) {
-    scenario.view = options.view;
+  if (!options.pictures.view.empty()) {
+    scenario.view = options.pictures.view;
     scenario.closeUp.reset();  // of the scenario's own view
   }
   organOptions.applyTo(scenario, options.organ);
@@ -122,10 +113,8 @@ void run(const Options& options, const OrganOptions& organOptions) {
   if (!options.record.empty()) recorder.emplace(options.record, scenario, simulation);
 
   std::optional<PictureWriter> pictures;
-  if (!options.frames.empty() || !options.video.empty())
-    pictures.emplace(scenario, simulation,
-                     PictureSettings{options.frames, options.video, options.size,
-                                     options.pictureRate, options.overwrite});
+  if (options.pictures.wanted())
+    pictures.emplace(scenario, simulation, settingsOf(options.pictures, options.overwrite));
 
   const Progress progress = progressBar(scenario.name);
   const double frames = double(frameCount(scenario));
@@ -181,26 +170,15 @@ void addRunCommand(CLI::App& app) {
   command->add_option("--organ", options->organ,
                       "Another organ: model or file of particles, or \"liver\"");
   auto organ = addOrganOptions(*command);
-  command
-      ->add_option("--threads", options->threads, "Threads to use; 0 = all. The result is the same")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command->add_option("--frames", options->frames, "Folder for numbered pictures (PNG)");
-  command->add_option("--video", options->video,
-                      "Video to make of the pictures (.mp4; needs ffmpeg)");
-  command->add_option("--picture-rate", options->pictureRate, "Pictures per simulated second")
-      ->check(CLI::Range(0.01, 1000.0))
-      ->capture_default_str();
-  command->add_option("--size", options->size, "Width and height of the pictures, pixels")
-      ->capture_default_str();
-  command->add_option("--view", options->view, fmt::format("Camera: {}", kRoomViewNames));
+  addThreadsOption(*command, options->threads);
+  addPictureOptions(*command, options->pictures);
   command->add_option("--surface", options->surface,
                       "Mesh file for the surface at the end: .obj .stl .ply .vtk .iv");
   command->add_option("--pieces", options->pieces,
                       "Folder for a mesh of each separate piece at the end (.stl)");
-  command->add_flag(
-      "--overwrite", options->overwrite,
-      "Remove the numbered files of an earlier run from the folders of --frames and --pieces");
+  addOverwriteOption(
+      *command, options->overwrite,
+      "the numbered files of an earlier run from the folders of --frames and --pieces");
   command->add_option("--plot", options->plot,
                       "Plot of the force on each instrument over time, where tissue moves (.svg)");
   command->add_option("--record", options->record,

@@ -9,6 +9,7 @@
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
 #include "cli/progress_bar.h"
+#include "cli/shared_options.h"
 #include "record/replay.h"
 
 namespace resect {
@@ -22,11 +23,8 @@ void addVerifyCommand(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("verify", "Play a recording and compare every frame with it");
-  command->add_option("FILE", options->file, "Recording (.resect)")->required();
-  command
-      ->add_option("--threads", options->threads, "Threads to use; 0 = all. The result is the same")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+  addRecordingOption(*command, options->file);
+  addThreadsOption(*command, options->threads);
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Exit status 1 where a frame differs: the first one is named, with the stage of the step and "

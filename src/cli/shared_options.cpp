@@ -1,0 +1,84 @@
+#include "cli/shared_options.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+#include "base/error.h"
+#include "formats/video.h"
+#include "inventor/scene/operating_room.h"
+
+namespace resect {
+
+void PictureOptions::check() const {
+  int width = 0, height = 0;
+  parseSize(size, width, height);
+  if (!view.empty() && !roomView(view))
+    throw usageError("--view is \"{}\"; choose {}", view, kRoomViewNames);
+  if (!std::isfinite(rate))
+    throw usageError("--picture-rate is not a number; give pictures per second, 0.01 to 1000");
+  if (!video.empty()) checkVideoFile(video);
+}
+
+PictureSettings settingsOf(const PictureOptions& options, bool overwrite) {
+  return {options.frames, options.video, options.size, options.rate, overwrite};
+}
+
+void addPictureOptions(CLI::App& command, PictureOptions& options) {
+  command.add_option("--frames", options.frames, "Folder for numbered pictures (PNG)");
+  command.add_option("--video", options.video,
+                     "Video to make of the pictures (.mp4; needs ffmpeg)");
+  command.add_option("--picture-rate", options.rate, "Pictures per simulated second")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  command.add_option("--size", options.size, "Width and height of the pictures, pixels")
+      ->capture_default_str();
+  command.add_option("--view", options.view, fmt::format("Camera: {}", kRoomViewNames));
+}
+
+void addThreadsOption(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "Threads to use; 0 = all. The result is the same")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+void addOverwriteOption(CLI::App& command, bool& overwrite, const std::string& numbered) {
+  command.add_flag("--overwrite", overwrite, "Remove " + numbered);
+}
+
+void addRecordingOption(CLI::App& command, std::string& file) {
+  command.add_option("FILE", file, "Recording (.resect)")->required();
+}
+
+void RecordedPart::check() const {
+  if (!(from >= 0) || !(to >= from))
+    throw usageError(
+        "--from {} and --to {} are no span of time; give seconds from 0 on, the first "
+        "not after the second",
+        from, to);
+}
+
+std::int64_t RecordedPart::branchIn(RecordingFile& file) const {
+  return branch < 0 ? std::int64_t(file.branches().size()) - 1 : branch;
+}
+
+std::vector<CourseSpan> RecordedPart::of(RecordingFile& file, double frameRate) const {
+  const std::vector<CourseSpan> course = courseOf(file, branchIn(file));
+  if (course.empty())
+    throw error("{}: has no frames in branch {}; leave --branch out", file.name(), branchIn(file));
+  const auto frameAt = [&](double time) {
+    const double frame = time * frameRate;
+    return frame < double(course.back().last) ? std::llround(frame) : course.back().last;
+  };
+  return partOf(course, frameAt(from), frameAt(to));
+}
+
+void addPartOptions(CLI::App& command, RecordedPart& part) {
+  command.add_option("--from", part.from, "Where to begin, s")->capture_default_str();
+  command.add_option("--to", part.to, "Where to end, s; without it at the recording's end");
+  command.add_option("--branch", part.branch,
+                     "Course of the operation, from its start; without it the one that was last");
+}
+
+}  // namespace resect

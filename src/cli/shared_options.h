@@ -1,0 +1,61 @@
+// Command-line options that several commands have, the same for each.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/picture_writer.h"
+#include "record/course.h"
+
+namespace CLI {
+class App;
+}
+
+namespace resect {
+
+// Where pictures of an operation go, and how they look; as the user wrote it.
+struct PictureOptions {
+  std::string frames, video;  // folder, file; "": no such pictures
+  std::string size = "1280x720", view;
+  double rate = 10;  // pictures per simulated second
+
+  bool wanted() const { return !frames.empty() || !video.empty(); }
+  // Throws a usage Error for a size, a view, a rate or a video's name that is none. To be called
+  // before long work.
+  void check() const;
+};
+
+// For a PictureWriter. overwrite: PictureSettings::overwrite.
+PictureSettings settingsOf(const PictureOptions& options, bool overwrite);
+
+// Adds --frames, --video, --picture-rate, --size and --view. The options must live as long as the
+// command.
+void addPictureOptions(CLI::App& command, PictureOptions& options);
+
+// Adds --threads, 0 to 1024.
+void addThreadsOption(CLI::App& command, int& threads);
+
+// Adds --overwrite. numbered: what it may remove, as "the numbered pictures of an earlier run from
+// the folder of --frames".
+void addOverwriteOption(CLI::App& command, bool& overwrite, const std::string& numbered);
+
+// Adds FILE, a recording to read.
+void addRecordingOption(CLI::App& command, std::string& file);
+
+// A part of a recorded operation.
+struct RecordedPart {
+  double from = 0, to = INFINITY;  // s
+  std::int64_t branch = -1;        // -1: the last one
+
+  void check() const;                                // throws a usage Error unless 0 <= from <= to
+  std::int64_t branchIn(RecordingFile& file) const;  // the number of the branch that is meant
+  // Its frames, through the branches before the last one. Throws Error if there are none.
+  std::vector<CourseSpan> of(RecordingFile& file, double frameRate) const;
+};
+
+// Adds --from, --to and --branch.
+void addPartOptions(CLI::App& command, RecordedPart& part);
+
+}  // namespace resect
