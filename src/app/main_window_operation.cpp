@@ -118,6 +118,7 @@ void MainWindow::begin(OrganLoader::Result result) {
       session->room().camera()->copyFieldValues(session_->room().camera());
     viewer_->show(nullptr);
     session_ = std::move(session);
+    session_->operation().setHistoryMemory(std::size_t(options_.historyMemory) << 20);
     recorder_ = std::move(recorder);
     goesOn_ = goesOn;
     operationFile_.clear();

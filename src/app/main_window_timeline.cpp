@@ -59,9 +59,12 @@ void MainWindow::makeTimelineMenu() {
 
 void MainWindow::compareBranches() {
   if (!session_ || !session_->state().timeline) return;
-  BranchesDialog dialog(
-      *session_->state().timeline, timeline_->branch(), timeline_->frameRate(),
-      [this](std::int64_t branch) { timeline_->lookAt(branch); }, this);
+  BranchesDialog dialog(*session_->state().timeline, timeline_->branch(), timeline_->frameRate(),
+                        this);
+  dialog.wanted = [this](std::int64_t branch) { timeline_->lookAt(branch); };
+  dialog.renamed = [this](std::int64_t branch, const std::string& name) {
+    session_->operation().nameBranch(branch, name);
+  };
   dialog.exec();
 }
 

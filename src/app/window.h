@@ -12,6 +12,7 @@ struct WindowOptions {
   Scenario scenario;               // what the window shows first
   std::string operation;           // or a recorded operation that goes on; empty: none
   int width = 1280, height = 720;  // of the window, pixels
+  int historyMemory = 512;         // for showing earlier moments, MB
   double fpsLimit = 60;            // most pictures per second
   // Explain mouse and keyboard over the picture, once: when this user first opens a window.
   bool overlay = true;

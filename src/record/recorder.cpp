@@ -152,6 +152,8 @@ void Recorder::begin(const Branch& branch, const Simulation& simulation) {
   putKeyState({branch.number, branch.from}, simulation);
 }
 
+void Recorder::rename(const Branch& branch) { put(branch); }
+
 void Recorder::record(Moment moment, const FrameInput& input, const StepReport& report,
                       std::span<const OperationEvent> events, const Simulation& simulation) {
   if (!failure().empty()) return;

@@ -54,6 +54,7 @@ class Recorder {
   // The two below are called by the thread that steps.
   // A branch begins at the present state.
   void begin(const Branch& branch, const Simulation& simulation);
+  void rename(const Branch& branch);
   // After each step; the frame follows the last one of its branch. Cost: 0.5 ms at 13 000 elastic
   // particles, and the time of Simulation::save() and stateHash() once in kKeyStateSeconds.
   void record(Moment moment, const FrameInput& input, const StepReport& report,

@@ -276,8 +276,8 @@ template <class Row>
 void RecordingFile::insert(const Row& row) {
   columns(
       [&](const char* table, const auto&... values) {
-        // The state at which a branch begins may be given twice.
-        constexpr bool again = std::is_same_v<Row, StoredKeyState>;
+        // A branch may get another name, and the state at which it begins may be given twice.
+        constexpr bool again = std::is_same_v<Row, StoredKeyState> || std::is_same_v<Row, Branch>;
         std::string sql =
             fmt::format("INSERT {}INTO {} VALUES (?", again ? "OR REPLACE " : "", table);
         for (std::size_t i = 1; i < sizeof...(values); ++i) sql += ", ?";

@@ -81,6 +81,7 @@ OperationWatch watchOf(std::shared_ptr<Recorder> recorder) {
   return {[recorder](const Branch& branch, const Simulation& simulation) {
             recorder->begin(branch, simulation);
           },
+          [recorder](const Branch& branch) { recorder->rename(branch); },
           [recorder](Moment moment, const FrameInput& input, const StepReport& report,
                      std::span<const OperationEvent> events, const Simulation& simulation) {
             recorder->record(moment, input, report, events, simulation);

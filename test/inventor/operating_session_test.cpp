@@ -1,6 +1,9 @@
 #include "inventor/hand/operating_session.h"
 
 #include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <chrono>
+#include <thread>
+
 #include <doctest/doctest.h>
 
 #include "inventor/gl/SoOrganShape.h"
@@ -207,6 +210,17 @@ TEST_CASE("what was recorded plays again, as fast as is asked for, and stands at
   bench.settle();
   CHECK_FALSE(bench.session->state().showing);
   CHECK(bench.session->state().moment.branch == 0);
+  // A branch gets another name, also while a moment is shown.
+  bench.session->show({0, 3});
+  bench.settle();
+  bench.session->operation().nameBranch(0, "the first way");
+  for (int i = 0; i < 200; ++i) {
+    bench.session->update();
+    if (bench.session->state().timeline->courses[0].branch.name == "the first way") break;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  CHECK(bench.session->state().timeline->courses[0].branch.name == "the first way");
+  CHECK(bench.session->state().frame == 3);
 }
 
 TEST_CASE("the picture gets the changed ranges of the surface and nothing else") {

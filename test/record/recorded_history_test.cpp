@@ -53,6 +53,8 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
       for (int i = 0; i < 160; ++i) kept.step(i);
       history.goTo({0, 70}, simulation);
       for (int i = 0; i < 60; ++i) kept.step(70 + 2 * i);
+      history.rename(1, "another way");
+      recorder.rename(history.courses()[1].branch);
     }
     RecordingFile file = RecordingFile::open(first);
     RecordedOperation operation = operationOf(file, file.setup());
@@ -61,6 +63,7 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
     CHECK(operation.history.undoable() == history.undoable());
     CHECK(operation.history.peaks() == history.peaks());
     REQUIRE(operation.history.courses().size() == 2);
+    CHECK(operation.history.courses()[1].branch.name == "another way");
     for (int b = 0; b < 2; ++b) {
       const auto &was = history.courses()[std::size_t(b)],
                  &is = operation.history.courses()[std::size_t(b)];

@@ -12,14 +12,15 @@
 namespace resect {
 
 BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, double frameRate,
-                               std::function<void(std::int64_t)> wanted, QWidget* parent)
+                               QWidget* parent)
     : QDialog(parent) {
   setWindowTitle("Branches");
   const QStringList titles{"Branch",  "Begins at",   "Ends at",
                            "Strokes", "Removed, ml", "Largest force, N"};
   auto* table = new QTableWidget(0, int(titles.size()), this);
   table->setHorizontalHeaderLabels(titles);
-  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  table->setToolTip("Double click a name to change it");
   table->setSelectionBehavior(QAbstractItemView::SelectRows);
   table->setSelectionMode(QAbstractItemView::SingleSelection);
   table->verticalHeader()->hide();
@@ -38,6 +39,7 @@ BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, d
       auto* item = new QTableWidgetItem(texts[i]);
       item->setTextAlignment(Qt::AlignVCenter | (i == 0 ? Qt::AlignLeft : Qt::AlignRight));
       item->setData(Qt::UserRole, qlonglong(branch.number));
+      if (i > 0) item->setFlags(item->flags() & ~Qt::ItemIsEditable);
       table->setItem(row, i, item);
     }
     if (branch.number == present) table->selectRow(row);
@@ -46,14 +48,18 @@ BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, d
   table->horizontalHeader()->setStretchLastSection(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   auto* show = buttons->addButton("Show its end", QDialogButtonBox::ActionRole);
-  const auto choose = [this, table, wanted] {
+  const auto choose = [this, table] {
     const QList<QTableWidgetItem*> chosen = table->selectedItems();
-    if (chosen.isEmpty()) return;
+    if (chosen.isEmpty() || !wanted) return;
     wanted(chosen.front()->data(Qt::UserRole).toLongLong());
     accept();
   };
   connect(show, &QPushButton::clicked, this, choose);
-  connect(table, &QTableWidget::cellDoubleClicked, this, choose);
+  connect(table, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
+    const QString name = item->text().trimmed().left(80);
+    if (item->column() == 0 && !name.isEmpty() && renamed)
+      renamed(item->data(Qt::UserRole).toLongLong(), name.toStdString());
+  });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);
   column->addWidget(table);

@@ -10,9 +10,10 @@ namespace resect {
 
 class BranchesDialog : public QDialog {
  public:
-  // wanted: called with the branch that the person wants to look at.
-  BranchesDialog(const Timeline& timeline, std::int64_t present, double frameRate,
-                 std::function<void(std::int64_t)> wanted, QWidget* parent);
+  BranchesDialog(const Timeline& timeline, std::int64_t present, double frameRate, QWidget* parent);
+
+  std::function<void(std::int64_t branch)> wanted;  // the person wants to look at it
+  std::function<void(std::int64_t branch, const std::string& name)> renamed;
 };
 
 }  // namespace resect

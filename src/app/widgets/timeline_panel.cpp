@@ -164,6 +164,10 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
                    if (goOn) goOn();
                  });
   hint_ = new QLabel(this);
+  memory_ = new QLabel(this);
+  memory_->setToolTip(
+      "Memory for the states from which any moment is shown. When it is full, old moments take "
+      "longer to reach (option --history)");
 
   auto* row = new QHBoxLayout;
   row->setContentsMargins(kMargin, 0, kMargin, 4);
@@ -171,6 +175,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
        std::initializer_list<QWidget*>{back, less, play_, more, end, rate_, time_, goOn_, hint_})
     row->addWidget(widget);
   row->addStretch(1);
+  row->addWidget(memory_);
   row->addWidget(branches_);
   row->addWidget(compare_);
   auto* column = new QVBoxLayout(this);
@@ -213,6 +218,7 @@ void TimelinePanel::follow(const LiveState& state, bool showing) {
                  : asked_ >= 0   ? "going there ..."
                  : frame_ < end_ ? "An earlier moment is shown. Take an instrument to go on."
                                  : "The end of this branch. Take an instrument to go on.");
+  memory_->setText(QString("%1 MB").arg(double(state.historyBytes) / (1 << 20), 0, 'f', 0));
   bar_->update();
 }
 

@@ -56,7 +56,7 @@ class TimelinePanel : public QWidget {
   bool showing_ = false;
   double speed_ = 0;
   TimelineBar* bar_;
-  QLabel *time_, *hint_;
+  QLabel *time_, *hint_, *memory_;
   QToolButton *play_, *goOn_, *compare_;
   QComboBox *rate_, *branches_;
 };

@@ -18,7 +18,7 @@ namespace {
 struct Options {
   std::string scenario, organ, size = "1280x800";
   double fpsLimit = 60;
-  int threads = 0;
+  int threads = 0, history = 512;
   bool thesis = false, noHelp = false, light = false, dark = false, reports = false;
 };
 
@@ -37,6 +37,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
   organOptions.applyTo(window.scenario, options.organ);
   if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;
+  window.historyMemory = options.history;
   window.overlay = !options.noHelp;
   if (options.light || options.dark) window.dark = options.dark;
   window.reports = options.reports;
@@ -61,6 +62,11 @@ void addWindowCommand(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--fps-limit", options->fpsLimit, "Most pictures per second")
       ->check(CLI::Range(1.0, 1000.0))
+      ->capture_default_str();
+  command
+      ->add_option("--history", options->history,
+                   "Memory for showing earlier moments of the operation, MB")
+      ->check(CLI::Range(16, 1 << 20))
       ->capture_default_str();
   command->add_option("--size", options->size, "Width and height of the window")
       ->capture_default_str();

@@ -137,6 +137,19 @@ void LiveOperation::endStroke() {
   input_.strokeEnds = true;
 }
 
+void LiveOperation::nameBranch(std::int64_t branch, const std::string& name) {
+  {
+    const std::lock_guard lock(mutex_);
+    names_.emplace_back(branch, name);
+  }
+  wake_.notify_all();
+}
+
+void LiveOperation::setHistoryMemory(std::size_t most) {
+  const std::lock_guard lock(mutex_);
+  mostBytes_ = most;
+}
+
 bool LiveOperation::take(std::vector<SurfaceUpdate>& updates, LiveState& state) {
   const std::lock_guard lock(mutex_);
   if (!fresh_) return false;
@@ -167,207 +180,6 @@ void LiveOperation::waitFor(std::int64_t frame) {
 void LiveOperation::waitForAnswer() {
   std::unique_lock lock(mutex_);
   newFrame_.wait(lock, [&] { return state_.answered == asked_ && !stepping_; });
-}
-
-// Waits until there is something to do, and a frame is due if it is a frame; returns nothing when
-// the operation ends.
-std::optional<LiveOperation::Task> LiveOperation::nextTask(
-    std::chrono::steady_clock::time_point due) {
-  std::unique_lock lock(mutex_);
-  wake_.wait_until(lock, due, [&] { return ending_ || (request_ && readers_ == 0); });
-  wake_.wait(lock, [&] {
-    const bool frames = !paused_ && (!showing_ || playback_ > 0);
-    return ending_ || (readers_ == 0 && (request_ || frames));
-  });
-  if (ending_) return std::nullopt;
-  stepping_ = true;
-  Task task;
-  if (request_) {
-    task.request = std::exchange(request_, std::nullopt);
-    stop_ = ending_;
-    motionComes_ = bool(task.request->motion);
-    return task;
-  }
-  if (showing_) {
-    task.playback = playback_;
-    return task;
-  }
-  task.input = input_;
-  input_.iso.reset();
-  input_.strokeEnds = false;
-  if (const auto next = motion_ ? motion_() : std::nullopt) {
-    task.input.tools = next->tools;
-    task.byMotion = true;
-  } else {
-    motion_ = {};
-  }
-  return task;
-}
-
-// In the thread, all below.
-
-void LiveOperation::work() {
-  using Clock = std::chrono::steady_clock;
-  const StopBy stop(stop_);
-  auto due = Clock::now();
-  while (std::optional<Task> task = nextTask(due)) {
-    const double speed = task->playback > 0 ? task->playback : 1;
-    try {
-      if (task->request)
-        answer(std::move(*task->request));
-      else if (task->playback > 0)
-        playBack();
-      else
-        operate(std::move(*task));
-    } catch (const Cancelled&) {
-      // By the destructor, or by a newer request, which nextTask() will find.
-    } catch (const Error& e) {  // a recorded frame that cannot be played
-      const std::lock_guard lock(mutex_);
-      playback_ = state_.playback = 0;
-      state_.faults.push_back(e.what());
-    }
-    {
-      const std::lock_guard lock(mutex_);
-      stepping_ = false;
-    }
-    newFrame_.notify_all();
-    const auto period = std::chrono::duration_cast<Clock::duration>(
-        std::chrono::duration<double>(1 / (frameRate_ * speed)));
-    due = std::max(due + period, Clock::now());
-  }
-}
-
-void LiveOperation::operate(Task task) {
-  if (!task.byMotion)
-    for (std::size_t i = 0; i < task.input.tools.size(); ++i) {
-      ToolInput& tool = task.input.tools[i];
-      tool.squeeze =
-          squeezeTowards(tool.squeeze, simulation_->tools()[i].way.to.squeeze, task.input.duration);
-    }
-  StageClock clock;
-  std::string refusal;
-  std::optional<Branch> begun;
-  try {
-    begun = history_.beforeStep(task.input, *simulation_);
-    if (begun && watch_.began) watch_.began(*begun, *simulation_);
-    simulation_->step(task.input, report_, &clock);
-    const auto events = history_.afterStep(task.input, report_, *simulation_);
-    if (watch_.stepped) watch_.stepped(history_.now(), task.input, report_, events, *simulation_);
-  } catch (const Cancelled&) {
-    throw;
-  } catch (const Error& e) {
-    refusal = e.what();
-  }
-  lastSecond_.add(clock, steadySeconds());
-  StepTimes times = lastSecond_.times();
-  const std::lock_guard lock(mutex_);
-  if (refusal.empty()) {
-    for (std::size_t o = 0; o < publishers_.size(); ++o)
-      publishers_[o].follow(presentSurface(*simulation_, o));
-    noteStep(state_, *simulation_, report_, wholeVolume_, history_.peaks());
-    if (task.byMotion)
-      state_.played = std::move(task.input.tools);
-    else
-      state_.played.clear();
-    state_.showing = false;
-    if (begun || std::abs(simulation_->frame() - timelineFrame_) > 15) timelineFrame_ = -1;
-    noteHistory();
-  } else {
-    motion_ = {};
-    state_.faults.push_back(refusal);
-  }
-  state_.times = std::move(times);
-  fresh_ = true;
-}
-
-// Goes to the moment that is asked for and shows it.
-void LiveOperation::answer(Request request) {
-  const Moment before = history_.now();
-  std::optional<Moment> moment = request.moment;
-  if (request.kind == Request::Kind::Undo) moment = history_.undoMoment();
-  if (request.kind == Request::Kind::Redo) moment = history_.redoMoment();
-  std::string refusal;
-  if (moment) {
-    try {
-      history_.goTo(*moment, *simulation_, [&] {
-        publishMoment({moment->branch, simulation_->frame()});
-        const std::lock_guard lock(mutex_);
-        replaceable_ = true;
-      });
-    } catch (const Cancelled&) {
-      const std::lock_guard lock(mutex_);
-      replaceable_ = motionComes_ = false;
-      throw;
-    } catch (const Error& e) {
-      refusal = e.what();
-    }
-    if (refusal.empty()) {
-      if (request.kind == Request::Kind::Undo) history_.undone(before);
-      if (request.kind == Request::Kind::Redo) history_.redone();
-    }
-  }
-  const std::lock_guard lock(mutex_);
-  replaceable_ = false;
-  stop_ = ending_;
-  state_.answered = request.number;
-  if (!refusal.empty()) state_.faults.push_back(refusal);
-  if (moment && refusal.empty()) {
-    noteMoment(state_, *simulation_, wholeVolume_, history_.peaks());
-    input_.tools = state_.played = presentTools();
-    const bool plays = motionComes_;
-    showing_ = state_.showing = !plays;
-    playback_ = state_.playback = 0;
-    motion_ = plays ? std::move(request.motion) : Motion();
-    timelineFrame_ = -1;
-    noteHistory();
-  }
-  motionComes_ = false;
-  fresh_ = true;
-}
-
-// Plays the next recorded frame; stands at the end of the branch.
-void LiveOperation::playBack() {
-  const bool played = history_.playNext(*simulation_, report_);
-  const std::lock_guard lock(mutex_);
-  if (!played) playback_ = state_.playback = 0;
-  for (std::size_t o = 0; played && o < publishers_.size(); ++o)
-    publishers_[o].follow(presentSurface(*simulation_, o));
-  if (played) noteStep(state_, *simulation_, report_, wholeVolume_, history_.peaks());
-  state_.played = presentTools();
-  if (showing_) input_.tools = state_.played;
-  noteHistory();
-  fresh_ = true;
-}
-
-// On the way to a moment: what is there so far is published.
-void LiveOperation::publishMoment(Moment moment) {
-  const std::lock_guard lock(mutex_);
-  for (std::size_t o = 0; o < publishers_.size(); ++o)
-    publishers_[o].follow(presentSurface(*simulation_, o));
-  noteMoment(state_, *simulation_, wholeVolume_, history_.peaks());
-  state_.played = presentTools();
-  state_.showing = true;
-  state_.moment = moment;
-  if (!state_.timeline) noteHistory();
-  fresh_ = true;
-}
-
-// With mutex_ locked.
-void LiveOperation::noteHistory() {
-  state_.moment = history_.now();
-  state_.undoable = history_.undoable();
-  state_.redoable = history_.redoable();
-  state_.historyBytes = history_.bytes();
-  if (timelineFrame_ >= 0 && state_.timeline) return;
-  state_.timeline = std::make_shared<const Timeline>(timelineOf(history_));
-  timelineFrame_ = simulation_->frame();
-}
-
-std::vector<ToolInput> LiveOperation::presentTools() const {
-  std::vector<ToolInput> tools;
-  for (const ToolState& tool : simulation_->tools())
-    tools.push_back({tool.pose(), tool.inHand, tool.way.to.squeeze, 0});
-  return tools;
 }
 
 }  // namespace resect

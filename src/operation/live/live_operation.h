@@ -13,6 +13,8 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -27,6 +29,7 @@ namespace resect {
 // done before and is shown again is not reported.
 struct OperationWatch {
   std::function<void(const Branch&, const Simulation&)> began;
+  std::function<void(const Branch&)> renamed;
   // events: of this frame; moment: its end.
   std::function<void(Moment moment, const FrameInput&, const StepReport&,
                      std::span<const OperationEvent> events, const Simulation&)>
@@ -77,6 +80,10 @@ class LiveOperation {
   void goOn();
   // What is done from the next frame on is another stroke.
   void endStroke();
+  // Gives a branch of LiveState::timeline another name.
+  void nameBranch(std::int64_t branch, const std::string& name);
+  // Memory for the states of the history, bytes: 512 MB if it is not set.
+  void setHistoryMemory(std::size_t most);
   void setPaused(bool paused);
 
   // Gives what is new since the last call of take(): writes one surface update per organ to
@@ -103,6 +110,7 @@ class LiveOperation {
   // operation.
   struct Task {
     std::optional<Request> request;
+    std::vector<std::pair<std::int64_t, std::string>> names;  // for branches
     double playback = 0;  // the next frame of the history, at this speed
     FrameInput input;
     bool byMotion = false;  // a motion gave the input's tools
@@ -115,6 +123,7 @@ class LiveOperation {
   void operate(Task task);
   void publishMoment(Moment moment);
   void noteHistory();
+  void nameBranches(const std::vector<std::pair<std::int64_t, std::string>>& names);
   std::vector<ToolInput> presentTools() const;
 
   std::unique_ptr<Simulation> simulation_;
@@ -135,6 +144,8 @@ class LiveOperation {
   double playback_ = 0;
   std::optional<Request> request_;
   std::int64_t asked_ = 0;
+  std::vector<std::pair<std::int64_t, std::string>> names_;  // that branches are to get
+  std::optional<std::size_t> mostBytes_;                     // that the history is to take
   // A request is being answered and has shown a state, so that a newer one may stop it.
   bool replaceable_ = false;
   bool motionComes_ = false;  // the request that is being answered brings one

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "base/error.h"
 
@@ -159,6 +160,17 @@ std::optional<Moment> OperationHistory::undoMoment() const {
     if (after != strokes.begin()) moment = Moment{course.branch.number, std::prev(after)->from};
   });
   return moment;
+}
+
+void OperationHistory::setMostBytes(std::size_t most) {
+  mostBytes_ = most;
+  thinOut();
+}
+
+void OperationHistory::rename(std::int64_t branch, std::string name) {
+  if (branch < 0 || std::size_t(branch) >= courses_.size())
+    throw error("the operation has no branch {}; choose another", branch);
+  courses_[std::size_t(branch)].branch.name = std::move(name);
 }
 
 std::optional<Moment> OperationHistory::redoMoment() const {

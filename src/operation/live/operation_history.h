@@ -60,6 +60,8 @@ class OperationHistory {
   Moment now() const { return now_; }
   bool atEnd() const { return now_.frame == courses_[std::size_t(now_.branch)].end(); }
   std::size_t bytes() const { return bytes_; }  // of the states
+  void setMostBytes(std::size_t most);
+  void rename(std::int64_t branch, std::string name);
   // Largest force on each tool up to now, N.
   std::vector<double> peaks() const;
 
