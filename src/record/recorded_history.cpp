@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "record/frame_bytes.h"
+#include "record/recorder.h"
 
 namespace resect {
 namespace {
@@ -51,6 +52,25 @@ OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch, std
   return course;
 }
 
+// States for the starts of all branches, where another version of the program kept some that this
+// one cannot restore.
+void makeStates(std::vector<OperationHistory::Course>& courses, const RecordedSetup& setup,
+                Simulation& simulation, const Progress& progress) {
+  for (OperationHistory::Course& course : courses) {
+    if (course.branch.number == 0) {
+      simulation = simulationOf(setup);
+    } else {
+      const OperationHistory::Course& parent = courses[std::size_t(course.branch.parent)];
+      simulation.restore(parent.states.begin()->second);
+      while (simulation.frame() < course.branch.from) {
+        simulation.step(*parent.inputs.at(std::size_t(simulation.frame() - parent.branch.from)));
+        report(progress, 0.9);
+      }
+    }
+    course.states = {{course.branch.from, simulation.save()}};
+  }
+}
+
 }  // namespace
 
 RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
@@ -68,6 +88,13 @@ RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
     courses.push_back(courseOf(file, one, simulation->tools().size(), [&] {
       if (progress && ++read % 64 == 0) report(progress, 0.9 * double(read) / double(frames));
     }));
+  }
+  if (courses.empty()) throw error("{}: holds no operation; it ended before it began", file.name());
+  try {
+    simulation->restore(courses[0].states.begin()->second);
+  } catch (const Error&) {
+    if (file.info().program == programName()) throw;
+    makeStates(courses, setup, *simulation, progress);
   }
   const std::int64_t last = branch.value_or(file.lastBranch());
   if (last < 0 || std::size_t(last) >= courses.size())

@@ -59,7 +59,7 @@ const char* instructionSet() {
 }
 
 RecordingInfo infoOf(const Scenario& scenario, const FrameHashes& hashes) {
-  return {"resect " RESECT_VERSION, instructionSet(), scenario.frameRate, hashes.fields()};
+  return {programName(), instructionSet(), scenario.frameRate, hashes.fields()};
 }
 
 FrameHashes hashesLike(const RecordingFile& done, const Simulation& simulation) {
@@ -78,6 +78,8 @@ std::int64_t framesPerKey(double frameRate) {
 }
 
 }  // namespace
+
+std::string programName() { return "resect " RESECT_VERSION; }
 
 FrameHashes::FrameHashes(const Simulation& start) {
   visitState(start, hashes_);

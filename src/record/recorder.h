@@ -20,6 +20,9 @@
 
 namespace resect {
 
+// This program, as RecordingInfo names it.
+std::string programName();
+
 // Digests of the state's fields after a step, in the order of fields().
 class FrameHashes {
  public:

@@ -269,6 +269,13 @@ Statement& RecordingFile::prepared(const std::string& sql) {
   return *statement;
 }
 
+void RecordingFile::setProgram(const std::string& program) {
+  Statement(database_, "UPDATE meta SET value = ? WHERE key = 'program'")
+      .bind(0, std::string_view(program))
+      .run();
+  keepDigest(complete());
+}
+
 void RecordingFile::begin() { database_.run("BEGIN"); }
 void RecordingFile::commit() { database_.run("COMMIT"); }
 

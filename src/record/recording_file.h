@@ -72,6 +72,9 @@ class RecordingFile {
   const std::string& name() const { return database_.name(); }
   RecordedSetup setup();
 
+  // As if another program had recorded (for tests).
+  void setProgram(const std::string& program);
+
   void begin();  // a transaction: what follows is kept together or not at all
   void commit();
   void add(const Branch& branch);

@@ -43,6 +43,8 @@ class Verifier {
 
   Verification run() {
     found_.complete = replay_.file().complete();
+    found_.program = replay_.file().info().program;
+    found_.otherProgram = found_.program != programName();
     if (const std::string page = replay_.file().damagedPage(); !page.empty()) {
       found_.first = Difference{0, 0, "file", page};
       return found_;
@@ -77,7 +79,7 @@ class Verifier {
     replay_.goTo(b, branch.from);
     if (b == 0 && branch.parent == -1) {
       const Simulation start = simulationOf(replay_.setup());
-      if (start.save() != replay_.simulation().save())
+      if (!found_.otherProgram && start.save() != replay_.simulation().save())
         return differ(b, branch.from, "file", "the first state is not that of the scenario");
     }
     checkKeyState(b);
@@ -142,6 +144,7 @@ class Verifier {
     const std::int64_t frame = replay_.simulation().frame();
     const std::optional<KeyState> key = replay_.file().keyState(branch, frame);
     if (!key || key->frame != frame) return differ(branch, frame, "file", "a key state is missing");
+    if (found_.otherProgram) return;
     if (key->state != replay_.simulation().save())
       differ(branch, frame, "file", "the key state is damaged");
     else if (key->stateHash != replay_.simulation().stateHash())
@@ -175,7 +178,12 @@ void Replay::goTo(std::int64_t branch, std::int64_t frame) {
     key.reset();  // playing on is nearer
   }
   if (key) {
-    simulation_->restore(key->state);
+    try {
+      simulation_->restore(key->state);
+    } catch (const Error&) {
+      if (file_.info().program == programName()) throw;
+      playFromStart(branch);
+    }
     branch_ = branch;
     before_ = {};
   }
@@ -183,6 +191,22 @@ void Replay::goTo(std::int64_t branch, std::int64_t frame) {
     if (!step())
       throw error("the recording ends at frame {}; choose an earlier one than {}",
                   simulation_->frame(), frame);
+}
+
+// To the start of a branch, without any state that was kept.
+void Replay::playFromStart(std::int64_t branch) {
+  for (const Branch& one : file_.branches()) {
+    if (one.number != branch) continue;
+    if (one.parent >= 0 && one.parent < branch) {
+      playFromStart(one.parent);
+      branch_ = one.parent;
+      before_ = {};
+      while (simulation_->frame() < one.from && step()) {
+      }
+    } else {
+      *simulation_ = simulationOf(setup_);
+    }
+  }
 }
 
 bool Replay::step(FrameInput* input, StepReport* stepped) {

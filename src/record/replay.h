@@ -21,7 +21,8 @@ class Replay {
   std::int64_t branch() const { return branch_; }
 
   // Restores the latest key state before the frame and plays from there, or goes on playing if that
-  // is nearer. Throws Error if the recording does not hold that frame or is damaged.
+  // is nearer. If this program cannot restore a state that another version kept, plays from the
+  // start. Throws Error if the recording does not hold that frame or is damaged.
   void goTo(std::int64_t branch, std::int64_t frame);
   // The next frame of the present branch; false at its end. `input` and `report`, if given, receive
   // the frame's input and the step's report.
@@ -30,6 +31,8 @@ class Replay {
   const RecordedFrame& recorded() const { return recorded_; }
 
  private:
+  void playFromStart(std::int64_t branch);
+
   RecordingFile file_;
   RecordedSetup setup_;
   std::unique_ptr<Simulation> simulation_;
@@ -50,6 +53,8 @@ struct Verification {
   std::int64_t frames = 0, keyStates = 0, branches = 0;
   bool complete = true;  // false: the program ended before the recording did
   std::optional<Difference> first;
+  std::string program;        // that recorded
+  bool otherProgram = false;  // another version: its key states are not compared, all digests are
 };
 
 // Plays all branches from their first key state and compares every frame's input, state, events and

@@ -98,3 +98,35 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
     CHECK_THROWS_AS(operationOf(file, file.setup(), 2), Error);
   }
 }
+
+TEST_CASE("a recording of another version, whose states mean nothing here, is played and proved") {
+  const test::TemporaryFolder folder;
+  Scenario scenario = readScenario(findDataFile("press", "scenarios", ".toml"));
+  setSpacing(scenario, scenario.organs[0].source.spacing.value_or(0.01), 0.015);
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
+  OperationHistory history(simulation, scenario.frameRate);
+  const auto own = folder / "own.resect", other = folder / "other.resect";
+  {
+    Recorder recorder(own, scenario, simulation);
+    Kept kept{scenario, simulation, history, recorder, {}};
+    for (int i = 0; i < 90; ++i) kept.step(i);
+    history.goTo({0, 70}, simulation);
+    for (int i = 0; i < 20; ++i) kept.step(72 + i);
+  }
+  {
+    RecordingFile file = RecordingFile::open(own);
+    RecordingFile changed = RecordingFile::goOn(other, file);
+    changed.setProgram("resect 0.0.1");
+    for (const Moment at : {Moment{0, 0}, Moment{1, 70}})
+      changed.add(KeyState{at.branch, at.frame, Bytes(100, std::byte(7)), 0});
+    changed.finish();
+  }
+  const Verification proof = verify(other);
+  CHECK_MESSAGE(!proof.first, (proof.first ? proof.first->what : ""));
+  CHECK(proof.otherProgram);
+  CHECK(proof.frames == 110);
+  RecordingFile file = RecordingFile::open(other);
+  const RecordedOperation operation = operationOf(file, file.setup());
+  CHECK(operation.history.now() == Moment{1, 90});
+  CHECK(operation.simulation->stateHash() == simulation.stateHash());
+}

@@ -33,11 +33,13 @@ void addVerifyCommand(CLI::App& app) {
     const ThreadLimit threads(options->threads);
     const Verification proof = verify(options->file, progressBar("verify"));
     if (proof.first)
-      throw error(
-          "{}: frame {} of branch {} differs, in the stage {}: {}; the recording was "
-          "changed, or made by a program that computes otherwise",
-          options->file, proof.first->frame, proof.first->branch, proof.first->stage,
-          proof.first->what);
+      throw error("{}: frame {} of branch {} differs, in the stage {}: {}; {}", options->file,
+                  proof.first->frame, proof.first->branch, proof.first->stage, proof.first->what,
+                  proof.otherProgram
+                      ? fmt::format("it was recorded by {}, and this is {}, in which that "
+                                    "stage computes otherwise",
+                                    proof.program, programName())
+                      : "the recording was changed or is damaged; take an earlier copy");
     if (options->json) {
       writeJson("-", {{"file", options->file},
                       {"frames", proof.frames},

@@ -1,14 +1,8 @@
 #include "operation/live/live_operation.h"
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "base/error.h"
-#include "base/progress.h"
-#include "base/stage_clock.h"
-#include "base/stop.h"
-#include "operation/live/squeeze_speed.h"
 
 namespace resect {
 namespace {
