@@ -28,6 +28,20 @@ void requireNothingThere(const fs::path& path) {
 
 }  // namespace
 
+void Database::requireNothingAt(const fs::path& path) { requireNothingThere(fs::absolute(path)); }
+
+void Database::publish(const fs::path& file, const fs::path& name) {
+  std::error_code ec, ignored;
+  // A link, since a renamed file would replace what somebody put there meanwhile.
+  fs::create_hard_link(file, name, ec);
+  if (ec && !fs::exists(fs::symlink_status(name, ignored))) {  // a file system without links
+    ec.clear();
+    fs::rename(file, name, ec);
+  }
+  fs::remove(file, ignored);
+  if (ec) throw error("{}: cannot be made: {}; choose another name", name.string(), ec.message());
+}
+
 Database::Database(const fs::path& path) : name_(path.string()) {
   const fs::path file = fs::absolute(path);
   requireNothingThere(file);

@@ -24,6 +24,11 @@ class Database {
   explicit Database(const std::filesystem::path& path);
   // A file that this program has made just now, to add to it.
   static Database existing(const std::filesystem::path& path);
+  // Throws Error if something is there under that name or beside it.
+  static void requireNothingAt(const std::filesystem::path& path);
+  // Gives a closed file its name; nothing may be there. Throws Error and removes the file if that
+  // fails.
+  static void publish(const std::filesystem::path& file, const std::filesystem::path& name);
   // In memory, empty. name: for messages.
   static Database inMemory(const std::string& name);
   // The database of somebody else that `bytes` hold, its log joined; nothing that it defines is

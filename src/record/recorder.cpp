@@ -112,9 +112,12 @@ Recorder::Recorder(const std::filesystem::path& path, const Scenario& scenario,
                    const Simulation& simulation)
     : path_(path),
       hashes_(simulation),
-      file_(RecordingFile::create(path, infoOf(scenario, hashes_), setupOf(scenario, simulation))),
+      file_(RecordingFile::create(
+          path, infoOf(scenario, hashes_), setupOf(scenario, simulation),
+          {0, -1, simulation.frame(), kFirstBranch},
+          {0, simulation.frame(), simulation.save(), simulation.stateHash()})),
       framesPerKey_(framesPerKey(scenario.frameRate)) {
-  begin({0, -1, simulation.frame(), kFirstBranch}, simulation);
+  keyFrame_.push_back(simulation.frame());
   thread_ = std::thread([this] { write(); });
 }
 

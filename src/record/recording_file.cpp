@@ -1,6 +1,7 @@
 #include "record/recording_file.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <zstd.h>
 
 #include <cstdlib>
@@ -144,11 +145,22 @@ void makeRecordingTables(Database& db) {
 }
 
 RecordingFile RecordingFile::create(const std::filesystem::path& path, const RecordingInfo& info,
-                                    const RecordedSetup& setup) {
+                                    const RecordedSetup& setup, const Branch& first,
+                                    const KeyState& start) {
+  const std::filesystem::path begun = path.string() + fmt::format(".begun-{}", ::getpid());
+  Database::requireNothingAt(path);
+  begin(begun, info, setup, first, start);
+  Database::publish(begun, path);
+  RecordingFile file{Database::existing(path)};
+  file.info_ = info;
+  file.database_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+  return file;
+}
+
+void RecordingFile::begin(const std::filesystem::path& path, const RecordingInfo& info,
+                          const RecordedSetup& setup, const Branch& first, const KeyState& start) {
   RecordingFile file{Database(path)};
   Database& db = file.database_;
-  file.info_ = info;
-  db.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
   file.begin();
   makeRecordingTables(db);
   Statement meta(db, "INSERT INTO meta VALUES (?, ?)");
@@ -172,9 +184,10 @@ RecordingFile RecordingFile::create(const std::filesystem::path& path, const Rec
         .bind(1, std::string_view(setup.scenario.organs[i].source.name))
         .bind(2, bytesOf(bytes.cells[i]))
         .run();
+  file.add(first);
+  file.add(start);
   file.keepDigest(false);
   file.commit();
-  return file;
 }
 
 RecordingFile RecordingFile::goOn(const std::filesystem::path& path, RecordingFile& done) {

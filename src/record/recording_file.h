@@ -56,9 +56,11 @@ void makeRecordingTables(Database& database);
 
 class RecordingFile {
  public:
-  // A new file; nothing may be there under that name.
+  // A new file; nothing may be there under that name. It appears with all of these in it: what has
+  // the name is a recording. first, start: branch 0 and the state at which it begins.
   static RecordingFile create(const std::filesystem::path& path, const RecordingInfo& info,
-                              const RecordedSetup& setup);
+                              const RecordedSetup& setup, const Branch& first,
+                              const KeyState& start);
   // A new file at `path` that holds all that `done` holds, to add to. Throws Error if something is
   // there, or if this program computes other fields than the one that made `done`.
   static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
@@ -102,6 +104,8 @@ class RecordingFile {
  private:
   explicit RecordingFile(Database database)
       : opened_(std::make_unique<Database>(std::move(database))), database_(*opened_) {}
+  static void begin(const std::filesystem::path& path, const RecordingInfo& info,
+                    const RecordedSetup& setup, const Branch& first, const KeyState& start);
   Statement& prepared(const std::string& sql);
   template <class Row>
   void insert(const Row& row);
