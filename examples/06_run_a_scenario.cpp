@@ -50,9 +50,12 @@ int main() {
   const RunSummary first = runWith(1), second = runWith(2);
   for (const StageTimes& stage : first.stages)
     fmt::print("{:<14} {:.2f} ms\n", stage.name, 1e3 * summarise(stage.seconds).total);
-  fmt::print("{} of {} particles removed in {} frames, surface {}\n", first.removed,
-             first.particles, first.frames, first.surface.closed ? "closed" : "open");
+  const TissueAmount removed = first.ledger.tissue().removed;
+  fmt::print("{} of {} particles removed in {} frames, surface {}\n", removed.particles,
+             first.ledger.tissue().before.particles, first.frames,
+             first.surface.closed ? "closed" : "open");
   fmt::print("state with one thread {:016x}, with two {:016x}\n", first.stateHash,
              second.stateHash);
-  return first.removed > 0 && first.surface.closed && first.stateHash == second.stateHash ? 0 : 1;
+  return removed.particles > 0 && first.surface.closed && first.stateHash == second.stateHash ? 0
+                                                                                              : 1;
 }

@@ -28,7 +28,7 @@ void runOperation(benchmark::State& state) {
     state.PauseTiming();
     Simulation simulation(makeOrgan(cells, {}), bench::rod());
     state.ResumeTiming();
-    removed = double(runScenario(simulation, scenario).removed);
+    removed = double(runScenario(simulation, scenario).ledger.tissue().removed.particles);
   }
   state.counters["removed"] = removed;
 }

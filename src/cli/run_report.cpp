@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text/shown_text.h"
+#include "cli/ledger_report.h"
 
 namespace resect {
 namespace {
@@ -14,48 +17,23 @@ nlohmann::ordered_json toJson(const SurfaceSummary& surface) {
           {"volume_ml", 1e6 * surface.volume}};
 }
 
-nlohmann::ordered_json toJson(const LabelSummary::Amount& amount) {
-  return {{"particles", amount.particles},
-          {"tissue_ml", 1e6 * amount.volume},
-          {"mass_g", 1e3 * amount.mass}};
-}
-
-// Whether there are labels besides the organ's own.
-bool hasLabels(const RunSummary& summary) {
-  return summary.labels.size() > 1 || (summary.labels.size() == 1 && summary.labels[0].label > 0);
-}
-
 }  // namespace
 
 nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario) {
   nlohmann::ordered_json json;
   json["scenario"] = scenario.name;
-  json["particles"] = summary.particles;
-  json["organ_ml"] = 1e6 * summary.organVolume;
-  json["removed"] = summary.removed;
-  json["removed_ml"] = 1e6 * summary.removedVolume;
+  const TissueSplit tissue = summary.ledger.tissue();
+  json["particles"] = tissue.before.particles;
+  json["organ_ml"] = 1e6 * tissue.before.volume;
+  json["removed"] = tissue.removed.particles;
+  json["removed_ml"] = 1e6 * tissue.removed.volume;
+  json["remaining_ml"] = 1e6 * tissue.left().volume;  // body, pieces and debris
   json["touched"] = summary.touched;
-  json["remaining_ml"] = 1e6 * summary.remainingVolume;
+  json["ledger"] = toJson(summary.ledger);
   json["deepest_overlap_ml"] = 1e6 * summary.deepestOverlap;
   json["frames"] = summary.frames;
   json["surface_before"] = toJson(summary.surfaceBefore);
   json["surface"] = toJson(summary.surface);
-  json["pieces"] = nlohmann::ordered_json::array();
-  for (const PieceSummary& piece : summary.pieces) {
-    json["pieces"].push_back(toJson(piece.surface));
-    json["pieces"].back()["organ"] = piece.organ;
-    json["pieces"].back()["particles"] = piece.particles;
-    json["pieces"].back()["tissue_ml"] = 1e6 * piece.tissue;
-    json["pieces"].back()["mass_g"] = 1e3 * piece.mass;
-  }
-  if (hasLabels(summary))
-    for (const LabelSummary& label : summary.labels)
-      json["labels"].push_back({{"organ", label.organ},
-                                {"label", label.label},
-                                {"name", label.name},
-                                {"before", toJson(label.before)},
-                                {"removed", toJson(label.removed)},
-                                {"remaining", toJson(label.remaining)}});
   for (const StageTimes& stage : summary.stages) {
     const TimeSummary t = summarise(stage.seconds);
     json["stages_ms"][stage.name] = {{"median", 1e3 * t.median},
@@ -86,32 +64,14 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
   const auto row = [&](const char* what, const std::string& value) {
     text += fmt::format("  {:<10} {}\n", what, value);
   };
-  row("organ",
-      fmt::format("{} particles, {:.1f} ml", summary.particles, 1e6 * summary.organVolume));
-  row("removed",
-      fmt::format("{} particles, {:.1f} ml ({:.2f} %)", summary.removed,
-                  1e6 * summary.removedVolume, 100 * summary.removedVolume / summary.organVolume));
-  row("overlap", fmt::format("{:.2f} ml of tool and organ in one place at most",
-                             1e6 * summary.deepestOverlap));
+  text += toText(summary.ledger);
+  if (summary.deepestOverlap > 0)  // moving tissue gives way instead
+    row("overlap", fmt::format("{:.2f} ml of tool and organ in one place at most",
+                               1e6 * summary.deepestOverlap));
   row("surface",
-      fmt::format("{} triangles round {:.1f} ml, {}, {}", summary.surface.triangles,
+      fmt::format("{} triangles that bound {:.2f} ml, {}, {}", summary.surface.triangles,
                   1e6 * summary.surface.volume, summary.surface.closed ? "closed" : "OPEN",
                   summary.surface.oriented ? "oriented" : "NOT ORIENTED"));
-  std::string pieces;  // in millilitres of tissue, which add up with what was removed
-  for (std::size_t i = 0; i < summary.pieces.size() && i < 4; ++i)
-    pieces += fmt::format("{}{:.1f} ml ({:.1f} g)", i ? " + " : "", 1e6 * summary.pieces[i].tissue,
-                          1e3 * summary.pieces[i].mass);
-  if (summary.pieces.size() > 4) pieces += fmt::format(" + {} smaller", summary.pieces.size() - 4);
-  row("pieces",
-      fmt::format("{}: {}", summary.pieces.size(), pieces.empty() ? "nothing is left" : pieces));
-  if (hasLabels(summary))
-    for (const LabelSummary& label : summary.labels)
-      row(&label == &summary.labels[0] ? "labels" : "",
-          fmt::format("{}{}: {} of {} particles removed, {:.2f} of {:.2f} ml, {:.2f} of {:.2f} g",
-                      label.organ == "organ" ? "" : shownText(label.organ) + ", ",
-                      shownText(label.name), label.removed.particles, label.before.particles,
-                      1e6 * label.removed.volume, 1e6 * label.before.volume,
-                      1e3 * label.removed.mass, 1e3 * label.before.mass));
   if (summary.tissueMoves) {
     std::string forces;
     for (const ToolForces& tool : summary.forces)
@@ -123,7 +83,9 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
                               summary.retries ? fmt::format(", {} retries", summary.retries) : ""));
     if (!forces.empty()) row("forces", "at most " + forces);
   }
-  if (!summary.touched)
+  const bool anyMoves = std::ranges::any_of(
+      scenario.tools, [](const ScenarioTool& tool) { return !tool.keys.empty(); });
+  if (!summary.touched && anyMoves)
     row("note",
         "no instrument met an organ: their ways lie in the room, where the scenario puts them");
   row("time",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/stage_clock.h"
+#include "operation/ledger/ledger.h"
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
 
@@ -14,34 +15,9 @@ namespace resect {
 struct SurfaceSummary {
   std::int64_t triangles = 0;
   bool closed = false, oriented = false;
-  double volume = 0;  // m^3
+  double volume = 0;  // that it bounds, m^3
 };
 SurfaceSummary summarise(const TriangleMesh& surface);
-
-// One of the bodies into which the organs were divided.
-struct PieceSummary {
-  SurfaceSummary surface;
-  std::int64_t particles = 0;
-  double tissue = 0;  // of its particles with their skin cells, m^3
-  double mass = 0;    // kg
-  std::string organ;  // name of the organ that it belongs to
-};
-
-// Totals over the cells with one label.
-struct LabelSummary {
-  struct Amount {
-    std::int64_t particles = 0;
-    double volume = 0;  // m^3, skin cells included
-    double mass = 0;    // kg, at the density of the label's material
-  };
-  int label = 0;
-  std::string name;
-  Amount before, removed, remaining;
-  std::string organ;  // name of the organ
-};
-// One summary for each label that particles had before the operation, ascending by label. Leaves
-// LabelSummary::organ empty.
-std::vector<LabelSummary> summariseLabels(const Organ& organ, const TissueSetup& tissue);
 
 // The force on a tool in each frame, N.
 struct ToolForces {
@@ -51,20 +27,17 @@ struct ToolForces {
 };
 
 struct RunSummary {
-  std::int64_t particles = 0;  // before the operation
-  double organVolume = 0;      // of tissue in all cells before the operation, m^3
-  std::int64_t removed = 0;    // particles removed
-  double removedVolume = 0;    // of tissue, m^3
-  double remainingVolume = 0;  // of tissue left in all cells, m^3
+  Ledger ledger;  // at the end: what there was, is left and was removed, in which parts
   // Largest overlap of a tool and still tissue at the end of a frame, m^3.
   double deepestOverlap = 0;
-  bool touched = false;  // whether any instrument touched tissue
+  // Whether any instrument touched, removed or cut tissue.
+  bool touched = false;
   std::int64_t frames = 0;
   double simulatedSeconds = 0;
-  double computedSeconds = 0;             // time spent in the steps, without pictures
-  SurfaceSummary surfaceBefore, surface;  // of all organs: before the operation; at the end
-  std::vector<PieceSummary> pieces;  // bodies at the end: organ by organ, the largest first in each
-  std::vector<LabelSummary> labels;  // organ by organ, labels ascending in each
+  double computedSeconds = 0;  // time spent in the steps, without pictures
+  // Of all organs: before the operation; at the end. The volume that the surface bounds is not that
+  // of the tissue in cells, which the ledger has.
+  SurfaceSummary surfaceBefore, surface;
   std::vector<StageTimes> stages;
   std::vector<std::string> faults;         // each sentence once
   bool tissueMoves = false;                // whether any tissue is elastic

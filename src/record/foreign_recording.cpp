@@ -164,9 +164,9 @@ std::string rowsOf(RecordingBytes& bytes, const RecordingShape& shape, const std
   if (database.number("PRAGMA application_id") != shape.application)
     throw error("{}: is no recording of Resect; choose a .resect file", name);
   if (const std::int64_t version = database.number("PRAGMA user_version"); version != shape.version)
-    throw error(
-        "{}: has version {} of the schema, and this program reads version {}; use a newer Resect",
-        name, version, shape.version);
+    throw error("{}: has version {} of the schema, and this program reads version {}; use {}", name,
+                version, shape.version,
+                version > shape.version ? "a newer Resect" : "the Resect that recorded it");
   if (definitionOf(database) != shape.definition)
     throw error("{}: its tables are not those of a recording; choose another file", name);
   std::string rows;

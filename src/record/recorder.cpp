@@ -15,6 +15,7 @@
 #include "io/output/output_target.h"
 #include "io/output/temporary_file.h"
 #include "record/frame_bytes.h"
+#include "record/ledger_rows.h"
 
 namespace resect {
 namespace {
@@ -26,6 +27,9 @@ std::size_t sizeOf(const RecordedFrame& f) {
   return sizeof f + f.input.size() + 8 * f.hashes.size();
 }
 std::size_t sizeOf(const KeyState& s) { return sizeof s + s.state.size(); }
+std::size_t sizeOf(const RecordedLedger& l) {
+  return sizeof l + sizeof(RecordedLedger::Amount) * l.amounts.size();
+}
 template <typename T>
 std::size_t sizeOf(const T& item) {
   return sizeof item;
@@ -116,17 +120,22 @@ Recorder::Recorder(const std::filesystem::path& path, const Scenario& scenario,
           path, infoOf(scenario, hashes_), setupOf(scenario, simulation),
           {0, -1, simulation.frame(), kFirstBranch},
           {0, simulation.frame(), simulation.save(), simulation.stateHash()})),
-      framesPerKey_(framesPerKey(scenario.frameRate)) {
+      books_(scenario, simulation),
+      frameRate_(scenario.frameRate),
+      framesPerKey_(framesPerKey(frameRate_)) {
   keyFrame_.push_back(simulation.frame());
+  put({ledger({0, simulation.frame()}, simulation)});
   thread_ = std::thread([this] { write(); });
 }
 
-Recorder::Recorder(const std::filesystem::path& path, RecordingFile& done,
+Recorder::Recorder(const std::filesystem::path& path, RecordingFile& done, const Scenario& scenario,
                    const Simulation& simulation)
     : path_(path),
       hashes_(hashesLike(done, simulation)),
       file_(RecordingFile::goOn(path, done)),
-      framesPerKey_(framesPerKey(done.info().frameRate)) {
+      books_(scenario, simulation),
+      frameRate_(done.info().frameRate),
+      framesPerKey_(framesPerKey(frameRate_)) {
   for (const Branch& branch : file_.branches())
     keyFrame_.push_back(file_.keyFrames(branch.number).back());
   thread_ = std::thread([this] { write(); });
@@ -134,18 +143,24 @@ Recorder::Recorder(const std::filesystem::path& path, RecordingFile& done,
 
 Recorder::~Recorder() { finish(); }
 
-void Recorder::put(Item item) {
+void Recorder::put(std::vector<Item> items) {
   const std::lock_guard lock(mutex_);
   if (!failure_.empty()) return;
-  queued_ += std::visit([](const auto& one) { return sizeOf(one); }, item);
-  queue_.push_back(std::move(item));
+  for (Item& item : items) {
+    queued_ += std::visit([](const auto& one) { return sizeOf(one); }, item);
+    queue_.push_back(std::move(item));
+  }
   if (queued_ > kMostQueued) failure_ = "the disk is too slow for the recording, which ends here";
 }
 
-void Recorder::putKeyState(Moment moment, const Simulation& simulation) {
+KeyState Recorder::keyState(Moment moment, const Simulation& simulation) {
   keyFrame_[std::size_t(moment.branch)] = moment.frame;
-  put(KeyState{moment.branch, moment.frame, simulation.save(), simulation.stateHash()});
   last_ = {-1, 0};
+  return {moment.branch, moment.frame, simulation.save(), simulation.stateHash()};
+}
+
+RecordedLedger Recorder::ledger(Moment moment, const Simulation& simulation) const {
+  return rowsOf(books_.ledgerOf(simulation), moment.branch, simulation);
 }
 
 void Recorder::begin(const Branch& branch, const Simulation& simulation) {
@@ -153,11 +168,11 @@ void Recorder::begin(const Branch& branch, const Simulation& simulation) {
           "branch {} begins after {} branches; number them in the order in which they begin",
           branch.number, keyFrame_.size());
   keyFrame_.push_back(branch.from);
-  put(branch);
-  putKeyState({branch.number, branch.from}, simulation);
+  const Moment moment{branch.number, branch.from};
+  put({branch, keyState(moment, simulation), ledger(moment, simulation)});
 }
 
-void Recorder::rename(const Branch& branch) { put(branch); }
+void Recorder::rename(const Branch& branch) { put({branch}); }
 
 void Recorder::record(Moment moment, const FrameInput& input, const StepReport& report,
                       std::span<const OperationEvent> events, const Simulation& simulation) {
@@ -171,14 +186,16 @@ void Recorder::record(Moment moment, const FrameInput& input, const StepReport& 
   last_ = moment;
   before_ = input;
   before_.edits.clear();
-  put(std::move(frame));
-  for (const OperationEvent& event : events) put(event);
+  std::vector<Item> items{std::move(frame)};
+  items.insert(items.end(), events.begin(), events.end());
   for (RecordedSample& sample : samplesOf(report, simulation)) {
     sample.branch = moment.branch;
-    put(sample);
+    items.push_back(sample);
   }
+  if (ledgerIsDue(moment.frame, frameRate_)) items.push_back(ledger(moment, simulation));
   if (moment.frame - keyFrame_[std::size_t(moment.branch)] >= framesPerKey_)
-    putKeyState(moment, simulation);
+    items.push_back(keyState(moment, simulation));
+  put(std::move(items));
 }
 
 void Recorder::record(const FrameInput& input, const StepReport& report,
@@ -269,8 +286,10 @@ void Recorder::write() {
   }
 }
 
-void Recorder::finish() {
+void Recorder::finish(const Simulation* simulation) {
   if (!thread_.joinable()) return;
+  if (simulation && !ledgerIsDue(simulation->frame(), frameRate_))
+    put({ledger({last_.branch < 0 ? 0 : last_.branch, simulation->frame()}, *simulation)});
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "base/state/field_hashes.h"
+#include "operation/ledger/ledger.h"
 #include "record/recording_file.h"
 
 namespace resect {
@@ -47,9 +48,10 @@ class Recorder {
   // Creates the file; throws Error if that fails. simulation: at its start, where branch 0 begins.
   Recorder(const std::filesystem::path& path, const Scenario& scenario,
            const Simulation& simulation);
-  // Creates a file that holds all that `done` holds, to which more will be added. simulation: of
-  // the operation that goes on. Throws Error also if the two keep different fields.
-  Recorder(const std::filesystem::path& path, RecordingFile& done, const Simulation& simulation);
+  // Creates a file that holds all that `done` holds, to which more will be added. scenario,
+  // simulation: of the operation that goes on. Throws Error also if the two keep different fields.
+  Recorder(const std::filesystem::path& path, RecordingFile& done, const Scenario& scenario,
+           const Simulation& simulation);
   ~Recorder();  // as finish()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -72,21 +74,27 @@ class Recorder {
   // Writes all that is recorded so far as a file of its own, whole or not at all; replaces `path`.
   // Waits until it is done. Throws Error if that fails.
   void saveAs(const std::filesystem::path& path);
-  // Waits until all is written and closes the file.
-  void finish();
+  // Waits until all is written and closes the file. simulation, if given: at the operation's end,
+  // whose ledger is then kept.
+  void finish(const Simulation* simulation = nullptr);
 
   const std::filesystem::path& path() const { return path_; }
   static constexpr double kKeyStateSeconds = 10;  // of simulated time
 
  private:
-  using Item = std::variant<Branch, RecordedFrame, KeyState, OperationEvent, RecordedSample>;
-  void put(Item item);
-  void putKeyState(Moment moment, const Simulation& simulation);
+  using Item =
+      std::variant<Branch, RecordedFrame, KeyState, OperationEvent, RecordedSample, RecordedLedger>;
+  // Items that are put together are kept together or not at all.
+  void put(std::vector<Item> items);
+  KeyState keyState(Moment moment, const Simulation& simulation);
+  RecordedLedger ledger(Moment moment, const Simulation& simulation) const;
   void write();
 
   const std::filesystem::path path_;
   FrameHashes hashes_;  // before file_, which asks for their fields
   RecordingFile file_;
+  LedgerBooks books_;
+  double frameRate_;
   Moment last_{-1, 0};                  // the last frame; another one is written in full
   FrameInput before_;                   // its input
   EventMemory events_;                  // of an operation with one branch

@@ -30,6 +30,9 @@ CREATE TABLE events (branch INTEGER, frame INTEGER, time REAL, tool INTEGER, org
                      text TEXT);
 CREATE TABLE samples (branch INTEGER, frame INTEGER, tool INTEGER, x REAL, y REAL, z REAL, force_x REAL, force_y REAL,
                       force_z REAL);
+CREATE TABLE ledger (branch INTEGER, frame INTEGER, time REAL, organ INTEGER, label INTEGER, part TEXT, number INTEGER,
+                     particles INTEGER, ml REAL, g REAL);
+CREATE TABLE wounds (branch INTEGER, frame INTEGER, organ INTEGER, label INTEGER, kind TEXT, amount REAL);
 )";
 
 Bytes packed(const Bytes& bytes) {
@@ -318,6 +321,20 @@ void RecordingFile::add(const KeyState& state) {
                         std::int64_t(state.state.size()), packed(state.state)});
 }
 
+void RecordingFile::add(const RecordedLedger& l) {
+  Statement& amount = prepared("INSERT INTO ledger VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  for (const RecordedLedger::Amount& a : l.amounts) {
+    amount.bind(0, l.branch).bind(1, l.frame).bind(2, l.time).bind(3, a.organ).bind(4, a.label);
+    amount.bind(5, std::string_view(a.part)).bind(6, a.number).bind(7, a.particles);
+    amount.bind(8, a.ml).bind(9, a.g).run();
+  }
+  Statement& wound = prepared("INSERT INTO wounds VALUES (?, ?, ?, ?, ?, ?)");
+  for (const RecordedLedger::Wound& w : l.wounds) {
+    wound.bind(0, l.branch).bind(1, l.frame).bind(2, w.organ).bind(3, w.label);
+    wound.bind(4, std::string_view(w.kind)).bind(5, w.amount).run();
+  }
+}
+
 void RecordingFile::finish() {
   statements_.clear();
   begin();
@@ -378,6 +395,35 @@ std::vector<OperationEvent> RecordingFile::events(std::int64_t branch) {
 std::vector<RecordedSample> RecordingFile::samples(std::int64_t branch) {
   return rowsOf<RecordedSample>(
       prepared("SELECT * FROM samples WHERE branch = ? ORDER BY rowid").bind(0, branch));
+}
+
+std::vector<RecordedLedger> RecordingFile::ledgers(std::int64_t branch) {
+  std::vector<RecordedLedger> ledgers;
+  Statement amounts(database_,
+                    "SELECT frame, time, organ, label, part, number, particles, ml, g FROM ledger "
+                    "WHERE branch = ? ORDER BY frame, rowid");
+  amounts.bind(0, branch);
+  while (amounts.step()) {
+    const std::int64_t frame = amounts.integer(0);
+    if (ledgers.empty() || ledgers.back().frame != frame)
+      ledgers.push_back({branch, frame, amounts.real(1), {}, {}});
+    ledgers.back().amounts.push_back({amounts.integer(2), amounts.integer(3), amounts.text(4),
+                                      amounts.integer(5), amounts.integer(6), amounts.real(7),
+                                      amounts.real(8)});
+  }
+  Statement wounds(database_,
+                   "SELECT frame, organ, label, kind, amount FROM wounds WHERE branch = ? "
+                   "ORDER BY frame, rowid");
+  wounds.bind(0, branch);
+  for (std::size_t i = 0; wounds.step();) {
+    while (i < ledgers.size() && ledgers[i].frame < wounds.integer(0)) ++i;
+    if (i == ledgers.size() || ledgers[i].frame != wounds.integer(0))
+      throw error("{}: a wound in it belongs to no ledger; take an earlier copy of it",
+                  database_.name());
+    ledgers[i].wounds.push_back(
+        {wounds.integer(1), wounds.integer(2), wounds.text(3), wounds.real(4)});
+  }
+  return ledgers;
 }
 
 bool RecordingFile::complete() {

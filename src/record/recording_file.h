@@ -44,6 +44,30 @@ struct RecordedSample {
   double tip[3] = {}, force[3] = {};  // world, m and N
 };
 
+// The ledger after a frame (operation/ledger/ledger.h), as rows of the tables `ledger` and
+// `wounds`.
+struct RecordedLedger {
+  struct Amount {
+    std::int64_t organ = 0, label = 0;
+    std::string part;         // before, body, piece, debris, removed
+    std::int64_t number = 0;  // of a piece, from 1 on, the largest first; else 0
+    std::int64_t particles = 0;
+    double ml = 0, g = 0;
+    bool operator==(const Amount&) const = default;
+  };
+  struct Wound {
+    std::int64_t organ = 0, label = -1;  // -1: none
+    std::string kind;                    // cut, bared (cm^2); margin (mm)
+    double amount = 0;
+    bool operator==(const Wound&) const = default;
+  };
+  std::int64_t branch = 0, frame = 0;
+  double time = 0;  // s
+  std::vector<Amount> amounts;
+  std::vector<Wound> wounds;
+  bool operator==(const RecordedLedger&) const = default;
+};
+
 struct RecordingInfo {
   std::string program;         // "resect 0.1.0"
   std::string instructionSet;  // of the processor that recorded
@@ -84,6 +108,7 @@ class RecordingFile {
   void add(const KeyState& state);  // compressed
   void add(const OperationEvent& event);
   void add(const RecordedSample& sample);
+  void add(const RecordedLedger& ledger);
   // Writes all that is there as a finished recording of its own; nothing may be at `path`. Not
   // between begin() and commit().
   void copyTo(const std::filesystem::path& path);
@@ -98,6 +123,7 @@ class RecordingFile {
   std::vector<std::int64_t> keyFrames(std::int64_t branch);
   std::vector<OperationEvent> events(std::int64_t branch);
   std::vector<RecordedSample> samples(std::int64_t branch);  // frame by frame
+  std::vector<RecordedLedger> ledgers(std::int64_t branch);
   bool complete();            // false: the program ended before the recording did
   std::string damagedPage();  // what SQLite's own check finds, in one line; empty: nothing
 

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "record/frame_bytes.h"
+#include "record/ledger_rows.h"
 
 namespace resect {
 namespace {
@@ -39,7 +40,10 @@ bool same(const RecordedSample& a, const RecordedSample& b) {
 class Verifier {
  public:
   Verifier(const std::filesystem::path& path, const Progress& progress)
-      : replay_(path), progress_(progress), hashes_(replay_.file().info().fields) {}
+      : replay_(path),
+        progress_(progress),
+        books_(replay_.setup().scenario, replay_.simulation()),
+        hashes_(replay_.file().info().fields) {}
 
   Verification run() {
     found_.complete = replay_.file().complete();
@@ -83,6 +87,9 @@ class Verifier {
         return differ(b, branch.from, "file", "the first state is not that of the scenario");
     }
     checkKeyState(b);
+    ledgers_ = file.ledgers(b);
+    nextLedger_ = 0;
+    if (file.lastFrame(b) >= 0 || !ledgers_.empty()) checkLedger(b);
     const std::vector<OperationEvent> events = file.events(b);
     std::size_t nextEvent = 0;
     samples_ = file.samples(b);
@@ -98,6 +105,8 @@ class Verifier {
           differ(b, frame, "measure", fmt::format("event \"{}\"", event.kind));
       }
       checkSamples(b, frame, stepped);
+      const bool kept = nextLedger_ < ledgers_.size() && ledgers_[nextLedger_].frame == frame;
+      if (kept || ledgerIsDue(frame, file.info().frameRate)) checkLedger(b);
       if (std::ranges::binary_search(keys, frame)) checkKeyState(b);
       ++found_.frames;
       if (progress_ && found_.frames % 16 == 0)
@@ -105,6 +114,7 @@ class Verifier {
                last > branch.from ? double(frame - branch.from) / double(last - branch.from) : 1.0);
     }
     if (found_.first) return;
+    if (nextLedger_ != ledgers_.size()) differ(b, last, "measure", "a ledger that was not due");
     if (nextEvent != events.size()) differ(b, last, "measure", "an event that did not happen");
     if (nextSample_ != samples_.size()) differ(b, last, "measure", "a sample of no frame");
     if (last >= 0 && replay_.simulation().frame() != last)
@@ -140,6 +150,13 @@ class Verifier {
     if (!equal) differ(branch, frame, "measure", "a sample of a tool");
   }
 
+  void checkLedger(std::int64_t branch) {
+    const Simulation& now = replay_.simulation();
+    if (nextLedger_ >= ledgers_.size() ||
+        ledgers_[nextLedger_++] != rowsOf(books_.ledgerOf(now), branch, now))
+      differ(branch, now.frame(), "measure", "the ledger");
+  }
+
   void checkKeyState(std::int64_t branch) {
     const std::int64_t frame = replay_.simulation().frame();
     const std::optional<KeyState> key = replay_.file().keyState(branch, frame);
@@ -154,6 +171,9 @@ class Verifier {
 
   Replay replay_;
   const Progress& progress_;
+  LedgerBooks books_;
+  std::vector<RecordedLedger> ledgers_;  // of the branch
+  std::size_t nextLedger_ = 0;
   FrameHashes hashes_;
   std::vector<RecordedSample> samples_;  // of the branch
   std::size_t nextSample_ = 0;

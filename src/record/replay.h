@@ -57,8 +57,9 @@ struct Verification {
   bool otherProgram = false;  // another version: its key states are not compared, all digests are
 };
 
-// Plays all branches from their first key state and compares every frame's input, state, events and
-// samples, and every key state with its surface. Throws Error if the file cannot be read at all.
+// Plays all branches from their first key state and compares every frame's input, state, events,
+// samples and ledger, and every key state with its surface. Throws Error if the file cannot be read
+// at all.
 Verification verify(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace resect

@@ -72,7 +72,7 @@ std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulati
 
 std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done,
                                         const Simulation& simulation) {
-  auto recorder = std::make_shared<Recorder>(newRecording(scenario), done, simulation);
+  auto recorder = std::make_shared<Recorder>(newRecording(scenario), done, scenario, simulation);
   keepNewest(recordingsFolder(), kKeptRecordings);
   return recorder;
 }

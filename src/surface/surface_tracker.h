@@ -88,6 +88,23 @@ class SurfaceTracker {
     }
   }
 
+  // Calls visit(triangle, lip) for each triangle of a brick. lip: whether it belongs to a lip of a
+  // wound; else it belongs to the organ's surface.
+  template <typename Visit>
+  void visitBrick(std::int64_t brick, Visit visit) const {
+    const BrickMesh& mesh = meshOf(brick);
+    const Triangle* triangle = triangles_.data() + mesh.firstTriangle;
+    if (mesh.wound == kNone) {
+      for (std::int32_t t = 0; t < mesh.triangles; ++t) visit(triangle[t], false);
+      return;
+    }
+    // Those of the wound come last (drawTriangles()).
+    const auto& wound = wounds_[std::size_t(mesh.wound)].triangles;
+    const std::int32_t plain = mesh.triangles - std::int32_t(wound.size());
+    for (std::int32_t t = 0; t < mesh.triangles; ++t)
+      visit(triangle[t], t >= plain && wound[std::size_t(t - plain)].lip);
+  }
+
   // What the last update() or setIso() changed: ranges of vertices and of triangles, or everything.
   struct Changes {
     std::vector<IndexRange> vertices, triangles;

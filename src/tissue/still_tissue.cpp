@@ -57,9 +57,18 @@ std::uint32_t StillTissue::bonds(std::int64_t cell) const {
   if (!solid(cell)) return 0;
   const Vec3i at = lattice_.cell(cell);
   std::uint32_t bonds = 0;
-  for (int d = 0; d < kDirections; ++d) {
-    const Vec3i other = at + offsetOf(d);
-    if (lattice_.contains(other) && solid(lattice_.index(other))) bonds |= 1u << d;
+  if ((at.array() > 0).all() && (at.array() < lattice_.dims.array() - 1).all()) {
+    const std::int64_t y = lattice_.dims.x(), z = y * lattice_.dims.y();
+    for (int d = 0; d < kDirections; ++d) {
+      const std::int64_t other =
+          cell + offsetAlong(d, 0) + y * offsetAlong(d, 1) + z * offsetAlong(d, 2);
+      bonds |= std::uint32_t(solid_[std::size_t(other)] != 0) << d;
+    }
+  } else {
+    for (int d = 0; d < kDirections; ++d) {
+      const Vec3i other = at + offsetOf(d);
+      if (lattice_.contains(other) && solid(lattice_.index(other))) bonds |= 1u << d;
+    }
   }
   const auto gone = std::ranges::lower_bound(severed_, cell, {}, &Severed::cell);
   if (gone != severed_.end() && gone->cell == cell) bonds &= ~gone->directions;

@@ -65,7 +65,8 @@ class Scenarios(unittest.TestCase):
                             '[organ.landmark]\nmiddle = [0.5, 0.5, 0.5]\n'
                             '[[organ.label]]\nlabel = 3\nname = "tumour"\nat = "middle"\nradius = 0.03\n'
                             '[[tissue.material]]\nlabel = 3\ndensity = 2120\n')
-        labels = run(scenario)["labels"]
+        labels = run(scenario)["ledger"][0]["labels"]
+        self.assertIsNone(labels[1]["margin_mm"])
         self.assertEqual([label["name"] for label in labels], ["parenchyma", "tumour"])
         for label, density in zip(labels, (1.06, 2.12)):
             self.assertAlmostEqual(label["before"]["mass_g"], density * label["before"]["tissue_ml"], delta=1e-6)
@@ -78,9 +79,12 @@ class Scenarios(unittest.TestCase):
                          [label["before"]["particles"] for label in labels])
         self.assertEqual(info["landmarks"], [{"name": "middle", "place": [0.5, 0.5, 0.5]}])
         cut = run("cut-950", "--organ", cells)
-        self.assertEqual(cut["labels"][1]["name"], "tumour")
-        self.assertEqual(sum(label["removed"]["particles"] for label in cut["labels"]), cut["removed"])
-        self.assertNotIn("labels", run("cut-120"))
+        labels = cut["ledger"][0]["labels"]
+        self.assertEqual(labels[1]["name"], "tumour")
+        self.assertEqual(sum(label["removed"]["particles"] for label in labels), cut["removed"])
+        self.assertGreaterEqual(labels[1]["margin_mm"], 0)
+        self.assertRegex(resect("run", "cut-950", "--organ", cells).stdout, r"tumour: .*; margin: (cut into|[\d.]+ mm)\n")
+        self.assertNotIn("labels", resect("run", "cut-120").stdout)
         self.assertEqual(resect("surface", cells, "-o", FOLDER / "labelled.stl").returncode, 0)
         self.assertEqual(resect("info", cells, "--part", "left").returncode, 2)
         cells.write_bytes(first[:-20])
@@ -90,32 +94,73 @@ class Scenarios(unittest.TestCase):
 
     def test_the_segment_and_the_rest_add_up_and_are_closed(self):
         summary = run("resect-segment", "--pieces", FOLDER, "--overwrite")
-        # What is printed adds up, to a rounding of each number.
-        printed = resect("run", "resect-segment").stdout
-        whole, removed = (float(re.search(rf"{row} .* ([\d.]+) ml", printed)[1]) for row in ("organ", "removed"))
-        pieces = re.search(r"pieces .*", printed)[0]
-        parts = [float(ml) for ml in re.findall(r"([\d.]+) ml", pieces)]
-        self.assertEqual(len(parts), 2)
-        self.assertAlmostEqual(removed + sum(parts), whole, delta=0.21)
-        large = [piece for piece in summary["pieces"] if piece["volume_ml"] > 1]
-        self.assertEqual(len(large), 2)
-        parts = sum(piece["volume_ml"] for piece in large)
-        self.assertAlmostEqual(parts / summary["surface_before"]["volume_ml"], 1, delta=0.02)
+        ledger = summary["ledger"][0]
+        self.assertEqual(len(ledger["parts"]), 2)
+        self.assertEqual(ledger["cut_cm2"], 0)
         for i in (1, 2):
             info = json.loads(resect("info", FOLDER / f"piece_{i}.stl", "--json").stdout)
             self.assertTrue(info["closed"] and info["oriented"])
-            self.assertAlmostEqual(info["volume_ml"] / large[i - 1]["volume_ml"], 1, delta=1e-4)
+            # The surface of a piece bounds about its tissue.
+            self.assertAlmostEqual(info["volume_ml"] / ledger["parts"][i - 1]["tissue_ml"], 1, delta=0.04)
 
+    def test_the_ledger_closes_in_every_scenario_and_what_is_printed_is_what_was_reckoned(self):
+        for name in STILL | ELASTIC:
+            summary = run(name)
+            printed = resect("run", name).stdout
+            whole = {"particles": 0, "tissue_ml": 0, "mass_g": 0}
+            sums = dict.fromkeys(("before", "body", "pieces", "debris", "removed"), 0)
+            sums = {part: dict(whole) for part in sums}
+            for organ in summary["ledger"]:
+                for unit in whole:
+                    parts = sum(organ[part][unit] for part in ("body", "pieces", "debris", "removed"))
+                    self.assertAlmostEqual(parts, organ["before"][unit], delta=1e-9 * organ["before"][unit], msg=name)
+                    labels = sum(label["before"][unit] for label in organ["labels"])
+                    self.assertAlmostEqual(labels, organ["before"][unit], delta=1e-9 * organ["before"][unit], msg=name)
+                    left = sum(part[unit] for part in organ["parts"]) + organ["debris"][unit]
+                    self.assertAlmostEqual(left, organ["before"][unit] - organ["removed"][unit],
+                                           delta=1e-9 * organ["before"][unit], msg=name)
+                    for part in sums:
+                        sums[part][unit] += organ[part][unit]
+                for piece in organ["parts"]:
+                    self.assertTrue(min(piece["particles"], piece["tissue_ml"], piece["mass_g"]) > 0, name)
+                    self.assertAlmostEqual(piece["mass_g"] / piece["tissue_ml"], 1.06 if organ["organ"] != "gallbladder" else 1.02,
+                                           delta=1e-6, msg=name)
+            self.assertEqual(sums["before"]["particles"], summary["particles"])
+            self.assertEqual(sums["removed"]["particles"], summary["removed"])
+            self.assertAlmostEqual(sums["before"]["tissue_ml"], summary["organ_ml"])
+            self.assertAlmostEqual(sums["removed"]["tissue_ml"], summary["removed_ml"])
+            for row, part in (("organ", "before"), ("removed", "removed"), ("remains", "body")):
+                particles, ml, g = re.search(rf"^  {row} +(\d+) particles, ([\d.]+) ml, ([\d.]+) g", printed, re.M).groups()
+                self.assertEqual(int(particles), sums[part]["particles"], f"{name}: {row}")
+                self.assertAlmostEqual(float(ml), sums[part]["tissue_ml"], delta=0.00501, msg=f"{name}: {row}")
+                self.assertAlmostEqual(float(g), sums[part]["mass_g"], delta=0.00501, msg=f"{name}: {row}")
+            pieces = re.search(r"^  pieces +(.*)", printed, re.M)[1]
+            self.assertEqual(0 if pieces == "none" else int(pieces.split(":")[0]),
+                             sum(len(organ["parts"]) - 1 for organ in summary["ledger"]), name)
+            self.assertAlmostEqual(sum(float(ml) for ml in re.findall(r"([\d.]+) ml", pieces)), sums["pieces"]["tissue_ml"],
+                                   delta=0.03, msg=name)
+            self.assertIn(f"that bound {summary['surface']['volume_ml']:.2f} ml", printed)
+            self.assertEqual("no instrument met an organ" in printed, False, name)
+            # What the parts of tools did: bonds are cut where there is a cut, and faces are bared where tissue is removed.
+            cut, bared = (sum(organ[area] for organ in summary["ledger"]) for area in ("cut_cm2", "bared_cm2"))
+            tissue = summary.get("tissue", {"severed_bonds": 0, "torn_bonds": 0})
+            self.assertEqual(cut > 0, tissue["severed_bonds"] + tissue["torn_bonds"] > 0, name)
+            self.assertEqual(bared > 0, summary["removed"] > 0, name)
+            self.assertEqual(f"{cut:.2f} cm2 cut or torn, {bared:.2f} cm2 bared" in printed, True, name)
+
+    def test_an_instrument_that_meets_nothing_is_told_of(self):
+        far = FOLDER / "far.toml"
+        far.write_text('title = "Far"\nduration = 0.2\n[organ]\nspacing = "20mm"\n[[tool]]\nmodel = "scalpel"\n'
+                       '[[tool.key]]\ntime = 0\nposition = [1, 1, 1]\n[[tool.key]]\ntime = 0.2\nposition = [1, 1.1, 1]\n')
+        self.assertIn("no instrument met an organ", resect("run", far).stdout)
 
     def test_a_piece_cut_off_moving_tissue_is_a_body_with_its_mass_and_the_tissue_adds_up(self):
         plot = FOLDER / "forces.svg"
         summary = run("resect-segment-elastic", "--pieces", FOLDER / "moving", "--overwrite", "--plot", plot)
-        large = [piece for piece in summary["pieces"] if piece["volume_ml"] > 10]
-        self.assertEqual(len(large), 2)
-        self.assertTrue(all(piece["closed"] and piece["oriented"] for piece in summary["pieces"]))
-        self.assertEqual(sum(piece["particles"] for piece in summary["pieces"]), summary["particles"])
-        self.assertAlmostEqual(sum(piece["tissue_ml"] for piece in summary["pieces"]), summary["organ_ml"], delta=1e-3)
-        self.assertAlmostEqual(large[1]["mass_g"], 1.06 * large[1]["tissue_ml"], delta=1e-6)
+        parts = summary["ledger"][0]["parts"]
+        self.assertEqual(len(parts), 2)
+        self.assertTrue(all(part["tissue_ml"] > 10 for part in parts))
+        self.assertAlmostEqual(parts[1]["mass_g"], 1.06 * parts[1]["tissue_ml"], delta=1e-6)
         bounds = [json.loads(resect("info", FOLDER / "moving" / f"piece_{i}.stl", "--json").stdout)["bounds_m"] for i in (1, 2)]
         # The hook has drawn it aside: it lies beyond the rest.
         self.assertGreater(bounds[1][0][0], bounds[0][1][0])

@@ -146,37 +146,38 @@ TEST_CASE("a run's summary tells what became of each label") {
           "[tissue]\ndensity = 1000\n[[tissue.material]]\nlabel = 9\ndensity = 1500\n",
       "x.toml");
   Simulation simulation = makeSimulation(s, {});
-  const Organ whole = simulation.organ();
-  const RunSummary summary = runScenario(simulation, s);
-  REQUIRE(summary.labels.size() == 3);
+  const std::vector<LabelLedger> before = runScenario(simulation, s).ledger.organs[0].labels;
+  REQUIRE(before.size() == 3);
   double volume = 0, mass = 0;
   std::int64_t particles = 0;
-  for (const LabelSummary& label : summary.labels) {
-    particles += label.before.particles;
-    volume += label.before.volume;
-    mass += label.before.mass;
-    CHECK(label.removed.particles == 0);
-    CHECK(label.remaining.volume == label.before.volume);
+  for (const LabelLedger& label : before) {
+    particles += label.tissue.before.particles;
+    volume += label.tissue.before.volume;
+    mass += label.tissue.before.mass;
+    CHECK(label.tissue.removed == TissueAmount{});
+    CHECK(label.tissue.left() == label.tissue.before);
   }
-  CHECK(particles == summary.particles);
-  CHECK(volume == doctest::Approx(summary.organVolume));
-  CHECK(summary.labels[1].name == "tumour");
-  CHECK(summary.labels[2].label == 9);
-  CHECK(summary.labels[2].before.mass == doctest::Approx(1500 * summary.labels[2].before.volume));
-  CHECK(mass == doctest::Approx(1000 * volume + 500 * summary.labels[2].before.volume));
-  REQUIRE(summary.pieces.size() == 1);
-  CHECK(summary.pieces[0].mass == doctest::Approx(mass).epsilon(0.002));  // but for lone skin cells
+  CHECK(particles == simulation.organ().particles);
+  CHECK(volume == doctest::Approx(simulation.organ().volume()));
+  CHECK(before[1].name == "tumour");
+  CHECK(before[2].label == 9);
+  CHECK(before[2].tissue.before.mass == doctest::Approx(1500 * before[2].tissue.before.volume));
+  CHECK(mass == doctest::Approx(1000 * volume + 500 * before[2].tissue.before.volume));
 
   // All of label 9 is taken out.
-  Organ carved = whole;
-  for (std::int64_t c = 0; c < carved.rest.lattice.cellCount(); ++c)
-    if (carved.rest.inside[std::size_t(c)] && carved.rest.labelOf(c) == 9)
-      removeParticle(carved, c);
-  const std::vector<LabelSummary> labels = summariseLabels(carved, s.organs[0].tissue);
-  CHECK(labels[2].removed.particles == labels[2].before.particles);
-  CHECK(labels[2].remaining.particles == 0);
-  CHECK(labels[1].removed.particles == 0);
-  CHECK(labels[2].removed.volume == doctest::Approx(carved.removedVolume));
+  FrameInput input = frameInput(s, 0);
+  const Discretization& rest = simulation.organ().rest;
+  for (std::int64_t c = 0; c < rest.lattice.cellCount(); ++c)
+    if (rest.inside[std::size_t(c)] && rest.labelOf(c) == 9)
+      input.edits.push_back({0, -1, RemoveCell{c}});
+  simulation.step(input);
+  const Ledger ledger = LedgerBooks(s, simulation).ledgerOf(simulation);
+  CHECK(discrepancy(ledger, &simulation) == "");
+  const std::vector<LabelLedger>& labels = ledger.organs[0].labels;
+  CHECK(labels[2].tissue.removed.particles == labels[2].tissue.before.particles);
+  CHECK(labels[2].tissue.left().particles == 0);
+  CHECK(labels[1].tissue.removed.particles == 0);
+  CHECK(labels[2].tissue.removed.volume == doctest::Approx(simulation.organ().removedVolume));
 }
 
 TEST_CASE("labels and landmarks of a file of cells are those of the organ that is read from it") {

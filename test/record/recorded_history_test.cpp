@@ -76,7 +76,7 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
       }
     }
     {
-      Recorder recorder(second, file, *operation.simulation);
+      Recorder recorder(second, file, scenario, *operation.simulation);
       Kept kept{scenario, *operation.simulation, operation.history, recorder, {}};
       for (int i = 0; i < 30; ++i) kept.step(190 + i);
       operation.history.goTo({0, 160}, *operation.simulation);

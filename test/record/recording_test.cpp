@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -13,6 +14,7 @@
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
 #include "record/frame_bytes.h"
+#include "record/ledger_rows.h"
 #include "record/replay.h"
 #include "support/sentence.h"
 #include "support/temporary_folder.h"
@@ -37,7 +39,7 @@ std::uint64_t recordRun(const Scenario& scenario, const std::filesystem::path& p
     simulation.step(input, report);
     recorder.record(input, report, simulation);
   }
-  recorder.finish();
+  recorder.finish(&simulation);
   CHECK(recorder.failure() == "");
   return simulation.stateHash();
 }
@@ -71,6 +73,13 @@ void write(const std::filesystem::path& path, const std::string& sql, const Byte
     ::sqlite3_bind_blob64(statement, 1, blob.data(), blob.size(), SQLITE_TRANSIENT);
   CHECK(::sqlite3_step(statement) == SQLITE_DONE);
   ::sqlite3_finalize(statement);
+  ::sqlite3_close(db);
+}
+
+void run(const std::filesystem::path& path, const std::string& sql) {
+  sqlite3* db = nullptr;
+  REQUIRE(::sqlite3_open(path.c_str(), &db) == SQLITE_OK);
+  CHECK(::sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK);
   ::sqlite3_close(db);
 }
 
@@ -171,6 +180,61 @@ TEST_CASE("branches begin where a stroke was taken back, and are proved too") {
   Replay replay(path);
   replay.goTo(1, 35);
   CHECK(replay.simulation().stateHash() == simulation.stateHash());
+}
+
+TEST_CASE("the ledger is recorded once a second and at the end, and is proved") {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "segment.resect";
+  const Scenario scenario = shipped("resect-segment", 0.007);
+  recordRun(scenario, path, 390);  // 6.5 s
+  const Verification proof = verify(path);
+  CHECK_MESSAGE(!proof.first, (proof.first ? proof.first->what : ""));
+  std::vector<RecordedLedger> ledgers;
+  {
+    Replay replay(path);
+    ledgers = replay.file().ledgers(0);
+    REQUIRE(ledgers.size() > 3);
+    CHECK(ledgers[0].frame == 0);
+    for (std::size_t i = 0; i < ledgers.size(); ++i) {
+      if (i > 0 && i + 1 < ledgers.size()) CHECK(ledgers[i].time >= ledgers[i - 1].time + 1 - 1e-9);
+      double before = 0, after = 0;
+      for (const RecordedLedger::Amount& amount : ledgers[i].amounts)
+        (amount.part == "before" ? before : after) += amount.ml;
+      CHECK(std::abs(before / after - 1) < 1e-12);
+    }
+    replay.goTo(0, 390);
+    const RecordedLedger end =
+        rowsOf(LedgerBooks(scenario, replay.simulation()).ledgerOf(replay.simulation()), 0,
+               replay.simulation());
+    CHECK(end.amounts == ledgers.back().amounts);
+    CHECK(end.wounds == ledgers.back().wounds);
+    CHECK(std::ranges::find(end.amounts, "removed", &RecordedLedger::Amount::part) !=
+          end.amounts.end());
+  }
+  const auto changed = folder / "changed.resect";
+  for (const char* sql :
+       {"UPDATE ledger SET particles = particles + 1 WHERE part = 'removed'",
+        "UPDATE ledger SET g = g * 1.0000001 WHERE frame > 100",
+        "UPDATE wounds SET amount = amount * 1.0000001", "DELETE FROM wounds WHERE frame > 200",
+        "DELETE FROM ledger; DELETE FROM wounds",
+        "INSERT INTO ledger VALUES (0, 389, 6.4, 0, 0, 'body', 0, 1, 1, 1)"}) {
+    CAPTURE(sql);
+    std::filesystem::copy_file(path, changed, std::filesystem::copy_options::overwrite_existing);
+    run(changed, sql);
+    const Verification wrong = verify(changed);
+    REQUIRE(wrong.first);
+    CHECK(wrong.first->what.find("ledger") != std::string::npos);
+  }
+}
+
+TEST_CASE("a recording of another schema is refused with what to do") {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "press.resect";
+  recordRun(shipped("press", 0.015), path, 3);
+  run(path, "PRAGMA user_version = 1");
+  CHECK(test::refuses([&] { verify(path); }, "use the Resect that recorded it"));
+  run(path, "PRAGMA user_version = 3");
+  CHECK(test::refuses([&] { verify(path); }, "use a newer Resect"));
 }
 
 TEST_CASE("a changed bit is found, wherever it is") {

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
+#include "cli/ledger_report.h"
 #include "cli/picture_writer.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
@@ -87,6 +88,7 @@ void play(const Options& options) {
   if (pictures) files = pictures->finish();
 
   const Simulation& now = replay.simulation();
+  const Ledger ledger = LedgerBooks(scenario, now).ledgerOf(now);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const OperationEvent& event : events) list.push_back(toJson(event, scenario));
   if (!options.json.empty())
@@ -99,6 +101,7 @@ void play(const Options& options) {
                              {"time_s", now.time()},
                              {"complete", replay.file().complete()},
                              {"events", list},
+                             {"ledger", toJson(ledger)},
                              {"state_hash", fmt::format("{:016x}", now.stateHash())}});
   if (options.json == "-") return;
   printLine(stdout, "{}: {}", options.file,
@@ -118,6 +121,7 @@ void play(const Options& options) {
     for (const OperationEvent& event : events)
       printLine(stdout, "  {:8.2f} s  frame {:6}  {}", event.time, event.frame,
                 lineOf(event, scenario));
+  fmt::print("{}", toText(ledger));
   fmt::print("  played frames {} to {}, state {:016x}\n", first, now.frame(), now.stateHash());
   for (const std::string& file : files) fmt::print("  wrote {}\n", file);
 }

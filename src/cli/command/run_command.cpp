@@ -54,6 +54,7 @@ std::vector<std::string> writePieces(const Options& options, const Simulation& s
   std::vector<std::string> files;
   for (const OperatedOrgan& o : simulation.organs())
     for (const Body& body : bodies(o.organ, o.organ.surface.mesh(o.points()))) {
+      if (body.particles == 0) continue;  // a fragment of the surface, which holds no tissue
       files.push_back(pieces.folder /
                       fmt::format("{}{}{}", pieces.before, files.size() + 1, pieces.extension));
       writeMeshFile(files.back(), body.mesh);
@@ -128,7 +129,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
                   });
 
   if (recorder) {
-    recorder->finish();
+    recorder->finish(&simulation);
     if (const std::string failure = recorder->failure(); !failure.empty())
       throw error("{}; the operation was run, but not recorded to its end", failure);
     files.push_back(options.record);

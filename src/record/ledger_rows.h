@@ -1,0 +1,18 @@
+// A ledger as a recording keeps it.
+#pragma once
+
+#include "operation/ledger/ledger.h"
+#include "record/recording_file.h"
+
+namespace resect {
+
+// Whether a recording keeps the ledger after this frame: once a simulated second, whatever
+// happened, so that it does not depend on what was recorded before. Besides, it keeps that of the
+// start of each branch, and that of the operation's end.
+bool ledgerIsDue(std::int64_t frame, double frameRate);
+
+// The ledger after the simulation's present frame, as rows. Amounts of 0 are left out, but for what
+// there was before; so are margins of structures from which nothing was cut or removed.
+RecordedLedger rowsOf(const Ledger& ledger, std::int64_t branch, const Simulation& simulation);
+
+}  // namespace resect
