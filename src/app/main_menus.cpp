@@ -41,7 +41,7 @@ void MainWindow::makeMenus() {
   };
 
   QMenu* file = menuBar()->addMenu("&File");
-  add(file, "&Open organ, scene or scenario ...", QKeySequence::Open,
+  add(file, "&Open organ, scene, scenario or operation ...", QKeySequence::Open,
       "A mesh, particles, a saved scene or a scenario; a file can also be dropped on the window",
       [this] {
         const QString name = QFileDialog::getOpenFileName(
@@ -70,8 +70,12 @@ void MainWindow::makeMenus() {
   recordingOn_->setCheckable(true);
   recordingOn_->setToolTip("Whether the next operations are recorded");
   recordingOn_->setChecked(QSettings().value("record", true).toBool());
-  connect(recordingOn_, &QAction::toggled, this,
-          [](bool on) { QSettings().setValue("record", on); });
+  connect(recordingOn_, &QAction::toggled, this, [this](bool on) {
+    QSettings().setValue("record", on);
+    statusBar()->showMessage(on ? "From the next operation on, all is recorded"
+                                : "From the next operation on, nothing is recorded",
+                             8000);
+  });
   connect(recordings_, &QMenu::aboutToShow, this, [this] { listRecordings(); });
   add(file, "Begin &again", QKeySequence("Ctrl+N"),
       "The organ whole again, with the settings of its panel", [this] { organ_->beginAgain(); });

@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 
 #include <Inventor/SbViewportRegion.h>
+#include <Inventor/events/SoKeyboardEvent.h>
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <fmt/format.h>
@@ -106,6 +107,10 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
   recording_ = new QLabel("<span style='color:#e0483c'>&#9679;</span> Recording");
   recording_->setToolTip("A film is being recorded: Ctrl+R ends it and writes it");
   recording_->hide();
+  notRecorded_ = new QLabel("Not recorded");
+  notRecorded_->setToolTip("This operation is kept in no file: File > Recorded operations");
+  notRecorded_->hide();
+  statusBar()->addPermanentWidget(notRecorded_);
   statusBar()->addPermanentWidget(recording_);
   statusBar()->addPermanentWidget(progress_);
   statusBar()->addPermanentWidget(cancel_);
@@ -265,6 +270,13 @@ void MainWindow::tick() {
 
 bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {
   if (overlay_->isVisible() && isPress(event)) overlay_->hide();
+  // Out of the past, not the instrument into the tool box.
+  if (session_ && session_->showing() && !timeline_->atEnd() && isPress(event) &&
+      event.isOfType(SoKeyboardEvent::getClassTypeId()) &&
+      static_cast<const SoKeyboardEvent&>(event).getKey() == SoKeyboardEvent::ESCAPE) {
+    timeline_->toEnd();
+    return true;
+  }
   if (!lookingAt_ || !session_ || !event.isOfType(SoMouseButtonEvent::getClassTypeId()))
     return false;
   const auto& mouse = static_cast<const SoMouseButtonEvent&>(event);

@@ -106,7 +106,7 @@ class MainWindow : public QMainWindow {
   QPushButton* complaint_;
   QProgressBar* progress_;
   QPushButton* cancel_;
-  QLabel* recording_;
+  QLabel *recording_, *notRecorded_;
   QMenu *recent_, *recordings_;
   QAction *undo_, *redo_, *recordingOn_;
   QAction* dark_;

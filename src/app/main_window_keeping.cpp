@@ -72,12 +72,10 @@ void MainWindow::undo(bool again) {
   if (!session_) return;
   const LiveState& state = session_->state();
   const int strokes = again ? state.redoable : state.undoable;
-  statusBar()->showMessage(
-      strokes == 0 ? again ? "There is nothing to do again" : "There is no stroke to take back"
-      : again      ? "The stroke is done again"
-                   : "The last stroke is taken back",
-      4000);
   if (strokes == 0) return;
+  const int number = again ? state.undoable + 1 : state.undoable;
+  statusBar()->showMessage(
+      QString(again ? "Stroke %1 is done again" : "Stroke %1 is taken back").arg(number), 4000);
   again ? session_->redo() : session_->undo();
   if (options_.reports) say("{}", again ? "redo" : "undo");
 }

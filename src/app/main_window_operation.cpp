@@ -58,6 +58,7 @@ void MainWindow::openOperation(const QString& file) {
         const bool fine = result.simulation != nullptr;
         const std::filesystem::path path = file.toStdString();
         begin(std::move(result));
+        if (!fine && !session_) loadDefault();
         if (!fine || !goesOn_) return;
         // A recording of the window's own has no name that a person gave it.
         if (path.parent_path() != recordingsFolder()) {
@@ -132,6 +133,7 @@ void MainWindow::begin(OrganLoader::Result result) {
   uploadedSaid_ = 0;
   removed_->clear();
   instruments_->setTools(session_->toolModels());
+  notRecorded_->setVisible(!recorder_);
   std::vector<QString> tools;
   for (const ToolModel& tool : session_->toolModels()) tools.push_back(shown(tool.name));
   timeline_->begin(tools, session_->scenario().frameRate);
@@ -165,7 +167,7 @@ bool MainWindow::mayEnd() {
                     });
   return !done || QMessageBox::question(
                       this, "Resect",
-                      "This operation is not recorded: what was done would be lost. Give it up?",
+                      "This operation is not recorded: what was done will be lost. Leave it?",
                       QMessageBox::Discard | QMessageBox::Cancel,
                       QMessageBox::Cancel) == QMessageBox::Discard;
 }
@@ -174,12 +176,12 @@ bool MainWindow::mayEnd() {
 void MainWindow::writeOperation(const std::string& file) {
   if (!recorder_)
     throw error(
-        "this operation is not recorded, so that it cannot be saved; switch recording on "
-        "in the File menu before the next one");
+        "This operation is not being recorded and cannot be saved. Switch recording on in File > "
+        "Recorded operations, then begin again.");
   checkWritten(file);
   QApplication::setOverrideCursor(Qt::WaitCursor);
   try {
-    recorder_->saveAs(file);
+    recorder_->saveAs(file, session_->state().moment);
   } catch (...) {
     QApplication::restoreOverrideCursor();
     throw;
@@ -195,7 +197,7 @@ void MainWindow::writeOperation(const std::string& file) {
 void MainWindow::saveOperation(bool elsewhere) {
   if (!session_) return;
   std::string file = operationFile_;
-  if (file.empty() || elsewhere) {
+  if (recorder_ && (file.empty() || elsewhere)) {
     QString chosen = QFileDialog::getSaveFileName(
         this, "Save operation", file.empty() ? "operation.resect" : QString::fromStdString(file),
         "Operations (*.resect)");

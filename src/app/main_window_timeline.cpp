@@ -16,7 +16,7 @@ void MainWindow::makeTimelineMenu() {
     if (session_) session_->show(moment);
   };
   timeline_->playback = [this](double speed) {
-    if (session_) session_->setPlayback(speed);
+    if (session_) session_->setPlayback(speed, timeline_->branch());
   };
   timeline_->goOn = [this] {
     if (session_) session_->goOn();
@@ -26,34 +26,34 @@ void MainWindow::makeTimelineMenu() {
 
   QMenu* menu = menuBar()->addMenu("&Timeline");
   menu->setToolTipsVisible(true);
-  const auto add = [this, menu](const char* text, const QKeySequence& key, const char* tip,
+  const auto add = [this, menu](const char* text, const QList<QKeySequence>& keys, const char* tip,
                                 auto act) {
     QAction* action = menu->addAction(text);
-    action->setShortcut(key);
+    action->setShortcuts(keys);
     action->setToolTip(tip);
     connect(action, &QAction::triggered, this, act);
   };
   const auto second = [this] { return std::int64_t(timeline_->frameRate() + 0.5); };
-  add("One frame &back", QKeySequence(Qt::Key_Comma), "Shows the frame before",
+  add("One frame &back", {QKeySequence(Qt::Key_Comma)}, "Shows the frame before",
       [this] { timeline_->step(-1); });
-  add("One frame &on", QKeySequence(Qt::Key_Period), "Shows the frame after",
+  add("One frame &on", {QKeySequence(Qt::Key_Period)}, "Shows the frame after",
       [this] { timeline_->step(1); });
-  add("One second b&ack", QKeySequence("Ctrl+Left"), "Shows what was a second before",
+  add("One second b&ack", {QKeySequence("Ctrl+Left")}, "Shows what was a second before",
       [this, second] { timeline_->step(-second()); });
-  add("One second o&n", QKeySequence("Ctrl+Right"), "Shows what was a second after",
+  add("One second o&n", {QKeySequence("Ctrl+Right")}, "Shows what was a second after",
       [this, second] { timeline_->step(second()); });
-  add("To the &start", QKeySequence("Ctrl+Home"), "Shows the start of the operation",
+  add("To the &start", {QKeySequence("Ctrl+Home")}, "Shows the start of the operation",
       [this] { timeline_->step(-1'000'000'000); });
-  add("To the &end", QKeySequence(Qt::Key_End), "Shows the end of the branch",
-      [this] { timeline_->toEnd(); });
+  add("To the &end", {QKeySequence(Qt::Key_End), QKeySequence("Ctrl+End")},
+      "Shows the end of the branch", [this] { timeline_->toEnd(); });
   menu->addSeparator();
-  add("&Play or stop", QKeySequence("Ctrl+Space"), "Plays again what happened after this moment",
+  add("&Play or stop", {QKeySequence("Ctrl+Space")}, "Plays again what happened after this moment",
       [this] { timeline_->togglePlayback(); });
-  add("&Go on from here", QKeySequence(Qt::Key_Return),
+  add("&Go on from here", {QKeySequence("Ctrl+Return")},
       "Operates from the moment that is shown; what came after it stays as a branch",
       [this] { timeline_->goOn(); });
   menu->addSeparator();
-  add("&Compare branches ...", QKeySequence("Ctrl+B"), "All branches side by side",
+  add("&Compare branches ...", {QKeySequence("Ctrl+B")}, "All branches side by side",
       [this] { compareBranches(); });
 }
 

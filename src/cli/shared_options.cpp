@@ -60,7 +60,7 @@ void RecordedPart::check() const {
 }
 
 std::int64_t RecordedPart::branchIn(RecordingFile& file) const {
-  return branch < 0 ? std::int64_t(file.branches().size()) - 1 : branch;
+  return branch < 0 ? file.moment().branch : branch;
 }
 
 std::vector<CourseSpan> RecordedPart::of(RecordingFile& file, double frameRate) const {

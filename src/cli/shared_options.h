@@ -47,7 +47,7 @@ void addRecordingOption(CLI::App& command, std::string& file);
 // A part of a recorded operation.
 struct RecordedPart {
   double from = 0, to = INFINITY;  // s
-  std::int64_t branch = -1;        // -1: the last one
+  std::int64_t branch = -1;        // -1: that of the operation's moment
 
   void check() const;                                // throws a usage Error unless 0 <= from <= to
   std::int64_t branchIn(RecordingFile& file) const;  // the number of the branch that is meant

@@ -47,9 +47,23 @@ OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch, std
     before.edits.clear();
     frameRead();
   }
+  if (const auto ledgers = file.ledgers(branch.number); !ledgers.empty()) {
+    for (const RecordedLedger::Amount& amount : ledgers.back().amounts) {
+      if (amount.part == "removed") course.removedVolume += 1e-6 * amount.ml;
+      if (amount.part != "piece") continue;
+      course.piecesVolume += 1e-6 * amount.ml;
+      course.pieces = std::max(course.pieces, amount.number);
+    }
+    for (const RecordedLedger::Wound& wound : ledgers.back().wounds)
+      if (wound.kind == "cut") course.cut += 1e-4 * wound.amount;
+  }
   // A state beyond the frames would let the operation go on where nothing led.
   course.states.erase(course.states.upper_bound(course.end()), course.states.end());
   return course;
+}
+
+Moment clamped(Moment moment, Moment end) {
+  return moment.branch == end.branch && moment.frame < end.frame ? moment : end;
 }
 
 // States for the starts of all branches, where another version of the program kept some that this
@@ -96,7 +110,7 @@ RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
     if (file.info().program == programName()) throw;
     makeStates(courses, setup, *simulation, progress);
   }
-  const std::int64_t last = branch.value_or(file.lastBranch());
+  const std::int64_t last = branch.value_or(file.moment().branch);
   if (last < 0 || std::size_t(last) >= courses.size())
     throw error("{}: there is no branch {} in it; choose 0 to {}", file.name(), last,
                 std::int64_t(courses.size()) - 1);
@@ -106,7 +120,7 @@ RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
                               OperationHistory(std::move(courses), file.info().frameRate, start)};
   operation.simulation->restore(
       operation.history.courses()[std::size_t(last)].states.begin()->second);
-  operation.history.goTo(end, *operation.simulation);
+  operation.history.goTo(branch ? end : clamped(file.moment(), end), *operation.simulation);
   return operation;
 }
 

@@ -13,8 +13,8 @@ struct RecordedOperation {
   OperationHistory history;
 };
 
-// The operation as it was at its end: in the branch in which something happened last, or in
-// `branch`. setup: file.setup(). Throws Error if the recording is damaged.
+// The operation at RecordingFile::moment(), or at the end of `branch`. setup: file.setup(). Throws
+// Error if the recording is damaged.
 RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
                               std::optional<std::int64_t> branch = {},
                               const Progress& progress = {});

@@ -124,6 +124,7 @@ Recorder::Recorder(const std::filesystem::path& path, const Scenario& scenario,
       frameRate_(scenario.frameRate),
       framesPerKey_(framesPerKey(frameRate_)) {
   keyFrame_.push_back(simulation.frame());
+  ledgerFrame_.push_back(simulation.frame());
   put({ledger({0, simulation.frame()}, simulation)});
   thread_ = std::thread([this] { write(); });
 }
@@ -136,8 +137,11 @@ Recorder::Recorder(const std::filesystem::path& path, RecordingFile& done, const
       books_(scenario, simulation),
       frameRate_(done.info().frameRate),
       framesPerKey_(framesPerKey(frameRate_)) {
-  for (const Branch& branch : file_.branches())
+  for (const Branch& branch : file_.branches()) {
     keyFrame_.push_back(file_.keyFrames(branch.number).back());
+    const auto ledgers = file_.ledgers(branch.number);
+    ledgerFrame_.push_back(ledgers.empty() ? -1 : ledgers.back().frame);
+  }
   thread_ = std::thread([this] { write(); });
 }
 
@@ -159,7 +163,8 @@ KeyState Recorder::keyState(Moment moment, const Simulation& simulation) {
   return {moment.branch, moment.frame, simulation.save(), simulation.stateHash()};
 }
 
-RecordedLedger Recorder::ledger(Moment moment, const Simulation& simulation) const {
+RecordedLedger Recorder::ledger(Moment moment, const Simulation& simulation) {
+  ledgerFrame_[std::size_t(moment.branch)] = moment.frame;
   return rowsOf(books_.ledgerOf(simulation), moment.branch, simulation);
 }
 
@@ -168,8 +173,14 @@ void Recorder::begin(const Branch& branch, const Simulation& simulation) {
           "branch {} begins after {} branches; number them in the order in which they begin",
           branch.number, keyFrame_.size());
   keyFrame_.push_back(branch.from);
+  ledgerFrame_.push_back(branch.from);
   const Moment moment{branch.number, branch.from};
   put({branch, keyState(moment, simulation), ledger(moment, simulation)});
+}
+
+void Recorder::stood(Moment moment, const Simulation& simulation) {
+  if (failure().empty() && ledgerFrame_[std::size_t(moment.branch)] != moment.frame)
+    put({ledger(moment, simulation)});
 }
 
 void Recorder::rename(const Branch& branch) { put({branch}); }
@@ -213,7 +224,7 @@ std::uintmax_t Recorder::size() const {
   return sum;
 }
 
-void Recorder::saveAs(const std::filesystem::path& path) {
+void Recorder::saveAs(const std::filesystem::path& path, Moment moment) {
   std::filesystem::path copy = path_;
   copy += ".copy";
   const auto removeCopy = [&] {
@@ -227,6 +238,7 @@ void Recorder::saveAs(const std::filesystem::path& path) {
     if (!failure_.empty()) throw error("{}; nothing was saved", failure_);
     saveFailure_.clear();
     saveAs_ = copy;
+    saveMoment_ = moment;
     wake_.notify_all();
     wake_.wait(lock, [&] { return saveAs_.empty(); });
     failed = saveFailure_;
@@ -251,12 +263,14 @@ void Recorder::write() {
   for (bool last = false; !last;) {
     std::deque<Item> items;
     std::filesystem::path saveAs;
+    Moment moment;
     bool failedBefore = false;
     {
       std::unique_lock lock(mutex_);
       wake_.wait_for(lock, kCommitPeriod, [&] { return ending_ || !saveAs_.empty(); });
       last = ending_;
       saveAs = saveAs_;
+      moment = saveMoment_;
       items.swap(queue_);
       queued_ = 0;
       failedBefore = !failure_.empty();
@@ -273,7 +287,7 @@ void Recorder::write() {
       failed = e.what();
     }
     try {
-      if (!saveAs.empty()) file_.copyTo(saveAs);
+      if (!saveAs.empty()) file_.copyTo(saveAs, moment);
     } catch (const std::exception& e) {
       saveFailed = e.what();
     }
@@ -286,10 +300,8 @@ void Recorder::write() {
   }
 }
 
-void Recorder::finish(const Simulation* simulation) {
+void Recorder::finish() {
   if (!thread_.joinable()) return;
-  if (simulation && !ledgerIsDue(simulation->frame(), frameRate_))
-    put({ledger({last_.branch < 0 ? 0 : last_.branch, simulation->frame()}, *simulation)});
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;

@@ -60,6 +60,8 @@ class Recorder {
   // A branch begins at the present state.
   void begin(const Branch& branch, const Simulation& simulation);
   void rename(const Branch& branch);
+  // Operating pauses at the end of a branch: its ledger is kept.
+  void stood(Moment moment, const Simulation& simulation);
   // After each step; the frame follows the last one of its branch. Cost: 0.5 ms at 13 000 elastic
   // particles, and the time of Simulation::save() and stateHash() once in kKeyStateSeconds.
   void record(Moment moment, const FrameInput& input, const StepReport& report,
@@ -73,10 +75,10 @@ class Recorder {
   std::uintmax_t size() const;
   // Writes all that is recorded so far as a file of its own, whole or not at all; replaces `path`.
   // Waits until it is done. Throws Error if that fails.
-  void saveAs(const std::filesystem::path& path);
-  // Waits until all is written and closes the file. simulation, if given: at the operation's end,
-  // whose ledger is then kept.
-  void finish(const Simulation* simulation = nullptr);
+  // moment: at which the operation is.
+  void saveAs(const std::filesystem::path& path, Moment moment);
+  // Waits until all is written and closes the file.
+  void finish();
 
   const std::filesystem::path& path() const { return path_; }
   static constexpr double kKeyStateSeconds = 10;  // of simulated time
@@ -87,7 +89,7 @@ class Recorder {
   // Items that are put together are kept together or not at all.
   void put(std::vector<Item> items);
   KeyState keyState(Moment moment, const Simulation& simulation);
-  RecordedLedger ledger(Moment moment, const Simulation& simulation) const;
+  RecordedLedger ledger(Moment moment, const Simulation& simulation);
   void write();
 
   const std::filesystem::path path_;
@@ -95,10 +97,11 @@ class Recorder {
   RecordingFile file_;
   LedgerBooks books_;
   double frameRate_;
-  Moment last_{-1, 0};                  // the last frame; another one is written in full
-  FrameInput before_;                   // its input
-  EventMemory events_;                  // of an operation with one branch
-  std::vector<std::int64_t> keyFrame_;  // of the last key state, by branch
+  Moment last_{-1, 0};  // the last frame; another one is written in full
+  FrameInput before_;   // its input
+  EventMemory events_;  // of an operation with one branch
+  // Of the last key state and of the last ledger, by branch.
+  std::vector<std::int64_t> keyFrame_, ledgerFrame_;
   std::int64_t framesPerKey_;
 
   mutable std::mutex mutex_;  // guards all below
@@ -107,6 +110,7 @@ class Recorder {
   std::size_t queued_ = 0;  // bytes, about
   bool ending_ = false;
   std::filesystem::path saveAs_;  // empty: nothing is to be saved
+  Moment saveMoment_;
   std::string saveFailure_;
   std::string failure_;
   std::thread thread_;

@@ -202,17 +202,26 @@ RecordingFile RecordingFile::goOn(const std::filesystem::path& path, RecordingFi
   return file;
 }
 
-void RecordingFile::copyTo(const std::filesystem::path& path) {
-  // VACUUM takes everything as it is, so that the mark is set for the moment.
+void RecordingFile::copyTo(const std::filesystem::path& path, std::optional<Moment> moment) {
+  // VACUUM takes everything as it is, so that the marks are set for the moment.
   const bool before = complete();
-  keepDigest(true);
+  const auto mark = [&](bool copied) {
+    begin();
+    database_.run("DELETE FROM meta WHERE key IN ('branch', 'frame')");
+    if (copied && moment)
+      database_.run(fmt::format("INSERT INTO meta VALUES ('branch', '{}'), ('frame', '{}')",
+                                moment->branch, moment->frame));
+    keepDigest(copied || before);
+    commit();
+  };
+  mark(true);
   try {
     database_.copyTo(path);
   } catch (...) {
-    keepDigest(before);
+    mark(false);
     throw;
   }
-  keepDigest(before);
+  mark(false);
 }
 
 RecordingFile RecordingFile::open(const std::filesystem::path& path, const Progress& progress) {
@@ -353,10 +362,21 @@ std::int64_t RecordingFile::lastFrame(std::int64_t branch) {
   return row.step() && row.integer(1) > 0 ? row.integer(0) : -1;
 }
 
-std::int64_t RecordingFile::lastBranch() {
-  return database_.number(
+Moment RecordingFile::moment() {
+  Moment moment;
+  moment.branch = database_.number(
       "SELECT coalesce((SELECT branch FROM events ORDER BY rowid DESC LIMIT 1), max(number)) "
       "FROM branch");
+  moment.frame = std::max<std::int64_t>(0, lastFrame(moment.branch));
+  Statement kept(database_, "SELECT value FROM meta WHERE key = ?");
+  const auto number = [&](std::string_view key, std::int64_t& to) {
+    kept.bind(0, key);
+    if (kept.step()) to = std::atoll(kept.text(0).c_str());
+    while (kept.step()) {
+    }
+  };
+  number("branch", moment.branch), number("frame", moment.frame);
+  return moment;
 }
 
 std::optional<RecordedFrame> RecordingFile::frame(std::int64_t branch, std::int64_t number) {

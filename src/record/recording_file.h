@@ -111,12 +111,15 @@ class RecordingFile {
   void add(const RecordedLedger& ledger);
   // Writes all that is there as a finished recording of its own; nothing may be at `path`. Not
   // between begin() and commit().
-  void copyTo(const std::filesystem::path& path);
+  // moment: at which the operation is, for moment() of the copy.
+  void copyTo(const std::filesystem::path& path, std::optional<Moment> moment = {});
   void finish();  // marks it complete and folds the write-ahead log into the file
 
   std::vector<Branch> branches();
   std::int64_t lastFrame(std::int64_t branch);  // -1 without frames
-  std::int64_t lastBranch();                    // in which the last event happened
+  // Where the operation was when it was saved; else the end of the branch in which the last event
+  // happened.
+  Moment moment();
   std::optional<RecordedFrame> frame(std::int64_t branch, std::int64_t number);
   // The latest key state of the branch at `frame` or before.
   std::optional<KeyState> keyState(std::int64_t branch, std::int64_t frame);

@@ -82,6 +82,9 @@ OperationWatch watchOf(std::shared_ptr<Recorder> recorder) {
             recorder->begin(branch, simulation);
           },
           [recorder](const Branch& branch) { recorder->rename(branch); },
+          [recorder](Moment moment, const Simulation& simulation) {
+            recorder->stood(moment, simulation);
+          },
           [recorder](Moment moment, const FrameInput& input, const StepReport& report,
                      std::span<const OperationEvent> events, const Simulation& simulation) {
             recorder->record(moment, input, report, events, simulation);

@@ -151,7 +151,7 @@ class Scenarios(unittest.TestCase):
     def test_an_instrument_that_meets_nothing_is_told_of(self):
         far = FOLDER / "far.toml"
         far.write_text('title = "Far"\nduration = 0.2\n[organ]\nspacing = "20mm"\n[[tool]]\nmodel = "scalpel"\n'
-                       '[[tool.key]]\ntime = 0\nposition = [1, 1, 1]\n[[tool.key]]\ntime = 0.2\nposition = [1, 1.1, 1]\n')
+                       'keys = [{ time = 0, position = [1, 1, 1] }, { time = 0.2, position = [1, 1.1, 1] }]\n')
         self.assertIn("no instrument met an organ", resect("run", far).stdout)
 
     def test_a_piece_cut_off_moving_tissue_is_a_body_with_its_mass_and_the_tissue_adds_up(self):

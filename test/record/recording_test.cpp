@@ -39,7 +39,8 @@ std::uint64_t recordRun(const Scenario& scenario, const std::filesystem::path& p
     simulation.step(input, report);
     recorder.record(input, report, simulation);
   }
-  recorder.finish(&simulation);
+  recorder.stood({0, simulation.frame()}, simulation);
+  recorder.finish();
   CHECK(recorder.failure() == "");
   return simulation.stateHash();
 }

@@ -15,8 +15,9 @@ BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, d
                                QWidget* parent)
     : QDialog(parent) {
   setWindowTitle("Branches");
-  const QStringList titles{"Branch",  "Begins at",   "Ends at",
-                           "Strokes", "Removed, ml", "Largest force, N"};
+  const QStringList titles{"Branch",        "Begins at",     "Ends at",
+                           "Strokes",       "Removed, ml",   "Pieces",
+                           "In pieces, ml", "Cut, cm\u00b2", "Largest force, N"};
   auto* table = new QTableWidget(0, int(titles.size()), this);
   table->setHorizontalHeaderLabels(titles);
   table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
@@ -29,12 +30,16 @@ BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, d
     if (branch.number != 0 && branch.number != present && course.strokes.empty()) continue;
     const int row = table->rowCount();
     table->insertRow(row);
-    const QStringList texts{shown(branch.name),
-                            clockText(double(branch.from) / frameRate),
-                            clockText(double(course.end) / frameRate),
-                            QString::number(timeline.strokesOn(branch.number).size()),
-                            QString::number(course.removedVolume * 1e6, 'f', 2),
-                            QString::number(course.force, 'f', 2)};
+    const QStringList texts{
+        shown(branch.name),
+        clockText(double(branch.from) / frameRate),
+        clockText(double(course.end) / frameRate),
+        QString::number(timeline.strokesOn(branch.number).size()),
+        QString::number(course.removedVolume * 1e6, 'f', 2),
+        QString::number(course.pieces),
+        QString::number(course.piecesVolume * 1e6, 'f', 2),
+        QString::number(course.cut * 1e4, 'f', 1),
+        course.force > 0 ? QString::number(course.force, 'f', 2) : QString("-")};
     for (int i = 0; i < texts.size(); ++i) {
       auto* item = new QTableWidgetItem(texts[i]);
       item->setTextAlignment(Qt::AlignVCenter | (i == 0 ? Qt::AlignLeft : Qt::AlignRight));
@@ -44,10 +49,10 @@ BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, d
     }
     if (branch.number == present) table->selectRow(row);
   }
-  table->resizeColumnsToContents();
-  table->horizontalHeader()->setStretchLastSection(true);
+  table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-  auto* show = buttons->addButton("Show its end", QDialogButtonBox::ActionRole);
+  auto* show = buttons->addButton("Show the end of this branch", QDialogButtonBox::ActionRole);
   const auto choose = [this, table] {
     const QList<QTableWidgetItem*> chosen = table->selectedItems();
     if (chosen.isEmpty() || !wanted) return;
@@ -64,7 +69,7 @@ BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, d
   auto* column = new QVBoxLayout(this);
   column->addWidget(table);
   column->addWidget(buttons);
-  resize(720, 90 + 34 * (table->rowCount() + 2));
+  resize(860, 90 + 34 * (table->rowCount() + 2));
 }
 
 }  // namespace resect

@@ -20,6 +20,9 @@ constexpr std::pair<const char*, const char*> kControls[] = {
     {"Right drag, wheel", "look round, zoom; middle drag: shift"},
     {"Ctrl + 1 2 3 4", "surgeon, assistant, top, laparoscope"},
     {"Ctrl + Z", "takes the last stroke back; with Shift does it again"},
+    {"Drag in the timeline", "shows any earlier moment; End: back to the end"},
+    {"Ctrl + S, Ctrl + O", "save the operation; open one and go on"},
+    {"P, Ctrl + N", "play the scenario's motions; begin again"},
     {"Space", "brings view and instruments back"},
 };
 

@@ -14,6 +14,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/say.h"
@@ -49,6 +50,33 @@ void drawHistory(QPainter& painter, const QRectF& plot, const History& history, 
   }
   painter.setPen(QPen(line, 2));
   painter.drawPath(path);
+}
+
+// "1 piece of 108.2 ml, cut 41.3 cm2": what an operation has done besides removing.
+QString partsOf(const Ledger& ledger) {
+  std::int64_t pieces = 0;
+  double cut = 0;
+  const TissueSplit all = ledger.tissue();
+  for (const OrganLedger& organ : ledger.organs) {
+    pieces += std::max<std::int64_t>(0, std::int64_t(organ.parts.size()) - 1);
+    cut += organ.cut;
+  }
+  QStringList parts;
+  if (pieces > 0)
+    parts << QString("%1 %2 of %3 ml")
+                 .arg(pieces)
+                 .arg(pieces == 1 ? "piece" : "pieces")
+                 .arg(all.pieces.volume * 1e6, 0, 'f', 1);
+  if (all.debris.particles > 0)
+    parts << QString("debris %1 ml").arg(all.debris.volume * 1e6, 0, 'f', 1);
+  if (cut > 0) parts << QString("cut %1 cm\u00b2").arg(cut * 1e4, 0, 'f', 1);
+  for (const OrganLedger& organ : ledger.organs)
+    for (const LabelLedger& label : organ.labels)
+      if (label.margin && std::isfinite(*label.margin))
+        parts << QString("margin of %1 %2 mm")
+                     .arg(shown(label.name))
+                     .arg(*label.margin * 1e3, 0, 'f', 1);
+  return parts.join(", ");
 }
 
 QString nameOf(const OrganSource& organ) {
@@ -217,7 +245,10 @@ void RemovedPanel::follow(const LiveState& state) {
   removed_ = state.removedVolume;
   whole_ = state.removedVolume + state.volume;
   particles_ = state.removed;
-  // A stroke that was taken back has not happened.
+  parts_ = state.ledger ? partsOf(*state.ledger) : QString();
+  // While an earlier moment is shown nothing is done; a stroke that was taken back has not
+  // happened.
+  if (state.showing) return update();
   std::erase_if(history_, [&](const auto& p) { return p.first > state.time; });
   if (history_.empty() || history_.back().second != removed_ * 1e6 ||
       state.time - history_.back().first > 1)
@@ -243,13 +274,19 @@ void RemovedPanel::paintEvent(QPaintEvent*) {
   painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignLeft,
                    QString("%1 ml").arg(removed_ * 1e6, 0, 'f', 1));
   painter.setFont(font());
-  const QString detail = QString("%L1 particles, %2 %")
+  const QString detail = QString("%L1 %2, %3 %")
                              .arg(particles_)
+                             .arg(particles_ == 1 ? "particle" : "particles")
                              .arg(whole_ > 0 ? 100 * removed_ / whole_ : 0, 0, 'f', 2);
   painter.drawText(QRect(8, 2 + line, width() - 16, QFontMetrics(font()).height()), Qt::AlignLeft,
                    detail);
-  const QRectF plot(8, line + QFontMetrics(font()).height() + 8, width() - 16,
-                    height() - line - QFontMetrics(font()).height() - 14);
+  int top = line + QFontMetrics(font()).height() + 8;
+  if (!parts_.isEmpty()) {
+    const QRect room(8, top - 4, width() - 16, 3 * QFontMetrics(font()).height());
+    painter.drawText(room, Qt::AlignLeft | Qt::TextWordWrap, parts_);
+    top += painter.boundingRect(room, Qt::AlignLeft | Qt::TextWordWrap, parts_).height();
+  }
+  const QRectF plot(8, top, width() - 16, height() - top - 6);
   const double first = history_.empty() ? 0 : history_.front().first;
   const double last = history_.empty() ? 1 : std::max(history_.back().first, first + 1);
   const double most = std::max(1.0, history_.empty() ? 0 : history_.back().second);

@@ -83,6 +83,7 @@ class RemovedPanel : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QString parts_;                   // where the rest is
   double removed_ = 0, whole_ = 0;  // m^3: removed tissue; all tissue before the operation
   std::int64_t particles_ = 0;
   History history_;  // values in ml

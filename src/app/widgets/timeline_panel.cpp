@@ -81,12 +81,8 @@ class TimelineBar : public QWidget {
     // Where other branches leave this way: a mark below.
     painter.setPen(Qt::NoPen);
     painter.setBrush(palette().color(QPalette::WindowText));
-    for (const Timeline::Course& course : timeline.courses) {
-      const Branch& b = course.branch;
-      if (b.parent < 0 || b.number == panel_.branch_ ||
-          !timeline.leadsTo(panel_.branch_, {b.parent, b.from}))
-        continue;
-      const double x = xOf(b.from), y = track.bottom() + 2;
+    for (const Timeline::Course* course : panel_.branchesBeside()) {
+      const double x = xOf(course->branch.from), y = track.bottom() + 2;
       painter.drawPolygon(QPolygonF({{x, y}, {x - 4, y + 7}, {x + 4, y + 7}}));
     }
     const double x = xOf(panel_.asked_ >= 0 ? panel_.asked_ : panel_.frame_);
@@ -101,11 +97,14 @@ class TimelineBar : public QWidget {
   }
   QString textAt(std::int64_t frame) const {
     QString text = clockText(double(frame) / panel_.frameRate_);
+    const double near = 3.0 / std::max(1e-9, xOf(1) - xOf(0));  // frames in three pixels
+    for (const Timeline::Course* course : panel_.branchesBeside())
+      if (std::abs(double(course->branch.from - frame)) < 2 * near)
+        text += "\nBranch " + shown(course->branch.name) + " begins here";
     int number = 0;
     const auto strokes = panel_.timeline_->courses.empty()
                              ? std::vector<Stroke>()
                              : panel_.timeline_->strokesOn(panel_.branch_);
-    const double near = 3.0 / std::max(1.0, xOf(1) - xOf(0));  // frames in three pixels
     for (const Stroke& s : strokes) {
       ++number;
       if (double(frame) < double(s.from) - near || double(frame) > double(s.to) + near) continue;
@@ -113,7 +112,10 @@ class TimelineBar : public QWidget {
       if (s.tool >= 0 && std::size_t(s.tool) < panel_.tools_.size())
         text += ", " + panel_.tools_[std::size_t(s.tool)];
       text += QString(": %1 s").arg(double(s.to - s.from) / panel_.frameRate_, 0, 'f', 1);
-      if (s.removed > 0) text += QString(", %L1 particles removed").arg(s.removed);
+      if (s.removed > 0)
+        text += QString(", %L1 %2 removed")
+                    .arg(s.removed)
+                    .arg(s.removed == 1 ? "particle" : "particles");
       if (s.severed > 0) text += QString(", %L1 bonds cut").arg(s.severed);
       if (s.torn > 0) text += QString(", %L1 bonds torn").arg(s.torn);
     }
@@ -160,10 +162,11 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
     if (compare) compare();
   });
   goOn_ = button("Go on from here",
-                 "Operates from this moment; the rest stays as a branch (Return)", [this] {
+                 "Operates from this moment; the rest stays as a branch (Ctrl+Return)", [this] {
                    if (goOn) goOn();
                  });
   hint_ = new QLabel(this);
+  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   memory_ = new QLabel(this);
   memory_->setToolTip(
       "Memory for the states from which any moment is shown. When it is full, old moments take "
@@ -174,7 +177,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
   for (QWidget* widget :
        std::initializer_list<QWidget*>{back, less, play_, more, end, rate_, time_, goOn_, hint_})
     row->addWidget(widget);
-  row->addStretch(1);
+  row->setStretchFactor(hint_, 1);
   row->addWidget(memory_);
   row->addWidget(branches_);
   row->addWidget(compare_);
@@ -214,19 +217,37 @@ void TimelinePanel::follow(const LiveState& state, bool showing) {
   play_->setText(speed_ > 0 ? "Stop" : "Play");
   play_->setEnabled(showing && (speed_ > 0 || frame_ < end_));
   goOn_->setEnabled(showing);
-  hint_->setText(!showing        ? QString()
-                 : asked_ >= 0   ? "going there ..."
-                 : frame_ < end_ ? "An earlier moment is shown. Take an instrument to go on."
-                                 : "The end of this branch. Take an instrument to go on.");
+  hint_->setText(!showing      ? QString()
+                 : asked_ >= 0 ? "going there ..."
+                 : frame_ < end_
+                     ? "Looking back: take an instrument to go on from here, or press End"
+                     : "Paused: take an instrument to go on");
+  hint_->setToolTip(hint_->text());
+  goOn_->setText(frame_ < end_ ? "Go on from here" : "Go on");
   memory_->setText(QString("%1 MB").arg(double(state.historyBytes) / (1 << 20), 0, 'f', 0));
   bar_->update();
 }
 
+// A branch in which no stroke was made is of no interest.
+bool TimelinePanel::isListed(const Timeline::Course& course) {
+  return !course.strokes.empty() || course.branch.number == 0;
+}
+
+std::vector<const Timeline::Course*> TimelinePanel::branchesBeside() const {
+  std::vector<const Timeline::Course*> found;
+  for (const Timeline::Course& course : timeline_->courses) {
+    const Branch& b = course.branch;
+    if (b.parent >= 0 && b.number != branch_ && isListed(course) &&
+        timeline_->leadsTo(branch_, {b.parent, b.from}))
+      found.push_back(&course);
+  }
+  return found;
+}
+
 void TimelinePanel::listBranches() {
-  // A branch in which no stroke was made is of no interest, unless something begins there.
   std::vector<std::pair<QString, std::int64_t>> items;
   for (const Timeline::Course& course : timeline_->courses)
-    if (course.branch.number == branch_ || !course.strokes.empty() || course.branch.number == 0)
+    if (course.branch.number == branch_ || isListed(course))
       items.emplace_back("Branch " + shown(course.branch.name), course.branch.number);
   bool same = int(items.size()) == branches_->count();
   for (int i = 0; same && i < branches_->count(); ++i)

@@ -28,6 +28,7 @@ class TimelinePanel : public QWidget {
   // Shows the moment so many frames before (negative) or after the present one, or the last one.
   void step(std::int64_t frames);
   void toEnd();
+  bool atEnd() const { return frame_ >= end_ && asked_ < 0; }
   void togglePlayback();
   // The branch that is looked at.
   std::int64_t branch() const { return branch_; }
@@ -46,6 +47,9 @@ class TimelinePanel : public QWidget {
  private:
   friend class TimelineBar;
   void listBranches();
+  static bool isListed(const Timeline::Course& course);
+  // Listed branches that begin on the way to the one that is looked at.
+  std::vector<const Timeline::Course*> branchesBeside() const;
   void ask(std::int64_t frame);
 
   std::shared_ptr<const Timeline> timeline_ = std::make_shared<Timeline>();

@@ -73,10 +73,13 @@ void play(const Options& options) {
                      settingsOf(options.pictures, options.overwrite));
   const Progress progress = progressBar("replay");
   std::vector<OperationEvent> events;
+  std::vector<double> forces(scenario.tools.size(), 0);  // largest on each tool, N
   StepReport step;
   for (const CourseSpan& span : course) {
     if (replay.branch() != span.branch) replay.goTo(span.branch, span.first);
     while (replay.simulation().frame() < span.last && replay.step(nullptr, &step)) {
+      for (std::size_t t = 0; t < std::min(forces.size(), step.toolForce.size()); ++t)
+        forces[t] = std::max(forces[t], step.toolForce[t].norm());
       if (pictures) pictures->follow(replay.simulation(), step);
       report(progress, double(replay.simulation().frame() - first) /
                            double(std::max<std::int64_t>(1, end - first)));
@@ -90,6 +93,14 @@ void play(const Options& options) {
   const Simulation& now = replay.simulation();
   const Ledger ledger = LedgerBooks(scenario, now).ledgerOf(now);
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  nlohmann::ordered_json peaks = nlohmann::ordered_json::array();
+  std::string felt;
+  for (std::size_t t = 0; t < forces.size(); ++t) {
+    const std::string tool = std::filesystem::path(scenario.tools[t].model).stem().string();
+    peaks.push_back({{"tool", tool}, {"peak", forces[t]}});
+    if (forces[t] > 0)
+      felt += fmt::format("{}{} {:.2f} N", felt.empty() ? "" : ", ", shownText(tool), forces[t]);
+  }
   for (const OperationEvent& event : events) list.push_back(toJson(event, scenario));
   if (!options.json.empty())
     writeJson(options.json, {{"file", options.file},
@@ -101,6 +112,7 @@ void play(const Options& options) {
                              {"time_s", now.time()},
                              {"complete", replay.file().complete()},
                              {"events", list},
+                             {"tool_forces_n", peaks},
                              {"ledger", toJson(ledger)},
                              {"state_hash", fmt::format("{:016x}", now.stateHash())}});
   if (options.json == "-") return;
@@ -122,6 +134,7 @@ void play(const Options& options) {
       printLine(stdout, "  {:8.2f} s  frame {:6}  {}", event.time, event.frame,
                 lineOf(event, scenario));
   fmt::print("{}", toText(ledger));
+  if (!felt.empty()) fmt::print("  {:<10} at most {}\n", "forces", felt);
   fmt::print("  played frames {} to {}, state {:016x}\n", first, now.frame(), now.stateHash());
   for (const std::string& file : files) fmt::print("  wrote {}\n", file);
 }

@@ -129,7 +129,8 @@ void run(const Options& options, const OrganOptions& organOptions) {
                   });
 
   if (recorder) {
-    recorder->finish(&simulation);
+    recorder->stood({0, simulation.frame()}, simulation);
+    recorder->finish();
     if (const std::string failure = recorder->failure(); !failure.empty())
       throw error("{}; the operation was run, but not recorded to its end", failure);
     files.push_back(options.record);

@@ -28,6 +28,8 @@ void window(const Options& options, const OrganOptions& organOptions) {
   const ThreadLimit threads(options.threads);
   const std::filesystem::path given = options.scenario;
   if (given.extension() == ".resect") {
+    if (!std::filesystem::is_regular_file(given))
+      throw error("{}: there is no such recording; check the name", given.string());
     window.operation = given.string();
     window.scenario.organs[0].source.spacing = 0.005;
   } else if (!options.scenario.empty())

@@ -88,8 +88,9 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       iso_(view_.room().aids(), isoFoot(organBox_)),
       marker_(view_.room().aids()),
       events_(SbViewportRegion(640, 480)),
+      ledger_(scenario, *simulation),
       operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch),
-                 std::move(history)) {
+                 std::move(history), std::move(ledger_)) {
   for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
   tools_.changed = [this] { handMoved(); };
   tools_.released = [this] { operation_.endStroke(); };

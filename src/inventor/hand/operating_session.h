@@ -54,7 +54,7 @@ class OperatingSession {
   void undo();
   void redo();
   void show(Moment moment);
-  void setPlayback(double speed) { operation_.setPlayback(speed); }
+  void setPlayback(double speed, std::int64_t branch) { operation_.setPlayback(speed, branch); }
   void goOn();
   void setIso(float iso);  // and goes on
   // A moment is shown, or on its way.
@@ -124,6 +124,7 @@ class OperatingSession {
   bool playing_ = false;
   std::int64_t played_ = 0, playUntil_ = 0;  // scenario frames: where play() begins and ends
   LiveState state_;
+  LedgerWatch ledger_;  // for operation_, which takes it over
   // The last member, so that its thread ends before the other members are destroyed.
   LiveOperation operation_;
 };

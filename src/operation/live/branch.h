@@ -7,7 +7,7 @@
 
 namespace resect {
 
-inline constexpr const char* kFirstBranch = "1, from the start";  // its name
+inline constexpr const char* kFirstBranch = "0, from the start";  // its name
 
 struct Branch {
   std::int64_t number = 0, parent = -1;  // -1: none

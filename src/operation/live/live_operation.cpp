@@ -17,9 +17,12 @@ double restVolume(const Simulation& simulation) {
 
 LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                              double frameRate, OperationWatch watch,
-                             std::optional<OperationHistory> history)
+                             std::optional<OperationHistory> history,
+                             std::optional<LedgerWatch> ledger)
     : simulation_(std::move(simulation)),
       history_(history ? std::move(*history) : OperationHistory(*simulation_, frameRate)),
+      ledger_(std::move(ledger)),
+      rests_(rests),
       lastSecond_(frameRate),
       watch_(std::move(watch)),
       frameRate_(frameRate),
@@ -33,6 +36,7 @@ LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::
   simulation_->keepLook();
   input_.duration = 1 / frameRate_;
   for (const Pose& rest : rests) input_.tools.push_back({rest, false, 1});
+  if (ledger_) keepLedger(&ledger_->anew(*simulation_));
   if (history) {
     showing_ = true;
     input_.tools = presentTools();
@@ -105,11 +109,12 @@ std::int64_t LiveOperation::ask(Request request) {
   return number;
 }
 
-void LiveOperation::setPlayback(double speed) {
+void LiveOperation::setPlayback(double speed, std::int64_t branch) {
   require(speed >= 0 && speed <= 100, "a playback speed of {} was asked for; give 0 to 100", speed);
   {
     const std::lock_guard lock(mutex_);
     playback_ = speed;
+    towards_ = branch;
     state_.playback = showing_ ? speed : 0;
     fresh_ = true;
   }

@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "operation/ledger/ledger_watch.h"
 #include "operation/live/live_state.h"
 #include "operation/live/operation_history.h"
 #include "operation/live/surface_publisher.h"
@@ -30,6 +31,8 @@ namespace resect {
 struct OperationWatch {
   std::function<void(const Branch&, const Simulation&)> began;
   std::function<void(const Branch&)> renamed;
+  // Operating pauses: from this moment another one is shown, or the operation ends.
+  std::function<void(Moment, const Simulation&)> stood;
   // events: of this frame; moment: its end.
   std::function<void(Moment moment, const FrameInput&, const StepReport&,
                      std::span<const OperationEvent> events, const Simulation&)>
@@ -44,9 +47,11 @@ class LiveOperation {
   // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
   // frameRate: simulated frames per second, 1 to 1000. history: of an operation that was done
   // before, with `simulation` at history.now(); that moment is then shown until somebody goes on.
+  // ledger: for LiveState::ledger.
   LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                 double frameRate = 60, OperationWatch watch = {},
-                std::optional<OperationHistory> history = {});
+                std::optional<OperationHistory> history = {},
+                std::optional<LedgerWatch> ledger = {});
   ~LiveOperation();  // stops the thread within the current frame
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;
@@ -72,9 +77,9 @@ class LiveOperation {
   std::int64_t undo();
   std::int64_t redo();
   std::int64_t show(Moment moment);
-  // While a moment is shown: plays what happened after it, in its branch. speed: recorded seconds a
-  // second, 0 to 100; 0: stands.
-  void setPlayback(double speed);
+  // While a moment is shown: plays what happened after it on the way to the end of `branch`. speed:
+  // recorded seconds a second, 0 to 100; 0: stands.
+  void setPlayback(double speed, std::int64_t branch);
   // Operates on from the moment that is shown: its branch goes on if it ends there, else another
   // one begins. Has no effect while a request is not done.
   void goOn();
@@ -111,7 +116,9 @@ class LiveOperation {
   struct Task {
     std::optional<Request> request;
     std::vector<std::pair<std::int64_t, std::string>> names;  // for branches
-    double playback = 0;  // the next frame of the history, at this speed
+    double playback = 0;       // the next frame of the history, at this speed
+    std::int64_t towards = 0;  // on the way to the end of this branch
+    bool operated = false;     // until now no moment was shown
     FrameInput input;
     bool byMotion = false;  // a motion gave the input's tools
   };
@@ -119,7 +126,8 @@ class LiveOperation {
   void work();
   std::optional<Task> nextTask(std::chrono::steady_clock::time_point due);
   void answer(Request request);
-  void playBack();
+  void playBack(std::int64_t towards);
+  void keepLedger(const Ledger* ledger);
   void operate(Task task);
   void publishMoment(Moment moment);
   void noteHistory();
@@ -127,8 +135,10 @@ class LiveOperation {
   std::vector<ToolInput> presentTools() const;
 
   std::unique_ptr<Simulation> simulation_;
-  OperationHistory history_;  // used by the thread alone
-  LastSecond lastSecond_;     // so are these
+  OperationHistory history_;           // used by the thread alone
+  std::optional<LedgerWatch> ledger_;  // so are these
+  const std::vector<Pose> rests_;
+  LastSecond lastSecond_;
   StepReport report_;
   std::int64_t timelineFrame_ = 0;
   const OperationWatch watch_;
@@ -142,6 +152,7 @@ class LiveOperation {
   bool paused_ = false, ending_ = false, fresh_ = false;
   bool showing_ = false;
   double playback_ = 0;
+  std::int64_t towards_ = 0;
   std::optional<Request> request_;
   std::int64_t asked_ = 0;
   std::vector<std::pair<std::int64_t, std::string>> names_;  // that branches are to get

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "operation/ledger/ledger.h"
 #include "operation/live/step_times.h"
 #include "operation/live/timeline.h"
 #include "operation/live/tip_place.h"
@@ -21,6 +22,7 @@ struct LiveState {
   double lastRemoval = 0;  // steady clock at the last removal of particles, s; 0: none
   // Particles left; particles removed so far; triangles of the surface.
   std::int64_t particles = 0, removed = 0, triangles = 0;
+  std::shared_ptr<const Ledger> ledger;  // at most a second old; null if none was asked for
   double removedVolume = 0, volume = 0;  // of the tissue removed; of the tissue left; m^3
   float iso = 50;                        // iso level
   bool moves = false;                    // whether any tissue is elastic

@@ -25,6 +25,7 @@ std::optional<LiveOperation::Task> LiveOperation::nextTask(
   if (ending_) return std::nullopt;
   stepping_ = true;
   Task task;
+  task.operated = !showing_;
   if (mostBytes_) history_.setMostBytes(*std::exchange(mostBytes_, std::nullopt));
   if (!names_.empty()) {
     task.names = std::exchange(names_, {});
@@ -38,6 +39,7 @@ std::optional<LiveOperation::Task> LiveOperation::nextTask(
   }
   if (showing_) {
     task.playback = playback_;
+    task.towards = towards_;
     return task;
   }
   task.input = input_;
@@ -54,21 +56,25 @@ std::optional<LiveOperation::Task> LiveOperation::nextTask(
 
 void LiveOperation::work() {
   using Clock = std::chrono::steady_clock;
-  const StopBy stop(stop_);
+  auto stop = std::make_optional<StopBy>(stop_);
   auto due = Clock::now();
+  bool whole = true;  // no step was left in the middle
   while (std::optional<Task> task = nextTask(due)) {
     const double speed = task->playback > 0 ? task->playback : 1;
     try {
-      if (!task->names.empty())
+      whole = true;
+      if (!task->names.empty()) {
         nameBranches(task->names);
-      else if (task->request)
+      } else if (task->request) {
+        if (task->operated && watch_.stood) watch_.stood(history_.now(), *simulation_);
         answer(std::move(*task->request));
-      else if (task->playback > 0)
-        playBack();
+      } else if (task->playback > 0)
+        playBack(task->towards);
       else
         operate(std::move(*task));
     } catch (const Cancelled&) {
       // By the destructor, or by a newer request, which nextTask() will find.
+      whole = false;
     } catch (const Error& e) {  // a recorded frame that cannot be played
       const std::lock_guard lock(mutex_);
       playback_ = state_.playback = 0;
@@ -83,6 +89,12 @@ void LiveOperation::work() {
         std::chrono::duration<double>(1 / (frameRate_ * speed)));
     due = std::max(due + period, Clock::now());
   }
+  stop.reset();
+  {
+    const std::lock_guard lock(mutex_);
+    whole = whole && !showing_;
+  }
+  if (whole && watch_.stood) watch_.stood(history_.now(), *simulation_);
 }
 
 void LiveOperation::operate(Task task) {
@@ -108,6 +120,11 @@ void LiveOperation::operate(Task task) {
   }
   lastSecond_.add(clock, steadySeconds());
   StepTimes times = lastSecond_.times();
+  if (ledger_ && refusal.empty())
+    if (const Ledger* ledger = ledger_->after(report_, *simulation_)) {
+      keepLedger(ledger);
+      history_.note(*ledger);
+    }
   const std::lock_guard lock(mutex_);
   if (refusal.empty()) {
     for (std::size_t o = 0; o < publishers_.size(); ++o)
@@ -149,6 +166,8 @@ void LiveOperation::answer(Request request) {
     } catch (const Error& e) {
       refusal = e.what();
     }
+    lastSecond_ = LastSecond(frameRate_);
+    if (ledger_ && refusal.empty()) keepLedger(&ledger_->anew(*simulation_));
     if (refusal.empty()) {
       if (request.kind == Request::Kind::Undo) history_.undone(before);
       if (request.kind == Request::Kind::Redo) history_.redone();
@@ -185,8 +204,9 @@ void LiveOperation::nameBranches(const std::vector<std::pair<std::int64_t, std::
 }
 
 // Plays the next recorded frame; stands at the end of the branch.
-void LiveOperation::playBack() {
-  const bool played = history_.playNext(*simulation_, report_);
+void LiveOperation::playBack(std::int64_t towards) {
+  const bool played = history_.playNext(*simulation_, report_, towards);
+  if (ledger_ && played) keepLedger(ledger_->after(report_, *simulation_));
   const std::lock_guard lock(mutex_);
   if (!played) playback_ = state_.playback = 0;
   for (std::size_t o = 0; played && o < publishers_.size(); ++o)
@@ -222,8 +242,19 @@ void LiveOperation::noteHistory() {
   timelineFrame_ = simulation_->frame();
 }
 
+void LiveOperation::keepLedger(const Ledger* ledger) {
+  if (!ledger) return;
+  auto kept = std::make_shared<const Ledger>(*ledger);
+  const std::lock_guard lock(mutex_);
+  state_.ledger = std::move(kept);
+}
+
 std::vector<ToolInput> LiveOperation::presentTools() const {
   std::vector<ToolInput> tools;
+  if (simulation_->frame() == 0) {  // the tools have not been placed yet
+    for (const Pose& rest : rests_) tools.push_back({rest, false, 1});
+    return tools;
+  }
   for (const ToolState& tool : simulation_->tools())
     tools.push_back({tool.pose(), tool.inHand, tool.way.to.squeeze, 0});
   return tools;

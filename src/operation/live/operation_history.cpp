@@ -67,7 +67,7 @@ std::optional<Branch> OperationHistory::beforeStep(const FrameInput& input,
     const auto number = std::int64_t(courses_.size());
     Course course;
     course.branch = {number, now_.branch, now_.frame,
-                     fmt::format("{}, from {}", number + 1, clockText(simulation.time()))};
+                     fmt::format("{}, from {}", number, clockText(simulation.time()))};
     course.peaks.emplace_back(now_.frame, peaks());
     for (const OperatedOrgan& o : simulation.organs())
       course.removedVolume += o.organ.removedVolume;
@@ -167,6 +167,16 @@ void OperationHistory::setMostBytes(std::size_t most) {
   thinOut();
 }
 
+void OperationHistory::note(const Ledger& ledger) {
+  Course& course = present();
+  course.pieces = 0, course.piecesVolume = course.cut = 0;
+  for (const OrganLedger& organ : ledger.organs) {
+    course.pieces += std::max<std::int64_t>(0, std::int64_t(organ.parts.size()) - 1);
+    course.piecesVolume += organ.tissue.pieces.volume;
+    course.cut += organ.cut;
+  }
+}
+
 void OperationHistory::rename(std::int64_t branch, std::string name) {
   if (branch < 0 || std::size_t(branch) >= courses_.size())
     throw error("the operation has no branch {}; choose another", branch);
@@ -213,7 +223,18 @@ void OperationHistory::goTo(Moment moment, Simulation& simulation, const Shown& 
   approach_.reset();
 }
 
-bool OperationHistory::playNext(Simulation& simulation, StepReport& report) {
+bool OperationHistory::playNext(Simulation& simulation, StepReport& report, std::int64_t towards) {
+  // Into the branch that leaves here, if the way does.
+  for (std::int64_t b = towards; b >= 0 && std::size_t(b) < courses_.size();) {
+    const Branch& branch = courses_[std::size_t(b)].branch;
+    if (b == now_.branch) break;
+    if (branch.from <= now_.frame) {
+      if (branch.from < now_.frame) return false;
+      now_.branch = b;
+      break;
+    }
+    b = branch.parent;
+  }
   if (atEnd()) return false;
   const Course& course = present();
   broken_ = true;

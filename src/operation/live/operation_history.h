@@ -16,6 +16,7 @@
 #include <optional>
 #include <vector>
 
+#include "operation/ledger/ledger.h"
 #include "operation/live/branch.h"
 #include "operation/live/strokes.h"
 #include "simulation/simulation.h"
@@ -33,7 +34,10 @@ class OperationHistory {
     StrokeTracker strokes;
     EventMemory events;
     std::vector<std::int64_t> faults;  // frames
-    double removedVolume = 0;          // at its end, m^3
+    // At its end: tissue removed, m^3; number and volume of the pieces, m^3; area of cuts, m^2.
+    // removedVolume is of each frame, the others of the last ledger.
+    double removedVolume = 0, piecesVolume = 0, cut = 0;
+    std::int64_t pieces = 0;
     // Largest force on each tool so far, N, a row per change: frame and one force per tool.
     std::vector<std::pair<std::int64_t, std::vector<double>>> peaks;
 
@@ -62,6 +66,8 @@ class OperationHistory {
   std::size_t bytes() const { return bytes_; }  // of the states
   void setMostBytes(std::size_t most);
   void rename(std::int64_t branch, std::string name);
+  // The ledger of now(), which is the end of its branch.
+  void note(const Ledger& ledger);
   // Largest force on each tool up to now, N.
   std::vector<double> peaks() const;
 
@@ -81,8 +87,9 @@ class OperationHistory {
   // Cancelled if stopped (base/stop.h): then call goTo() again, since the simulation is half
   // changed.
   void goTo(Moment moment, Simulation& simulation, const Shown& shown = {});
-  // Plays the next frame of the present branch as it was. False at its end: nothing is done.
-  bool playNext(Simulation& simulation, StepReport& report);
+  // Plays the next frame on the way to the end of branch `towards` as it was. False at its end, or
+  // if now() is not on that way: nothing is done.
+  bool playNext(Simulation& simulation, StepReport& report, std::int64_t towards);
 
   static constexpr int kFramesBetween = 6;  // most frames between a state and a stroke
   static constexpr double kProtectedSeconds = 60;

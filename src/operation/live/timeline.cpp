@@ -57,8 +57,8 @@ Timeline timelineOf(const OperationHistory& history) {
     double force = 0;
     if (!c.peaks.empty() && !c.peaks.back().second.empty())
       force = std::ranges::max(c.peaks.back().second);
-    timeline.courses.push_back(
-        {c.branch, c.end(), c.strokes.strokes(), c.faults, c.removedVolume, force});
+    timeline.courses.push_back({c.branch, c.end(), c.strokes.strokes(), c.faults, c.removedVolume,
+                                c.piecesVolume, c.cut, c.pieces, force});
   }
   return timeline;
 }

@@ -16,8 +16,10 @@ struct Timeline {
     std::int64_t end = 0;  // its last frame
     std::vector<Stroke> strokes;
     std::vector<std::int64_t> faults;  // frames
-    double removedVolume = 0;          // at its end, m^3
-    double force = 0;                  // largest on any tool on the way to its end, N
+    // As OperationHistory::Course has them.
+    double removedVolume = 0, piecesVolume = 0, cut = 0;
+    std::int64_t pieces = 0;
+    double force = 0;  // largest on any tool on the way to its end, N
   };
   std::vector<Course> courses;  // one per branch, by number
 
