@@ -72,6 +72,7 @@ int parseAndRun(int argc, char** argv) {
   resect::addConvertCommand(app);
   resect::addReplayCommand(app);
   resect::addVerifyCommand(app);
+  resect::addExportCommand(app);
   resect::addWindowCommand(app);
   refuseEmptyValues(app);
   const auto named = [&](CLI::App* command) { return command->get_name() == argv[1]; };

@@ -18,6 +18,7 @@ void addRenderCommand(CLI::App& app);
 void addConvertCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);
 void addVerifyCommand(CLI::App& app);
+void addExportCommand(CLI::App& app);
 void addWindowCommand(CLI::App& app);
 
 }  // namespace resect

@@ -46,10 +46,11 @@ constexpr const char* kRoomViewNames = "surgeon, assistant, top or laparoscope";
 // The view of that name, if there is one.
 std::optional<RoomView> roomView(std::string_view name);
 
-// Screen colours (sRGB) of the liver's capsule and of the gallbladder.
+// Screen colours (sRGB) of the liver's capsule, of the gallbladder, and of a cut where no shader
+// draws it.
 inline const Vec3f kLiverColour{0.352f, 0.152f, 0.131f};
-
 inline const Vec3f kGallbladderColour{0.255f, 0.300f, 0.165f};
+inline const Vec3f kCutColour{0.52f, 0.13f, 0.11f};
 
 class OperatingRoom {
  public:

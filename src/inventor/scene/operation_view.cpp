@@ -27,13 +27,9 @@ SoNode* readRoomModel(const std::string& name) {
   return root;
 }
 
-namespace {
-
-Vec3f colourOf(const OrganSource& organ) {
+Vec3f organColour(const OrganSource& organ) {
   return organ.file == "gallbladder" ? kGallbladderColour : kLiverColour;
 }
-
-}  // namespace
 
 OperationView::OperationView(const Scenario& scenario, Simulation& simulation, double aspect) {
   const auto view = roomView(scenario.view);
@@ -45,9 +41,9 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
   for (const ToolState& state : simulation.tools()) room_.addTool(state.tool->model);
   simulation.keepLook();
   publishers_.assign(simulation.organs().size(), SurfacePublisher(0));
-  room_.setOrganColour(colourOf(scenario.organs[0].source));
+  room_.setOrganColour(organColour(scenario.organs[0].source));
   for (std::size_t o = 1; o < simulation.organs().size(); ++o)
-    room_.addOrgan(colourOf(scenario.organs[o].source));
+    room_.addOrgan(organColour(scenario.organs[o].source));
   follow(simulation);
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     room_.setToolPose(int(i), scenario.tools[i].rest);

@@ -18,6 +18,9 @@ namespace resect {
 // files that Coin reads in this process. All others go through readModel.
 SoNode* readRoomModel(const std::string& name);
 
+// Screen colour (sRGB) of an organ that has not been cut.
+Vec3f organColour(const OrganSource& organ);
+
 class OperationView {
  public:
   // Sets up room, tools and organs. Aims the lamps at the organs. Aims the camera at

@@ -36,7 +36,6 @@ SoSeparator* placed(const Pose& pose, SoNode* model) {
 // Materials for cut shares in a few steps from the capsule's colour to the parenchyma's.
 SoSeparator* organNode(const SurfaceTracker::Compact& organ) {
   constexpr int kShades = 5;
-  const Vec3f cutColour(0.52f, 0.13f, 0.11f);
   auto* separator = new SoSeparator;
   separator->setName(kOrganNode);
   auto* hints = new SoShapeHints;
@@ -45,7 +44,7 @@ SoSeparator* organNode(const SurfaceTracker::Compact& organ) {
   auto* material = new SoMaterial;
   for (int i = 0; i < kShades; ++i) {
     const float share = float(i) / (kShades - 1);
-    const Vec3f c = (1 - share) * kLiverColour + share * cutColour;
+    const Vec3f c = (1 - share) * kLiverColour + share * kCutColour;
     material->diffuseColor.set1Value(i, c.x(), c.y(), c.z());
   }
   material->specularColor.setValue(0.35f, 0.33f, 0.32f);
