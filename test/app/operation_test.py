@@ -2,7 +2,7 @@
 """A person who keeps an operation, with real mouse and keys on a virtual screen: cuts, takes back, looks at earlier
 moments, works on from one, saves, quits, opens, goes on. What was recorded is proved afterwards.
 
-    operation_test.py PROGRAM FOLDER [--random N]     N random operations besides; pictures are left in FOLDER
+    operation_test.py PROGRAM FOLDER [--random N] [--kills N]     pictures are left in FOLDER
 """
 import argparse
 import random
@@ -19,6 +19,7 @@ arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argpars
 arguments.add_argument("program", metavar="PROGRAM", type=lambda text: str(Path(text).resolve()))
 arguments.add_argument("folder", metavar="FOLDER", type=lambda text: Path(text).resolve())
 arguments.add_argument("--random", type=int, default=1, metavar="N", help="random operations (default 1)")
+arguments.add_argument("--kills", type=int, default=2, metavar="N", help="windows that are killed (default 2)")
 arguments.add_argument("--seed", type=int, default=1)
 OPTIONS = arguments.parse_args()
 PROGRAM, FOLDER = OPTIONS.program, OPTIONS.folder
@@ -181,6 +182,43 @@ class KeptOperation(unittest.TestCase):
         self.verify(kept)
         for file in self.recordings():
             self.verify(file, threads=(2,))
+
+    def test_a_killed_window_leaves_a_recording_that_is_proved(self):
+        screen, chance = self.screen, random.Random(OPTIONS.seed)
+        for _ in range(OPTIONS.kills):
+            window = self.opened("press", "--spacing", "10mm")
+            organ = window.places["organ"]
+            screen.key("1")
+            screen.do("mousemove", organ[0], organ[1], "mousedown", 1)
+            end = time.time() + chance.uniform(0, 2)
+            while time.time() < end:
+                screen.move(organ[0] + chance.randint(-60, 60), organ[1] + chance.randint(0, 120))
+            window.process.kill()
+            window.process.wait()
+            screen.do("mouseup", 1)
+            self.assertIn("frames", self.verify(self.recordings()[-1], threads=(2,)))
+
+    def test_an_operation_goes_on_when_the_disk_is_full(self):
+        place = FOLDER / "small"
+        place.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=1500k", "tmpfs", place], capture_output=True).returncode:
+            self.skipTest("no small disk can be mounted")
+        self.addCleanup(subprocess.run, ["umount", "-l", place])
+        window = Window(PROGRAM, self.screen, "press", "--spacing", "9mm", "--size", "1240x900",
+                        environment={"XDG_STATE_HOME": str(place)})
+        self.addCleanup(window.quit)
+        window.wait("ready")
+        self.screen.focus("^Resect")
+        self.screen.key("p")
+        line = window.wait("error", seconds=60)
+        self.assertIn("disk is full", line)
+        self.assertIn("goes on unrecorded", line)
+        window.wait("played", seconds=120)
+        # Saving says why not, and leaving asks.
+        self.screen.key("ctrl+q")
+        time.sleep(1)
+        self.assertIsNone(window.process.poll())
+        self.screen.picture("7_leaving")
 
     def test_random_operations_are_proved_at_any_number_of_threads(self):
         screen, chance = self.screen, random.Random(OPTIONS.seed)

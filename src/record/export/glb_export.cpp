@@ -158,7 +158,8 @@ class ToolAnimation {
     const bool jaw = part.opens != 0;
     const Vec3 origin = jaw ? model_.jaws.pivot : Vec3(Vec3::Zero());
     const std::string name = fmt::format("{} {}", model_.name, children_.size() + 1);
-    GlbNode node{name};
+    GlbNode node;
+    node.name = name;
     node.pose.position = origin;
     node.mesh = addPart(file_, name, part, origin);
     children_.push_back(file_.addNode(node));
