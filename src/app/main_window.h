@@ -132,6 +132,7 @@ class MainWindow : public QMainWindow {
   bool readySaid_ = false;
   bool playingSaid_ = false, showingSaid_ = false;
   Moment momentSaid_;
+  std::shared_ptr<const Ledger> ledgerSaid_;
   bool keepsView_ = false;  // the same organ is being loaded again: the camera stays
   // The picture's size at the last update of the panels, and at the last report of positions.
   QSize lastSize_, placesSize_;

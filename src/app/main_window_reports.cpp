@@ -95,6 +95,12 @@ void MainWindow::reportMoment() {
     say("showing branch {} frame {} removed {}", state.moment.branch, state.moment.frame,
         state.removed);
   if (showingSaid_ && !session_->showing()) say("operating");
+  if (state.ledger && state.ledger != ledgerSaid_) {
+    ledgerSaid_ = state.ledger;
+    const TissueSplit all = state.ledger->tissue();
+    say("ledger frame {} removed {:.3f} ml pieces {:.3f} ml debris {:.3f} ml", state.frame,
+        1e6 * all.removed.volume, 1e6 * all.pieces.volume, 1e6 * all.debris.volume);
+  }
   if (arrived) momentSaid_ = state.moment;
   if (arrived || !session_->showing()) showingSaid_ = session_->showing();
 }

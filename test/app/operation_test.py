@@ -5,6 +5,7 @@ moments, works on from one, saves, quits, opens, goes on. What was recorded is p
     operation_test.py PROGRAM FOLDER [--random N] [--kills N]     pictures are left in FOLDER
 """
 import argparse
+import json
 import random
 import shutil
 import subprocess
@@ -182,6 +183,24 @@ class KeptOperation(unittest.TestCase):
         self.verify(kept)
         for file in self.recordings():
             self.verify(file, threads=(2,))
+
+    def test_the_window_shows_what_a_run_of_the_scenario_gives(self):
+        for scenario, spacing in ("resect-segment", "7mm"), ("resect-segment-elastic", "9mm"):
+            run = subprocess.run([PROGRAM, "run", scenario, "--spacing", spacing, "--json", "-"],
+                                 capture_output=True, text=True, check=True)
+            organ = json.loads(run.stdout)["ledger"][0]
+            window = self.opened(scenario, "--spacing", spacing)
+            for _ in range(2):  # the second time from the start of the operation, too
+                window.drain()
+                self.screen.key("p")
+                window.wait("played", seconds=120)
+                time.sleep(1.5)
+                window.drain()
+                words = [line for line in window.said if line.startswith("ledger")][-1].split()
+                self.assertEqual(float(words[4]), round(organ["removed"]["tissue_ml"], 3))
+                self.assertEqual(float(words[7]), round(organ["pieces"]["tissue_ml"], 3))
+            self.screen.picture(f"8_{scenario}")
+            self.close(window)
 
     def test_a_killed_window_leaves_a_recording_that_is_proved(self):
         screen, chance = self.screen, random.Random(OPTIONS.seed)
