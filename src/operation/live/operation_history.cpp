@@ -203,6 +203,8 @@ void OperationHistory::goTo(Moment moment, Simulation& simulation, const Shown& 
       moment.frame > courses_[std::size_t(moment.branch)].end())
     throw error("the operation has no frame {} of branch {}; choose another", moment.frame,
                 moment.branch);
+  // So that the way back to where the work stopped is short.
+  if (!broken_ && atEnd() && !(moment == now_)) keep(present(), now_.frame, simulation.save());
   const Course& course = courses_[std::size_t(moment.branch)];
   const auto state = std::prev(course.states.upper_bound(moment.frame));
   const bool onTheWay = !broken_ && moment.branch == now_.branch && now_.frame <= moment.frame &&
