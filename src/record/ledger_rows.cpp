@@ -2,11 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace resect {
 
 bool ledgerIsDue(std::int64_t frame, double frameRate) {
   return frame % std::max<std::int64_t>(1, std::llround(frameRate)) == 0;
+}
+
+std::int64_t piecesIn(const RecordedLedger& ledger) {
+  std::set<std::pair<std::int64_t, std::int64_t>> pieces;  // a piece has a row per label
+  for (const RecordedLedger::Amount& amount : ledger.amounts)
+    if (amount.part == "piece") pieces.emplace(amount.organ, amount.number);
+  return std::int64_t(pieces.size());
+}
+
+std::optional<OperationEvent> pieceEvent(const RecordedLedger& ledger, std::int64_t before) {
+  const std::int64_t now = piecesIn(ledger);
+  if (now <= before) return std::nullopt;
+  return OperationEvent{ledger.branch, ledger.frame,         ledger.time, -1, -1,
+                        "piece",       double(now - before), {}};
 }
 
 RecordedLedger rowsOf(const Ledger& ledger, std::int64_t branch, const Simulation& simulation) {

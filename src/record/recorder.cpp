@@ -124,8 +124,10 @@ Recorder::Recorder(const std::filesystem::path& path, const Scenario& scenario,
       frameRate_(scenario.frameRate),
       framesPerKey_(framesPerKey(frameRate_)) {
   keyFrame_.push_back(simulation.frame());
-  ledgerFrame_.push_back(simulation.frame());
-  put({ledger({0, simulation.frame()}, simulation)});
+  lastLedger_.push_back({-1, 0});
+  std::vector<Item> items;
+  addLedger(items, {0, simulation.frame()}, simulation);
+  put(std::move(items));
   thread_ = std::thread([this] { write(); });
 }
 
@@ -140,7 +142,9 @@ Recorder::Recorder(const std::filesystem::path& path, RecordingFile& done, const
   for (const Branch& branch : file_.branches()) {
     keyFrame_.push_back(file_.keyFrames(branch.number).back());
     const auto ledgers = file_.ledgers(branch.number);
-    ledgerFrame_.push_back(ledgers.empty() ? -1 : ledgers.back().frame);
+    lastLedger_.push_back(ledgers.empty()
+                              ? LastLedger{}
+                              : LastLedger{ledgers.back().frame, piecesIn(ledgers.back())});
   }
   thread_ = std::thread([this] { write(); });
 }
@@ -163,9 +167,13 @@ KeyState Recorder::keyState(Moment moment, const Simulation& simulation) {
   return {moment.branch, moment.frame, simulation.save(), simulation.stateHash()};
 }
 
-RecordedLedger Recorder::ledger(Moment moment, const Simulation& simulation) {
-  ledgerFrame_[std::size_t(moment.branch)] = moment.frame;
-  return rowsOf(books_.ledgerOf(simulation), moment.branch, simulation);
+void Recorder::addLedger(std::vector<Item>& items, Moment moment, const Simulation& simulation) {
+  RecordedLedger ledger = rowsOf(books_.ledgerOf(simulation), moment.branch, simulation);
+  LastLedger& last = lastLedger_[std::size_t(moment.branch)];
+  if (last.frame >= 0)  // pieces that a branch begins with have come off before
+    if (const auto event = pieceEvent(ledger, last.pieces)) items.push_back(*event);
+  last = {moment.frame, piecesIn(ledger)};
+  items.push_back(std::move(ledger));
 }
 
 void Recorder::begin(const Branch& branch, const Simulation& simulation) {
@@ -173,14 +181,18 @@ void Recorder::begin(const Branch& branch, const Simulation& simulation) {
           "branch {} begins after {} branches; number them in the order in which they begin",
           branch.number, keyFrame_.size());
   keyFrame_.push_back(branch.from);
-  ledgerFrame_.push_back(branch.from);
+  lastLedger_.push_back({});
   const Moment moment{branch.number, branch.from};
-  put({branch, keyState(moment, simulation), ledger(moment, simulation)});
+  std::vector<Item> items{branch, keyState(moment, simulation)};
+  addLedger(items, moment, simulation);
+  put(std::move(items));
 }
 
 void Recorder::stood(Moment moment, const Simulation& simulation) {
-  if (failure().empty() && ledgerFrame_[std::size_t(moment.branch)] != moment.frame)
-    put({ledger(moment, simulation)});
+  if (!failure().empty() || lastLedger_[std::size_t(moment.branch)].frame == moment.frame) return;
+  std::vector<Item> items;
+  addLedger(items, moment, simulation);
+  put(std::move(items));
 }
 
 void Recorder::rename(const Branch& branch) { put({branch}); }
@@ -203,7 +215,7 @@ void Recorder::record(Moment moment, const FrameInput& input, const StepReport& 
     sample.branch = moment.branch;
     items.push_back(sample);
   }
-  if (ledgerIsDue(moment.frame, frameRate_)) items.push_back(ledger(moment, simulation));
+  if (ledgerIsDue(moment.frame, frameRate_)) addLedger(items, moment, simulation);
   if (moment.frame - keyFrame_[std::size_t(moment.branch)] >= framesPerKey_)
     items.push_back(keyState(moment, simulation));
   put(std::move(items));

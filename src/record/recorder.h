@@ -89,7 +89,8 @@ class Recorder {
   // Items that are put together are kept together or not at all.
   void put(std::vector<Item> items);
   KeyState keyState(Moment moment, const Simulation& simulation);
-  RecordedLedger ledger(Moment moment, const Simulation& simulation);
+  // Also the event that pieces have come off since the last ledger of the branch.
+  void addLedger(std::vector<Item>& items, Moment moment, const Simulation& simulation);
   void write();
 
   const std::filesystem::path path_;
@@ -97,11 +98,14 @@ class Recorder {
   RecordingFile file_;
   LedgerBooks books_;
   double frameRate_;
-  Moment last_{-1, 0};  // the last frame; another one is written in full
-  FrameInput before_;   // its input
-  EventMemory events_;  // of an operation with one branch
-  // Of the last key state and of the last ledger, by branch.
-  std::vector<std::int64_t> keyFrame_, ledgerFrame_;
+  Moment last_{-1, 0};                  // the last frame; another one is written in full
+  FrameInput before_;                   // its input
+  EventMemory events_;                  // of an operation with one branch
+  std::vector<std::int64_t> keyFrame_;  // of the last key state, by branch
+  struct LastLedger {
+    std::int64_t frame = -1, pieces = 0;
+  };
+  std::vector<LastLedger> lastLedger_;  // by branch
   std::int64_t framesPerKey_;
 
   mutable std::mutex mutex_;  // guards all below

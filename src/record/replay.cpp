@@ -90,8 +90,13 @@ class Verifier {
     ledgers_ = file.ledgers(b);
     nextLedger_ = 0;
     if (file.lastFrame(b) >= 0 || !ledgers_.empty()) checkLedger(b);
+    std::int64_t pieces = nextLedger_ > 0 ? piecesIn(ledgers_[0]) : 0;
     const std::vector<OperationEvent> events = file.events(b);
     std::size_t nextEvent = 0;
+    const auto expect = [&](const OperationEvent& event) {
+      if (nextEvent >= events.size() || !same(events[nextEvent++], event))
+        differ(b, event.frame, "measure", fmt::format("event \"{}\"", event.kind));
+    };
     samples_ = file.samples(b);
     nextSample_ = 0;
     EventMemory memory;
@@ -100,13 +105,17 @@ class Verifier {
     while (!found_.first && replay_.step(nullptr, &stepped)) {
       const std::int64_t frame = replay_.simulation().frame();
       checkHashes(b, frame);
-      for (OperationEvent& event : eventsOf(stepped, replay_.simulation(), memory)) {
-        if (nextEvent >= events.size() || !same(events[nextEvent++], event))
-          differ(b, frame, "measure", fmt::format("event \"{}\"", event.kind));
-      }
+      for (const OperationEvent& event : eventsOf(stepped, replay_.simulation(), memory))
+        expect(event);
       checkSamples(b, frame, stepped);
       const bool kept = nextLedger_ < ledgers_.size() && ledgers_[nextLedger_].frame == frame;
-      if (kept || ledgerIsDue(frame, file.info().frameRate)) checkLedger(b);
+      if (kept || ledgerIsDue(frame, file.info().frameRate)) {
+        checkLedger(b);
+        if (found_.first) break;
+        const RecordedLedger& ledger = ledgers_[nextLedger_ - 1];
+        if (const auto event = pieceEvent(ledger, pieces)) expect(*event);
+        pieces = piecesIn(ledger);
+      }
       if (std::ranges::binary_search(keys, frame)) checkKeyState(b);
       ++found_.frames;
       if (progress_ && found_.frames % 16 == 0)

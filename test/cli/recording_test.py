@@ -46,6 +46,14 @@ class Recordings(unittest.TestCase):
             self.assertEqual(played["state_hash"], summary["state_hash"])
             self.assertIn("touch", [event["kind"] for event in played["events"]])
 
+    def test_a_piece_that_comes_off_is_an_event(self):
+        file, summary = self.recorded("resect-segment-elastic", "--spacing", "9mm")
+        replay = resect("replay", file, "--json", "-")
+        events = [event for event in json.loads(replay.stdout)["events"] if event["kind"] == "piece"]
+        self.assertGreater(len(events), 0)
+        self.assertEqual(sum(event["amount"] for event in events), len(summary["ledger"][0]["parts"]) - 1)
+        self.assertEqual(resect("verify", file).returncode, 0)
+
     def test_any_sqlite_tool_reads_it(self):
         file, summary = self.recorded("press", "--spacing", "12mm")
         db = sqlite3.connect(file)

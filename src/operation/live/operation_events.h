@@ -14,9 +14,9 @@ struct OperationEvent {
   std::int64_t branch = 0, frame = 0;  // the branch is filled in by those who know it
   double time = 0;                     // at the frame's end, s
   std::int64_t tool = -1, organ = -1;  // -1: none
-  std::string kind;                    // touch, release, take, put_back, remove, cut, tear, fault
-  double amount = 0;                   // remove: particles; cut, tear: bonds
-  std::string text;                    // fault: the sentence
+  std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault
+  double amount = 0;  // remove: particles; cut, tear: bonds; piece: how many more
+  std::string text;   // fault: the sentence
 };
 
 // What the observer of an operation remembers from step to step: one flag per tool. Without flags:
