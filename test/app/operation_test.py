@@ -7,14 +7,13 @@ moments, works on from one, saves, quits, opens, goes on. What was recorded is p
 import argparse
 import json
 import random
-import shutil
 import subprocess
 import sys
 import time
 import unittest
 from pathlib import Path
 
-from screen import Screen, Window, difference
+from screen import ScreenTest, Window, difference
 
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 arguments.add_argument("program", metavar="PROGRAM", type=lambda text: str(Path(text).resolve()))
@@ -26,16 +25,8 @@ OPTIONS = arguments.parse_args()
 PROGRAM, FOLDER = OPTIONS.program, OPTIONS.folder
 
 
-class KeptOperation(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        shutil.rmtree(FOLDER, ignore_errors=True)
-        FOLDER.mkdir(parents=True, mode=0o700)
-        cls.screen = Screen(FOLDER)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.screen.close()
+class KeptOperation(ScreenTest):
+    folder = FOLDER
 
     def opened(self, *args):
         window = Window(PROGRAM, self.screen, "--size", "1240x900", *args)

@@ -1,10 +1,12 @@
 """A virtual screen with mouse and keyboard, and the window on it."""
 import os
 import queue
+import shutil
 import struct
 import subprocess
 import threading
 import time
+import unittest
 import zlib
 
 
@@ -188,3 +190,18 @@ class Window:
         self.process.wait(timeout=30)
         self.process.stdout.close()
         self.process.stdin.close()
+
+
+class ScreenTest(unittest.TestCase):
+    """Tests on a screen of their own; pictures and settings go to `folder`, which is made anew."""
+    folder = None
+
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(cls.folder, ignore_errors=True)
+        cls.folder.mkdir(parents=True, mode=0o700)
+        cls.screen = Screen(cls.folder)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.screen.close()

@@ -18,7 +18,7 @@ from pathlib import Path
 
 from pace import measure
 from random_input import play
-from screen import Screen, Window, difference
+from screen import ScreenTest, Window, difference
 
 arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 arguments.add_argument("program", metavar="PROGRAM", type=lambda text: str(Path(text).resolve()))
@@ -32,16 +32,8 @@ PROGRAM, FOLDER = OPTIONS.program, OPTIONS.folder
 DRAG_SOURCE = OPTIONS.drag_source or str(Path(PROGRAM).parent / "drag_source")
 
 
-class AtTheWindow(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        shutil.rmtree(FOLDER, ignore_errors=True)
-        FOLDER.mkdir(parents=True, mode=0o700)
-        cls.screen = Screen(FOLDER)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.screen.close()
+class AtTheWindow(ScreenTest):
+    folder = FOLDER
 
     def opened(self, spacing="12mm", size="1200x900"):
         """A window with the built-in liver, ready and with the keys."""

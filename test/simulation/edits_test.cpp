@@ -18,14 +18,6 @@ namespace {
 constexpr double kSpacing = 0.008;
 const Vec3i kDims(14, 6, 10);
 
-std::unique_ptr<Tool> scalpel() {
-  ToolModel model;
-  model.name = model.kind = "scalpel";
-  model.mesh = boxMesh({{-0.0002, -0.008, 0}, {0.0002, 0.002, 0.06}});
-  model.edge = {{0, -0.008, 0}, {0, -0.0082, 0.03}, {0, -0.008, 0.06}};
-  return makeTool(std::move(model));
-}
-
 std::unique_ptr<Tool> hook() {
   ToolModel model;
   model.name = model.kind = "hook";
@@ -47,7 +39,7 @@ std::vector<std::unique_ptr<Tool>> tools(bool acting, std::unique_ptr<Tool> a,
 }
 
 Simulation elastic(bool acting) {
-  return test::elasticBlock(kDims, kSpacing, tools(acting, scalpel(), hook()));
+  return test::elasticBlock(kDims, kSpacing, tools(acting, test::thinScalpel(), hook()));
 }
 Simulation still(bool acting) {
   return {makeOrgan(test::ball(20), {}), tools(acting, test::ballTool(0.008))};

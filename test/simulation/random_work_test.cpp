@@ -15,6 +15,7 @@
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
 #include "simulation/simulation.h"
+#include "support/environment.h"
 #include "support/test_tools.h"
 #include "tissue/elastic/elastic_tissue.h"
 
@@ -22,20 +23,11 @@ using namespace resect;
 
 namespace {
 
-double number(const char* name, double otherwise) {
-  const char* given = std::getenv(name);
-  return given && *given ? std::atof(given) : otherwise;
-}
-
 // Of about the size and the response of those in data/tools; handles along Z.
 std::vector<std::unique_ptr<Tool>> instruments() {
   std::vector<std::unique_ptr<Tool>> tools;
   const auto add = [&](const char* kind, TriangleMesh mesh, auto describe) {
-    ToolModel model;
-    model.name = model.kind = kind;
-    model.mesh = std::move(mesh);
-    describe(model);
-    tools.push_back(makeTool(std::move(model)));
+    tools.push_back(test::describedTool(kind, std::move(mesh), describe));
   };
   add("scalpel", boxMesh({{-0.0003, -0.008, 0}, {0.0003, 0.003, 0.15}}), [](ToolModel& m) {
     m.edge = {{0, -0.008, 0}, {0, -0.0082, 0.02}, {0, -0.008, 0.04}};
@@ -86,8 +78,8 @@ Act randomAct(Random& random, int tools, const Aabb& organ) {
 }  // namespace
 
 TEST_CASE("random work on a liver: all numbers finite, faults mended, no energy from nowhere") {
-  const double seconds = number("RESECT_WORK_SECONDS", 8);
-  Random random(std::uint64_t(number("RESECT_WORK_SEED", 1)));
+  const double seconds = test::numberFrom("RESECT_WORK_SECONDS", 8);
+  Random random(std::uint64_t(test::numberFrom("RESECT_WORK_SEED", 1)));
   TriangleMesh mesh = builtinLiver(0.004);
   const Eigen::Quaterniond rest = restingRotation(mesh);
   for (Vec3& p : mesh.points) p = rest * p;

@@ -39,11 +39,7 @@ std::string differenceOf(const Simulation& a, const Simulation& b) {
 
 // A block of elastic tissue with a scalpel half way through it and the table under it.
 Simulation cutBlock() {
-  ToolModel model;
-  model.name = model.kind = "scalpel";
-  model.mesh = boxMesh({{-0.0002, -0.008, 0}, {0.0002, 0.002, 0.06}});
-  model.edge = {{0, -0.008, 0}, {0, -0.0082, 0.03}, {0, -0.008, 0.06}};
-  Simulation simulation = test::elasticBlock({10, 5, 8}, 0.008, makeTool(std::move(model)));
+  Simulation simulation = test::elasticBlock({10, 5, 8}, 0.008, test::thinScalpel());
   FrameInput input;
   input.tools.resize(1);
   for (int i = 0; i < 20; ++i) {

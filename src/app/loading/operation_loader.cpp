@@ -18,7 +18,12 @@ struct OperationLoader::Job {
   OrganLoader::Result result;
   std::atomic<double> share{-1};
   std::atomic<bool> cancelled{false}, done{false};
+  std::thread thread;
 
+  ~Job() {
+    cancelled = true;
+    if (thread.joinable()) thread.join();
+  }
   void work() {
     const StopBy stop(cancelled);
     try {
@@ -57,9 +62,15 @@ OperationLoader::OperationLoader() {
 void OperationLoader::cancel() {
   timer_.stop();
   done_ = {};
-  if (job_) job_->cancelled = true;
-  job_.reset();
+  // Its thread notices at its next check; nobody waits for it.
+  if (job_) {
+    job_->cancelled = true;
+    givenUp_.push_back(std::move(job_));
+  }
+  std::erase_if(givenUp_, [](const auto& job) { return job->done.load(); });
 }
+
+OperationLoader::~OperationLoader() { cancel(); }
 
 void OperationLoader::load(const std::filesystem::path& file, bool record,
                            std::function<void(double)> progress,
@@ -67,17 +78,17 @@ void OperationLoader::load(const std::filesystem::path& file, bool record,
   cancel();
   progress_ = std::move(progress);
   done_ = std::move(done);
-  job_ = std::make_shared<Job>();
+  job_ = std::make_unique<Job>();
   job_->file = file;
   job_->record = record;
-  std::thread([job = job_] { job->work(); }).detach();
+  job_->thread = std::thread([job = job_.get()] { job->work(); });
   timer_.start();
 }
 
 void OperationLoader::poll() {
   if (!job_->done) return progress_(job_->share);
   timer_.stop();
-  const std::shared_ptr<Job> job = std::exchange(job_, nullptr);
+  const std::unique_ptr<Job> job = std::move(job_);
   std::exchange(done_, {})(std::move(job->result));
 }
 

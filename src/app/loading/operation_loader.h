@@ -11,7 +11,7 @@ namespace resect {
 class OperationLoader {
  public:
   OperationLoader();
-  ~OperationLoader() { cancel(); }
+  ~OperationLoader();  // abandons loading in progress; waits for all threads to end
 
   // Loads one operation at a time; a new call abandons the one before. The recording stays as it
   // is: what is done from now on is kept in another one (Result::recorder), if `record`.
@@ -26,7 +26,8 @@ class OperationLoader {
 
   std::function<void(double)> progress_;
   std::function<void(OrganLoader::Result)> done_;
-  std::shared_ptr<Job> job_;  // shared with its thread, which may outlive a cancelled job
+  std::unique_ptr<Job> job_;
+  std::vector<std::unique_ptr<Job>> givenUp_;  // abandoned jobs whose threads are still running
   QTimer timer_;
 };
 

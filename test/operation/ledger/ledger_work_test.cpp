@@ -16,6 +16,7 @@
 #include "organ/cell_labels.h"
 #include "organ/discretize.h"
 #include "support/blades.h"
+#include "support/environment.h"
 #include "support/test_tools.h"
 #include "tissue/elastic/elastic_tissue.h"
 
@@ -23,19 +24,10 @@ using namespace resect;
 
 namespace {
 
-double number(const char* name, double otherwise) {
-  const char* given = std::getenv(name);
-  return given && *given ? std::atof(given) : otherwise;
-}
-
 std::vector<std::unique_ptr<Tool>> instruments() {
   std::vector<std::unique_ptr<Tool>> tools;
   const auto add = [&](const char* kind, TriangleMesh mesh, auto describe) {
-    ToolModel model;
-    model.name = model.kind = kind;
-    model.mesh = std::move(mesh);
-    describe(model);
-    tools.push_back(makeTool(std::move(model)));
+    tools.push_back(test::describedTool(kind, std::move(mesh), describe));
   };
   add("scalpel", boxMesh({{-0.0003, -0.008, 0}, {0.0003, 0.003, 0.15}}), [](ToolModel& m) {
     m.edge = {{0, -0.008, -0.08}, {0, -0.0082, 0}, {0, -0.008, 0.08}};
@@ -146,8 +138,8 @@ void work(Simulation& simulation, double seconds, Random& random, Tally& tally) 
 }  // namespace
 
 TEST_CASE("random work: whatever is cut, torn and removed, the ledger closes at each update") {
-  const double seconds = number("RESECT_LEDGER_SECONDS", 16);
-  Random random(std::uint64_t(number("RESECT_LEDGER_SEED", 1)));
+  const double seconds = test::numberFrom("RESECT_LEDGER_SECONDS", 16);
+  Random random(std::uint64_t(test::numberFrom("RESECT_LEDGER_SEED", 1)));
   Tally tally;
   double done = 0;
   for (int i = 0; done < seconds; ++i) {

@@ -10,23 +10,16 @@
 #include "geometry/primitives.h"
 #include "operation/live/operation_history.h"
 #include "support/elastic_block.h"
+#include "support/test_tools.h"
 #include "tools/registry.h"
 
 using namespace resect;
 
 namespace {
 
-std::unique_ptr<Tool> scalpel() {
-  ToolModel model;
-  model.name = model.kind = "scalpel";
-  model.mesh = boxMesh({{-0.0002, -0.008, 0}, {0.0002, 0.002, 0.06}});
-  model.edge = {{0, -0.008, 0}, {0, -0.0082, 0.03}, {0, -0.008, 0.06}};
-  return makeTool(std::move(model));
-}
-
 // An operation with its history, which knows the state of each moment.
 struct Operation {
-  Simulation simulation = test::elasticBlock({8, 4, 6}, 0.008, scalpel());
+  Simulation simulation = test::elasticBlock({8, 4, 6}, 0.008, test::thinScalpel());
   OperationHistory history{simulation, 60};
   std::map<std::pair<std::int64_t, std::int64_t>, std::uint64_t> known;  // by branch and frame
   StepReport report;
