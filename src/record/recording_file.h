@@ -89,7 +89,7 @@ class RecordingFile {
   // there, or if this program computes other fields than the one that made `done`.
   static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
   // Reads a finished or an interrupted recording into memory, through the sandbox
-  // (record/foreign_recording.h): 0.5 s for 60 MB. Throws Error if it is none, is of a newer
+  // (record/foreign_recording.h). Throws Error if it is none, is of a newer
   // schema, has other tables than a recording, or if what playing does not prove was changed: its
   // description, organs, branches.
   static RecordingFile open(const std::filesystem::path& path, const Progress& progress = {});
