@@ -74,6 +74,10 @@ TEST_CASE("texts and comments may hold brackets, dots and quotes") {
 
 TEST_CASE("outside quotes and comments there is only ASCII") {
   CHECK(test::tells(refusal("a = 1\n\xc3\xa4 = 2\n"), "a.toml:2: a character that is not ASCII"));
+  // What a quote within a word opens is no text for the parser.
+  CHECK(
+      test::tells(refusal("a = [5, 50.1.)\"45~r\xcb\x8d\"]\n"), "a.toml:1: a quote stands within"));
+  CHECK(test::tells(refusal("a = 5'\xcb\x8d'\n"), "a.toml:1: a quote stands within"));
   CHECK(test::tells(refusal("a = \"\"\"x \\\n \xc3\xa4\"\"\""), "a.toml:1: a line that begins"));
   CHECK(TomlTable::parse("\xef\xbb\xbf"
                          "a = \"\xc3\xa4\" # \xc3\xb6",

@@ -19,6 +19,8 @@ class Scanner {
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '"' || c == '\'') {
+        // The parser would read it as part of the word, and what follows as no text.
+        limit(word_ == 0, "a quote stands within a word");
         skipText(c);
       } else if (c == '#') {
         at_ = std::min(text_.find('\n', at_), text_.size());
