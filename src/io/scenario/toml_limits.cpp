@@ -41,8 +41,7 @@ class Scanner {
                   fmt::format(what, std::forward<Args>(args)...));
   }
 
-  // A character outside texts and comments. TOML has only ASCII there, and the parser must not be
-  // given anything else: its test for blanks is undefined for some characters.
+  // A character outside texts and comments. TOML has only ASCII there.
   void note(char c) {
     limit(isAscii(c), "a character that is not ASCII stands outside quotes and comments");
     const bool opens = c == '[' || c == '{', closes = c == ']' || c == '}';
