@@ -36,7 +36,6 @@ void remake(OperatedOrgan& o, bool keepsLook) {
     if (ownerCell(organ.rest, cell) == cell) setParticle(organ, cell, there);
   }
   organ.field.update();
-  organ.severed.update();
   setIso(organ, organ.iso);
   if (keepsLook) organ.surface.updateLook(organ.field);
   if (o.tissue->moves()) o.skin.follow(organ.surface, organ.rest.lattice, *o.tissue, {}, keepsLook);

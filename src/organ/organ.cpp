@@ -126,6 +126,7 @@ void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {
 }
 
 void setIso(Organ& organ, float iso) {
+  organ.severed.update();  // all bricks are meshed, whatever was severed
   const Wound wound{organ.severed, organ.alive};
   organ.surface.setIso(organ.field, iso, organ.severed.empty() ? nullptr : &wound);
   organ.iso = iso;

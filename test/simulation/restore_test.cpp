@@ -107,6 +107,24 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a state saved as the iso level changes within a cut is restored whole") {
+  Simulation simulation = test::elasticBlock({10, 5, 8}, 0.008, test::thinScalpel());
+  Simulation other = test::elasticBlock({10, 5, 8}, 0.008, test::thinScalpel());
+  FrameInput input;
+  input.tools.resize(1);
+  for (int i = 0; i < 20; ++i) {
+    input.tools[0] = {{Vec3(0.04, 0.052 - 0.0015 * i, 0.005), Eigen::Quaterniond::Identity()}};
+    input.iso = 45 + float(i % 3);
+    simulation.step(input);
+    const Bytes saved = simulation.save();
+    other.step(input);
+    CHECK(differenceOf(simulation, other) == "");
+    other.restore(saved);
+    CHECK(other.save() == saved);
+  }
+  CHECK(simulation.organ().severed.count() > 0);
+}
+
 TEST_CASE("a restore takes back a cut: the surface is that of before, bit for bit") {
   Simulation simulation = cutBlock();
   const Simulation whole = test::elasticBlock({10, 5, 8}, 0.008, test::ballTool(0.01));
