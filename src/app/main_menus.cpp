@@ -100,7 +100,7 @@ void MainWindow::makeMenus() {
 
   QMenu* edit = menuBar()->addMenu("&Edit");
   undo_ = add(edit, "&Undo stroke", QKeySequence::Undo,
-              "Takes back the last stroke: from the first touch until the button was released",
+              "Takes back the last stroke: from the first touch until the hand let go",
               [this] { undo(false); });
   redo_ = add(edit, "&Redo stroke", QKeySequence("Ctrl+Shift+Z"),
               "Does again the stroke that was taken back last", [this] { undo(true); });

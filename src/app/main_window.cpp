@@ -116,8 +116,8 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
   statusBar()->addPermanentWidget(cancel_);
   progress_->hide();
   cancel_->hide();
-  progress_->setToolTip("How much of the organ has been made");
-  cancel_->setToolTip("Gives the new organ up; what is there stays as it is");
+  progress_->setToolTip("How much of it has been made");
+  cancel_->setToolTip("Gives up what is coming; what is there stays as it is");
   connect(cancel_, &QPushButton::clicked, this, [this] { cancelLoading(); });
   spaceMouse_.pushed = [this](const SixAxes& axes, double seconds) {
     if (session_) session_->follow(motionOf(axes, seconds));
@@ -210,8 +210,7 @@ void MainWindow::makeDocks() {
     for (ScenarioOrgan& organ : scenario.organs) organ.source.settings.refine = refine;
     if (elastic != scenario.organs[0].tissue.elastic)
       elastic ? makeElastic(scenario) : makeThesis(scenario);
-    load(scenario);
-    keepsView_ = true;
+    if (load(scenario)) keepsView_ = true;
   };
 }
 
@@ -253,7 +252,7 @@ void MainWindow::tick() {
     force_->parentWidget()->setVisible(state.moves);
   if (state.moves) force_->follow(state, session_->playing() ? playedTool(state) : tools.held());
   timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
-  timeline_->follow(state, session_->showing());
+  timeline_->follow(state, session_->showing(), session_->answered());
   undo_->setEnabled(state.undoable > 0);
   redo_->setEnabled(state.redoable > 0);
   if (!options_.reports || state.frame == 0) return;

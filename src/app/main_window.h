@@ -34,7 +34,7 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const WindowOptions& options);
   ~MainWindow() override;
 
-  void load(const Scenario& scenario);
+  bool load(const Scenario& scenario);  // false: the person stays with the operation
   // Shows a sentence over the picture until the user clicks it or another sentence replaces it.
   void complain(const std::string& sentence);
   // Plays the scenario's motions up to the scenario time `until`, s. Begins where the last call
@@ -53,7 +53,7 @@ class MainWindow : public QMainWindow {
 
   void makeMenus();
   void makeDocks();
-  void begin(OrganLoader::Result result);
+  bool begin(OrganLoader::Result result);  // false: it cannot be shown, which is said
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
   void openOperation(const QString& file);
   // Whether the operation may be given up: nothing would be lost, or the person says so.
@@ -126,9 +126,10 @@ class MainWindow : public QMainWindow {
   int heldSaid_ = -2;               // number of the tool in hand; -1: none; -2: nothing said yet
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::string script_, faultSaid_, recorderSaid_;
-  std::string operationFile_;  // in which the operation is kept; empty: it has no name yet
-  bool goesOn_ = false;        // it was opened from a recording
-  bool lookingAt_ = false;     // the next click chooses the point that the camera looks at
+  std::string operationFile_;      // in which the operation is kept; empty: it has no name yet
+  bool goesOn_ = false;            // it was opened from a recording
+  std::size_t strokesBefore_ = 0;  // that it was opened with
+  bool lookingAt_ = false;         // the next click chooses the point that the camera looks at
   bool readySaid_ = false;
   bool playingSaid_ = false, showingSaid_ = false;
   Moment momentSaid_;

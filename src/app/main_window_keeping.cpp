@@ -1,4 +1,4 @@
-// What the window keeps of an operation: strokes to undo, films of the picture.
+// Undo, films of the picture, and closing.
 #include <QCloseEvent>
 #include <QDateTime>
 #include <QFileDialog>

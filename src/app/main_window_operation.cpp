@@ -32,8 +32,8 @@ void MainWindow::showProgress(double share) {
   cancel_->show();
 }
 
-void MainWindow::load(const Scenario& scenario) {
-  if (!mayEnd()) return;
+bool MainWindow::load(const Scenario& scenario) {
+  if (!mayEnd()) return false;
   operations_.cancel();
   keepsView_ = false;
   if (session_) complaint_->hide();
@@ -42,6 +42,7 @@ void MainWindow::load(const Scenario& scenario) {
   loader_.load(
       scenario, [this](double share) { showProgress(share); },
       [this](OrganLoader::Result result) { begin(std::move(result)); });
+  return true;
 }
 
 void MainWindow::openOperation(const QString& file) {
@@ -53,13 +54,13 @@ void MainWindow::openOperation(const QString& file) {
   statusBar()->showMessage("Opening the operation ...");
   operations_.load(
       file.toStdString(), QSettings().value("record", true).toBool(),
-      [this](double share) { showProgress(share); },
+      std::size_t(options_.historyMemory) << 20, [this](double share) { showProgress(share); },
       [this, file](OrganLoader::Result result) {
-        const bool fine = result.simulation != nullptr;
         const std::filesystem::path path = file.toStdString();
-        begin(std::move(result));
-        if (!fine && !session_) loadDefault();
-        if (!fine || !goesOn_) return;
+        if (!begin(std::move(result))) {
+          if (!session_ && !loader_.busy()) loadDefault();
+          return;
+        }
         // A recording of the window's own has no name that a person gave it.
         if (path.parent_path() != recordingsFolder()) {
           operationFile_ = path.string();
@@ -91,7 +92,7 @@ void MainWindow::loadDefault() {
   load(scenario);
 }
 
-void MainWindow::begin(OrganLoader::Result result) {
+bool MainWindow::begin(OrganLoader::Result result) {
   progress_->hide();
   cancel_->hide();
   statusBar()->clearMessage();
@@ -99,7 +100,7 @@ void MainWindow::begin(OrganLoader::Result result) {
     complain(result.problem);
     const std::vector<ScenarioOrgan>& organs = result.scenario.organs;
     if (!session_ && (organs.size() > 1 || organs[0].source.file != "liver")) loadDefault();
-    return;
+    return false;
   }
   try {
     std::optional<ScenePlaces> places;
@@ -107,6 +108,9 @@ void MainWindow::begin(OrganLoader::Result result) {
       places = readModel(result.scenario.organs[0].source.file).places;
     std::shared_ptr<Recorder> recorder = result.history ? result.recorder : record(result);
     const bool goesOn = result.history.has_value();
+    std::size_t strokes = 0;
+    for (std::size_t b = 0; goesOn && b < result.history->courses().size(); ++b)
+      strokes += result.history->courses()[b].strokes.strokes().size();
     auto session = std::make_unique<OperatingSession>(
         result.scenario, std::move(result.simulation), viewer_->aspect(),
         recorder ? watchOf(recorder) : OperationWatch(), std::move(result.history));
@@ -122,10 +126,12 @@ void MainWindow::begin(OrganLoader::Result result) {
     session_->operation().setHistoryMemory(std::size_t(options_.historyMemory) << 20);
     recorder_ = std::move(recorder);
     goesOn_ = goesOn;
+    strokesBefore_ = strokes;
     operationFile_.clear();
     setWindowTitle("Resect");
   } catch (const std::exception& e) {
-    return complain(e.what());
+    complain(e.what());
+    return false;
   }
   viewer_->show(session_.get());
   heldSaid_ = -2;
@@ -146,6 +152,7 @@ void MainWindow::begin(OrganLoader::Result result) {
   viewer_->setFocus();
   if (options_.reports)
     say("organ {}", std::filesystem::path(organ.source.file).filename().string());
+  return true;
 }
 
 // A recorder of the coming operation; null if none is wanted, or none can be made, which is said.
@@ -162,9 +169,10 @@ std::shared_ptr<Recorder> MainWindow::record(const OrganLoader::Result& result) 
 bool MainWindow::mayEnd() {
   if (!session_ || (recorder_ && recorder_->failure().empty())) return true;
   const std::shared_ptr<const Timeline> timeline = session_->state().timeline;
-  const bool done = timeline && std::ranges::any_of(timeline->courses, [](const auto& course) {
-                      return !course.strokes.empty();
-                    });
+  std::size_t strokes = 0;
+  for (std::size_t b = 0; timeline && b < timeline->courses.size(); ++b)
+    strokes += timeline->courses[b].strokes.size();
+  const bool done = strokes > strokesBefore_;
   return !done || QMessageBox::question(
                       this, "Resect",
                       "This operation is not recorded: what was done will be lost. Leave it?",

@@ -43,7 +43,7 @@ void MainWindow::makeTimelineMenu() {
   add("One second o&n", {QKeySequence("Ctrl+Right")}, "Shows what was a second after",
       [this, second] { timeline_->step(second()); });
   add("To the &start", {QKeySequence("Ctrl+Home")}, "Shows the start of the operation",
-      [this] { timeline_->step(-1'000'000'000); });
+      [this] { timeline_->toStart(); });
   add("To the &end", {QKeySequence(Qt::Key_End), QKeySequence("Ctrl+End")},
       "Shows the end of the branch", [this] { timeline_->toEnd(); });
   menu->addSeparator();

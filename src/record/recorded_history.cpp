@@ -88,7 +88,8 @@ void makeStates(std::vector<OperationHistory::Course>& courses, const RecordedSe
 }  // namespace
 
 RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
-                              std::optional<std::int64_t> branch, const Progress& progress) {
+                              std::optional<std::int64_t> branch, const Progress& progress,
+                              std::size_t mostBytes) {
   auto simulation = std::make_unique<Simulation>(simulationOf(setup));
   const std::vector<Branch> branches = file.branches();
   std::int64_t frames = 1, read = 0;
@@ -116,8 +117,9 @@ RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
                 std::int64_t(courses.size()) - 1);
   const Moment start{last, courses[std::size_t(last)].branch.from};
   const Moment end{last, courses[std::size_t(last)].end()};
-  RecordedOperation operation{std::move(setup), std::move(simulation),
-                              OperationHistory(std::move(courses), file.info().frameRate, start)};
+  RecordedOperation operation{
+      std::move(setup), std::move(simulation),
+      OperationHistory(std::move(courses), file.info().frameRate, start, mostBytes)};
   operation.simulation->restore(
       operation.history.courses()[std::size_t(last)].states.begin()->second);
   operation.history.goTo(branch ? end : clamped(file.moment(), end), *operation.simulation);

@@ -17,6 +17,7 @@ struct RecordedOperation {
 // Error if the recording is damaged.
 RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
                               std::optional<std::int64_t> branch = {},
-                              const Progress& progress = {});
+                              const Progress& progress = {},
+                              std::size_t mostBytes = std::size_t(512) << 20);
 
 }  // namespace resect

@@ -224,7 +224,7 @@ class KeptOperation(ScreenTest):
         self.assertIn("disk is full", line)
         self.assertIn("goes on unrecorded", line)
         window.wait("played", seconds=120)
-        # Saving says why not, and leaving asks.
+        # Leaving asks.
         self.screen.key("ctrl+q")
         time.sleep(1)
         self.assertIsNone(window.process.poll())
@@ -248,7 +248,7 @@ class KeptOperation(ScreenTest):
                 elif what < 0.9:
                     start, end = window.places["timeline-start"], window.places["timeline-end"]
                     screen.click(chance.randint(start[0], end[0]), start[1])
-                    screen.key(chance.choice(["Return", "1", "ctrl+space"]))
+                    screen.key(chance.choice(["ctrl+Return", "1", "ctrl+space"]))
                 else:
                     screen.key(chance.choice(["p", "Escape", "g", "c"]))
             self.close(window)

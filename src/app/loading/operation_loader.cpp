@@ -15,6 +15,7 @@ namespace resect {
 struct OperationLoader::Job {
   std::filesystem::path file;
   bool record = true;
+  std::size_t historyBytes = 0;
   OrganLoader::Result result;
   std::atomic<double> share{-1};
   std::atomic<bool> cancelled{false}, done{false};
@@ -30,11 +31,13 @@ struct OperationLoader::Job {
       RecordingFile recording = RecordingFile::open(file, [this](double) { return !cancelled; });
       RecordedSetup setup = recording.setup();
       for (ScenarioOrgan& organ : setup.scenario.organs) organ.tissue = besideDrawing(organ.tissue);
-      RecordedOperation operation =
-          operationOf(recording, std::move(setup), {}, [this](double now) {
+      RecordedOperation operation = operationOf(
+          recording, std::move(setup), {},
+          [this](double now) {
             share = now;
             return !cancelled;
-          });
+          },
+          historyBytes);
       share = -1;
       if (record) try {
           result.recorder =
@@ -72,7 +75,7 @@ void OperationLoader::cancel() {
 
 OperationLoader::~OperationLoader() { cancel(); }
 
-void OperationLoader::load(const std::filesystem::path& file, bool record,
+void OperationLoader::load(const std::filesystem::path& file, bool record, std::size_t historyBytes,
                            std::function<void(double)> progress,
                            std::function<void(OrganLoader::Result)> done) {
   cancel();
@@ -81,6 +84,7 @@ void OperationLoader::load(const std::filesystem::path& file, bool record,
   job_ = std::make_unique<Job>();
   job_->file = file;
   job_->record = record;
+  job_->historyBytes = historyBytes;
   job_->thread = std::thread([job = job_.get()] { job->work(); });
   timer_.start();
 }

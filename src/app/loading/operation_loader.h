@@ -15,9 +15,10 @@ class OperationLoader {
 
   // Loads one operation at a time; a new call abandons the one before. The recording stays as it
   // is: what is done from now on is kept in another one (Result::recorder), if `record`.
+  // historyBytes: as operationOf() takes them.
   // `progress` and `done` are called as OrganLoader::load() calls them.
-  void load(const std::filesystem::path& file, bool record, std::function<void(double)> progress,
-            std::function<void(OrganLoader::Result)> done);
+  void load(const std::filesystem::path& file, bool record, std::size_t historyBytes,
+            std::function<void(double)> progress, std::function<void(OrganLoader::Result)> done);
   void cancel();
 
  private:

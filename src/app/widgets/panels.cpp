@@ -54,13 +54,9 @@ void drawHistory(QPainter& painter, const QRectF& plot, const History& history, 
 
 // "1 piece of 108.2 ml, cut 41.3 cm2": what an operation has done besides removing.
 QString partsOf(const Ledger& ledger) {
-  std::int64_t pieces = 0;
-  double cut = 0;
+  const std::int64_t pieces = ledger.pieces();
+  const double cut = ledger.cut();
   const TissueSplit all = ledger.tissue();
-  for (const OrganLedger& organ : ledger.organs) {
-    pieces += std::max<std::int64_t>(0, std::int64_t(organ.parts.size()) - 1);
-    cut += organ.cut;
-  }
   QStringList parts;
   if (pieces > 0)
     parts << QString("%1 %2 of %3 ml")

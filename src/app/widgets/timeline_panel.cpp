@@ -135,7 +135,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
     return made;
   };
   bar_ = new TimelineBar(this);
-  auto* back = button("|<", "To the start of the operation", [this] { ask(0); });
+  auto* back = button("|<", "To the start of the operation", [this] { toStart(); });
   auto* less = button("<", "One frame back (comma)", [this] { step(-1); });
   play_ = button("Play", "Plays again what happened after this moment (Ctrl+Space)",
                  [this] { togglePlayback(); });
@@ -197,7 +197,7 @@ void TimelinePanel::begin(const std::vector<QString>& tools, double frameRate) {
   listBranches();
 }
 
-void TimelinePanel::follow(const LiveState& state, bool showing) {
+void TimelinePanel::follow(const LiveState& state, bool showing, bool answered) {
   if (!state.timeline || state.timeline->courses.empty()) return;
   const bool fresh = timeline_ != state.timeline;
   const std::size_t before = timeline_->courses.size();
@@ -209,7 +209,7 @@ void TimelinePanel::follow(const LiveState& state, bool showing) {
   const bool leads =
       std::size_t(branch_) < timeline_->courses.size() && timeline_->leadsTo(branch_, state.moment);
   if ((!showing && asked_ < 0) || !leads) branch_ = state.moment.branch;
-  if (!showing || frame_ == asked_) asked_ = -1;
+  if (answered) asked_ = -1;
   end_ = std::max(timeline_->courses[std::size_t(branch_)].end, frame_);
   if (fresh || before != timeline_->courses.size()) listBranches();
   time_->setText(clockText(double(frame_) / frameRate_) + " of " +
@@ -267,14 +267,18 @@ void TimelinePanel::ask(std::int64_t frame) {
   asked_ = std::clamp<std::int64_t>(frame, timeline_->courses[0].branch.from, end_);
   // The timeline may be some frames old.
   const Timeline::Course& course = timeline_->courses[std::size_t(branch_)];
-  asked_ = std::min(asked_, std::max(course.end, course.branch.from));
+  asked_ = std::min(asked_, course.end);
   wanted(timeline_->momentOn(branch_, asked_));
   bar_->update();
 }
 
-void TimelinePanel::step(std::int64_t frames) { ask((asked_ >= 0 ? asked_ : frame_) + frames); }
+void TimelinePanel::step(std::int64_t frames) {
+  if (frames < 0 || showing_) ask((asked_ >= 0 ? asked_ : frame_) + frames);
+}
 
-void TimelinePanel::toEnd() { ask(end_); }
+void TimelinePanel::toEnd() {
+  if (showing_) ask(end_);
+}
 
 void TimelinePanel::lookAt(std::int64_t branch) {
   if (branch < 0 || std::size_t(branch) >= timeline_->courses.size()) return;

@@ -22,17 +22,18 @@ class TimelinePanel : public QWidget {
   explicit TimelinePanel(QWidget* parent = nullptr);
   // For a new operation. tools: names of its instruments.
   void begin(const std::vector<QString>& tools, double frameRate);
-  // showing: an earlier moment is shown, or on its way.
-  void follow(const LiveState& state, bool showing);
+  // showing: a moment is shown, or on its way; answered: it is not on its way.
+  void follow(const LiveState& state, bool showing, bool answered);
 
-  // Shows the moment so many frames before (negative) or after the present one, or the last one.
+  // Shows the moment so many frames before (negative) or after the one that is shown, or on its
+  // way; the start; the end of the branch. While somebody operates there is nothing after.
   void step(std::int64_t frames);
+  void toStart() { ask(0); }
   void toEnd();
   bool atEnd() const { return frame_ >= end_ && asked_ < 0; }
   void togglePlayback();
   // The branch that is looked at.
   std::int64_t branch() const { return branch_; }
-  const Timeline& timeline() const { return *timeline_; }
   double frameRate() const { return frameRate_; }
   // Looks at a branch: shows its end.
   void lookAt(std::int64_t branch);

@@ -134,7 +134,7 @@ void OperatingSession::setIso(float iso) {
 }
 
 void OperatingSession::toolsChanged() {
-  if (tools_.held() >= 0) stopPlaying();
+  if (tools_.held() >= 0 && !following_) stopPlaying();
   toolBoxes_.resize(std::size_t(tools_.toolCount()));
   shownSlices_.resize(toolBoxes_.size());
   for (int i = 0; i < tools_.toolCount(); ++i) {
@@ -254,23 +254,25 @@ void OperatingSession::followMotion() {
 }
 
 void OperatingSession::undo() {
-  stopPlaying();
-  tools_.interrupt();
+  leave();
   asked_ = operation_.undo();
-  goingOn_ = false;
 }
 
 void OperatingSession::redo() {
-  stopPlaying();
-  tools_.interrupt();
+  leave();
   asked_ = operation_.redo();
-  goingOn_ = false;
 }
 
 void OperatingSession::show(Moment moment) {
-  stopPlaying();
-  tools_.interrupt();
+  leave();
   asked_ = operation_.show(moment);
+}
+
+// Another moment will be shown: nothing plays or is dragged any more.
+void OperatingSession::leave() {
+  stopPlaying();
+  played_ = 0;
+  tools_.interrupt();
   goingOn_ = false;
 }
 

@@ -56,9 +56,9 @@ class OperatingSession {
   void show(Moment moment);
   void setPlayback(double speed, std::int64_t branch) { operation_.setPlayback(speed, branch); }
   void goOn();
-  void setIso(float iso);  // and goes on
+  void setIso(float iso);                                      // and goes on
+  bool answered() const { return asked_ == state_.answered; }  // all requests are done
   // A moment is shown, or on its way.
-  bool answered() const { return asked_ == state_.answered; }
   bool showing() const { return asked_ > state_.answered || (state_.showing && !goingOn_); }
 
   // Moves and turns the tool in hand. If there is none, moves the camera.
@@ -96,6 +96,7 @@ class OperatingSession {
   void toolsChanged();
   void followMotion();
   void followMoment();
+  void leave();
   void handMoved();
   void stopPlaying();
   Vec3 lampPosition() const;

@@ -96,6 +96,19 @@ TissueSplit& operator+=(TissueSplit& to, const TissueSplit& more) {
 
 }  // namespace
 
+std::int64_t Ledger::pieces() const {
+  std::int64_t pieces = 0;
+  for (const OrganLedger& organ : organs)
+    pieces += std::max<std::int64_t>(0, std::int64_t(organ.parts.size()) - 1);
+  return pieces;
+}
+
+double Ledger::cut() const {
+  double sum = 0;
+  for (const OrganLedger& organ : organs) sum += organ.cut;
+  return sum;
+}
+
 TissueSplit Ledger::tissue() const {
   TissueSplit sum;
   for (const OrganLedger& organ : organs) sum += organ.tissue;

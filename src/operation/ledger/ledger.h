@@ -94,7 +94,10 @@ struct OrganLedger {
 struct Ledger {
   std::vector<OrganLedger> organs;
 
-  TissueSplit tissue() const;  // of all organs together
+  // Of all organs together; cut: m^2.
+  TissueSplit tissue() const;
+  std::int64_t pieces() const;
+  double cut() const;
   bool operator==(const Ledger&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "operation/live/live_operation.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/error.h"
@@ -70,7 +71,7 @@ void LiveOperation::setIso(float iso) {
 void LiveOperation::play(Motion motion) {
   const std::lock_guard lock(mutex_);
   if (!motion) {  // also one that is to come
-    if (request_) request_->motion = {};
+    for (Request& request : requests_) request.motion = {};
     motionComes_ = false;
   }
   motion_ = std::move(motion);
@@ -82,7 +83,8 @@ std::int64_t LiveOperation::playFromStart(Motion motion) {
 
 bool LiveOperation::playing() const {
   const std::lock_guard lock(mutex_);
-  return motion_ || motionComes_ || (request_ && request_->motion);
+  return motion_ || motionComes_ ||
+         std::ranges::any_of(requests_, [](const Request& r) { return bool(r.motion); });
 }
 
 void LiveOperation::setPaused(bool paused) {
@@ -102,8 +104,11 @@ std::int64_t LiveOperation::ask(Request request) {
   {
     const std::lock_guard lock(mutex_);
     request.number = number = ++asked_;
-    request_ = std::move(request);
-    if (replaceable_) stop_ = true;
+    if (request.kind == Request::Kind::Show) {
+      std::erase_if(requests_, [](const Request& r) { return r.kind == Request::Kind::Show; });
+      if (replaceable_) stop_ = true;
+    }
+    requests_.push_back(std::move(request));
   }
   wake_.notify_all();
   return number;
@@ -124,7 +129,7 @@ void LiveOperation::setPlayback(double speed, std::int64_t branch) {
 void LiveOperation::goOn() {
   {
     const std::lock_guard lock(mutex_);
-    if (request_ || state_.answered != asked_) return;
+    if (state_.answered != asked_) return;
     showing_ = false;
     playback_ = 0;
   }

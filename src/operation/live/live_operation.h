@@ -9,6 +9,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -69,11 +70,12 @@ class LiveOperation {
   std::int64_t playFromStart(Motion motion);
   bool playing() const;
 
-  // Requests are numbered from 1 on; each call returns its number. A newer request replaces one
-  // that is not done; LiveState::answered is the number of the last one done. After it the moment
-  // is shown: all tools are where they were then, a motion has ended, and nothing happens until
-  // goOn(). undo(), redo(): the moment before the last stroke; the one at which undo() was called
-  // last. If there is none, nothing changes. show(): any moment of LiveState::timeline.
+  // Requests are numbered from 1 on and done in this order; each call returns its number. show()
+  // replaces an earlier show() that is not done. LiveState::answered is the number of the last one
+  // done. After it the moment is shown: all tools are where they were then, a motion has ended, and
+  // nothing happens until goOn(). undo(), redo(): the moment before the last stroke; the one at
+  // which undo() was called last. If there is none, nothing changes. show(): any moment of
+  // LiveState::timeline.
   std::int64_t undo();
   std::int64_t redo();
   std::int64_t show(Moment moment);
@@ -96,8 +98,8 @@ class LiveOperation {
   // false and changes neither.
   bool take(std::vector<SurfaceUpdate>& updates, LiveState& state);
 
-  // The present surface of all organs, for saving. If a frame is being computed, waits until that
-  // frame ends.
+  // The present surface of all organs, for saving. If a frame is being computed, or a request is
+  // being answered, waits until that ends.
   SurfaceTracker::Compact surface();
   // Wait until at least this frame is done, or all requests are (for tests).
   void waitFor(std::int64_t frame);
@@ -111,8 +113,7 @@ class LiveOperation {
     Motion motion;  // to be played then
     std::int64_t number = 0;
   };
-  // What the thread is to do next; if neither request nor playback is set: a frame of the
-  // operation.
+  // What the thread is to do next; without names, request and playback: a frame of the operation.
   struct Task {
     std::optional<Request> request;
     std::vector<std::pair<std::int64_t, std::string>> names;  // for branches
@@ -127,6 +128,7 @@ class LiveOperation {
   std::optional<Task> nextTask(std::chrono::steady_clock::time_point due);
   void answer(Request request);
   void playBack(std::int64_t towards);
+  void stand();
   void keepLedger(const Ledger* ledger);
   void operate(Task task);
   void publishMoment(Moment moment);
@@ -153,11 +155,11 @@ class LiveOperation {
   bool showing_ = false;
   double playback_ = 0;
   std::int64_t towards_ = 0;
-  std::optional<Request> request_;
+  std::deque<Request> requests_;
   std::int64_t asked_ = 0;
   std::vector<std::pair<std::int64_t, std::string>> names_;  // that branches are to get
   std::optional<std::size_t> mostBytes_;                     // that the history is to take
-  // A request is being answered and has shown a state, so that a newer one may stop it.
+  // A show() is being answered and has shown a state, so that a newer one may stop it.
   bool replaceable_ = false;
   bool motionComes_ = false;  // the request that is being answered brings one
   bool stepping_ = false;     // a frame is being computed: only the thread may use the simulation

@@ -17,10 +17,10 @@ namespace resect {
 std::optional<LiveOperation::Task> LiveOperation::nextTask(
     std::chrono::steady_clock::time_point due) {
   std::unique_lock lock(mutex_);
-  wake_.wait_until(lock, due, [&] { return ending_ || (request_ && readers_ == 0); });
+  wake_.wait_until(lock, due, [&] { return ending_ || (!requests_.empty() && readers_ == 0); });
   wake_.wait(lock, [&] {
     const bool frames = !paused_ && (!showing_ || playback_ > 0);
-    return ending_ || (readers_ == 0 && (request_ || frames || !names_.empty()));
+    return ending_ || (readers_ == 0 && (!requests_.empty() || frames || !names_.empty()));
   });
   if (ending_) return std::nullopt;
   stepping_ = true;
@@ -31,8 +31,9 @@ std::optional<LiveOperation::Task> LiveOperation::nextTask(
     task.names = std::exchange(names_, {});
     return task;
   }
-  if (request_) {
-    task.request = std::exchange(request_, std::nullopt);
+  if (!requests_.empty()) {
+    task.request = std::move(requests_.front());
+    requests_.pop_front();
     stop_ = ending_;
     motionComes_ = bool(task.request->motion);
     return task;
@@ -66,7 +67,7 @@ void LiveOperation::work() {
       if (!task->names.empty()) {
         nameBranches(task->names);
       } else if (task->request) {
-        if (task->operated && watch_.stood) watch_.stood(history_.now(), *simulation_);
+        if (task->operated && !history_.broken()) stand();
         answer(std::move(*task->request));
       } else if (task->playback > 0)
         playBack(task->towards);
@@ -94,7 +95,17 @@ void LiveOperation::work() {
     const std::lock_guard lock(mutex_);
     whole = whole && !showing_;
   }
-  if (whole && watch_.stood) watch_.stood(history_.now(), *simulation_);
+  if (whole && !history_.broken()) stand();
+}
+
+// Operating pauses here: what is known of the branch is brought up to date.
+void LiveOperation::stand() {
+  if (ledger_)
+    if (const Ledger* ledger = ledger_->last(*simulation_)) {
+      keepLedger(ledger);
+      history_.note(*ledger);
+    }
+  if (watch_.stood) watch_.stood(history_.now(), *simulation_);
 }
 
 void LiveOperation::operate(Task task) {
@@ -108,7 +119,9 @@ void LiveOperation::operate(Task task) {
   std::string refusal;
   std::optional<Branch> begun;
   try {
+    history_.mend(*simulation_);
     begun = history_.beforeStep(task.input, *simulation_);
+    if (begun && ledger_) history_.note(ledger_->ledger());
     if (begun && watch_.began) watch_.began(*begun, *simulation_);
     simulation_->step(task.input, report_, &clock);
     const auto events = history_.afterStep(task.input, report_, *simulation_);
@@ -151,13 +164,15 @@ void LiveOperation::answer(Request request) {
   std::optional<Moment> moment = request.moment;
   if (request.kind == Request::Kind::Undo) moment = history_.undoMoment();
   if (request.kind == Request::Kind::Redo) moment = history_.redoMoment();
+  // A request before may have been stopped on its way.
+  if (!moment && history_.broken()) moment = before;
   std::string refusal;
   if (moment) {
     try {
       history_.goTo(*moment, *simulation_, [&] {
         publishMoment({moment->branch, simulation_->frame()});
         const std::lock_guard lock(mutex_);
-        replaceable_ = true;
+        replaceable_ = request.kind == Request::Kind::Show;
       });
     } catch (const Cancelled&) {
       const std::lock_guard lock(mutex_);
@@ -166,16 +181,19 @@ void LiveOperation::answer(Request request) {
     } catch (const Error& e) {
       refusal = e.what();
     }
+    {
+      const std::lock_guard lock(mutex_);  // it is reached: nothing stops it any more
+      replaceable_ = false;
+      stop_ = ending_;
+    }
     lastSecond_ = LastSecond(frameRate_);
     if (ledger_ && refusal.empty()) keepLedger(&ledger_->anew(*simulation_));
     if (refusal.empty()) {
-      if (request.kind == Request::Kind::Undo) history_.undone(before);
-      if (request.kind == Request::Kind::Redo) history_.redone();
+      if (request.kind == Request::Kind::Undo && !(*moment == before)) history_.undone(before);
+      if (request.kind == Request::Kind::Redo && !(*moment == before)) history_.redone();
     }
   }
   const std::lock_guard lock(mutex_);
-  replaceable_ = false;
-  stop_ = ending_;
   state_.answered = request.number;
   if (!refusal.empty()) state_.faults.push_back(refusal);
   if (moment && refusal.empty()) {
@@ -205,6 +223,7 @@ void LiveOperation::nameBranches(const std::vector<std::pair<std::int64_t, std::
 
 // Plays the next recorded frame; stands at the end of the branch.
 void LiveOperation::playBack(std::int64_t towards) {
+  history_.mend(*simulation_);
   const bool played = history_.playNext(*simulation_, report_, towards);
   if (ledger_ && played) keepLedger(ledger_->after(report_, *simulation_));
   const std::lock_guard lock(mutex_);

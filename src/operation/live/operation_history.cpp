@@ -169,12 +169,9 @@ void OperationHistory::setMostBytes(std::size_t most) {
 
 void OperationHistory::note(const Ledger& ledger) {
   Course& course = present();
-  course.pieces = 0, course.piecesVolume = course.cut = 0;
-  for (const OrganLedger& organ : ledger.organs) {
-    course.pieces += std::max<std::int64_t>(0, std::int64_t(organ.parts.size()) - 1);
-    course.piecesVolume += organ.tissue.pieces.volume;
-    course.cut += organ.cut;
-  }
+  course.pieces = ledger.pieces();
+  course.piecesVolume = ledger.tissue().pieces.volume;
+  course.cut = ledger.cut();
 }
 
 void OperationHistory::rename(std::int64_t branch, std::string name) {
@@ -204,7 +201,8 @@ void OperationHistory::goTo(Moment moment, Simulation& simulation, const Shown& 
     throw error("the operation has no frame {} of branch {}; choose another", moment.frame,
                 moment.branch);
   // So that the way back to where the work stopped is short.
-  if (!broken_ && atEnd() && !(moment == now_)) keep(present(), now_.frame, simulation.save());
+  if (!broken_ && atEnd() && !(moment == now_) && !present().states.contains(now_.frame))
+    keep(present(), now_.frame, simulation.save());
   const Course& course = courses_[std::size_t(moment.branch)];
   const auto state = std::prev(course.states.upper_bound(moment.frame));
   const bool onTheWay = !broken_ && moment.branch == now_.branch && now_.frame <= moment.frame &&
@@ -221,17 +219,20 @@ void OperationHistory::goTo(Moment moment, Simulation& simulation, const Shown& 
   }
   broken_ = false;
   now_ = moment;
-  regular_ = std::min(moment.frame, state->first);
+  regular_ = state->first;
   approach_.reset();
 }
 
 bool OperationHistory::playNext(Simulation& simulation, StepReport& report, std::int64_t towards) {
-  // Into the branch that leaves here, if the way does.
+  // The first state of a branch is its parent's; from there into the branch that the way takes.
+  while (now_.branch != towards && present().branch.parent >= 0 &&
+         now_.frame == present().branch.from)
+    now_.branch = present().branch.parent;
   for (std::int64_t b = towards; b >= 0 && std::size_t(b) < courses_.size();) {
     const Branch& branch = courses_[std::size_t(b)].branch;
     if (b == now_.branch) break;
     if (branch.from <= now_.frame) {
-      if (branch.from < now_.frame) return false;
+      if (branch.from < now_.frame || branch.parent != now_.branch) return false;
       now_.branch = b;
       break;
     }

@@ -87,6 +87,12 @@ class OperationHistory {
   // Cancelled if stopped (base/stop.h): then call goTo() again, since the simulation is half
   // changed.
   void goTo(Moment moment, Simulation& simulation, const Shown& shown = {});
+  // Whether goTo() or playNext() was stopped or failed on its way: the simulation is then in no
+  // moment. mend() brings it back to now(); does nothing else.
+  bool broken() const { return broken_; }
+  void mend(Simulation& simulation) {
+    if (broken_) goTo(now_, simulation);
+  }
   // Plays the next frame on the way to the end of branch `towards` as it was. False at its end, or
   // if now() is not on that way: nothing is done.
   bool playNext(Simulation& simulation, StepReport& report, std::int64_t towards);
