@@ -35,7 +35,6 @@ struct PictureWriter::State {
         int height)
       : settings(wanted),
         frameRate(scenario.frameRate),
-        frames(frameCount(scenario)),
         picture(width, height),
         operation(scenario, simulation, double(width) / height) {
     if (!settings.video.empty()) video.emplace(settings.video, width, height, settings.rate);
@@ -54,11 +53,11 @@ struct PictureWriter::State {
 
   PictureSettings settings;
   double frameRate;
-  std::int64_t frames;
   OffscreenView picture;
   OperationView operation;
   std::optional<VideoWriter> video;
   int drawn = 0;
+  bool lastDrawn = true;
 };
 
 PictureWriter::PictureWriter(const Scenario& scenario, Simulation& simulation,
@@ -78,10 +77,12 @@ void PictureWriter::follow(const Simulation& simulation, const StepReport& step)
                now = double(step.frame + 1) / state_->frameRate;
   const bool due = std::floor(now * state_->settings.rate + 1e-9) >
                    std::floor(before * state_->settings.rate + 1e-9);
-  if (due || step.frame + 1 == state_->frames) state_->draw();
+  state_->lastDrawn = due;
+  if (due) state_->draw();
 }
 
 std::vector<std::string> PictureWriter::finish() {
+  if (!state_->lastDrawn) state_->draw();
   std::vector<std::string> files;
   if (!state_->settings.folder.empty())
     files.push_back(fmt::format("{}/frame_0001.png ... frame_{:04}.png", state_->settings.folder,

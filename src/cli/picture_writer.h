@@ -32,12 +32,12 @@ class PictureWriter {
   PictureWriter(const PictureWriter&) = delete;
   PictureWriter& operator=(const PictureWriter&) = delete;
 
-  // Call after every step. Draws a picture when one is due: every 1 / rate simulated seconds, and
-  // after the last frame.
+  // Call after every step. Draws a picture when one is due: every 1 / rate simulated seconds.
   void follow(const Simulation& simulation, const StepReport& step);
 
-  // Finishes the video. Returns the names of what was written, as lines for people: one line for
-  // the numbered pictures and one for the video.
+  // Draws a picture of the last frame, unless there is one, and finishes the video. Returns the
+  // names of what was written, as lines for people: one line for the numbered pictures and one for
+  // the video.
   std::vector<std::string> finish();
 
  private:

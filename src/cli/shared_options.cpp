@@ -67,6 +67,9 @@ std::vector<CourseSpan> RecordedPart::of(RecordingFile& file, double frameRate) 
   const std::vector<CourseSpan> course = courseOf(file, branchIn(file));
   if (course.empty())
     throw error("{}: has no frames in branch {}; leave --branch out", file.name(), branchIn(file));
+  if (std::llround(from * frameRate) > course.back().last)
+    throw usageError("--from is {} s, and branch {} ends at {:.3g} s; give an earlier time", from,
+                     branchIn(file), double(course.back().last) / frameRate);
   const auto frameAt = [&](double time) {
     const double frame = time * frameRate;
     return frame < double(course.back().last) ? std::llround(frame) : course.back().last;
@@ -77,8 +80,10 @@ std::vector<CourseSpan> RecordedPart::of(RecordingFile& file, double frameRate) 
 void addPartOptions(CLI::App& command, RecordedPart& part) {
   command.add_option("--from", part.from, "Where to begin, s")->capture_default_str();
   command.add_option("--to", part.to, "Where to end, s; without it at the recording's end");
-  command.add_option("--branch", part.branch,
-                     "Course of the operation, from its start; without it the one that was last");
+  command
+      .add_option("--branch", part.branch,
+                  "Course of the operation, from its start; without it the one that was last")
+      ->check(CLI::NonNegativeNumber);
 }
 
 }  // namespace resect

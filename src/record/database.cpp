@@ -15,7 +15,9 @@ namespace {
 
 constexpr const char* kBeside[] = {"-wal", "-shm", "-journal"};
 
-void requireNothingThere(const fs::path& path) {
+}  // namespace
+
+void Database::requireNothingAt(const fs::path& path) {
   std::error_code ec;
   if (fs::exists(fs::symlink_status(path, ec)))
     throw error("{}: is there already, and a recording replaces nothing; choose another name",
@@ -26,35 +28,18 @@ void requireNothingThere(const fs::path& path) {
                   path.string(), end);
 }
 
-}  // namespace
-
-void Database::requireNothingAt(const fs::path& path) { requireNothingThere(fs::absolute(path)); }
-
-void Database::publish(const fs::path& file, const fs::path& name) {
-  std::error_code ec, ignored;
-  // A link, since a renamed file would replace what somebody put there meanwhile.
-  fs::create_hard_link(file, name, ec);
-  if (ec && !fs::exists(fs::symlink_status(name, ignored))) {  // a file system without links
-    ec.clear();
-    fs::rename(file, name, ec);
-  }
-  fs::remove(file, ignored);
-  if (ec) throw error("{}: cannot be made: {}; choose another name", name.string(), ec.message());
+void Database::removeBeside(const fs::path& path) {
+  std::error_code ec;
+  for (const char* end : kBeside) fs::remove(path.string() + end, ec);
 }
 
-Database::Database(const fs::path& path) : name_(path.string()) {
-  const fs::path file = fs::absolute(path);
-  requireNothingThere(file);
-  open(file.string(), SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW, nullptr);
+Database::Database(const fs::path& path, const std::string& name) : name_(name) {
+  // The folder may be reached by links; the file itself may be none.
+  std::error_code ec;
+  const fs::path whole = fs::absolute(path), folder = fs::canonical(whole.parent_path(), ec);
+  open((ec ? whole : folder / whole.filename()).string(), SQLITE_OPEN_CREATE | SQLITE_OPEN_NOFOLLOW,
+       nullptr);
   ::sqlite3_busy_timeout(db_.get(), 2000);
-}
-
-Database Database::existing(const fs::path& path) {
-  Database database;
-  database.name_ = path.string();
-  database.open(fs::absolute(path).string(), SQLITE_OPEN_NOFOLLOW, nullptr);
-  ::sqlite3_busy_timeout(database.db_.get(), 2000);
-  return database;
 }
 
 Database Database::inMemory(const std::string& name) {
@@ -102,15 +87,7 @@ void Database::run(const std::string& sql) {
 }
 
 void Database::copyTo(const fs::path& path) {
-  requireNothingThere(path);
-  try {
-    Statement(*this, "VACUUM INTO ?").bind(0, std::string_view(fs::absolute(path).string())).run();
-  } catch (const Error& e) {
-    std::error_code ec;
-    fs::remove(path, ec);
-    throw error("{}: cannot be written ({}); free some space or choose another place",
-                path.string(), e.what());
-  }
+  Statement(*this, "VACUUM INTO ?").bind(0, std::string_view(fs::absolute(path).string())).run();
 }
 
 std::int64_t Database::number(const std::string& sql) {

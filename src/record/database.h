@@ -19,16 +19,13 @@ namespace resect {
 // All members throw Error in one sentence that begins with the file's name.
 class Database {
  public:
-  // A new file. Nothing may be there under its name, nor under the names that SQLite uses beside it
-  // (-wal, -shm, -journal), since it would remove them.
-  explicit Database(const std::filesystem::path& path);
-  // A file that this program has made just now, to add to it.
-  static Database existing(const std::filesystem::path& path);
-  // Throws Error if something is there under that name or beside it.
+  // A file that this program has made just now, which may be empty. name: for messages.
+  Database(const std::filesystem::path& path, const std::string& name);
+  // Throws Error if something is there under that name, or under the names that SQLite uses beside
+  // it (-wal, -shm, -journal), since it would remove them.
   static void requireNothingAt(const std::filesystem::path& path);
-  // Gives a closed file its name; nothing may be there. Throws Error and removes the file if that
-  // fails.
-  static void publish(const std::filesystem::path& file, const std::filesystem::path& name);
+  // Removes what SQLite uses beside a file that is to be replaced: it would be joined to the new.
+  static void removeBeside(const std::filesystem::path& path);
   // In memory, empty. name: for messages.
   static Database inMemory(const std::string& name);
   // The database of somebody else that `bytes` hold, its log joined; nothing that it defines is
@@ -37,7 +34,7 @@ class Database {
 
   // Runs statements that return nothing.
   void run(const std::string& sql);
-  // Writes the whole database as a new file; nothing may be there, nor beside it (Mode::Create).
+  // Writes the whole database into an empty file.
   void copyTo(const std::filesystem::path& path);
   std::int64_t number(const std::string& sql);  // the first value of the first row; 0 without one
   const std::string& name() const { return name_; }

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "formats/child/child_process.h"
 #include "formats/child/foreign_file.h"
+#include "record/recording_file.h"
 
 namespace resect {
 namespace {
@@ -17,7 +18,6 @@ namespace fs = std::filesystem;
 using Kind = Statement::Kind;
 
 constexpr std::size_t kMegabyte = std::size_t(1) << 20;
-constexpr std::size_t kLargest = 1024 * kMegabyte;  // of file and log, and of a state
 constexpr char kRow = 1, kEnd = 0;
 
 std::size_t mostRowBytes(std::size_t recording) { return 4 * recording + kMegabyte; }
@@ -33,11 +33,11 @@ ChildLimits limitsFor(std::size_t bytes) {
 }
 
 RecordingBytes readBytes(const fs::path& path) {
-  RecordingBytes bytes{readForeignFile(path, kLargest, Links::Refused), {}};
+  RecordingBytes bytes{readForeignFile(path, kLargestRecording, Links::Refused), {}};
   const fs::path log = path.string() + "-wal";
   std::error_code ec;
   if (fs::exists(fs::symlink_status(log, ec)))
-    bytes.log = readForeignFile(log, kLargest - bytes.file.size(), Links::Refused);
+    bytes.log = readForeignFile(log, kLargestRecording - bytes.file.size(), Links::Refused);
   return bytes;
 }
 
@@ -219,7 +219,7 @@ std::string addForeignRows(const fs::path& path, Database& own, const Progress& 
 }
 
 Bytes unpackForeign(std::span<const std::byte> packed, std::int64_t size, const std::string& name) {
-  if (size < 0 || std::uint64_t(size) > kLargest)
+  if (size < 0 || std::uint64_t(size) > kLargestRecording)
     throw error("{}: a key state in it is damaged; take an earlier copy of it", name);
   const std::string state = runInChild(name, limitsFor(std::size_t(size)),
                                        [&] { return unpacked(packed, std::size_t(size), name); });

@@ -5,18 +5,21 @@
 
 #include "base/error.h"
 #include "record/frame_bytes.h"
+#include "record/ledger_rows.h"
 #include "record/recorder.h"
 
 namespace resect {
 namespace {
 
+// everyNth: how many of the states that were kept are taken, from the first on.
 OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch, std::size_t tools,
-                                  const std::function<void()>& frameRead) {
+                                  std::int64_t everyNth, const std::function<void()>& frameRead) {
   OperationHistory::Course course;
   course.branch = branch;
-  for (const std::int64_t frame : file.keyFrames(branch.number))
-    if (std::optional<KeyState> key = file.keyState(branch.number, frame))
-      course.states[frame] = std::move(key->state);
+  const std::vector<std::int64_t> keys = file.keyFrames(branch.number);
+  for (std::size_t k = 0; k < keys.size(); k += std::size_t(everyNth))
+    if (std::optional<KeyState> key = file.keyState(branch.number, keys[k]))
+      course.states[keys[k]] = std::move(key->state);
   if (course.states.empty() || course.states.begin()->first != branch.from)
     throw error("{}: the first state of branch {} is missing; take an earlier copy of it",
                 file.name(), branch.number);
@@ -48,11 +51,10 @@ OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch, std
     frameRead();
   }
   if (const auto ledgers = file.ledgers(branch.number); !ledgers.empty()) {
+    course.pieces = piecesIn(ledgers.back());
     for (const RecordedLedger::Amount& amount : ledgers.back().amounts) {
       if (amount.part == "removed") course.removedVolume += 1e-6 * amount.ml;
-      if (amount.part != "piece") continue;
-      course.piecesVolume += 1e-6 * amount.ml;
-      course.pieces = std::max(course.pieces, amount.number);
+      if (amount.part == "piece") course.piecesVolume += 1e-6 * amount.ml;
     }
     for (const RecordedLedger::Wound& wound : ledgers.back().wounds)
       if (wound.kind == "cut") course.cut += 1e-4 * wound.amount;
@@ -95,12 +97,14 @@ RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
   std::int64_t frames = 1, read = 0;
   for (const Branch& one : branches)
     frames += std::max<std::int64_t>(0, file.lastFrame(one.number) - one.from);
+  const auto everyNth =
+      1 + file.keyStateBytes() / std::int64_t(std::max<std::size_t>(1, mostBytes));
   std::vector<OperationHistory::Course> courses;
   for (const Branch& one : branches) {
     if (one.number != std::int64_t(courses.size()) || one.parent >= one.number ||
         (one.number > 0 && one.parent < 0))
       throw error("{}: its branches are not in order; take an earlier copy of it", file.name());
-    courses.push_back(courseOf(file, one, simulation->tools().size(), [&] {
+    courses.push_back(courseOf(file, one, simulation->tools().size(), everyNth, [&] {
       if (progress && ++read % 64 == 0) report(progress, 0.9 * double(read) / double(frames));
     }));
   }

@@ -3,13 +3,8 @@
 #include <fmt/format.h>
 #include <resect/version.h>
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 #include "base/error.h"
 #include "io/output/output_target.h"
@@ -33,23 +28,6 @@ std::size_t sizeOf(const RecordedLedger& l) {
 template <typename T>
 std::size_t sizeOf(const T& item) {
   return sizeof item;
-}
-
-// The bytes of `from` as a file of its own at `to`, which is replaced when all is on the disk.
-void copyOver(const std::filesystem::path& from, const std::filesystem::path& to) {
-  TemporaryFile file(findTarget(to).path);
-  std::ifstream in(from, std::ios::binary);
-  std::vector<char> block(std::size_t(1) << 20);
-  while (in.read(block.data(), std::streamsize(block.size())), in.gcount() > 0) {
-    for (std::streamsize at = 0; at < in.gcount();) {
-      const auto put = ::write(file.descriptor(), block.data() + at, std::size_t(in.gcount() - at));
-      if (put < 0)
-        throw error("{}: cannot be written: {}; choose another place or free some space",
-                    to.string(), std::strerror(errno));
-      at += put;
-    }
-  }
-  file.rename();
 }
 
 const char* instructionSet() {
@@ -189,7 +167,7 @@ void Recorder::begin(const Branch& branch, const Simulation& simulation) {
 }
 
 void Recorder::stood(Moment moment, const Simulation& simulation) {
-  if (!failure().empty() || lastLedger_[std::size_t(moment.branch)].frame == moment.frame) return;
+  if (!failure().empty() || lastLedger_[std::size_t(moment.branch)].frame >= moment.frame) return;
   std::vector<Item> items;
   addLedger(items, moment, simulation);
   put(std::move(items));
@@ -237,32 +215,27 @@ std::uintmax_t Recorder::size() const {
 }
 
 void Recorder::saveAs(const std::filesystem::path& path, Moment moment) {
-  std::filesystem::path copy = path_;
-  copy += ".copy";
-  const auto removeCopy = [&] {
-    std::error_code ec;
-    std::filesystem::remove(copy, ec);
-  };
-  removeCopy();  // of a program that was killed
-  std::string failed;
+  for (const auto& own : filesOfRecording(path_))
+    if (identityOf(path) == identityOf(own))
+      throw error("{}: is where this operation is being recorded; choose another name",
+                  path.string());
+  const OutputTarget at = findTarget(path);
+  if (at.kind != OutputTarget::Kind::File)
+    throw error("{}: is no file; choose a name in a folder", path.string());
+  TemporaryFile file(at.path);
+  std::string failed, ended;
   {
     std::unique_lock lock(mutex_);
-    if (!failure_.empty()) throw error("{}; nothing was saved", failure_);
-    saveFailure_.clear();
-    saveAs_ = copy;
-    saveMoment_ = moment;
+    save_ = {file.path(), path.string(), moment, ""};
     wake_.notify_all();
-    wake_.wait(lock, [&] { return saveAs_.empty(); });
-    failed = saveFailure_;
+    wake_.wait(lock, [&] { return save_.file.empty(); });
+    failed = save_.failure;
+    ended = failure_;
   }
-  try {
-    if (!failed.empty()) throw error("{}", failed);
-    copyOver(copy, path);
-  } catch (...) {
-    removeCopy();
-    throw;
-  }
-  removeCopy();
+  if (!failed.empty()) throw error("{}", failed);
+  Database::removeBeside(at.path);
+  file.rename();
+  if (!ended.empty()) throw error("{}; all until then is saved", ended);
 }
 
 std::string Recorder::failure() const {
@@ -274,41 +247,49 @@ std::string Recorder::failure() const {
 void Recorder::write() {
   for (bool last = false; !last;) {
     std::deque<Item> items;
-    std::filesystem::path saveAs;
-    Moment moment;
-    bool failedBefore = false;
+    Save save;
+    std::string failed;
     {
       std::unique_lock lock(mutex_);
-      wake_.wait_for(lock, kCommitPeriod, [&] { return ending_ || !saveAs_.empty(); });
+      wake_.wait_for(lock, kCommitPeriod, [&] { return ending_ || !save_.file.empty(); });
       last = ending_;
-      saveAs = saveAs_;
-      moment = saveMoment_;
+      save = save_;
       items.swap(queue_);
       queued_ = 0;
-      failedBefore = !failure_.empty();
+      failed = failure_;
     }
-    std::string failed, saveFailed;
+    if (failed.empty()) failed = keep(items, last);
     try {
-      if (!items.empty() && !failedBefore) {
-        file_.begin();
-        for (const Item& item : items) std::visit([&](const auto& one) { file_.add(one); }, item);
-        file_.commit();
-      }
-      if (last && !failedBefore) file_.finish();
+      if (!save.file.empty()) file_.copyTo(save.file, save.name, save.moment);
     } catch (const std::exception& e) {
-      failed = e.what();
-    }
-    try {
-      if (!saveAs.empty()) file_.copyTo(saveAs, moment);
-    } catch (const std::exception& e) {
-      saveFailed = e.what();
+      save.failure = e.what();
     }
     const std::lock_guard lock(mutex_);
     if (failure_.empty()) failure_ = failed;
-    if (saveAs.empty()) continue;
-    saveFailure_ = !failure_.empty() ? failure_ : saveFailed;
-    saveAs_.clear();
+    if (save.file.empty()) continue;
+    save_ = {{}, {}, {}, save.failure};
     wake_.notify_all();
+  }
+}
+
+// Returns why nothing more can be kept; nothing if all is well.
+std::string Recorder::keep(const std::deque<Item>& items, bool last) {
+  try {
+    if (!items.empty()) {
+      file_.begin();
+      for (const Item& item : items) std::visit([&](const auto& one) { file_.add(one); }, item);
+      file_.commit();
+      if (size() > mostBytes_)
+        return fmt::format(
+            "{}: has {} MB, the most that a recording may have, and ends here; save the operation, "
+            "open it and go on",
+            path_.string(), mostBytes_ >> 20);
+    }
+    if (last) file_.finish();
+    return "";
+  } catch (const std::exception& e) {
+    file_.rollback();
+    return e.what();
   }
 }
 

@@ -6,6 +6,7 @@
 // the operation goes on.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <filesystem>
@@ -74,13 +75,15 @@ class Recorder {
   // Bytes of the file so far.
   std::uintmax_t size() const;
   // Writes all that is recorded so far as a file of its own, whole or not at all; replaces `path`.
-  // Waits until it is done. Throws Error if that fails.
-  // moment: at which the operation is.
+  // Waits until it is done. Throws Error if that fails, and also if the recording has ended: the
+  // file then holds all until then. moment: at which the operation is.
   void saveAs(const std::filesystem::path& path, Moment moment);
   // Waits until all is written and closes the file.
   void finish();
 
   const std::filesystem::path& path() const { return path_; }
+  // The recording ends before its file is larger (for tests).
+  void setMostBytes(std::uintmax_t most) { mostBytes_ = most; }
   static constexpr double kKeyStateSeconds = 10;  // of simulated time
 
  private:
@@ -92,6 +95,7 @@ class Recorder {
   // Also the event that pieces have come off since the last ledger of the branch.
   void addLedger(std::vector<Item>& items, Moment moment, const Simulation& simulation);
   void write();
+  std::string keep(const std::deque<Item>& items, bool last);
 
   const std::filesystem::path path_;
   FrameHashes hashes_;  // before file_, which asks for their fields
@@ -107,15 +111,21 @@ class Recorder {
   };
   std::vector<LastLedger> lastLedger_;  // by branch
   std::int64_t framesPerKey_;
+  // What is kept at once is far less than the rest up to kLargestRecording.
+  std::atomic<std::uintmax_t> mostBytes_ = kLargestRecording / 8 * 7;
 
   mutable std::mutex mutex_;  // guards all below
   std::condition_variable wake_;
   std::deque<Item> queue_;
   std::size_t queued_ = 0;  // bytes, about
   bool ending_ = false;
-  std::filesystem::path saveAs_;  // empty: nothing is to be saved
-  Moment saveMoment_;
-  std::string saveFailure_;
+  struct Save {
+    std::filesystem::path file;  // empty; no name: nothing is to be saved
+    std::string name;            // of what it will be
+    Moment moment;
+    std::string failure;
+  };
+  Save save_;
   std::string failure_;
   std::thread thread_;
 };

@@ -1,15 +1,16 @@
 #include "record/recording_file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <zstd.h>
 
+#include <charconv>
 #include <cstdlib>
 #include <cstring>
 #include <type_traits>
 
 #include "base/error.h"
 #include "base/state/field_hashes.h"
+#include "io/output/temporary_file.h"
 #include "record/foreign_recording.h"
 #include "record/row_columns.h"
 
@@ -17,6 +18,9 @@ namespace resect {
 namespace {
 
 constexpr std::int64_t kApplication = 0x52534354;  // "RSCT", shown by `file`
+
+// Of a file that nobody has seen yet.
+constexpr const char* kNoJournal = "PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF;";
 
 constexpr const char* kSchema = R"(
 CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL);
@@ -62,6 +66,12 @@ std::vector<std::string> linesOf(const std::string& text) {
   return lines;
 }
 
+double numberOf(const std::string& text) {
+  double number = 0;  // whatever the decimal point of the locale is
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
 std::span<const std::byte> bytesOf(std::string_view text) { return std::as_bytes(std::span(text)); }
 
 }  // namespace
@@ -72,23 +82,39 @@ void makeRecordingTables(Database& db) {
   db.run(kSchema);
 }
 
+std::vector<std::filesystem::path> filesOfRecording(const std::filesystem::path& path) {
+  return {path, path.string() + "-wal"};
+}
+
 RecordingFile RecordingFile::create(const std::filesystem::path& path, const RecordingInfo& info,
                                     const RecordedSetup& setup, const Branch& first,
                                     const KeyState& start) {
-  const std::filesystem::path begun = path.string() + fmt::format(".begun-{}", ::getpid());
-  Database::requireNothingAt(path);
-  begin(begun, info, setup, first, start);
-  Database::publish(begun, path);
-  RecordingFile file{Database::existing(path)};
+  RecordingFile file = appear(
+      path, [&](const auto& begun) { begin(begun, path.string(), info, setup, first, start); });
   file.info_ = info;
+  return file;
+}
+
+// A file that `fill` has filled, opened under its lasting name, to add to it.
+RecordingFile RecordingFile::appear(const std::filesystem::path& path,
+                                    const std::function<void(const std::filesystem::path&)>& fill) {
+  Database::requireNothingAt(path);
+  std::error_code ec;  // that a folder is missing is said when the file is created
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ec);
+  TemporaryFile begun(path);
+  fill(begun.path());
+  begun.publish();
+  RecordingFile file{Database(path, path.string())};
   file.database_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
   return file;
 }
 
-void RecordingFile::begin(const std::filesystem::path& path, const RecordingInfo& info,
-                          const RecordedSetup& setup, const Branch& first, const KeyState& start) {
-  RecordingFile file{Database(path)};
+void RecordingFile::begin(const std::filesystem::path& path, const std::string& name,
+                          const RecordingInfo& info, const RecordedSetup& setup,
+                          const Branch& first, const KeyState& start) {
+  RecordingFile file{Database(path, name)};
   Database& db = file.database_;
+  db.run(kNoJournal);
   file.begin();
   makeRecordingTables(db);
   Statement meta(db, "INSERT INTO meta VALUES (?, ?)");
@@ -119,34 +145,34 @@ void RecordingFile::begin(const std::filesystem::path& path, const RecordingInfo
 }
 
 RecordingFile RecordingFile::goOn(const std::filesystem::path& path, RecordingFile& done) {
-  done.copyTo(path);
-  RecordingFile file{Database::existing(path)};
+  RecordingFile file =
+      appear(path, [&](const auto& begun) { done.copyTo(begun, path.string(), std::nullopt); });
   file.info_ = done.info_;
-  file.database_.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
-  file.keepDigest(false);
+  file.mark(std::nullopt, false);
   return file;
 }
 
-void RecordingFile::copyTo(const std::filesystem::path& path, std::optional<Moment> moment) {
-  // VACUUM takes everything as it is, so that the marks are set for the moment.
-  const bool before = complete();
-  const auto mark = [&](bool copied) {
-    begin();
-    database_.run("DELETE FROM meta WHERE key IN ('branch', 'frame')");
-    if (copied && moment)
-      database_.run(fmt::format("INSERT INTO meta VALUES ('branch', '{}'), ('frame', '{}')",
-                                moment->branch, moment->frame));
-    keepDigest(copied || before);
-    commit();
-  };
-  mark(true);
+void RecordingFile::copyTo(const std::filesystem::path& path, const std::string& name,
+                           std::optional<Moment> moment) {
   try {
     database_.copyTo(path);
-  } catch (...) {
-    mark(false);
-    throw;
+    RecordingFile copy{Database(path, name)};
+    copy.database_.run(kNoJournal);
+    copy.mark(moment, true);
+  } catch (const Error& e) {
+    throw error("{}: cannot be written ({}); free some space or choose another place", name,
+                e.what());
   }
-  mark(false);
+}
+
+void RecordingFile::mark(std::optional<Moment> moment, bool complete) {
+  begin();
+  database_.run("DELETE FROM meta WHERE key IN ('branch', 'frame')");
+  if (moment)
+    database_.run(fmt::format("INSERT INTO meta VALUES ('branch', '{}'), ('frame', '{}')",
+                              moment->branch, moment->frame));
+  keepDigest(complete);
+  commit();
 }
 
 RecordingFile RecordingFile::open(const std::filesystem::path& path, const Progress& progress) {
@@ -160,7 +186,7 @@ RecordingFile RecordingFile::open(const std::filesystem::path& path, const Progr
     const std::string key = meta.text(0), value = meta.text(1);
     if (key == "program") file.info_.program = value;
     if (key == "instruction_set") file.info_.instructionSet = value;
-    if (key == "frame_rate") file.info_.frameRate = std::atof(value.c_str());
+    if (key == "frame_rate") file.info_.frameRate = numberOf(value);
     if (key == "fields") file.info_.fields = linesOf(value);
     if (key == "digest") digest = value;
   }
@@ -228,6 +254,12 @@ void RecordingFile::setProgram(const std::string& program) {
 
 void RecordingFile::begin() { database_.run("BEGIN"); }
 void RecordingFile::commit() { database_.run("COMMIT"); }
+void RecordingFile::rollback() {
+  try {
+    database_.run("ROLLBACK");
+  } catch (const Error&) {  // SQLite has done so by itself
+  }
+}
 
 template <class Row>
 void RecordingFile::insert(const Row& row) {
@@ -330,6 +362,10 @@ std::vector<std::int64_t> RecordingFile::keyFrames(std::int64_t branch) {
   rows.bind(0, branch);
   while (rows.step()) frames.push_back(rows.integer(0));
   return frames;
+}
+
+std::int64_t RecordingFile::keyStateBytes() {
+  return database_.number("SELECT sum(size) FROM key_states");
 }
 
 std::vector<OperationEvent> RecordingFile::events(std::int64_t branch) {

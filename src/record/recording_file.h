@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -20,6 +21,11 @@
 namespace resect {
 
 inline constexpr int kRecordingSchema = 2;
+inline constexpr std::size_t kLargestRecording = std::size_t(1) << 30;  // bytes, with its log
+
+// The files that hold a recording: while it is written, and after a program was killed, its log
+// too.
+std::vector<std::filesystem::path> filesOfRecording(const std::filesystem::path& path);
 
 // A frame as stored. Frames of a branch are numbered by Simulation::frame() after the step.
 struct RecordedFrame {
@@ -103,16 +109,18 @@ class RecordingFile {
 
   void begin();  // a transaction: what follows is kept together or not at all
   void commit();
+  void rollback();  // what was added since begin() is not kept
   void add(const Branch& branch);
   void add(const RecordedFrame& frame);
   void add(const KeyState& state);  // compressed
   void add(const OperationEvent& event);
   void add(const RecordedSample& sample);
   void add(const RecordedLedger& ledger);
-  // Writes all that is there as a finished recording of its own; nothing may be at `path`. Not
-  // between begin() and commit().
-  // moment: at which the operation is, for moment() of the copy.
-  void copyTo(const std::filesystem::path& path, std::optional<Moment> moment = {});
+  // Writes all that is there as a finished recording of its own into an empty file. Not between
+  // begin() and commit(). name: of the file, in messages. moment: at which the operation is, for
+  // moment() of the copy.
+  void copyTo(const std::filesystem::path& path, const std::string& name,
+              std::optional<Moment> moment);
   void finish();  // marks it complete and folds the write-ahead log into the file
 
   std::vector<Branch> branches();
@@ -124,6 +132,7 @@ class RecordingFile {
   // The latest key state of the branch at `frame` or before.
   std::optional<KeyState> keyState(std::int64_t branch, std::int64_t frame);
   std::vector<std::int64_t> keyFrames(std::int64_t branch);
+  std::int64_t keyStateBytes();  // of all, unpacked
   std::vector<OperationEvent> events(std::int64_t branch);
   std::vector<RecordedSample> samples(std::int64_t branch);  // frame by frame
   std::vector<RecordedLedger> ledgers(std::int64_t branch);
@@ -133,8 +142,12 @@ class RecordingFile {
  private:
   explicit RecordingFile(Database database)
       : opened_(std::make_unique<Database>(std::move(database))), database_(*opened_) {}
-  static void begin(const std::filesystem::path& path, const RecordingInfo& info,
-                    const RecordedSetup& setup, const Branch& first, const KeyState& start);
+  static RecordingFile appear(const std::filesystem::path& path,
+                              const std::function<void(const std::filesystem::path&)>& fill);
+  static void begin(const std::filesystem::path& path, const std::string& name,
+                    const RecordingInfo& info, const RecordedSetup& setup, const Branch& first,
+                    const KeyState& start);
+  void mark(std::optional<Moment> moment, bool complete);
   Statement& prepared(const std::string& sql);
   template <class Row>
   void insert(const Row& row);

@@ -233,7 +233,7 @@ void Replay::playFromStart(std::int64_t branch) {
       while (simulation_->frame() < one.from && step()) {
       }
     } else {
-      *simulation_ = simulationOf(setup_);
+      simulation_->restore(simulationOf(setup_).save());
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <vector>
@@ -15,23 +16,47 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Recordings in the folder, the oldest first: their names begin with date and time. The file that
-// SQLite keeps beside one being written is not counted.
-std::vector<fs::path> recordingsIn(const fs::path& folder) {
-  std::vector<fs::path> files;
+// Recordings in the folder, the last written first: one that is being written comes before all
+// others.
+std::vector<SessionRecording> recordingsIn(const fs::path& folder) {
+  std::vector<std::pair<fs::file_time_type, SessionRecording>> found;
   std::error_code ec;
-  for (const auto& entry : fs::directory_iterator(folder, ec))
-    if (entry.path().extension() == ".resect") files.push_back(entry.path());
-  std::ranges::sort(files);
-  return files;
+  for (const auto& entry : fs::directory_iterator(folder, ec)) {
+    if (entry.path().extension() != ".resect") continue;
+    fs::file_time_type written = fs::file_time_type::min();
+    SessionRecording one{entry.path(), 0};
+    for (const fs::path& file : filesOfRecording(entry.path())) {
+      if (const std::uintmax_t bytes = fs::file_size(file, ec); !ec) one.bytes += bytes;
+      if (const auto time = fs::last_write_time(file, ec); !ec) written = std::max(written, time);
+    }
+    found.emplace_back(written, std::move(one));
+  }
+  std::ranges::sort(found, [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : a.second.path > b.second.path;
+  });
+  std::vector<SessionRecording> recordings;
+  for (auto& [written, one] : found) recordings.push_back(std::move(one));
+  return recordings;
 }
 
-void keepNewest(const fs::path& folder, int most) {
-  std::vector<fs::path> files = recordingsIn(folder);
-  std::error_code ec;
-  for (int i = 0; i < int(files.size()) - most; ++i)
-    for (const char* end : {"", "-wal", "-shm"})
-      fs::remove(files[std::size_t(i)].string() + end, ec);
+// Removes all but the newest. kept: those that stay whatever the clock says.
+void removeOld(const fs::path& folder, const std::vector<fs::path>& kept) {
+  int left = kKeptRecordings - int(kept.size());
+  for (const SessionRecording& one : recordingsIn(folder)) {
+    std::error_code ec;
+    const bool stays = std::ranges::any_of(
+        kept, [&](const fs::path& path) { return fs::equivalent(path, one.path, ec); });
+    if (stays || --left >= 0) continue;
+    for (const char* end : {"", "-wal", "-shm"}) fs::remove(one.path.string() + end, ec);
+  }
+}
+
+// What of a scenario's name may be part of a file's: it may come from a foreign recording.
+std::string plainName(const std::string& name) {
+  std::string plain;
+  for (const char c : name.substr(0, 60))
+    plain += std::isalnum(static_cast<unsigned char>(c)) || c == '-' ? c : '_';
+  return plain.empty() ? "operation" : plain;
 }
 
 }  // namespace
@@ -58,22 +83,21 @@ fs::path newRecording(const Scenario& scenario) {
       std::chrono::time_point_cast<std::chrono::milliseconds>(std::chrono::system_clock::now());
   return folder / fmt::format("{:%Y-%m-%d_%H-%M-%S}_{:03}_{}.resect",
                               fmt::localtime(std::chrono::system_clock::to_time_t(now)),
-                              now.time_since_epoch().count() % 1000,
-                              scenario.name.empty() ? "operation" : scenario.name);
+                              now.time_since_epoch().count() % 1000, plainName(scenario.name));
 }
 
 }  // namespace
 
 std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulation& simulation) {
   auto recorder = std::make_shared<Recorder>(newRecording(scenario), scenario, simulation);
-  keepNewest(recordingsFolder(), kKeptRecordings);
+  removeOld(recordingsFolder(), {recorder->path()});
   return recorder;
 }
 
 std::shared_ptr<Recorder> recordSession(const Scenario& scenario, RecordingFile& done,
                                         const Simulation& simulation) {
   auto recorder = std::make_shared<Recorder>(newRecording(scenario), done, scenario, simulation);
-  keepNewest(recordingsFolder(), kKeptRecordings);
+  removeOld(recordingsFolder(), {recorder->path(), done.name()});
   return recorder;
 }
 
@@ -91,19 +115,6 @@ OperationWatch watchOf(std::shared_ptr<Recorder> recorder) {
           }};
 }
 
-std::vector<SessionRecording> sessionRecordings() {
-  std::vector<SessionRecording> recordings;
-  for (const fs::path& path : recordingsIn(recordingsFolder())) {
-    SessionRecording one{path, 0};
-    for (const char* end : {"", "-wal"}) {
-      std::error_code ec;
-      if (const std::uintmax_t bytes = fs::file_size(path.string() + end, ec); !ec)
-        one.bytes += bytes;
-    }
-    recordings.push_back(std::move(one));
-  }
-  std::ranges::reverse(recordings);
-  return recordings;
-}
+std::vector<SessionRecording> sessionRecordings() { return recordingsIn(recordingsFolder()); }
 
 }  // namespace resect

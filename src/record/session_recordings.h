@@ -16,8 +16,9 @@ inline constexpr int kKeptRecordings = 20;
 // $XDG_STATE_HOME/resect/recordings, or ~/.local/state/resect/recordings.
 std::filesystem::path recordingsFolder();
 
-// A recorder into a new file of that folder, named by date, time and scenario; older recordings
-// beyond kKeptRecordings are removed. Throws Error if the folder cannot be written.
+// A recorder into a new file of that folder, named by date, time and scenario. Beyond
+// kKeptRecordings those are removed that were written longest ago. Throws Error if the folder
+// cannot be written.
 std::shared_ptr<Recorder> recordSession(const Scenario& scenario, const Simulation& simulation);
 
 // The same for an operation that goes on from a recording, which stays as it is.
@@ -31,7 +32,7 @@ struct SessionRecording {
   std::filesystem::path path;
   std::uintmax_t bytes = 0;
 };
-// What is in the folder, the newest first.
+// What is in the folder, the last written first.
 std::vector<SessionRecording> sessionRecordings();
 
 }  // namespace resect

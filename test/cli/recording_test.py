@@ -99,8 +99,6 @@ class Recordings(unittest.TestCase):
         self.assertIn("frame 50 of branch 0 differs", proof.stderr)
 
     def test_a_full_disk_and_a_read_only_place_are_sentences(self):
-        none = resect("run", "press", "--spacing", "12mm", "--record", self.folder / "no" / "such" / "a.resect")
-        self.assertIn(none.returncode, (0, 1))
         if os.geteuid() != 0:
             self.skipTest("mounting a small disk takes root")
         place = self.folder / "disk"
@@ -109,10 +107,14 @@ class Recordings(unittest.TestCase):
             if subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", place], capture_output=True).returncode:
                 self.skipTest("no small disk can be mounted")
             try:
-                run = resect("run", "press", "--spacing", "9mm", "--record", place / "a.resect")
+                run = resect("run", "press", "--spacing", "9mm", "--record", place / "a.resect",
+                             "--json", self.folder / f"{size}.json")
                 self.assertEqual(run.returncode, 1)
                 self.assertIn("disk", run.stderr)
                 self.assertEqual(run.stderr.count("\n"), 1)
+                # What was begun is done and summed up.
+                self.assertEqual((self.folder / f"{size}.json").exists(), begun)
+                self.assertEqual([p.name for p in place.iterdir() if "tmp" in p.name or "begun" in p.name], [])
                 proof = resect("verify", place / "a.resect")
                 self.assertEqual(proof.returncode, 0 if begun else 1, proof.stderr)
                 if begun:
@@ -120,6 +122,23 @@ class Recordings(unittest.TestCase):
                     self.assertGreater(int(proof.stdout.split()[1]), 0)
             finally:
                 subprocess.run(["umount", place])
+
+    def test_a_part_that_is_not_there_is_a_sentence(self):
+        file, summary = self.recorded("press", "--spacing", "15mm")
+        for arguments in (["--from", "9"], ["--branch", "1"], ["--branch", "-3"], ["--from", "2", "--to", "1"]):
+            for command in (["replay", file], ["export", file, "-o", self.folder / "a.csv"]):
+                run = resect(*command, *arguments)
+                self.assertIn(run.returncode, (1, 2), run.stdout)
+                self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+        self.assertFalse((self.folder / "a.csv").exists())
+        log = pathlib.Path(str(file) + "-wal")
+        log.touch()
+        over = resect("replay", file, "--json", log)
+        self.assertEqual(over.returncode, 2, over.stdout + over.stderr)
+        again = resect("run", "press", "--record", file, "--json", self.folder / "b.json")
+        self.assertEqual(again.returncode, 1)
+        self.assertIn("is there already", again.stderr)
+        self.assertFalse((self.folder / "b.json").exists())
 
     def test_what_is_no_recording_is_a_sentence(self):
         text = self.folder / "text.resect"

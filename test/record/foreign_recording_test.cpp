@@ -59,7 +59,7 @@ TEST_CASE("rows arrive as they are, out of a file and its log") {
   Database wanted = empty();
   wanted.run(kRows);
   const auto path = folder / "a.resect";
-  Database writing(path);
+  Database writing(path, path.string());
   writing.run("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 0");
   makeRecordingTables(writing);
   writing.run(kRows);  // they are in the log only
@@ -110,7 +110,7 @@ TEST_CASE("an answer with a value of another type than its column is refused") {
     CAPTURE(row);
     const auto path = folder / (std::to_string(std::hash<std::string>()(row)) + ".resect");
     {
-      Database other(path);
+      Database other(path, path.string());
       makeRecordingTables(other);
       other.run(row);
     }

@@ -84,7 +84,7 @@ void checkFiles(const Options& options, Kind kind) {
   } else {
     outputs.files.push_back({"--output", options.out});
   }
-  checkOutputs(outputs, std::vector<fs::path>{options.file, options.file + "-wal"});
+  checkOutputs(outputs, filesOfRecording(options.file));
 }
 
 std::string megabytes(std::uint64_t bytes) {

@@ -16,7 +16,9 @@
 #include "cli/picture_writer.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
+#include "io/output/output_target.h"
 #include "io/output/run_files.h"
+#include "record/export/moments.h"
 #include "record/replay.h"
 
 namespace resect {
@@ -55,7 +57,7 @@ void play(const Options& options) {
     checkOutputs({{{"--video", options.pictures.video}, {"--json", options.json}},
                   {framesIn(options.pictures.frames)},
                   options.overwrite},
-                 std::vector<std::filesystem::path>{options.file});
+                 filesOfRecording(options.file));
   Replay replay(options.file);
   Scenario scenario = replay.setup().scenario;
   if (!options.pictures.view.empty()) {
@@ -64,29 +66,26 @@ void play(const Options& options) {
   }
   const std::vector<CourseSpan> course = options.part.of(replay.file(), scenario.frameRate);
   const std::int64_t branch = options.part.branchIn(replay.file());
-  const std::int64_t first = course[0].first, end = course.back().last;
+  const std::int64_t first = course[0].first;
   replay.goTo(course[0].branch, first);
 
   std::optional<PictureWriter> pictures;
   if (options.pictures.wanted())
     pictures.emplace(scenario, replay.simulation(),
                      settingsOf(options.pictures, options.overwrite));
-  const Progress progress = progressBar("replay");
-  std::vector<OperationEvent> events;
   std::vector<double> forces(scenario.tools.size(), 0);  // largest on each tool, N
-  StepReport step;
-  for (const CourseSpan& span : course) {
-    if (replay.branch() != span.branch) replay.goTo(span.branch, span.first);
-    while (replay.simulation().frame() < span.last && replay.step(nullptr, &step)) {
-      for (std::size_t t = 0; t < std::min(forces.size(), step.toolForce.size()); ++t)
-        forces[t] = std::max(forces[t], step.toolForce[t].norm());
-      if (pictures) pictures->follow(replay.simulation(), step);
-      report(progress, double(replay.simulation().frame() - first) /
-                           double(std::max<std::int64_t>(1, end - first)));
-    }
+  playMoments(
+      replay, {course, options.pictures.rate}, false, [](const Simulation&) {},
+      progressBar("replay"),
+      [&](const StepReport& step) {
+        for (std::size_t t = 0; t < std::min(forces.size(), step.toolForce.size()); ++t)
+          forces[t] = std::max(forces[t], step.toolForce[t].norm());
+        if (pictures) pictures->follow(replay.simulation(), step);
+      });
+  std::vector<OperationEvent> events;
+  for (const CourseSpan& span : course)
     for (OperationEvent& event : replay.file().events(span.branch))
       if (event.frame > span.first && event.frame <= span.last) events.push_back(std::move(event));
-  }
   std::vector<std::string> files;
   if (pictures) files = pictures->finish();
 
@@ -115,7 +114,7 @@ void play(const Options& options) {
                              {"tool_forces_n", peaks},
                              {"ledger", toJson(ledger)},
                              {"state_hash", fmt::format("{:016x}", now.stateHash())}});
-  if (options.json == "-") return;
+  if (isStandardOutput(options.json)) return;
   printLine(stdout, "{}: {}", options.file,
             scenario.title.empty() ? scenario.name : scenario.title);
   fmt::print("  recorded by {}, {:.1f} s at {:g} frames/s{}\n",

@@ -78,6 +78,7 @@ void checkFiles(const Options& options, const Scenario& scenario) {
                 {framesIn(options.pictures.frames), piecesOf(options)},
                 options.overwrite},
                inputs);
+  if (!options.record.empty()) Database::requireNothingAt(options.record);
 }
 
 void run(const Options& options, const OrganOptions& organOptions) {
@@ -110,12 +111,11 @@ void run(const Options& options, const OrganOptions& organOptions) {
   printNotes(text, notes);
   std::fflush(text);
 
-  std::optional<Recorder> recorder;
-  if (!options.record.empty()) recorder.emplace(options.record, scenario, simulation);
-
   std::optional<PictureWriter> pictures;
   if (options.pictures.wanted())
     pictures.emplace(scenario, simulation, settingsOf(options.pictures, options.overwrite));
+  std::optional<Recorder> recorder;  // after the pictures, which may not be possible here
+  if (!options.record.empty()) recorder.emplace(options.record, scenario, simulation);
 
   const Progress progress = progressBar(scenario.name);
   const double frames = double(frameCount(scenario));
@@ -131,8 +131,6 @@ void run(const Options& options, const OrganOptions& organOptions) {
   if (recorder) {
     recorder->stood({0, simulation.frame()}, simulation);
     recorder->finish();
-    if (const std::string failure = recorder->failure(); !failure.empty())
-      throw error("{}; the operation was run, but not recorded to its end", failure);
     files.push_back(options.record);
   }
   if (pictures) {
@@ -153,9 +151,12 @@ void run(const Options& options, const OrganOptions& organOptions) {
     files.push_back(options.plot);
   }
   if (!options.json.empty()) writeJson(options.json, toJson(summary, scenario));
-  if (isStandardOutput(options.json)) return;
-  if (!options.json.empty()) files.push_back(options.json);
-  fmt::print(text, "{}", toText(summary, scenario, files));
+  if (!isStandardOutput(options.json)) {
+    if (!options.json.empty()) files.push_back(options.json);
+    fmt::print(text, "{}", toText(summary, scenario, files));
+  }
+  if (recorder && !recorder->failure().empty())
+    throw error("{}; the operation was run, but not recorded to its end", recorder->failure());
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ void addVerifyCommand(CLI::App& app) {
     if (proof.first)
       throw error("{}: frame {} of branch {} differs, in the stage {}: {}; {}", options->file,
                   proof.first->frame, proof.first->branch, proof.first->stage, proof.first->what,
-                  proof.otherProgram
+                  proof.otherProgram && proof.first->stage != "file"
                       ? fmt::format("it was recorded by {}, and this is {}, in which that "
                                     "stage computes otherwise",
                                     proof.program, programName())

@@ -61,7 +61,9 @@ struct GlbFile::State {
     Json view{{"buffer", 0}, {"byteOffset", size}, {"byteLength", bytes.size()}};
     if (target != 0) view["target"] = target;
     views.push_back(std::move(view));
-    buffer.sputn(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+    const auto length = std::streamsize(bytes.size());
+    if (buffer.sputn(reinterpret_cast<const char*>(bytes.data()), length) != length)
+      requireWritten();
     size += bytes.size();
     for (; size % 4 != 0; ++size) buffer.sputc(0);
     accessors.push_back({{"bufferView", views.size() - 1},

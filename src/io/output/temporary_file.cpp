@@ -98,11 +98,33 @@ void TemporaryFile::rename() {
     [[maybe_unused]] const int given = ::fchown(descriptor_, before.st_uid, before.st_gid);
     ::fchmod(descriptor_, before.st_mode & 0777);
   }
+  sync();
+  if (::rename(path_.c_str(), target_.c_str()) != 0)
+    throw error("cannot write {}: {}; choose another name", target_.string(), std::strerror(errno));
+  settle();
+}
+
+void TemporaryFile::publish() {
+  sync();
+  // A link, since a renamed file would replace what somebody put there meanwhile.
+  const bool linked = ::link(path_.c_str(), target_.c_str()) == 0;
+  struct stat there {};
+  if (!linked && (::lstat(target_.c_str(), &there) == 0 ||  // else a file system without links
+                  ::rename(path_.c_str(), target_.c_str()) != 0))
+    throw error("{}: cannot be made: {}; choose another name", target_.string(),
+                std::strerror(errno));
+  if (linked) ::unlink(path_.c_str());
+  settle();
+}
+
+void TemporaryFile::sync() {
   if (::fsync(descriptor_) != 0)
     throw error("cannot write {}: {}; free some space and try again", target_.string(),
                 std::strerror(errno));
-  if (::rename(path_.c_str(), target_.c_str()) != 0)
-    throw error("cannot write {}: {}; choose another name", target_.string(), std::strerror(errno));
+}
+
+// It has its lasting name.
+void TemporaryFile::settle() {
   ::close(descriptor_);
   descriptor_ = -1;
   forget(slot_);

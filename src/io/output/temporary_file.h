@@ -16,14 +16,20 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  int descriptor() const { return descriptor_; }  // open for reading and writing
+  int descriptor() const { return descriptor_; }               // open for reading and writing
+  const std::filesystem::path& path() const { return path_; }  // until it is renamed
 
   // Puts all bytes on the disk, then the file in the target's place, with the owner and the
   // permissions of the file that was there, then the folder's new entry on the disk. Throws Error
   // if any of it fails; the file at the target is then as it was.
   void rename();
+  // The same where nothing may be at the target: replaces nothing, and throws Error instead.
+  void publish();
 
  private:
+  void sync();
+  void settle();
+
   std::filesystem::path target_, path_;
   int descriptor_ = -1;
   int slot_ = -1;  // in the list of removeTemporaryFiles()

@@ -67,7 +67,7 @@ void LiveOperation::work() {
       if (!task->names.empty()) {
         nameBranches(task->names);
       } else if (task->request) {
-        if (task->operated && !history_.broken()) stand();
+        if (task->operated) stand();
         answer(std::move(*task->request));
       } else if (task->playback > 0)
         playBack(task->towards);
@@ -95,11 +95,12 @@ void LiveOperation::work() {
     const std::lock_guard lock(mutex_);
     whole = whole && !showing_;
   }
-  if (whole && !history_.broken()) stand();
+  if (whole) stand();
 }
 
 // Operating pauses here: what is known of the branch is brought up to date.
 void LiveOperation::stand() {
+  if (history_.broken() || !history_.atEnd()) return;
   if (ledger_)
     if (const Ledger* ledger = ledger_->last(*simulation_)) {
       keepLedger(ledger);
