@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "record/recording_file.h"
+#include "record/file/recording_file.h"
 
 namespace resect {
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "operation/ledger/ledger.h"
-#include "record/recording_file.h"
+#include "record/file/recording_file.h"
 
 namespace resect {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "record/frame_bytes.h"
+#include "record/file/frame_bytes.h"
 #include "record/ledger_rows.h"
 #include "record/recorder.h"
 

@@ -3,7 +3,7 @@
 
 #include "base/progress.h"
 #include "operation/live/operation_history.h"
-#include "record/recording_file.h"
+#include "record/file/recording_file.h"
 
 namespace resect {
 

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "io/output/output_target.h"
 #include "io/output/temporary_file.h"
-#include "record/frame_bytes.h"
+#include "record/file/frame_bytes.h"
 #include "record/ledger_rows.h"
 
 namespace resect {

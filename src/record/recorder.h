@@ -18,7 +18,7 @@
 
 #include "base/state/field_hashes.h"
 #include "operation/ledger/ledger.h"
-#include "record/recording_file.h"
+#include "record/file/recording_file.h"
 
 namespace resect {
 

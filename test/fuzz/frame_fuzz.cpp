@@ -1,6 +1,6 @@
 #include <span>
 
 #include "fuzz_target.h"
-#include "record/frame_bytes.h"
+#include "record/file/frame_bytes.h"
 
 RESECT_FUZZ_TARGET(resect::frameFromBytes(std::as_bytes(std::span(bytes)), {}))

@@ -2,7 +2,7 @@
 // recording has. The readers know no table by name.
 #pragma once
 
-#include "record/foreign_recording.h"
+#include "record/file/foreign_recording.h"
 
 namespace resect::test {
 

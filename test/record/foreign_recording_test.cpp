@@ -1,11 +1,11 @@
 // Databases of others: what arrives of them, and what an answer of their reader cannot do.
-#include "record/foreign_recording.h"
+#include "record/file/foreign_recording.h"
 
 #include <doctest/doctest.h>
 
 #include "base/error.h"
 #include "base/random.h"
-#include "record/recording_file.h"
+#include "record/file/recording_file.h"
 #include "support/sentence.h"
 #include "support/temporary_folder.h"
 

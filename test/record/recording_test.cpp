@@ -13,7 +13,7 @@
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
-#include "record/frame_bytes.h"
+#include "record/file/frame_bytes.h"
 #include "record/ledger_rows.h"
 #include "record/replay.h"
 #include "support/sentence.h"

@@ -1,4 +1,4 @@
-#include "record/foreign_recording.h"
+#include "record/file/foreign_recording.h"
 
 #include <fmt/format.h>
 #include <zstd.h>
@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "formats/child/child_process.h"
 #include "formats/child/foreign_file.h"
-#include "record/recording_file.h"
+#include "record/file/recording_file.h"
 
 namespace resect {
 namespace {

@@ -1,4 +1,4 @@
-#include "record/database.h"
+#include "record/file/database.h"
 
 #include <sqlite3.h>
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "record/database.h"
+#include "record/file/database.h"
 
 namespace resect {
 

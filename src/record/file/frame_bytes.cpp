@@ -1,4 +1,4 @@
-#include "record/frame_bytes.h"
+#include "record/file/frame_bytes.h"
 
 #include <cstring>
 

@@ -1,4 +1,4 @@
-#include "record/memory_files.h"
+#include "record/file/memory_files.h"
 
 #include <sqlite3.h>
 

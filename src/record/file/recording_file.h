@@ -15,7 +15,7 @@
 #include "base/progress.h"
 #include "operation/live/branch.h"
 #include "operation/live/operation_events.h"
-#include "record/database.h"
+#include "record/file/database.h"
 #include "record/recorded_setup.h"
 
 namespace resect {
@@ -32,7 +32,7 @@ struct RecordedFrame {
   std::int64_t branch = 0, frame = 0;
   double time = 0;     // s, at the frame's end
   bool whole = false;  // the input is written in full, not as the difference to the frame before
-  Bytes input;         // record/frame_bytes.h
+  Bytes input;         // record/file/frame_bytes.h
   // The digest of `input`, then one per field of the state (RecordingInfo::fields).
   std::vector<std::uint64_t> hashes;
 };
@@ -95,7 +95,7 @@ class RecordingFile {
   // there, or if this program computes other fields than the one that made `done`.
   static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
   // Reads a finished or an interrupted recording into memory, through the sandbox
-  // (record/foreign_recording.h). Throws Error if it is none, is of a newer
+  // (record/file/foreign_recording.h). Throws Error if it is none, is of a newer
   // schema, has other tables than a recording, or if what playing does not prove was changed: its
   // description, organs, branches.
   static RecordingFile open(const std::filesystem::path& path, const Progress& progress = {});

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "base/state/run_length.h"
-#include "record/memory_files.h"
+#include "record/file/memory_files.h"
 
 struct sqlite3;
 struct sqlite3_stmt;
@@ -29,7 +29,7 @@ class Database {
   // In memory, empty. name: for messages.
   static Database inMemory(const std::string& name);
   // The database of somebody else that `bytes` hold, its log joined; nothing that it defines is
-  // run. For the child that reads it (record/foreign_recording.h).
+  // run. For the child that reads it (record/file/foreign_recording.h).
   Database(RecordingBytes& bytes, const std::string& name);
 
   // Runs statements that return nothing.

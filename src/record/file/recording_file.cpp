@@ -1,4 +1,4 @@
-#include "record/recording_file.h"
+#include "record/file/recording_file.h"
 
 #include <fmt/format.h>
 #include <zstd.h>
@@ -11,8 +11,8 @@
 #include "base/error.h"
 #include "base/state/field_hashes.h"
 #include "io/output/temporary_file.h"
-#include "record/foreign_recording.h"
-#include "record/row_columns.h"
+#include "record/file/foreign_recording.h"
+#include "record/file/row_columns.h"
 
 namespace resect {
 namespace {

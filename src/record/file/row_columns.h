@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "record/recording_file.h"
+#include "record/file/recording_file.h"
 
 namespace resect {
 

@@ -2,9 +2,9 @@
 #include <cstdlib>
 
 #include "base/error.h"
-#include "record/foreign_recording.h"
-#include "record/recording_file.h"
-#include "record/row_columns.h"
+#include "record/file/foreign_recording.h"
+#include "record/file/recording_file.h"
+#include "record/file/row_columns.h"
 
 namespace resect {
 

@@ -1,6 +1,7 @@
 // Lets SQLite read a database and its write-ahead log that are in memory, and nothing else.
 //
-// For the child that reads recordings of others (record/foreign_recording.h): it can open no file.
+// For the child that reads recordings of others (record/file/foreign_recording.h): it can open no
+// file.
 #pragma once
 
 #include "base/raw_array.h"
