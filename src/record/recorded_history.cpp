@@ -11,11 +11,15 @@
 namespace resect {
 namespace {
 
-// everyNth: how many of the states that were kept are taken, from the first on.
-OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch, std::size_t tools,
+// parent: of the branch; null for the first one. everyNth: how many of the states that were kept are
+// taken, from the first on.
+OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch,
+                                  const OperationHistory::Course* parent, std::size_t tools,
                                   std::int64_t everyNth, const std::function<void()>& frameRead) {
   OperationHistory::Course course;
   course.branch = branch;
+  // What led to the branch was felt on its way too.
+  if (parent) course.peaks.emplace_back(branch.from, parent->peaksAt(branch.from));
   const std::vector<std::int64_t> keys = file.keyFrames(branch.number);
   for (std::size_t k = 0; k < keys.size(); k += std::size_t(everyNth))
     if (std::optional<KeyState> key = file.keyState(branch.number, keys[k]))
@@ -104,7 +108,9 @@ RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
     if (one.number != std::int64_t(courses.size()) || one.parent >= one.number ||
         (one.number > 0 && one.parent < 0))
       throw error("{}: its branches are not in order; take an earlier copy of it", file.name());
-    courses.push_back(courseOf(file, one, simulation->tools().size(), everyNth, [&] {
+    const OperationHistory::Course* parent =
+        one.number > 0 ? &courses[std::size_t(one.parent)] : nullptr;
+    courses.push_back(courseOf(file, one, parent, simulation->tools().size(), everyNth, [&] {
       if (progress && ++read % 64 == 0) report(progress, 0.9 * double(read) / double(frames));
     }));
   }

@@ -68,6 +68,7 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
       const auto &was = history.courses()[std::size_t(b)],
                  &is = operation.history.courses()[std::size_t(b)];
       CHECK(is.end() == was.end());
+      CHECK(is.peaks == was.peaks);
       REQUIRE(is.strokes.strokes().size() == was.strokes.strokes().size());
       for (std::size_t i = 0; i < is.strokes.strokes().size(); ++i) {
         const Stroke &x = is.strokes.strokes()[i], &y = was.strokes.strokes()[i];

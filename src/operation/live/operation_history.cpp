@@ -134,10 +134,9 @@ std::vector<OperationEvent> OperationHistory::afterStep(const FrameInput& input,
   return events;
 }
 
-std::vector<double> OperationHistory::peaks() const {
-  const auto& rows = present().peaks;
-  auto row = std::ranges::upper_bound(rows, now_.frame, {}, [](const auto& r) { return r.first; });
-  return row == rows.begin() ? std::vector<double>() : std::prev(row)->second;
+std::vector<double> OperationHistory::Course::peaksAt(std::int64_t frame) const {
+  auto row = std::ranges::upper_bound(peaks, frame, {}, [](const auto& r) { return r.first; });
+  return row == peaks.begin() ? std::vector<double>() : std::prev(row)->second;
 }
 
 template <typename Visit>

@@ -42,6 +42,8 @@ class OperationHistory {
     std::vector<std::pair<std::int64_t, std::vector<double>>> peaks;
 
     std::int64_t end() const { return branch.from + std::int64_t(inputs.size()); }
+    // The row of `peaks` that holds at that frame; empty: no force was kept until then.
+    std::vector<double> peaksAt(std::int64_t frame) const;
     // The next frame, as it was: its input, its events and the force on each tool, N.
     void add(const FrameInput& input, std::span<const OperationEvent> frameEvents,
              std::span<const double> forces);
@@ -69,7 +71,7 @@ class OperationHistory {
   // The ledger of now(), which is the end of its branch.
   void note(const Ledger& ledger);
   // Largest force on each tool up to now, N.
-  std::vector<double> peaks() const;
+  std::vector<double> peaks() const { return present().peaksAt(now_.frame); }
 
   // Where the last stroke begins that has led to now(); where the last undo was called. Nothing if
   // there is no such stroke or undo. Any stroke that is made ends what redo could do.
