@@ -187,9 +187,12 @@ void MainWindow::writeOperation(const std::string& file) {
         "This operation is not being recorded and cannot be saved. Switch recording on in File > "
         "Recorded operations, then begin again.");
   checkWritten(file);
+  // While somebody operates, frames are recorded that the window has not seen yet.
+  Moment moment = session_->state().moment;
+  if (!session_->state().showing) moment.frame = kEndOfBranch;
   QApplication::setOverrideCursor(Qt::WaitCursor);
   try {
-    recorder_->saveAs(file, session_->state().moment);
+    recorder_->saveAs(file, moment);
   } catch (...) {
     QApplication::restoreOverrideCursor();
     throw;

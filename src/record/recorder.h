@@ -76,7 +76,8 @@ class Recorder {
   std::uintmax_t size() const;
   // Writes all that is recorded so far as a file of its own, whole or not at all; replaces `path`.
   // Waits until it is done. Throws Error if that fails, and also if the recording has ended: the
-  // file then holds all until then. moment: at which the operation is.
+  // file then holds all until then. moment: at which the operation is; kEndOfBranch: it goes on at
+  // the end of that branch.
   void saveAs(const std::filesystem::path& path, Moment moment);
   // Waits until all is written and closes the file.
   void finish();

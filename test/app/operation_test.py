@@ -5,8 +5,10 @@ moments, works on from one, saves, quits, opens, goes on. What was recorded is p
     operation_test.py PROGRAM FOLDER [--random N] [--kills N]     pictures are left in FOLDER
 """
 import argparse
+import contextlib
 import json
 import random
+import sqlite3
 import subprocess
 import sys
 import time
@@ -60,6 +62,10 @@ class KeptOperation(ScreenTest):
 
     def recordings(self):
         return sorted((FOLDER / "state" / "resect" / "recordings").glob("*.resect"))
+
+    def rows(self, file, query):
+        with contextlib.closing(sqlite3.connect(f"file:{file}?mode=ro", uri=True)) as database:
+            return database.execute(query).fetchall()
 
     def verify(self, file, threads=(1, 2, 3)):
         said = set()
@@ -154,6 +160,8 @@ class KeptOperation(ScreenTest):
         again = self.opened(str(kept))
         words = [line for line in again.said if line.startswith("showing")][-1].split()
         self.assertEqual((words[2], words[6]), ("1", str(branched)))
+        # It was saved while it went on: it stands at its end.
+        self.assertEqual([(int(words[4]),)], self.rows(kept, "SELECT max(frame) FROM frames WHERE branch = 1"))
         time.sleep(1)
         screen.picture("6_opened")
         organ = again.places["organ"]

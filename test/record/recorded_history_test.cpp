@@ -44,7 +44,8 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
     setSpacing(scenario, scenario.organs[0].source.spacing.value_or(0.01), 0.012);
     const auto first = folder / (std::string(name) + ".resect"),
                second = folder / (std::string(name) + "-2.resect"),
-               saved = folder / (std::string(name) + "-saved.resect");
+               saved = folder / (std::string(name) + "-saved.resect"),
+               live = folder / (std::string(name) + "-live.resect");
     Simulation simulation = makeSimulation(scenario, readPlainMesh);
     OperationHistory history(simulation, scenario.frameRate);
     {
@@ -83,6 +84,7 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
       operation.history.goTo({0, 160}, *operation.simulation);
       for (int i = 0; i < 20; ++i) kept.step(160 + i);
       recorder.saveAs(saved, {0, 175});
+      recorder.saveAs(live, {0, kEndOfBranch});
     }
     for (const auto& path : {second, saved}) {
       const Verification proof = verify(path);
@@ -96,6 +98,7 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
     replay.goTo(0, 180);
     CHECK(replay.simulation().stateHash() == operation.simulation->stateHash());
     CHECK(RecordingFile::open(saved).moment() == Moment{0, 175});
+    CHECK(RecordingFile::open(live).moment() == Moment{0, 180});
     CHECK(RecordingFile::open(second).moment() == Moment{0, 180});
     CHECK_THROWS_AS(operationOf(file, file.setup(), 2), Error);
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace resect {
@@ -20,5 +21,8 @@ struct Moment {
   std::int64_t branch = 0, frame = 0;
   bool operator==(const Moment&) const = default;
 };
+
+// Moment::frame for the end of the branch, whichever frame that is (Recorder::saveAs()).
+inline constexpr std::int64_t kEndOfBranch = std::numeric_limits<std::int64_t>::max();
 
 }  // namespace resect

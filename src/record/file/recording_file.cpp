@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <zstd.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <cstring>
@@ -154,6 +155,9 @@ RecordingFile RecordingFile::goOn(const std::filesystem::path& path, RecordingFi
 
 void RecordingFile::copyTo(const std::filesystem::path& path, const std::string& name,
                            std::optional<Moment> moment) {
+  if (moment)
+    if (const std::int64_t last = lastFrame(moment->branch); last >= 0)
+      moment->frame = std::min(moment->frame, last);
   try {
     database_.copyTo(path);
     RecordingFile copy{Database(path, name)};
