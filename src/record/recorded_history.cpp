@@ -60,8 +60,10 @@ OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch,
       if (amount.part == "removed") course.removedVolume += 1e-6 * amount.ml;
       if (amount.part == "piece") course.piecesVolume += 1e-6 * amount.ml;
     }
-    for (const RecordedLedger::Wound& wound : ledgers.back().wounds)
+    for (const RecordedLedger::Wound& wound : ledgers.back().wounds) {
       if (wound.kind == "cut") course.cut += 1e-4 * wound.amount;
+      if (wound.kind == "bared") course.bared += 1e-4 * wound.amount;
+    }
   }
   // A state beyond the frames would let the operation go on where nothing led.
   course.states.erase(course.states.upper_bound(course.end()), course.states.end());

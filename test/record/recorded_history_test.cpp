@@ -65,6 +65,7 @@ TEST_CASE("a recorded operation goes on where it was, and what is added is prove
     CHECK(operation.history.peaks() == history.peaks());
     REQUIRE(operation.history.courses().size() == 2);
     CHECK(operation.history.courses()[1].branch.name == "another way");
+    if (name == std::string("cut-950")) CHECK(operation.history.courses()[0].bared > 0);
     for (int b = 0; b < 2; ++b) {
       const auto &was = history.courses()[std::size_t(b)],
                  &is = operation.history.courses()[std::size_t(b)];

@@ -15,9 +15,9 @@ BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, d
                                QWidget* parent)
     : QDialog(parent) {
   setWindowTitle("Branches");
-  const QStringList titles{"Branch",        "Begins at",     "Ends at",
-                           "Strokes",       "Removed, ml",   "Pieces",
-                           "In pieces, ml", "Cut, cm\u00b2", "Largest force, N"};
+  const QStringList titles{"Branch",          "Begins at",       "Ends at",       "Strokes",
+                           "Removed, ml",     "Pieces",          "In pieces, ml", "Cut, cm\u00b2",
+                           "Bared, cm\u00b2", "Largest force, N"};
   auto* table = new QTableWidget(0, int(titles.size()), this);
   table->setHorizontalHeaderLabels(titles);
   table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
@@ -39,6 +39,7 @@ BranchesDialog::BranchesDialog(const Timeline& timeline, std::int64_t present, d
         QString::number(course.pieces),
         QString::number(course.piecesVolume * 1e6, 'f', 2),
         QString::number(course.cut * 1e4, 'f', 1),
+        QString::number(course.bared * 1e4, 'f', 1),
         course.force > 0 ? QString::number(course.force, 'f', 2) : QString("-")};
     for (int i = 0; i < texts.size(); ++i) {
       auto* item = new QTableWidgetItem(texts[i]);

@@ -52,7 +52,7 @@ void drawHistory(QPainter& painter, const QRectF& plot, const History& history, 
   painter.drawPath(path);
 }
 
-// "1 piece of 108.2 ml, cut 41.3 cm2": what an operation has done besides removing.
+// "1 piece of 108.2 ml, cut 41.3 cm2, bared 5.2 cm2": what an operation has done besides removing.
 QString partsOf(const Ledger& ledger) {
   const std::int64_t pieces = ledger.pieces();
   const double cut = ledger.cut();
@@ -66,6 +66,8 @@ QString partsOf(const Ledger& ledger) {
   if (all.debris.particles > 0)
     parts << QString("debris %1 ml").arg(all.debris.volume * 1e6, 0, 'f', 1);
   if (cut > 0) parts << QString("cut %1 cm\u00b2").arg(cut * 1e4, 0, 'f', 1);
+  if (const double bared = ledger.bared(); bared > 0)
+    parts << QString("bared %1 cm\u00b2").arg(bared * 1e4, 0, 'f', 1);
   for (const OrganLedger& organ : ledger.organs)
     for (const LabelLedger& label : organ.labels)
       if (label.margin && std::isfinite(*label.margin))

@@ -109,6 +109,12 @@ double Ledger::cut() const {
   return sum;
 }
 
+double Ledger::bared() const {
+  double sum = 0;
+  for (const OrganLedger& organ : organs) sum += organ.bared;
+  return sum;
+}
+
 TissueSplit Ledger::tissue() const {
   TissueSplit sum;
   for (const OrganLedger& organ : organs) sum += organ.tissue;

@@ -94,10 +94,11 @@ struct OrganLedger {
 struct Ledger {
   std::vector<OrganLedger> organs;
 
-  // Of all organs together; cut: m^2.
+  // Of all organs together; cut, bared: m^2.
   TissueSplit tissue() const;
   std::int64_t pieces() const;
   double cut() const;
+  double bared() const;
   bool operator==(const Ledger&) const = default;
 };
 

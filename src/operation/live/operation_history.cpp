@@ -171,6 +171,7 @@ void OperationHistory::note(const Ledger& ledger) {
   course.pieces = ledger.pieces();
   course.piecesVolume = ledger.tissue().pieces.volume;
   course.cut = ledger.cut();
+  course.bared = ledger.bared();
 }
 
 void OperationHistory::rename(std::int64_t branch, std::string name) {

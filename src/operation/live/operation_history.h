@@ -34,9 +34,10 @@ class OperationHistory {
     StrokeTracker strokes;
     EventMemory events;
     std::vector<std::int64_t> faults;  // frames
-    // At its end: tissue removed, m^3; number and volume of the pieces, m^3; area of cuts, m^2.
-    // removedVolume is of each frame, the others of the last ledger.
-    double removedVolume = 0, piecesVolume = 0, cut = 0;
+    // At its end: tissue removed, m^3; number and volume of the pieces, m^3; area of cuts, and of
+    // faces that removed tissue has bared, m^2. removedVolume is of each frame, the others of the
+    // last ledger.
+    double removedVolume = 0, piecesVolume = 0, cut = 0, bared = 0;
     std::int64_t pieces = 0;
     // Largest force on each tool so far, N, a row per change: frame and one force per tool.
     std::vector<std::pair<std::int64_t, std::vector<double>>> peaks;

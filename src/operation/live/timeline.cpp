@@ -58,7 +58,7 @@ Timeline timelineOf(const OperationHistory& history) {
     if (!c.peaks.empty() && !c.peaks.back().second.empty())
       force = std::ranges::max(c.peaks.back().second);
     timeline.courses.push_back({c.branch, c.end(), c.strokes.strokes(), c.faults, c.removedVolume,
-                                c.piecesVolume, c.cut, c.pieces, force});
+                                c.piecesVolume, c.cut, c.bared, c.pieces, force});
   }
   return timeline;
 }
