@@ -143,6 +143,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
   std::vector<QString> tools;
   for (const ToolModel& tool : session_->toolModels()) tools.push_back(shown(tool.name));
   timeline_->begin(tools, session_->scenario().frameRate);
+  force_->begin(tools);
   const ScenarioOrgan& organ = session_->scenario().organs[0];
   QString notes;
   for (const std::string& note : result.notes) notes += shown(note, kLongestSentence) + "\n";

@@ -295,14 +295,22 @@ void RemovedPanel::paintEvent(QPaintEvent*) {
 ForcePanel::ForcePanel(QWidget* parent) : QWidget(parent) {
   setMinimumHeight(90);
   setToolTip(
-      "What the hand would feel, over the last ten seconds; the most that this instrument met");
+      "What the hand would feel, over the last ten seconds; the most so far, and the instrument "
+      "that met it");
+}
+
+void ForcePanel::begin(const std::vector<QString>& tools) {
+  tools_ = tools;
+  history_.clear();
 }
 
 void ForcePanel::follow(const LiveState& state, int held) {
   const bool felt = held >= 0 && std::size_t(held) < state.forces.size();
   if (!history_.empty() && state.time < history_.back().first) history_.clear();
-  if (history_.empty()) peak_ = 0;
-  if (felt) peak_ = state.peakForces[std::size_t(held)];
+  const auto most = std::ranges::max_element(state.peakForces);
+  peak_ = most == state.peakForces.end() ? 0 : *most;
+  const auto tool = std::size_t(most - state.peakForces.begin());
+  reached_ = peak_ > 0 && tool < tools_.size() ? tools_[tool] : QString();
   history_.emplace_back(state.time, felt ? state.forces[std::size_t(held)] : 0);
   std::erase_if(history_, [&](const auto& p) { return p.first < state.time - kForceSeconds; });
   update();
@@ -318,9 +326,11 @@ void ForcePanel::paintEvent(QPaintEvent*) {
   painter.setPen(palette().color(QPalette::WindowText));
   painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignLeft,
                    QString("%1 N").arg(now, 0, 'f', 2));
-  painter.drawText(QRect(8, 2, width() - 16, line), Qt::AlignRight,
-                   QString("at most %1 N").arg(peak_, 0, 'f', 2));
-  const QRectF plot(8, line + 6, width() - 16, height() - line - 12);
+  QString peak = QString("at most %1 N").arg(peak_, 0, 'f', 2);
+  if (!reached_.isEmpty()) peak += ": " + reached_;
+  painter.drawText(QRect(8, 2 + line, width() - 16, line), Qt::AlignLeft,
+                   fontMetrics().elidedText(peak, Qt::ElideRight, width() - 16));
+  const QRectF plot(8, 2 * line + 6, width() - 16, height() - 2 * line - 12);
   const double last = history_.empty() ? 0 : history_.back().first;
   drawHistory(painter, plot, history_, last - kForceSeconds, last, most,
               palette().color(QPalette::Mid), QColor(90, 180, 200));

@@ -89,19 +89,22 @@ class RemovedPanel : public QWidget {
   History history_;  // values in ml
 };
 
-// The force of the tissue on the tool in hand over the last ten seconds.
+// The force of the tissue on the tool in hand over the last ten seconds, and the largest one on any
+// tool so far.
 class ForcePanel : public QWidget {
  public:
   explicit ForcePanel(QWidget* parent = nullptr);
+  void begin(const std::vector<QString>& tools);  // their names, for a new operation
   void follow(const LiveState& state, int held);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  std::vector<QString> tools_;
   History history_;  // values in N
-  // N: largest force so far on the instrument in hand; if none is in hand, on the last one.
-  double peak_ = 0;
+  double peak_ = 0;  // N: largest force so far
+  QString reached_;  // the tool that met it; empty: none did
 };
 
 // Pictures per second, simulated time per real time, and a bar for each stage of the step. If
