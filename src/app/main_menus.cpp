@@ -51,12 +51,16 @@ void MainWindow::makeMenus() {
             "*.gz);;All files (*)");
         if (!name.isEmpty()) openFile(name);
       });
-  add(file, "Built-in &liver", {}, "The liver that comes with Resect, whole", [this] {
-    Scenario scenario = options_.scenario;
-    keepFirstOrgan(scenario);
-    scenario.organs[0].source.file = "liver";
-    load(scenario);
-  });
+  for (const std::string_view organ : kBuiltInOrgans) {
+    const std::string name(organ);
+    add(file, ("Built-in &" + name).c_str(), {},
+        QString::fromStdString("The " + name + " that comes with Resect, whole"), [this, name] {
+          Scenario scenario = options_.scenario;
+          keepFirstOrgan(scenario);
+          scenario.organs[0].source.file = name;
+          load(scenario);
+        });
+  }
   QMenu* scenarios = file->addMenu("S&cenario");
   for (const std::string& name : shippedNames("scenarios", ".toml"))
     add(scenarios, name.c_str(), {}, titleOf(name), [this, name] {

@@ -53,7 +53,9 @@ void MainWindow::openFile(const QString& file) {
     if (path.extension() == ".resect") {
       openOperation(file);
     } else if (path.extension() == ".toml") {
-      load(readScenario(path));
+      const Scenario scenario = readScenario(path);
+      for (const ScenarioOrgan& organ : scenario.organs) requireOrganThere(organ.source);
+      load(scenario);
       remember(file);
     } else if (isParticleFile(path)) {
       Scenario scenario = options_.scenario;

@@ -7,6 +7,7 @@
 #include "cli/progress_bar.h"
 #include "inventor/reading/model_file.h"
 #include "io/scenario/length.h"
+#include "io/scenario/scenario_files.h"
 #include "operation/setting_ranges.h"
 
 namespace resect {
@@ -35,6 +36,7 @@ Vec3i parseDims(const std::string& text) {
 }  // namespace
 
 void OrganOptions::applyTo(OrganSource& source) const {
+  requireOrganThere(source);
   if (!part.empty()) source.part = part;
   if (!unit.empty()) source.unit = parseUnit(unit, "--unit");
   source.repair = source.repair || repair;
@@ -58,6 +60,7 @@ void OrganOptions::applyTo(Scenario& scenario, const std::string& organ) const {
   OrganSource& first = scenario.organs[0].source;
   const std::optional<double> before = first.spacing;
   if (!organ.empty()) first.file = organ;
+  for (const ScenarioOrgan& one : scenario.organs) requireOrganThere(one.source);
   applyTo(first);
   if (before && first.spacing) setSpacing(scenario, *before, *first.spacing);
 }

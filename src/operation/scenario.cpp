@@ -7,6 +7,13 @@
 
 namespace resect {
 
+std::string builtInOrgans() {
+  std::string names;
+  for (const std::string_view name : kBuiltInOrgans)
+    names.append(names.empty() ? "" : ", ").append(name);
+  return names;
+}
+
 ToolInput toolInputAt(const ScenarioTool& tool, double time) {
   const auto& keys = tool.keys;
   // Times are sums of frame durations: a key counts as reached within rounding.

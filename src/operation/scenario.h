@@ -2,8 +2,11 @@
 // io/scenario/scenario_file.h reads one from a file.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/pose.h"
@@ -54,10 +57,12 @@ struct OrganSource {
   }
 };
 
-// Whether the source is one of the built-in organs, "liver" and "gallbladder".
+// The organs that come with Resect, and whether the source is one of them.
+inline constexpr std::string_view kBuiltInOrgans[] = {"liver", "gallbladder"};
 inline bool isBuiltIn(const OrganSource& source) {
-  return source.file == "liver" || source.file == "gallbladder";
+  return std::ranges::find(kBuiltInOrgans, source.file) != std::end(kBuiltInOrgans);
 }
+std::string builtInOrgans();  // "liver, gallbladder", for messages
 
 // Pose, squeeze and pedal of a tool at one time. Between two keys rotations are interpolated along
 // the shorter great circle, and all else linearly.

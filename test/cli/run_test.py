@@ -345,6 +345,17 @@ class Complaints(unittest.TestCase):
             self.assertEqual(done.returncode, 1, args)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
+    def test_a_misspelt_organ_gives_the_names_of_the_built_in_ones(self):
+        scenario = FOLDER / "misspelt.toml"
+        scenario.write_text('title = "Misspelt"\nduration = 0.1\n[organ]\nsource = "galbladder"\nspacing = "20mm"\n')
+        for args in (["run", "cut", "--organ", "galbladder"], ["run", scenario], ["bench", "--organ", "galbladder"],
+                     ["discretize", "galbladder", "-o", FOLDER / "misspelt.dis"],
+                     ["window", "--organ", "galbladder"], ["window", scenario]):
+            done = resect(*args)
+            self.assertEqual(done.returncode, 1, args)
+            self.assertIn("galbladder: there is no such file", done.stderr, args)
+            self.assertIn("liver, gallbladder", done.stderr, args)
+
     def test_an_instrument_from_outside_gives_pictures_or_one_sentence(self):
         """Coin alone ends in a segmentation fault on most of these."""
         points = [(x, y, z) for z in (0, 0.1) for y in (-0.01, 0.01) for x in (-0.01, 0.01)]

@@ -86,8 +86,9 @@ void addBenchCommand(CLI::App& app) {
       ->add_option("SCENARIO", options->scenario,
                    "Scenario file, or the name of one that comes with Resect")
       ->capture_default_str();
-  command->add_option("--organ", options->organ,
-                      "Another organ: model or file of particles, or \"liver\"");
+  command->add_option(
+      "--organ", options->organ,
+      "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
   auto organ = addOrganOptions(*command);
   addThreadsOption(*command, options->threads);
   command->add_flag("--once", options->once,

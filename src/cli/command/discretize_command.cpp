@@ -30,9 +30,9 @@ void addDiscretizeCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("discretize", "Turn a closed mesh into particles on a lattice");
   command
-      ->add_option(
-          "MESH", options->mesh,
-          "Model file, \"liver\" for the built-in one, or a scenario (.toml) for its organ")
+      ->add_option("MESH", options->mesh,
+                   "Model file, a built-in organ (" + builtInOrgans() +
+                       "), or a scenario (.toml) for its organ")
       ->required();
   command
       ->add_option("-o,--output", options->output,

@@ -170,8 +170,9 @@ void addRunCommand(CLI::App& app) {
   command->add_flag(
       "--thesis", options->thesis,
       "As the original system: tissue is still, instruments take out what they touch");
-  command->add_option("--organ", options->organ,
-                      "Another organ: model or file of particles, or \"liver\"");
+  command->add_option(
+      "--organ", options->organ,
+      "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
   auto organ = addOrganOptions(*command);
   addThreadsOption(*command, options->threads);
   addPictureOptions(*command, options->pictures);

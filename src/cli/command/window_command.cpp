@@ -56,8 +56,9 @@ void addWindowCommand(CLI::App& app) {
       "SCENARIO", options->scenario,
       "Organ and room of this scenario, or a recorded operation (*.resect) that goes "
       "on; without it the built-in liver at 5 mm");
-  command->add_option("--organ", options->organ,
-                      "Another organ: model or file of particles, or \"liver\"");
+  command->add_option(
+      "--organ", options->organ,
+      "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
   auto organ = addOrganOptions(*command);
   command->add_option("--threads", options->threads, "Threads to use; 0 = all")
       ->check(CLI::Range(0, 1024))

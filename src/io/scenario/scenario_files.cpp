@@ -1,5 +1,6 @@
 #include "io/scenario/scenario_files.h"
 
+#include "base/error.h"
 #include "io/data_folder.h"
 #include "io/scenario/scenario_file.h"
 
@@ -25,6 +26,15 @@ std::vector<std::filesystem::path> filesRead(const Scenario& scenario) {
     files.push_back(std::filesystem::path(model.file).replace_extension(".ply"));  // readPlainMesh
   }
   return files;
+}
+
+void requireOrganThere(const OrganSource& source) {
+  std::error_code ec;
+  if (isBuiltIn(source) ||
+      std::filesystem::status(source.file, ec).type() != std::filesystem::file_type::not_found)
+    return;
+  throw error("{}: there is no such file; check the name, or choose a built-in organ: {}",
+              source.file, builtInOrgans());
 }
 
 }  // namespace resect

@@ -14,6 +14,10 @@ namespace resect {
 // is for the layers that know its format.
 std::vector<std::filesystem::path> filesRead(const Scenario& scenario);
 
+// Throws Error, with the names of the built-in organs, if the source is none of them and there is
+// no file of its name.
+void requireOrganThere(const OrganSource& source);
+
 // Every file that comes with Resect.
 std::vector<std::filesystem::path> shippedFiles();
 
