@@ -26,6 +26,22 @@ QColor colourOf(std::int64_t tool) {
   return QColor::fromHsv(kHues[std::size_t(tool) % std::size(kHues)], 110, 190);
 }
 
+// One line that ends in "..." where there is no room for all of it.
+class ElidedLabel : public QLabel {
+ public:
+  explicit ElidedLabel(QWidget* parent) : QLabel(parent) {
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    QPainter painter(this);
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(rect(), Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, width()));
+  }
+};
+
 }  // namespace
 
 QString clockText(double seconds) {
@@ -156,6 +172,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
       "Branches: one begins wherever somebody went back and worked on from there");
   branches_->setFocusPolicy(Qt::TabFocus);
   branches_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  branches_->setMaximumWidth(26 * fontMetrics().averageCharWidth());
   connect(branches_, &QComboBox::activated, this,
           [this](int index) { lookAt(branches_->itemData(index).toLongLong()); });
   compare_ = button("Compare ...", "All branches side by side (Ctrl+B)", [this] {
@@ -165,8 +182,7 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
                  "Operates from this moment; the rest stays as a branch (Ctrl+Return)", [this] {
                    if (goOn) goOn();
                  });
-  hint_ = new QLabel(this);
-  hint_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  hint_ = new ElidedLabel(this);
   memory_ = new QLabel(this);
   memory_->setToolTip(
       "Memory for the states from which any moment is shown. When it is full, old moments take "
