@@ -253,8 +253,7 @@ void MainWindow::tick() {
   if (state.moves) force_->follow(state, session_->playing() ? playedTool(state) : tools.held());
   timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
   timeline_->follow(state, session_->showing(), session_->answered());
-  undo_->setEnabled(state.undoable > 0);
-  redo_->setEnabled(state.redoable > 0);
+  if (state.timeline && strokesNoted_ != state.timeline->strokeCount()) noteRecording();
   if (!options_.reports || state.frame == 0) return;
   // After the layout of the panels is final.
   const QSize size = viewer_->size();

@@ -60,6 +60,7 @@ class MainWindow : public QMainWindow {
   bool mayEnd();
   void saveOperation(bool elsewhere);
   void writeOperation(const std::string& file);
+  void noteRecording();
   void listRecordings();
   void makeTimelineMenu();
   void compareBranches();
@@ -129,7 +130,8 @@ class MainWindow : public QMainWindow {
   std::string operationFile_;      // in which the operation is kept; empty: it has no name yet
   bool goesOn_ = false;            // it was opened from a recording
   std::size_t strokesBefore_ = 0;  // that it was opened with
-  bool lookingAt_ = false;         // the next click chooses the point that the camera looks at
+  std::optional<std::size_t> strokesNoted_;  // at the last noteRecording()
+  bool lookingAt_ = false;  // the next click chooses the point that the camera looks at
   bool readySaid_ = false;
   bool playingSaid_ = false, showingSaid_ = false;
   Moment momentSaid_;

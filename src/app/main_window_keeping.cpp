@@ -63,6 +63,7 @@ void MainWindow::film(qint64 now) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayEnd()) return event->ignore();
+  noteRecording();
   if (video_) toggleVideo();  // finishes the film
   QMainWindow::closeEvent(event);
 }

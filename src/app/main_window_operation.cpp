@@ -2,6 +2,7 @@
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 
 #include <QApplication>
+#include <QDateTime>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMenu>
@@ -24,6 +25,19 @@
 #include "record/session_recordings.h"
 
 namespace resect {
+namespace {
+
+// In the window's settings: what its recordings hold.
+constexpr const char* kNotes = "recordings";
+
+// "2026-11-26 14:03" of a recording that the window has named by date, time and scenario; else its
+// name.
+QString whenOf(const QString& name) {
+  const QDateTime when = QDateTime::fromString(name.left(19), "yyyy-MM-dd_HH-mm-ss");
+  return when.isValid() ? when.toString("yyyy-MM-dd HH:mm") : name;
+}
+
+}  // namespace
 
 void MainWindow::showProgress(double share) {
   progress_->setRange(0, share < 0 ? 0 : 1000);
@@ -122,11 +136,13 @@ bool MainWindow::begin(OrganLoader::Result result) {
     if (keepsView_ && session_)
       session->room().camera()->copyFieldValues(session_->room().camera());
     viewer_->show(nullptr);
+    noteRecording();  // of the operation that ends here
     session_ = std::move(session);
     session_->operation().setHistoryMemory(std::size_t(options_.historyMemory) << 20);
     recorder_ = std::move(recorder);
     goesOn_ = goesOn;
     strokesBefore_ = strokes;
+    strokesNoted_.reset();
     operationFile_.clear();
     setWindowTitle("Resect");
   } catch (const std::exception& e) {
@@ -170,10 +186,7 @@ std::shared_ptr<Recorder> MainWindow::record(const OrganLoader::Result& result) 
 bool MainWindow::mayEnd() {
   if (!session_ || (recorder_ && recorder_->failure().empty())) return true;
   const std::shared_ptr<const Timeline> timeline = session_->state().timeline;
-  std::size_t strokes = 0;
-  for (std::size_t b = 0; timeline && b < timeline->courses.size(); ++b)
-    strokes += timeline->courses[b].strokes.size();
-  const bool done = strokes > strokesBefore_;
+  const bool done = timeline && timeline->strokeCount() > strokesBefore_;
   return !done || QMessageBox::question(
                       this, "Resect",
                       "This operation is not recorded: what was done will be lost. Leave it?",
@@ -224,9 +237,34 @@ void MainWindow::saveOperation(bool elsewhere) {
   }
 }
 
+// Keeps in the settings what the menu says of the recording. To read it from the file would take
+// the sandbox, and all of the file.
+void MainWindow::noteRecording() {
+  if (!recorder_ || !session_ || !session_->state().timeline) return;
+  const Timeline& timeline = *session_->state().timeline;
+  const std::size_t strokes = timeline.strokeCount();
+  strokesNoted_ = strokes;
+  const Scenario& scenario = session_->scenario();
+  std::int64_t end = 0;
+  for (const Timeline::Course& course : timeline.courses) end = std::max(end, course.end);
+  QSettings settings;
+  settings.beginGroup(kNotes);
+  settings.setValue(
+      QString::fromStdString(recorder_->path().stem().string()),
+      QString("%1, %2, %3 %4")
+          .arg(scenario.title.empty() ? namesOf(scenario.organs) : shown(scenario.title))
+          .arg(clockText(double(end) / scenario.frameRate))
+          .arg(strokes)
+          .arg(strokes == 1 ? "stroke" : "strokes"));
+}
+
 // The menu of what the window has recorded by itself.
 void MainWindow::listRecordings() {
   recordings_->clear();
+  noteRecording();
+  QSettings settings;
+  settings.beginGroup(kNotes);
+  QStringList gone = settings.childKeys();
   std::uintmax_t sum = 0;
   const auto megabytes = [](std::uintmax_t bytes) {
     return QString("%1 MB").arg(double(bytes) / 1e6, 0, 'f', 1);
@@ -234,13 +272,20 @@ void MainWindow::listRecordings() {
   for (const SessionRecording& recording : sessionRecordings()) {
     sum += recording.bytes;
     const bool present = recorder_ && recording.path == recorder_->path();
-    const QString name = shown(recording.path.stem().string()) + ",  " + megabytes(recording.bytes);
-    QAction* action = recordings_->addAction(present ? name + "  (this one)" : name);
+    const QString name = QString::fromStdString(recording.path.stem().string());
+    gone.removeAll(name);
+    QString text = shown(whenOf(name).toStdString()) + "   ";
+    if (const QString note = settings.value(name).toString(); !note.isEmpty()) text += note + ", ";
+    text += megabytes(recording.bytes);
+    text.replace('&', "&&");
+    QAction* action = recordings_->addAction(present ? text + "  (this one)" : text);
+    action->setToolTip("<p>" + shownInHtml(recording.path.string()) + "</p>");
     action->setEnabled(!present);
     connect(action, &QAction::triggered, this, [this, path = recording.path] {
       openOperation(QString::fromStdString(path.string()));
     });
   }
+  for (const QString& name : gone) settings.remove(name);
   recordings_->addSeparator();
   QAction* all = recordings_->addAction(
       QString("The last %1 are kept; together %2").arg(kKeptRecordings).arg(megabytes(sum)));

@@ -82,15 +82,14 @@ QString nameOf(const OrganSource& organ) {
   return shown(std::filesystem::path(organ.file).filename().string());
 }
 
-// The organs' names for the panel: "Built-in liver", "liver, gallbladder".
+}  // namespace
+
 QString namesOf(const std::vector<ScenarioOrgan>& organs) {
   if (organs.size() == 1) return nameOf(organs[0].source);
   QStringList names;
   for (const ScenarioOrgan& organ : organs) names << shown(organ.source.name);
   return names.join(", ");
 }
-
-}  // namespace
 
 InstrumentsPanel::InstrumentsPanel(QWidget* parent) : QWidget(parent) {
   layout_ = new QVBoxLayout(this);

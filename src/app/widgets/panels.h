@@ -25,6 +25,9 @@ namespace resect {
 // A value over time, oldest first: pairs of simulated time, in s, and value.
 using History = std::vector<std::pair<double, double>>;
 
+// The organs' names for people: "Built-in liver", "liver, gallbladder".
+QString namesOf(const std::vector<ScenarioOrgan>& organs);
+
 // One button per instrument, pressed while that instrument is in hand.
 class InstrumentsPanel : public QWidget {
  public:

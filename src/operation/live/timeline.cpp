@@ -31,6 +31,12 @@ bool Timeline::leadsTo(std::int64_t branch, Moment moment) const {
   return found;
 }
 
+std::size_t Timeline::strokeCount() const {
+  std::size_t count = 0;
+  for (const Course& course : courses) count += course.strokes.size();
+  return count;
+}
+
 std::vector<Stroke> Timeline::strokesOn(std::int64_t branch) const {
   std::vector<Stroke> strokes;
   walkBack(branch, [&](const Course& course, std::int64_t last) {

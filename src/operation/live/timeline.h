@@ -27,6 +27,7 @@ struct Timeline {
   Moment momentOn(std::int64_t branch, std::int64_t frame) const;
   // Whether the moment is on the way to the end of `branch`.
   bool leadsTo(std::int64_t branch, Moment moment) const;
+  std::size_t strokeCount() const;  // in all branches
   // The strokes, and the frames of faults, on the way to the end of `branch`, in order.
   std::vector<Stroke> strokesOn(std::int64_t branch) const;
   std::vector<std::int64_t> faultsOn(std::int64_t branch) const;
