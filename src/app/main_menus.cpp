@@ -108,6 +108,15 @@ void MainWindow::makeMenus() {
               [this] { undo(false); });
   redo_ = add(edit, "&Redo stroke", QKeySequence("Ctrl+Shift+Z"),
               "Does again the stroke that was taken back last", [this] { undo(true); });
+  // Grey in the menu only: the keys of an action that is switched off would say nothing.
+  connect(edit, &QMenu::aboutToShow, this, [this] {
+    undo_->setEnabled(session_ && session_->state().undoable > 0);
+    redo_->setEnabled(session_ && session_->state().redoable > 0);
+  });
+  connect(edit, &QMenu::aboutToHide, this, [this] {
+    undo_->setEnabled(true);
+    redo_->setEnabled(true);
+  });
 
   makeTimelineMenu();
 

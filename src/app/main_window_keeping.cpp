@@ -73,7 +73,13 @@ void MainWindow::undo(bool again) {
   if (!session_) return;
   const LiveState& state = session_->state();
   const int strokes = again ? state.redoable : state.undoable;
-  if (strokes == 0) return;
+  if (strokes == 0) {
+    statusBar()->showMessage(again ? "Nothing was taken back that could be done again"
+                                   : "There is no stroke to take back",
+                             4000);
+    if (options_.reports) say("nothing to {}", again ? "redo" : "undo");
+    return;
+  }
   const int number = again ? state.undoable + 1 : state.undoable;
   statusBar()->showMessage(
       QString(again ? "Stroke %1 is done again" : "Stroke %1 is taken back").arg(number), 4000);

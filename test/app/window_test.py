@@ -53,6 +53,10 @@ class AtTheWindow(ScreenTest):
         window = self.opened("8mm", "1240x900")
         organ, scalpel = window.places["organ"], window.places["Scalpel"]
         begin = screen.picture("1_start")
+        screen.key("ctrl+z")
+        window.wait("nothing to undo")
+        screen.key("ctrl+shift+z")
+        window.wait("nothing to redo")
 
         # As in the thesis: click, handle box, trackball, and a click elsewhere.
         screen.click(*scalpel)
