@@ -37,6 +37,7 @@ namespace resect {
 namespace {
 
 constexpr qint64 kPanelInterval = 150;  // ms between updates of the panels
+constexpr int kTallWindow = 900;        // pixels: in a lower one forces and timing share one place
 
 const char* nameOf(ToolHandling::Hold how) {
   switch (how) {
@@ -177,7 +178,10 @@ void MainWindow::makeDocks() {
   below->setWidget(timeline_);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   addDockWidget(Qt::BottomDockWidgetArea, below);
-  force_->parentWidget()->hide();  // until tissue moves and exerts forces
+  auto* force = static_cast<QDockWidget*>(force_->parentWidget());
+  force->hide();  // until tissue moves and exerts forces
+  if (options_.height < kTallWindow)
+    tabifyDockWidget(force, static_cast<QDockWidget*>(stages->parentWidget()));
   // Fixed width from the start, so that the picture does not shift when numbers appear.
   QList<QDockWidget*> docks = findChildren<QDockWidget*>();
   docks.removeOne(below);
@@ -185,7 +189,7 @@ void MainWindow::makeDocks() {
               Qt::Horizontal);
   // In lines of text.
   QList<int> heights;
-  for (const int lines : {9, 14, 6, 5, 19}) heights.push_back(lines * fontMetrics().height());
+  for (const int lines : {9, 14, 9, 6, 19}) heights.push_back(lines * fontMetrics().height());
   resizeDocks(docks, heights, Qt::Vertical);
   instruments_->chosen = [this](int tool) {
     if (!session_) return;
@@ -248,8 +252,12 @@ void MainWindow::tick() {
   organ_->follow(state);
   organ_->setIso(session_->iso().value());
   removed_->follow(state);
-  if (force_->parentWidget()->isVisible() != state.moves)
+  if (movesSaid_ != state.moves) {
+    movesSaid_ = state.moves;
     force_->parentWidget()->setVisible(state.moves);
+    if (state.moves)
+      force_->parentWidget()->raise();  // above the timing, where they share one place
+  }
   if (state.moves) force_->follow(state, session_->playing() ? playedTool(state) : tools.held());
   timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
   timeline_->follow(state, session_->showing(), session_->answered());

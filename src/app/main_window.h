@@ -133,7 +133,7 @@ class MainWindow : public QMainWindow {
   std::optional<std::size_t> strokesNoted_;  // at the last noteRecording()
   bool lookingAt_ = false;  // the next click chooses the point that the camera looks at
   bool readySaid_ = false;
-  bool playingSaid_ = false, showingSaid_ = false;
+  bool playingSaid_ = false, showingSaid_ = false, movesSaid_ = false;
   Moment momentSaid_;
   std::shared_ptr<const Ledger> ledgerSaid_;
   bool keepsView_ = false;  // the same organ is being loaded again: the camera stays

@@ -227,7 +227,7 @@ void OrganPanel::setIso(float iso) {
 }
 
 RemovedPanel::RemovedPanel(QWidget* parent) : QWidget(parent) {
-  setMinimumHeight(110);
+  setMinimumHeight(80);
   setToolTip("Tissue taken out since the organ was whole, and how it came about");
 }
 
@@ -292,7 +292,7 @@ void RemovedPanel::paintEvent(QPaintEvent*) {
 }
 
 ForcePanel::ForcePanel(QWidget* parent) : QWidget(parent) {
-  setMinimumHeight(90);
+  setMinimumHeight(70);
   setToolTip(
       "What the hand would feel, over the last ten seconds; the most so far, and the instrument "
       "that met it");
