@@ -82,7 +82,9 @@ void MainWindow::makeMenus() {
   });
   connect(recordings_, &QMenu::aboutToShow, this, [this] { listRecordings(); });
   add(file, "Begin &again", QKeySequence("Ctrl+N"),
-      "The organ whole again, with the settings of its panel", [this] { organ_->beginAgain(); });
+      "The same scenario from its start, as another operation, with the settings of the organ's "
+      "panel; what was done so far stays in its recording",
+      [this] { organ_->beginAgain(); });
   file->addSeparator();
   add(file, "&Save operation", QKeySequence::Save,
       "All that was done, as one file: opened, the operation goes on where it was",

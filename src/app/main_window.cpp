@@ -206,10 +206,10 @@ void MainWindow::makeDocks() {
   organ_->rebuild = [this](std::optional<double> spacing, int refine, bool elastic) {
     if (!session_) return;
     Scenario scenario = session_->scenario();
-    // The files from which an opened operation was made need not be here.
-    if (goesOn_ && !spacing && refine == scenario.organs[0].source.settings.refine &&
+    // The files from which an opened operation was made need not be here; its recording has all.
+    if (!madeFrom_.empty() && !spacing && refine == scenario.organs[0].source.settings.refine &&
         elastic == scenario.organs[0].tissue.elastic)
-      return session_->show({0, 0});
+      return openOperation(QString::fromStdString(madeFrom_), true);
     if (spacing) setSpacing(scenario, session_->cells().lattice.spacing.x(), *spacing);
     for (ScenarioOrgan& organ : scenario.organs) organ.source.settings.refine = refine;
     if (elastic != scenario.organs[0].tissue.elastic)

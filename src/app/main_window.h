@@ -55,7 +55,8 @@ class MainWindow : public QMainWindow {
   void makeDocks();
   bool begin(OrganLoader::Result result);  // false: it cannot be shown, which is said
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
-  void openOperation(const QString& file);
+  // anew: from its start, without what was done.
+  void openOperation(const QString& file, bool anew = false);
   // Whether the operation may be given up: nothing would be lost, or the person says so.
   bool mayEnd();
   void saveOperation(bool elsewhere);
@@ -128,7 +129,7 @@ class MainWindow : public QMainWindow {
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::string script_, faultSaid_, recorderSaid_;
   std::string operationFile_;      // in which the operation is kept; empty: it has no name yet
-  bool goesOn_ = false;            // it was opened from a recording
+  std::string madeFrom_;           // the recording that it was opened from; empty: none
   std::size_t strokesBefore_ = 0;  // that it was opened with
   std::optional<std::size_t> strokesNoted_;  // at the last noteRecording()
   bool lookingAt_ = false;  // the next click chooses the point that the camera looks at

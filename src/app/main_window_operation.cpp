@@ -59,22 +59,24 @@ bool MainWindow::load(const Scenario& scenario) {
   return true;
 }
 
-void MainWindow::openOperation(const QString& file) {
+void MainWindow::openOperation(const QString& file, bool anew) {
   if (!mayEnd()) return;
   loader_.cancel();
-  keepsView_ = false;
+  keepsView_ = anew;
   if (session_) complaint_->hide();
   showProgress(-1);
-  statusBar()->showMessage("Opening the operation ...");
+  statusBar()->showMessage(anew ? "Beginning again ..." : "Opening the operation ...");
   operations_.load(
-      file.toStdString(), QSettings().value("record", true).toBool(),
-      std::size_t(options_.historyMemory) << 20, [this](double share) { showProgress(share); },
-      [this, file](OrganLoader::Result result) {
+      {file.toStdString(), anew, QSettings().value("record", true).toBool(),
+       std::size_t(options_.historyMemory) << 20},
+      [this](double share) { showProgress(share); },
+      [this, file, anew](OrganLoader::Result result) {
         const std::filesystem::path path = file.toStdString();
         if (!begin(std::move(result))) {
           if (!session_ && !loader_.busy()) loadDefault();
           return;
         }
+        if (anew) return;  // another operation, which has no name yet
         // A recording of the window's own has no name that a person gave it.
         if (path.parent_path() != recordingsFolder()) {
           operationFile_ = path.string();
@@ -118,7 +120,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
   }
   try {
     std::optional<ScenePlaces> places;
-    if (result.scenario.organs[0].source.part == kOrganNode && !result.history)
+    if (result.scenario.organs[0].source.part == kOrganNode && result.recording.empty())
       places = readModel(result.scenario.organs[0].source.file).places;
     std::shared_ptr<Recorder> recorder = result.history ? result.recorder : record(result);
     const bool goesOn = result.history.has_value();
@@ -133,14 +135,19 @@ bool MainWindow::begin(OrganLoader::Result result) {
       for (int i = 0; i < tools; ++i) session->tools().setPose(i, places->tools[std::size_t(i)]);
       setCamera(session->room(), *places);
     }
-    if (keepsView_ && session_)
+    if (keepsView_ && session_) {
       session->room().camera()->copyFieldValues(session_->room().camera());
+      statusBar()->showMessage(
+          recorder_ ? "Begun again; what was done before is in File > Recorded operations"
+                    : "Begun again",
+          6000);
+    }
     viewer_->show(nullptr);
     noteRecording();  // of the operation that ends here
     session_ = std::move(session);
     session_->operation().setHistoryMemory(std::size_t(options_.historyMemory) << 20);
     recorder_ = std::move(recorder);
-    goesOn_ = goesOn;
+    madeFrom_ = result.recording;
     strokesBefore_ = strokes;
     strokesNoted_.reset();
     operationFile_.clear();

@@ -177,8 +177,25 @@ class KeptOperation(ScreenTest):
         screen.focus("^Resect")
         screen.key("ctrl+s")  # it has its name
         again.wait("written", seconds=30)
+        after = kept.read_bytes()
+
+        # Begin again: another operation, from the start of the one that was opened.
+        screen.key("ctrl+n")
+        again.wait("organ ")
+        screen.key("ctrl+z")
+        again.wait("nothing to undo")
+        screen.key("ctrl+s")  # it has no name: the one that was opened is not replaced
+        screen.focus("^Save operation$")
+        screen.key("Escape")
+        screen.focus("^Resect")
         self.close(again)
-        self.assertNotEqual(before, kept.read_bytes())
+        self.assertEqual(after, kept.read_bytes())
+        self.assertNotEqual(before, after)
+        notes = (FOLDER / "config").rglob("*.conf")
+        self.assertRegex("".join(file.read_text() for file in notes), r'_operation="Built-in liver, 0:\d\d\.\d, [2-9] strokes"')
+        anew = self.recordings()[-1]
+        self.assertEqual(self.rows(anew, "SELECT max(number) FROM branch"), [(0,)])
+        self.assertEqual(self.rows(anew, "SELECT count(*) FROM events WHERE kind = 'remove'"), [(0,)])
         self.verify(kept)
         for file in self.recordings():
             self.verify(file, threads=(2,))

@@ -7,15 +7,14 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/stop.h"
+#include "io/operation_setup.h"
 #include "record/recorded_history.h"
 #include "record/session_recordings.h"
 
 namespace resect {
 
 struct OperationLoader::Job {
-  std::filesystem::path file;
-  bool record = true;
-  std::size_t historyBytes = 0;
+  Wish wish;
   OrganLoader::Result result;
   std::atomic<double> share{-1};
   std::atomic<bool> cancelled{false}, done{false};
@@ -28,18 +27,27 @@ struct OperationLoader::Job {
   void work() {
     const StopBy stop(cancelled);
     try {
-      RecordingFile recording = RecordingFile::open(file, [this](double) { return !cancelled; });
+      RecordingFile recording =
+          RecordingFile::open(wish.file, [this](double) { return !cancelled; });
       RecordedSetup setup = recording.setup();
       for (ScenarioOrgan& organ : setup.scenario.organs) organ.tissue = besideDrawing(organ.tissue);
+      result.recording = wish.file.string();
+      if (wish.anew) {
+        result.simulation = std::make_unique<Simulation>(simulationOf(setup));
+        result.scenario = std::move(setup.scenario);
+        noteSlowFrames(*result.simulation, result.scenario, &result.notes);
+        done = true;
+        return;
+      }
       RecordedOperation operation = operationOf(
           recording, std::move(setup), {},
           [this](double now) {
             share = now;
             return !cancelled;
           },
-          historyBytes);
+          wish.historyBytes);
       share = -1;
-      if (record) try {
+      if (wish.record) try {
           result.recorder =
               recordSession(operation.setup.scenario, recording, *operation.simulation);
         } catch (const Error& e) {
@@ -75,16 +83,13 @@ void OperationLoader::cancel() {
 
 OperationLoader::~OperationLoader() { cancel(); }
 
-void OperationLoader::load(const std::filesystem::path& file, bool record, std::size_t historyBytes,
-                           std::function<void(double)> progress,
+void OperationLoader::load(Wish wish, std::function<void(double)> progress,
                            std::function<void(OrganLoader::Result)> done) {
   cancel();
   progress_ = std::move(progress);
   done_ = std::move(done);
   job_ = std::make_unique<Job>();
-  job_->file = file;
-  job_->record = record;
-  job_->historyBytes = historyBytes;
+  job_->wish = std::move(wish);
   job_->thread = std::thread([job = job_.get()] { job->work(); });
   timer_.start();
 }

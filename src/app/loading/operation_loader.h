@@ -1,4 +1,4 @@
-// Opens a recorded operation in the background, so that it goes on where it was.
+// Opens a recorded operation in the background, so that it goes on where it was, or begins anew.
 #pragma once
 
 #include <QTimer>
@@ -13,12 +13,16 @@ class OperationLoader {
   OperationLoader();
   ~OperationLoader();  // abandons loading in progress; waits for all threads to end
 
+  struct Wish {
+    std::filesystem::path file;
+    bool anew = false;             // from the start of the operation, without what was done
+    bool record = true;            // unless anew: into another recording, Result::recorder
+    std::size_t historyBytes = 0;  // as operationOf() takes them
+  };
   // Loads one operation at a time; a new call abandons the one before. The recording stays as it
-  // is: what is done from now on is kept in another one (Result::recorder), if `record`.
-  // historyBytes: as operationOf() takes them.
-  // `progress` and `done` are called as OrganLoader::load() calls them.
-  void load(const std::filesystem::path& file, bool record, std::size_t historyBytes,
-            std::function<void(double)> progress, std::function<void(OrganLoader::Result)> done);
+  // is. `progress` and `done` are called as OrganLoader::load() calls them.
+  void load(Wish wish, std::function<void(double)> progress,
+            std::function<void(OrganLoader::Result)> done);
   void cancel();
 
  private:

@@ -38,6 +38,7 @@ class OrganLoader {
     std::unique_ptr<Simulation> simulation;  // null: `problem` says why
     std::vector<std::string> notes;
     std::string problem;
+    std::string recording = {};  // from which it was made; empty: from the scenario's files
     // Of an operation that goes on (operation_loader.h): what was done, and its recorder.
     std::optional<OperationHistory> history = {};
     std::shared_ptr<Recorder> recorder = {};
