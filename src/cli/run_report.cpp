@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/text/printed_time.h"
 #include "base/text/shown_text.h"
 #include "cli/ledger_report.h"
 
@@ -41,7 +42,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
                                      {"max", 1e3 * t.max},
                                      {"total", 1e3 * t.total}};
   }
-  json["simulated_s"] = summary.simulatedSeconds;
+  json["simulated_s"] = printedTime(summary.simulatedSeconds);
   json["real_time_factor"] = summary.realTimeFactor();
   if (summary.tissueMoves) {
     json["tissue"] = {{"severed_bonds", summary.severed},

@@ -45,6 +45,8 @@ class Recordings(unittest.TestCase):
             played = json.loads(replay.stdout)
             self.assertEqual(played["state_hash"], summary["state_hash"])
             self.assertIn("touch", [event["kind"] for event in played["events"]])
+            for time_s in [summary["simulated_s"], played["time_s"], *(event["time_s"] for event in played["events"])]:
+                self.assertLessEqual(len(str(time_s)), len("12.123456789"))
 
     def test_a_piece_that_comes_off_is_an_event(self):
         file, summary = self.recorded("resect-segment-elastic", "--spacing", "9mm")

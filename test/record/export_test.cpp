@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/text/printed_time.h"
 #include "formats/assimp_file.h"
 #include "formats/export/glb_file.h"
 #include "io/data_folder.h"
@@ -326,9 +327,10 @@ TEST_CASE("an exported table has the rows of the recording") {
       "time_s,frame,tool,tip_x_m,tip_y_m,tip_z_m,force_x_N,force_y_N,force_z_N\r\n";
   std::int64_t rows = 0;
   for (const RecordedSample& s : replay.file().samples(0)) {
-    expected += fmt::format("{},{},{},{},{},{},{},{},{}\r\n", replay.file().frame(0, s.frame)->time,
-                            s.frame, replay.setup().tools[std::size_t(s.tool)].name, s.tip[0],
-                            s.tip[1], s.tip[2], s.force[0], s.force[1], s.force[2]);
+    expected += fmt::format("{},{},{},{},{},{},{},{},{}\r\n",
+                            printedTime(replay.file().frame(0, s.frame)->time), s.frame,
+                            replay.setup().tools[std::size_t(s.tool)].name, s.tip[0], s.tip[1],
+                            s.tip[2], s.force[0], s.force[1], s.force[2]);
     ++rows;
   }
   REQUIRE(rows > 60);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text/printed_time.h"
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
 #include "cli/ledger_report.h"
@@ -32,7 +33,8 @@ struct Options {
 };
 
 nlohmann::ordered_json toJson(const OperationEvent& event, const Scenario& scenario) {
-  nlohmann::ordered_json json{{"frame", event.frame}, {"time_s", event.time}, {"kind", event.kind}};
+  nlohmann::ordered_json json{
+      {"frame", event.frame}, {"time_s", printedTime(event.time)}, {"kind", event.kind}};
   if (event.tool >= 0 && std::size_t(event.tool) < scenario.tools.size())
     json["tool"] = scenario.tools[std::size_t(event.tool)].model;
   if (event.amount != 0) json["amount"] = event.amount;
@@ -108,7 +110,7 @@ void play(const Options& options) {
                              {"branch", branch},
                              {"from_frame", first},
                              {"to_frame", now.frame()},
-                             {"time_s", now.time()},
+                             {"time_s", printedTime(now.time())},
                              {"complete", replay.file().complete()},
                              {"events", list},
                              {"tool_forces_n", peaks},

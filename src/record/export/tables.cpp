@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "base/text/printed_time.h"
 #include "io/atomic_file.h"
 
 namespace resect {
@@ -44,7 +45,7 @@ std::int64_t writeSamples(Replay& replay, const ExportedPart& part, CsvWriter& c
         frame = replay.file().frame(span.branch, f);
         if (!frame) continue;
       }
-      csv.cell(frame->time).cell(f);
+      csv.cell(printedTime(frame->time)).cell(f);
       toolCell(csv, replay, sample.tool);
       for (const double x : sample.tip) csv.cell(x);
       for (const double x : sample.force) csv.cell(x);
@@ -62,7 +63,7 @@ std::int64_t writeEvents(Replay& replay, const ExportedPart& part, CsvWriter& cs
   for (const CourseSpan& span : part.course)
     for (const OperationEvent& event : replay.file().events(span.branch)) {
       if (event.frame <= span.first || event.frame > span.last) continue;
-      csv.cell(event.time).cell(event.frame).cell(std::string_view(event.kind));
+      csv.cell(printedTime(event.time)).cell(event.frame).cell(std::string_view(event.kind));
       toolCell(csv, replay, event.tool);
       organCell(csv, replay, event.organ);
       csv.cell(event.amount).cell(std::string_view(event.text)).end();
@@ -86,7 +87,7 @@ std::int64_t writeLedger(Replay& replay, const ExportedPart& part, CsvWriter& cs
   std::int64_t rows = 0;
   visitLedgers(replay, part, [&](const RecordedLedger& ledger) {
     for (const RecordedLedger::Amount& a : ledger.amounts) {
-      csv.cell(ledger.time).cell(ledger.frame);
+      csv.cell(printedTime(ledger.time)).cell(ledger.frame);
       organCell(csv, replay, a.organ);
       csv.row(a.label, std::string_view(a.part), a.number, a.particles, a.ml, a.g);
       ++rows;
@@ -101,7 +102,7 @@ std::int64_t writeWounds(Replay& replay, const ExportedPart& part, CsvWriter& cs
   std::int64_t rows = 0;
   visitLedgers(replay, part, [&](const RecordedLedger& ledger) {
     for (const RecordedLedger::Wound& wound : ledger.wounds) {
-      csv.cell(ledger.time).cell(ledger.frame);
+      csv.cell(printedTime(ledger.time)).cell(ledger.frame);
       organCell(csv, replay, wound.organ);
       const char* unit = wound.kind == "margin" ? "mm" : "cm2";
       csv.row(wound.label, std::string_view(wound.kind + "_" + unit), wound.amount);
@@ -126,8 +127,8 @@ std::int64_t writeFrames(Replay& replay, const ExportedPart& part, CsvWriter& cs
       replay, part, false,
       [&](const Simulation& now) {
         if (now.frame() == first) return;  // the state before the part's first frame
-        csv.row(now.time(), now.frame(), replay.branch(), sums.removed, sums.ml, sums.severed,
-                sums.torn, sums.touched, sums.faults);
+        csv.row(printedTime(now.time()), now.frame(), replay.branch(), sums.removed, sums.ml,
+                sums.severed, sums.torn, sums.touched, sums.faults);
         sums = {};
         ++rows;
       },

@@ -1,0 +1,11 @@
+// Times as people read them in tables and JSON.
+#pragma once
+
+#include <cmath>
+
+namespace resect {
+
+// To the nanosecond: a sum of frames such as 9.200000000000037 s is printed as 9.2.
+inline double printedTime(double seconds) { return std::round(seconds * 1e9) / 1e9; }
+
+}  // namespace resect
