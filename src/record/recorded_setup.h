@@ -16,6 +16,12 @@ struct RecordedSetup {
   std::vector<ToolModel> tools;       // one per tool, with their meshes
 };
 
+// The name of a tool as people see it everywhere; empty if there is no tool of that number.
+inline std::string toolName(const RecordedSetup& setup, std::int64_t tool) {
+  const bool there = tool >= 0 && std::size_t(tool) < setup.tools.size();
+  return there ? setup.tools[std::size_t(tool)].name : std::string();
+}
+
 // The setup of a simulation that was made from `scenario` and has not been changed from outside.
 RecordedSetup setupOf(const Scenario& scenario, const Simulation& simulation);
 

@@ -45,6 +45,10 @@ class Recordings(unittest.TestCase):
             played = json.loads(replay.stdout)
             self.assertEqual(played["state_hash"], summary["state_hash"])
             self.assertIn("touch", [event["kind"] for event in played["events"]])
+            # A tool has one name everywhere.
+            names = {tool["tool"] for tool in summary.get("tool_forces_n", [])} or {"Scalpel", "Hook", "Baton"}
+            self.assertLessEqual({event["tool"] for event in played["events"] if "tool" in event}, names)
+            self.assertLessEqual({tool["tool"] for tool in played["tool_forces_n"]}, names)
             for time_s in [summary["simulated_s"], played["time_s"], *(event["time_s"] for event in played["events"])]:
                 self.assertLessEqual(len(str(time_s)), len("12.123456789"))
 

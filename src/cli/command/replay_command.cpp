@@ -32,23 +32,20 @@ struct Options {
   bool events = false, overwrite = false;
 };
 
-nlohmann::ordered_json toJson(const OperationEvent& event, const Scenario& scenario) {
+nlohmann::ordered_json toJson(const OperationEvent& event, const RecordedSetup& setup) {
   nlohmann::ordered_json json{
       {"frame", event.frame}, {"time_s", printedTime(event.time)}, {"kind", event.kind}};
-  if (event.tool >= 0 && std::size_t(event.tool) < scenario.tools.size())
-    json["tool"] = scenario.tools[std::size_t(event.tool)].model;
+  if (const std::string tool = toolName(setup, event.tool); !tool.empty()) json["tool"] = tool;
   if (event.amount != 0) json["amount"] = event.amount;
   if (!event.text.empty()) json["text"] = event.text;
   return json;
 }
 
-// "cut 12 by scalpel"
-std::string lineOf(const OperationEvent& event, const Scenario& scenario) {
+// "cut 12 Scalpel"
+std::string lineOf(const OperationEvent& event, const RecordedSetup& setup) {
   std::string line = event.kind;
   if (event.amount != 0) line += fmt::format(" {}", event.amount);
-  if (event.tool >= 0 && std::size_t(event.tool) < scenario.tools.size())
-    line +=
-        " " + std::filesystem::path(scenario.tools[std::size_t(event.tool)].model).stem().string();
+  if (const std::string tool = toolName(setup, event.tool); !tool.empty()) line += " " + tool;
   return event.text.empty() ? line : line + ": " + event.text;
 }
 
@@ -97,12 +94,12 @@ void play(const Options& options) {
   nlohmann::ordered_json peaks = nlohmann::ordered_json::array();
   std::string felt;
   for (std::size_t t = 0; t < forces.size(); ++t) {
-    const std::string tool = std::filesystem::path(scenario.tools[t].model).stem().string();
+    const std::string tool = toolName(replay.setup(), std::int64_t(t));
     peaks.push_back({{"tool", tool}, {"peak", forces[t]}});
     if (forces[t] > 0)
       felt += fmt::format("{}{} {:.2f} N", felt.empty() ? "" : ", ", shownText(tool), forces[t]);
   }
-  for (const OperationEvent& event : events) list.push_back(toJson(event, scenario));
+  for (const OperationEvent& event : events) list.push_back(toJson(event, replay.setup()));
   if (!options.json.empty())
     writeJson(options.json, {{"file", options.file},
                              {"title", scenario.title},
@@ -133,7 +130,7 @@ void play(const Options& options) {
   if (options.events)
     for (const OperationEvent& event : events)
       printLine(stdout, "  {:8.2f} s  frame {:6}  {}", event.time, event.frame,
-                lineOf(event, scenario));
+                lineOf(event, replay.setup()));
   fmt::print("{}", toText(ledger));
   if (!felt.empty()) fmt::print("  {:<10} at most {}\n", "forces", felt);
   fmt::print("  played frames {} to {}, state {:016x}\n", first, now.frame(), now.stateHash());

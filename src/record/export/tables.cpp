@@ -10,22 +10,17 @@
 namespace resect {
 namespace {
 
-// Foreign recordings may name a tool or an organ that is not there.
-void nameCell(CsvWriter& csv, std::int64_t number, std::size_t count, auto nameOf) {
-  if (number >= 0 && std::size_t(number) < count)
-    csv.cell(std::string_view(nameOf(std::size_t(number))));
-  else
-    csv.empty();
-}
-
+// Foreign recordings may name a tool or an organ that is not there: then the cell is empty.
 void toolCell(CsvWriter& csv, const Replay& replay, std::int64_t tool) {
-  const std::vector<ToolModel>& tools = replay.setup().tools;
-  nameCell(csv, tool, tools.size(), [&](std::size_t t) { return tools[t].name; });
+  csv.cell(std::string_view(toolName(replay.setup(), tool)));
 }
 
 void organCell(CsvWriter& csv, const Replay& replay, std::int64_t organ) {
   const std::vector<ScenarioOrgan>& organs = replay.setup().scenario.organs;
-  nameCell(csv, organ, organs.size(), [&](std::size_t o) { return organs[o].source.name; });
+  if (organ < 0 || std::size_t(organ) >= organs.size())
+    csv.empty();
+  else
+    csv.cell(std::string_view(organs[std::size_t(organ)].source.name));
 }
 
 std::int64_t writeSamples(Replay& replay, const ExportedPart& part, CsvWriter& csv,
