@@ -111,8 +111,8 @@ struct LabelMaterial {
 
 // How the organ's tissue moves.
 struct TissueSetup {
-  bool elastic = false;     // false: the tissue does not move, as in the original system
-  TissueMaterial material;  // of label 0, and of labels that are not in `materials`
+  bool elastic = false;  // false: the tissue does not move, as in the original system
+  TissueMaterial material = liverTissue();  // of label 0, and of labels not in `materials`
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;
   std::vector<LabelMaterial> materials;  // at most one per label

@@ -81,6 +81,14 @@ void requireSound(const TissueMaterial& material) {
   require(material.tearStretch >= ranges::kTearStretch.low,
           "{} is {:g}; give a stretch above 1, or infinity", named("tear stretch"),
           material.tearStretch);
+  within(material.stiffening, ranges::kStiffening, named("stiffening"), "");
+  require(material.branches.size() <= kMostBranches,
+          "material \"{}\" has {} Maxwell branches; give at most {}", material.name,
+          material.branches.size(), kMostBranches);
+  for (const Relaxation& branch : material.branches) {
+    within(branch.share, ranges::kRelaxationShare, named("a relaxation share"), "");
+    within(branch.time, ranges::kRelaxationTime, named("a relaxation time"), " s");
+  }
   require(material.waveSpeed() <= ranges::kFastestWave,
           "pressure waves in material \"{}\" run at {:.0f} m/s, faster than the {:g} m/s of any "
           "tissue; give a smaller young or "

@@ -14,10 +14,13 @@ struct SettingRange {
 namespace ranges {
 
 // Tissue: fat has 1 kPa, liver 5 kPa, cartilage 10 MPa, tendon 1 GPa; lung 200 kg/m^3, bone 2000.
-inline constexpr SettingRange kYoung{10, 1e9};       // Pa
-inline constexpr SettingRange kPoisson{0, 0.4999};   // 1
-inline constexpr SettingRange kDensity{100, 5000};   // kg/m^3
-inline constexpr SettingRange kTearStretch{1, 100};  // 1; a hundredfold stretch never tears
+inline constexpr SettingRange kYoung{10, 1e9};               // Pa
+inline constexpr SettingRange kPoisson{0, 0.4999};           // 1
+inline constexpr SettingRange kDensity{100, 5000};           // kg/m^3
+inline constexpr SettingRange kTearStretch{1, 100};          // 1; a hundredfold stretch never tears
+inline constexpr SettingRange kStiffening{0, 20};            // 1
+inline constexpr SettingRange kRelaxationShare{0, 10};       // 1
+inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; below it, substeps see nothing
 inline constexpr double kFastestWave = 5000;  // m/s; pressure waves in liver 1600, in bone 4000
 inline constexpr SettingRange kGravity{-100, 100};  // m/s^2
 inline constexpr SettingRange kDrag{0, 1000};       // 1/s

@@ -11,8 +11,8 @@
 namespace resect {
 namespace {
 
-// parent: of the branch; null for the first one. everyNth: how many of the states that were kept are
-// taken, from the first on.
+// parent: of the branch; null for the first one. everyNth: how many of the states that were kept
+// are taken, from the first on.
 OperationHistory::Course courseOf(RecordingFile& file, const Branch& branch,
                                   const OperationHistory::Course* parent, std::size_t tools,
                                   std::int64_t everyNth, const std::function<void()>& frameRead) {

@@ -1,13 +1,18 @@
-// Materials of tissue: stiffness, density, toughness.
+// Materials of tissue: stiffness, stiffening, relaxation, density, toughness.
 //
-// The material is a neo-Hookean solid with this energy per volume:
+// Held for long, the material is a solid with this energy per volume:
 //
-//     Psi(F) = mu/2 (F:F - 3) - mu (J - 1) + (lambda + mu)/2 (J - 1)^2
+//     Psi(F) = mu/2 (x + b/2 x^2) + (lambda + mu)/2 (J - 1)^2,     x = F:F - 3 - 2 (J - 1)
 //
-// F is the deformation gradient, J its determinant; lambda and mu are Lame's constants. At small
-// strain the solid has Young's modulus E and Poisson's ratio nu. Its energy stays finite when a
-// cell is inverted (after Smith, de Goes, Kim 2018, without their barrier term). Defaults and their
-// sources: docs/methods/tissue.md.
+// F is the deformation gradient, J its determinant; lambda and mu are Lame's constants. x is 0 at
+// rest and gamma^2 in a simple shear by gamma, so the shear modulus grows as 1 + b gamma^2; where x
+// is below 0, b counts as 0. Without stiffening (b = 0) this is a neo-Hookean solid whose energy
+// stays finite when a cell is inverted (after Smith, de Goes, Kim 2018, without their barrier
+// term). At small strain the solid has Young's modulus E and Poisson's ratio nu.
+//
+// To the stress of this solid each Maxwell branch adds a deviatoric stress that decays with the
+// branch's time: at small strain the shear modulus is mu (1 + sum of share exp(-t / time)), a Prony
+// series. Defaults and their sources: docs/methods/tissue.md.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +23,27 @@
 
 namespace resect {
 
+inline constexpr int kMostBranches = 3;
+
+// A Maxwell branch.
+struct Relaxation {
+  double share = 0;  // of the shear modulus, 0 to 10
+  double time = 1;   // s, 0.005 to 1000
+
+  bool operator==(const Relaxation&) const = default;
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("share", share), v("time", time);
+  }
+};
+
 struct TissueMaterial {
   std::string name = "liver";
-  double young = 5000;    // Pa, 1 to 1e9
-  double poisson = 0.45;  // 0 to 0.4999; near 0.5 waves are fast, so substeps are short
-  double density = 1060;  // kg/m^3, 1 to 1e5
+  double young = 5000;               // Pa, 1 to 1e9; held for long
+  double poisson = 0.45;             // 0 to 0.4999; near 0.5 waves are fast, so substeps are short
+  double density = 1060;             // kg/m^3, 1 to 1e5
+  double stiffening = 0;             // b, 0 to 20
+  std::vector<Relaxation> branches;  // at most kMostBranches
   // How much a bond can be stretched: its length over its rest length. Beyond this value a bond
   // near a grip tears; beyond twice this value a bond in a strand that cuts have left tears
   // (elastic/tearing.cpp). 1 or more; infinity: bonds never tear. Liver has an ultimate true strain
@@ -34,13 +55,14 @@ struct TissueMaterial {
   template <class Visitor>
   void visit(Visitor& v) {
     v("name", name), v("young", young), v("poisson", poisson), v("density", density);
-    v("tearStretch", tearStretch);
+    v("tearStretch", tearStretch), v("stiffening", stiffening), v("branches", branches);
   }
 
   double shear() const { return young / (2 * (1 + poisson)); }  // mu, Pa
   // lambda, Pa.
   double lame() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
-  double waveSpeed() const;  // of pressure waves in undeformed tissue, m/s
+  double viscousShear() const;  // what the branches add to mu at once, Pa
+  double waveSpeed() const;     // of pressure waves in undeformed tissue, m/s
 };
 
 // The materials of docs/methods/tissue.md, all with nu = 0.45. That page gives liver by its Young's

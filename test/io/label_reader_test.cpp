@@ -203,3 +203,30 @@ TEST_CASE("labels and landmarks of a file of cells are those of the organ that i
   other.organs[0].source.unit = 0.001;
   CHECK_THROWS_AS(loadCells(other.organs[0].source, {}), Error);
 }
+
+TEST_CASE("stiffening and relaxation are read, come from liver, or are left out") {
+  const auto tissueOf = [&](const std::string& keys) {
+    return parseScenario(kStart + "[tissue]\nmodel = \"elastic\"\n" + keys, "x.toml")
+        .organs[0]
+        .tissue;
+  };
+  CHECK(tissueOf("").material.branches == liverTissue().branches);
+  CHECK(tissueOf("").material.stiffening == liverTissue().stiffening);
+  CHECK(tissueOf("plain = true").material.branches.empty());
+  CHECK(tissueOf("plain = true").material.stiffening == 0);
+  CHECK(tissueOf("plain = true\nstiffening = 3").material.stiffening == 3);
+  CHECK(tissueOf("relaxation_shares = []").material.branches.empty());
+  const TissueSetup given = tissueOf(
+      "relaxation_shares = [0.5]\nrelaxation_times = [2]\n[[tissue.material]]\nlabel = 7\n"
+      "relaxation_shares = [1, 2, 3]\nrelaxation_times = [1, 0.1, 0.01]\n");
+  CHECK(given.material.branches == std::vector<Relaxation>{{0.5, 2}});
+  CHECK(given.materialOf(7).branches == std::vector<Relaxation>{{1, 1}, {2, 0.1}, {3, 0.01}});
+  for (const char* wrong :
+       {"relaxation_shares = [0.5]", "relaxation_times = [1]", "stiffening = -1",
+        "relaxation_shares = [1, 1, 1, 1]\nrelaxation_times = [1, 1, 1, 1]",
+        "relaxation_shares = [1]\nrelaxation_times = [0.001]", "plain = 1"}) {
+    CAPTURE(wrong);
+    const std::string text = kStart + "[tissue]\nmodel = \"elastic\"\n" + std::string(wrong) + "\n";
+    CHECK(test::isOneSentence(complaint(text)));
+  }
+}

@@ -15,13 +15,13 @@ STILL = {
 }
 # On tissue that moves: the same on every machine, with and without vector instructions.
 ELASTIC = {
-    "press": "3f9ab92c511ddb85",
-    "lift": "82b9eee147f5b960",
-    "incise": "525e57730f9020a1",
-    "incise-under-traction": "6308851084f3de8c",
-    "snip": "8c100320d6927cff",
-    "resect-segment-elastic": "9ac2ea8247d0faa9",
-    "liver-and-gallbladder": "e461b2085c0157f5",
-    "hang": "15b0662567d20dad",
-    "drop": "2722569b760e8778",
+    "press": "b5f779fca02d11ea",
+    "lift": "aa9e09533d9c094a",
+    "incise": "50471cee3793a47e",
+    "incise-under-traction": "784e795b4b337fc9",
+    "snip": "b11ff22c44489c95",
+    "resect-segment-elastic": "ce3fcfe105496d34",
+    "liver-and-gallbladder": "d3958364dc170441",
+    "hang": "0b77114ced5dbd50",
+    "drop": "99c1800ebd2ad1d0",
 }

@@ -24,6 +24,14 @@ inline TissueMaterial material(double young, double poisson, double density = 10
   return m;
 }
 
+// Liver without stiffening and Maxwell branches.
+inline TissueMaterial plainLiver() {
+  TissueMaterial m = liverTissue();
+  m.stiffening = 0;
+  m.branches.clear();
+  return m;
+}
+
 inline TissueSettings weightless() {
   TissueSettings settings;
   settings.gravity = Vec3::Zero();

@@ -229,9 +229,9 @@ def resect_segment_elastic():
 def lift_gallbladder():
     """The hook catches the fundus from the front, lifts it, holds it, lays it down and lets go."""
     path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
-    caught, lifted = (-0.037, 0.06, 0.083), (-0.037, 0.078, 0.087)
+    caught, lifted = (-0.055, 0.079, 0.08), (-0.055, 0.097, 0.084)
     path.wait(0.8)
-    path.to(-0.037, 0.2, 0.19).to(*caught)
+    path.to(-0.055, 0.2, 0.19).to(*caught)
     path.wait(0.1)
     path.to(*caught).to(*lifted, speed=0.04)
     path.wait(0.8)

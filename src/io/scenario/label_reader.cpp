@@ -28,12 +28,35 @@ std::vector<OrganLabel> readLabels(const TomlTable& organ) {
   return labels;
 }
 
+namespace {
+
+// Two lists of one length: shares and times of Maxwell branches.
+std::vector<Relaxation> readBranches(const TomlTable& t, const std::vector<Relaxation>& missing) {
+  const std::vector<double> shares =
+      t.numbers("relaxation_shares", ranges::kRelaxationShare.low, ranges::kRelaxationShare.high);
+  const std::vector<double> times =
+      t.numbers("relaxation_times", ranges::kRelaxationTime.low, ranges::kRelaxationTime.high);
+  if (!t.has("relaxation_shares") && !t.has("relaxation_times")) return missing;
+  if (shares.size() != times.size() || shares.size() > kMostBranches)
+    t.complain(t.has("relaxation_times") ? "relaxation_times" : "relaxation_shares",
+               fmt::format("has {} entries, and there are {} shares; give a time, s, for each "
+                           "share, and at most {}",
+                           times.size(), shares.size(), kMostBranches));
+  std::vector<Relaxation> branches;
+  for (std::size_t k = 0; k < shares.size(); ++k) branches.push_back({shares[k], times[k]});
+  return branches;
+}
+
+}  // namespace
+
 TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults) {
   TissueMaterial material = defaults;
   material.young = t.number("young", ranges::kYoung, defaults.young);
   material.poisson = t.number("poisson", ranges::kPoisson, defaults.poisson);
   material.density = t.number("density", ranges::kDensity, defaults.density);
   material.tearStretch = t.number("tear_stretch", ranges::kTearStretch, defaults.tearStretch);
+  material.stiffening = t.number("stiffening", ranges::kStiffening, defaults.stiffening);
+  material.branches = readBranches(t, defaults.branches);
   if (material.waveSpeed() > ranges::kFastestWave)
     t.complain("young",
                fmt::format("makes pressure waves, with poisson and density, of {:.0f} m/s, faster "

@@ -72,11 +72,15 @@ TissueSetup readTissue(const TomlTable& t) {
   if (model != "still" && model != "elastic")
     t.complain("model", "is \"" + model + "\"; use \"still\" or \"elastic\"");
   tissue.elastic = model == "elastic";
+  if (t.flag("plain", false)) {
+    tissue.material.stiffening = 0;
+    tissue.material.branches.clear();
+  }
   tissue.material = readMaterial(t, tissue.material);
   tissue.materials = readMaterials(t, tissue.material);
   tissue.settings.gravity = {0, -t.number("gravity", ranges::kGravity, 9.81), 0};
   tissue.settings.damping = t.number("damping", ranges::kDamping, tissue.settings.damping);
-  tissue.settings.drag = t.number("drag", ranges::kDrag, 3);
+  tissue.settings.drag = t.number("drag", ranges::kDrag, 0.3);
   tissue.settings.threads = t.integer("threads", 0, 64, 0);
   for (const TomlTable& attachment : t.tables("attachment"))
     tissue.attachments.push_back(readAttachment(attachment));

@@ -127,6 +127,7 @@ void ElasticTissue::setMaterial(std::int64_t cell, const TissueMaterial& materia
   if (material.waveSpeed() * longestSubstep_ > settings_.stepShare * state_.spacing)
     longestSubstep_ = settings_.stepShare * state_.spacing / material.waveSpeed();
   state_.material[i] = materialNumber(state_, material);
+  allocateBranches(state_);
   remakeCells(state_, {&i, 1});
   bondsChanged_.push_back(i);
   for (int d = 0; d < kDirections; ++d)

@@ -1,4 +1,5 @@
 // Measures of elastic tissue in double precision: deformation, stress, force, energy.
+#include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
@@ -44,6 +45,30 @@ Mat3 cofactors(const Mat3& f) {
   return c;
 }
 
+// F:F - 3 - 2 (J - 1).
+double distortion(const Mat3& f) { return f.squaredNorm() - 3 - 2 * (f.determinant() - 1); }
+
+// By how much the shear modulus has grown. limit: of the response to volume change.
+double hardening(const TissueMaterial& m, const Mat3& f, double limit) {
+  return std::clamp(limit * limit * m.stiffening * distortion(f), 0.0, double(kMostStiffening));
+}
+
+// I + B of a Maxwell branch.
+Mat3 eased(const ElasticState& s, std::size_t branch, std::int32_t i) {
+  const auto& b = s.relaxed[branch];
+  Mat3 m;
+  m << b[0][i], b[3][i], b[4][i], b[3][i], b[1][i], b[5][i], b[4][i], b[5][i], b[2][i];
+  return Mat3::Identity() + m;
+}
+
+// Energy per volume of the shear modulus mu (1 + hardening), J/m^3.
+double shearEnergy(const TissueMaterial& m, const Mat3& f) {
+  const double x = distortion(f), b = m.stiffening;
+  if (b == 0 || x <= 0) return m.shear() / 2 * x;
+  const double most = std::min(x, kMostStiffening / b);  // from there on it grows no more
+  return m.shear() / 2 * (x + b / 2 * most * most + kMostStiffening * (x - most));
+}
+
 }  // namespace
 
 Mat3 ElasticTissue::deformation(std::int64_t cell) const {
@@ -86,8 +111,13 @@ Mat3 ElasticTissue::stress(std::int64_t cell) const {
   if (state_.kappa[i] == 0) return Mat3::Zero();
   const TissueMaterial& m = state_.materials[state_.material[i]];
   const Mat3 f = deformation(cell), cof = cofactors(f);
-  const double limit = std::min(1.0, kMostStiffening / cof.squaredNorm());
-  return m.shear() * (f - cof) + limit * (m.lame() + m.shear()) * (f.determinant() - 1) * cof;
+  const double limit =
+      std::min(1.0, double(constants(longestSubstep_).cofactorLimit) / cof.squaredNorm());
+  const double bulk = m.lame() + m.shear() + m.viscousShear() / 3, growth = f.determinant() - 1;
+  Mat3 stress = m.shear() * (1 + hardening(m, f, limit)) * (f - cof) + limit * bulk * growth * cof;
+  for (std::size_t k = 0; k < m.branches.size(); ++k)
+    stress += limit * m.branches[k].share * m.shear() * (f * eased(state_, k, i) - cof);
+  return stress;
 }
 
 Vec3 ElasticTissue::elasticForce(std::int64_t cell) const {
@@ -121,8 +151,11 @@ TissueEnergy ElasticTissue::energy() {
       const TissueMaterial& m = state_.materials[state_.material[i]];
       const Mat3 h = gradient(state_, i), f = h + Mat3::Identity();
       const double growth = f.determinant() - 1;
-      sum.elastic += volume * (m.shear() / 2 * (f.squaredNorm() - 3) - m.shear() * growth +
-                               (m.lame() + m.shear()) / 2 * growth * growth);
+      const double bulk = m.lame() + m.shear() + m.viscousShear() / 3;
+      sum.elastic += volume * (shearEnergy(m, f) + bulk / 2 * growth * growth);
+      for (std::size_t k = 0; k < m.branches.size(); ++k)
+        sum.elastic += volume * m.branches[k].share * m.shear() / 2 *
+                       ((f * eased(state_, k, i)).cwiseProduct(f).sum() - 3 - 2 * growth);
       double misfit = 0;
       for (int d = 0; d < kDirections; ++d)
         if (state_.bonds[i] >> d & 1)

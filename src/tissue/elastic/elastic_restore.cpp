@@ -10,7 +10,7 @@ namespace resect {
 
 void ElasticTissue::visit(StateVisitor& v) {
   state_.visit(v);
-  v("halvings", halvings_), v("calmFrames", calmFrames_);
+  v("fineness", fineness_), v("halvings", halvings_), v("calmFrames", calmFrames_);
   v("contacts", contacts_), v("springs", springs_), v("fibres", fibres_);
   v("cut", cut_), v("pulled", pulled_);
 }
@@ -39,6 +39,12 @@ void ElasticTissue::checkRestored() const {
   bool fits =
       sized(s.solid) && sized(s.material) && sized(s.bonds) && sized(s.held) && sized(s.loaded);
   for (int a = 0; a < 3 && fits; ++a) fits = sized(s.u[a]) && sized(s.v[a]) && sized(s.load[a]);
+  std::size_t most = 0;
+  for (const TissueMaterial& m : s.materials) most = std::max(most, m.branches.size());
+  fits = fits && most <= kMostBranches;
+  for (std::size_t k = 0; k < kMostBranches && fits; ++k)
+    for (const FloatArray& component : s.relaxed[k])
+      fits = fits && component.size() == (k < most ? cells : 0);
   if (fits) {
     for (std::int32_t i = 0; i < s.box.size && fits; ++i) {
       if (!s.solid[i]) {
@@ -58,7 +64,8 @@ void ElasticTissue::checkRestored() const {
   for (const Fibre& fibre : fibres_) fits = fits && inBox(fibre.a) && inBox(fibre.b);
   for (const auto* list : {&cut_, &pulled_})
     for (const std::int32_t i : *list) fits = fits && inBox(i);
-  fits = fits && contacts_.fit(s.box.size) && halvings_ >= 0 && halvings_ <= kMostHalvings;
+  fits = fits && contacts_.fit(s.box.size) && halvings_ >= 0 && halvings_ <= kMostHalvings &&
+         fineness_ >= 0 && fineness_ <= kMostFineness;
   if (!fits)
     throw error(
         "the state does not fit the organ's tissue; restore it into the operation that it "
@@ -80,6 +87,7 @@ void ElasticTissue::endRestore(std::span<const std::uint8_t>) {
       held.push_back(i);
   }
   before_ = {};
+  allocateBranches(state_);
   remakeCells(state_, changed);
   refreshCells(state_, changed);
   refreshChunks(state_, held);

@@ -21,6 +21,10 @@ void severBond(ElasticState& s, std::int32_t cell, int direction);
 // Removes the cell: it then has no bonds, no mass and no motion.
 void removeCell(ElasticState& s, std::int32_t cell);
 
+// Gives the state the arrays that the Maxwell branches of its materials need; those that it has
+// stay. Call after `materials` was changed.
+void allocateBranches(ElasticState& s);
+
 // Throws Error when a value is out of range.
 void checkMaterial(const TissueMaterial& material);
 // The material's index in s.materials; a new material is appended. Throws Error if there are 256

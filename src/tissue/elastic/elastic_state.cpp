@@ -64,9 +64,23 @@ void putPlaneWeights(ElasticState& s, std::span<const std::int32_t> cells) {
       for (int z = -1; z <= 1; ++z) weigh(i + y * s.box.strideY + z * s.box.strideZ);
 }
 
+void putBranches(ElasticState& s, std::int32_t i, const TissueMaterial& material) {
+  const double volume = s.spacing * s.spacing * s.spacing;
+  for (std::size_t k = 0; k < std::size_t(s.branches()); ++k) {
+    const bool there = k < material.branches.size() && s.solid[i];
+    s.branchVolume[k][i] =
+        there ? float(material.branches[k].share * material.shear() * volume) : 0.f;
+    s.branchRate[k][i] = there ? float(1 / material.branches[k].time) : 0.f;
+  }
+  s.viscousVolume[i] = s.solid[i] ? float(material.viscousShear() * volume) : 0.f;
+}
+
 // Clears a cell that was removed.
 void clearCell(ElasticState& s, std::int32_t i) {
-  s.inverseMass[i] = s.shearVolume[i] = s.lameVolume[i] = 0;
+  s.inverseMass[i] = s.shearVolume[i] = s.lameVolume[i] = s.stiffening[i] = 0;
+  for (int k = 0; k < s.branches(); ++k)
+    for (FloatArray& component : s.relaxed[std::size_t(k)]) component[i] = 0;
+  if (s.branches() > 0) putBranches(s, i, {});
   for (int a = 0; a < 3; ++a) {
     s.u[a][i] = s.ahead[a][i] = s.v[a][i] = s.load[a][i] = s.bondForce[a][i] = 0;
     for (int b = 0; b < 3; ++b) s.stress[3 * a + b][i] = 0;
@@ -90,6 +104,27 @@ bool uneven(const ElasticState& s, std::int32_t i) {
 
 }  // namespace
 
+int ElasticState::branches() const {
+  return int(std::ranges::count_if(relaxed, [](const auto& branch) { return !branch[0].empty(); }));
+}
+
+void allocateBranches(ElasticState& s) {
+  std::size_t most = 0;
+  for (const TissueMaterial& material : s.materials)
+    most = std::max(most, material.branches.size());
+  if (most == 0) return;
+  if (s.viscousVolume.empty()) {
+    s.viscousVolume.assign(s.box.size, 0);
+    allocate(s.viscous, s.box.size);
+  }
+  for (std::size_t k = 0; k < most; ++k) {
+    if (s.relaxed[k][0].empty()) allocate(s.relaxed[k], s.box.size);
+    if (!s.branchVolume[k].empty()) continue;
+    s.branchVolume[k].assign(s.box.size, 0);
+    s.branchRate[k].assign(s.box.size, 0);
+  }
+}
+
 ElasticState makeElasticState(const TissueCells& cells, double penalty) {
   const Lattice& lattice = cells.lattice;
   if (!lattice.cubic())
@@ -111,8 +146,9 @@ ElasticState makeElasticState(const TissueCells& cells, double penalty) {
   allocate(s.skew, s.box.size);
   allocate(s.planeWeight, s.box.size);
   allocate(s.load, s.box.size);
-  for (FloatArray* a : {&s.inverseMass, &s.shearVolume, &s.lameVolume, &s.kappa})
+  for (FloatArray* a : {&s.inverseMass, &s.shearVolume, &s.lameVolume, &s.stiffening, &s.kappa})
     a->assign(s.box.size, 0);
+  allocateBranches(s);
   s.bonds.assign(s.box.size, 0);
   for (auto* a : {&s.solid, &s.held, &s.loaded, &s.material}) a->assign(s.box.size, 0);
 
@@ -142,6 +178,15 @@ void checkMaterial(const TissueMaterial& m) {
           "give young from 1 to 1e9, poisson from 0 to 0.4999, density from 1 to 1e5, tearStretch "
           "from 1",
           m.name, m.young, m.poisson, m.density, m.tearStretch);
+  require(within(m.stiffening, 0, 20) && m.branches.size() <= kMostBranches &&
+              std::ranges::all_of(m.branches,
+                                  [&](const Relaxation& branch) {
+                                    return within(branch.share, 0, 10) &&
+                                           within(branch.time, 0.005, 1000);
+                                  }),
+          "material \"{}\" has stiffening = {} and {} Maxwell branches; give stiffening from 0 to "
+          "20, and at most {} branches with shares from 0 to 10 and times from 0.005 to 1000 s",
+          m.name, m.stiffening, m.branches.size(), kMostBranches);
 }
 
 std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material) {
@@ -163,7 +208,10 @@ void remakeCells(ElasticState& s, std::span<const std::int32_t> cells) {
     const TissueMaterial& material = s.materials[s.material[i]];
     s.inverseMass[i] = float(1 / (material.density * volume));
     s.shearVolume[i] = float(material.shear() * volume);
-    s.lameVolume[i] = float((material.lame() + material.shear()) * volume);
+    s.lameVolume[i] =
+        float((material.lame() + material.shear() + material.viscousShear() / 3) * volume);
+    s.stiffening[i] = float(material.stiffening);
+    if (s.branches() > 0) putBranches(s, i, material);
   }
   putPlaneWeights(s, cells);
 }
@@ -246,6 +294,15 @@ ElasticView viewOf(ElasticState& s) {
   }
   for (int k = 0; k < 9; ++k) view.stress[k] = s.stress[k].data();
   for (int k = 0; k < 6; ++k) view.inverseMoment[k] = s.inverseMoment[k].data();
+  view.branches = s.branches();
+  for (std::size_t k = 0; k < std::size_t(view.branches); ++k) {
+    view.branchVolume[k] = s.branchVolume[k].data();
+    view.branchRate[k] = s.branchRate[k].data();
+    for (std::size_t c = 0; c < 6; ++c) view.relaxed[k][c] = s.relaxed[k][c].data();
+  }
+  for (std::size_t c = 0; c < 6; ++c) view.viscous[c] = s.viscous[c].data();
+  view.viscousVolume = s.viscousVolume.data();
+  view.stiffening = s.stiffening.data();
   view.inverseMass = s.inverseMass.data();
   view.shearVolume = s.shearVolume.data();
   view.lameVolume = s.lameVolume.data();

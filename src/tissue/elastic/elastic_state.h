@@ -1,6 +1,7 @@
 // The state of elastic tissue between two substeps, as arrays over the cells of a box with a halo.
 //
-// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 5) + 4 = 168. Lengths are in m, masses in
+// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 4 = 172, and 4 * (7 + 8 n) more
+// where materials have n Maxwell branches. Lengths are in m, masses in
 // kg; offsets to neighbours are counted in spacings. The letters A_i, q_i and M_i are those of
 // docs/methods/tissue.md. L_i is the inverse of M_i, and S_i the sum over j of w_ij X_ij. w is the
 // weight of an edge neighbour (bondWeights()). Sums are formed with weights in units of w. The
@@ -52,9 +53,19 @@ struct ElasticState {
   // w. Only solid cells count; the middle cell itself need not be solid. [0]: sum of the weights.
   // [1], [2]: sums of the weights times the offsets from the middle cell along y and z.
   std::array<FloatArray, 3> planeWeight;
-  std::array<FloatArray, 3> load;              // outside force on the cell, N
-  FloatArray inverseMass;                      // 1/kg; 0 where there is no tissue
-  FloatArray shearVolume, lameVolume;          // mu V and (lambda + mu) V, J; V: volume of a cell
+  std::array<FloatArray, 3> load;  // outside force on the cell, N
+  // Of tissue whose materials have Maxwell branches; else empty. relaxed[k]: B of branch k, whose
+  // stress is mu share (F (I + B) - cof F): xx yy zz xy xz yz. viscous: sum over the branches of
+  // their moduli times V times B, a mean of the coming substeps, J.
+  std::array<std::array<FloatArray, 6>, kMostBranches> relaxed;
+  std::array<FloatArray, 6> viscous;
+  FloatArray inverseMass;  // 1/kg; 0 where there is no tissue
+  // mu V and (lambda + mu + a third of the branches' moduli) V, J; V: volume of a cell
+  FloatArray shearVolume, lameVolume;
+  FloatArray stiffening;     // b
+  FloatArray viscousVolume;  // the branches' moduli times V, J; empty without branches
+  std::array<FloatArray, kMostBranches> branchVolume;  // each of them; empty beyond branches
+  std::array<FloatArray, kMostBranches> branchRate;    // 1 / time, 1/s
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without a gradient
   AlignedArray<std::uint32_t> bonds;           // bit d: bonded to the neighbour in direction d
   AlignedArray<std::uint8_t> solid, material;  // 1: solid; index in `materials`
@@ -70,11 +81,15 @@ struct ElasticState {
     v.perCell("held", held, order), v.perCell("loaded", loaded, order);
     v.perCell("load", load, order);
     v("materials", materials);
+    constexpr const char* kNames[kMostBranches] = {"relaxed0", "relaxed1", "relaxed2"};
+    for (int k = 0; k < kMostBranches; ++k) v.perCell(kNames[k], relaxed[std::size_t(k)], order);
   }
+  int branches() const;  // that the arrays have
   template <class Visitor>
   void visitMade(Visitor& v) {
     v.made(box, spacing, penalty, ahead, stress, bondForce, inverseMoment, skew, planeWeight);
     v.made(inverseMass, shearVolume, lameVolume, kappa, chunks);
+    v.made(stiffening, viscous, viscousVolume, branchVolume, branchRate);
   }
 };
 

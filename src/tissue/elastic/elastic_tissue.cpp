@@ -18,6 +18,18 @@ constexpr int kCalmFrames = 60;     // after which a halved substep is doubled a
 constexpr double kMostCells = 20;   // spacings per substep: faster is an explosion
 constexpr std::size_t kGrain = 64;  // chunks per block of a pass
 
+// Where more than this share of the cells is beyond the limit of their stiffness, substeps become
+// shorter and the limit higher. What single cells need is not worth the time of all.
+constexpr double kStiffShare = 1e-3;
+constexpr double kFinerBy = 1.26;    // of the substep: 2^(1/3)
+constexpr double kHigherBy = 1.414;  // of the limit: the square of kFinerBy would be unstable
+
+double power(double base, int exponent) {
+  double product = 1;
+  for (int i = 0; i < exponent; ++i) product *= base;
+  return product;
+}
+
 void check(const TissueCells& cells, const TissueSettings& settings) {
   const auto count = std::size_t(cells.lattice.cellCount());
   require(cells.lattice.sound() && cells.solid.size() == count &&
@@ -71,6 +83,8 @@ SubstepConstants ElasticTissue::constants(double dt) const {
   for (int a = 0; a < 3; ++a) c.gravity[a] = float(settings_.gravity[a]);
   const double most = kMostCells * state_.spacing / dt;
   c.mostSpeedSquared = float(most * most);
+  c.cofactorLimit = kCofactorLimit * float(power(kHigherBy, fineness_));
+  c.lessCofactorLimit = kCofactorLimit * float(power(kHigherBy, std::max(0, fineness_ - 1)));
   return c;
 }
 
@@ -83,11 +97,26 @@ void ElasticTissue::forChunks(const RangeBody& pass) const {
   parallelFor(chunks, most == 0 ? kGrain : std::max(kGrain, (chunks + most - 1) / most), pass);
 }
 
-void ElasticTissue::stressPass(const SubstepConstants& c) {
+StiffCells ElasticTissue::stressPass(const SubstepConstants& c) {
   const ElasticView view = viewOf(state_);
-  forChunks([&](std::size_t begin, std::size_t end) { kernel_->stressPass(view, c, begin, end); });
+  std::atomic<std::int64_t> beyond = 0, beyondLess = 0;
+  forChunks([&](std::size_t begin, std::size_t end) {
+    const StiffCells stiff = kernel_->stressPass(view, c, begin, end);
+    beyond += stiff.beyond;
+    beyondLess += stiff.beyondLess;
+  });
   pullUnevenBonds(uneven_, state_);
   pullFibres(fibres_, state_);
+  return {beyond, beyondLess};
+}
+
+// By the stiff cells of this frame, for the next one.
+void ElasticTissue::chooseFineness() {
+  const double most = kStiffShare * double(state_.chunks.size() * kChunk);
+  if (double(frame_.stiff.beyond) > most)
+    fineness_ = std::min(fineness_ + 1, kMostFineness);
+  else if (fineness_ > 0 && double(frame_.stiff.beyondLess) < 0.5 * most)
+    --fineness_;
 }
 
 bool ElasticTissue::motionPass(const SubstepConstants& c) {
@@ -99,10 +128,13 @@ bool ElasticTissue::motionPass(const SubstepConstants& c) {
   return calm;
 }
 
+double ElasticTissue::presentSubstep() const {
+  return longestSubstep_ / (power(kFinerBy, fineness_) * double(1 << halvings_));
+}
+
 int ElasticTissue::substepsWanted() const {
   if (!frame_.calm) return 0;
-  const double longest = longestSubstep_ / double(1 << halvings_);
-  return std::max(1, int(std::ceil(frame_.duration / longest - 1e-9)));
+  return std::max(1, int(std::ceil(frame_.duration / presentSubstep() - 1e-9)));
 }
 
 void ElasticTissue::beginFrame(double duration, std::span<const Obstacle> obstacles) {
@@ -111,7 +143,7 @@ void ElasticTissue::beginFrame(double duration, std::span<const Obstacle> obstac
     --halvings_;
     calmFrames_ = 0;
   }
-  frame_ = {duration, obstacles, {}, 0, 0, true};
+  frame_ = {duration, obstacles, {}, {}, 0, 0, true};
   keepState();
   contacts_.list(state_, lattice_.origin, duration, obstacles, gripper_);
   springs_.forgetImpulses(obstacles.size());
@@ -124,7 +156,11 @@ bool ElasticTissue::substep(int number, int count) {
     frame_.constants = constants(dt);
     lookAhead(frame_.constants.lookAhead);
   }
-  stressPass(frame_.constants);
+  SubstepConstants& c = frame_.constants;
+  c.relaxes = (number - 1) % kSubstepsPerRelaxation == 0;
+  c.relaxTime = float(dt * std::min(kSubstepsPerRelaxation, count - number + 1));
+  const StiffCells stiff = stressPass(c);
+  if (c.relaxes) frame_.stiff = stiff;
   springs_.pull(state_, lattice_.origin, frame_.obstacles, share, frame_.duration, dt);
   ++frame_.substeps;
   const bool calm = motionPass(frame_.constants);
@@ -163,6 +199,7 @@ void ElasticTissue::endFrame(TissueStep& step) {
     if (o.tool >= 0 && o.slipForce > 0 && grip.norm() > o.slipForce) step.letGo.push_back(o.tool);
   }
   findTears(step.letGo, step.torn);
+  if (frame_.calm) chooseFineness();
   frame_.obstacles = {};
 }
 
@@ -198,28 +235,40 @@ void ElasticTissue::stopMotion() {
 }
 
 void ElasticTissue::keepState() {
-  kept_.resize(state_.chunks.size() * 6 * kChunk);
+  const int branches = state_.branches();
+  kept_.resize(state_.chunks.size() * std::size_t(6 + 6 * branches) * kChunk);
   float* to = kept_.data();
-  for (const TissueChunk& chunk : state_.chunks)
-    for (const auto* field : {&state_.u, &state_.v})
-      for (const FloatArray& component : *field)
-        to = std::copy_n(component.data() + chunk.start, kChunk, to);
+  const auto keep = [&](const auto& field, std::int32_t start) {
+    for (const FloatArray& component : field)
+      to = std::copy_n(component.data() + start, kChunk, to);
+  };
+  for (const TissueChunk& chunk : state_.chunks) {
+    keep(state_.u, chunk.start), keep(state_.v, chunk.start);
+    for (int k = 0; k < branches; ++k) keep(state_.relaxed[std::size_t(k)], chunk.start);
+  }
 }
 
 void ElasticTissue::restoreState() {
   const float* from = kept_.data();
-  for (const TissueChunk& chunk : state_.chunks)
-    for (auto* field : {&state_.u, &state_.v})
-      for (FloatArray& component : *field) {
-        std::copy_n(from, kChunk, component.data() + chunk.start);
-        from += kChunk;
-      }
+  const auto restore = [&](auto& field, std::int32_t start) {
+    for (FloatArray& component : field) {
+      std::copy_n(from, kChunk, component.data() + start);
+      from += kChunk;
+    }
+  };
+  for (const TissueChunk& chunk : state_.chunks) {
+    restore(state_.u, chunk.start), restore(state_.v, chunk.start);
+    for (int k = 0; k < state_.branches(); ++k)
+      restore(state_.relaxed[std::size_t(k)], chunk.start);
+  }
 }
 
 void ElasticTissue::evaluateForces() {
   settle();
   state_.ahead = state_.u;
-  stressPass(constants(longestSubstep_));
+  SubstepConstants c = constants(longestSubstep_);
+  c.relaxes = true;  // by no time: the branches stay as they are
+  stressPass(c);
 }
 
 Vec3 ElasticTissue::displacement(std::int64_t cell) const {

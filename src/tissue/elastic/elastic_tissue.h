@@ -26,6 +26,8 @@ namespace resect {
 
 // How often the substep may be halved. If tissue still explodes then, it is stopped.
 inline constexpr int kMostHalvings = 6;
+// How often the substep may be made shorter by a quarter for stiff cells.
+inline constexpr int kMostFineness = 3;
 
 struct TissueSettings {
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
@@ -124,7 +126,8 @@ class ElasticTissue final : public TissueModel {
   void visitMade(StateVisitor& visitor) override;
   void beginRestore() override;
   void endRestore(std::span<const std::uint8_t> alive) override;
-  double longestSubstep() const { return longestSubstep_; }  // s
+  double longestSubstep() const { return longestSubstep_; }  // s, of tissue that is not stiff
+  double presentSubstep() const;                             // s, at most
 
   const Lattice& lattice() const { return lattice_; }
   const TissueSettings& settings() const { return settings_; }
@@ -143,6 +146,7 @@ class ElasticTissue final : public TissueModel {
     double duration = 0;
     std::span<const Obstacle> obstacles;
     SubstepConstants constants;
+    StiffCells stiff;  // when they were last counted
     std::int32_t substeps = 0, retries = 0;
     bool calm = true;
   };
@@ -155,9 +159,10 @@ class ElasticTissue final : public TissueModel {
   void loosen(std::span<const std::int32_t> cells);
   void findTears(std::span<const std::int32_t> letGo, std::vector<TissueBond>& torn) const;
   void forChunks(const RangeBody& pass) const;
-  void stressPass(const SubstepConstants& constants);
+  StiffCells stressPass(const SubstepConstants& constants);
   bool motionPass(const SubstepConstants& constants);
   SubstepConstants constants(double dt) const;
+  void chooseFineness();
   void lookAhead(float time);
   void clearPulls();
   void keepState();
@@ -166,6 +171,7 @@ class ElasticTissue final : public TissueModel {
 
   // State.
   ElasticState state_;
+  int fineness_ = 0;    // substeps are shorter by kFinerBy to this power, for stiff cells
   int halvings_ = 0;    // how often the substep is halved at present
   int calmFrames_ = 0;  // while it is halved: calm frames since it last changed
   TissueContacts contacts_;
@@ -184,7 +190,7 @@ class ElasticTissue final : public TissueModel {
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   Frame frame_;
   Before before_;
-  FloatArray kept_;  // u and v of all chunks at the beginning of the frame
+  FloatArray kept_;  // u, v and the branches of all chunks at the beginning of the frame
 };
 
 }  // namespace resect

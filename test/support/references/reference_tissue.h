@@ -98,7 +98,7 @@ class ReferenceTissue {
       cof.row(0) = f.row(1).cross(f.row(2));
       cof.row(1) = f.row(2).cross(f.row(0));
       cof.row(2) = f.row(0).cross(f.row(1));
-      const Scalar limit = std::min(Scalar(1), kMostStiffening / cof.squaredNorm());
+      const Scalar limit = std::min(Scalar(1), Scalar(kCofactorLimit) / cof.squaredNorm());
       const M p = mu[i] * (f - cof) + limit * (lambda[i] + mu[i]) * (f.determinant() - 1) * cof;
       a[i] = volume * p * inverseMoment[i] - kappa[i] * h;
     }

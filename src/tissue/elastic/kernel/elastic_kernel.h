@@ -15,9 +15,17 @@
 namespace resect {
 
 // Limit of |cof F|^2, where cof F is the cofactor matrix of F; the value at rest is 3. Beyond the
-// limit the response to volume change is multiplied by kMostStiffening / |cof F|^2, so that one
-// length of the substep is stable for any deformation.
-inline constexpr float kMostStiffening = 6;
+// limit the response to volume change is multiplied by the limit / |cof F|^2, so that one length of
+// the substep is stable for any deformation. Shorter substeps allow a higher limit
+// (ElasticTissue::chooseFineness()).
+inline constexpr float kCofactorLimit = 6;
+
+// Most that the shear modulus grows by: b x of tissue/material.h.
+inline constexpr float kMostStiffening = 3;
+
+// The stress of Maxwell branches changes slowly, so branches are advanced once for this many
+// substeps.
+inline constexpr int kSubstepsPerRelaxation = 4;
 
 // Components of velocity up to this size, m/s, are set to zero. At the front of a wave that enters
 // tissue at rest, velocities become smaller and smaller until they are denormal numbers. These
@@ -27,20 +35,34 @@ inline constexpr float kAtRest = 1e-12f;
 
 // Constants of a substep that both passes read.
 struct SubstepConstants {
-  float faceShare = 0;         // weight of a face neighbour / that of an edge neighbour
-  float cornerShare = 0;       // weight of a corner neighbour / that of an edge neighbour
-  float edgePerLength = 0;     // weight of an edge neighbour / spacing, 1/m
-  float bondStiffness = 0;     // 2 * weight of an edge neighbour / spacing^2, 1/m^2
-  float dt = 0;                // s
-  float lookAhead = 0;         // beta dt, s; beta: TissueSettings::damping
-  float keep = 1;              // drag multiplies velocities by this in a substep
-  float gravity[3] = {};       // m/s^2
-  float mostSpeedSquared = 0;  // m^2/s^2; beyond it a cell counts as exploded
+  float faceShare = 0;                   // weight of a face neighbour / that of an edge neighbour
+  float cornerShare = 0;                 // weight of a corner neighbour / that of an edge neighbour
+  float edgePerLength = 0;               // weight of an edge neighbour / spacing, 1/m
+  float bondStiffness = 0;               // 2 * weight of an edge neighbour / spacing^2, 1/m^2
+  float dt = 0;                          // s
+  float lookAhead = 0;                   // beta dt, s; beta: TissueSettings::damping
+  float keep = 1;                        // drag multiplies velocities by this in a substep
+  float gravity[3] = {};                 // m/s^2
+  float mostSpeedSquared = 0;            // m^2/s^2; beyond it a cell counts as exploded
+  float cofactorLimit = kCofactorLimit;  // see above
+  float lessCofactorLimit = kCofactorLimit;  // of the next longer substep
+  // The stress pass advances the branches by this time, s, and counts stiff cells.
+  bool relaxes = false;
+  float relaxTime = 0;
+};
+
+// Numbers of cells whose |cof F|^2 is beyond the two limits.
+struct StiffCells {
+  std::int64_t beyond = 0, beyondLess = 0;
 };
 
 // Pointers to the arrays of an ElasticState.
 struct ElasticView {
   float *u[3], *ahead[3], *v[3], *stress[9], *bondForce[3];
+  float *relaxed[kMostBranches][6], *viscous[6];
+  const float *viscousVolume, *branchVolume[kMostBranches], *branchRate[kMostBranches];
+  const float* stiffening;
+  int branches;
   const float *inverseMoment[6], *skew[3], *planeWeight[3], *load[3];
   const float *inverseMass, *shearVolume, *lameVolume, *kappa;
   const std::uint32_t* bonds;
@@ -52,9 +74,10 @@ ElasticView viewOf(ElasticState& state);
 
 struct ElasticKernel {
   const char* name;
-  // For the chunks [begin, end): computes stress and bondForce from `ahead`.
-  void (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
-                     std::size_t end);
+  // For the chunks [begin, end): computes stress and bondForce from `ahead`; with
+  // SubstepConstants::relaxes also advances the branches. Returns the counts then, else zeros.
+  StiffCells (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                           std::size_t end);
   // For the chunks [begin, end): computes v, u and `ahead` from stress and bondForce. Returns false
   // if a speed is beyond the limit or NaN.
   bool (*motionPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,

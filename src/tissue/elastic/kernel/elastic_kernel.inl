@@ -41,58 +41,7 @@ struct InverseMoment {
   Lanes<N> l[Full ? 1 : 6];
 };
 
-// The constitutive law: stress and bond force of the cells. Full: all neighbours are bonded, so the
-// moment is that of the whole stencil. Aims at 230 instructions for a vector then, else 370.
-template <bool Full, int N>
-RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
-                           const Strains<N>& strains) {
-  const Lanes<N> kappa = load<N>(s.kappa + i);
-  const Lanes<N> bondStiffness = c.bondStiffness * kappa, penalty = c.edgePerLength * kappa;
-  IntLanes<N> there = {};
-  if constexpr (!Full) there = load<N>(s.inverseMass + i) > Lanes<N>{};
-  // Zero where no cell is: the force sums require it.
-  const auto put = [&](float* to, const Lanes<N>& value) {
-    store(to + i, Full ? value : masked(value, there));
-  };
-  for (int a = 0; a < 3; ++a) put(s.bondForce[a], strains.difference[a] * bondStiffness);
-  const Lanes<N>* g = strains.gradient;
-  const InverseMoment<Full, N> moment(s, i);
-  Lanes<N> h[9];  // H = G L
-  for (int a = 0; a < 9; a += 3) moment.multiply(g + a, h + a);
-  // Cofactors of H; those of F = I + H are (1 + tr H) I - H^T + cof H.
-  Lanes<N> cof[9] = {
-      h[4] * h[8] - h[5] * h[7], h[5] * h[6] - h[3] * h[8], h[3] * h[7] - h[4] * h[6],
-      h[2] * h[7] - h[1] * h[8], h[0] * h[8] - h[2] * h[6], h[1] * h[6] - h[0] * h[7],
-      h[1] * h[5] - h[2] * h[4], h[2] * h[3] - h[0] * h[5], h[0] * h[4] - h[1] * h[3]};
-  const Lanes<N> trace = h[0] + h[4] + h[8];
-  const Lanes<N> growth = trace + (cof[0] + cof[4] + cof[8]) +
-                          (h[0] * cof[0] + h[1] * cof[1] + h[2] * cof[2]);  // J - 1
-  // With d = H^T - cof H: cof F = (1 + tr H) I - d and F - cof F = H + d - tr H I.
-  Lanes<N> squares[3];
-  for (int a = 0; a < 3; ++a) {
-    Lanes<N> square[3];
-    for (int b = 0; b < 3; ++b) {
-      Lanes<N>& d = cof[3 * a + b];
-      d = h[3 * b + a] - d;
-      const Lanes<N> ofF = a == b ? (1.0f + trace) - d : d;
-      square[b] = ofF * ofF;
-    }
-    squares[a] = square[0] + square[1] + square[2];
-  }
-  // See kMostStiffening; without this a cut at stretch 2 explodes.
-  const Lanes<N> sum = squares[0] + squares[1] + squares[2], most = all<N>(kMostStiffening);
-  const Lanes<N> limit = sum > most ? most / sum : all<N>(1.0f);
-  const Lanes<N> pressure = limit * (load<N>(s.lameVolume + i) * growth);
-  const Lanes<N> mu = load<N>(s.shearVolume + i);
-  const Lanes<N> diagonal = pressure * (1.0f + trace) - mu * trace, both = mu - pressure;
-  for (int a = 0; a < 3; ++a) {
-    Lanes<N> p[3], pl[3];
-    for (int b = 0; b < 3; ++b) p[b] = mu * h[3 * a + b] + both * cof[3 * a + b];
-    p[a] += diagonal;
-    moment.multiply(p, pl);
-    for (int b = 0; b < 3; ++b) put(s.stress[3 * a + b], pl[b] - penalty * h[3 * a + b]);
-  }
-}
+#include "tissue/elastic/kernel/elastic_law.inl"
 
 // Velocity and position after the substep. Full: as above. Steered: some cells are held or loaded.
 // exploded: per lane, all bits set if the speed is beyond the limit. Aims at 80 instructions for a
@@ -175,12 +124,13 @@ RESECT_INLINE void forVectors(const TissueChunk& chunk, Visit visit) {
 
 // For a chunk with a cut. Not inlined: such chunks are few, and the loop over the others stays
 // small.
+template <bool Viscous, bool Relaxes>
 static __attribute__((noinline)) void stressByBonds(const ElasticView& s, const SubstepConstants& c,
-                                                    const TissueChunk& chunk) {
+                                                    const TissueChunk& chunk, std::int32_t* stiff) {
   forVectors(
       chunk, [&]<int N>(int at, bool) __attribute__((always_inline)) {
         const std::int32_t i = chunk.start + at;
-        respond<false>(s, c, i, strainsFromBonds<N>(s, c, i));
+        respond<false, Viscous, Relaxes>(s, c, i, strainsFromBonds<N>(s, c, i), stiff);
       });
 }
 static __attribute__((noinline)) void moveByBonds(const ElasticView& s, const SubstepConstants& c,
@@ -197,10 +147,12 @@ static __attribute__((noinline)) void moveByBonds(const ElasticView& s, const Su
       });
 }
 
-static void stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
-                       std::size_t end) {
+template <bool Viscous, bool Relaxes>
+static StiffCells stressOf(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                           std::size_t end) {
   const PlaneSteps step = planeSteps(s);
   StrainPlanes planes = {};  // planes beyond the solid cells are read but have no effect
+  std::int32_t stiff[2 * kChunk] = {};
   for (const TissueChunk *chunk = s.chunks + begin, *last = s.chunks + end; chunk < last;) {
     const PlaneRun run = planeRun(chunk, last);
     if (run.chunks > 0) {
@@ -213,14 +165,31 @@ static void stressPass(const ElasticView& s, const SubstepConstants& c, std::siz
             *chunk, [&]<int N>(int at, bool full) __attribute__((always_inline)) {
               const std::int32_t i = chunk->start + at;
               if (full)
-                respond<true>(s, c, i, strainsFromPlanes<true, N>(s, planes, i, i - run.first));
+                respond<true, Viscous, Relaxes>(
+                    s, c, i, strainsFromPlanes<true, N>(s, planes, i, i - run.first), stiff);
               else
-                respond<false>(s, c, i, strainsFromPlanes<false, N>(s, planes, i, i - run.first));
+                respond<false, Viscous, Relaxes>(
+                    s, c, i, strainsFromPlanes<false, N>(s, planes, i, i - run.first), stiff);
             });
       continue;
     }
-    stressByBonds(s, c, *chunk++);
+    stressByBonds<Viscous, Relaxes>(s, c, *chunk++, stiff);
   }
+  StiffCells count;
+  for (int lane = 0; lane < kChunk; ++lane) {
+    count.beyond += stiff[lane];
+    count.beyondLess += stiff[kChunk + lane];
+  }
+  return count;
+}
+
+static StiffCells stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
+                             std::size_t end) {
+  if (s.branches > 0)
+    return c.relaxes ? stressOf<true, true>(s, c, begin, end)
+                     : stressOf<true, false>(s, c, begin, end);
+  return c.relaxes ? stressOf<false, true>(s, c, begin, end)
+                   : stressOf<false, false>(s, c, begin, end);
 }
 
 static bool motionPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
