@@ -234,7 +234,7 @@ TEST_CASE("a recording of another schema is refused with what to do") {
   recordRun(shipped("press", 0.015), path, 3);
   run(path, "PRAGMA user_version = 1");
   CHECK(test::refuses([&] { verify(path); }, "use the Resect that recorded it"));
-  run(path, "PRAGMA user_version = 3");
+  run(path, fmt::format("PRAGMA user_version = {}", kRecordingSchema + 1));
   CHECK(test::refuses([&] { verify(path); }, "use a newer Resect"));
 }
 

@@ -22,6 +22,6 @@ ELASTIC = {
     "snip": "b11ff22c44489c95",
     "resect-segment-elastic": "ce3fcfe105496d34",
     "liver-and-gallbladder": "d3958364dc170441",
-    "hang": "0b77114ced5dbd50",
+    "hang": "58bd4eaf6b4c0c63",
     "drop": "99c1800ebd2ad1d0",
 }

@@ -2,12 +2,14 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/state/state_hash.h"
 #include "support/references/reference_tissue.h"
+#include "support/references/relax.h"
 #include "support/references/wide_kernel.h"
 #include "support/tissue_blocks.h"
 
@@ -246,4 +248,24 @@ TEST_CASE("unusable settings are refused with a sentence") {
   CHECK_THROWS_WITH_AS(ElasticTissue(cells, settings), doctest::Contains("damping"), Error);
   cells.solid.assign(8, 0);
   CHECK_THROWS_WITH_AS(ElasticTissue(cells, {}), doctest::Contains("no solid cell"), Error);
+}
+
+TEST_CASE("where a pin ends between two cells, tissue is held as its part of them says") {
+  // A bar that sticks out of the pinned region bends by its weight.
+  const auto sag = [](double end) {  // of the region, in cells from the bar's end
+    const double s = 0.008;
+    TissueSettings settings;
+    settings.gravity *= 0.1;
+    ElasticTissue tissue(solidBlock({20, 5, 5}, s, test::plainLiver()), settings);
+    TissueAttachment pin;
+    pin.shape = Region::Shape::Box;
+    pin.box = {Vec3::Constant(-1), Vec3(s * (end - 0.5), 1, 1)};
+    CHECK(tissue.attach(pin) == 25 * int(std::ceil(end)));
+    test::relax(tissue, 1e-6);
+    return -tissue.displacement(tissue.lattice().index({19, 2, 2})).y();
+  };
+  const double four = sag(4), between = sag(4.5), five = sag(5);
+  CHECK(four > 1.15 * five);
+  CHECK(between == doctest::Approx(0.5 * (four + five)).epsilon(0.05));
+  CHECK(sag(4.25) == doctest::Approx(0.75 * four + 0.25 * five).epsilon(0.05));
 }

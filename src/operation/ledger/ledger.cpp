@@ -223,7 +223,8 @@ OrganLedger LedgerBooks::ledgerOf(const OperatedOrgan& organ, const OrganBooks& 
     for (std::size_t l = 0; l < labels; ++l) order.back().first -= counted[p * labels + l].units;
   }
   std::ranges::sort(order);
-  const double least = std::min(kPieceVolume, kPieceShare * ledger.tissue.before.volume);
+  const double least = std::min(std::max(kPieceVolume, kPieceCells * rest.lattice.spacing.prod()),
+                                kPieceShare * ledger.tissue.before.volume);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto [minusUnits, number] = order[i];
     const bool debris = i > 0 && volumeOf(-minusUnits, rest.lattice) < least;

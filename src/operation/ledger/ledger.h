@@ -49,8 +49,10 @@ struct TissueSplit {
   bool operator==(const TissueSplit&) const = default;
 };
 
-// A part is a piece if it has this volume, m^3, or this share of the organ; else it is debris.
+// A part is a piece if it has this volume, m^3, and that of so many cells, or this share of the
+// organ; else it is debris. Where cells are large a crumb of one or two is none.
 inline constexpr double kPieceVolume = 0.5e-6, kPieceShare = 0.01;
+inline constexpr int kPieceCells = 4;
 
 struct LabelLedger {
   int label = 0;

@@ -49,24 +49,49 @@ void ElasticTissue::remove(std::int64_t cell) {
 std::int64_t ElasticTissue::attach(const TissueAttachment& attachment) {
   require(attachment.stiffness >= 0 && std::isfinite(attachment.stiffness),
           "a ligament's stiffness is {} N/m; give a finite number from 0", attachment.stiffness);
+  if (attachment.kind == TissueAttachment::Kind::Pin) return pin(attachment);
   std::vector<std::int64_t> cells;
   for (std::int64_t c = 0; c < lattice_.cellCount(); ++c)
     if (solid(c) && attachment.holds(lattice_.centre(lattice_.cell(c)))) cells.push_back(c);
   for (const std::int64_t c : cells) {
-    if (attachment.kind == TissueAttachment::Kind::Pin) {
-      hold(c, kHeldAll);
-      continue;
-    }
-    const std::int32_t i = state_.box.fromLattice(c);
     // A spring too stiff for the substep would be unstable.
     const double most = 0.2 * mass(c) / (longestSubstep_ * longestSubstep_);
     const double stiffness = std::min(attachment.stiffness / double(cells.size()), most);
-    springs_.add({i, -1, lattice_.centre(lattice_.cell(c)), stiffness,
-                  0.5 * std::sqrt(stiffness * mass(c))});
-    state_.loaded[i] = 1;
-    holdsChanged_.push_back(i);
+    tie(c, stiffness, 0.5 * std::sqrt(stiffness * mass(c)));
   }
   return std::int64_t(cells.size());
+}
+
+// Holds the cells that lie in the region, and ties those of which a part does, as firmly as that
+// part is large: so that where the region ends does not depend on the lattice.
+std::int64_t ElasticTissue::pin(const TissueAttachment& region) {
+  constexpr int kSide = 4;  // samples along a cell
+  std::int64_t count = 0;
+  for (std::int64_t c = 0; c < lattice_.cellCount(); ++c) {
+    if (!solid(c)) continue;
+    const Vec3 low = lattice_.centre(lattice_.cell(c)) - 0.5 * lattice_.spacing;
+    int inside = 0;
+    for (int k = 0; k < kSide * kSide * kSide; ++k) {
+      const Vec3 at = Vec3(k % kSide, k / kSide % kSide, k / (kSide * kSide)) + Vec3::Constant(0.5);
+      inside += region.holds(low + lattice_.spacing.cwiseProduct(at / kSide));
+    }
+    const double share = double(inside) / (kSide * kSide * kSide);
+    if (share == 1) hold(c, kHeldAll);
+    if (share > 0 && share < 1) {  // as stiff as tissue of that part
+      const double stiffness = share * material(c)->young * lattice_.spacing.x();
+      tie(c, stiffness, 0.5 * std::sqrt(stiffness * mass(c)));
+    }
+    count += share > 0;
+  }
+  return count;
+}
+
+// A spring from the cell to its rest position.
+void ElasticTissue::tie(std::int64_t cell, double stiffness, double damping) {
+  const std::int32_t i = state_.box.fromLattice(cell);
+  springs_.add({i, -1, lattice_.centre(lattice_.cell(cell)), stiffness, damping});
+  state_.loaded[i] = 1;
+  holdsChanged_.push_back(i);
 }
 
 void ElasticTissue::grip(std::int64_t cell, std::int32_t tool, const Pose& pose) {

@@ -68,8 +68,9 @@ class ElasticTissue final : public TissueModel {
   // is solid.
   ElasticTissue(const TissueCells& cells, const TissueSettings& settings);
 
-  // Attaches the solid cells of the region: pins them, or adds the springs of a ligament. Returns
-  // the number of these cells.
+  // Attaches the solid cells of the region: pins them, or adds the springs of a ligament. A pin
+  // holds the cells that lie in the region as a whole; those that lie in it in part get a spring.
+  // Returns the number of these cells.
   std::int64_t attach(const TissueAttachment& attachment);
 
   struct Advance {  // as in TissueStep
@@ -156,6 +157,8 @@ class ElasticTissue final : public TissueModel {
     AlignedArray<std::uint32_t> bonds;
   };
 
+  std::int64_t pin(const TissueAttachment& region);
+  void tie(std::int64_t cell, double stiffness, double damping);
   void loosen(std::span<const std::int32_t> cells);
   void findTears(std::span<const std::int32_t> letGo, std::vector<TissueBond>& torn) const;
   void forChunks(const RangeBody& pass) const;
