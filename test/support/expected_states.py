@@ -15,13 +15,13 @@ STILL = {
 }
 # On tissue that moves: the same on every machine, with and without vector instructions.
 ELASTIC = {
-    "press": "b5f779fca02d11ea",
-    "lift": "aa9e09533d9c094a",
-    "incise": "50471cee3793a47e",
-    "incise-under-traction": "784e795b4b337fc9",
-    "snip": "b11ff22c44489c95",
-    "resect-segment-elastic": "ce3fcfe105496d34",
-    "liver-and-gallbladder": "d3958364dc170441",
+    "press": "0a4bbb82f50a761f",
+    "lift": "d388baa29d5119a4",
+    "incise": "c9e710318de4eb8a",
+    "incise-under-traction": "4d8513aec63c4c3e",
+    "snip": "1d4fcbd17981804d",
+    "resect-segment-elastic": "9fe4d0a37a8c0db8",
+    "liver-and-gallbladder": "74d7507f5bb69e07",
     "hang": "58bd4eaf6b4c0c63",
-    "drop": "99c1800ebd2ad1d0",
+    "drop": "58d50f8c5a9a2326",
 }

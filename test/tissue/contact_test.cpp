@@ -54,29 +54,6 @@ TEST_CASE("a block let fall on the table comes to rest on it, and the table feel
   CHECK(std::hypot(step.force[0].x(), step.force[0].z()) < 0.02 * weight(tissue));
 }
 
-TEST_CASE("a block on a slope rests below the angle of friction and slides above it") {
-  for (const double slope : {0.2, 0.5}) {
-    TissueSettings settings;
-    const double angle = std::atan(slope);
-    settings.gravity = 9.81 * Vec3(std::sin(angle), -std::cos(angle), 0);
-    ElasticTissue tissue(onTable({6, 3, 6}, 0.008, material(20000, 0.3)), settings);
-    TissueStep step;
-    const Obstacle table = tableTop(0.008);
-    const auto speed = [&] {
-      double sum = 0;
-      test::forEachCell(tissue,
-                        [&](std::int64_t c, const Vec3i&) { sum += tissue.velocity(c).x(); });
-      return sum / 108;
-    };
-    for (int i = 0; i < 60; ++i) moveAndTear(tissue, kFrame, {&table, 1}, step);
-    const double before = speed();
-    for (int i = 0; i < 30; ++i) moveAndTear(tissue, kFrame, {&table, 1}, step);
-    const double acceleration = (speed() - before) / 0.5;
-    const double expected = slope > 0.3 ? 9.81 * (std::sin(angle) - 0.3 * std::cos(angle)) : 0;
-    CHECK(std::abs(acceleration - expected) < 0.1);
-  }
-}
-
 TEST_CASE("a ball pressed into a layer feels the force of Hertz, corrected for the layer") {
   test::Figures figures("hertz");
   const double s = 0.002, radius = 25 * s;

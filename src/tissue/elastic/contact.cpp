@@ -19,20 +19,22 @@ Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
 
 // Moves a cell out of an obstacle; returns the momentum that it loses, kg m/s. `depth` > 0.
 Vec3 pushOut(ElasticState& s, std::int32_t i, double depth, const Vec3& outwards,
-             const Vec3& bodyVelocity, double friction, double lookAhead) {
+             const Vec3& bodyVelocity, double friction, double dt, double lookAhead) {
   const Vec3 relative = at(s.v, i) - bodyVelocity;
   const double into = -relative.dot(outwards);
-  Vec3 change = Vec3::Zero();
+  Vec3 change = Vec3::Zero(), dragged = Vec3::Zero();
   if (into > 0) {
     const Vec3 along = relative + into * outwards;
     const double speed = along.norm();
-    change = into * outwards;
-    if (speed > 0) change -= std::min(1.0, friction * into / speed) * along;
+    if (speed > 0) dragged = -std::min(1.0, friction * into / speed) * along;
+    change = into * outwards + dragged;
   }
-  const double way = std::min(depth, kMostPush * s.spacing);
+  // The cell has already moved with the velocity that friction takes. This way is taken back too:
+  // otherwise a cell that sticks would creep.
+  const Vec3 way = std::min(depth, kMostPush * s.spacing) * outwards + dt * dragged;
   for (int a = 0; a < 3; ++a) {
     if (s.held[i] >> a & 1) continue;
-    s.u[a][i] += float(way * outwards[a]);
+    s.u[a][i] += float(way[a]);
     s.v[a][i] += float(change[a]);
     s.ahead[a][i] = s.u[a][i] + float(lookAhead) * s.v[a][i];
   }
@@ -109,7 +111,7 @@ void TissueContacts::list(const ElasticState& s, const Vec3& origin, double dura
   }
 }
 
-void TissueContacts::push(ElasticState& s, double share, double lookAhead) {
+void TissueContacts::push(ElasticState& s, double share, double dt, double lookAhead) {
   pushCutFaces(s, lookAhead);
   for (std::size_t b = 0; b < bodyCount_; ++b) {
     Body& body = bodies_[b];
@@ -130,7 +132,7 @@ void TissueContacts::push(ElasticState& s, double share, double lookAhead) {
       }
       if (depth <= 0) continue;
       impulse_[b] -= pushOut(s, i, depth, outwards, body.velocity + body.spin.cross(fromOrigin),
-                             o.friction, lookAhead);
+                             o.friction, dt, lookAhead);
     }
   }
 }

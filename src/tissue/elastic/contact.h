@@ -4,9 +4,9 @@
 // Once per frame the cells that can come near an obstacle are listed. After every substep each
 // listed cell that is nearer to the obstacle than the stand-off is moved back along the normal of
 // the obstacle's surface. It loses its velocity towards the obstacle and, up to Coulomb's limit,
-// its tangential velocity. The momentum that cells lose, divided by the frame's duration, is the
-// force on the obstacle. For tissue at rest this is the force with which the tissue presses on the
-// obstacle.
+// its tangential velocity with the way it went by it in the substep. The momentum that cells lose,
+// divided by the frame's duration, is the force on the obstacle. For tissue at rest this is the
+// force with which the tissue presses on the obstacle.
 //
 // The faces of a cut are kept from passing through each other: the two ends of each cut bond are
 // pushed apart like inelastic balls.
@@ -29,9 +29,9 @@ class TissueContacts {
             std::span<const Obstacle> obstacles, std::span<const std::int32_t> gripper);
 
   // To be called after each substep: pushes cells out of obstacles, and the ends of cut bonds
-  // apart. share: the fraction of the frame at which the substep ends, 0 to 1. lookAhead:
-  // SubstepConstants::lookAhead.
-  void push(ElasticState& state, double share, double lookAhead);
+  // apart. share: the fraction of the frame at which the substep ends, 0 to 1. dt: length of the
+  // substep, s. lookAhead: SubstepConstants::lookAhead.
+  void push(ElasticState& state, double share, double dt, double lookAhead);
 
   // To be called when the bond from `cell` in `direction` is cut. From then on the two ends of the
   // bond are pushed apart when they come nearer to each other than a minimum distance. This is nine

@@ -165,7 +165,7 @@ bool ElasticTissue::substep(int number, int count) {
   ++frame_.substeps;
   const bool calm = motionPass(frame_.constants);
   clearPulls();
-  if (calm) contacts_.push(state_, share, frame_.constants.lookAhead);
+  if (calm) contacts_.push(state_, share, dt, frame_.constants.lookAhead);
   return calm;
 }
 
