@@ -15,13 +15,13 @@ STILL = {
 }
 # On tissue that moves: the same on every machine, with and without vector instructions.
 ELASTIC = {
-    "press": "0a4bbb82f50a761f",
-    "lift": "d388baa29d5119a4",
-    "incise": "c9e710318de4eb8a",
-    "incise-under-traction": "4d8513aec63c4c3e",
-    "snip": "1d4fcbd17981804d",
-    "resect-segment-elastic": "9fe4d0a37a8c0db8",
-    "liver-and-gallbladder": "74d7507f5bb69e07",
-    "hang": "58bd4eaf6b4c0c63",
-    "drop": "58d50f8c5a9a2326",
+    "press": "b4a756dc85e5328e",
+    "lift": "e56db9127fff35e6",
+    "incise": "06fe6fc1896400bc",
+    "incise-under-traction": "8a790f6efdf37c04",
+    "snip": "77a7c9d1b0b4ca3f",
+    "resect-segment-elastic": "abc9ab1150667a0d",
+    "liver-and-gallbladder": "1149b6520bd4e222",
+    "hang": "f73b9705748bb596",
+    "drop": "ec85c536f4e365a0",
 }

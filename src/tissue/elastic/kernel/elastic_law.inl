@@ -40,9 +40,12 @@ RESECT_INLINE void relax(const ElasticView& s, const SubstepConstants& c, std::i
     const Lanes<N> modulus = load<N>(s.branchVolume[branch] + i);
     for (int n = 0; n < 6; ++n) {
       float* kept = s.relaxed[branch][n] + i;
-      const Lanes<N> before = load<N>(kept), change = share * (target[n] - before);
-      store(kept, before + change);
-      t[n] += modulus * (before + 0.5f * change);
+      const Lanes<N> before = load<N>(kept);
+      Lanes<N> after = before + share * (target[n] - before);
+      // What is as small would make products with it denormal.
+      after = masked(after, ~((after <= all<N>(kAtRest)) & (after >= all<N>(-kAtRest))));
+      store(kept, after);
+      t[n] += modulus * (0.5f * (before + after));
     }
   }
 }
