@@ -31,7 +31,7 @@ struct Operation {
       : organ(makeOrgan(cells(), {})),
         tissue({organ.rest.lattice, organ.alive, {liverTissue()}, {}}, {}) {
     TissueStep step;
-    const Obstacle table = tableTop(0.005);
+    const Obstacle table = tableTop();
     for (int frame = 0; frame < 30; ++frame) moveTissue(tissue, {&table, 1}, 1.0 / 60, step);
     top = organ.rest.lattice.box().centre();
     top.y() = 0;

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/state/state_hash.h"
+#include "organ/touch_surface.h"
 #include "tissue/still_tissue.h"
 
 namespace resect {
@@ -22,6 +23,7 @@ void checkRestored(const Organ& organ) {
 
 OperatedOrgan operatedOrgan(std::string name, Organ organ, std::unique_ptr<TissueModel> tissue) {
   if (!tissue) tissue = std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
+  if (tissue->moves()) tissue->setSurface(touchSurface(organ));
   return {std::move(name), std::move(organ), std::move(tissue), {}};
 }
 

@@ -226,7 +226,6 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
   if (!moves() || !(input.duration > 0)) return;
   for (std::size_t o = 0; o < organs_.size(); ++o) {
     if (!organs_[o].tissue->moves()) continue;
-    const double spacing = organs_[o].organ.rest.lattice.spacing.x();
     std::vector<Obstacle>& obstacles = work_.obstacles[o];
     obstacles.clear();
     for (std::size_t i = 0; i < tools_.size(); ++i) {
@@ -234,12 +233,12 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
       const ToolModel& model = state.tool->model;
       if (!state.inHand) continue;
       obstacles.push_back({std::int32_t(i), model.response == "remove" ? nullptr : shapes_[i].get(),
-                           false, state.way.from.pose, state.way.to.pose, standOff(model, spacing),
+                           false, state.way.from.pose, state.way.to.pose, entersTissue(model),
                            model.friction, model.slipForce});
     }
-    if (table_) obstacles.push_back(tableTop(spacing));
+    if (table_) obstacles.push_back(tableTop());
     for (std::size_t i = 0; i < standingShapes_.size(); ++i)
-      obstacles.push_back(standing(*standingShapes_[i], standingPoses_[i], spacing));
+      obstacles.push_back(standing(*standingShapes_[i], standingPoses_[i]));
     work_.moving.push_back({organs_[o].tissue.get(), obstacles, &report.tissue[o]});
   }
   findJoined();

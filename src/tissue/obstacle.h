@@ -15,25 +15,23 @@ struct Obstacle {
   // coordinates. False: the obstacle has no extent, and tissue never touches it.
   bool halfSpace = false;
   Pose from, to;          // at the start and at the end of the frame
-  double standOff = 0;    // distance that the centres of cells keep from the obstacle's surface, m
+  bool enters = false;    // a blade or a hook: only the centres of cells keep off it
   double friction = 0.3;  // Coulomb's coefficient
   double slipForce = 0;   // force at which an instrument releases all cells it grips, N; 0: never
 };
 
-// The table's top at y = 0. spacing: of the tissue's lattice, m.
-inline Obstacle tableTop(double spacing) {
+// The table's top at y = 0.
+inline Obstacle tableTop() {
   Obstacle table;
   table.halfSpace = true;
-  table.standOff = 0.5 * spacing;
   return table;
 }
 
-// A body that stands still, such as the walls of the tool box. spacing: of the tissue's lattice, m.
-inline Obstacle standing(const SignedDistance& shape, const Pose& pose, double spacing) {
+// A body that stands still, such as the walls of the tool box.
+inline Obstacle standing(const SignedDistance& shape, const Pose& pose) {
   Obstacle body;
   body.shape = &shape;
   body.from = body.to = pose;
-  body.standOff = 0.5 * spacing;
   return body;
 }
 

@@ -46,12 +46,23 @@ struct CellPlacement {
   Eigen::Matrix3f gradient;  // F - I
 };
 
+// A small patch of the surface of tissue at rest.
+struct SurfacePatch {
+  std::int64_t cell = -1;       // solid cell that the patch belongs to
+  Vec3f place = Vec3f::Zero();  // m
+  Vec3f area = Vec3f::Zero();   // times the outward normal, m^2
+};
+
 class TissueModel {
  public:
   virtual ~TissueModel() = default;
 
   // False for tissue that never leaves its rest positions.
   virtual bool moves() const = 0;
+
+  // Tells where the surface of the tissue at rest is, so that obstacles touch it there. Before the
+  // first frame; a model may do without. patches: ascending by cell.
+  virtual void setSurface(std::span<const SurfacePatch>) {}
 
   // A frame lasts `duration` s, > 0. It consists of one call of beginFrame(), one call of substep()
   // for each of several equal substeps, and one call of endFrame(). moveTissues()

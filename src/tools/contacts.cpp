@@ -102,9 +102,7 @@ NearCells nearMoved(const Organ& organ, const TissueModel& tissue, const Aabb& b
 
 }  // namespace
 
-double standOff(const ToolModel& tool, double spacing) {
-  return (tool.edge.empty() && tool.hook.empty() ? 0.5 : 0.1) * spacing;
-}
+bool entersTissue(const ToolModel& tool) { return !tool.edge.empty() || !tool.hook.empty(); }
 
 ToolContacts findContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
                           const Pose& from, const Pose& to) {

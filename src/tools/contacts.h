@@ -18,8 +18,7 @@ namespace resect {
 ToolContacts findContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
                           const Pose& from, const Pose& to);
 
-// Stand-off of tissue from a tool's surface, m: half a spacing. For a tool with an edge or a hook
-// it is a tenth of a spacing, since that tool must come nearer to cut or enter tissue.
-double standOff(const ToolModel& tool, double spacing);
+// Whether the tool is able to enter tissue (Obstacle::enters): it has an edge or a hook.
+bool entersTissue(const ToolModel& tool);
 
 }  // namespace resect

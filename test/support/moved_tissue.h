@@ -7,8 +7,8 @@
 namespace resect::test {
 
 inline Obstacle instrument(std::int32_t tool, const SignedDistance* shape, const Pose& from,
-                           const Pose& to, double standOff, double friction, double slipForce) {
-  return {tool, shape, false, from, to, standOff, friction, slipForce};
+                           const Pose& to, double friction, double slipForce) {
+  return {tool, shape, false, from, to, false, friction, slipForce};
 }
 
 inline void moveAndTear(TissueModel& tissue, double duration, std::span<const Obstacle> obstacles,

@@ -39,7 +39,7 @@ TEST_CASE("a block let fall on the table comes to rest on it, and the table feel
   settings.drag = 3;
   ElasticTissue tissue(cells, settings);
   TissueStep step;
-  const Obstacle table = tableTop(0.008);
+  const Obstacle table = tableTop();
   double lowest = 1;
   for (int i = 0; i < 240; ++i) {
     moveAndTear(tissue, kFrame, {&table, 1}, step);
@@ -48,7 +48,10 @@ TEST_CASE("a block let fall on the table comes to rest on it, and the table feel
       lowest = std::min(lowest, cells.lattice.centre(x).y() + tissue.displacement(c).y());
     });
   }
-  CHECK(lowest > 0.48 * 0.008);
+  CHECK(lowest > 0);  // as it strikes
+  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& x) {
+    CHECK(cells.lattice.centre(x).y() + tissue.displacement(c).y() > 0.45 * 0.008);
+  });
   CHECK(step.torn.empty());
   CHECK(-step.force[0].y() == doctest::Approx(weight(tissue)).epsilon(0.01));
   CHECK(std::hypot(step.force[0].x(), step.force[0].z()) < 0.02 * weight(tissue));
@@ -67,28 +70,27 @@ TEST_CASE("a ball pressed into a layer feels the force of Hertz, corrected for t
     if (x.y() == 0) tissue.hold(c, kHeldAll);
   });
   const SignedDistance ball(sphereMesh(Vec3::Zero(), radius, 192), 2 * s, 0.5 * s);
-  const Vec3 top = cells.lattice.origin + s * Vec3(19.5, height - 1, 19.5);
-  // The ball keeps the centres of the last cells half a cell off: it acts as one of a radius larger
-  // by that on a layer that ends at the centres, and begins at the wall of the held cells.
-  const double contact = radius + s / 2, layer = (height - 1 - 0.33) * s;
+  const Vec3 top = cells.lattice.origin + s * Vec3(19.5, height - 0.5, 19.5);
+  // The layer begins at the wall of the held cells.
+  const double layer = (height - 0.83) * s;
   TissueStep step;
   for (const double depth : {1.0 * s, 1.5 * s, 2.0 * s}) {
-    const Pose pose = at(top + Vec3(0, contact - depth, 0));
-    const Obstacle tool = test::instrument(0, &ball, pose, pose, s / 2, 0, 0);
+    const Pose pose = at(top + Vec3(0, radius - depth, 0));
+    const Obstacle tool = test::instrument(0, &ball, pose, pose, 0, 0);
     for (int i = 0; i < 20; ++i) moveAndTear(tissue, kFrame, {&tool, 1}, step);
     // Dimitriadis et al. (2002), a layer bonded to its ground.
     const double nu = m.poisson;
     const double a0 = -(1.2876 - 1.4678 * nu + 1.3442 * nu * nu) / (1 - nu);
     const double b0 = (0.6387 - 1.0277 * nu + 1.5164 * nu * nu) / (1 - nu);
-    const double chi = std::sqrt(contact * depth) / layer, pi = 3.14159265358979;
+    const double chi = std::sqrt(radius * depth) / layer, pi = 3.14159265358979;
     const double correction =
         1 - 2 * a0 / pi * chi + 4 * a0 * a0 / (pi * pi) * chi * chi -
         8 / (pi * pi * pi) * (a0 * a0 * a0 + 4 * pi * pi / 15 * b0) * chi * chi * chi +
         16 * a0 / (pi * pi * pi * pi) * (a0 * a0 * a0 + 3 * pi * pi / 5 * b0) * chi * chi * chi *
             chi;
     const double expected =
-        4 * m.young / (3 * (1 - nu * nu)) * std::sqrt(contact) * std::pow(depth, 1.5) * correction;
-    const double allowed = 0.03;
+        4 * m.young / (3 * (1 - nu * nu)) * std::sqrt(radius) * std::pow(depth, 1.5) * correction;
+    const double allowed = 0.01;
     CHECK(
         figures.add("force at a depth of " + std::to_string(depth / s).substr(0, 3) + " cells (N)",
                     step.force[0].y(), expected, allowed) < allowed);
@@ -105,7 +107,7 @@ TEST_CASE("what presses on a block on the table is felt by the table") {
   Pose from = at({4.5 * s, 6 * s + 0.02, 4.5 * s});
   for (int i = 0; i < 120; ++i) {
     const Pose to = at({4.5 * s, std::max(5 * s, 6 * s - i * 0.0003) + 0.02, 4.5 * s});
-    const Obstacle around[] = {test::instrument(0, &ball, from, to, s / 2, 0.3, 0), tableTop(s)};
+    const Obstacle around[] = {test::instrument(0, &ball, from, to, 0.3, 0), tableTop()};
     moveAndTear(tissue, kFrame, around, step);
     from = to;
   }
@@ -131,7 +133,7 @@ TEST_CASE(
     for (int i = 0; i < 150; ++i) {
       Pose to = from;
       if (i < 60) to.position.y() += 0.001;
-      const Obstacle around[] = {test::instrument(7, nullptr, from, to, 0, 0.3, slip), tableTop(s)};
+      const Obstacle around[] = {test::instrument(7, nullptr, from, to, 0.3, slip), tableTop()};
       moveAndTear(tissue, kFrame, around, step);
       slipped |= !step.letGo.empty();
       from = to;
@@ -163,7 +165,7 @@ TEST_CASE("a grip that pulls tissue beyond its limit tears it, bond by bond") {
   for (; frames < 160; ++frames) {
     Pose to = from;
     to.position.x() += 0.08 / 60;
-    const Obstacle tool = test::instrument(0, nullptr, from, to, 0, 0, 0);
+    const Obstacle tool = test::instrument(0, nullptr, from, to, 0, 0);
     moveAndTear(tissue, kFrame, {&tool, 1}, step);
     CHECK(step.calm);
     CHECK(step.torn.size() <= 20);
@@ -240,7 +242,7 @@ TEST_CASE("a tool driven through at 1 m/s, or teleported, leaves tissue whole in
         to.position = Vec3(random.uniform(0, 0.1), random.uniform(0, 0.07), random.uniform(0, 0.1));
       else
         to.position.x() = -0.1 + 0.3 * std::abs((i % 36) / 18.0 - 1);
-      const Obstacle around[] = {test::instrument(0, &ball, from, to, s / 2, 0.3, 0), tableTop(s)};
+      const Obstacle around[] = {test::instrument(0, &ball, from, to, 0.3, 0), tableTop()};
       moveAndTear(tissue, kFrame, around, step);
       CHECK(step.calm);
       from = to;

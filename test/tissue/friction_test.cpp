@@ -18,8 +18,8 @@ struct Slide {
 
 // Calls check(slide) for slow and fast motion, along the lattice and across it.
 template <typename Check>
-void forSlides(std::initializer_list<double> frictions, Check check) {
-  for (const double friction : frictions)
+void forSlides(Check check) {
+  for (const double friction : {0.1, 0.3, 0.6})
     for (const double speed : {0.005, 0.02, 0.1})
       for (const double turn : {0.0, 0.5236}) {
         CAPTURE(friction);
@@ -56,8 +56,7 @@ TissueSettings damped() {
 
 TEST_CASE("the table drawn away under a block drags it with Coulomb's friction") {
   const double s = 0.008;
-  // At 0.6 the block chatters.
-  forSlides({0.1, 0.3}, [&](const Slide& slide) {
+  forSlides([&](const Slide& slide) {
     // Low, so that the friction does not lift its rear.
     TissueCells cells = test::solidBlock({8, 2, 8}, s, liverTissue());
     cells.lattice.origin.y() = 0.5 * s;
@@ -67,7 +66,7 @@ TEST_CASE("the table drawn away under a block drags it with Coulomb's friction")
     });
     const Vec3 along = direction(slide);
     const double measured = frictionOn(tissue, along, -Vec3::UnitY(), [&](double t) {
-      Obstacle table = tableTop(s);
+      Obstacle table = tableTop();
       table.friction = slide.friction;
       table.from.position = slide.speed * t * along;
       table.to.position = slide.speed * (t + kFrame) * along;
@@ -80,7 +79,7 @@ TEST_CASE("the table drawn away under a block drags it with Coulomb's friction")
 TEST_CASE("an instrument drawn over tissue feels Coulomb's friction") {
   const double s = 0.005;
   const SignedDistance plate(boxMesh({{-0.3, 0, -0.3}, {0.3, 0.02, 0.3}}), 0.01, 0.003);
-  forSlides({0.1, 0.3, 0.6}, [&](const Slide& slide) {
+  forSlides([&](const Slide& slide) {
     TissueSettings settings = damped();
     settings.gravity.setZero();
     ElasticTissue tissue(test::solidBlock({8, 4, 8}, s, liverTissue()), settings);
@@ -94,7 +93,7 @@ TEST_CASE("an instrument drawn over tissue feels Coulomb's friction") {
                   Eigen::Quaterniond::Identity()};
     };
     const double measured = frictionOn(tissue, along, Vec3::UnitY(), [&](double t) {
-      return test::instrument(0, &plate, pose(t), pose(t + kFrame), s / 2, slide.friction, 0);
+      return test::instrument(0, &plate, pose(t), pose(t + kFrame), slide.friction, 0);
     });
     CHECK(measured == doctest::Approx(slide.friction).epsilon(0.03));
   });
@@ -110,7 +109,7 @@ TEST_CASE("a block on a slope rests below the angle of friction and slides above
     cells.lattice.origin.y() = 0.5 * 0.008;
     ElasticTissue tissue(cells, settings);
     TissueStep step;
-    const Obstacle table = tableTop(0.008);
+    const Obstacle table = tableTop();
     const auto way = [&](int frames) {
       const auto place = [&] {
         double sum = 0;

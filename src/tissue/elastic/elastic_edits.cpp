@@ -27,7 +27,7 @@ void ElasticTissue::sever(std::int64_t cell, int direction) {
   const std::int32_t i = state_.box.fromLattice(cell);
   if (!(state_.bonds[i] >> direction & 1)) return;
   severBond(state_, i, direction);
-  contacts_.keepApart(state_, i, direction);
+  cutFaces_.keepApart(state_, i, direction);
   bondsChanged_.push_back(i);
   bondsChanged_.push_back(i + state_.box.step[direction]);
   cut_.push_back(i);
@@ -41,7 +41,7 @@ void ElasticTissue::remove(std::int64_t cell) {
   for (int d = 0; d < kDirections; ++d)
     if (state_.bonds[i] >> d & 1) bondsChanged_.push_back(i + state_.box.step[d]);
   removeCell(state_, i);
-  contacts_.forgetCell(i);
+  cutFaces_.forgetCell(i);
   std::erase(pulled_, i);
   loosen(springs_.drop([&](const TissueSpring& spring) { return spring.cell == i; }));
 }

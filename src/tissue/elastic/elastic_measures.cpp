@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "tissue/elastic/elastic_tissue.h"
+#include "tissue/elastic/gradient.h"
 
 namespace resect {
 namespace {
@@ -17,32 +18,6 @@ std::array<double, 4> edgeWeights() {
   std::array<double, 4> weights = bondWeights();
   for (const double edge = weights[2]; double& weight : weights) weight /= edge;
   return weights;
-}
-
-Mat3 inverseMoment(const ElasticState& s, std::int32_t i) {
-  const auto& l = s.inverseMoment;
-  Mat3 m;
-  m << l[0][i], l[3][i], l[4][i], l[3][i], l[1][i], l[5][i], l[4][i], l[5][i], l[2][i];
-  return m;
-}
-
-// H = F - I.
-Mat3 gradient(const ElasticState& s, std::int32_t i) {
-  const std::array<double, 4> weights = edgeWeights();
-  Mat3 sum = Mat3::Zero();
-  for (int d = 0; d < kDirections; ++d)
-    if (s.bonds[i] >> d & 1)
-      sum += weights[neighbourKind(d)] * (at(s.u, i + s.box.step[d]) - at(s.u, i)) *
-             offsetOf(d).cast<double>().transpose();
-  return sum * inverseMoment(s, i);
-}
-
-Mat3 cofactors(const Mat3& f) {
-  Mat3 c;
-  c.row(0) = f.row(1).cross(f.row(2));
-  c.row(1) = f.row(2).cross(f.row(0));
-  c.row(2) = f.row(0).cross(f.row(1));
-  return c;
 }
 
 // F:F - 3 - 2 (J - 1).
@@ -72,7 +47,7 @@ double shearEnergy(const TissueMaterial& m, const Mat3& f) {
 }  // namespace
 
 Mat3 ElasticTissue::deformation(std::int64_t cell) const {
-  return Mat3::Identity() + gradient(state_, state_.box.fromLattice(cell));
+  return Mat3::Identity() + gradientAt(state_, state_.box.fromLattice(cell));
 }
 
 // Consecutive cells of the list that lie in one chunk are processed together.
@@ -149,7 +124,7 @@ TissueEnergy ElasticTissue::energy() {
       sum.gravity -= mass * settings_.gravity.dot(at(state_.u, i));
       if (state_.kappa[i] == 0) continue;
       const TissueMaterial& m = state_.materials[state_.material[i]];
-      const Mat3 h = gradient(state_, i), f = h + Mat3::Identity();
+      const Mat3 h = gradientAt(state_, i), f = h + Mat3::Identity();
       const double growth = f.determinant() - 1;
       const double bulk = m.lame() + m.shear() + m.viscousShear() / 3;
       sum.elastic += volume * (shearEnergy(m, f) + bulk / 2 * growth * growth);

@@ -11,7 +11,7 @@ namespace resect {
 void ElasticTissue::visit(StateVisitor& v) {
   state_.visit(v);
   v("fineness", fineness_), v("halvings", halvings_), v("calmFrames", calmFrames_);
-  v("contacts", contacts_), v("springs", springs_), v("fibres", fibres_);
+  v("contacts", cutFaces_), v("springs", springs_), v("fibres", fibres_);
   v("cut", cut_), v("pulled", pulled_);
 }
 
@@ -64,7 +64,7 @@ void ElasticTissue::checkRestored() const {
   for (const Fibre& fibre : fibres_) fits = fits && inBox(fibre.a) && inBox(fibre.b);
   for (const auto* list : {&cut_, &pulled_})
     for (const std::int32_t i : *list) fits = fits && inBox(i);
-  fits = fits && contacts_.fit(s.box.size) && halvings_ >= 0 && halvings_ <= kMostHalvings &&
+  fits = fits && cutFaces_.fit(s.box.size) && halvings_ >= 0 && halvings_ <= kMostHalvings &&
          fineness_ >= 0 && fineness_ <= kMostFineness;
   if (!fits)
     throw error(

@@ -132,6 +132,10 @@ double ElasticTissue::presentSubstep() const {
   return longestSubstep_ / (power(kFinerBy, fineness_) * double(1 << halvings_));
 }
 
+void ElasticTissue::setSurface(std::span<const SurfacePatch> patches) {
+  contacts_.setSurface(state_, lattice_, patches);
+}
+
 int ElasticTissue::substepsWanted() const {
   if (!frame_.calm) return 0;
   return std::max(1, int(std::ceil(frame_.duration / presentSubstep() - 1e-9)));
@@ -145,7 +149,7 @@ void ElasticTissue::beginFrame(double duration, std::span<const Obstacle> obstac
   }
   frame_ = {duration, obstacles, {}, {}, 0, 0, true};
   keepState();
-  contacts_.list(state_, lattice_.origin, duration, obstacles, gripper_);
+  contacts_.list(state_, *kernel_, lattice_.origin, duration, obstacles, gripper_);
   springs_.forgetImpulses(obstacles.size());
 }
 
@@ -165,6 +169,7 @@ bool ElasticTissue::substep(int number, int count) {
   ++frame_.substeps;
   const bool calm = motionPass(frame_.constants);
   clearPulls();
+  if (calm) cutFaces_.push(state_, frame_.constants.lookAhead);
   if (calm) contacts_.push(state_, share, dt, frame_.constants.lookAhead);
   return calm;
 }

@@ -13,7 +13,8 @@
 
 #include "base/parallel.h"
 #include "tissue/attachment.h"
-#include "tissue/elastic/contact.h"
+#include "tissue/elastic/contact/contact.h"
+#include "tissue/elastic/contact/cut_faces.h"
 #include "tissue/elastic/elastic_state.h"
 #include "tissue/elastic/fibres.h"
 #include "tissue/elastic/kernel/elastic_kernel.h"
@@ -81,6 +82,7 @@ class ElasticTissue final : public TissueModel {
   // Computes a frame of `duration`, s, without obstacles and without tearing.
   Advance advance(double duration);
 
+  void setSurface(std::span<const SurfacePatch> patches) override;
   // The computation of a frame, as in tissue/tissue_model.h. If the tissue explodes, it is restored
   // to the beginning of the frame, and the frame is repeated with substeps of half the length.
   void beginFrame(double duration, std::span<const Obstacle> obstacles) override;
@@ -177,7 +179,7 @@ class ElasticTissue final : public TissueModel {
   int fineness_ = 0;    // substeps are shorter by kFinerBy to this power, for stiff cells
   int halvings_ = 0;    // how often the substep is halved at present
   int calmFrames_ = 0;  // while it is halved: calm frames since it last changed
-  TissueContacts contacts_;
+  CutFaces cutFaces_;
   TissueSprings springs_;
   std::vector<Fibre> fibres_;
   std::vector<std::int32_t> cut_;     // both cells of each severed bond
@@ -191,6 +193,7 @@ class ElasticTissue final : public TissueModel {
   std::vector<UnevenBond> uneven_;
   std::vector<std::int32_t> gripper_;  // per cell of state_.box (lattice and halo): tool, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
+  TissueContacts contacts_;
   Frame frame_;
   Before before_;
   FloatArray kept_;  // u, v and the branches of all chunks at the beginning of the frame

@@ -1,0 +1,121 @@
+// Contact of tissue with obstacles: instruments, the table, the tool box.
+//
+// Once per frame the points of the surface (contact/points.h) and the cells that can come near an
+// obstacle are listed. After every substep the depth of each point in the obstacle is found. A
+// point inside is pressed out by a spring; its force is spread to the cells that the point follows.
+// The spring stands for tissue that the lattice does not resolve: the half of a cell between the
+// outermost centres and the surface, and dents smaller than a cell (docs/methods/tissue.md).
+//
+// Friction is taken cell by cell: a pressed cell loses its tangential velocity, with the way that
+// it went by it in the substep, up to Coulomb's limit. The momentum that cells lose, divided by the
+// frame's duration, is the force on the obstacle.
+//
+// As a last resort, cells whose centres are inside an obstacle are moved out. For a blade or a hook
+// this is all, since it must be able to enter tissue.
+#pragma once
+
+#include <vector>
+
+#include "tissue/elastic/contact/points.h"
+#include "tissue/elastic/elastic_state.h"
+#include "tissue/elastic/kernel/elastic_kernel.h"
+#include "tissue/tissue_model.h"
+
+namespace resect {
+
+class TissueContacts {
+ public:
+  // As TissueModel::setSurface().
+  void setSurface(const ElasticState& state, const Lattice& lattice,
+                  std::span<const SurfacePatch> patches) {
+    points_.setSurface(state, lattice, patches);
+  }
+
+  // To be called once per frame: lists what can come near an obstacle in the frame. duration: of
+  // the frame, s. origin: rest position of cell (0, 0, 0), m. gripper: for each cell of the box the
+  // tool that holds it, or -1; may be empty. A tool does not push the cells that it holds.
+  void list(const ElasticState& state, const ElasticKernel& kernel, const Vec3& origin,
+            double duration, std::span<const Obstacle> obstacles,
+            std::span<const std::int32_t> gripper);
+
+  // To be called after each substep: presses the tissue out of the obstacles. share: the fraction
+  // of the frame at which the substep ends, 0 to 1. dt: length of the substep, s. lookAhead:
+  // SubstepConstants::lookAhead.
+  void push(ElasticState& state, double share, double dt, double lookAhead);
+
+  // Momentum that cells have given to each obstacle since list(), kg m/s.
+  std::span<const Vec3> impulse() const { return impulse_; }
+  // Sets impulse() to zero.
+  void forgetImpulses();
+
+  template <class Visitor>
+  void visitMade(Visitor& v) {
+    v.made(points_, bodies_, bodyCount_, impulse_, slot_, found_, moved_, given_);
+  }
+
+ private:
+  // A cell that an obstacle may push.
+  struct Cell {
+    std::int32_t cell;
+    bool near;  // its centre may come near the obstacle; else only points that it carries
+    Vec3 rest;  // rest position, m
+  };
+  // A point that an obstacle may press. Its position is `base` plus the mean displacement of the
+  // cells that it follows.
+  struct Point {
+    Vec3f base;                 // m
+    Vec3f inwards;              // unit, into the tissue
+    float width;                // of its patch, m
+    float stiffness, damping;   // N/m, N s/m
+    std::int32_t first, count;  // its cells, as a range of Body::shares
+  };
+  struct Share {
+    std::int32_t cell;  // index in Body::cells
+    float weight;
+  };
+  // An obstacle in this frame.
+  struct Body {
+    Obstacle obstacle;
+    Vec3 velocity, spin;                   // of the obstacle in the frame, world, m/s and rad/s
+    std::vector<std::int32_t> candidates;  // cells whose points or centres may come near
+    std::vector<Cell> cells;
+    std::vector<Point> points;
+    std::vector<Share> shares;
+    Pose back;   // from the world to the obstacle's coordinate frame at the end of the frame
+    Aabb box;    // where the obstacle can touch cells in the frame, in that coordinate frame
+    Aabb world;  // bounds of `box` in the world
+    Vec3 up[2];  // outward normal of a half-space at the start and at the end of the frame
+  };
+  // An obstacle at the end of a substep.
+  struct Stance {
+    Pose pose;
+    Mat3 turn;
+  };
+  void listCells(const ElasticState& state, const Vec3& origin, double duration,
+                 std::span<const std::int32_t> gripper);
+  void listPoints(const ElasticState& state, const ElasticKernel& kernel, const Vec3& origin,
+                  double duration, Body& body);
+  void listPoint(const ElasticState& state, std::int32_t cell, const ContactPoint& point,
+                 const Mat3& cof, const Vec3& origin, double way, Body& body);
+  std::int32_t slotOf(const ElasticState& state, std::int32_t cell, const Vec3& origin, Body& body);
+  bool reaches(const Body& body, const Vec3& place, double way) const;
+  void pressPoints(const ElasticState& state, const Body& body, const Stance& stance, double dt);
+  void pushCentre(const ElasticState& state, const Body& body, const Stance& stance,
+                  std::size_t cell, Vec3f& way, Vec3f& change) const;
+  Vec3 pushCell(ElasticState& state, const Body& body, const Stance& stance, std::size_t cell,
+                float dt, float lookAhead) const;
+
+  ContactPoints points_;
+  std::vector<Body> bodies_;  // the first bodyCount_ are in use
+  std::size_t bodyCount_ = 0;
+  std::vector<Vec3> impulse_;  // per obstacle, kg m/s
+
+  // Memory that is used again.
+  std::vector<std::int32_t> slot_;   // per cell of the box: index in Body::cells, or -1
+  std::vector<ContactPoint> found_;  // of a cell
+  std::vector<Column> moved_;        // displacements of Body::cells, m
+  // Given to them by points in this substep: impulse, kg m/s; the last component is above 0 if any.
+  std::vector<Column> given_;
+};
+
+}  // namespace resect

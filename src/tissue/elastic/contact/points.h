@@ -1,0 +1,69 @@
+// The points at which elastic tissue touches obstacles.
+//
+// Points lie on the surface at rest, and each stands for a patch of it. They are the patches that
+// the organ has told (TissueModel::setSurface()), and points on the faces that edits have bared.
+// Without an organ they lie on all faces of cells that have no neighbour.
+//
+// A point belongs to a cell. It follows the mean of that cell and of the neighbours bonded to it,
+// with the weights of quadratic splines. These weights spread a force equally far wherever the
+// point lies in its cell. So tissue yields alike everywhere, although its cells are large.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "tissue/elastic/elastic_state.h"
+#include "tissue/tissue_model.h"
+
+namespace resect {
+
+struct ContactPoint {
+  Vec3f offset;  // rest position relative to the centre of the point's cell, m
+  Vec3f normal;  // of the surface at rest, unit, outwards
+  float area;    // of its patch, m^2
+};
+
+// Cells are given by their index in the CellBox.
+class ContactPoints {
+ public:
+  // patches: ascending by cell; those of cells that are not solid are left out.
+  void setSurface(const ElasticState& state, const Lattice& lattice,
+                  std::span<const SurfacePatch> patches);
+
+  // Appends the points of a cell. lips: also on the faces of cuts.
+  void fine(const ElasticState& state, std::int32_t cell, bool lips,
+            std::vector<ContactPoint>& points) const;
+  // The same with few points: one for each bare face, and one for all the organ's patches.
+  void coarse(const ElasticState& state, std::int32_t cell,
+              std::vector<ContactPoint>& points) const;
+  std::size_t bytes() const {  // memory held
+    return told_.capacity() * sizeof(Owned) + first_.capacity() * sizeof(std::int32_t);
+  }
+
+ private:
+  struct Owned {
+    std::int32_t cell;
+    ContactPoint point;
+  };
+  std::span<const Owned> patchesOf(std::int32_t cell) const;
+  void addFaces(const ElasticState& state, std::int32_t cell, int across, bool lips,
+                std::vector<ContactPoint>& points) const;
+
+  std::vector<Owned> told_;  // ascending by cell
+  // Per cell of the box: its first patch in told_, or one of the two numbers below 0. Empty if no
+  // surface was told.
+  static constexpr std::int32_t kInside = -1, kOutside = -2;  // at rest, before all edits
+  std::vector<std::int32_t> first_;
+};
+
+// The weights of a point's cell and of its neighbours. They add up to 1.
+struct PointWeights {
+  std::int32_t count = 0;
+  std::array<std::int32_t, kDirections + 1> cell;
+  std::array<float, kDirections + 1> weight;
+  Vec3f mean;  // of the cells' rest positions, relative to the centre of the point's cell, m
+};
+PointWeights weightsAt(const ElasticState& state, std::int32_t cell, const Vec3f& offset);
+
+}  // namespace resect
