@@ -82,6 +82,8 @@ void requireSound(const TissueMaterial& material) {
           "{} is {:g}; give a stretch above 1, or infinity", named("tear stretch"),
           material.tearStretch);
   within(material.stiffening, ranges::kStiffening, named("stiffening"), "");
+  within(material.capsule, ranges::kCapsule, named("capsule"), " N/m");
+  within(material.capsuleStrength, ranges::kCapsuleStrength, named("capsule_strength"), " N/m");
   require(material.branches.size() <= kMostBranches,
           "material \"{}\" has {} Maxwell branches; give at most {}", material.name,
           material.branches.size(), kMostBranches);

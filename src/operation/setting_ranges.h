@@ -18,6 +18,8 @@ inline constexpr SettingRange kYoung{10, 1e9};               // Pa
 inline constexpr SettingRange kPoisson{0, 0.4999};           // 1
 inline constexpr SettingRange kDensity{100, 5000};           // kg/m^3
 inline constexpr SettingRange kTearStretch{1, 100};          // 1; a hundredfold stretch never tears
+inline constexpr SettingRange kCapsule{0, 1e5};              // N/m
+inline constexpr SettingRange kCapsuleStrength{1, 1e6};      // N/m
 inline constexpr SettingRange kStiffening{0, 20};            // 1
 inline constexpr SettingRange kRelaxationShare{0, 10};       // 1
 inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; below it, substeps see nothing

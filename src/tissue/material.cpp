@@ -28,6 +28,7 @@ double TissueMaterial::waveSpeed() const {
 TissueMaterial liverTissue() {
   TissueMaterial liver;
   liver.stiffening = 1;
+  liver.capsule = 624;
   liver.branches = {{0.65, 0.58}, {1.15, 0.026}};
   return liver;
 }

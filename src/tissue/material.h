@@ -44,6 +44,10 @@ struct TissueMaterial {
   double density = 1060;             // kg/m^3, 1 to 1e5
   double stiffening = 0;             // b, 0 to 20
   std::vector<Relaxation> branches;  // at most kMostBranches
+  // Capsule on the skin of the material: Young's modulus times thickness, N/m, 0 to 1e5; 0: none.
+  // It tears where its tension is beyond its strength, N/m.
+  double capsule = 0;
+  double capsuleStrength = 300;
   // How much a bond can be stretched: its length over its rest length. Beyond this value a bond
   // near a grip tears; beyond twice this value a bond in a strand that cuts have left tears
   // (elastic/tearing.cpp). 1 or more; infinity: bonds never tear. Liver has an ultimate true strain
@@ -56,6 +60,7 @@ struct TissueMaterial {
   void visit(Visitor& v) {
     v("name", name), v("young", young), v("poisson", poisson), v("density", density);
     v("tearStretch", tearStretch), v("stiffening", stiffening), v("branches", branches);
+    v("capsule", capsule), v("capsuleStrength", capsuleStrength);
   }
 
   double shear() const { return young / (2 * (1 + poisson)); }  // mu, Pa

@@ -15,13 +15,13 @@ STILL = {
 }
 # On tissue that moves: the same on every machine, with and without vector instructions.
 ELASTIC = {
-    "press": "9e6f30b53c1738dc",
-    "lift": "fed6653e59ccb3c9",
-    "incise": "d9c3e97c84e2b945",
-    "incise-under-traction": "1487056a273c4352",
-    "snip": "067f02e5b5db011e",
-    "resect-segment-elastic": "e4c2cbfac6190a15",
-    "liver-and-gallbladder": "18da989316eac91f",
-    "hang": "f73b9705748bb596",
-    "drop": "a9194c745cabe7d7",
+    "press": "1078134ceb30d4f6",
+    "lift": "cf3cb36ea82d6919",
+    "incise": "f5b195e8166a7b6e",
+    "incise-under-traction": "bf2839ee1c5cd9de",
+    "snip": "29274475cb018fb9",
+    "resect-segment-elastic": "518dd0588379c8fa",
+    "liver-and-gallbladder": "8b3b12b0cd6e0c1b",
+    "hang": "a86900fcd006aec7",
+    "drop": "9aff9527640bd92e",
 }

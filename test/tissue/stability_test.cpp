@@ -8,6 +8,7 @@
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
 #include "support/figures.h"
+#include "support/frequency.h"
 #include "support/tissue_blocks.h"
 
 using namespace resect;
@@ -19,40 +20,6 @@ TissueCells liver() {
   const TriangleMesh mesh = builtinLiver(0.005);
   const Discretization cells = discretize(mesh, latticeForSpacing(bounds(mesh), 0.0115));
   return {cells.lattice, cells.inside, {liverTissue()}, {}};
-}
-
-// The highest frequency of small motions about the displacements `u`, 1/s: power iteration on the
-// change of the forces.
-double highestFrequency(ElasticTissue& tissue, const std::vector<std::int64_t>& cells,
-                        const std::vector<Vec3>& u) {
-  constexpr int kIterations = 120;
-  const double small = 0.002 * tissue.lattice().spacing.x();
-  const auto forcesAt = [&](const std::vector<Vec3>& away, double scale) {
-    for (std::size_t k = 0; k < cells.size(); ++k)
-      tissue.setDisplacement(cells[k], u[k] + scale * away[k]);
-    tissue.evaluateForces();
-    std::vector<Vec3> forces;
-    for (const std::int64_t c : cells) forces.push_back(tissue.elasticForce(c));
-    return forces;
-  };
-  Random random(3);
-  std::vector<Vec3> mode(cells.size());
-  for (Vec3& v : mode) v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-  const std::vector<Vec3> rest = forcesAt(mode, 0);
-  double squared = 0;
-  for (int i = 0; i < kIterations; ++i) {
-    double largest = 0, norm = 0, work = 0;
-    for (const Vec3& v : mode) largest = std::max(largest, v.norm());
-    for (Vec3& v : mode) norm += (v /= largest).squaredNorm();
-    const std::vector<Vec3> forces = forcesAt(mode, small);
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-      const Vec3 next = (rest[k] - forces[k]) / (small * tissue.mass(cells[k]));
-      work += next.dot(mode[k]);
-      mode[k] = next;
-    }
-    squared = work / norm;
-  }
-  return std::sqrt(squared);
 }
 
 }  // namespace
@@ -91,7 +58,8 @@ TEST_CASE("the substep is stable at rest, stretched, sheared, swollen and presse
     for (const int frames : {0, 5}) {
       if (frames == 0 && f == states[4].second) continue;
       for (int i = 0; i < frames; ++i) tissue.advance(1.0 / 60);
-      share = std::max(share, highestFrequency(tissue, cells, u) * tissue.presentSubstep() / limit);
+      share = std::max(share,
+                       test::highestFrequency(tissue, cells, u) * tissue.presentSubstep() / limit);
     }
     CHECK(share > 0.3);  // no longer substep is given away than needed
     CHECK(figures.addError("substep / longest stable, " + std::string(name), share, 1) < 1);

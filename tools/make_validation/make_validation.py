@@ -13,7 +13,7 @@ from html import escape
 from pathlib import Path
 
 BEGIN, END = "<!-- figures: begin -->", "<!-- figures: end -->"
-ORDER = ["moduli", "law", "law far out", "stiffening", "relaxation", "loss factor", "patch", "slope", "momentum", "energy", "cut energy", "cantilever",
+ORDER = ["moduli", "law", "law far out", "stiffening", "relaxation", "loss factor", "capsule pressed", "capsule stability", "patch", "slope", "momentum", "energy", "cut energy", "cantilever",
          "nearly incompressible beam", "elastica", "frequency", "torsion", "cook", "slit", "own weight", "hertz",
          "resolution", "substep", "stability"]
 

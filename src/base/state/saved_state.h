@@ -43,7 +43,7 @@ struct StateColumn {
   std::vector<CellOrder> orders;
 };
 
-inline constexpr std::uint32_t kStateVersion = 2;
+inline constexpr std::uint32_t kStateVersion = 3;
 
 struct SavedState {
   std::uint32_t version = kStateVersion;

@@ -56,6 +56,9 @@ TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults) 
   material.density = t.number("density", ranges::kDensity, defaults.density);
   material.tearStretch = t.number("tear_stretch", ranges::kTearStretch, defaults.tearStretch);
   material.stiffening = t.number("stiffening", ranges::kStiffening, defaults.stiffening);
+  material.capsule = t.number("capsule", ranges::kCapsule, defaults.capsule);
+  material.capsuleStrength =
+      t.number("capsule_strength", ranges::kCapsuleStrength, defaults.capsuleStrength);
   material.branches = readBranches(t, defaults.branches);
   if (material.waveSpeed() > ranges::kFastestWave)
     t.complain("young",

@@ -75,6 +75,7 @@ TissueSetup readTissue(const TomlTable& t) {
   if (t.flag("plain", false)) {
     tissue.material.stiffening = 0;
     tissue.material.branches.clear();
+    tissue.material.capsule = 0;
   }
   tissue.material = readMaterial(t, tissue.material);
   tissue.materials = readMaterials(t, tissue.material);

@@ -20,7 +20,7 @@
 
 namespace resect {
 
-inline constexpr int kRecordingSchema = 3;
+inline constexpr int kRecordingSchema = 4;
 inline constexpr std::size_t kLargestRecording = std::size_t(1) << 30;  // bytes, with its log
 
 // The files that hold a recording: while it is written, and after a program was killed, its log

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "tissue/elastic/capsule.h"
 #include "tissue/elastic/elastic_setup.h"
 #include "tissue/elastic/elastic_tissue.h"
 
@@ -15,6 +16,7 @@ void ElasticTissue::settle() {
   }
   if (!bondsChanged_.empty()) {
     refreshCells(state_, bondsChanged_);
+    remakeCapsule(state_, bondsChanged_);
     fibres_ = findFibres(state_, fibres_);
     uneven_ = findUnevenBonds(state_);
   }
@@ -149,9 +151,8 @@ void ElasticTissue::setMaterial(std::int64_t cell, const TissueMaterial& materia
   const std::int32_t i = state_.box.fromLattice(cell);
   if (!state_.solid[i]) return;
   checkMaterial(material);
-  if (material.waveSpeed() * longestSubstep_ > settings_.stepShare * state_.spacing)
-    longestSubstep_ = settings_.stepShare * state_.spacing / material.waveSpeed();
   state_.material[i] = materialNumber(state_, material);
+  chooseSubstep();
   allocateBranches(state_);
   remakeCells(state_, {&i, 1});
   bondsChanged_.push_back(i);

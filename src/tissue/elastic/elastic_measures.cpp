@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "tissue/elastic/capsule.h"
 #include "tissue/elastic/elastic_tissue.h"
 #include "tissue/elastic/gradient.h"
 
@@ -90,6 +91,8 @@ Mat3 ElasticTissue::stress(std::int64_t cell) const {
       std::min(1.0, double(constants(longestSubstep_).cofactorLimit) / cof.squaredNorm());
   const double bulk = m.lame() + m.shear() + m.viscousShear() / 3, growth = f.determinant() - 1;
   Mat3 stress = m.shear() * (1 + hardening(m, f, limit)) * (f - cof) + limit * bulk * growth * cof;
+  stress +=
+      f * capsuleResponse(state_, i, f).stress / (state_.spacing * state_.spacing * state_.spacing);
   for (std::size_t k = 0; k < m.branches.size(); ++k)
     stress += limit * m.branches[k].share * m.shear() * (f * eased(state_, k, i) - cof);
   return stress;
@@ -131,6 +134,7 @@ TissueEnergy ElasticTissue::energy() {
       for (std::size_t k = 0; k < m.branches.size(); ++k)
         sum.elastic += volume * m.branches[k].share * m.shear() / 2 *
                        ((f * eased(state_, k, i)).cwiseProduct(f).sum() - 3 - 2 * growth);
+      sum.elastic += capsuleResponse(state_, i, f).energy;
       double misfit = 0;
       for (int d = 0; d < kDirections; ++d)
         if (state_.bonds[i] >> d & 1)

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "base/error.h"
+#include "tissue/elastic/capsule.h"
 #include "tissue/elastic/elastic_setup.h"
 #include "tissue/elastic/elastic_tissue.h"
 
@@ -27,7 +28,8 @@ void ElasticTissue::beginRestore() {
   // After a state that did not fit, the derived data still belong to the cells kept before it.
   if (!before_.solid.empty()) return;
   settle();
-  before_ = {state_.solid, state_.material, state_.held, state_.loaded, state_.bonds};
+  before_ = {state_.solid,  state_.material,    state_.held,
+             state_.loaded, state_.capsuleTorn, state_.bonds};
 }
 
 // The numbers come from outside: everything used as an index is checked.
@@ -36,8 +38,8 @@ void ElasticTissue::checkRestored() const {
   const auto cells = std::size_t(s.box.size);
   const auto sized = [&](const auto& array) { return array.size() == cells; };
   const auto inBox = [&](std::int32_t i) { return s.box.inLattice(i); };
-  bool fits =
-      sized(s.solid) && sized(s.material) && sized(s.bonds) && sized(s.held) && sized(s.loaded);
+  bool fits = sized(s.solid) && sized(s.material) && sized(s.bonds) && sized(s.held) &&
+              sized(s.loaded) && sized(s.capsuleTorn);
   for (int a = 0; a < 3 && fits; ++a) fits = sized(s.u[a]) && sized(s.v[a]) && sized(s.load[a]);
   std::size_t most = 0;
   for (const TissueMaterial& m : s.materials) most = std::max(most, m.branches.size());
@@ -48,12 +50,12 @@ void ElasticTissue::checkRestored() const {
   if (fits) {
     for (std::int32_t i = 0; i < s.box.size && fits; ++i) {
       if (!s.solid[i]) {
-        fits = s.bonds[i] == 0 && s.held[i] == 0 && s.loaded[i] == 0 &&
+        fits = s.bonds[i] == 0 && s.held[i] == 0 && s.loaded[i] == 0 && s.capsuleTorn[i] == 0 &&
                (s.material[i] == 0 || s.box.inLattice(i));
         continue;
       }
       fits = s.solid[i] == 1 && s.material[i] < s.materials.size() && s.box.inLattice(i) &&
-             s.held[i] <= kHeldAll && s.loaded[i] <= 1;
+             s.held[i] <= kHeldAll && s.loaded[i] <= 1 && s.capsuleTorn[i] <= 1;
       for (std::uint32_t bonds = s.bonds[i]; bonds != 0 && fits; bonds &= bonds - 1) {
         const int d = std::countr_zero(bonds);
         fits = d < kDirections && s.solid[i + s.box.step[d]];
@@ -75,13 +77,11 @@ void ElasticTissue::checkRestored() const {
 void ElasticTissue::endRestore(std::span<const std::uint8_t>) {
   checkRestored();
   for (const TissueMaterial& material : state_.materials) checkMaterial(material);
-  double fastest = 0;
-  for (const TissueMaterial& m : state_.materials) fastest = std::max(fastest, m.waveSpeed());
-  longestSubstep_ = settings_.stepShare * state_.spacing / fastest;
+  chooseSubstep();
   std::vector<std::int32_t> changed, held;
   for (std::int32_t i = 0; i < state_.box.size; ++i) {
     if (before_.solid[i] != state_.solid[i] || before_.material[i] != state_.material[i] ||
-        before_.bonds[i] != state_.bonds[i])
+        before_.bonds[i] != state_.bonds[i] || before_.capsuleTorn[i] != state_.capsuleTorn[i])
       changed.push_back(i);
     if (before_.held[i] != state_.held[i] || before_.loaded[i] != state_.loaded[i])
       held.push_back(i);
@@ -90,6 +90,7 @@ void ElasticTissue::endRestore(std::span<const std::uint8_t>) {
   allocateBranches(state_);
   remakeCells(state_, changed);
   refreshCells(state_, changed);
+  remakeCapsule(state_, changed);
   refreshChunks(state_, held);
   fibres_ = findFibres(state_, fibres_);
   uneven_ = findUnevenBonds(state_);

@@ -112,7 +112,7 @@ void allocateBranches(ElasticState& s) {
   std::size_t most = 0;
   for (const TissueMaterial& material : s.materials)
     most = std::max(most, material.branches.size());
-  if (most == 0) return;
+  if (most == 0 && s.capsule.empty()) return;
   if (s.viscousVolume.empty()) {
     s.viscousVolume.assign(s.box.size, 0);
     allocate(s.viscous, s.box.size);
@@ -150,7 +150,8 @@ ElasticState makeElasticState(const TissueCells& cells, double penalty) {
     a->assign(s.box.size, 0);
   allocateBranches(s);
   s.bonds.assign(s.box.size, 0);
-  for (auto* a : {&s.solid, &s.held, &s.loaded, &s.material}) a->assign(s.box.size, 0);
+  for (auto* a : {&s.solid, &s.held, &s.loaded, &s.material, &s.capsuleTorn})
+    a->assign(s.box.size, 0);
 
   std::vector<std::int32_t> all;
   for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell) {
@@ -178,6 +179,11 @@ void checkMaterial(const TissueMaterial& m) {
           "give young from 1 to 1e9, poisson from 0 to 0.4999, density from 1 to 1e5, tearStretch "
           "from 1",
           m.name, m.young, m.poisson, m.density, m.tearStretch);
+  require(
+      within(m.capsule, 0, 1e5) && m.capsuleStrength > 0,
+      "material \"{}\" has capsule = {} N/m with a strength of {} N/m; give a capsule from 0 to "
+      "1e5, and a strength above 0",
+      m.name, m.capsule, m.capsuleStrength);
   require(within(m.stiffening, 0, 20) && m.branches.size() <= kMostBranches &&
               std::ranges::all_of(m.branches,
                                   [&](const Relaxation& branch) {
@@ -224,7 +230,7 @@ void severBond(ElasticState& s, std::int32_t i, int direction) {
 void removeCell(ElasticState& s, std::int32_t i) {
   for (int d = 0; d < kDirections; ++d)
     if (s.bonds[i] >> d & 1) severBond(s, i, d);
-  s.solid[i] = s.held[i] = s.loaded[i] = 0;
+  s.solid[i] = s.held[i] = s.loaded[i] = s.capsuleTorn[i] = 0;
   clearCell(s, i);
   putPlaneWeights(s, {&i, 1});
 }
@@ -262,6 +268,7 @@ void refreshChunks(ElasticState& s, std::span<const std::int32_t> cells) {
         chunk.last = std::int8_t(i - start);
         chunk.steered |= s.held[i] || s.loaded[i];
         chunk.uneven |= uneven(s, i);
+        chunk.skin |= !s.skinArea.empty() && s.skinArea[i] > 0;
         chunk.whole &= uncut(s, i);
       }
     }
@@ -303,6 +310,8 @@ ElasticView viewOf(ElasticState& s) {
   for (std::size_t c = 0; c < 6; ++c) view.viscous[c] = s.viscous[c].data();
   view.viscousVolume = s.viscousVolume.data();
   view.stiffening = s.stiffening.data();
+  view.capsule = s.capsule.empty() ? nullptr : s.capsule.data();
+  for (std::size_t a = 0; a < 3; ++a) view.skinNormal[a] = s.skinNormal[a].data();
   view.inverseMass = s.inverseMass.data();
   view.shearVolume = s.shearVolume.data();
   view.lameVolume = s.lameVolume.data();

@@ -1,7 +1,7 @@
 // The state of elastic tissue between two substeps, as arrays over the cells of a box with a halo.
 //
 // Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 4 = 172, and 4 * (7 + 8 n) more
-// where materials have n Maxwell branches. Lengths are in m, masses in
+// where materials have n Maxwell branches, 20 more with a capsule. Lengths are in m, masses in
 // kg; offsets to neighbours are counted in spacings. The letters A_i, q_i and M_i are those of
 // docs/methods/tissue.md. L_i is the inverse of M_i, and S_i the sum over j of w_ij X_ij. w is the
 // weight of an edge neighbour (bondWeights()). Sums are formed with weights in units of w. The
@@ -33,6 +33,8 @@ struct TissueChunk {
   bool uneven = false;
   // Whether all cells of the chunk are bonded to all their solid neighbours.
   bool whole = true;
+  // Whether any cell of the chunk carries the capsule.
+  bool skin = false;
   // For each half of the chunk: whether all its cells are solid and have all 26 bonds.
   bool full[2] = {false, false};
   std::int8_t first = kChunk, last = -1;  // first and last solid cell, counted from `start`
@@ -66,9 +68,14 @@ struct ElasticState {
   FloatArray viscousVolume;  // the branches' moduli times V, J; empty without branches
   std::array<FloatArray, kMostBranches> branchVolume;  // each of them; empty beyond branches
   std::array<FloatArray, kMostBranches> branchRate;    // 1 / time, 1/s
+  // Of organs with a capsule; else empty. Modulus times thickness times area, J, 0 where there is
+  // none or it is torn; area of the skin, m^2, and its normal.
+  FloatArray capsule, skinArea;
+  std::array<FloatArray, 3> skinNormal;
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without a gradient
   AlignedArray<std::uint32_t> bonds;           // bit d: bonded to the neighbour in direction d
   AlignedArray<std::uint8_t> solid, material;  // 1: solid; index in `materials`
+  AlignedArray<std::uint8_t> capsuleTorn;      // 1: torn
   AlignedArray<std::uint8_t> held, loaded;     // bits of HeldAxis; 1: `load` may act on the cell
   std::vector<TissueChunk> chunks;             // those with solid cells, ascending by `start`
 
@@ -79,7 +86,7 @@ struct ElasticState {
     v.perCell("solid", solid, order), v.perCell("material", material, order);
     v.perCell("bonds", bonds, order);
     v.perCell("held", held, order), v.perCell("loaded", loaded, order);
-    v.perCell("load", load, order);
+    v.perCell("load", load, order), v.perCell("capsuleTorn", capsuleTorn, order);
     v("materials", materials);
     constexpr const char* kNames[kMostBranches] = {"relaxed0", "relaxed1", "relaxed2"};
     for (int k = 0; k < kMostBranches; ++k) v.perCell(kNames[k], relaxed[std::size_t(k)], order);
@@ -89,7 +96,8 @@ struct ElasticState {
   void visitMade(Visitor& v) {
     v.made(box, spacing, penalty, ahead, stress, bondForce, inverseMoment, skew, planeWeight);
     v.made(inverseMass, shearVolume, lameVolume, kappa, chunks);
-    v.made(stiffening, viscous, viscousVolume, branchVolume, branchRate);
+    v.made(capsule, skinArea, skinNormal, stiffening, viscous, viscousVolume, branchVolume,
+           branchRate);
   }
 };
 

@@ -7,6 +7,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/parallel.h"
+#include "tissue/elastic/capsule.h"
 #include "tissue/elastic/chunk_bounds.h"
 #include "tissue/elastic/elastic_setup.h"
 #include "tissue/move_tissues.h"
@@ -62,12 +63,23 @@ ElasticTissue::ElasticTissue(const TissueCells& cells, const TissueSettings& set
     : lattice_(cells.lattice), settings_(settings), kernel_(&fastestKernel()) {
   check(cells, settings);
   state_ = makeElasticState(cells, settings.penalty);
-  double fastest = 0;
-  for (const TissueMaterial& m : cells.materials) fastest = std::max(fastest, m.waveSpeed());
-  longestSubstep_ = settings.stepShare * state_.spacing / fastest;
+  chooseSubstep();
   gripper_.assign(state_.box.size, -1);
   fibres_ = findFibres(state_, {});
   uneven_ = findUnevenBonds(state_);
+}
+
+// By the fastest pressure wave among the materials. A capsule makes the cells under it stiffer, by
+// less than its stiffness over their size: it acts on the mean strain of a cell and its neighbours.
+void ElasticTissue::chooseSubstep() {
+  constexpr double kCapsuleShare = 0.2;  // measured: test/tissue/capsule_test.cpp
+  double fastest2 = 0;
+  for (const TissueMaterial& m : state_.materials) {
+    const double capsule = state_.capsule.empty() ? 0 : m.capsule / state_.spacing;
+    fastest2 =
+        std::max(fastest2, m.waveSpeed() * m.waveSpeed() + kCapsuleShare * capsule / m.density);
+  }
+  longestSubstep_ = settings_.stepShare * state_.spacing / std::sqrt(fastest2);
 }
 
 SubstepConstants ElasticTissue::constants(double dt) const {
@@ -134,6 +146,8 @@ double ElasticTissue::presentSubstep() const {
 
 void ElasticTissue::setSurface(std::span<const SurfacePatch> patches) {
   contacts_.setSurface(state_, lattice_, patches);
+  setSkin(state_, patches);
+  chooseSubstep();
 }
 
 int ElasticTissue::substepsWanted() const {
@@ -205,6 +219,7 @@ void ElasticTissue::endFrame(TissueStep& step) {
   }
   findTears(step.letGo, step.torn);
   if (frame_.calm) chooseFineness();
+  if (frame_.calm) tearCapsule(state_, *kernel_);
   frame_.obstacles = {};
 }
 

@@ -155,7 +155,7 @@ class ElasticTissue final : public TissueModel {
   };
   // What the cells were before a restore. It serves to find the cells that the restore changed.
   struct Before {
-    AlignedArray<std::uint8_t> solid, material, held, loaded;
+    AlignedArray<std::uint8_t> solid, material, held, loaded, capsuleTorn;
     AlignedArray<std::uint32_t> bonds;
   };
 
@@ -167,6 +167,7 @@ class ElasticTissue final : public TissueModel {
   StiffCells stressPass(const SubstepConstants& constants);
   bool motionPass(const SubstepConstants& constants);
   SubstepConstants constants(double dt) const;
+  void chooseSubstep();
   void chooseFineness();
   void lookAhead(float time);
   void clearPulls();

@@ -33,6 +33,9 @@ inline constexpr int kSubstepsPerRelaxation = 4;
 // do not.
 inline constexpr float kAtRest = 1e-12f;
 
+// Poisson's ratio nu of the capsule, and 1 / (1 - nu^2).
+inline constexpr float kCapsulePoisson = 0.5f, kBothWays = 4.0f / 3;
+
 // Constants of a substep that both passes read.
 struct SubstepConstants {
   float faceShare = 0;                   // weight of a face neighbour / that of an edge neighbour
@@ -62,6 +65,7 @@ struct ElasticView {
   float *relaxed[kMostBranches][6], *viscous[6];
   const float *viscousVolume, *branchVolume[kMostBranches], *branchRate[kMostBranches];
   const float* stiffening;
+  const float *capsule, *skinNormal[3];  // null without a capsule
   int branches;
   const float *inverseMoment[6], *skew[3], *planeWeight[3], *load[3];
   const float *inverseMass, *shearVolume, *lameVolume, *kappa;

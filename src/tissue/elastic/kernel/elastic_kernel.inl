@@ -41,6 +41,7 @@ struct InverseMoment {
   Lanes<N> l[Full ? 1 : 6];
 };
 
+#include "tissue/elastic/kernel/elastic_capsule.inl"
 #include "tissue/elastic/kernel/elastic_law.inl"
 
 // Velocity and position after the substep. Full: as above. Steered: some cells are held or loaded.
@@ -130,7 +131,7 @@ static __attribute__((noinline)) void stressByBonds(const ElasticView& s, const 
   forVectors(
       chunk, [&]<int N>(int at, bool) __attribute__((always_inline)) {
         const std::int32_t i = chunk.start + at;
-        respond<false, Viscous, Relaxes>(s, c, i, strainsFromBonds<N>(s, c, i), stiff);
+        respond<false, Viscous, Relaxes>(s, c, i, strainsFromBonds<N>(s, c, i), chunk.skin, stiff);
       });
 }
 static __attribute__((noinline)) void moveByBonds(const ElasticView& s, const SubstepConstants& c,
@@ -166,10 +167,11 @@ static StiffCells stressOf(const ElasticView& s, const SubstepConstants& c, std:
               const std::int32_t i = chunk->start + at;
               if (full)
                 respond<true, Viscous, Relaxes>(
-                    s, c, i, strainsFromPlanes<true, N>(s, planes, i, i - run.first), stiff);
+                    s, c, i, strainsFromPlanes<true, N>(s, planes, i, i - run.first), false, stiff);
               else
                 respond<false, Viscous, Relaxes>(
-                    s, c, i, strainsFromPlanes<false, N>(s, planes, i, i - run.first), stiff);
+                    s, c, i, strainsFromPlanes<false, N>(s, planes, i, i - run.first), chunk->skin,
+                    stiff);
             });
       continue;
     }
@@ -185,7 +187,7 @@ static StiffCells stressOf(const ElasticView& s, const SubstepConstants& c, std:
 
 static StiffCells stressPass(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                              std::size_t end) {
-  if (s.branches > 0)
+  if (s.branches > 0 || s.capsule)
     return c.relaxes ? stressOf<true, true>(s, c, begin, end)
                      : stressOf<true, false>(s, c, begin, end);
   return c.relaxes ? stressOf<false, true>(s, c, begin, end)

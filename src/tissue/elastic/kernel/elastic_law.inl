@@ -1,8 +1,5 @@
 // The constitutive law of tissue/material.h, for N cells at once. Included by elastic_kernel.inl.
 
-// Where the entry of a symmetric matrix is in an array of six: xx yy zz xy xz yz.
-constexpr int kSymmetric[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
-
 // Adds one to the counters of the lanes in `mask`.
 template <typename Mask>
 RESECT_INLINE void count(std::int32_t* counters, Mask mask) {
@@ -52,11 +49,12 @@ RESECT_INLINE void relax(const ElasticView& s, const SubstepConstants& c, std::i
 
 // The constitutive law: stress and bond force of the cells. Full: all neighbours are bonded, so the
 // moment is that of the whole stencil. Aims at 250 instructions for a vector then, else 390.
-// Viscous: some material has Maxwell branches. Relaxes: the branches are advanced, and the lanes
-// whose cells are stiff are counted in `stiff` (StiffCells: kChunk lanes each).
+// Viscous: some material has Maxwell branches or a capsule. skin: cells may carry the capsule.
+// Relaxes: the branches are advanced, and the lanes whose cells are stiff are counted in `stiff`
+// (StiffCells: kChunk lanes each).
 template <bool Full, bool Viscous, bool Relaxes, int N>
 RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std::int32_t i,
-                           const Strains<N>& strains, std::int32_t* stiff) {
+                           const Strains<N>& strains, bool skin, std::int32_t* stiff) {
   const Lanes<N> kappa = load<N>(s.kappa + i);
   const Lanes<N> bondStiffness = c.bondStiffness * kappa, penalty = c.edgePerLength * kappa;
   IntLanes<N> there = {};
@@ -116,6 +114,8 @@ RESECT_INLINE void respond(const ElasticView& s, const SubstepConstants& c, std:
       for (int k = 0; k < 6; ++k) t[k] = load<N>(s.viscous[k] + i);
     }
     for (int k = 0; k < 6; ++k) t[k] *= limit;
+    if constexpr (!Full)
+      if (skin) stretchCapsule<N>(s, i, h, t);
   }
   const Lanes<N> diagonal = pressure * (1.0f + trace) - mu * trace, both = mu - pressure;
   for (int a = 0; a < 3; ++a) {

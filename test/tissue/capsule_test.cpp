@@ -1,0 +1,291 @@
+// The organ's capsule: its law, its stability, what it does to a layer that is pressed, how it
+// tears.
+#include <doctest/doctest.h>
+
+#include <numbers>
+
+#include "geometry/measures.h"
+#include "geometry/primitives.h"
+#include "organ/builtin/builtin_liver.h"
+#include "organ/discretize.h"
+#include "support/figures.h"
+#include "support/frequency.h"
+#include "support/moved_tissue.h"
+
+using namespace resect;
+
+namespace {
+
+constexpr double kFrame = 1.0 / 60;
+
+TissueMaterial underCapsule(double young) {
+  TissueMaterial m = test::material(young, 0.45);
+  m.capsule = 624;
+  return m;
+}
+
+// Skin on the upper faces of a block, sixteen patches a face, with that normal.
+std::vector<SurfacePatch> skinOn(const TissueCells& cells, const Vec3& normal) {
+  constexpr int kSide = 4;
+  const Lattice& lattice = cells.lattice;
+  const double s = lattice.spacing.x();
+  std::vector<SurfacePatch> patches;
+  for (std::int64_t c = 0; c < lattice.cellCount(); ++c) {
+    if (lattice.cell(c).y() != lattice.dims.y() - 1) continue;
+    for (int k = 0; k < kSide * kSide; ++k) {
+      const Vec3 at((k % kSide + 0.5) / kSide - 0.5, 0.5, (k / kSide + 0.5) / kSide - 0.5);
+      const Vec3 place = lattice.centre(lattice.cell(c)) + s * at;
+      patches.push_back({c, place.cast<float>(), (s * s / (kSide * kSide) * normal).cast<float>()});
+    }
+  }
+  return patches;
+}
+
+// The triangles of a mesh as the skin of cells; each belongs to the nearest solid cell.
+std::vector<SurfacePatch> patchesOf(const TriangleMesh& mesh, const TissueCells& cells) {
+  constexpr int kFar = 2;  // cells
+  const Lattice& lattice = cells.lattice;
+  std::vector<SurfacePatch> patches;
+  for (const Triangle& t : mesh.triangles) {
+    const Vec3 &a = mesh.points[std::size_t(t[0])], &b = mesh.points[std::size_t(t[1])],
+               &c = mesh.points[std::size_t(t[2])];
+    const Vec3 middle = (a + b + c) / 3;
+    const Vec3i at = lattice.toCellSpace(middle).array().round().cast<int>();
+    std::int64_t nearest = -1;
+    double least = 1e9;
+    for (int k = 0; k < 125; ++k) {
+      const Vec3i cell = at + Vec3i(k % 5, k / 5 % 5, k / 25) - Vec3i::Constant(kFar);
+      if (!lattice.contains(cell) || !cells.solid[std::size_t(lattice.index(cell))]) continue;
+      const double distance = (lattice.centre(cell) - middle).norm();
+      if (distance < least) least = distance, nearest = lattice.index(cell);
+    }
+    if (nearest >= 0)
+      patches.push_back(
+          {nearest, middle.cast<float>(), (0.5 * (b - a).cross(c - a)).cast<float>()});
+  }
+  std::ranges::stable_sort(patches, {}, &SurfacePatch::cell);
+  return patches;
+}
+
+void deform(ElasticTissue& tissue, const Mat3& f) {
+  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+    tissue.setDisplacement(c, (f - Mat3::Identity()) * tissue.lattice().centre(at));
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the capsule's energy is that of a membrane that wrinkles, however it lies") {
+  // Energy over E t and area: of the two stretches minus 1.
+  struct Case {
+    double d1, d2, energy;
+  };
+  for (const auto& [d1, d2, energy] :
+       {Case{0.1, 0, 0.5 * 4 / 3 * 0.01}, Case{0.1, 0.1, 4.0 / 3 * 0.015},
+        Case{0.1, -0.05, 0.5 * 0.01}, Case{0.1, -0.3, 0.5 * 0.01}, Case{-0.1, -0.2, 0},
+        Case{0.4, -0.02, 0.5 * 4 / 3 * (0.16 - 0.4 * 0.02 + 0.0004)}})
+    for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(1, 1, 1), Vec3(-1, 2, 0.5), Vec3(0, 0, -1)})
+      for (const double turn : {0.0, 0.4}) {
+        const TissueCells cells = test::solidBlock({6, 4, 5}, 0.008, underCapsule(1));
+        ElasticTissue bare(cells, test::weightless()), skinned(cells, test::weightless());
+        const auto skin = skinOn(cells, normal.normalized());
+        skinned.setSurface(skin);
+        const Vec3 n = normal.normalized(), t = Eigen::AngleAxisd(turn, n) * n.unitOrthogonal();
+        const Vec3 other = n.cross(t);
+        const Mat3 f = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix() *
+                       (Mat3::Identity() + d1 * t * t.transpose() + d2 * other * other.transpose());
+        deform(bare, f);
+        deform(skinned, f);
+        const double expected = 624 * 0.008 * 0.008 * double(skin.size() / 16) * energy;
+        CHECK(skinned.energy().elastic - bare.energy().elastic ==
+              doctest::Approx(expected).epsilon(1e-3).scale(1e-4));
+      }
+}
+
+TEST_CASE("the capsule's forces are the slope of its energy") {
+  TissueCells cells = test::solidBlock({7, 5, 6}, 0.008, underCapsule(2000));
+  ElasticTissue tissue(cells, test::weightless());
+  tissue.setSurface(skinOn(cells, Vec3(0.2, 1, -0.3).normalized()));
+  Random random(5);
+  std::vector<std::int64_t> all;
+  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+    const Vec3 shaken(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    const Vec3 x = tissue.lattice().centre(at);
+    tissue.setDisplacement(c, 0.1 * Vec3(x.x(), x.z(), -0.5 * x.z()) + 0.0004 * shaken);
+    all.push_back(c);
+  });
+  tissue.evaluateForces();
+  double largest = 0, worst = 0;
+  for (std::size_t k = 0; k < all.size(); k += 3) {
+    const Vec3 here = tissue.displacement(all[k]), force = tissue.elasticForce(all[k]);
+    largest = std::max(largest, force.norm());
+    for (int a = 0; a < 3; ++a) {
+      constexpr double kStep = 2e-5;
+      const auto energyAt = [&](double step) {
+        tissue.setDisplacement(all[k], here + step * Vec3::Unit(a));
+        return tissue.energy().elastic;
+      };
+      const double slope = (energyAt(kStep) - energyAt(-kStep)) / (2 * kStep);
+      tissue.setDisplacement(all[k], here);
+      worst = std::max(worst, std::abs(force[a] + slope));
+    }
+  }
+  MESSAGE("largest error " << worst / largest);
+  CHECK(worst < 0.01 * largest);
+}
+
+TEST_CASE("the substep is stable with a capsule, on any cells") {
+  test::Figures figures("capsule stability");
+  const TriangleMesh mesh = builtinLiver(0.005);
+  TissueSettings settings = test::weightless();
+  const double limit = 2 / std::sqrt(1 + 2 * settings.damping);
+  const Mat3 states[] = {1.0005 * Mat3::Identity(), Vec3(1.3, 0.9, 0.9).asDiagonal(),
+                         Vec3(1.3, 1.3, 0.6).asDiagonal(), 1.2 * Mat3::Identity()};
+  for (const double spacing : {0.0115, 0.008, 0.0055}) {
+    const Discretization part = discretize(mesh, latticeForSpacing(bounds(mesh), spacing));
+    const TissueCells cells{part.lattice, part.inside, {liverTissue()}, {}};
+    const std::vector<SurfacePatch> skin = patchesOf(mesh, cells);
+    double share = 0;
+    for (const Mat3& f : states) {
+      ElasticTissue tissue(cells, settings);
+      tissue.setSurface(skin);
+      deform(tissue, f);
+      std::vector<std::int64_t> all;
+      std::vector<Vec3> u;
+      test::forEachCell(tissue, [&](std::int64_t c, const Vec3i&) {
+        all.push_back(c);
+        u.push_back(tissue.displacement(c));
+        tissue.hold(c, kHeldAll);
+      });
+      share =
+          std::max(share, test::highestFrequency(tissue, all, u) * tissue.presentSubstep() / limit);
+    }
+    const std::string name =
+        "substep / longest stable, cells of " + std::to_string(1e3 * spacing).substr(0, 4) + " mm";
+    CHECK(figures.addError(name, share, 1) < 1);
+    CHECK(share > 0.5);  // no longer substep is given away than needed
+  }
+}
+
+namespace {
+
+// Force on a ball that was pressed 4 mm into a layer of 64 x 32 x 64 mm, N.
+double pressed(double spacing, double depth, const Vec3& place, bool capsule) {
+  const auto cellsOf = [&](double side) { return int(side / spacing + 0.5); };
+  const TissueCells cells =
+      test::solidBlock({cellsOf(0.064), cellsOf(0.032), cellsOf(0.064)}, spacing, liverTissue());
+  TissueSettings settings = test::weightless();
+  settings.drag = 30;
+  ElasticTissue tissue(cells, settings);
+  if (capsule) {
+    tissue.setSurface(skinOn(cells, Vec3::UnitY()));
+  }
+  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+    if (at.y() == 0) tissue.hold(c, kHeldAll);
+  });
+  const SignedDistance ball(sphereMesh(Vec3(0, 0.008, 0), 0.008, 128), 0.016, 0.0006);
+  Vec3 top = spacing * (0.5 * (cells.lattice.dims - Vec3i::Ones()).cast<double>() + place);
+  top.y() = spacing * (cells.lattice.dims.y() - 0.5);
+  TissueStep step;
+  for (int i = 0; i < 90; ++i) {
+    const auto pose = [&](int frame) {
+      return Pose{top - Vec3(0, depth * std::min(1.0, frame / 20.0), 0),
+                  Eigen::Quaterniond::Identity()};
+    };
+    const Obstacle tool = test::instrument(0, &ball, pose(i), pose(i + 1), 0, 0);
+    test::moveAndTear(tissue, kFrame, {&tool, 1}, step);
+  }
+  return step.force[0].y();
+}
+
+}  // namespace
+
+TEST_CASE("a layer with a capsule is 5 to 9 % stiffer to press") {
+  test::Figures figures("capsule pressed");
+  for (const double spacing : {0.005, 0.004})
+    for (const Vec3& place : {Vec3(0, 0, 0), Vec3(0.5, 0, 0.5)}) {
+      const double with = pressed(spacing, 0.004, place, true);
+      const double without = pressed(spacing, 0.004, place, false);
+      const double stiffer = with / without - 1;
+      CHECK(
+          figures.add("stiffer by, cells of " + std::to_string(1e3 * spacing).substr(0, 1) + " mm",
+                      stiffer, 0.069, 0.3) < 0.3);
+      CHECK(stiffer > 0.05);
+      CHECK(stiffer < 0.09);
+    }
+}
+
+namespace {
+
+// A strip of skin on very soft tissue, 20 x 12 cells of 8 mm, pulled at its ends. notch: cells that
+// are cut into it in its middle, from one side.
+struct Strip {
+  TissueCells cells = test::solidBlock({20, 2, 12}, 0.008, underCapsule(300));
+  ElasticTissue tissue{cells, settings()};
+
+  explicit Strip(int notch) {
+    tissue.setSurface(skinOn(cells, Vec3::UnitY()));
+    test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
+      if (at.x() < 2 || at.x() > 17) tissue.hold(c, kHeldAll, speed(at));
+      for (int d = 0; d < kDirections; ++d)
+        if (at.z() < notch && at.x() == 9 && offsetOf(d).x() > 0 && tissue.bonds(c) >> d & 1)
+          tissue.sever(c, d);
+    });
+    tissue.settle();
+  }
+  static TissueSettings settings() {
+    TissueSettings settings = test::weightless();
+    settings.drag = 20;
+    return settings;
+  }
+  static Vec3 speed(const Vec3i& at) { return Vec3(at.x() < 10 ? -0.01 : 0.01, 0, 0); }
+  int torn() const {
+    const auto& flags = tissue.state().capsuleTorn;
+    return int(std::count(flags.begin(), flags.end(), 1));
+  }
+  // Mean tension of the skin at the section x, N/m.
+  double tension(int x) {
+    double sum = 0;
+    for (std::int64_t c = 0; c < tissue.lattice().cellCount(); ++c)
+      if (tissue.lattice().cell(c).x() == x && tissue.lattice().cell(c).y() == 1)
+        sum += tissue.stress(c)(0, 0) * 0.008;
+    return sum / 12;
+  }
+  // Pulls until the skin tears. Returns the largest mean tension before.
+  double pull(int section) {
+    double most = 0;
+    for (int i = 0; i < 400 && torn() == 0; ++i) {
+      most = std::max(most, tension(section));
+      tissue.advance(kFrame);
+    }
+    return most;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the capsule tears at its strength, and earlier from an edge that was cut") {
+  Strip whole(0);
+  const double strength = whole.pull(9);
+  MESSAGE("whole: " << strength << " N/m");
+  // The ends keep their width, so the tension in their corners is above the mean.
+  CHECK(strength > 210);
+  CHECK(strength < 300);
+
+  Strip notched(4);
+  const double less = notched.pull(14);
+  MESSAGE("cut into by a third: " << less << " N/m");
+  CHECK(less < 0.6 * strength);
+  // It begins at the end of the cut and runs across.
+  const Vec3 end = notched.tissue.lattice().centre({9, 1, 4});
+  std::int64_t first = -1;
+  test::forEachCell(notched.tissue, [&](std::int64_t c, const Vec3i&) {
+    if (notched.tissue.state().capsuleTorn[notched.tissue.state().box.fromLattice(c)]) first = c;
+  });
+  REQUIRE(first >= 0);
+  CHECK((notched.tissue.lattice().centre(notched.tissue.lattice().cell(first)) - end).norm() <
+        2 * 0.008);
+  for (int i = 0; i < 60; ++i) notched.tissue.advance(kFrame);
+  CHECK(notched.torn() > 6);
+  CHECK(notched.torn() < 60);
+}
