@@ -13,12 +13,14 @@ struct CourseSpan {
   std::int64_t branch = 0, first = 0, last = 0;
 };
 
-// The spans that lead to the end of a branch, through the branches before it: each begins at the
-// frame at which the one before ends. Empty: the recording has no such branch, or no frames in it.
+// The spans that lead to the end of a branch, through the branches that it came from. Each span
+// begins at the frame at which the span before it ends. Empty if the recording has no such branch,
+// or if no frame leads to the branch's end.
 std::vector<CourseSpan> courseOf(RecordingFile& file, std::int64_t branch);
 
-// The part of a course from one frame to another; both are clamped to the course's ends. At least
-// one span, which may be of one state, if the course has any.
+// The part of a course from frame `first` to frame `last`; both are clamped to the course. If the
+// course has spans, the part has at least one. If first equals last, that span holds a single
+// state.
 std::vector<CourseSpan> partOf(std::vector<CourseSpan> course, std::int64_t first,
                                std::int64_t last);
 

@@ -1,4 +1,4 @@
-// A ledger as a recording keeps it.
+// Converts a ledger to the rows that a recording keeps.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,18 @@
 
 namespace resect {
 
-// Whether a recording keeps the ledger after this frame: once a simulated second, whatever
-// happened, so that it does not depend on what was recorded before. Besides, it keeps that of the
-// start of each branch, and that of the operation's end.
+// Whether a recording keeps the ledger after this frame. It does so once per simulated second; the
+// frame's number alone decides. A recording also keeps the ledger at the start of each branch and
+// where operating pauses at the end of a branch (Recorder::stood()).
 bool ledgerIsDue(std::int64_t frame, double frameRate);
 
-// Pieces in a ledger, of all organs.
+// Number of pieces in a ledger, of all organs together.
 std::int64_t piecesIn(const RecordedLedger& ledger);
-// The event "piece" of a frame after which there are more pieces than `before`; else none.
+// The event "piece" if the ledger has more pieces than `before`; else nothing.
 std::optional<OperationEvent> pieceEvent(const RecordedLedger& ledger, std::int64_t before);
 
-// The ledger after the simulation's present frame, as rows. Amounts of 0 are left out, but for what
-// there was before; so are margins of structures from which nothing was cut or removed.
+// The rows of the ledger after the simulation's present frame. Amounts without volume are left out.
+// Margins are left out as long as they are infinite, that is, before anything was cut or bared.
 RecordedLedger rowsOf(const Ledger& ledger, std::int64_t branch, const Simulation& simulation);
 
 }  // namespace resect

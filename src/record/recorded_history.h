@@ -1,4 +1,4 @@
-// An operation that goes on from a recording.
+// Makes an operation that goes on from a recording.
 #pragma once
 
 #include "base/progress.h"
@@ -13,8 +13,9 @@ struct RecordedOperation {
   OperationHistory history;
 };
 
-// The operation at RecordingFile::moment(), or at the end of `branch`. setup: file.setup(). Throws
-// Error if the recording is damaged.
+// The operation at the end of `branch`; without `branch`, at RecordingFile::moment(). setup:
+// file.setup(). mostBytes: for the states that the history keeps. Throws Error if the recording is
+// damaged or has no such branch.
 RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
                               std::optional<std::int64_t> branch = {},
                               const Progress& progress = {},

@@ -1,5 +1,5 @@
-// All that an operation starts from, as a value that needs no file: what a recording holds so that
-// it can be played anywhere.
+// Everything that an operation starts from, without references to files. A recording holds it, so
+// that the recording can be played on any machine.
 #pragma once
 
 #include <span>
@@ -12,25 +12,27 @@ namespace resect {
 
 struct RecordedSetup {
   Scenario scenario;
-  std::vector<Discretization> cells;  // one per organ, placed and labelled
-  std::vector<ToolModel> tools;       // one per tool, with their meshes
+  std::vector<Discretization> cells;  // one per organ, at its final position and with labels
+  std::vector<ToolModel> tools;       // one per tool, with its meshes
 };
 
-// The name of a tool as people see it everywhere; empty if there is no tool of that number.
+// The name of a tool, for people; empty if there is no tool with that number.
 inline std::string toolName(const RecordedSetup& setup, std::int64_t tool) {
   const bool there = tool >= 0 && std::size_t(tool) < setup.tools.size();
   return there ? setup.tools[std::size_t(tool)].name : std::string();
 }
 
-// The setup of a simulation that was made from `scenario` and has not been changed from outside.
+// Takes the setup from a simulation that was made from `scenario`. Its organs and tools must still
+// be the ones that it was made with. Throws Error if their number differs from that in the
+// scenario.
 RecordedSetup setupOf(const Scenario& scenario, const Simulation& simulation);
 
-// The operation at its start: the same inputs give the same bits as in the simulation that the
-// setup was taken from. Throws Error if the setup cannot be run.
+// Makes the simulation at the start of the operation. With equal inputs it computes the same bits
+// as the simulation that the setup was taken from. Throws Error if the setup cannot be run.
 Simulation simulationOf(const RecordedSetup& setup);
 
-// The setup as bytes: the scenario and the tools as a saved state (base/state/saved_state.h), the
-// cells as a file of cells each (docs/cells_file.md).
+// The setup as bytes. `scenario` holds the scenario and the tools as a saved state
+// (base/state/saved_state.h). `cells` holds one file of cells per organ (docs/cells_file.md).
 struct SetupBytes {
   Bytes scenario;
   std::vector<std::string> cells;

@@ -1,9 +1,9 @@
 // Records an operation while it happens.
 //
-// The thread that steps the simulation hands over each frame; a thread of the recorder's own writes
-// it. When the program is killed at any moment, the file opens and holds all but the last quarter
-// second. If the disk is full or the file cannot be written, the recording ends with a sentence and
-// the operation goes on.
+// The thread that steps the simulation hands each frame to the recorder, and the recorder's own
+// thread writes it. If the program is killed, the file can still be opened, and lacks at most the
+// last quarter of a second. If the disk is full or the file cannot be written, the recording ends,
+// failure() says why, and the operation goes on.
 #pragma once
 
 #include <atomic>
@@ -22,78 +22,83 @@
 
 namespace resect {
 
-// This program, as RecordingInfo names it.
+// The name and version of this program, as in RecordingInfo.
 std::string programName();
 
 // Digests of the state's fields after a step, in the order of fields().
 class FrameHashes {
  public:
-  // start: at the start of the operation, whose fields are kept.
+  // The digests are those of the fields of `start`, a simulation at the start of its operation.
   explicit FrameHashes(const Simulation& start);
-  // The fields of a recording.
+  // fields: RecordingInfo::fields.
   explicit FrameHashes(std::vector<std::string> fields) : hashes_(std::move(fields)) {}
   const std::vector<std::uint64_t>& of(const Simulation& simulation);
   const std::vector<std::string>& fields() const { return hashes_.paths(); }
-  // Whether the state has a field that is not among them.
+  // Whether of() has met a field that is not among fields().
   bool strange() const { return hashes_.strange(); }
 
  private:
   FieldHashes hashes_;
 };
 
-// Where the tools in hand are and what they feel, after the step of the report.
+// Position of the tip of each tool in hand, and the force on it, after the step of the report.
 std::vector<RecordedSample> samplesOf(const StepReport& report, const Simulation& simulation);
 
 class Recorder {
  public:
-  // Creates the file; throws Error if that fails. simulation: at its start, where branch 0 begins.
+  // Creates the file; throws Error if that fails. Branch 0 begins at the present state of
+  // `simulation`, which must be the start of its operation.
   Recorder(const std::filesystem::path& path, const Scenario& scenario,
            const Simulation& simulation);
-  // Creates a file that holds all that `done` holds, to which more will be added. scenario,
-  // simulation: of the operation that goes on. Throws Error also if the two keep different fields.
+  // Creates a file with a copy of everything in `done`, for an operation that goes on from `done`.
+  // What happens from now on is added to it. Throws Error if that fails, or if the state of
+  // `simulation` has a field that the recording lacks (another version of the program made it).
   Recorder(const std::filesystem::path& path, RecordingFile& done, const Scenario& scenario,
            const Simulation& simulation);
-  ~Recorder();  // as finish()
+  ~Recorder();  // calls finish()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // The two below are called by the thread that steps.
-  // A branch begins at the present state.
+  // begin(), rename(), stood() and record() are to be called by the thread that steps.
+  // A branch begins at the present state of `simulation`.
   void begin(const Branch& branch, const Simulation& simulation);
   void rename(const Branch& branch);
-  // Operating pauses at the end of a branch: its ledger is kept.
+  // Operating pauses at the end of a branch. The recorder keeps the ledger of this moment.
   void stood(Moment moment, const Simulation& simulation);
-  // After each step; the frame follows the last one of its branch. Cost: 0.5 ms at 13 000 elastic
-  // particles, and the time of Simulation::save() and stateHash() once in kKeyStateSeconds.
+  // To be called after each step. The frame must follow the last one of its branch. Cost: 0.5 ms at
+  // 13 000 elastic particles; besides, the time of Simulation::save() and stateHash() once in
+  // kKeyStateSeconds.
   void record(Moment moment, const FrameInput& input, const StepReport& report,
               std::span<const OperationEvent> events, const Simulation& simulation);
-  // The same for an operation with one branch alone.
+  // The same for an operation that has only branch 0.
   void record(const FrameInput& input, const StepReport& report, const Simulation& simulation);
 
-  // Why nothing is recorded any more; empty while all is well.
+  // Why the recording has ended; empty while it goes on.
   std::string failure() const;
-  // Bytes of the file so far.
+  // Size of the file and its write-ahead log at present, bytes.
   std::uintmax_t size() const;
-  // Writes all that is recorded so far as a file of its own, whole or not at all; replaces `path`.
-  // Waits until it is done. Throws Error if that fails, and also if the recording has ended: the
-  // file then holds all until then. moment: at which the operation is; kEndOfBranch: it goes on at
-  // the end of that branch.
+  // Writes everything recorded so far to `path`, as a finished recording, and waits until that is
+  // done. A file at `path` is replaced, but only when the new one is complete. Throws Error if the
+  // file cannot be written. Also throws Error if the recording has ended (failure()); the file at
+  // `path` then holds everything until that end.
+  // moment: the present moment of the operation, for RecordingFile::moment(). Its frame may be
+  // kEndOfBranch.
   void saveAs(const std::filesystem::path& path, Moment moment);
   // Waits until all is written and closes the file.
   void finish();
 
   const std::filesystem::path& path() const { return path_; }
-  // The recording ends before its file is larger (for tests).
+  // The recording ends as soon as size() is larger than `most` (for tests).
   void setMostBytes(std::uintmax_t most) { mostBytes_ = most; }
   static constexpr double kKeyStateSeconds = 10;  // of simulated time
 
  private:
   using Item =
       std::variant<Branch, RecordedFrame, KeyState, OperationEvent, RecordedSample, RecordedLedger>;
-  // Items that are put together are kept together or not at all.
+  // Queues items; those of one call are written in the same transaction.
   void put(std::vector<Item> items);
   KeyState keyState(Moment moment, const Simulation& simulation);
-  // Also the event that pieces have come off since the last ledger of the branch.
+  // Appends the ledger, and the event "piece" if pieces came off since the branch's last ledger.
   void addLedger(std::vector<Item>& items, Moment moment, const Simulation& simulation);
   void write();
   std::string keep(const std::deque<Item>& items, bool last);
@@ -103,16 +108,17 @@ class Recorder {
   RecordingFile file_;
   LedgerBooks books_;
   double frameRate_;
-  Moment last_{-1, 0};                  // the last frame; another one is written in full
-  FrameInput before_;                   // its input
-  EventMemory events_;                  // of an operation with one branch
-  std::vector<std::int64_t> keyFrame_;  // of the last key state, by branch
+  Moment last_{-1, 0};                  // a frame that does not follow this one is written in full
+  FrameInput before_;                   // the input of that frame, without edits
+  EventMemory events_;                  // for record() without events
+  std::vector<std::int64_t> keyFrame_;  // frame of the last key state, by branch
   struct LastLedger {
     std::int64_t frame = -1, pieces = 0;
   };
   std::vector<LastLedger> lastLedger_;  // by branch
   std::int64_t framesPerKey_;
-  // What is kept at once is far less than the rest up to kLargestRecording.
+  // size() is compared with this limit after each transaction. The remaining eighth of
+  // kLargestRecording has room for the transaction that exceeds it.
   std::atomic<std::uintmax_t> mostBytes_ = kLargestRecording / 8 * 7;
 
   mutable std::mutex mutex_;  // guards all below
@@ -121,8 +127,8 @@ class Recorder {
   std::size_t queued_ = 0;  // bytes, about
   bool ending_ = false;
   struct Save {
-    std::filesystem::path file;  // empty; no name: nothing is to be saved
-    std::string name;            // of what it will be
+    std::filesystem::path file;  // an empty file; "": nothing is to be saved
+    std::string name;            // of the file at last, for messages
     Moment moment;
     std::string failure;
   };

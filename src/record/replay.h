@@ -1,4 +1,4 @@
-// Plays a recording, and proves it.
+// Plays a recording, and verifies that playing it computes again what was recorded.
 #pragma once
 
 #include <functional>
@@ -20,12 +20,13 @@ class Replay {
   Simulation& simulation() { return *simulation_; }
   std::int64_t branch() const { return branch_; }
 
-  // Restores the latest key state before the frame and plays from there, or goes on playing if that
-  // is nearer. If this program cannot restore a state that another version kept, plays from the
-  // start. Throws Error if the recording does not hold that frame or is damaged.
+  // Restores the latest key state at or before the frame and plays from there; if the present frame
+  // is nearer, plays on from it. If another version of the program recorded the state and this one
+  // cannot restore it, plays from the start. Throws Error if the recording has no such frame or is
+  // damaged.
   void goTo(std::int64_t branch, std::int64_t frame);
-  // The next frame of the present branch; false at its end. `input` and `report`, if given, receive
-  // the frame's input and the step's report.
+  // Plays the next frame of the present branch; returns false at its end. `input` and `report`, if
+  // given, receive the frame's input and the step's report.
   bool step(FrameInput* input = nullptr, StepReport* report = nullptr);
   // The frame that step() played last, as recorded.
   const RecordedFrame& recorded() const { return recorded_; }
@@ -42,24 +43,26 @@ class Replay {
   StepReport report_;
 };
 
-// The first place where a replay differs from what was recorded.
+// The first difference between a replay and what was recorded.
 struct Difference {
   std::int64_t branch = 0, frame = 0;
-  std::string stage;  // of the step: the one that writes the field
-  std::string what;   // a field as "organs.tissue.u", or a sentence
+  // The stage of the step that writes the field; "measure" for events, samples and ledgers; "file"
+  // if the recording is damaged.
+  std::string stage;
+  std::string what;  // a field, as "organs.tissue.u", or a description
 };
 
 struct Verification {
   std::int64_t frames = 0, keyStates = 0, branches = 0;
-  bool complete = true;  // false: the program ended before the recording did
+  bool complete = true;  // RecordingFile::complete()
   std::optional<Difference> first;
-  std::string program;        // that recorded
-  bool otherProgram = false;  // another version: its key states are not compared, all digests are
+  std::string program;        // the one that recorded
+  bool otherProgram = false;  // not this version: digests are compared, key states are not
 };
 
-// Plays all branches from their first key state and compares every frame's input, state, events,
-// samples and ledger, and every key state with its surface. Throws Error if the file cannot be read
-// at all.
+// Plays every branch from its first key state until the first difference. Compares the digests of
+// every frame's input and state, all events, samples and ledgers, and every key state with its
+// surface. Throws Error if RecordingFile::open() does.
 Verification verify(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace resect

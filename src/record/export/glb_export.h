@@ -1,10 +1,11 @@
 // A recorded operation as an animated .glb, for Blender and viewers of glTF.
 //
-// The topology of an organ's surface changes, which no mesh of glTF can do. So each moment at which
-// the surface differs from the moment before has a mesh of its own in a node of its own, and the
-// animation shows one of them at a time by its scale, 1 or 0. (glTF 2.0, 3.5.3: a scale of zero
-// hides a node.) Morph targets would take as many bytes, be no use where the topology changes, and
-// viewers limit their number. Instruments are nodes that move.
+// The topology of an organ's surface changes during an operation, but the topology of a glTF mesh
+// is fixed. So each moment at which the surface has changed gets a mesh and a node of its own. The
+// animation shows one of these nodes at a time: its scale is 1, that of the others is 0. (glTF 2.0,
+// 3.5.3: a scale of zero hides a node.) Morph targets are no alternative. They cannot change the
+// topology, they would take as many bytes, and viewers limit their number. Instruments are nodes
+// that move.
 #pragma once
 
 #include <filesystem>
@@ -23,8 +24,8 @@ struct GlbSummary {
   std::uint64_t bytes = 0;
 };
 
-// Times begin at 0 with the part's first state. colours: one per organ. Memory: one surface, and
-// some bytes for each moment.
+// Time 0 of the animation is the part's first state. colours: one per organ. Memory: one surface,
+// and some bytes for each moment.
 GlbSummary exportGlb(Replay& replay, const ExportedPart& part,
                      std::span<const OrganColours> colours, const std::filesystem::path& path,
                      const Progress& progress = {});

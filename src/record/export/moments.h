@@ -10,21 +10,21 @@
 
 namespace resect {
 
-// Which part of a recording, and how densely.
+// Which part of a recording is exported, and how many moments of it.
 struct ExportedPart {
   std::vector<CourseSpan> course;  // from partOf(), not empty
   double rate = 0;                 // moments per second of the operation; 0: every frame
 };
 
-// Plays the part and calls visit() for its first state, then for the first frame that ends at
-// k / rate or later, for each k, and for the last frame. Before the first call of visit(),
-// Simulation::keepLook() is called if withLook is set. each(), if given, is called for every frame,
-// before visit().
+// Plays the part. Calls visit() for its first state and after its last frame. In between it calls
+// visit() for each whole number k, after the first frame that ends at the time k / rate or later;
+// once if this is the same frame for several k. If withLook is set, it first calls
+// Simulation::keepLook(). each(), if given, is called for every frame, before visit().
 void playMoments(Replay& replay, const ExportedPart& part, bool withLook,
                  const std::function<void(const Simulation&)>& visit, const Progress& progress,
                  const std::function<void(const StepReport&)>& each = {});
 
-// Whether a moment is due at the end of that frame.
+// Whether playMoments() calls visit() at the end of that frame.
 bool isDue(std::int64_t frame, double frameRate, const ExportedPart& part);
 
 }  // namespace resect

@@ -8,16 +8,17 @@
 
 namespace resect {
 
-// What `name`, as folder/series.vtp, stands for: folder/series_0001.vtp and so on, and
-// folder/series.pvd.
+// The files of a series. The name folder/series.vtp stands for folder/series_0001.vtp,
+// folder/series_0002.vtp and so on, and for folder/series.pvd, which lists them.
 struct VtpSeries {
   NumberedOutputs files;
   std::filesystem::path list;
 };
 VtpSeries seriesOf(const std::filesystem::path& name, const std::string& option);
 
-// Writes the surfaces of all organs, a file for each moment, then the list. Times are those of the
-// operation. Files of an earlier run must be gone (removeNumberedFiles()). Returns their number.
+// Writes one .vtp file for each moment, with the surfaces of all organs, then the list. Times are
+// those of the operation. Files of an earlier run must be gone (removeNumberedFiles()). Returns the
+// number of .vtp files.
 std::int64_t exportVtp(Replay& replay, const ExportedPart& part, const VtpSeries& series,
                        const Progress& progress = {});
 

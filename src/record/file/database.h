@@ -16,29 +16,33 @@ struct sqlite3_stmt;
 
 namespace resect {
 
-// All members throw Error in one sentence that begins with the file's name.
+// A member that fails throws an Error whose sentence begins with the file's name.
 class Database {
  public:
-  // A file that this program has made just now, which may be empty. name: for messages.
+  // Opens a database file that this program has made itself. If the file is empty or missing, the
+  // database is empty. name: the file's name in messages.
   Database(const std::filesystem::path& path, const std::string& name);
-  // Throws Error if something is there under that name, or under the names that SQLite uses beside
-  // it (-wal, -shm, -journal), since it would remove them.
+  // Throws Error if a file exists at `path`, or under a name that SQLite uses beside it (`path`
+  // with -wal, -shm or -journal at its end). SQLite would remove these files.
   static void requireNothingAt(const std::filesystem::path& path);
-  // Removes what SQLite uses beside a file that is to be replaced: it would be joined to the new.
+  // Removes the files -wal, -shm and -journal of a database file that is about to be replaced.
+  // SQLite would take them for those of the new file.
   static void removeBeside(const std::filesystem::path& path);
-  // In memory, empty. name: for messages.
+  // An empty database in memory. name: used in messages.
   static Database inMemory(const std::string& name);
-  // The database of somebody else that `bytes` hold, its log joined; nothing that it defines is
-  // run. For the child that reads it (record/file/foreign_recording.h).
+  // Opens a database that somebody else made. `bytes` hold its file and its write-ahead log, which
+  // SQLite applies. No trigger, view or function of its schema is run. Used in the child process
+  // that reads it (record/file/foreign_recording.h).
   Database(RecordingBytes& bytes, const std::string& name);
 
   // Runs statements that return nothing.
   void run(const std::string& sql);
   // Writes the whole database into an empty file.
   void copyTo(const std::filesystem::path& path);
-  std::int64_t number(const std::string& sql);  // the first value of the first row; 0 without one
+  // The first value of the first row of the result; 0 if there is no row.
+  std::int64_t number(const std::string& sql);
   const std::string& name() const { return name_; }
-  // Throws the Error for the last failure.
+  // Throws an Error that describes the last failure of SQLite.
   [[noreturn]] void fail() const;
 
  private:
@@ -52,8 +56,8 @@ class Database {
   std::unique_ptr<sqlite3, Close> db_;
 };
 
-// A prepared statement, to be used again and again: bind, step to each row, read its columns.
-// Columns and parameters are numbered from 0.
+// A prepared statement, which can be used many times. For each use, bind its parameters, then call
+// step() for each row and read the row's columns. Columns and parameters are numbered from 0.
 class Statement {
  public:
   Statement(Database& database, std::string_view sql);
@@ -62,15 +66,17 @@ class Statement {
   Statement& bind(int parameter, double value);
   Statement& bind(int parameter, std::string_view text);
   Statement& bind(int parameter, std::span<const std::byte> blob);
+  // Binds NULL.
   Statement& bindNothing(int parameter);
-  // True: there is a row. False: no more; the statement is then ready for the next binding.
+  // Goes to the next row. Returns false if there is none; the statement can then be bound again.
   bool step();
   void run() {  // for statements that return nothing
     while (step()) {
     }
   }
 
-  // Of the present row: what kind of value a column holds, which SQLite leaves to each row.
+  // The type of the value that the present row has in a column. In SQLite each value has its own
+  // type.
   enum class Kind : char { Integer = 1, Real, Text, Blob, Nothing };
   Kind kind(int column) const;
   int columns() const;

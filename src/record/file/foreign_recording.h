@@ -1,8 +1,9 @@
 // Reads a recording that somebody else made.
 //
-// SQLite looks at its bytes in a child process in the sandbox (formats/child/child_process.h). The
-// child answers with rows; this process checks each value and puts them into a database in memory
-// that has its own tables. So nothing of the file but numbers, texts and blobs arrives here.
+// SQLite reads the file's bytes in a child process, inside the sandbox
+// (formats/child/child_process.h). The child answers with the rows of all tables. This process
+// checks the type of each value and inserts the rows into a database in memory, whose tables it has
+// created itself. So only numbers, texts and blobs from the file reach this process.
 #pragma once
 
 #include <cstdint>
@@ -15,36 +16,41 @@
 
 namespace resect {
 
-// What a recording is: its marks, and its tables to the letter.
+// What identifies a database as a recording: SQLite's application id, the version of the schema
+// (user_version), and the definitions of its tables.
 struct RecordingShape {
   struct Table {
     std::string name;
-    std::vector<std::string> types;  // of the columns: INTEGER, REAL, TEXT or BLOB
+    std::vector<std::string> types;  // one per column: INTEGER, REAL, TEXT or BLOB
   };
   std::int64_t application = 0, version = 0;
-  std::string definition;  // all that a database defines, as SQLite keeps it
+  std::string definition;  // type, name and SQL text of everything in sqlite_master
   std::vector<Table> tables;
 };
 RecordingShape shapeOf(Database& own);
 
-// Adds all rows of the recording at `path`, and of its log (-wal), to the empty tables of `own`.
-// Returns what SQLite's own check of the file finds, in one line; empty: nothing. Throws Error if
-// it is no recording, has other marks or tables than `own`, more than 1 GB, or a value of another
-// type than its column, and Cancelled if `progress` says so. Memory: some three times the file
-// meanwhile.
+// Adds all rows of the recording at `path`, with those in its write-ahead log (-wal), to the tables
+// of `own`, which must be empty. Returns what SQLite's integrity check finds wrong with the file,
+// in one line; empty if it finds nothing.
+// Throws Error if the file is not a recording, if its schema version or its tables are not those of
+// `own`, if file and log have more than 1 GB, or if a value is of another type than its column.
+// Throws Cancelled if `progress` returns false. Meanwhile it takes about three times the file's
+// size in memory.
 std::string addForeignRows(const std::filesystem::path& path, Database& own,
                            const Progress& progress = {});
 
-// Unpacks what zstd packed, also in the sandbox. size: of the result, at most 1 GB. Throws Error if
-// it is damaged. Cost: some ms more than unpacking it here.
+// Decompresses bytes that zstd compressed, also in a child process. size: of the result, at most 1
+// GB. Throws Error if the bytes are damaged. Cost: some ms more than in this process.
 Bytes unpackForeign(std::span<const std::byte> packed, std::int64_t size, const std::string& name);
 
-// The two halves of addForeignRows(), for tests. In the child: all rows, at most four times as many
-// bytes as the recording has and 1 MB. Here: adds them, and returns the finding.
+// The two halves of addForeignRows(), declared here for tests. rowsOf() runs in the child and
+// returns all rows as bytes. It throws Error if these are more than four times the bytes of the
+// recording plus 1 MB. addRows() runs in this process: it adds the rows to `own` and returns the
+// finding of the integrity check.
 std::string rowsOf(RecordingBytes& bytes, const RecordingShape& shape, const std::string& name);
 std::string addRows(std::string_view rows, const RecordingShape& shape, Database& own);
 
-// Adds the present row to `to`: its values, each with its kind.
+// Appends the values of the present row to `to`, each after its Statement::Kind.
 void appendRow(std::string& to, const Statement& row);
 
 }  // namespace resect

@@ -1,6 +1,7 @@
-// Inputs of frames as bytes and back: what a recording keeps of each frame.
+// Converts the input of a frame to bytes and back. A recording keeps these bytes for each frame.
 //
-// Only tools whose input differs from the frame before are written. The same bits come back.
+// Only tools whose input differs from that in the frame before are written. Reading gives back the
+// same bits.
 #pragma once
 
 #include <span>
@@ -13,7 +14,8 @@ namespace resect {
 // before: the input of the frame before; an input without tools for the first frame of a sequence.
 Bytes frameToBytes(const FrameInput& input, const FrameInput& before);
 
-// Throws Error if the bytes are cut off or damaged: a wrong length, number or kind of edit.
+// before: as for frameToBytes(). Throws Error if the bytes are truncated or damaged: if their
+// length, a number or the kind of an edit is wrong.
 FrameInput frameFromBytes(std::span<const std::byte> bytes, const FrameInput& before);
 
 }  // namespace resect

@@ -1,7 +1,7 @@
 // The file of a recording: a SQLite database with the tables that docs/recording.md describes.
 //
-// This is the store only: it keeps rows and gives them back. record/recorder.h fills it while an
-// operation runs; record/replay.h plays it.
+// A RecordingFile only stores rows and reads them. record/recorder.h fills it while an operation
+// runs; record/replay.h plays it.
 #pragma once
 
 #include <cstdint>
@@ -21,17 +21,19 @@
 namespace resect {
 
 inline constexpr int kRecordingSchema = 4;
-inline constexpr std::size_t kLargestRecording = std::size_t(1) << 30;  // bytes, with its log
+// Most bytes that a recording may have, its write-ahead log included.
+inline constexpr std::size_t kLargestRecording = std::size_t(1) << 30;
 
-// The files that hold a recording: while it is written, and after a program was killed, its log
-// too.
+// The files that may hold a recording: the database, and SQLite's write-ahead log, which has -wal
+// at the end of its name. The log exists only while the recording is written, and after the program
+// was killed.
 std::vector<std::filesystem::path> filesOfRecording(const std::filesystem::path& path);
 
 // A frame as stored. Frames of a branch are numbered by Simulation::frame() after the step.
 struct RecordedFrame {
   std::int64_t branch = 0, frame = 0;
   double time = 0;     // s, at the frame's end
-  bool whole = false;  // the input is written in full, not as the difference to the frame before
+  bool whole = false;  // `input` is complete, not the difference from the frame before
   Bytes input;         // record/file/frame_bytes.h
   // The digest of `input`, then one per field of the state (RecordingInfo::fields).
   std::vector<std::uint64_t> hashes;
@@ -41,7 +43,7 @@ struct RecordedFrame {
 struct KeyState {
   std::int64_t branch = 0, frame = 0;
   Bytes state;                  // Simulation::save()
-  std::uint64_t stateHash = 0;  // of the surface too
+  std::uint64_t stateHash = 0;  // of the state and the surface (Simulation::stateHash())
 };
 
 // Where a tool in hand was and what it felt.
@@ -78,66 +80,75 @@ struct RecordingInfo {
   std::string program;         // "resect 0.1.0"
   std::string instructionSet;  // of the processor that recorded
   double frameRate = 60;
-  std::vector<std::string> fields;  // names for RecordedFrame::hashes after the first
+  std::vector<std::string> fields;  // names of RecordedFrame::hashes from the second on
 };
 
-// The marks and the tables of a recording, in an empty database.
+// Makes an empty database a recording without rows: sets the application id and the version of the
+// schema, and creates the tables.
 void makeRecordingTables(Database& database);
 
 class RecordingFile {
  public:
-  // A new file; nothing may be there under that name. It appears with all of these in it: what has
-  // the name is a recording. first, start: branch 0 and the state at which it begins.
+  // Creates a file; throws Error if one exists at `path`. first, start: branch 0 and the state at
+  // which it begins. The file is written under a temporary name, and gets its own name only when
+  // info, setup, first branch and start state are in it. So a file of that name is always a valid
+  // recording.
   static RecordingFile create(const std::filesystem::path& path, const RecordingInfo& info,
                               const RecordedSetup& setup, const Branch& first,
                               const KeyState& start);
-  // A new file at `path` that holds all that `done` holds, to add to. Throws Error if something is
-  // there, or if this program computes other fields than the one that made `done`.
+  // Creates a file at `path` with a copy of everything in `done`, so that more can be added. Throws
+  // Error if a file exists at `path`. Recorder's constructor checks that this program computes the
+  // fields that `done` keeps.
   static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
   // Reads a finished or an interrupted recording into memory, through the sandbox
-  // (record/file/foreign_recording.h). Throws Error if it is none, is of a newer
-  // schema, has other tables than a recording, or if what playing does not prove was changed: its
-  // description, organs, branches.
+  // (record/file/foreign_recording.h). Throws Error if the file is not a recording, if its schema
+  // has another version than kRecordingSchema, older or newer, or if it has other tables. Also
+  // throws Error if the frame rate is not 1 to 1000, or if the digest in the file does not match.
+  // The digest covers what a replay cannot verify: the table meta, the scenario, the organs and, in
+  // a finished recording, the branches.
   static RecordingFile open(const std::filesystem::path& path, const Progress& progress = {});
 
   const RecordingInfo& info() const { return info_; }
   const std::string& name() const { return database_.name(); }
   RecordedSetup setup();
 
-  // As if another program had recorded (for tests).
+  // Replaces the stored name of the program that recorded (for tests).
   void setProgram(const std::string& program);
 
-  void begin();  // a transaction: what follows is kept together or not at all
+  void begin();  // of a transaction
   void commit();
-  void rollback();  // what was added since begin() is not kept
+  void rollback();  // undoes what was added since begin()
   void add(const Branch& branch);
   void add(const RecordedFrame& frame);
   void add(const KeyState& state);  // compressed
   void add(const OperationEvent& event);
   void add(const RecordedSample& sample);
   void add(const RecordedLedger& ledger);
-  // Writes all that is there as a finished recording of its own into an empty file. Not between
-  // begin() and commit(). name: of the file, in messages. moment: at which the operation is, for
-  // moment() of the copy.
+  // Copies everything into an empty file and marks the copy as a finished recording. Must not be
+  // called between begin() and commit(). name: the file's name in messages. moment: what moment()
+  // of the copy is to return; a frame after the end of the branch becomes its last frame.
   void copyTo(const std::filesystem::path& path, const std::string& name,
               std::optional<Moment> moment);
-  void finish();  // marks it complete and folds the write-ahead log into the file
+  // Marks the recording as complete and merges the write-ahead log into the file.
+  void finish();
 
   std::vector<Branch> branches();
-  std::int64_t lastFrame(std::int64_t branch);  // -1 without frames
-  // Where the operation was when it was saved; else the end of the branch in which the last event
-  // happened.
+  std::int64_t lastFrame(std::int64_t branch);  // -1 if it has none
+  // The moment of the operation at which copyTo() saved it. If the file has no such moment: the end
+  // of the branch of the last event, or of the last branch if there are no events.
   Moment moment();
   std::optional<RecordedFrame> frame(std::int64_t branch, std::int64_t number);
   // The latest key state of the branch at `frame` or before.
   std::optional<KeyState> keyState(std::int64_t branch, std::int64_t frame);
   std::vector<std::int64_t> keyFrames(std::int64_t branch);
-  std::int64_t keyStateBytes();  // of all, unpacked
+  std::int64_t keyStateBytes();  // of all key states, decompressed
   std::vector<OperationEvent> events(std::int64_t branch);
   std::vector<RecordedSample> samples(std::int64_t branch);  // frame by frame
   std::vector<RecordedLedger> ledgers(std::int64_t branch);
-  bool complete();            // false: the program ended before the recording did
-  std::string damagedPage();  // what SQLite's own check finds, in one line; empty: nothing
+  // False if finish() was not called, say because the program was killed.
+  bool complete();
+  // What SQLite's integrity check found at open(), in one line; empty if it found nothing.
+  std::string damagedPage();
 
  private:
   explicit RecordingFile(Database database)
@@ -154,11 +165,11 @@ class RecordingFile {
   void keepDigest(bool complete);
   std::string digest();
 
-  std::unique_ptr<Database> opened_;  // on the heap, since statements refer to it
+  std::unique_ptr<Database> opened_;  // on the heap, since statements hold references to it
   Database& database_;
   RecordingInfo info_;
   std::string damagedPage_;
-  std::unordered_map<std::string, std::unique_ptr<Statement>> statements_;  // to be used again
+  std::unordered_map<std::string, std::unique_ptr<Statement>> statements_;  // by their SQL
 };
 
 }  // namespace resect

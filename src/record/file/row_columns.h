@@ -1,4 +1,4 @@
-// Which columns a row of a recording has: named once per kind of row, for writing and for reading.
+// The columns of each kind of row of a recording, listed once for both writing and reading.
 #pragma once
 
 #include <cstring>
@@ -15,7 +15,7 @@ struct StoredKeyState {
   std::int64_t branch = 0, frame = 0;
   std::string hash;  // 16 hexadecimal digits
   std::int64_t size = 0;
-  Bytes state;  // packed
+  Bytes state;  // compressed by zstd
 };
 
 // The columns of each row, in the order of its table.
