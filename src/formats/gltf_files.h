@@ -6,14 +6,14 @@
 
 namespace resect {
 
-// By the name's ending, in upper or lower case. A buffer: .bin, .glbin or .glbuf (glTF 2.0,
-// "Implementation Note").
+// Both functions look only at the name's extension, in upper or lower case. Buffers have the
+// extension .bin, .glbin or .glbuf (glTF 2.0, "Implementation Note").
 bool isGltf(const std::filesystem::path& name);
 bool isGltfBuffer(const std::filesystem::path& name);
 
-// For each .gltf among `files`, appends the buffers of its folder: those that its reader may be
-// given. Which of them the model names is not looked up, since only the reader in its sandbox
-// parses a model.
+// For each .gltf file in `files`, appends all buffers in its folder, since its reader may be given
+// any of them. It is not known which ones the model uses: models are parsed only by the reader in
+// its sandbox.
 void addFilesOfGltf(std::vector<std::filesystem::path>& files);
 
 }  // namespace resect

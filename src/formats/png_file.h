@@ -15,8 +15,9 @@ struct RgbImage {
   const std::uint8_t* at(int x, int y) const { return &pixels[3 * (std::size_t(y) * width + x)]; }
 };
 
-// To be called before long work: a usage Error unless the name ends in .png, or is that of a device
-// or pipe without an extension; else as findTarget() (io/output/output_target.h).
+// To be called before long work. Throws Error if the file cannot be written (findTarget() in
+// io/output/output_target.h). Throws a usage Error unless the name ends in .png; a device or pipe
+// may also have a name without extension.
 void checkPngFile(const std::filesystem::path& path);
 
 // Writes 8 bits per channel, sRGB. Width and height must be positive. Throws Error if the file

@@ -10,31 +10,34 @@
 
 namespace resect {
 
-// To be called before long work: throws Error unless the name ends in .mp4, is that of an ordinary
-// file that can be written (io/output/output_target.h), and ffmpeg is installed.
+// To be called before long work. Throws Error if the name does not end in .mp4, if it cannot be
+// written as an ordinary file (io/output/output_target.h), or if ffmpeg is not installed.
 void checkVideoFile(const std::filesystem::path& path);
 
 class VideoWriter {
  public:
-  // Starts ffmpeg, which writes into a temporary file beside `path` and ends when this process
-  // does. width, height: size of every picture, pixels; the codec needs even numbers, so of an odd
-  // number one pixel is cropped. rate: pictures per second, > 0. Throws Error as checkVideoFile()
-  // does.
+  // Starts ffmpeg, which writes into a temporary file beside `path`. The kernel kills ffmpeg when
+  // the thread that constructed this object ends (PR_SET_PDEATHSIG). So that thread must not end
+  // before finish() has returned.
+  //
+  // width, height: size of every picture, pixels. The codec needs even numbers; if one is odd, one
+  // column or row of pixels is cropped. rate: pictures per second, > 0. Throws Error as
+  // checkVideoFile() does.
   VideoWriter(const std::filesystem::path& path, int width, int height, double rate);
-  // If finish() was not called, no video is left behind, and an earlier file is as it was.
+  // If finish() was not called, the video is discarded, and an earlier file at `path` is unchanged.
   ~VideoWriter();
   VideoWriter(const VideoWriter&) = delete;
   VideoWriter& operator=(const VideoWriter&) = delete;
 
-  // Throws Error with what ffmpeg said if it has stopped, as on a full disk.
+  // Throws Error with ffmpeg's message if ffmpeg has stopped, for example because the disk is full.
   void add(const RgbImage& picture);
   // Ends the video and gives the file its final name. Call this once, after the last picture.
-  // Throws Error unless the video is whole.
+  // Throws Error if the video is not complete.
   void finish();
 
  private:
   void start(double rate);
-  // Lets ffmpeg end; whether it says that all went well.
+  // Closes ffmpeg's input and waits until ffmpeg ends. Returns whether its exit status is 0.
   bool ended();
   std::string complaint() const;
 
@@ -42,7 +45,7 @@ class VideoWriter {
   int width_, height_;
   std::optional<TemporaryFile> file_;
   int pictures_ = -1;  // socket to ffmpeg's standard input
-  int messages_ = -1;  // file in memory with its standard error
+  int messages_ = -1;  // file in memory with all that ffmpeg prints
   int process_ = -1;
 };
 

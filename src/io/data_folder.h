@@ -16,9 +16,9 @@ namespace resect {
 // If there is none, an Error lists the folders that were tried.
 std::filesystem::path dataFolder();
 
-// `name` itself if there is a file of this name. Otherwise the shipped file dataFolder() / folder /
-// (name + extension); `extension` begins with a dot. If there is neither, an Error lists the
-// shipped names.
+// Returns `name` itself if there is a file of this name. Otherwise returns the shipped file
+// dataFolder() / folder / (name + extension); `extension` begins with a dot. If there is neither,
+// an Error lists the shipped names.
 std::filesystem::path findDataFile(const std::string& name, const std::string& folder,
                                    const std::string& extension);
 

@@ -1,4 +1,4 @@
-// Makes what viewers draw of an instrument from the parts of its model.
+// Makes the drawn parts of an instrument, which viewers show, from the parts of its model.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,16 @@
 
 namespace resect {
 
-// Every part with its normals, if the file gives one to every point, else welded, so that normals
-// can be made from its triangles; with the file's finish, if any. A part without proper triangles
-// is left out.
+// Returns one drawn part per part of the model, with the part's finish if the file gives one. If
+// the file gives a normal to every point of the part, points and normals are taken unchanged.
+// Otherwise the part is welded (geometry/repair/weld.h), so that viewers can compute smooth normals
+// from its triangles. If the surface is closed but inside out, its triangles are flipped. A part
+// that has no triangles after welding is left out.
 //
-// Parts whose names begin with JawUpper and JawLower are jaws, which the model shows wide open:
-// JawUpper by +jaws.opening / 2 about jaws.axis through jaws.pivot, JawLower by as much the other
-// way. An Error for another name that begins with Jaw. Without an opening no part is a jaw.
+// If jaws.opening > 0, parts whose names begin with JawUpper or JawLower are jaws. The model has
+// them wide open: JawUpper is turned by +jaws.opening / 2 about the axis jaws.axis through
+// jaws.pivot, JawLower by -jaws.opening / 2. The result has them closed, and DrawnPart::opens holds
+// the angle by which each opens. Throws Error if any other name begins with Jaw.
 std::vector<DrawnPart> drawnParts(const Model& model, const Jaws& jaws);
 
 }  // namespace resect

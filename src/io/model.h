@@ -18,13 +18,14 @@ namespace resect {
 struct ModelPart {
   std::string name;  // as the file calls it; may be empty
   TriangleMesh mesh;
-  // For pictures. One normal for each point: unit, or zero where the file gives none; no normals at
-  // all where it gives none to the whole part. Readers of other formats than Inventor give none.
+  // For pictures: one normal per point, a unit vector, or zero if the file gives this point none.
+  // The list is empty if the file gives no point of the part a normal. Only the reader of Inventor
+  // files fills it.
   std::vector<Vec3f> normals{};
   std::optional<Finish> finish{};  // of the first shape of the part
 };
 
-// Where a saved scene (inventor/scene/scene_file.h) has its camera and its tools, world.
+// Poses of the tools and of the camera in a saved scene (inventor/scene/scene_file.h), world.
 struct ScenePlaces {
   std::vector<Pose> tools;  // in the order of the room that was saved; at most kMostSceneTools
   Pose camera;
@@ -38,7 +39,7 @@ struct Model {
   std::string path;
   std::string format;                   // "Inventor V2.1 binary", "STL", ...
   std::vector<ModelPart> parts;         // in the order of the file; no two have the same name
-  std::optional<ScenePlaces> places{};  // of a saved scene
+  std::optional<ScenePlaces> places{};  // if the file is a saved scene
 };
 
 // All parts as one mesh.
@@ -47,7 +48,8 @@ TriangleMesh merged(const Model& model);
 // Appends a mesh to the part of that name, or to a new part of that name if there is none yet. A
 // mesh without triangles is ignored.
 void addToPart(Model& model, const std::string& name, TriangleMesh mesh);
-// The same with normals; the finish is that of the first piece.
+// The same for a piece that may have normals and a finish. The part gets the finish of the first
+// piece.
 void addToPart(Model& model, ModelPart piece);
 
 // The part of that name. If there is none, throws an Error that lists the names of the parts.
@@ -59,9 +61,9 @@ inline constexpr std::size_t kLongestName = 60;  // characters of a part's name 
 // is cut short.
 std::string partList(const Model& model, std::size_t most = 40);
 
-// Throws Error for what no reader may return: no triangles at all, an index out of range, a
-// coordinate that is not finite or is beyond 1e9 m on either side of 0, a normal that is neither
-// unit nor zero, a finish or a place of a saved scene that is out of range.
+// Throws Error if the model has what no reader may return: no triangles at all, an index out of
+// range, a coordinate that is not finite or whose absolute value is above 1e9 m, a normal that is
+// neither unit nor zero, a finish that is out of range, or a number in `places` that is.
 void checkModel(const Model& model);
 
 // For sending a model through a pipe: modelToBytes() gives its bytes, bytesToModel() makes the

@@ -6,7 +6,8 @@
 
 namespace resect {
 
-// Throws Error when the file does not exist, is a folder, or cannot be read.
+// Throws Error if `path` is not an ordinary file, if it cannot be read, or if it has more than
+// `most` bytes.
 std::string readWholeFile(const std::filesystem::path& path, std::size_t most = 1 << 30);
 
 }  // namespace resect

@@ -18,9 +18,9 @@ struct ChildLimits {
   double wallSeconds = 20;  // from the start to the last byte of the result; > 0
   std::size_t memoryBytes = std::size_t(2) << 30;  // address space beyond this process's;
                                                    // no limit in sanitized builds
-  std::size_t answerBytes = std::size_t(2) << 30;  // that are taken from the child
-  // What the sentences of an Error ask people to do: where a limit was reached, and where the
-  // reader stopped on the file.
+  std::size_t answerBytes = std::size_t(2) << 30;  // most bytes of the result
+  // What an Error advises the user to do: ifTooLarge if a limit was reached, ifDamaged if the
+  // reader crashed on the file.
   const char* ifTooLarge = "simplify the model";
   const char* ifDamaged = "export it again";
 };

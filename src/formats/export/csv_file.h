@@ -10,14 +10,14 @@
 
 namespace resect {
 
-// Writes cell after cell, then the row's end. Numbers have a decimal point in every locale, and as
-// many digits as give the same number again.
+// Writes the cells of a row one after the other, then the end of the row. Numbers have a decimal
+// point in every locale, and enough digits to restore the same number.
 class CsvWriter {
  public:
   explicit CsvWriter(std::ostream& out) : out_(out) {}
 
-  // A text that a spreadsheet would take for a formula (it begins with = + - @, tab or carriage
-  // return) gets an apostrophe before it: recordings come from strangers.
+  // If a spreadsheet would take the text for a formula (it begins with = + - @, tab or carriage
+  // return), an apostrophe is put before it. The text may come from somebody else's recording.
   CsvWriter& cell(std::string_view text);
   template <typename T>
   requires std::integral<T> || std::floating_point<T> CsvWriter& cell(T number) {
@@ -34,7 +34,7 @@ class CsvWriter {
  private:
   CsvWriter& raw(std::string_view text);
   std::ostream& out_;
-  bool first_ = true;  // in its row
+  bool first_ = true;  // the next cell is the first of its row
 };
 
 }  // namespace resect

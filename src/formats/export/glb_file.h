@@ -1,8 +1,8 @@
 // Writes a binary glTF 2.0 file (.glb) with meshes and animated nodes.
 //
-// Source: Khronos, "glTF 2.0 Specification". Data go to the disk as they are added, into a file
-// without a lasting name beside the target; only the description stays in memory. So a long
-// animation takes little memory, and for a while twice its size on the disk.
+// Source: Khronos, "glTF 2.0 Specification". Arrays are written to the disk as they are added, into
+// a temporary file beside the target. Only the JSON description stays in memory. So a long
+// animation takes little memory. While finish() runs, it takes twice its size on the disk.
 #pragma once
 
 #include <array>
@@ -18,15 +18,16 @@
 
 namespace resect {
 
-// A screen's colour (sRGB, IEC 61966-2-1) as light, which glTF wants.
+// Converts a screen colour (sRGB, IEC 61966-2-1) to linear RGB, which glTF requires.
 Vec3f linearColour(const Vec3f& screen);
 
 using Rgba8 = std::array<std::uint8_t, 4>;
 
-// Numbers of what was added before, as the functions of GlbFile return them; -1: none.
+// In the structs below, meshes, materials and arrays are named by the numbers that the functions of
+// GlbFile returned when they were added; -1: none.
 struct GlbMaterial {
   std::string name;
-  Vec3f colour = Vec3f::Ones();  // linear, 0 to 1; each point's colour is a factor of it
+  Vec3f colour = Vec3f::Ones();  // linear RGB, 0 to 1; it is multiplied by the colour of each point
   float metallic = 0, roughness = 1;
 };
 struct GlbMesh {
@@ -45,13 +46,14 @@ struct GlbNode {
 
 class GlbFile {
  public:
-  // Throws Error if nothing can be written there.
+  // Throws Error if `path` cannot be written.
   explicit GlbFile(const std::filesystem::path& path);
   ~GlbFile();
   GlbFile(const GlbFile&) = delete;
   GlbFile& operator=(const GlbFile&) = delete;
 
-  // Data. Each throws Error on a full disk, and if the file would exceed 4 GB. None may be empty.
+  // Each of these functions adds an array, which must not be empty, and returns its number. Throws
+  // Error if the disk is full, or if the file would exceed 4 GB.
   int addPoints(std::span<const Vec3f> points);    // m
   int addNormals(std::span<const Vec3f> normals);  // unit
   int addColours(std::span<const Rgba8> colours);  // linear
@@ -62,14 +64,17 @@ class GlbFile {
 
   int addMaterial(const GlbMaterial& material);
   int addMesh(const GlbMesh& mesh);
-  int addNode(const GlbNode& node);  // children first
+  int addNode(const GlbNode& node);  // its children must have been added before
   void addToScene(int node);
 
-  // Motion of a node in the file's one animation; times and values as from above.
-  enum class Motion { Translation, Rotation, Shown };  // Shown: scale, held from time to time
+  // Adds the motion of a node to the animation; a file has only one. times, values: numbers of
+  // arrays, as the functions above return them.
+  // Motion::Shown: the scale, which keeps each value until the next time.
+  enum class Motion { Translation, Rotation, Shown };
   void animate(int node, Motion motion, int times, int values);
 
-  // Writes the file, atomically (io/atomic_file.h), and returns its size in bytes. Once only.
+  // Writes the file, atomically (io/atomic_file.h), and returns its size in bytes. To be called
+  // once, after everything was added.
   std::uint64_t finish();
 
  private:

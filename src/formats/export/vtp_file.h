@@ -1,8 +1,8 @@
-// Writes surfaces for ParaView: .vtp (VTK XML PolyData) files, and the .pvd file that gives each
-// its time.
+// Writes surfaces for ParaView: .vtp files (VTK XML PolyData), and .pvd files, which list .vtp
+// files with their times.
 //
-// Source: Kitware, "VTK XML Formats"; ParaView's guide for .pvd. Numbers are appended to the XML as
-// they lie in memory: little-endian, not compressed.
+// Source: Kitware, "VTK XML Formats"; ParaView's guide for .pvd. Numbers are appended to the XML in
+// binary: little-endian, not compressed.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +14,15 @@
 
 namespace resect {
 
-// One element per point in each of the arrays but `triangles`.
+// All arrays but `triangles` have one element per point.
 struct VtpSurface {
   std::vector<Vec3f> points, normals;  // m; unit
   std::vector<float> cutShare;         // 0 capsule to 1 cut
-  std::vector<std::int32_t> organ;     // its number
+  std::vector<std::int32_t> organ;     // number of the organ
   std::vector<Triangle> triangles;
 };
 
-// time: s, as the field TimeValue. Atomic, as all outputs (io/atomic_file.h).
+// time: s; written as the field TimeValue. Writes atomically (io/atomic_file.h).
 void writeVtp(const std::filesystem::path& path, const VtpSurface& surface, double time);
 
 struct PvdEntry {

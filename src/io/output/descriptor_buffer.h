@@ -1,4 +1,4 @@
-// The buffer of a std::ostream into an open file descriptor; it knows what went wrong.
+// A stream buffer that writes to an open file descriptor and remembers the errno of a failed write.
 #pragma once
 
 #include <streambuf>

@@ -1,5 +1,5 @@
-// What the name of an output stands for: a file to replace, a device or pipe to write into, or an
-// open descriptor as /dev/stdout.
+// Finds out what the name of an output stands for: a file to replace, a device or pipe to write
+// into, or an open descriptor, such as /dev/stdout.
 #pragma once
 
 #include <filesystem>
@@ -10,26 +10,29 @@ namespace resect {
 struct OutputTarget {
   enum class Kind {
     File,       // ordinary file, new or to be replaced
-    Stream,     // character device or named pipe: written straight into, stays what it is
-    Descriptor  // of this process: /dev/stdout, /dev/fd/3
+    Stream,     // character device or named pipe: written into directly, never replaced
+    Descriptor  // open descriptor of this process, such as /dev/stdout or /dev/fd/3
   };
   Kind kind = Kind::File;
   std::filesystem::path
-      path;             // File: where the bytes belong, symbolic links followed; else as given
+      path;             // File: the name after following symbolic links; else the name as given
   int descriptor = -1;  // of Kind::Descriptor
 };
 
-// Opens and creates nothing: to be called before long work. Throws Error if nothing can be written
-// there: a folder, a disk, a socket, a link that leads nowhere, something write-protected, in a
-// folder that is write-protected. Folders that do not exist are fine.
+// To be called before long work: it opens and creates nothing. Throws Error if the name is that of
+// a folder, a disk (block device), a socket, a symbolic link that leads nowhere or a
+// write-protected file, or if the folder is write-protected. Folders that do not exist yet are no
+// error.
 OutputTarget findTarget(const std::filesystem::path& name);
 
-// Text that is the same for two names if and only if they stand for one file, however they are
-// spelt: by links, hard links, `a/../b`; "-" is standard output. Empty for what is written any
-// number of times without harm: /dev/null, and "-" where standard output is closed.
+// A text that identifies the file to which a name leads. Two names get the same text if and only if
+// they lead to the same file, even if they are spelt differently or lead there by symbolic or hard
+// links. "-" stands for standard output. The text is empty if several outputs may be written there:
+// for /dev/null, and for "-" if standard output is closed.
 std::string identityOf(const std::filesystem::path& name);
 
-// Whether what is written to that name ("-", "/dev/stdout") mixes with what this program prints.
+// Whether the name leads to standard output, as "-" and "/dev/stdout" do. What is written there
+// would mix with what this program prints.
 bool isStandardOutput(const std::filesystem::path& name);
 
 }  // namespace resect

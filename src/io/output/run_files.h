@@ -1,5 +1,5 @@
-// Checks the files of a run before the work: nothing that is read is written, and each output has a
-// file of its own.
+// Checks the files of a run before its work begins: no output may be a file that is read, and no
+// two outputs may be the same file.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct OutputFile {
 struct NumberedOutputs {
   std::string option;             // "--frames"
   std::filesystem::path folder;   // "" = not wanted
-  std::string before, extension;  // of a name: "frame_", ".png"
+  std::string before, extension;  // of their names: "frame_", ".png"
 };
 
 struct RunOutputs {
@@ -28,18 +28,18 @@ struct RunOutputs {
 };
 
 // Throws, before anything is written or removed:
-//   a usage Error when an output is one of the inputs, or two outputs are one file, by whatever
-//   names (identityOf() in io/output/output_target.h); inputs that do not exist are ignored;
-//   an Error when an output cannot be written (findTarget()), or a folder holds numbered files of
+// - a usage Error if an output is one of the inputs, or if two outputs are the same file, whatever
+//   their names (identityOf() in io/output/output_target.h). Inputs that do not exist are ignored.
+// - an Error if an output cannot be written (findTarget()), or if a folder holds numbered files of
 //   an earlier run and `overwrite` is not set.
 void checkOutputs(const RunOutputs& outputs, std::span<const std::filesystem::path> inputs = {});
 
-// The numbered files that are there, sorted: ordinary files and links whose names have digits alone
-// between `before` and `extension`.
+// The numbered files that exist, sorted. These are the ordinary files and the links whose names
+// have nothing but digits between `before` and `extension`.
 std::vector<std::filesystem::path> numberedFiles(const NumberedOutputs& outputs);
 
-// Removes numberedFiles() and nothing else; a link, not what it leads to. To be called after
-// checkOutputs(), when the first of the new ones is about to be written.
+// Removes the files of numberedFiles(). If one is a link, removes the link and keeps the file that
+// it leads to. To be called after checkOutputs(), just before the first new file is written.
 void removeNumberedFiles(const NumberedOutputs& outputs);
 
 }  // namespace resect

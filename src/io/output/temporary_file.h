@@ -1,4 +1,4 @@
-// A file that is made under a temporary name beside its target and renamed when it is whole.
+// A file that is written under a temporary name beside its target and renamed when it is complete.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,8 @@ namespace resect {
 
 class TemporaryFile {
  public:
-  // Creates an empty file in the folder of `target`, under a name that nobody can foresee and only
-  // if nothing has that name: a link planted there is not followed. Throws Error if the folder
-  // cannot be written.
+  // Creates an empty file with a random name in the folder of `target`. Never opens a file or
+  // follows a link that already has this name. Throws Error if the folder cannot be written.
   explicit TemporaryFile(const std::filesystem::path& target);
   // Removes the file, unless it was renamed.
   ~TemporaryFile();
@@ -19,11 +18,12 @@ class TemporaryFile {
   int descriptor() const { return descriptor_; }               // open for reading and writing
   const std::filesystem::path& path() const { return path_; }  // until it is renamed
 
-  // Puts all bytes on the disk, then the file in the target's place, with the owner and the
-  // permissions of the file that was there, then the folder's new entry on the disk. Throws Error
-  // if any of it fails; the file at the target is then as it was.
+  // Renames the file to the target. If the target exists, it is replaced; the file takes over its
+  // permissions, and its owner if this process may set it. Before the renaming all bytes are
+  // synchronised to the disk (fsync), afterwards the folder. Throws Error if this fails; the target
+  // is then unchanged.
   void rename();
-  // The same where nothing may be at the target: replaces nothing, and throws Error instead.
+  // The same, but throws Error if the target exists, and never replaces it.
   void publish();
 
  private:
@@ -35,9 +35,9 @@ class TemporaryFile {
   int slot_ = -1;  // in the list of removeTemporaryFiles()
 };
 
-// Removes every TemporaryFile of this process from its folder: for handlers of signals that end the
-// process, in which it may be called. Does nothing in a forked child. Of more than 16 at once, the
-// others are left.
+// Removes every TemporaryFile of this process from its folder. This function is async-signal-safe:
+// handlers of signals that end the process call it. Does nothing in a forked child. If there are
+// more than 16 such files at once, only 16 of them are removed.
 void removeTemporaryFiles() noexcept;
 
 }  // namespace resect

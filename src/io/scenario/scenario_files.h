@@ -8,14 +8,15 @@
 
 namespace resect {
 
-// The scenario's own file, organs, descriptions of instruments and their models, and all that comes
-// with Resect (data_folder.h): no run may write to them (io/output/run_files.h). Reads the
-// descriptions; throws Error as loadTools() does if one is wrong. What a model file names in turn
-// is for the layers that know its format.
+// Returns the scenario's own file, the files of its organs, the descriptions of its instruments and
+// their models, and every file that comes with Resect (data_folder.h). A run must not write to any
+// of these (io/output/run_files.h). To find the models, reads the descriptions; throws Error as
+// loadTools() does if one is wrong. Files that a model file refers to are missing: layers that know
+// the model's format add them.
 std::vector<std::filesystem::path> filesRead(const Scenario& scenario);
 
-// Throws Error, with the names of the built-in organs, if the source is none of them and there is
-// no file of its name.
+// Throws Error if the source is neither a built-in organ nor a file that exists. The Error names
+// the built-in organs.
 void requireOrganThere(const OrganSource& source);
 
 // Every file that comes with Resect.

@@ -1,7 +1,7 @@
 // Checks the size of a TOML text before it is parsed: bytes, values, nesting, keys and texts.
 //
 // The parser recurses per level and per part of a key, so that a file of brackets or dots would
-// overflow the stack. One pass over the bytes, without memory.
+// overflow the stack. Cost: one pass over the bytes; allocates nothing.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace resect {
 
 inline constexpr std::size_t kMostTomlBytes = 16 << 20, kMostTomlValues = 1'000'000;
 inline constexpr std::size_t kLongestTomlText = 10'000, kLongestTomlWord = 200;  // bytes
-inline constexpr int kDeepestToml = 30;  // brackets in brackets; and parts of a key, a.b.c
+inline constexpr int kDeepestToml = 30;  // levels of brackets; parts of a key such as a.b.c
 
 // Throws Error, with `name` and the line, if the text exceeds a limit. Comments and texts in quotes
 // may hold any brackets and dots.

@@ -40,18 +40,19 @@ class TomlTable {
     return number(key, range.low, range.high, missing);
   }
   int integer(const std::string& key, int low, int high, std::optional<int> missing = {}) const;
-  // A name or a title, which is not empty; and a text that may be.
+  // text(): a name or a title, which must not be empty. freeText(): a text that may be empty.
   std::string text(const std::string& key, std::optional<std::string> missing = {}) const;
   std::string freeText(const std::string& key) const;  // empty when missing
   bool flag(const std::string& key, bool missing) const;
   Vec3 vec3(const std::string& key, std::optional<Vec3> missing = {}) const;
-  // The same for a place, at most `farthest` m from the origin on each axis.
+  // As vec3(), for a position: at most `farthest` m from the origin on each axis.
   Vec3 place(const std::string& key, double farthest, std::optional<Vec3> missing = {}) const;
   std::vector<double> numbers(const std::string& key, double low,
                               double high) const;  // [1, 2, ...]; empty when missing
   // [[x, y, z], ...], each at most `farthest` from the origin on each axis; empty when missing
   std::vector<Vec3> points(const std::string& key, double farthest = 1e6) const;
-  std::vector<std::string> texts(const std::string& key) const;  // of names; empty when missing
+  // None of them empty; no texts when missing.
+  std::vector<std::string> texts(const std::string& key) const;
   double length(const std::string& key, double low,
                 double high) const;  // "5mm", or a number of metres
   // { axis = [x, y, z], degrees = 30 }, or { handle = [x, y, z], edge = [x, y, z] }. The second
@@ -61,8 +62,8 @@ class TomlTable {
 
   std::optional<TomlTable> table(const std::string& key) const;
   bool isList(const std::string& key) const;
-  // [[key]] or key = [{...}, ...], at most `most`; one table [key] is a list of one. Empty when
-  // missing.
+  // The tables of [[key]] or of key = [{...}, ...], at most `most`. A single table [key] gives a
+  // list of one. Empty when missing.
   std::vector<TomlTable> tables(const std::string& key, std::size_t most = 1000) const;
 
   std::vector<std::string> keys() const;  // of this table, not of tables in it; sorted
