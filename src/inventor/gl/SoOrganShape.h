@@ -37,13 +37,14 @@ class SoOrganShape : public SoShape {
   static void initClass();
   SoOrganShape();
 
-  // The whole surface, for files and engines. Not used until one of these fields is set.
+  // Files and engines set these fields to define the whole surface. As long as none of them is set,
+  // the surface comes from update() alone.
   SoMFVec3f points;      // m
   SoMFVec3f normals;     // unit, outwards, one per point
   SoMFFloat cut;         // cut share per point: 0 capsule, 1 cut parenchyma; missing ones are 0
   SoMFInt32 coordIndex;  // triangles: three indices, then -1
 
-  // Number of changes so far. Written by update().
+  // Number of changes so far. update() writes it.
   SoSFInt32 revision;
 
   // Applies changes. If a range extends beyond the end of the shape's arrays, they grow. For
@@ -52,7 +53,7 @@ class SoOrganShape : public SoShape {
   void update(const SurfaceUpdate& update);
 
   int vertexCount() const { return int(surface_.points.size()); }
-  int triangleCount() const { return int(surface_.triangles.size()); }  // holes included
+  int triangleCount() const { return int(surface_.triangles.size()); }  // see drawnTriangles()
 
   // A box, in object space, m, round everything that changed since the last call of this function.
   // It contains the changed parts at their former and at their present positions.
@@ -63,7 +64,8 @@ class SoOrganShape : public SoShape {
   // the ray meets.
   std::optional<Vec3> firstPointOn(const Ray& ray);
 
-  // Triangles drawn at the last rendering, holes included.
+  // Triangles drawn at the last rendering, unused elements of the array included. (An unused
+  // element is the triangle (0, 0, 0); see surface/surface_tracker.h.)
   std::int64_t drawnTriangles() const { return drawnTriangles_; }
   // What was uploaded to all graphics contexts together since the shape was made.
   std::uint64_t uploadedBytes() const { return uploadedBytes_; }

@@ -39,8 +39,8 @@ class TriangleBlocks {
   // next refresh() then updates their blocks.
   void verticesChanged(std::size_t begin, std::size_t end) { vertices_.push_back({begin, end}); }
   void trianglesChanged(std::size_t begin, std::size_t end) { triangles_.push_back({begin, end}); }
-  // Updates the blocks that use changed entries. A triangle whose first two corners are equal is a
-  // hole and is left out of its block's box.
+  // Updates the blocks that use changed entries. A triangle whose first two corners are equal is an
+  // unused element of the array, and is left out of its block's box.
   void refresh(std::span<const Vec3f> points, std::span<const Triangle> triangles);
 
   // After refresh(): bounds of the triangles that use any of the vertices [begin, end).

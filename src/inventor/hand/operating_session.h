@@ -47,18 +47,18 @@ class OperatingSession {
   void play(double until);
   bool playing() const { return playing_; }
 
-  // Takes the last stroke back, or does again what was taken back last; shows any moment
-  // (LiveOperation::show()). The tools go where they were then. Operating goes on from there as
-  // soon as the hand takes or moves an instrument, or with goOn(). Nothing happens if there is no
-  // such stroke.
+  // undo() shows the moment before the last stroke, redo() the moment at which undo() was called
+  // last, and show() any moment (LiveOperation::show()). The tools go where they were at that
+  // moment. Operating goes on from there when goOn() is called, or when the hand takes or moves an
+  // instrument. If there is nothing to undo or redo, nothing happens.
   void undo();
   void redo();
   void show(Moment moment);
   void setPlayback(double speed, std::int64_t branch) { operation_.setPlayback(speed, branch); }
   void goOn();
-  void setIso(float iso);                                      // and goes on
+  void setIso(float iso);                                      // also calls goOn()
   bool answered() const { return asked_ == state_.answered; }  // all requests are done
-  // A moment is shown, or on its way.
+  // Whether a moment of the history is shown, or has been requested.
   bool showing() const { return asked_ > state_.answered || (state_.showing && !goingOn_); }
 
   // Moves and turns the tool in hand. If there is none, moves the camera.
@@ -125,7 +125,7 @@ class OperatingSession {
   bool playing_ = false;
   std::int64_t played_ = 0, playUntil_ = 0;  // scenario frames: where play() begins and ends
   LiveState state_;
-  LedgerWatch ledger_;  // for operation_, which takes it over
+  LedgerWatch ledger_;  // moved into operation_ when that is made
   // The last member, so that its thread ends before the other members are destroyed.
   LiveOperation operation_;
 };

@@ -15,8 +15,8 @@ class OffscreenContext {
   // The new context is current afterwards. Throws Error, with one sentence, if EGL or OpenGL is
   // missing.
   OffscreenContext();
-  // Lets Coin free the OpenGL objects that it made in this context. The caller must free the
-  // caller's own framebuffers before.
+  // Lets Coin free the OpenGL objects that it made in this context. The caller must delete its own
+  // framebuffers before.
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;

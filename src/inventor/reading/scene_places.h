@@ -1,4 +1,5 @@
-// Finds camera and tools in the scene graph of a saved scene, by the names that it is saved with.
+// Finds the poses of camera and tools in the scene graph of a saved scene, by the names of their
+// nodes.
 #pragma once
 
 #include <optional>
@@ -10,14 +11,16 @@ class SoNode;
 
 namespace resect {
 
-// What inventor/scene/scene_file.h writes: an Info node with the mark as the root's first child, a
-// PerspectiveCamera and a Transform for each tool under these names.
+// inventor/scene/scene_file.h writes these nodes: an Info node with the text kSceneMark as the
+// root's first child, a PerspectiveCamera with the name kCameraNode, and for each tool a Transform
+// with the name toolNode().
 constexpr const char* kSceneMark = "Resect operation";
 constexpr const char* kCameraNode = "Camera";
 std::string toolNode(int tool);  // numbered from 0
 
-// None for a scene that Resect did not save. Numbers are as the file has them: checkModel()
-// (io/model.h) refuses what is out of range. `root` must be referenced.
+// Returns nothing if Resect did not save the scene. The numbers are those in the file; checkModel()
+// (io/model.h) refuses those out of range. The caller must hold a reference to `root`
+// (SoNode::ref()).
 std::optional<ScenePlaces> findPlaces(SoNode* root);
 
 }  // namespace resect

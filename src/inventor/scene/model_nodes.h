@@ -15,7 +15,8 @@ namespace resect {
 // differ by more than `creaseDegrees`, else smooth.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
 
-// An instrument as a scene graph, and the transforms that turn its jaws, closed to begin with.
+// An instrument as a scene graph, and the transforms that turn its jaws. The jaws are closed at
+// first.
 struct ToolNodes {
   struct Jaw {
     SoTransform* transform;
@@ -27,7 +28,7 @@ struct ToolNodes {
 };
 
 // Nodes for the tool's drawn parts, or for its mesh if it has none; its file is not read. Throws
-// Error if an index of a part is out of range, or it has another number of normals than points.
+// Error if an index of a part is out of range, or if a part has normals, but not one per point.
 ToolNodes makeToolNodes(const ToolModel& tool);
 
 // An invisible box round a model, at least 2 cm along each axis. It makes thin models easy to

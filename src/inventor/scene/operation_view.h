@@ -14,8 +14,9 @@ class SoNode;
 
 namespace resect {
 
-// "table" or "toolbox" of Resect's own data folder as a scene graph, materials and all: the only
-// files that Coin reads in this process. All others go through readModel.
+// Reads the model "table" or "toolbox" from Resect's own data folder, and returns it as a scene
+// graph with its materials. Coin reads no other files in this process. All others are read by
+// readModel(), in a child process.
 SoNode* readRoomModel(const std::string& name);
 
 // Screen colour (sRGB) of an organ that has not been cut.
