@@ -1,4 +1,4 @@
-// How long will a frame take, before the first one is computed?
+// Estimates how long the computation of a frame will take, before the first one is computed.
 #pragma once
 
 #include <string>
@@ -7,14 +7,16 @@
 
 namespace resect {
 
-inline constexpr double kSlowFrame = 2;  // s, beyond which people are told
+inline constexpr double kSlowFrame = 2;  // s; if a frame will take longer, people are told
 
-// Of elastic tissue, the only work whose size follows from the settings: substeps x particles x 20
-// ns (docs/methods/tissue.md), over the threads. Right to a factor of three or so. duration: of the
+// Estimated time to compute a frame, s. It counts elastic tissue only, since no other work follows
+// from the settings: substeps x particles x 20 ns (docs/methods/tissue.md), divided by the number
+// of threads. The estimate is right to about a factor of three. duration: simulated time of the
 // frame, s.
 double expectedFrameSeconds(const Simulation& simulation, double duration);
 
-// A sentence with the estimate and what to change; empty for frames of up to kSlowFrame.
+// A sentence with the estimate and with settings to change; empty if the estimate is at most
+// kSlowFrame.
 std::string slowFrameNote(const Simulation& simulation, double duration);
 
 }  // namespace resect

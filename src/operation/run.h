@@ -27,7 +27,7 @@ struct ToolForces {
 };
 
 struct RunSummary {
-  Ledger ledger;  // at the end: what there was, is left and was removed, in which parts
+  Ledger ledger;  // at the end of the run
   // Largest overlap of a tool and still tissue at the end of a frame, m^3.
   double deepestOverlap = 0;
   // Whether any instrument touched, removed or cut tissue.

@@ -1,5 +1,5 @@
-// The ranges of a scenario's numbers: wider than any tissue, organ or instrument reaches, and
-// narrow enough that a slip of a unit is found. docs/scenarios.md, "Ranges", is the same table.
+// The ranges of a scenario's numbers. They are wide enough for any tissue, organ or instrument, and
+// narrow enough to detect a wrong unit. docs/scenarios.md, "Ranges", has the same table.
 #pragma once
 
 #include "tissue/material.h"
@@ -22,7 +22,7 @@ inline constexpr SettingRange kCapsule{0, 1e5};              // N/m
 inline constexpr SettingRange kCapsuleStrength{1, 1e6};      // N/m
 inline constexpr SettingRange kStiffening{0, 20};            // 1
 inline constexpr SettingRange kRelaxationShare{0, 10};       // 1
-inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; below it, substeps see nothing
+inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; substeps do not resolve less
 inline constexpr double kFastestWave = 5000;  // m/s; pressure waves in liver 1600, in bone 4000
 inline constexpr SettingRange kGravity{-100, 100};  // m/s^2
 inline constexpr SettingRange kDrag{0, 1000};       // 1/s

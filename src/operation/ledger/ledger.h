@@ -1,14 +1,14 @@
 // The ledger of an operation: where all tissue is, in particles, in volume and in mass.
 //
-// There is one definition of volume: that of the tissue in cells, skin cells included
+// In a ledger, volume is always the volume of the tissue in cells, skin cells included
 // (Discretization::cellVolume()). The volume that the surface bounds differs from it a little and
 // is no part of the ledger. Each cell keeps the label, and so the density, that it had before the
-// operation. Volumes are added as whole numbers of small units, so their sums do not depend on an
-// order, and
+// operation. Volumes are added as whole numbers of small units, so their sums do not depend on the
+// order of addition. For each label and for each organ the equation
 //
 //   before = body + pieces + debris + removed
 //
-// holds exactly in particles and to rounding in m^3 and kg, for each label and for each organ.
+// holds exactly in particles, and up to rounding in m^3 and kg.
 #pragma once
 
 #include <optional>
@@ -32,12 +32,12 @@ struct TissueAmount {
   bool operator==(const TissueAmount&) const = default;
 };
 
-// Where the tissue of an organ or of a label is. Parts are what bonds connect
+// Where the tissue of an organ or of a label is. A part is a set of particles that bonds connect
 // (operation/ledger/parts.h).
 struct TissueSplit {
-  TissueAmount before;   // the operation
+  TissueAmount before;   // before the operation
   TissueAmount body;     // the largest part: what remains
-  TissueAmount pieces;   // other parts, but for debris
+  TissueAmount pieces;   // all other parts except debris
   TissueAmount debris;   // parts that are smaller than a piece
   TissueAmount removed;  // by instruments
 
@@ -49,8 +49,10 @@ struct TissueSplit {
   bool operator==(const TissueSplit&) const = default;
 };
 
-// A part is a piece if it has this volume, m^3, and that of so many cells, or this share of the
-// organ; else it is debris. Where cells are large a crumb of one or two is none.
+// The largest part of an organ is its body. Another part is a piece if it has at least the volume
+// kPieceVolume, m^3, and also that of kPieceCells cells: where cells are large, one or two of them
+// are not a piece. A part that has at least the share kPieceShare of the organ's volume is always a
+// piece. All others are debris.
 inline constexpr double kPieceVolume = 0.5e-6, kPieceShare = 0.01;
 inline constexpr int kPieceCells = 4;
 
@@ -58,9 +60,9 @@ struct LabelLedger {
   int label = 0;
   std::string name;
   TissueSplit tissue;
-  // For a label from 1 on that has a name: least distance of the structure from any cut and any
-  // face that removed tissue has bared, m, in the tissue at rest; 0 if the structure itself was cut
-  // or some of it was removed; infinite if nothing was. Good to half a cell.
+  // Only for labels from 1 on that have a name. Least distance of the structure from any cut and
+  // any bared face, m, in the tissue at rest. It is 0 if the structure itself was cut or some of it
+  // was removed. It is infinite if nothing was cut or bared. Accurate to half a cell.
   std::optional<double> margin;
 
   bool operator==(const LabelLedger&) const = default;
@@ -104,29 +106,31 @@ struct Ledger {
   bool operator==(const Ledger&) const = default;
 };
 
-// What the ledgers of an operation are reckoned from: that part which never changes.
+// The constant data from which the ledgers of an operation are computed.
 class LedgerBooks {
  public:
-  // simulation: at any time of the operation. scenario: from which it was made.
+  // simulation: in any state of the operation. scenario: the one that it was made from.
   LedgerBooks(const Scenario& scenario, const Simulation& simulation);
   // One setup per organ.
   LedgerBooks(const std::vector<TissueSetup>& setups, const Simulation& simulation);
 
   // The ledger of the present state. Cost: 2 ms for a million particles of still tissue without
-  // cuts, 2 ms for 13 000 of moving tissue, and the wounds (operation/ledger/wound_faces.h).
+  // cuts, or for 13 000 of moving tissue; plus the cost of woundFaces()
+  // (operation/ledger/wound_faces.h).
   Ledger ledgerOf(const Simulation& simulation) const;
 
  private:
   struct Odd {  // a particle that does not have exactly one full cell of tissue
     std::int64_t cell = 0;
-    std::int64_t units = 0;      // more than a full cell's, or less
-    std::int32_t particles = 0;  // -1: a skin cell that is treated as a particle, but is none
+    std::int64_t units = 0;  // its volume minus a full cell's, in small units
+    // -1: a skin cell that Organ treats as a particle; it is not counted as one.
+    std::int32_t particles = 0;
   };
   struct OrganBooks {
     std::vector<std::uint8_t> initial;  // Organ::alive before the operation
     std::vector<Odd> odd;               // ascending by cell
-    std::uint8_t place[256] = {};       // per label: its place in before.labels
-    std::vector<double> density;        // per place, kg/m^3
+    std::uint8_t place[256] = {};       // per label: its index in before.labels
+    std::vector<double> density;        // per entry of before.labels, kg/m^3
     std::vector<Structure> structures;  // of labels that have names
     OrganLedger before;                 // with TissueSplit::before alone
   };
@@ -137,8 +141,9 @@ class LedgerBooks {
   std::vector<OrganBooks> organs_;
 };
 
-// The first sum in a ledger that does not close, as a sentence; empty if all close. `simulation`,
-// if given, is the one of the ledger: its own counts must agree too.
+// Checks that the sums in a ledger add up. Returns a sentence about the first one that does not;
+// empty if all do. simulation, if given: the one that the ledger is of; its own counts are compared
+// too.
 std::string discrepancy(const Ledger& ledger, const Simulation* simulation = nullptr);
 
 }  // namespace resect

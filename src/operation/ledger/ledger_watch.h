@@ -1,5 +1,5 @@
-// Decides when an operation's ledger is reckoned again: when tissue was removed, cut or torn, and
-// at most once in kPeriod of simulated time.
+// Decides when an operation's ledger is computed again: after tissue was removed, cut or torn, or
+// the iso level was changed, but at most once per kPeriod of simulated time.
 //
 // The same steps from the same state give the same ledgers at the same frames.
 #pragma once
@@ -15,23 +15,25 @@ class LedgerWatch {
   LedgerWatch(const Scenario& scenario, const Simulation& simulation)
       : books_(scenario, simulation) {}
 
-  // To be called at the start, and when the simulation has been restored to another state.
+  // Computes the ledger. To be called at the start, and after the simulation was restored to
+  // another state.
   const Ledger& anew(const Simulation& simulation);
-  // To be called after each step. The new ledger if one is due, else null.
+  // To be called after each step. Returns the new ledger if one was due, else null.
   const Ledger* after(const StepReport& report, const Simulation& simulation);
-  // The ledger if something has changed since the last one, else null: for the operation's end.
+  // For the end of the operation: returns a new ledger if something has changed since the last one
+  // was computed, else null.
   const Ledger* last(const Simulation& simulation) {
     return changed_ ? &anew(simulation) : nullptr;
   }
-  // The one that was reckoned last.
+  // The ledger that was computed last.
   const Ledger& ledger() const { return ledger_; }
 
  private:
   LedgerBooks books_;
   Ledger ledger_;
-  std::vector<float> iso_;  // of each organ's surface, which shows the faces of wounds
-  double time_ = 0;         // at which ledger_ was reckoned, s
-  bool changed_ = true;     // since then
+  std::vector<float> iso_;  // iso level of each organ in ledger_; areas of wounds depend on it
+  double time_ = 0;         // simulated time of ledger_, s
+  bool changed_ = true;     // something has changed since then
 };
 
 }  // namespace resect

@@ -1,9 +1,9 @@
 // The parts of an organ's tissue: sets of particles that bonds connect.
 //
-// Two neighbouring particles, of the 26 in the lattice, belong to one part unless the bond between
-// them is severed: by a blade, by jaws or by a tear. So a part moves as one, and a slit that is
-// thinner than a cell divides as a wide gap does. Parts are found anew each time, from the present
-// state alone.
+// Two particles that are neighbours in the lattice (26 neighbours per cell) are connected unless
+// the bond between them was severed by a blade, by jaws or by a tear. So even a slit that is
+// thinner than a cell separates parts. Parts are found from the present state alone, anew at each
+// call.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct TissueParts {
   std::int32_t count = 0;     // parts are numbered from 0, by their first cells
 };
 
-// Cost for still tissue: a pass over the lattice's bytes, and 0.1 us per cell beside a cut; for
-// moving tissue 0.1 us per particle.
+// Cost for still tissue: a pass over one byte per cell of the lattice, and 0.1 us per cell beside a
+// cut. Cost for moving tissue: 0.1 us per particle.
 TissueParts tissueParts(const OperatedOrgan& organ);
 
 }  // namespace resect

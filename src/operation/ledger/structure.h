@@ -2,9 +2,10 @@
 //
 // The shape is a smooth surface through the lattice: the label's flags are averaged over each cell
 // and its neighbours (weights 1, 2, 1 along each axis), and the surface lies where the average is
-// one half. Labelled cells always lie inside it, other cells outside. So a distance is good to a
-// quarter of a cell, but only to half a cell along an axis of the lattice, where the flags do not
-// tell how far a structure reaches beyond its last cells.
+// one half. The centres of labelled cells always lie inside it, those of other cells outside.
+// Distances are accurate to a quarter of a cell. Along an axis of the lattice they are accurate
+// only to half a cell, since the flags do not tell how far a structure extends beyond its last
+// cells.
 #pragma once
 
 #include <cstdint>
@@ -17,12 +18,12 @@ namespace resect {
 
 class Structure {
  public:
-  // label: that some particle of `rest` has.
+  // label: at least one particle of `rest` must have it.
   Structure(const Discretization& rest, int label);
 
   int label() const { return label_; }
-  // The smaller of `best` and the distance of a point from the structure, m, at rest; 0 within it.
-  // The cost is small if the distance is larger than `best`.
+  // The smaller of `best` and the distance of a point from the structure, m, at rest. The distance
+  // is 0 inside the structure. The cost is small if the distance is larger than `best`.
   double distance(const Vec3& point, double best) const;
   // Distance of a point from the box round the structure, m: no more than distance(). Cheap.
   double boxDistance(const Vec3& point) const {
@@ -38,10 +39,10 @@ class Structure {
 
   int label_ = 0;
   Vec3 origin_, spacing_;
-  IndexBox box_;                     // of the cells that can have a share, and one cell round them
+  IndexBox box_;                     // all cells whose share can be above 0, and a halo of one cell
   std::vector<std::uint8_t> share_;  // per cell of the box, in 64ths; 33 and more: labelled
-  std::vector<Vec3f> points_;        // of its surface, m, in the order of a tree of halves
-  std::vector<std::uint8_t> axis_;   // per point: along which axis its range is halved there
+  std::vector<Vec3f> points_;        // points of its surface, m, sorted as a k-d tree (sortInto())
+  std::vector<std::uint8_t> axis_;   // per point: axis along which it divides its range
   Vec3f low_, high_;                 // box round the points
 };
 

@@ -12,18 +12,19 @@ namespace resect {
 
 // Areas of the present surface, m^2, of the tissue at rest.
 struct WoundFaces {
-  // Of cuts: what blades, jaws and tears have opened without taking tissue away. The two sides of a
-  // cut are the same area and count once. Where the tissue on one side was removed later, there is
-  // no cut any more, but a bared face.
+  // Area of the cuts that blades, jaws and tears have opened without removing tissue. Of the two
+  // sides of a cut only one is counted. Where the tissue on one side of a cut was removed later,
+  // the other side is no longer a cut but a bared face.
   double cut = 0;
-  // Of faces that removed tissue has bared: those in front of which there was tissue, three
-  // quarters of a cell away. They are no cut: what was removed has no other side. Good to 7 %.
+  // Area of bared faces, that is, of faces that removed tissue has laid open. A face counts as
+  // bared if tissue was removed three quarters of a cell in front of it. Accurate to 7 %.
   double bared = 0;
-  // Per structure: least distance of any of these faces, m; infinite if there is none.
+  // Per structure: its least distance from any cut or bared face, m; infinite if there is none.
   std::vector<double> margins;
 };
 
-// Cost: 10 ns for each triangle in bricks where tissue was cut or removed, and for its distances.
+// Cost: 10 ns for each triangle in bricks where tissue was cut or removed; plus the distances of
+// its corners from the structures.
 WoundFaces woundFaces(const Organ& organ, std::span<const Structure> structures);
 
 }  // namespace resect

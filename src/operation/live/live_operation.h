@@ -27,12 +27,13 @@
 
 namespace resect {
 
-// Looks on, in the operation's thread, at what is new: branches that begin, and frames. What was
-// done before and is shown again is not reported.
+// Functions that are called in the operation's thread when something new happens. Frames of the
+// history that are played again are not reported.
 struct OperationWatch {
   std::function<void(const Branch&, const Simulation&)> began;
   std::function<void(const Branch&)> renamed;
-  // Operating pauses: from this moment another one is shown, or the operation ends.
+  // Operating pauses at this moment, the end of a branch: another moment will be shown, or the
+  // operation ends.
   std::function<void(Moment, const Simulation&)> stood;
   // events: of this frame; moment: its end.
   std::function<void(Moment moment, const FrameInput&, const StepReport&,
@@ -42,13 +43,13 @@ struct OperationWatch {
 
 class LiveOperation {
  public:
-  // Gives the next frame of a motion; nothing at its end.
+  // Returns the next frame of a motion; nothing at its end.
   using Motion = std::function<std::optional<FrameInput>()>;
 
   // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
-  // frameRate: simulated frames per second, 1 to 1000. history: of an operation that was done
-  // before, with `simulation` at history.now(); that moment is then shown until somebody goes on.
-  // ledger: for LiveState::ledger.
+  // frameRate: simulated frames per second, 1 to 1000. history: that of an operation which is to go
+  // on; `simulation` must be at history.now(). That moment is then shown until goOn() is called.
+  // ledger: computes LiveState::ledger; without it there is none.
   LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                 double frameRate = 60, OperationWatch watch = {},
                 std::optional<OperationHistory> history = {},
@@ -66,30 +67,35 @@ class LiveOperation {
   // it returns, only `tools` is used. If a step refuses these tools, the motion ends too, and
   // LiveState::faults says why.
   void play(Motion motion);
-  // The same after going back to the start of the operation, which is a request as below.
+  // Goes back to the start of the operation, then does what play() does. This is a request, as
+  // explained below.
   std::int64_t playFromStart(Motion motion);
   bool playing() const;
 
-  // Requests are numbered from 1 on and done in this order; each call returns its number. show()
-  // replaces an earlier show() that is not done. LiveState::answered is the number of the last one
-  // done. After it the moment is shown: all tools are where they were then, a motion has ended, and
-  // nothing happens until goOn(). undo(), redo(): the moment before the last stroke; the one at
-  // which undo() was called last. If there is none, nothing changes. show(): any moment of
+  // undo(), redo(), show() and playFromStart() are requests. They are numbered from 1 on, and the
+  // operation's thread does them in this order. Each call returns the number of its request.
+  // LiveState::answered is the number of the last request done. A new show() replaces an earlier
+  // one that is not done yet.
+  //
+  // A request brings the operation to a moment of its history, which is then shown: all tools are
+  // where they were at that moment, motions have ended, and nothing happens until goOn() is called.
+  // undo() goes to the moment before the last stroke, redo() to the moment at which undo() was
+  // called last. If there is no such moment, nothing changes. show() goes to any moment of
   // LiveState::timeline.
   std::int64_t undo();
   std::int64_t redo();
   std::int64_t show(Moment moment);
-  // While a moment is shown: plays what happened after it on the way to the end of `branch`. speed:
-  // recorded seconds a second, 0 to 100; 0: stands.
+  // While a moment is shown: plays the frames after it that lead to the end of `branch`. speed:
+  // seconds of the operation per second, 0 to 100; 0 stops the playback.
   void setPlayback(double speed, std::int64_t branch);
-  // Operates on from the moment that is shown: its branch goes on if it ends there, else another
-  // one begins. Has no effect while a request is not done.
+  // Operating goes on from the moment that is shown. If the moment is the end of its branch, this
+  // branch goes on; otherwise a new branch begins. Has no effect while a request is not done.
   void goOn();
-  // What is done from the next frame on is another stroke.
+  // Ends the present stroke before the next frame.
   void endStroke();
   // Gives a branch of LiveState::timeline another name.
   void nameBranch(std::int64_t branch, const std::string& name);
-  // Memory for the states of the history, bytes: 512 MB if it is not set.
+  // Most memory for the states of the history, bytes. The default is 512 MB.
   void setHistoryMemory(std::size_t most);
   void setPaused(bool paused);
 
@@ -101,7 +107,8 @@ class LiveOperation {
   // The present surface of all organs, for saving. If a frame is being computed, or a request is
   // being answered, waits until that ends.
   SurfaceTracker::Compact surface();
-  // Wait until at least this frame is done, or all requests are (for tests).
+  // For tests: waitFor() waits until this frame is done, waitForAnswer() until all requests are
+  // done.
   void waitFor(std::int64_t frame);
   void waitForAnswer();
 
@@ -110,16 +117,17 @@ class LiveOperation {
     enum class Kind { Undo, Redo, Show };
     Kind kind = Kind::Undo;
     Moment moment;
-    Motion motion;  // to be played then
+    Motion motion;  // to be played from that moment on; empty: none
     std::int64_t number = 0;
   };
-  // What the thread is to do next; without names, request and playback: a frame of the operation.
+  // What the thread does next. If names, request and playback are not set, it computes a frame of
+  // the operation.
   struct Task {
     std::optional<Request> request;
-    std::vector<std::pair<std::int64_t, std::string>> names;  // for branches
-    double playback = 0;       // the next frame of the history, at this speed
-    std::int64_t towards = 0;  // on the way to the end of this branch
-    bool operated = false;     // until now no moment was shown
+    std::vector<std::pair<std::int64_t, std::string>> names;  // new names for branches
+    double playback = 0;       // > 0: plays the next frame of the history, at this speed
+    std::int64_t towards = 0;  // number of the branch to whose end the playback leads
+    bool operated = false;     // no moment of the history was shown before
     FrameInput input;
     bool byMotion = false;  // a motion gave the input's tools
   };
@@ -138,7 +146,7 @@ class LiveOperation {
 
   std::unique_ptr<Simulation> simulation_;
   OperationHistory history_;           // used by the thread alone
-  std::optional<LedgerWatch> ledger_;  // so are these
+  std::optional<LedgerWatch> ledger_;  // from here to timelineFrame_: also used by the thread alone
   const std::vector<Pose> rests_;
   LastSecond lastSecond_;
   StepReport report_;
@@ -157,14 +165,15 @@ class LiveOperation {
   std::int64_t towards_ = 0;
   std::deque<Request> requests_;
   std::int64_t asked_ = 0;
-  std::vector<std::pair<std::int64_t, std::string>> names_;  // that branches are to get
-  std::optional<std::size_t> mostBytes_;                     // that the history is to take
+  std::vector<std::pair<std::int64_t, std::string>> names_;  // new names for branches
+  std::optional<std::size_t> mostBytes_;                     // new limit for the history
   // A show() is being answered and has shown a state, so that a newer one may stop it.
   bool replaceable_ = false;
-  bool motionComes_ = false;  // the request that is being answered brings one
+  bool motionComes_ = false;  // the request that is being answered has a motion
   bool stepping_ = false;     // a frame is being computed: only the thread may use the simulation
   int readers_ = 0;  // callers waiting for the end of the frame; the next frame waits for them
-  std::atomic<bool> stop_ = false;  // leaves the frame, or the way to a moment, being computed
+  // Set to abandon the frame, or the way to a moment, that is being computed.
+  std::atomic<bool> stop_ = false;
   std::vector<SurfacePublisher> publishers_;  // one per organ
   LiveState state_;
   std::thread thread_;

@@ -31,8 +31,8 @@ struct LiveState {
   // moment of the history that is shown. Empty: the hand moves them.
   std::vector<ToolInput> played;
   Moment moment;         // the end of the newest frame in the history
-  bool showing = false;  // an earlier moment is shown: nothing happens before somebody goes on
-  double playback = 0;   // recorded seconds a second while showing; 0: it stands
+  bool showing = false;  // a moment of the history is shown: nothing happens until goOn()
+  double playback = 0;   // while showing: seconds of the operation per second; 0: no playback
   int undoable = 0, redoable = 0;  // strokes that can be taken back; that can be done again
   std::int64_t answered = 0;     // number of the last request that was done (LiveOperation::undo())
   std::size_t historyBytes = 0;  // memory for the states of the history
@@ -42,17 +42,17 @@ struct LiveState {
   std::vector<TipPlace> tips;      // valid only while the tool is in hand
   std::vector<double> squeeze;     // of its jaws: 0 wide open, 1 closed
   std::vector<double> forces;      // smoothed force of the tissue on the tool, N
-  std::vector<double> peakForces;  // largest force in any frame so far, as that frame's mean, N
+  std::vector<double> peakForces;  // largest so far of the mean forces in a frame, N
   std::vector<double> lastTouch;   // simulated time when the tool last touched tissue, s; -1: never
   std::vector<std::uint8_t> touching;  // 1: the tool touched tissue in the last 0.1 s
 };
 
-// To be called after a step: updates what the simulation and its report say: counts, volumes,
-// faults and the lists. simulation.keepLook() must have been called before the step. `before`:
-// volume of the tissue before the operation, m^3. peaks: OperationHistory::peaks().
+// To be called after a step: takes counts, volumes, faults and the lists from the simulation and
+// its report. simulation.keepLook() must have been called before the step. `before`: volume of the
+// tissue before the operation, m^3. peaks: OperationHistory::peaks().
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
               double before, const std::vector<double>& peaks);
-// The same for a simulation that has gone to another moment, where no step is reported.
+// The same after the simulation was brought to another moment. There is no report then.
 void noteMoment(LiveState& state, const Simulation& simulation, double before,
                 const std::vector<double>& peaks);
 

@@ -1,5 +1,5 @@
-// What happened in a step, in words that people and skills use: contacts that begin and end, tissue
-// removed, cut and torn, instruments taken and put back, faults.
+// The events of a step: contacts that begin and end, tissue removed, cut and torn, instruments
+// taken and put back, faults.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@
 namespace resect {
 
 struct OperationEvent {
-  std::int64_t branch = 0, frame = 0;  // the branch is filled in by those who know it
+  std::int64_t branch = 0, frame = 0;  // branch: the caller of eventsOf() sets it
   double time = 0;                     // at the frame's end, s
   std::int64_t tool = -1, organ = -1;  // -1: none
   std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault
-  double amount = 0;  // remove: particles; cut, tear: bonds; piece: how many more
+  double amount = 0;  // remove: particles; cut, tear: bonds; piece: number of new pieces
   std::string text;   // fault: the sentence
 };
 
-// What the observer of an operation remembers from step to step: one flag per tool. Without flags:
-// no tool was in hand, and none touched an organ.
+// What eventsOf() must know about the step before: one flag per tool. Empty lists mean that no tool
+// was in hand, and that none touched an organ.
 struct EventMemory {
   std::vector<char> touching, inHand;
 };
@@ -29,7 +29,8 @@ struct EventMemory {
 std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation& simulation,
                                      EventMemory& memory);
 
-// Notes an event that was kept, as eventsOf() did when it happened. tools: their number.
+// Updates the memory by an event that was recorded, as eventsOf() did when it happened. tools:
+// number of tools.
 void remember(EventMemory& memory, const OperationEvent& event, std::size_t tools);
 
 }  // namespace resect

@@ -1,4 +1,5 @@
-// Strokes: what a hand does with an instrument between two rests, the unit of undo.
+// Strokes: a stroke is what a hand does with instruments from one rest to the next. Undo takes back
+// one stroke.
 //
 // A stroke begins when an instrument in hand touches or cuts an organ. It ends when the hand lets
 // go (FrameInput::strokeEnds), when no instrument has touched an organ for kEndSeconds, or when all
@@ -16,7 +17,7 @@ namespace resect {
 
 struct Stroke {
   std::int64_t from = 0, to = 0;  // frames: the last one before contact; the last one in contact
-  std::int64_t tool = -1;         // the first that touched; -1: a blade cut without touching
+  std::int64_t tool = -1;         // the first tool that touched; -1: a blade cut without touching
   // So far: particles removed, bonds cut by instruments, bonds torn.
   std::int64_t removed = 0, severed = 0, torn = 0;
 };
@@ -25,7 +26,7 @@ struct Stroke {
 // the same for a recording as it was while it was made.
 class StrokeTracker {
  public:
-  // After each step, with its events. frame: number after the step.
+  // To be called after each step, with its events. frame: Simulation::frame() after the step.
   void add(std::int64_t frame, const FrameInput& input, std::span<const OperationEvent> events);
   const std::vector<Stroke>& strokes() const { return strokes_; }
   bool inStroke() const { return inStroke_; }  // the last stroke goes on

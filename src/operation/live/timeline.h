@@ -1,7 +1,8 @@
-// An overview of an operation's history for those who show it.
+// An overview of an operation's history, for showing it to people.
 //
-// The way to a branch is what led to its end: its own frames after those of its parent up to the
-// frame at which it begins, and so on back to the start of the operation.
+// The way to the end of a branch consists of all frames that led there: the branch's own frames,
+// before them those of its parent up to the frame at which the branch begins, and so on, back to
+// the start of the operation.
 #pragma once
 
 #include <vector>
