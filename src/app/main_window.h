@@ -34,7 +34,7 @@ class MainWindow : public QMainWindow {
   explicit MainWindow(const WindowOptions& options);
   ~MainWindow() override;
 
-  bool load(const Scenario& scenario);  // false: the person stays with the operation
+  bool load(const Scenario& scenario);  // false: the user keeps the present operation
   // Shows a sentence over the picture until the user clicks it or another sentence replaces it.
   void complain(const std::string& sentence);
   // Plays the scenario's motions up to the scenario time `until`, s. Begins where the last call
@@ -53,11 +53,11 @@ class MainWindow : public QMainWindow {
 
   void makeMenus();
   void makeDocks();
-  bool begin(OrganLoader::Result result);  // false: it cannot be shown, which is said
+  bool begin(OrganLoader::Result result);  // false: it cannot be shown; the user was told
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
-  // anew: from its start, without what was done.
+  // anew: the operation starts again from its beginning, without what was done.
   void openOperation(const QString& file, bool anew = false);
-  // Whether the operation may be given up: nothing would be lost, or the person says so.
+  // Whether the operation may be discarded: nothing would be lost, or the user agrees.
   bool mayEnd();
   void saveOperation(bool elsewhere);
   void writeOperation(const std::string& file);
@@ -98,7 +98,7 @@ class MainWindow : public QMainWindow {
             const std::function<void(const std::string&)>& write);
 
   WindowOptions options_;
-  std::shared_ptr<Recorder> recorder_;  // of the session; null: it is not recorded
+  std::shared_ptr<Recorder> recorder_;  // of the present operation; null: it is not recorded
   std::unique_ptr<OperatingSession> session_;
   OrganLoader loader_;
   OperationLoader operations_;
@@ -128,10 +128,10 @@ class MainWindow : public QMainWindow {
   int heldSaid_ = -2;               // number of the tool in hand; -1: none; -2: nothing said yet
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::string script_, faultSaid_, recorderSaid_;
-  std::string operationFile_;      // in which the operation is kept; empty: it has no name yet
-  std::string madeFrom_;           // the recording that it was opened from; empty: none
-  std::size_t strokesBefore_ = 0;  // that it was opened with
-  std::optional<std::size_t> strokesNoted_;  // at the last noteRecording()
+  std::string operationFile_;      // file where the user saved the operation; empty: none yet
+  std::string madeFrom_;           // recording that the operation was opened from; empty: none
+  std::size_t strokesBefore_ = 0;  // strokes that the operation had when it was opened
+  std::optional<std::size_t> strokesNoted_;  // number of strokes at the last noteRecording()
   bool lookingAt_ = false;  // the next click chooses the point that the camera looks at
   bool readySaid_ = false;
   bool playingSaid_ = false, showingSaid_ = false, movesSaid_ = false;

@@ -19,8 +19,9 @@ double steadySecondsOf(std::uint64_t stamp);
 class Pace {
  public:
   void inputCame(double at);
-  // A picture begins. It includes all inputs that came before this call. looked: when its changes
-  // were taken from the operation. lastRemoval: time of the newest removal that it includes.
+  // The drawing of a picture begins. The picture includes all inputs that came before this call.
+  // looked: when the changes in it were taken from the operation. lastRemoval: time of the newest
+  // removal in it.
   void pictureBegins(double looked, double lastRemoval);
   void pictureIsDrawn();
   void pictureShown();

@@ -10,15 +10,16 @@ namespace resect {
 
 struct WindowOptions {
   Scenario scenario;               // what the window shows first
-  std::string operation;           // or a recorded operation that goes on; empty: none
+  std::string operation;           // file of a recorded operation to show instead; empty: none
   int width = 1280, height = 720;  // of the window, pixels
-  int historyMemory = 512;         // for showing earlier moments, MB
+  int historyMemory = 512;         // most memory for showing earlier moments, MB
   double fpsLimit = 60;            // most pictures per second
   // Explain mouse and keyboard over the picture, once: when this user first opens a window.
   bool overlay = true;
   // Obey the commands of a script on standard input, and report to it on standard output.
   bool reports = false;
-  // True: dark colours. False: light ones. None: as chosen last; dark if nothing was chosen yet.
+  // True: dark colours. False: light colours. Without a value: those chosen last, or dark ones if
+  // none were chosen yet.
   std::optional<bool> dark;
 };
 

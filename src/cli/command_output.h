@@ -1,4 +1,4 @@
-// What a command says: lines in which file names and foreign text may stand, and JSON.
+// Prints the output of a command: lines that may contain file names and foreign text, and JSON.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,8 @@
 
 namespace resect {
 
-// One line, whatever stands in it (base/text/shown_text.h).
+// Prints exactly one line: line ends and control characters in the arguments are made visible
+// (base/text/shown_text.h).
 template <typename... Args>
 void printLine(std::FILE* file, fmt::format_string<Args...> format, Args&&... args) {
   const std::string line = fmt::format(format, std::forward<Args>(args)...);

@@ -9,7 +9,7 @@
 namespace resect {
 
 // One object per organ. Volumes are of the tissue in cells, ml; masses in g, areas in cm^2, margins
-// in mm. A margin is null if nothing was cut or removed.
+// in mm. A margin is null as long as nothing was cut or removed.
 nlohmann::ordered_json toJson(const Ledger& ledger);
 
 // Rows of a summary. Each begins with two spaces and a name of ten characters, and ends with a line

@@ -1,4 +1,4 @@
-// Progress bar for long work at a terminal, and Ctrl-C.
+// A progress bar for long work at a terminal.
 #pragma once
 
 #include <atomic>

@@ -15,15 +15,15 @@ class App;
 
 namespace resect {
 
-// Where pictures of an operation go, and how they look; as the user wrote it.
+// Options about the pictures of an operation: their files and their look, as the user wrote them.
 struct PictureOptions {
   std::string frames, video;  // folder, file; "": no such pictures
   std::string size = "1280x720", view;
   double rate = 10;  // pictures per simulated second
 
   bool wanted() const { return !frames.empty() || !video.empty(); }
-  // Throws a usage Error for a size, a view, a rate or a video's name that is none. To be called
-  // before long work.
+  // Throws a usage Error if the size, the view, the rate or the name of the video is invalid. To be
+  // called before long work.
   void check() const;
 };
 
@@ -47,11 +47,12 @@ void addRecordingOption(CLI::App& command, std::string& file);
 // A part of a recorded operation.
 struct RecordedPart {
   double from = 0, to = INFINITY;  // s
-  std::int64_t branch = -1;        // -1: that of the operation's moment
+  std::int64_t branch = -1;        // -1: the branch of RecordingFile::moment()
 
   void check() const;                                // throws a usage Error unless 0 <= from <= to
-  std::int64_t branchIn(RecordingFile& file) const;  // the number of the branch that is meant
-  // Its frames, through the branches before the last one. Throws Error if there are none.
+  std::int64_t branchIn(RecordingFile& file) const;  // the branch's number
+  // The frames of this part, through the branches that led to its branch. Throws Error if there are
+  // none.
   std::vector<CourseSpan> of(RecordingFile& file, double frameRate) const;
 };
 

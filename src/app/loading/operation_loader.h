@@ -1,4 +1,5 @@
-// Opens a recorded operation in the background, so that it goes on where it was, or begins anew.
+// Opens a recorded operation in the background. The operation then goes on where it was, or starts
+// again from its beginning.
 #pragma once
 
 #include <QTimer>
@@ -15,12 +16,12 @@ class OperationLoader {
 
   struct Wish {
     std::filesystem::path file;
-    bool anew = false;             // from the start of the operation, without what was done
-    bool record = true;            // unless anew: into another recording, Result::recorder
+    bool anew = false;   // start again from the beginning, without what was done
+    bool record = true;  // unless anew: go on recording, into a new file (Result::recorder)
     std::size_t historyBytes = 0;  // as operationOf() takes them
   };
-  // Loads one operation at a time; a new call abandons the one before. The recording stays as it
-  // is. `progress` and `done` are called as OrganLoader::load() calls them.
+  // Loads one operation at a time; a new call abandons the loading in progress. The recording's
+  // file is not changed. `progress` and `done` are called as OrganLoader::load() calls them.
   void load(Wish wish, std::function<void(double)> progress,
             std::function<void(OrganLoader::Result)> done);
   void cancel();

@@ -24,8 +24,8 @@ namespace resect {
 // the rest pose of every instrument to its place in the tool box.
 Scenario withAllInstruments(Scenario scenario);
 
-// Uses half of the processor's threads unless the scenario sets a number, leaving the rest for
-// drawing.
+// Returns the setup with half of the processor's threads for the tissue, so that the rest is left
+// for drawing. If the setup already has a number of threads, it is unchanged.
 TissueSetup besideDrawing(TissueSetup setup);
 
 class OrganLoader {
@@ -38,7 +38,7 @@ class OrganLoader {
     std::unique_ptr<Simulation> simulation;  // null: `problem` says why
     std::vector<std::string> notes;
     std::string problem;
-    std::string recording = {};  // from which it was made; empty: from the scenario's files
+    std::string recording = {};  // the recording that it was made from; empty: none
     // Of an operation that goes on (operation_loader.h): what was done, and its recorder.
     std::optional<OperationHistory> history = {};
     std::shared_ptr<Recorder> recorder = {};

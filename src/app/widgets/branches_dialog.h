@@ -12,7 +12,7 @@ class BranchesDialog : public QDialog {
  public:
   BranchesDialog(const Timeline& timeline, std::int64_t present, double frameRate, QWidget* parent);
 
-  std::function<void(std::int64_t branch)> wanted;  // the person wants to look at it
+  std::function<void(std::int64_t branch)> wanted;  // called when the user asks to see a branch
   std::function<void(std::int64_t branch, const std::string& name)> renamed;
 };
 

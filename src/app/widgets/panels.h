@@ -86,7 +86,7 @@ class RemovedPanel : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  QString parts_;                   // where the rest is
+  QString parts_;                   // text: pieces, debris, wounds and margins
   double removed_ = 0, whole_ = 0;  // m^3: removed tissue; all tissue before the operation
   std::int64_t particles_ = 0;
   History history_;  // values in ml
@@ -107,7 +107,7 @@ class ForcePanel : public QWidget {
   std::vector<QString> tools_;
   History history_;  // values in N
   double peak_ = 0;  // N: largest force so far
-  QString reached_;  // the tool that met it; empty: none did
+  QString reached_;  // name of the tool on which it acted; empty: none
 };
 
 // Pictures per second, simulated time per real time, and a bar for each stage of the step. If

@@ -22,25 +22,26 @@ class TimelinePanel : public QWidget {
   explicit TimelinePanel(QWidget* parent = nullptr);
   // For a new operation. tools: names of its instruments.
   void begin(const std::vector<QString>& tools, double frameRate);
-  // showing: a moment is shown, or on its way; answered: it is not on its way.
+  // showing: a moment of the history is shown or was requested. answered: all requests are done.
   void follow(const LiveState& state, bool showing, bool answered);
 
-  // Shows the moment so many frames before (negative) or after the one that is shown, or on its
-  // way; the start; the end of the branch. While somebody operates there is nothing after.
+  // step() shows the moment that lies `frames` frames after the one shown or requested, or before
+  // it if `frames` is negative. toStart() shows the start, toEnd() the end of the branch. While
+  // somebody operates, there is no later moment.
   void step(std::int64_t frames);
   void toStart() { ask(0); }
   void toEnd();
   bool atEnd() const { return frame_ >= end_ && asked_ < 0; }
   void togglePlayback();
-  // The branch that is looked at.
+  // The branch that is shown.
   std::int64_t branch() const { return branch_; }
   double frameRate() const { return frameRate_; }
-  // Looks at a branch: shows its end.
+  // Shows the end of a branch.
   void lookAt(std::int64_t branch);
   // The bar's ends, in pixels of the screen: the start and the end of the operation.
   std::pair<QPoint, QPoint> barEnds() const;
 
-  // What the person asks for.
+  // Called when the user asks for a moment, a playback, to operate on, or to compare branches.
   std::function<void(Moment)> wanted;
   std::function<void(double speed)> playback;
   std::function<void()> goOn, compare;
@@ -49,7 +50,7 @@ class TimelinePanel : public QWidget {
   friend class TimelineBar;
   void listBranches();
   static bool isListed(const Timeline::Course& course);
-  // Listed branches that begin on the way to the one that is looked at.
+  // Listed branches that begin on the way to the end of the one that is shown.
   std::vector<const Timeline::Course*> branchesBeside() const;
   void ask(std::int64_t frame);
 
@@ -57,7 +58,7 @@ class TimelinePanel : public QWidget {
   std::vector<QString> tools_;
   double frameRate_ = 60;
   std::int64_t branch_ = 0, frame_ = 0, end_ = 0;
-  std::int64_t asked_ = -1;  // frame that was asked for and is not reached; -1: none
+  std::int64_t asked_ = -1;  // frame that was requested and is not reached yet; -1: none
   bool showing_ = false;
   double speed_ = 0;
   TimelineBar* bar_;

@@ -1,11 +1,12 @@
-// Leaves no temporary files when a signal ends the program.
+// Removes the program's temporary files when a signal ends it.
 #pragma once
 
 namespace resect {
 
-// To be called once, at the start. Every signal that would end the program, but those that cannot
-// be caught, then first removes its temporary files (io/output/temporary_file.h) and the progress
-// bar; the program still ends by that signal. Signals that it was started to ignore stay ignored.
+// To be called once, at the start. Installs handlers for all signals that end a program and can be
+// caught. A handler removes the temporary files (io/output/temporary_file.h) and the progress bar;
+// then the program ends by that signal. Signals that were ignored when the program was started stay
+// ignored.
 void cleanUpOnSignals();
 
 }  // namespace resect

@@ -7,15 +7,17 @@
 
 namespace resect {
 
-// To be called first. Where one of the three is closed, no file that is opened later may get its
-// number, or what is printed would get into that file: it then leads nowhere, and printing fails.
+// To be called first. If one of the three is closed, opens /dev/null in its place, for reading
+// only, so that printing to it fails. Otherwise a file that is opened later would get its
+// descriptor, and printed text would be written into that file.
 void openStandardStreams();
 
-// To be called last. Throws Error unless all that was printed has been written.
+// To be called last. Closes standard output. Throws Error if not all of the printed text was
+// written.
 void finishStandardOutput();
 
-// Where people's text goes: standard output; standard error if one of the outputs is written to
-// standard output (isStandardOutput()), which must not be mixed with it.
+// The stream for text to people. This is standard output. If one of the outputs goes to standard
+// output (isStandardOutput()), it is standard error instead, so that the two do not mix.
 std::FILE* placeForText(std::initializer_list<std::filesystem::path> outputs);
 
 }  // namespace resect
