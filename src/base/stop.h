@@ -1,16 +1,18 @@
 // Lets long work be stopped from outside, by Ctrl-C or a button.
 //
-// A thread names the flag by which its work can be stopped. parallelFor() looks at it before each
-// block, a frame of tissue before each substep, and throws Cancelled. Without a flag nothing ever
-// stops, and results are the same either way. What was being changed when work stopped is half
-// changed: destroy it, or restore it from a saved state.
+// A thread registers a flag by which its work can be stopped (StopBy). parallelFor() checks the
+// flag before each block, and moveTissues() before each substep; both throw Cancelled if it is set.
+// Without a flag, work cannot be stopped. Results do not depend on whether there is a flag. If an
+// object was being changed when the work was stopped, it is left half changed: destroy it, or
+// restore it from a saved state.
 #pragma once
 
 #include <atomic>
 
 namespace resect {
 
-// The flag of this thread during its lifetime; afterwards that of before.
+// Makes `flag` the flag of this thread as long as this object lives. Afterwards the thread has the
+// flag that it had before.
 class StopBy {
  public:
   explicit StopBy(const std::atomic<bool>& flag);
@@ -24,8 +26,8 @@ class StopBy {
 
 // This thread's flag, or null.
 const std::atomic<bool>* stopFlag();
-// Throws Cancelled (base/progress.h) if this thread's flag is set. For loops that parallelFor()
-// does not run.
+// Throws Cancelled (base/progress.h) if this thread's flag is set. To be called in long loops that
+// parallelFor() does not run.
 void checkStop();
 
 }  // namespace resect

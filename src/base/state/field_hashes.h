@@ -1,8 +1,9 @@
 // One digest per named field of a state, cheap enough for every frame.
 //
-// Two states are compared field by field without keeping either: a recording holds the digests of
-// each frame, and the first one that differs names the field. Fields of the same path (the
-// displacements of several organs) share a digest. 0.1 ms per MB of state.
+// With the digests two states can be compared field by field although neither state is kept. A
+// recording holds the digests of each frame; the first digest that differs names the field. Fields
+// with the same path, such as the displacements of several organs, share a digest. Cost: 0.1 ms per
+// MB of state.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +18,15 @@ namespace resect {
 class FieldHashes final : public StateVisitor {
  public:
   FieldHashes() = default;
-  // With the paths that another object had, sealed.
+  // Takes the paths that another object had, and seals them.
   explicit FieldHashes(std::vector<std::string> paths);
 
-  // From now on there are no other paths. A list that had no entries so far is one field with all
-  // that its entries hold, so that the number of digests does not depend on what happened.
+  // Fixes the set of paths. A list that has had no entries until now is a single field from now on,
+  // with everything that its entries hold. So the number of digests does not depend on what happens
+  // later.
   void seal();
-  // Whether a field was visited that no path stands for: its state is of another program.
+  // Whether a field was visited whose path is not in the sealed set. Such a state was made by
+  // another version of the program.
   bool strange() const { return strange_; }
 
   // Paths as "organs.tissue.u", in the order in which visit() first names them.
@@ -31,7 +34,7 @@ class FieldHashes final : public StateVisitor {
   // One digest per path.
   const std::vector<std::uint64_t>& values() const { return values_; }
 
-  // Ready for the next state; paths are kept, so a field keeps its number.
+  // Resets the digests for the next state. The paths are kept, so each field keeps its number.
   void clear();
 
  protected:
@@ -52,10 +55,11 @@ class FieldHashes final : public StateVisitor {
   std::vector<std::size_t> lengths_;  // of path_ before each enter()
   std::vector<std::string> paths_;
   std::vector<std::uint64_t> values_;
-  std::size_t next_ = 0;  // where the coming field is expected: visits repeat their order
+  std::size_t next_ = 0;  // expected index of the next field: all visits have the same order
 };
 
-// Digest of bytes, in four lanes for speed. A single change in a word always changes it.
+// Digest of bytes, computed in four lanes for speed. If a single 8-byte word changes, the digest
+// always changes.
 std::uint64_t fastHash(const void* data, std::size_t bytes, std::uint64_t start = 0);
 
 }  // namespace resect

@@ -5,7 +5,7 @@
 
 namespace resect {
 
-// To the nanosecond: a sum of frames such as 9.200000000000037 s is printed as 9.2.
+// Rounds to nanoseconds, so that a sum of frames such as 9.200000000000037 s is printed as 9.2.
 inline double printedTime(double seconds) { return std::round(seconds * 1e9) / 1e9; }
 
 }  // namespace resect
