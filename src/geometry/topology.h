@@ -16,8 +16,9 @@ namespace resect {
 struct Topology {
   int boundaryEdges = 0;     // edges of an odd number of triangles: where the surface is open
   int nonManifoldEdges = 0;  // edges of more than two triangles
-  // Each triangle uses its edges in one direction. This counts the edges whose numbers of uses in
-  // the two directions differ; for a boundary edge, those that differ by more than one.
+  // Each triangle uses its edges in one direction. This is the number of edges that are not used
+  // equally often in both directions. A boundary edge is counted only if the two numbers of uses
+  // differ by more than one.
   int unorientedEdges = 0;
   int components = 0;                      // parts of the mesh that have no point in common
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first boundary edge, m

@@ -37,9 +37,9 @@ void requireIso(float iso);  // throws Error for a level out of this range
 
 class ColourField {
  public:
-  // Slots of bricks that are not stored. The upper neighbours of a brick's nodes count with it
-  // here: the planes of nodes just above them, in the next bricks. kEmpty: the field is 0 at all
-  // these nodes. kFull: all these nodes lie in solid tissue.
+  // Slots of bricks that are not stored. They describe the brick's nodes and also the planes of
+  // nodes just above them, which belong to the next bricks. kEmpty: the field is 0 at all these
+  // nodes. kFull: all these nodes lie in solid tissue.
   static constexpr std::int32_t kEmpty = -1;
   static constexpr std::int32_t kFull = -2;
 

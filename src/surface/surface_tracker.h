@@ -10,11 +10,11 @@
 // two lips coincide until the tissue moves. Bricks without cuts are meshed by marching cubes as
 // usual.
 //
-// points(), normals(), cut() and triangles() are arrays with holes, for viewers. Each brick owns a
-// range of the vertices and one of the triangles. It keeps these ranges as long as their rounded
-// sizes stay the same. Unused triangles are (0, 0, 0). changes() lists the ranges that a viewer
-// must copy again. Normals and cut shares are needed by pictures only, so they are made on demand,
-// by updateLook().
+// points(), normals(), cut() and triangles() are arrays for viewers. Each brick owns a range of the
+// vertices and one of the triangles. It keeps these ranges as long as their rounded sizes stay the
+// same. So the arrays have unused elements ("holes"); an unused triangle is (0, 0, 0). changes()
+// lists the ranges that a viewer must copy again. Normals and cut shares are needed by pictures
+// only, so they are made on demand, by updateLook().
 #pragma once
 
 #include <array>

@@ -29,7 +29,7 @@ struct SurfaceUpdate {
   std::vector<Vec3f> points, normals;     // present positions (world, m); normals (unit, outwards)
 
   std::vector<IndexRange> newTriangles;
-  std::vector<Triangle> triangles;  // indices of vertices of the whole surface; {0, 0, 0} = a hole
+  std::vector<Triangle> triangles;  // indices of vertices of the whole surface; {0, 0, 0}: unused
 
   bool empty() const {
     return !everything && newVertices.empty() && movedVertices.empty() && newTriangles.empty();
@@ -58,8 +58,8 @@ struct SurfaceCopy {
 };
 
 // Writes an update into a copy. If a range reaches beyond the end of the copy's arrays, the arrays
-// grow; triangles that this adds outside all ranges are holes. Throws Error, and changes nothing,
-// if the number of values differs from the sizes of the ranges.
+// grow; triangles that this adds outside all ranges are unused, {0, 0, 0}. Throws Error, and
+// changes nothing, if the number of values differs from the sizes of the ranges.
 void apply(const SurfaceUpdate& update, SurfaceCopy& copy);
 
 }  // namespace resect

@@ -1,6 +1,6 @@
 // Materials of tissue: stiffness, stiffening, relaxation, density, toughness.
 //
-// Held for long, the material is a solid with this energy per volume:
+// Under a lasting load the material is a solid with this energy per volume:
 //
 //     Psi(F) = mu/2 (x + b/2 x^2) + (lambda + mu)/2 (J - 1)^2,     x = F:F - 3 - 2 (J - 1)
 //
@@ -39,7 +39,7 @@ struct Relaxation {
 
 struct TissueMaterial {
   std::string name = "liver";
-  double young = 5000;               // Pa, 1 to 1e9; held for long
+  double young = 5000;               // Pa, 1 to 1e9; under a lasting load
   double poisson = 0.45;             // 0 to 0.4999; near 0.5 waves are fast, so substeps are short
   double density = 1060;             // kg/m^3, 1 to 1e5
   double stiffening = 0;             // b, 0 to 20
@@ -66,7 +66,7 @@ struct TissueMaterial {
   double shear() const { return young / (2 * (1 + poisson)); }  // mu, Pa
   // lambda, Pa.
   double lame() const { return young * poisson / ((1 + poisson) * (1 - 2 * poisson)); }
-  double viscousShear() const;  // what the branches add to mu at once, Pa
+  double viscousShear() const;  // what the branches add to mu under a sudden load, Pa
   double waveSpeed() const;     // of pressure waves in undeformed tissue, m/s
 };
 

@@ -60,8 +60,8 @@ class TissueModel {
   // False for tissue that never leaves its rest positions.
   virtual bool moves() const = 0;
 
-  // Tells where the surface of the tissue at rest is, so that obstacles touch it there. Before the
-  // first frame; a model may do without. patches: ascending by cell.
+  // Tells the model where the surface of the tissue at rest is, so that obstacles touch the tissue
+  // there. To be called before the first frame; a model may ignore it. patches: ascending by cell.
   virtual void setSurface(std::span<const SurfacePatch>) {}
 
   // A frame lasts `duration` s, > 0. It consists of one call of beginFrame(), one call of substep()

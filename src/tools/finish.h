@@ -5,7 +5,8 @@
 
 namespace resect {
 
-// Each number 0 to 1. Without values of its own: the steel of the scissors that come with Resect.
+// Each number is from 0 to 1. The defaults are those of the steel of the scissors that come with
+// Resect.
 struct Finish {
   Vec3f diffuse{0.62f, 0.63f, 0.65f};
   Vec3f specular{0.65f, 0.65f, 0.67f};

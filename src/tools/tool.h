@@ -28,10 +28,12 @@ struct Jaws {
 // A piece of an instrument as viewers draw it, in the tool's frame, with the jaws closed.
 struct DrawnPart {
   TriangleMesh mesh;
-  std::vector<Vec3f> normals{};    // unit, one for each point; none: to be made from the triangles
+  std::vector<Vec3f> normals{};    // unit, one for each point; none: viewers compute them
   std::optional<Finish> finish{};  // none: steel
   bool closed = false;             // closed and outwards: back faces are never seen
-  double opens = 0;  // rad: turned by this about the jaws' pivot and axis when wide open
+  // Angle by which the part is turned about the jaws' pivot and axis when the jaws are wide open,
+  // rad; 0 for a part that is not a jaw.
+  double opens = 0;
 
   template <class Visitor>
   void visit(Visitor& v) {

@@ -66,9 +66,9 @@ class SeveredEdges {
       visit(r->traces[std::size_t(i)].line);
   }
 
-  // Of the edges along an axis whose lower node is one of the brick's 64 nodes. mask(): which of
-  // them are severed; bit n stands for the edge whose lower node is node n of the brick. shares():
-  // their cut positions; null if the brick has no record.
+  // mask() and shares() give data of the edges along an axis whose lower node is one of the brick's
+  // 64 nodes. mask(): which of them are severed; bit n stands for the edge whose lower node is node
+  // n of the brick. shares(): their cut positions; null if the brick has no record.
   std::uint64_t mask(std::int64_t brick, int axis) const {
     const Record* r = recordOfBrick(brick);
     return r ? r->severed[std::size_t(axis)] : 0;
