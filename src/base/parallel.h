@@ -45,7 +45,8 @@ class RangeBody {
 };
 
 // grain >= 1: indices per block; the last block may have fewer. With count = 0 nothing is called.
-// An exception that `body` throws is thrown again to the caller. Stops as base/stop.h says.
+// An exception that `body` throws is thrown again to the caller. The loop can be stopped as
+// described in base/stop.h.
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body);
 
 }  // namespace resect

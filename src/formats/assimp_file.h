@@ -23,7 +23,9 @@ using BesideFiles = std::map<std::string, RawArray<char>>;
 
 // Thrown by readAssimpFile() when a .gltf needs a buffer file that is not in `beside`.
 struct LacksFile {
-  std::string name;  // the key that is missing; may lead to any folder: check it
+  // The key that is missing. It comes from the file and may lead to any folder, so check it before
+  // use.
+  std::string name;
 };
 
 // The parts of the result are the file's nodes (.glb, .gltf) or its objects and groups (.obj), in

@@ -15,7 +15,7 @@ namespace resect {
 struct SurfaceSummary {
   std::int64_t triangles = 0;
   bool closed = false, oriented = false;
-  double volume = 0;  // that it bounds, m^3
+  double volume = 0;  // enclosed by the surface, m^3
 };
 SurfaceSummary summarise(const TriangleMesh& surface);
 
@@ -35,8 +35,8 @@ struct RunSummary {
   std::int64_t frames = 0;
   double simulatedSeconds = 0;
   double computedSeconds = 0;  // time spent in the steps, without pictures
-  // Of all organs: before the operation; at the end. The volume that the surface bounds is not that
-  // of the tissue in cells, which the ledger has.
+  // The surface of all organs, before the operation and at the end. Its volume differs from that of
+  // the tissue in cells, which the ledger has.
   SurfaceSummary surfaceBefore, surface;
   std::vector<StageTimes> stages;
   std::vector<std::string> faults;         // each sentence once

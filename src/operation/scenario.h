@@ -37,13 +37,14 @@ struct OrganSource {
   bool repair = false;            // close the holes of an open mesh instead of refusing it
   std::optional<double> spacing;  // side of a cell, m; give this or dims
   std::optional<Vec3i> dims;      // samples per axis of the thesis's grid over the bounding box
-  // A particle file has cells of its own. true: new cells are made, by spacing or dims.
+  // A particle file contains cells. If `resample` is true, new cells are made instead of them, by
+  // spacing or dims.
   bool resample = false;
   Pose pose;            // the rotation applies before onTable and settle, the position after them
-  bool onTable = true;  // lowest point on the table top, y = 0; box centred over the origin
-  bool settle = true;   // if onTable: rolled to the nearest pose in which it lies still
+  bool onTable = true;  // put it on the table top, y = 0, with its box centred over the origin
+  bool settle = true;   // if onTable: roll it to the nearest pose in which it lies still
   OrganSettings settings;
-  // In addition to the landmarks and labels of a particle file. Where the regions of labels
+  // These are added to the landmarks and labels of a particle file. Where the regions of labels
   // overlap, the last one counts.
   std::vector<Landmark> landmarks;
   std::vector<OrganLabel> labels;
@@ -84,12 +85,11 @@ enum class OperationMode { Thesis, Operation };
 
 struct ScenarioTool {
   std::string model;  // path or name of its description file (.toml)
-  // If given, replaces the response of the description. "": its working parts act. "remove": it
-  // removes what it touches.
+  // If given, replaces the response in the description file. "": the tool's working parts act.
+  // "remove": the tool removes what it touches.
   std::optional<std::string> response;
   Pose rest;  // where it lies while not in hand
-  // In ascending order of time. The tool is in hand from the time of the first key to that of the
-  // last key.
+  // The keys in ascending order of time. The tool is in hand from the first key to the last one.
   std::vector<ToolKey> keys;
 
   template <class Visitor>
@@ -177,9 +177,9 @@ struct Scenario {
   }
 };
 
-// Each throws Error unless all numbers are in their ranges (setting_ranges.h) and all names of
-// organs are known. They check for scenarios made by programs what the reader of scenario files
-// (io/scenario/scenario_file.h) checks in a file.
+// Each of these throws Error unless all numbers are in their ranges (setting_ranges.h) and all
+// names of organs are known. They are for scenarios that a program has made. When a scenario is
+// read from a file, its reader makes the same checks (io/scenario/scenario_file.h).
 void requireSound(const OrganSource& source);
 void requireSound(const TissueSetup& tissue);
 void requireSound(const Scenario& scenario);
@@ -189,8 +189,8 @@ bool moves(const Scenario& scenario);
 // Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
 // Sets the spacing of the first organ, m, and drops its dims. Scales the spacings of the other
-// organs in proportion; those that have dims instead keep them. before: the first organ's spacing
-// until now, m.
+// organs in proportion. An organ that has dims instead of a spacing keeps its dims. before: the
+// first organ's spacing until now, m.
 void setSpacing(Scenario& scenario, double before, double spacing);
 // Makes the tissue of all organs elastic, and sets operation mode.
 void makeElastic(Scenario& scenario);

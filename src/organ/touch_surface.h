@@ -8,9 +8,9 @@
 
 namespace resect {
 
-// One patch for each triangle of the surface at the middle iso level, 50, ascending by cell. It
-// depends on organ.rest alone, so it is the same after a state was restored. organ: before the
-// operation.
+// Returns one patch for each triangle of the surface at iso level 50, ascending by cell. organ:
+// must not have been edited yet. So the patches depend on organ.rest alone, and are the same for
+// every state of the operation.
 std::vector<SurfacePatch> touchSurface(const Organ& organ);
 
 }  // namespace resect

@@ -128,7 +128,7 @@ class Recorder {
   bool ending_ = false;
   struct Save {
     std::filesystem::path file;  // an empty file; "": nothing is to be saved
-    std::string name;            // of the file at last, for messages
+    std::string name;            // the name that the file gets, for messages
     Moment moment;
     std::string failure;
   };

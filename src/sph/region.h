@@ -48,7 +48,7 @@ struct Region {
   std::shared_ptr<const SignedDistance> skin;
 
   template <class Visitor>
-  void visit(Visitor& v) {  // all but the skin, which is the organ's
+  void visit(Visitor& v) {  // all fields but `skin`, which comes from the organ
     v("shape", shape), v("frame", frame), v("box", box), v("centre", centre), v("radius", radius);
     v("landmark", landmark), v("shallowest", shallowest), v("deepest", deepest);
   }

@@ -98,7 +98,7 @@ class SurfaceTracker {
       for (std::int32_t t = 0; t < mesh.triangles; ++t) visit(triangle[t], false);
       return;
     }
-    // Those of the wound come last (drawTriangles()).
+    // The triangles of the wound come last (drawTriangles()).
     const auto& wound = wounds_[std::size_t(mesh.wound)].triangles;
     const std::int32_t plain = mesh.triangles - std::int32_t(wound.size());
     for (std::int32_t t = 0; t < mesh.triangles; ++t)

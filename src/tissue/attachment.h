@@ -14,7 +14,8 @@ struct TissueAttachment : Region {
     Ligament  // a spring pulls each cell to its rest position
   };
   Kind kind = Kind::Pin;
-  // Of a ligament: the stiffness of all its springs together, N/m. Each gets an equal share.
+  // For a ligament: the stiffness of all its springs together, N/m. Each spring gets an equal
+  // share.
   double stiffness = 200;
 
   template <class Visitor>

@@ -14,8 +14,9 @@ struct Obstacle {
   // Used if `shape` is null. True: the obstacle is the half space below y = 0 in its own
   // coordinates. False: the obstacle has no extent, and tissue never touches it.
   bool halfSpace = false;
-  Pose from, to;          // at the start and at the end of the frame
-  bool enters = false;    // a blade or a hook: only the centres of cells keep off it
+  Pose from, to;  // at the start and at the end of the frame
+  // True for blades and hooks: only cell centres, not the surface, are kept out.
+  bool enters = false;
   double friction = 0.3;  // Coulomb's coefficient
   double slipForce = 0;   // force at which an instrument releases all cells it grips, N; 0: never
 };

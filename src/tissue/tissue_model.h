@@ -48,9 +48,10 @@ struct CellPlacement {
 
 // A small patch of the surface of tissue at rest.
 struct SurfacePatch {
-  std::int64_t cell = -1;       // solid cell that the patch belongs to
+  std::int64_t cell = -1;  // solid cell that the patch belongs to
+  // place: the patch's middle at rest, m. area: the patch's area times its outward normal, m^2.
   Vec3f place = Vec3f::Zero();  // m
-  Vec3f area = Vec3f::Zero();   // times the outward normal, m^2
+  Vec3f area = Vec3f::Zero();   // m^2
 };
 
 class TissueModel {

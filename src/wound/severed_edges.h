@@ -100,7 +100,7 @@ class SeveredEdges {
   void visitMade(Visitor& v) {
     v.made(brickDims_, refine_, touched_);
   }
-  // For a loaded state: whether all numbers are in range and agree with each other.
+  // Checks a loaded state: whether all numbers are in range and agree with each other.
   bool fit() const;
 
  private:

@@ -34,8 +34,8 @@ struct CutEdge {
   bool lowerInside = false;
   bool open = false;   // severed outside the tissue, or at most 0.04 edges inside its surface
   float cut = kWhole;  // where it is severed, as a fraction from its lower end; kWhole: nowhere
-  float iso = 0;       // of Iso and Split: where kIsoNode is, as a fraction from its lower end
-  int owner = -1;      // of Iso and Split: the node of the CutGrid that kIsoNode goes with
+  float iso = 0;       // for Iso and Split: where kIsoNode is, as a fraction from its lower end
+  int owner = -1;      // for Iso and Split: the node of the CutGrid that kIsoNode goes with
 
   bool cutsTissue() const { return kind == EdgeKind::Sheet || kind == EdgeKind::Split; }
 };

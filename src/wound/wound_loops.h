@@ -61,9 +61,9 @@ struct CellLoops {
                : Vec3(faces[std::size_t((v - kFirstFaceVertex) / 8)]->point - corner);
   }
 
-  // Visits the lines that the surface would have on the cell's faces without cuts. For each calls
-  // visit(edge, next, crossed): the line leads from cell edge `edge` to cell edge `next`. crossed:
-  // whether a cut crosses the line.
+  // Visits the lines that the surface would have on the cell's faces without cuts. Calls
+  // visit(edge, next, crossed) for each line: it leads from cell edge `edge` to cell edge `next`.
+  // crossed: whether a cut crosses the line.
   template <typename Visit>
   void visitSkinLines(Visit visit) const {
     for (int face = 0; face < 6; ++face) {

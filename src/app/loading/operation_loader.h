@@ -18,7 +18,7 @@ class OperationLoader {
     std::filesystem::path file;
     bool anew = false;   // start again from the beginning, without what was done
     bool record = true;  // unless anew: go on recording, into a new file (Result::recorder)
-    std::size_t historyBytes = 0;  // as operationOf() takes them
+    std::size_t historyBytes = 0;  // mostBytes of operationOf()
   };
   // Loads one operation at a time; a new call abandons the loading in progress. The recording's
   // file is not changed. `progress` and `done` are called as OrganLoader::load() calls them.

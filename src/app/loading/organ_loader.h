@@ -39,7 +39,7 @@ class OrganLoader {
     std::vector<std::string> notes;
     std::string problem;
     std::string recording = {};  // the recording that it was made from; empty: none
-    // Of an operation that goes on (operation_loader.h): what was done, and its recorder.
+    // Only for an operation that goes on (operation_loader.h): its history, and its recorder.
     std::optional<OperationHistory> history = {};
     std::shared_ptr<Recorder> recorder = {};
   };

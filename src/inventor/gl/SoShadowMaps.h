@@ -65,8 +65,8 @@ class SoShadowMaps : public SoNode {
   // drawing, the maps are redrawn as a whole.
   void changedIn(const Aabb& box);
 
-  // hold(true): the maps are not redrawn until hold(false) is called. Only the very first drawing
-  // is not delayed.
+  // hold(true): the maps are not redrawn until hold(false) is called. But if they were never drawn,
+  // they are drawn once even then.
   void hold(bool held) { held_ = held; }
 
   // How often the maps were redrawn, in part or as a whole; and how often as a whole.

@@ -2,10 +2,10 @@
 //
 // A tool can be held with a manipulator, as in the original thesis. A left click on a tool replaces
 // its SoTransform by a handle box, which moves the tool. A middle click replaces the handle box by
-// a trackball, which turns the tool; another middle click brings the handle box again. Of these
-// two, the one that was used last comes with the next left click. A click beside all tools lets go
-// of the tool and restores its SoTransform. A handle box would also scale the tool. The scale is
-// ignored: the tool keeps its size and its position.
+// a trackball, which turns the tool; another middle click brings the handle box again. The next
+// left click brings whichever of these two was used last. A click beside all tools lets go of the
+// tool and restores its SoTransform. A handle box would also scale the tool. The scale is ignored:
+// the tool keeps its size and its position.
 //
 // A tool can also be held directly. Dragging the tool moves it in the plane of the view; the wheel
 // moves it in depth. With Shift, dragging or the wheel turns the tool about its tip. The arrow keys
@@ -107,7 +107,7 @@ class ToolHandling {
   Hold precise_ = Hold::HandleBox;  // the manipulator that the next left click brings
   SbVec3f place_;                   // the manipulator's translation before it last set a scale
 
-  // From the press of the left button until its release.
+  // The members below are valid from the press of the left button until its release.
   int pressed_ = -1;            // tool that the drag moves
   bool elsewhere_ = false;      // pressed beside all tools while one was held
   bool dragging_ = false;       // has moved too far for a click

@@ -1,5 +1,5 @@
-// The courses that an operation has taken. Branch 0 is the first; another one begins wherever
-// somebody went back to an earlier moment and worked on from there.
+// Branches: the different courses that an operation has taken. Branch 0 is the first. Another
+// branch begins wherever somebody went back to an earlier moment and operated on from there.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace resect {
 
-inline constexpr const char* kFirstBranch = "0, from the start";  // its name
+inline constexpr const char* kFirstBranch = "0, from the start";  // name of branch 0
 
 struct Branch {
   std::int64_t number = 0, parent = -1;  // -1: none
@@ -22,7 +22,7 @@ struct Moment {
   bool operator==(const Moment&) const = default;
 };
 
-// Moment::frame for the end of the branch, whichever frame that is (Recorder::saveAs()).
+// As Moment::frame this value stands for the last frame of the branch (Recorder::saveAs()).
 inline constexpr std::int64_t kEndOfBranch = std::numeric_limits<std::int64_t>::max();
 
 }  // namespace resect

@@ -23,7 +23,7 @@ struct LiveState {
   // Particles left; particles removed so far; triangles of the surface.
   std::int64_t particles = 0, removed = 0, triangles = 0;
   std::shared_ptr<const Ledger> ledger;  // at most a second old; null if none was asked for
-  double removedVolume = 0, volume = 0;  // of the tissue removed; of the tissue left; m^3
+  double removedVolume = 0, volume = 0;  // volume of removed tissue; volume of the tissue left; m^3
   float iso = 50;                        // iso level
   bool moves = false;                    // whether any tissue is elastic
   std::vector<std::string> faults;       // since the last LiveOperation::take(), each once

@@ -33,7 +33,7 @@ class OperationHistory {
     // The inputs of the frames branch.from + 1, branch.from + 2, ... Consecutive equal inputs share
     // one object.
     std::vector<std::shared_ptr<const FrameInput>> inputs;
-    std::map<std::int64_t, Bytes> states;  // by frame; the first is that of branch.from
+    std::map<std::int64_t, Bytes> states;  // by frame; the first one is at branch.from
     StrokeTracker strokes;
     EventMemory events;
     std::vector<std::int64_t> faults;  // frames in which faults occurred

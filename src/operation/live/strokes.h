@@ -1,5 +1,5 @@
-// Strokes: a stroke is what a hand does with instruments from one rest to the next. Undo takes back
-// one stroke.
+// Finds strokes. A stroke is a period in which instruments work on organs. Undo takes back one
+// stroke.
 //
 // A stroke begins when an instrument in hand touches or cuts an organ. It ends when the hand lets
 // go (FrameInput::strokeEnds), when no instrument has touched an organ for kEndSeconds, or when all
@@ -38,7 +38,7 @@ class StrokeTracker {
   EventMemory memory_;
   std::vector<ToolInput> before_;  // tools of the last frame
   bool inStroke_ = false;
-  bool resting_ = false;  // the hand has let go, and no tool has moved since
+  bool resting_ = false;  // the hand has let go, and no tool has been moved since then
   double untouched_ = 0;  // s, since the last contact of the stroke
 };
 

@@ -17,7 +17,7 @@ struct Timeline {
     std::int64_t end = 0;  // its last frame
     std::vector<Stroke> strokes;
     std::vector<std::int64_t> faults;  // frames
-    // As OperationHistory::Course has them.
+    // The same as in OperationHistory::Course.
     double removedVolume = 0, piecesVolume = 0, cut = 0, bared = 0;
     std::int64_t pieces = 0;
     double force = 0;  // largest on any tool on the way to its end, N
