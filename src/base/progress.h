@@ -1,5 +1,5 @@
-// Callback through which long work reports its progress and can be cancelled. Work that reports
-// nothing is stopped by base/stop.h.
+// Callback through which long work reports its progress and can be cancelled. Long work without
+// such a callback can be stopped by a flag (base/stop.h).
 #pragma once
 
 #include <functional>

@@ -23,8 +23,8 @@ struct TimeSummary {
 TimeSummary summarise(std::vector<double> values);
 
 // Measures the stages of many steps, one step after the other. Call start() at the beginning of a
-// step, and lap(NAME) at the end of each stage. A stage
-// lasts from the previous call of start() or lap() to its own lap().
+// step, and lap(NAME) at the end of each stage. A stage lasts from the previous call of start() or
+// lap() until its own lap().
 class StageClock {
  public:
   void start() { last_ = Clock::now(); }

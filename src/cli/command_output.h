@@ -25,8 +25,8 @@ inline void printNotes(std::FILE* file, const std::vector<std::string>& notes) {
 }
 
 // target: name of the file, or "-" for standard output. Indents by two spaces and keeps the order
-// in which keys were added; what is not ASCII becomes \uXXXX, so that a terminal can
-// show it. A file is written atomically (io/atomic_file.h).
+// in which keys were added. Characters that are not ASCII become \uXXXX, so that a terminal can
+// show them. A file is written atomically (io/atomic_file.h).
 void writeJson(const std::string& target, const nlohmann::ordered_json& json);
 
 }  // namespace resect

@@ -27,7 +27,7 @@ struct PictureOptions {
   void check() const;
 };
 
-// For a PictureWriter. overwrite: PictureSettings::overwrite.
+// Converts the options to the settings of a PictureWriter. overwrite: PictureSettings::overwrite.
 PictureSettings settingsOf(const PictureOptions& options, bool overwrite);
 
 // Adds --frames, --video, --picture-rate, --size and --view. The options must live as long as the
@@ -37,8 +37,8 @@ void addPictureOptions(CLI::App& command, PictureOptions& options);
 // Adds --threads, 0 to 1024.
 void addThreadsOption(CLI::App& command, int& threads);
 
-// Adds --overwrite. numbered: what it may remove, as "the numbered pictures of an earlier run from
-// the folder of --frames".
+// Adds --overwrite. numbered: says in the help what the option may remove, for example "the
+// numbered pictures of an earlier run from the folder of --frames".
 void addOverwriteOption(CLI::App& command, bool& overwrite, const std::string& numbered);
 
 // Adds FILE, a recording to read.

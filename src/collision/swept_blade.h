@@ -48,8 +48,8 @@ struct SweptBlade {
 SweptBlade sweepBlade(std::span<const Vec3> edge, const Pose& from, const Pose& to,
                       double flatness = 1e-4);
 
-// The strip between two positions of an edge. `before` and `after`: its points in the world, m;
-// there must be as many of both.
+// The strip between two positions of an edge. `before` and `after`: the edge's points in the world,
+// m; both must have the same number of points.
 SweptBlade ruledBlade(std::span<const Vec3> before, std::span<const Vec3> after);
 
 // A crossing of the strip by a segment from p to q.

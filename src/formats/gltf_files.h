@@ -1,4 +1,4 @@
-// The files beside .gltf models that may belong to them.
+// Finds the buffer files beside .gltf models.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@ bool isGltf(const std::filesystem::path& name);
 bool isGltfBuffer(const std::filesystem::path& name);
 
 // For each .gltf file in `files`, appends all buffers in its folder, since its reader may be given
-// any of them. It is not known which ones the model uses: models are parsed only by the reader in
-// its sandbox.
+// any of them. Which of them the model uses is not known here, since only the reader in its sandbox
+// parses models.
 void addFilesOfGltf(std::vector<std::filesystem::path>& files);
 
 }  // namespace resect

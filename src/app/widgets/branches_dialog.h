@@ -1,4 +1,4 @@
-// All branches of an operation side by side.
+// Dialog that shows all branches of an operation side by side.
 #pragma once
 
 #include <QDialog>

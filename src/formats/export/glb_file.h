@@ -67,10 +67,10 @@ class GlbFile {
   int addNode(const GlbNode& node);  // its children must have been added before
   void addToScene(int node);
 
-  // Adds the motion of a node to the animation; a file has only one. times, values: numbers of
-  // arrays, as the functions above return them.
   // Motion::Shown: the scale, which keeps each value until the next time.
   enum class Motion { Translation, Rotation, Shown };
+  // Adds the motion of a node to the animation; a file has only one. times, values: numbers of
+  // arrays, as the functions above return them.
   void animate(int node, Motion motion, int times, int values);
 
   // Writes the file, atomically (io/atomic_file.h), and returns its size in bytes. To be called

@@ -18,10 +18,10 @@ class TemporaryFile {
   int descriptor() const { return descriptor_; }               // open for reading and writing
   const std::filesystem::path& path() const { return path_; }  // until it is renamed
 
-  // Renames the file to the target. If the target exists, it is replaced; the file takes over its
-  // permissions, and its owner if this process may set it. Before the renaming all bytes are
-  // synchronised to the disk (fsync), afterwards the folder. Throws Error if this fails; the target
-  // is then unchanged.
+  // Renames the file to the target. If the target exists, it is replaced; the file takes over the
+  // target's permissions, and the target's owner if this process may set it. Before the renaming
+  // all bytes are synchronised to the disk (fsync), afterwards the folder. Throws Error if this
+  // fails; the target is then unchanged.
   void rename();
   // The same, but throws Error if the target exists, and never replaces it.
   void publish();
