@@ -50,7 +50,8 @@ class OrganPanel : public QWidget {
   void setOrgans(const std::vector<ScenarioOrgan>& organs, double spacing, const QString& notes);
   void follow(const LiveState& state);
   void setIso(float iso);
-  void beginAgain();  // requests, by `rebuild`, a whole organ with the panel's settings
+  // Calls rebuild(), so that the organs are made anew, uncut, with the panel's settings.
+  void beginAgain();
   std::function<void(float)> isoChanged;
   // Called by beginAgain(). spacing: m; none if the user did not change it. refine: nodes per cell
   // along each axis.
@@ -111,7 +112,7 @@ class ForcePanel : public QWidget {
 };
 
 // Pictures per second, simulated time per real time, and a bar for each stage of the step. If
-// drawing or simulation is too slow, also advice.
+// drawing or simulation is too slow, the panel also gives advice.
 class TimingPanel : public QWidget {
  public:
   explicit TimingPanel(QWidget* parent = nullptr);

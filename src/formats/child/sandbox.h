@@ -1,8 +1,8 @@
 // Takes from the present process every right that a reader of foreign files does not need.
 //
-// For a forked child that already has the bytes of its file in memory
-// (formats/child/child_process.h). Linux only. The sandbox consists of several walls;
-// docs/security.md says what each one stops.
+// It is meant for a forked child that already has the bytes of its file in memory
+// (formats/child/child_process.h). It works on Linux only. The sandbox consists of several
+// mechanisms ("walls"); docs/security.md says what each one stops.
 #pragma once
 
 #include <string>

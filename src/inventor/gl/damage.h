@@ -21,7 +21,7 @@ namespace resect {
 struct Damage {
   bool everything = false;    // the whole picture must be drawn again
   std::vector<Aabb> boxes;    // regions in which anything may have changed
-  std::vector<Aabb> shadows;  // where only soft shadows changed: may be drawn some pictures later
+  std::vector<Aabb> shadows;  // only soft shadows changed here; may be drawn some pictures later
   bool empty() const { return !everything && boxes.empty() && shadows.empty(); }
   void add(const Damage& other);
 };

@@ -20,7 +20,7 @@ namespace resect {
 class Database {
  public:
   // Opens a database file that this program has made itself. If the file is empty or missing, the
-  // database is empty. name: the file's name in messages.
+  // database is empty. Fails if `path` is a symbolic link. name: the file's name in messages.
   Database(const std::filesystem::path& path, const std::string& name);
   // Throws Error if a file exists at `path`, or under a name that SQLite uses beside it (`path`
   // with -wal, -shm or -journal at its end). SQLite would remove these files.

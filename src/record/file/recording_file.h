@@ -145,7 +145,8 @@ class RecordingFile {
   std::vector<OperationEvent> events(std::int64_t branch);
   std::vector<RecordedSample> samples(std::int64_t branch);  // frame by frame
   std::vector<RecordedLedger> ledgers(std::int64_t branch);
-  // False if finish() was not called, say because the program was killed.
+  // Whether the recording was marked as complete, by finish() or copyTo(). It was not if, for
+  // example, the program was killed.
   bool complete();
   // What SQLite's integrity check found at open(), in one line; empty if it found nothing.
   std::string damagedPage();
