@@ -62,7 +62,8 @@ struct Verification {
 
 // Plays every branch from its first key state until the first difference. Compares the digests of
 // every frame's input and state, all events, samples and ledgers, and every key state with its
-// surface. Throws Error if RecordingFile::open() does.
+// surface. Throws Error if the file cannot be opened (RecordingFile::open()) or its setup cannot be
+// run.
 Verification verify(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// The recordings that the window makes without being asked, of the last twenty operations.
+// The recordings that the window makes by itself. Those of the last twenty operations are kept.
 #pragma once
 
 #include <filesystem>

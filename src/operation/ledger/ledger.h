@@ -142,8 +142,8 @@ class LedgerBooks {
 };
 
 // Checks that the sums in a ledger add up. Returns a sentence about the first one that does not;
-// empty if all do. simulation, if given: the one that the ledger is of; its own counts are compared
-// too.
+// empty if all do. simulation, if given: the one that the ledger describes; its own counts are
+// compared, too.
 std::string discrepancy(const Ledger& ledger, const Simulation* simulation = nullptr);
 
 }  // namespace resect

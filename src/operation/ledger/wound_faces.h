@@ -10,7 +10,7 @@
 
 namespace resect {
 
-// Areas of the present surface, m^2, of the tissue at rest.
+// Areas, m^2, and margins. They are those of the present surface, in the tissue at rest.
 struct WoundFaces {
   // Area of the cuts that blades, jaws and tears have opened without removing tissue. Of the two
   // sides of a cut only one is counted. Where the tissue on one side of a cut was removed later,

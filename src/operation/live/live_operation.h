@@ -79,9 +79,9 @@ class LiveOperation {
   //
   // A request brings the operation to a moment of its history, which is then shown: all tools are
   // where they were at that moment, motions have ended, and nothing happens until goOn() is called.
-  // undo() goes to the moment before the last stroke, redo() to the moment at which undo() was
-  // called last. If there is no such moment, nothing changes. show() goes to any moment of
-  // LiveState::timeline.
+  // Only playFromStart() goes on by itself: it plays its motion from that moment on. undo() goes to
+  // the moment before the last stroke, redo() to the moment at which undo() was called last. If
+  // there is no such moment, nothing changes. show() goes to any moment of LiveState::timeline.
   std::int64_t undo();
   std::int64_t redo();
   std::int64_t show(Moment moment);

@@ -75,8 +75,8 @@ class OperationHistory {
   std::size_t bytes() const { return bytes_; }  // memory of the states
   void setMostBytes(std::size_t most);
   void rename(std::int64_t branch, std::string name);
-  // Keeps areas, pieces and their volume from a ledger in the present branch. It must be the ledger
-  // of now(), and now() must be the end of its branch.
+  // Stores the areas and the number and volume of pieces of a ledger in the present branch. The
+  // ledger must be that of now(), and now() must be the end of the branch.
   void note(const Ledger& ledger);
   // Largest force on each tool up to now, N.
   std::vector<double> peaks() const { return present().peaksAt(now_.frame); }

@@ -22,8 +22,8 @@ struct Stroke {
   std::int64_t removed = 0, severed = 0, torn = 0;
 };
 
-// Finds the strokes of one branch. Its result depends on the inputs and events alone, so that it is
-// the same for a recording as it was while it was made.
+// Finds the strokes of one branch. The result depends on the inputs and events alone. So the
+// strokes found in a recording are those that were found during the operation.
 class StrokeTracker {
  public:
   // To be called after each step, with its events. frame: Simulation::frame() after the step.

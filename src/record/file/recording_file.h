@@ -91,14 +91,14 @@ class RecordingFile {
  public:
   // Creates a file; throws Error if one exists at `path`. first, start: branch 0 and the state at
   // which it begins. The file is written under a temporary name, and gets its own name only when
-  // info, setup, first branch and start state are in it. So a file of that name is always a valid
+  // info, setup, first branch and start state are in it. So a file at `path` is always a valid
   // recording.
   static RecordingFile create(const std::filesystem::path& path, const RecordingInfo& info,
                               const RecordedSetup& setup, const Branch& first,
                               const KeyState& start);
   // Creates a file at `path` with a copy of everything in `done`, so that more can be added. Throws
-  // Error if a file exists at `path`. Recorder's constructor checks that this program computes the
-  // fields that `done` keeps.
+  // Error if a file exists at `path`. Does not check whether this program's state has the fields
+  // that `done` keeps; Recorder's constructor does that.
   static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
   // Reads a finished or an interrupted recording into memory, through the sandbox
   // (record/file/foreign_recording.h). Throws Error if the file is not a recording, if its schema
@@ -134,8 +134,8 @@ class RecordingFile {
 
   std::vector<Branch> branches();
   std::int64_t lastFrame(std::int64_t branch);  // -1 if it has none
-  // The moment of the operation at which copyTo() saved it. If the file has no such moment: the end
-  // of the branch of the last event, or of the last branch if there are no events.
+  // The moment that was given to copyTo(), if the file is such a copy. Otherwise the end of the
+  // branch in which the last event happened, or of the last branch if there are no events.
   Moment moment();
   std::optional<RecordedFrame> frame(std::int64_t branch, std::int64_t number);
   // The latest key state of the branch at `frame` or before.
