@@ -2,10 +2,10 @@
 //
 // A brick's vertices are its iso vertices (isosurface/brick_mesher.h), followed by the vertices
 // that cuts make: two for each cut edge, then those of faces, then those of cells. Edges and faces
-// are ordered by axis, then by node, cells by node. So neighbouring bricks find these vertices by
-// counting bits. Where a lip meets the organ's surface, a vertex has a twin at the same position
-// with the lip's normal and cut share, so that the edge of a wound looks sharp. Cost: 2 us per cut
-// cell, and some 10 us per brick.
+// are ordered by axis, then by node; cells are ordered by node. So neighbouring bricks find these
+// vertices by counting bits. Where a lip meets the organ's surface, a vertex has a twin at the same
+// position with the lip's normal and cut share, so that the edge of a wound looks sharp. Cost: 2 us
+// per cut cell, and some 10 us per brick.
 #pragma once
 
 #include <bit>
@@ -40,7 +40,8 @@ struct BrickWound {
   };
 
   std::uint64_t cells = 0;  // cells meshed by the wound's rules, bit = lowest node
-  // Per axis; bit = lower node of an edge, lowest node of a face.
+  // One mask per axis. A bit stands for an edge by its lower node, or for a face by its lowest
+  // node.
   std::array<std::uint64_t, 3> edges{};      // edges that are cut
   std::array<std::uint64_t, 3> faces{};      // faces that have vertices
   std::array<std::uint64_t, 3> skinFaces{};  // faces whose vertices have twins
@@ -58,9 +59,9 @@ struct BrickWound {
   // Whether the last call of makeBrickWound() changed vertex numbers that neighbouring bricks use.
   bool renumbered = false;
 
-  // Both functions give indices into `vertices`. side: kLower or kUpper. number: of the vertex
-  // among those of the face. lip: true for the vertex with the lip's normal, if vertices have
-  // twins.
+  // Both functions give indices into `vertices`. side: kLower or kUpper. number: that of the vertex
+  // among the vertices of the face. lip: true for the vertex with the lip's normal, if vertices
+  // have twins.
   int edgeVertex(int axis, int node, int side) const {
     int before = std::popcount(edges[std::size_t(axis)] & ((std::uint64_t(1) << node) - 1));
     for (int a = 0; a < axis; ++a) before += std::popcount(edges[std::size_t(a)]);

@@ -35,7 +35,7 @@ class LivePicture {
   LivePicture& operator=(const LivePicture&) = delete;
 
   bool processorDraws() const;             // whether OpenGL renders in software
-  void setProcessorDraws(bool draws);      // for tests: sets processorDraws()
+  void setProcessorDraws(bool draws);      // for tests: the result of processorDraws()
   void setLongestPicture(double seconds);  // a longer drawing time reduces the resolution
 
   // Whether draw(), if it is called with this damage, will draw the changed soft shadows too. If
