@@ -212,6 +212,8 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
   std::map<std::string, std::optional<Pose>> places;
   for (std::size_t i = 0; i < scenario.organs.size(); ++i) {
     const OrganSource& source = scenario.organs[i].source;
+    const std::vector<std::string>& said = scenario.organs[i].tissue.notes;
+    if (notes) notes->insert(notes->end(), said.begin(), said.end());
     std::optional<Pose>& place = places[source.name];
     if (!source.beside.empty()) place = places[source.beside];
     if (!source.beside.empty() && !place)

@@ -116,6 +116,7 @@ struct TissueSetup {
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;
   std::vector<LabelMaterial> materials;  // at most one per label
+  std::vector<std::string> notes;        // a sentence for people about each older key that was read
 
   const TissueMaterial& materialOf(int label) const {
     for (const LabelMaterial& one : materials)
@@ -126,7 +127,7 @@ struct TissueSetup {
   template <class Visitor>
   void visit(Visitor& v) {
     v("elastic", elastic), v("material", material), v("settings", settings);
-    v("attachments", attachments), v("materials", materials);
+    v("attachments", attachments), v("materials", materials), v("notes", notes);
   }
 };
 

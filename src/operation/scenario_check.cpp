@@ -78,9 +78,9 @@ void requireSound(const TissueMaterial& material) {
   within(material.young, ranges::kYoung, named("young"), " Pa");
   within(material.poisson, ranges::kPoisson, named("poisson"), "");
   within(material.density, ranges::kDensity, named("density"), " kg/m^3");
-  require(material.tearStretch >= ranges::kTearStretch.low,
-          "{} is {:g}; give a stretch above 1, or infinity", named("tear stretch"),
-          material.tearStretch);
+  require(material.tearEnergy >= ranges::kTearEnergy.low,
+          "{} is {:g} J/m^2; give {:g} or more, or infinity", named("tear energy"),
+          material.tearEnergy, ranges::kTearEnergy.low);
   within(material.stiffening, ranges::kStiffening, named("stiffening"), "");
   within(material.capsule, ranges::kCapsule, named("capsule"), " N/m");
   within(material.capsuleStrength, ranges::kCapsuleStrength, named("capsule_strength"), " N/m");

@@ -17,7 +17,8 @@ namespace ranges {
 inline constexpr SettingRange kYoung{10, 1e9};               // Pa
 inline constexpr SettingRange kPoisson{0, 0.4999};           // 1
 inline constexpr SettingRange kDensity{100, 5000};           // kg/m^3
-inline constexpr SettingRange kTearStretch{1, 100};          // 1; a hundredfold stretch never tears
+inline constexpr SettingRange kTearEnergy{0.1, 1e6};         // J/m^2; liver 164, rubber 1e4
+inline constexpr SettingRange kTearStretch{1, 100};          // 1; the older name of the energy
 inline constexpr SettingRange kCapsule{0, 1e5};              // N/m
 inline constexpr SettingRange kCapsuleStrength{1, 1e6};      // N/m
 inline constexpr SettingRange kStiffening{0, 20};            // 1

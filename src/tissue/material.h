@@ -48,18 +48,16 @@ struct TissueMaterial {
   // It tears where its tension is beyond its strength, N/m.
   double capsule = 0;
   double capsuleStrength = 300;
-  // How much a bond can be stretched: its length over its rest length. Beyond this value a bond
-  // near a grip tears; beyond twice this value a bond in a strand that cuts have left tears
-  // (elastic/tearing.cpp). 1 or more; infinity: bonds never tear. Liver has an ultimate true strain
-  // of 0.38, and exp(0.38) = 1.46.
-  double tearStretch = 1.46;
+  // G: energy that a tear takes per area, J/m^2; above 0, infinity: it never tears. Liver: 164 +- 6
+  // (needles; Gokgol et al. 2012).
+  double tearEnergy = 164;
 
   bool operator==(const TissueMaterial&) const = default;
 
   template <class Visitor>
   void visit(Visitor& v) {
     v("name", name), v("young", young), v("poisson", poisson), v("density", density);
-    v("tearStretch", tearStretch), v("stiffening", stiffening), v("branches", branches);
+    v("tearEnergy", tearEnergy), v("stiffening", stiffening), v("branches", branches);
     v("capsule", capsule), v("capsuleStrength", capsuleStrength);
   }
 
@@ -69,6 +67,16 @@ struct TissueMaterial {
   double viscousShear() const;  // what the branches add to mu under a sudden load, Pa
   double waveSpeed() const;     // of pressure waves in undeformed tissue, m/s
 };
+
+// Tissue without a crack tears where its energy per volume exceeds the tear energy divided by this
+// length, m (docs/methods/tissue.md, "Tearing").
+inline constexpr double kTearLength = 0.01;
+
+// Psi(F), with the end of stiffening (kMostStiffening), J/m^3; without branches.
+double heldEnergy(const TissueMaterial& material, const Mat3& f);
+// The tear energy of a material that, without a crack, tears when it is pulled slowly to `stretch`,
+// its length over its length at rest, 1 to 100; J/m^2.
+double energyOfStretch(const TissueMaterial& material, double stretch);
 
 // The materials of docs/methods/tissue.md, all with nu = 0.45. That page gives liver by its Young's
 // modulus, 5 kPa, and the others by their shear modulus.

@@ -61,7 +61,7 @@ TEST_CASE("tissue that falls on the rim of the tray does not go into its walls")
   CHECK(pointsInWalls("") == 0);
 }
 
-TEST_CASE("frames that will take seconds are told of before the first one") {
+TEST_CASE("frames that will take seconds, and older keys, are told of before the first one") {
   const auto notes = [](const std::string& tissue) {
     std::vector<std::string> all;
     const Scenario scenario =
@@ -74,6 +74,13 @@ TEST_CASE("frames that will take seconds are told of before the first one") {
     return all;
   };
   CHECK(notes("").empty());
+  CHECK(notes("tear_energy = 100\n").empty());
+  const auto older = notes("tear_stretch = 1.46\nstiffening = 0\n");
+  REQUIRE(older.size() == 1);
+  CHECK_MESSAGE(older[0].starts_with("tear_stretch = 1.46 is read as tear_energy = 4.2"), older[0]);
+  CHECK_THROWS_WITH_AS(notes("tear_stretch = 2\ntear_energy = 100\n"),
+                       doctest::Contains("keep one of the two"), Error);
+  CHECK_THROWS_AS(notes("tear_energy = 0\n"), Error);
   const auto stiff = notes("young = 1e9\npoisson = 0.49\n");
   REQUIRE(stiff.size() == 1);
   CHECK_MESSAGE(stiff[0].starts_with("each frame will take about"), stiff[0]);

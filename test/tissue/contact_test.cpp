@@ -151,7 +151,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a grip that pulls tissue beyond its limit tears it, bond by bond") {
+TEST_CASE("a grip that pulls tissue beyond its strength tears it, cell by cell") {
   const double s = 0.005;
   const TissueCells cells = solidBlock({16, 5, 5}, s, liverTissue());
   ElasticTissue tissue(cells, test::weightless());
@@ -168,7 +168,6 @@ TEST_CASE("a grip that pulls tissue beyond its limit tears it, bond by bond") {
     const Obstacle tool = test::instrument(0, nullptr, from, to, 0, 0);
     moveAndTear(tissue, kFrame, {&tool, 1}, step);
     CHECK(step.calm);
-    CHECK(step.torn.size() <= 20);
     torn += int(step.torn.size());
     if (frames < 20) CHECK(torn == 0);  // stretched by a third
     from = to;

@@ -58,7 +58,8 @@ TEST_CASE("materials and settings out of range make no tissue") {
     CHECK(settingsRefused([&](TissueSettings& s) { s.penalty = wrong; }, "penalty"));
     CHECK(settingsRefused([&](TissueSettings& s) { s.stepShare = wrong; }, "stepShare"));
   }
-  CHECK(cellsRefused([](TissueCells& c) { c.materials[0].tearStretch = kNaN; }, "tearStretch"));
+  CHECK(cellsRefused([](TissueCells& c) { c.materials[0].tearEnergy = kNaN; }, "tearEnergy"));
+  CHECK(cellsRefused([](TissueCells& c) { c.materials[0].tearEnergy = 0; }, "tearEnergy"));
   CHECK(settingsRefused([](TissueSettings& s) { s.gravity.x() = kNaN; }, "gravity"));
 }
 

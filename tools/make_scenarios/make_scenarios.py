@@ -271,7 +271,7 @@ spacing = "4mm"
 [organ.tissue]
 model = "elastic"
 young = 8000
-tear_stretch = 4
+tear_energy = 1000
 density = 1020
 
 [[joint]]

@@ -47,19 +47,37 @@ std::vector<Relaxation> readBranches(const TomlTable& t, const std::vector<Relax
   return branches;
 }
 
+// tear_energy, or tear_stretch, its older name. The other keys of `material` have been read.
+double readTearEnergy(const TomlTable& t, const TissueMaterial& material,
+                      std::vector<std::string>& notes) {
+  if (!t.has("tear_stretch"))
+    return t.number("tear_energy", ranges::kTearEnergy, material.tearEnergy);
+  if (t.has("tear_energy"))
+    t.complain("tear_stretch", "is the older name of tear_energy; keep one of the two");
+  const double stretch = t.number("tear_stretch", ranges::kTearStretch, 1);
+  const double energy = std::clamp(energyOfStretch(material, stretch), ranges::kTearEnergy.low,
+                                   ranges::kTearEnergy.high);
+  notes.push_back(fmt::format(
+      "tear_stretch = {:g} is read as tear_energy = {:.3g} J/m^2, at which smooth tissue tears at "
+      "that stretch; give tear_energy instead",
+      stretch, energy));
+  return energy;
+}
+
 }  // namespace
 
-TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults) {
+TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults,
+                            std::vector<std::string>& notes) {
   TissueMaterial material = defaults;
   material.young = t.number("young", ranges::kYoung, defaults.young);
   material.poisson = t.number("poisson", ranges::kPoisson, defaults.poisson);
   material.density = t.number("density", ranges::kDensity, defaults.density);
-  material.tearStretch = t.number("tear_stretch", ranges::kTearStretch, defaults.tearStretch);
   material.stiffening = t.number("stiffening", ranges::kStiffening, defaults.stiffening);
   material.capsule = t.number("capsule", ranges::kCapsule, defaults.capsule);
   material.capsuleStrength =
       t.number("capsule_strength", ranges::kCapsuleStrength, defaults.capsuleStrength);
   material.branches = readBranches(t, defaults.branches);
+  material.tearEnergy = readTearEnergy(t, material, notes);
   if (material.waveSpeed() > ranges::kFastestWave)
     t.complain("young",
                fmt::format("makes pressure waves, with poisson and density, of {:.0f} m/s, faster "
@@ -69,10 +87,11 @@ TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults) 
   return material;
 }
 
-std::vector<LabelMaterial> readMaterials(const TomlTable& tissue, const TissueMaterial& own) {
+std::vector<LabelMaterial> readMaterials(const TomlTable& tissue, const TissueMaterial& own,
+                                         std::vector<std::string>& notes) {
   std::vector<LabelMaterial> materials;
   for (const TomlTable& t : tissue.tables("material")) {
-    LabelMaterial one{t.integer("label", 1, kLastLabel), readMaterial(t, own)};
+    LabelMaterial one{t.integer("label", 1, kLastLabel), readMaterial(t, own, notes)};
     one.material.name = t.text("name", "label " + std::to_string(one.label));
     if (std::any_of(materials.begin(), materials.end(),
                     [&](const LabelMaterial& before) { return before.label == one.label; }))

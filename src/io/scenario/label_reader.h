@@ -11,12 +11,15 @@ namespace resect {
 // must not give it different names; else Error is thrown.
 std::vector<OrganLabel> readLabels(const TomlTable& organ);
 
-// Reads young, poisson, density and tear_stretch. A key that is missing gets its value from
-// `defaults`.
-TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults);
+// Reads the keys of a material. One that is missing gets its value from `defaults`. tear_stretch,
+// the older name of tear_energy, gives the energy of energyOfStretch() (tissue/material.h) and a
+// sentence in `notes`.
+TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults,
+                            std::vector<std::string>& notes);
 
 // All [[material]] entries of the tissue's table, at most one per label. A key that is missing gets
 // its value from `own`, the material of the cells with label 0.
-std::vector<LabelMaterial> readMaterials(const TomlTable& tissue, const TissueMaterial& own);
+std::vector<LabelMaterial> readMaterials(const TomlTable& tissue, const TissueMaterial& own,
+                                         std::vector<std::string>& notes);
 
 }  // namespace resect

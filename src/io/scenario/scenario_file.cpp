@@ -77,8 +77,8 @@ TissueSetup readTissue(const TomlTable& t) {
     tissue.material.branches.clear();
     tissue.material.capsule = 0;
   }
-  tissue.material = readMaterial(t, tissue.material);
-  tissue.materials = readMaterials(t, tissue.material);
+  tissue.material = readMaterial(t, tissue.material, tissue.notes);
+  tissue.materials = readMaterials(t, tissue.material, tissue.notes);
   tissue.settings.gravity = {0, -t.number("gravity", ranges::kGravity, 9.81), 0};
   tissue.settings.damping = t.number("damping", ranges::kDamping, tissue.settings.damping);
   tissue.settings.drag = t.number("drag", ranges::kDrag, 0.3);

@@ -37,15 +37,17 @@ Mat3 eased(const ElasticState& s, std::size_t branch, std::int32_t i) {
   return Mat3::Identity() + m;
 }
 
-// Energy per volume of the shear modulus mu (1 + hardening), J/m^3.
-double shearEnergy(const TissueMaterial& m, const Mat3& f) {
-  const double x = distortion(f), b = m.stiffening;
-  if (b == 0 || x <= 0) return m.shear() / 2 * x;
-  const double most = std::min(x, kMostStiffening / b);  // from there on it grows no more
-  return m.shear() / 2 * (x + b / 2 * most * most + kMostStiffening * (x - most));
-}
-
 }  // namespace
+
+double freeEnergy(const ElasticState& s, std::int32_t i, const Mat3& f) {
+  const TissueMaterial& m = s.materials[s.material[i]];
+  const double growth = f.determinant() - 1;
+  double sum = heldEnergy(m, f) + m.viscousShear() / 6 * growth * growth;
+  for (std::size_t k = 0; k < m.branches.size(); ++k)
+    sum += m.branches[k].share * m.shear() / 2 *
+           ((f * eased(s, k, i)).cwiseProduct(f).sum() - 3 - 2 * growth);
+  return sum;
+}
 
 Mat3 ElasticTissue::deformation(std::int64_t cell) const {
   return Mat3::Identity() + gradientAt(state_, state_.box.fromLattice(cell));
@@ -126,14 +128,8 @@ TissueEnergy ElasticTissue::energy() {
       sum.kinetic += 0.5 * mass * at(state_.v, i).squaredNorm();
       sum.gravity -= mass * settings_.gravity.dot(at(state_.u, i));
       if (state_.kappa[i] == 0) continue;
-      const TissueMaterial& m = state_.materials[state_.material[i]];
       const Mat3 h = gradientAt(state_, i), f = h + Mat3::Identity();
-      const double growth = f.determinant() - 1;
-      const double bulk = m.lame() + m.shear() + m.viscousShear() / 3;
-      sum.elastic += volume * (shearEnergy(m, f) + bulk / 2 * growth * growth);
-      for (std::size_t k = 0; k < m.branches.size(); ++k)
-        sum.elastic += volume * m.branches[k].share * m.shear() / 2 *
-                       ((f * eased(state_, k, i)).cwiseProduct(f).sum() - 3 - 2 * growth);
+      sum.elastic += volume * freeEnergy(state_, i, f);
       sum.elastic += capsuleResponse(state_, i, f).energy;
       double misfit = 0;
       for (int d = 0; d < kDirections; ++d)

@@ -13,7 +13,7 @@ void ElasticTissue::visit(StateVisitor& v) {
   state_.visit(v);
   v("fineness", fineness_), v("halvings", halvings_), v("calmFrames", calmFrames_);
   v("contacts", cutFaces_), v("springs", springs_), v("fibres", fibres_);
-  v("cut", cut_), v("pulled", pulled_);
+  v("cut", cut_), v("pulled", pulled_), v("sinceTear", sinceTear_);
 }
 
 void ElasticTissue::visitMade(StateVisitor& v) {
@@ -67,7 +67,7 @@ void ElasticTissue::checkRestored() const {
   for (const auto* list : {&cut_, &pulled_})
     for (const std::int32_t i : *list) fits = fits && inBox(i);
   fits = fits && cutFaces_.fit(s.box.size) && halvings_ >= 0 && halvings_ <= kMostHalvings &&
-         fineness_ >= 0 && fineness_ <= kMostFineness;
+         fineness_ >= 0 && fineness_ <= kMostFineness && sinceTear_ >= 0;
   if (!fits)
     throw error(
         "the state does not fit the organ's tissue; restore it into the operation that it "

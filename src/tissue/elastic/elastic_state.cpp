@@ -174,11 +174,12 @@ void checkMaterial(const TissueMaterial& m) {
     return value >= low && value <= high;
   };
   require(within(m.young, 1, 1e9) && within(m.poisson, 0, 0.4999) && within(m.density, 1, 1e5) &&
-              m.tearStretch >= 1,
-          "material \"{}\" has young = {} Pa, poisson = {}, density = {} kg/m^3, tearStretch = {}; "
-          "give young from 1 to 1e9, poisson from 0 to 0.4999, density from 1 to 1e5, tearStretch "
-          "from 1",
-          m.name, m.young, m.poisson, m.density, m.tearStretch);
+              m.tearEnergy > 0,
+          "material \"{}\" has young = {} Pa, poisson = {}, density = {} kg/m^3, tearEnergy = {} "
+          "J/m^2; "
+          "give young from 1 to 1e9, poisson from 0 to 0.4999, density from 1 to 1e5, tearEnergy "
+          "above 0",
+          m.name, m.young, m.poisson, m.density, m.tearEnergy);
   require(
       within(m.capsule, 0, 1e5) && m.capsuleStrength > 0,
       "material \"{}\" has capsule = {} N/m with a strength of {} N/m; give a capsule from 0 to "

@@ -162,7 +162,7 @@ class ElasticTissue final : public TissueModel {
   std::int64_t pin(const TissueAttachment& region);
   void tie(std::int64_t cell, double stiffness, double damping);
   void loosen(std::span<const std::int32_t> cells);
-  void findTears(std::span<const std::int32_t> letGo, std::vector<TissueBond>& torn) const;
+  void findTears(std::span<const std::int32_t> letGo, std::vector<TissueBond>& torn);
   void forChunks(const RangeBody& pass) const;
   StiffCells stressPass(const SubstepConstants& constants);
   bool motionPass(const SubstepConstants& constants);
@@ -185,6 +185,7 @@ class ElasticTissue final : public TissueModel {
   std::vector<Fibre> fibres_;
   std::vector<std::int32_t> cut_;     // both cells of each severed bond
   std::vector<std::int32_t> pulled_;  // cells that joints may pull, ascending
+  double sinceTear_ = 0;              // s since bonds last tore, at most one step of a crack
 
   // Data that are set up once, and data derived from the state.
   Lattice lattice_;

@@ -25,6 +25,10 @@ class ChunkGradients {
   float found_[12][kChunk];
 };
 
+// Elastic energy per volume at rest that the cell holds with gradient F, J/m^3: of the law and of
+// the Maxwell branches as they are now.
+double freeEnergy(const ElasticState& state, std::int32_t cell, const Mat3& f);
+
 // cof F: it turns normals and scales areas.
 Mat3 cofactors(const Mat3& f);
 
