@@ -116,7 +116,8 @@ struct TissueSetup {
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;
   std::vector<LabelMaterial> materials;  // at most one per label
-  std::vector<std::string> notes;        // a sentence for people about each older key that was read
+  // A sentence for people about each older key that was read; not kept in recordings.
+  std::vector<std::string> notes;
 
   const TissueMaterial& materialOf(int label) const {
     for (const LabelMaterial& one : materials)
@@ -127,7 +128,7 @@ struct TissueSetup {
   template <class Visitor>
   void visit(Visitor& v) {
     v("elastic", elastic), v("material", material), v("settings", settings);
-    v("attachments", attachments), v("materials", materials), v("notes", notes);
+    v("attachments", attachments), v("materials", materials);
   }
 };
 
