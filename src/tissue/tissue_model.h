@@ -14,6 +14,7 @@
 #include "geometry/pose.h"
 #include "tissue/material.h"
 #include "tissue/obstacle.h"
+#include "tissue/touch.h"
 
 namespace resect {
 
@@ -80,6 +81,10 @@ class TissueModel {
   virtual bool startAgain(bool exploded) = 0;
   // Writes the frame's result to `step`, whose memory is reused.
   virtual void endFrame(TissueStep& step) = 0;
+  // How a tool presses and holds the tissue at the end of the last frame, in the order of the
+  // cells. To be called after endFrame(), before anything else changes the tissue than tears.
+  // `touch` is overwritten; its memory is reused. Tissue that does not move leaves it empty.
+  virtual void touchOf(std::int32_t, TissueTouch& touch) const { touch.clear(); }
   // Applies an additional outside force, N, to a cell, for the next substep only. mayPull() must
   // have been called for this cell before.
   virtual void pull(std::int64_t cell, const Vec3& force) = 0;

@@ -28,6 +28,7 @@ void ElasticTissue::beginRestore() {
   // After a state that did not fit, the derived data still belong to the cells kept before it.
   if (!before_.solid.empty()) return;
   settle();
+  contacts_.forgetObstacles();
   before_ = {state_.solid,  state_.material,    state_.held,
              state_.loaded, state_.capsuleTorn, state_.bonds};
 }

@@ -223,6 +223,25 @@ void ElasticTissue::endFrame(TissueStep& step) {
   frame_.obstacles = {};
 }
 
+void ElasticTissue::touchOf(std::int32_t tool, TissueTouch& touch) const {
+  touch.clear();
+  touch.spacing = state_.spacing;
+  contacts_.pressedBy(state_, tool, touch.pressed);
+  const Obstacle* obstacle = contacts_.obstacleOf(tool);
+  if (!obstacle || !(frame_.duration > 0)) return;
+  for (const TissueSpring& spring : springs_.all()) {
+    if (spring.tool != tool) continue;
+    const std::int32_t i = spring.cell;
+    const Vec3 anchor = obstacle->to * spring.anchor;
+    const Vec3 speed = (anchor - obstacle->from * spring.anchor) / frame_.duration;
+    const std::int64_t cell = state_.box.toLattice(i);
+    const Vec3 x = lattice_.centre(lattice_.cell(cell)) + displacement(cell);
+    const Vec3 force = spring.stiffness * (x - anchor) + spring.damping * (velocity(cell) - speed);
+    touch.held.push_back(
+        {anchor, force, spring.stiffness, spring.damping, &state_.materials[state_.material[i]]});
+  }
+}
+
 ElasticTissue::Advance ElasticTissue::advance(double duration) {
   TissueStep step;
   if (duration > 0) moveTissue(*this, {}, duration, step);

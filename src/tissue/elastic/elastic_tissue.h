@@ -90,6 +90,7 @@ class ElasticTissue final : public TissueModel {
   bool substep(int number, int count) override;
   bool startAgain(bool exploded) override;
   void endFrame(TissueStep& step) override;
+  void touchOf(std::int32_t tool, TissueTouch& touch) const override;
   void pull(std::int64_t cell, const Vec3& force) override;
   void mayPull(std::int64_t cell) override;
 

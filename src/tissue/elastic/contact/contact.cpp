@@ -139,25 +139,31 @@ void TissueContacts::listPoint(const ElasticState& s, std::int32_t cell, const C
         {slotOf(s, weights.cell[std::size_t(n)], origin, body), weights.weight[std::size_t(n)]});
 }
 
+// How deep a point is in the obstacle; in world coordinates. fromOrigin: the point's position
+// relative to that of the obstacle.
+Dent TissueContacts::dentOf(const Body& body, const Point& point, const Stance& stance,
+                            double spacing, const Vec3& fromOrigin) {
+  const Obstacle& o = body.obstacle;
+  const double deepest = kDeepest * spacing;
+  if (!o.shape)
+    return {std::min(deepest, -fromOrigin.dot(stance.turn.col(1))), stance.turn.col(1), 1};
+  Dent dent = dentIn(*o.shape, stance.turn.transpose() * fromOrigin,
+                     stance.turn.transpose() * point.inwards.cast<double>(), point.width, deepest);
+  dent.outwards = stance.turn * dent.outwards;
+  return dent;
+}
+
 // Finds the impulses that the body's points give to its cells in a substep.
 void TissueContacts::pressPoints(const ElasticState& s, const Body& body, const Stance& stance,
                                  double dt) {
-  const Obstacle& o = body.obstacle;
-  const double deepest = kDeepest * s.spacing, soft = kTwiceAsStiff * s.spacing;
+  const double soft = kTwiceAsStiff * s.spacing;
   for (const Point& point : body.points) {
     const std::span<const Share> shares(body.shares.data() + point.first, std::size_t(point.count));
     Column moved{};
     for (const auto& [cell, weight] : shares)
       moved += (weight - Column{}) * moved_[std::size_t(cell)];
     const Vec3 fromOrigin = point.base.cast<double>() + vector(moved) - stance.pose.position;
-    Dent dent;
-    if (o.shape) {
-      dent = dentIn(*o.shape, stance.turn.transpose() * fromOrigin,
-                    stance.turn.transpose() * point.inwards.cast<double>(), point.width, deepest);
-      dent.outwards = stance.turn * dent.outwards;
-    } else {
-      dent = {std::min(deepest, -fromOrigin.dot(stance.turn.col(1))), stance.turn.col(1), 1};
-    }
+    const Dent dent = dentOf(body, point, stance, s.spacing, fromOrigin);
     if (dent.depth <= 0) continue;
     const Vec3 velocity = body.velocity + body.spin.cross(fromOrigin);
     Vec3 speed = Vec3::Zero();
@@ -247,6 +253,38 @@ void TissueContacts::push(ElasticState& s, double share, double dt, double lookA
     for (std::size_t k = 0; k < body.cells.size(); ++k)
       if (body.cells[k].near || given_[k][3] > 0)
         impulse_[b] -= pushCell(s, body, stance, k, float(dt), float(lookAhead));
+  }
+}
+
+const Obstacle* TissueContacts::obstacleOf(std::int32_t tool) const {
+  for (std::size_t b = 0; b < bodyCount_; ++b)
+    if (bodies_[b].obstacle.tool == tool) return &bodies_[b].obstacle;
+  return nullptr;
+}
+
+void TissueContacts::pressedBy(const ElasticState& s, std::int32_t tool,
+                               std::vector<PressedPoint>& points) const {
+  const double soft = kTwiceAsStiff * s.spacing;
+  for (std::size_t b = 0; b < bodyCount_; ++b) {
+    const Body& body = bodies_[b];
+    if (body.obstacle.tool != tool) continue;
+    const Stance stance{body.obstacle.to, body.obstacle.to.rotation.toRotationMatrix()};
+    for (const Point& point : body.points) {
+      Vec3 place = point.base.cast<double>();
+      for (std::int32_t k = point.first; k < point.first + point.count; ++k) {
+        const auto& [cell, weight] = body.shares[std::size_t(k)];
+        place += double(weight) * at(s.u, body.cells[std::size_t(cell)].cell);
+      }
+      const Dent dent = dentOf(body, point, stance, s.spacing, place - stance.pose.position);
+      if (dent.depth <= 0 || !(dent.share > 0)) continue;
+      const double depth2 = dent.depth * dent.depth / (soft * soft);
+      const double spring = dent.share * point.stiffness;
+      const std::int32_t own =
+          body.cells[std::size_t(body.shares[std::size_t(point.first)].cell)].cell;
+      points.push_back({place, dent.outwards, dent.share * point.width * point.width,
+                        spring * (1 + depth2) * dent.depth, spring * (1 + 3 * depth2),
+                        dent.share * point.damping, &s.materials[s.material[own]]});
+    }
   }
 }
 

@@ -16,6 +16,7 @@
 
 #include <vector>
 
+#include "tissue/elastic/contact/dent.h"
 #include "tissue/elastic/contact/points.h"
 #include "tissue/elastic/elastic_state.h"
 #include "tissue/elastic/kernel/elastic_kernel.h"
@@ -47,6 +48,15 @@ class TissueContacts {
   std::span<const Vec3> impulse() const { return impulse_; }
   // Sets impulse() to zero.
   void forgetImpulses();
+  // Forgets what list() has listed.
+  void forgetObstacles() { bodyCount_ = 0; }
+
+  // Appends the points at which the tool presses tissue now, at its pose at the end of the frame,
+  // in the order of the cells. Cost: that of one substep for this tool's points.
+  void pressedBy(const ElasticState& state, std::int32_t tool,
+                 std::vector<PressedPoint>& points) const;
+  // The obstacle of that tool in the last list(); null if there is none.
+  const Obstacle* obstacleOf(std::int32_t tool) const;
 
   template <class Visitor>
   void visitMade(Visitor& v) {
@@ -100,6 +110,8 @@ class TissueContacts {
   std::int32_t slotOf(const ElasticState& state, std::int32_t cell, const Vec3& origin, Body& body);
   bool reaches(const Body& body, const Vec3& place, double way) const;
   void pressPoints(const ElasticState& state, const Body& body, const Stance& stance, double dt);
+  static Dent dentOf(const Body& body, const Point& point, const Stance& stance, double spacing,
+                     const Vec3& fromOrigin);
   void pushCentre(const ElasticState& state, const Body& body, const Stance& stance,
                   std::size_t cell, Vec3f& way, Vec3f& change) const;
   Vec3 pushCell(ElasticState& state, const Body& body, const Stance& stance, std::size_t cell,
