@@ -21,7 +21,7 @@ COLOURS = {
 ABOUT = {
     "base": "ground", "geometry": "ground", "collision": "ground",
     "sph": "tissue", "isosurface": "tissue", "wound": "tissue", "surface": "tissue", "tissue": "tissue", "organ": "tissue",
-    "tools": "operation", "simulation": "operation", "operation": "operation",
+    "tools": "operation", "simulation": "operation", "operation": "operation", "haptics": "operation",
 }
 
 

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <thread>
 
 #include "base/error.h"
 #include "base/parallel.h"
 #include "cli/bench_report.h"
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
+#include "cli/haptics_report.h"
 #include "cli/organ_options.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
@@ -31,7 +34,14 @@ struct Options {
   int threads = 0;
   double most = 1e6;
   bool once = false, thesis = false, profile = false;
+  // Of --haptics.
+  bool haptics = false;
+  double seconds = 60;
+  std::string device = "simulated_hand", deviceOptions, tool;
 };
+
+// Without a scenario's name.
+constexpr const char* kHapticsScenarios[] = {"press", "incise-under-traction"};
 
 BenchReport measure(const Scenario& scenario, const std::string& title) {
   Simulation simulation = makeSimulation(scenario, modelReader(), progressBar("particles"));
@@ -43,6 +53,48 @@ BenchReport measure(const Scenario& scenario, const std::string& title) {
                          report(progress, double(step.frame + 1) / frames);
                          return true;
                        });
+}
+
+// One core is left to the loop of 1 kHz.
+int threadsBesideLoop(int wanted) {
+  return wanted > 0 ? wanted : std::max(1, int(std::thread::hardware_concurrency()) - 1);
+}
+
+void runHaptics(const Options& options, const OrganOptions& organOptions, bool named) {
+  require(!options.thesis && !options.profile,
+          "--haptics cannot be combined with --thesis or --profile; give one of them");
+  const ThreadLimit threads(threadsBesideLoop(options.threads));
+  std::vector<Scenario> scenarios;
+  std::vector<std::filesystem::path> inputs;
+  const auto add = [&](const std::string& name) {
+    Scenario& scenario =
+        scenarios.emplace_back(readScenario(findDataFile(name, "scenarios", ".toml")));
+    organOptions.applyTo(scenario, options.organ);
+    for (const std::filesystem::path& file : filesRead(scenario)) inputs.push_back(file);
+  };
+  if (named) add(options.scenario);
+  for (const char* name : kHapticsScenarios)
+    if (!named) add(name);
+  const std::filesystem::path file = findHapticPlugin(options.device);
+  inputs.push_back(file);
+  addFilesOfGltf(inputs);
+  checkOutputs({{{"--json", options.json}}}, inputs);
+
+  const HapticPlugin plugin(file);
+  const bool prints = !isStandardOutput(options.json);
+  nlohmann::ordered_json json;
+  json["device"] = plugin.name();
+  json["runs"] = nlohmann::ordered_json::array();
+  for (const Scenario& scenario : scenarios) {
+    Simulation simulation = makeSimulation(scenario, modelReader(), progressBar("particles"));
+    const Progress progress = progressBar(scenario.name);
+    const HapticsReport result = benchHaptics(
+        simulation, scenario, plugin, {options.seconds, options.deviceOptions, options.tool},
+        [&](double share) { report(progress, share); });
+    json["runs"].push_back(toJson(result, scenario));
+    if (prints) fmt::print("{}\n", toText(result, scenario));
+  }
+  if (!options.json.empty()) writeJson(options.json, json);
 }
 
 void run(const Options& options, const OrganOptions& organOptions) {
@@ -82,10 +134,11 @@ void addBenchCommand(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "bench", "Say how fast an operation is here, and how large an organ keeps real time");
-  command
-      ->add_option("SCENARIO", options->scenario,
-                   "Scenario file, or the name of one that comes with Resect")
-      ->capture_default_str();
+  CLI::Option* scenario =
+      command
+          ->add_option("SCENARIO", options->scenario,
+                       "Scenario file, or the name of one that comes with Resect")
+          ->capture_default_str();
   command->add_option(
       "--organ", options->organ,
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
@@ -102,6 +155,27 @@ void addBenchCommand(CLI::App& app) {
   command->add_option("--most", options->most, "Particles of the largest organ to try")
       ->check(CLI::Range(100.0, 1e8))
       ->capture_default_str();
+  CLI::Option* haptics = command->add_flag(
+      "--haptics", options->haptics,
+      "The force for a hand at 1 kHz: deadlines, jitter, noise, passivity; without SCENARIO of "
+      "press and incise-under-traction");
+  command->add_option("--seconds", options->seconds, "With --haptics: how long each run lasts")
+      ->check(CLI::Range(1.0, 3600.0))
+      ->capture_default_str()
+      ->needs(haptics);
+  command
+      ->add_option("--device", options->device,
+                   "With --haptics: plug-in of a haptic device, or the name of one that comes with "
+                   "Resect")
+      ->capture_default_str()
+      ->needs(haptics);
+  command->add_option("--device-options", options->deviceOptions, "Text for the plug-in")
+      ->needs(haptics);
+  command
+      ->add_option("--tool", options->tool,
+                   "With --haptics: the one instrument in a hand; without it each that the "
+                   "scenario moves")
+      ->needs(haptics);
   command->add_option("--json", options->json, "JSON file for the figures; - for standard output");
   command->footer(
       "The largest organ is found by trying: up to four more runs at other spacings.\n\n"
@@ -109,8 +183,15 @@ void addBenchCommand(CLI::App& app) {
       "  resect bench\n"
       "  resect bench incise --threads 1\n"
       "  resect bench cut-950 --thesis --profile\n"
-      "  resect bench cut --spacing 1.15mm --once --json cut.json");
-  command->callback([options, organ] { run(*options, *organ); });
+      "  resect bench cut --spacing 1.15mm --once --json cut.json\n"
+      "  resect bench --haptics\n"
+      "  resect bench press --haptics --device ./my_device.so --seconds 20");
+  command->callback([options, organ, scenario] {
+    if (options->haptics)
+      runHaptics(*options, *organ, scenario->count() > 0);
+    else
+      run(*options, *organ);
+  });
 }
 
 }  // namespace resect
