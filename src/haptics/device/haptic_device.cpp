@@ -16,7 +16,7 @@ fs::path findHapticPlugin(const std::string& name) {
   std::error_code ec;
   const fs::path program = fs::read_symlink("/proc/self/exe", ec).parent_path();
   for (const fs::path& place :
-       {program, program / "../lib/resect", fs::path(RESECT_INSTALLED_DEVICES)})
+       {program, program / ".." / RESECT_DEVICES, fs::path(RESECT_INSTALLED_DEVICES)})
     if (fs::is_regular_file(place / file, ec)) return fs::weakly_canonical(place / file, ec);
   throw error(
       "there is no haptic device \"{}\": {} is neither beside {} nor in {}; give the path of a "
