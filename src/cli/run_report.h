@@ -12,7 +12,8 @@ namespace resect {
 
 nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario);
 
-// One curve for each instrument that touched tissue: the force on it, N, over time, s.
+// One curve for each instrument on which a force acted: the force on the instrument, N, over time,
+// s. Still tissue exerts no forces, so it gives no curves.
 LinePlot forcePlot(const RunSummary& summary, const Scenario& scenario);
 
 // A summary for people. `files`: names of the files that were written; each gets a line.

@@ -69,7 +69,7 @@ struct SnappedMesh {
   };
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
-  RawArray<RasterXY> xy;       // per point; without z: most triangles are rejected by x and y alone
+  RawArray<RasterXY> xy;       // per point; most triangles are rejected by x and y alone
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
 

@@ -15,13 +15,13 @@ STILL = {
 }
 # On tissue that moves: the same on every machine, with and without vector instructions.
 ELASTIC = {
-    "press": "1078134ceb30d4f6",
-    "lift": "cf3cb36ea82d6919",
-    "incise": "f5b195e8166a7b6e",
-    "incise-under-traction": "bf2839ee1c5cd9de",
-    "snip": "29274475cb018fb9",
-    "resect-segment-elastic": "518dd0588379c8fa",
-    "liver-and-gallbladder": "8b3b12b0cd6e0c1b",
-    "hang": "a86900fcd006aec7",
-    "drop": "9aff9527640bd92e",
+    "press": "09365774a8089957",
+    "lift": "7ce9902199da46ea",
+    "incise": "cde320a2b8379151",
+    "incise-under-traction": "1977c4b90fe9d5e0",
+    "snip": "064533ff2bd224f0",
+    "resect-segment-elastic": "de098046593f3ba9",
+    "liver-and-gallbladder": "58a620204485bdf6",
+    "hang": "1758851e84e7ca51",
+    "drop": "9ca4988b8bc487b8",
 }

@@ -210,26 +210,34 @@ def snip():
 
 
 def resect_segment_elastic():
-    """The scalpel, held upright, takes the left lateral part off in one stroke; the hook lifts it away."""
-    x = 0.062
+    """The scalpel, held upright, cuts the left lateral part off; the hook pulls it aside, and the scalpel cuts the
+    strands that are left; the hook lifts the part away."""
+    x, taut = 0.062, 0.075
     scalpel = Path3(handle=(0, 1, 0.05), edge=(0, -0.05, 1), speed=0.15)
     scalpel.wait(0.9)
     scalpel.to(x, 0.2, -0.12, speed=0.3).to(x, 0.001, -0.12, speed=0.3).to(x, 0.001, 0.13, speed=0.1)
     scalpel.to(x, 0.14, 0.13, speed=0.4).to(0.05, 0.24, 0.14, speed=0.5)
+    caught, pulled, lifted = (0.075, 0.016, 0.02), (0.095, 0.03, 0.025), (0.14, 0.075, 0.04)
     hook = Path3(handle=(0.45, 0.85, 0.27), edge=(0.85, -0.52, 0.1), speed=0.15)
     hook.wait(scalpel.time + 0.2)
-    hook.to(0.17, 0.13, 0.03, speed=0.3).to(0.075, 0.016, 0.02)
+    hook.to(0.17, 0.13, 0.03, speed=0.3).to(*caught)
     hook.wait(0.1)
-    hook.to(0.075, 0.016, 0.02).to(0.14, 0.075, 0.04, speed=0.06)
+    hook.to(*caught).to(*pulled, speed=0.06)
+    scalpel.wait(hook.time - scalpel.time)
+    scalpel.to(0.05, 0.24, 0.14)
+    scalpel.to(taut, 0.2, -0.12, speed=0.4).to(taut, 0.001, -0.12, speed=0.4).to(taut, 0.001, 0.13, speed=0.15)
+    scalpel.to(taut, 0.14, 0.13, speed=0.4).to(0.05, 0.24, 0.14, speed=0.5)
+    hook.wait(scalpel.time - hook.time - 1)
+    hook.to(*pulled).to(*lifted, speed=0.06)
     hook.wait(0.6)
-    hook.to(0.14, 0.075, 0.04)
+    hook.to(*lifted)
     return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
 
 
 def lift_gallbladder():
     """The hook catches the fundus from the front, lifts it, holds it, lays it down and lets go."""
     path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
-    caught, lifted = (-0.055, 0.079, 0.08), (-0.055, 0.097, 0.084)
+    caught, lifted = (-0.055, 0.079, 0.08), (-0.055, 0.09, 0.0825)
     path.wait(0.8)
     path.to(-0.055, 0.2, 0.19).to(*caught)
     path.wait(0.1)

@@ -38,8 +38,8 @@ struct StateColumn {
   bool isList = false;
   Bytes data;                       // the numbers; empty for a struct
   std::vector<StateColumn> fields;  // of a struct
-  // For a list with one entry per cell: the order of its cells, once for each entry of `counts`.
-  // Not saved.
+  // For a list with one entry per cell: how the coordinates of cells map to positions in the list,
+  // one CellOrder for each entry of `counts`. Not saved.
   std::vector<CellOrder> orders;
 };
 
@@ -68,8 +68,8 @@ void loadState(State& state, const SavedState& saved);
 // list with one entry per cell the cell is named too: "organs.tissue.u.1, cell (12, 3, 40)". If
 // this list occurs in several structs (as with several organs), its number follows the field:
 // "organs.tissue.u.1, list 0, cell (12, 3, 40)". If both states were made by stateFromBytes(), the
-// cells are not known. Then a number stands for list and cell: the position of the value in its
-// column, from 0.
+// cells are not known. Then the position of the value in its column follows the field, from 0:
+// "organs.tissue.u.1, number 4711".
 std::optional<std::string> firstDifference(const SavedState& a, const SavedState& b);
 
 class ColumnWriter final : public StateVisitor {

@@ -2,9 +2,8 @@
 // window as it is.
 //
 // Control characters, line ends, and Unicode characters that reverse or hide text become visible,
-// for example as
-// , \t, \x1b, \u202e. Bytes that are not valid UTF-8 become \xNN. Everything else is unchanged,
-// backslashes too, since the result is to be read, not to be parsed.
+// for example as \n, \t, \x1b or \u202e. Bytes that are not valid UTF-8 become \xNN. Everything
+// else is unchanged, backslashes too, since the result is to be read, not to be parsed.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +12,10 @@
 
 namespace resect {
 
-inline constexpr std::size_t kLongestShown = 200;  // most characters shown of a name or a title
-// the same of a sentence with foreign text in it.
-inline constexpr std::size_t kLongestSentence = 900;
-inline constexpr std::size_t kLongestShownPath = 4200;
+// The most characters that are shown.
+inline constexpr std::size_t kLongestShown = 200;       // of a name or a title
+inline constexpr std::size_t kLongestSentence = 900;    // of a sentence that contains foreign text
+inline constexpr std::size_t kLongestShownPath = 4200;  // of a path, or of a line of output
 
 // If the text has more than `most` characters, only its beginning and its end are shown, with " ...
 // " between them.
