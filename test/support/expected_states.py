@@ -20,7 +20,7 @@ ELASTIC = {
     "incise": "cde320a2b8379151",
     "incise-under-traction": "1977c4b90fe9d5e0",
     "snip": "064533ff2bd224f0",
-    "resect-segment-elastic": "de098046593f3ba9",
+    "resect-segment-elastic": "a08e15c2a2bf7582",
     "liver-and-gallbladder": "58a620204485bdf6",
     "hang": "1758851e84e7ca51",
     "drop": "9ca4988b8bc487b8",

@@ -212,7 +212,7 @@ def snip():
 def resect_segment_elastic():
     """The scalpel, held upright, cuts the left lateral part off; the hook pulls it aside, and the scalpel cuts the
     strands that are left; the hook lifts the part away."""
-    x, taut = 0.062, 0.075
+    x, taut = 0.062, 0.0735
     scalpel = Path3(handle=(0, 1, 0.05), edge=(0, -0.05, 1), speed=0.15)
     scalpel.wait(0.9)
     scalpel.to(x, 0.2, -0.12, speed=0.3).to(x, 0.001, -0.12, speed=0.3).to(x, 0.001, 0.13, speed=0.1)
