@@ -19,16 +19,13 @@ constexpr double kMostStiff = 4;
 // How strongly the strain of a cell depends on the displacements of its neighbours and itself:
 // sum of |dH/du|^2, 1/m^2.
 double sensitivity(const ElasticState& s, std::int32_t i) {
-  const std::array<double, 4> weights = bondWeights();
-  const auto& l = s.inverseMoment;
-  Mat3 inverse;
-  inverse << l[0][i], l[3][i], l[4][i], l[3][i], l[1][i], l[5][i], l[4][i], l[5][i], l[2][i];
+  const std::array<double, 4> weights = edgeWeights();
+  const Mat3 inverse = inverseMomentAt(s, i);
   Vec3 own = Vec3::Zero();
   double sum = 0;
   for (int d = 0; d < kDirections; ++d) {
     if (!(s.bonds[i] >> d & 1)) continue;
-    const Vec3 slope =
-        weights[neighbourKind(d)] / weights[2] * inverse * offsetOf(d).cast<double>();
+    const Vec3 slope = weights[neighbourKind(d)] * inverse * offsetOf(d).cast<double>();
     own += slope;
     sum += slope.squaredNorm();
   }

@@ -14,13 +14,6 @@ Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
   return {field[0][i], field[1][i], field[2][i]};
 }
 
-// Weights of neighbours by kind, in the units of an ElasticState's arrays.
-std::array<double, 4> edgeWeights() {
-  std::array<double, 4> weights = bondWeights();
-  for (const double edge = weights[2]; double& weight : weights) weight /= edge;
-  return weights;
-}
-
 // F:F - 3 - 2 (J - 1).
 double distortion(const Mat3& f) { return f.squaredNorm() - 3 - 2 * (f.determinant() - 1); }
 

@@ -1,25 +1,36 @@
 #include "tissue/elastic/gradient.h"
 
+#include <algorithm>
+
 namespace resect {
 
+std::array<double, 4> edgeWeights() {
+  std::array<double, 4> weights = bondWeights();
+  for (const double edge = weights[2]; double& weight : weights) weight /= edge;
+  return weights;
+}
+
+Mat3 inverseMomentAt(const ElasticState& s, std::int32_t i) {
+  const auto& l = s.inverseMoment;
+  Mat3 inverse;
+  inverse << l[0][i], l[3][i], l[4][i], l[3][i], l[1][i], l[5][i], l[4][i], l[5][i], l[2][i];
+  return inverse;
+}
+
 Mat3 gradientAt(const ElasticState& s, std::int32_t i) {
-  const std::array<double, 4> weights = bondWeights();
+  const std::array<double, 4> weights = edgeWeights();
   const auto at = [&](std::int32_t j) { return Vec3(s.u[0][j], s.u[1][j], s.u[2][j]); };
   Mat3 sum = Mat3::Zero();
   for (int d = 0; d < kDirections; ++d)
     if (s.bonds[i] >> d & 1)
-      sum += weights[neighbourKind(d)] / weights[2] * (at(i + s.box.step[d]) - at(i)) *
+      sum += weights[neighbourKind(d)] * (at(i + s.box.step[d]) - at(i)) *
              offsetOf(d).cast<double>().transpose();
-  const auto& l = s.inverseMoment;
-  Mat3 inverse;
-  inverse << l[0][i], l[3][i], l[4][i], l[3][i], l[1][i], l[5][i], l[4][i], l[5][i], l[2][i];
-  return sum * inverse;
+  return sum * inverseMomentAt(s, i);
 }
 
 ChunkGradients::ChunkGradients(const ElasticState& state, const ElasticKernel& kernel)
     : kernel_(kernel), view_(viewOf(const_cast<ElasticState&>(state))) {  // only read
-  const std::array<double, 4> weights = bondWeights();
-  for (std::size_t k = 0; k < 4; ++k) weight_[k] = float(weights[k] / weights[2]);
+  std::ranges::copy(edgeWeights(), weight_);
 }
 
 Mat3 ChunkGradients::at(std::int32_t cell) {

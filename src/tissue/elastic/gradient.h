@@ -8,6 +8,13 @@ namespace resect {
 
 // Cells are given by their index in the CellBox.
 
+// Weights of neighbours by kind (tissue/stencil.h), in units of an edge neighbour's, as the sums
+// over an ElasticState's arrays take them.
+std::array<double, 4> edgeWeights();
+
+// ElasticState::inverseMoment of a cell as a matrix, 1/m.
+Mat3 inverseMomentAt(const ElasticState& state, std::int32_t cell);
+
 // H = F - I; zero for a cell without a gradient.
 Mat3 gradientAt(const ElasticState& state, std::int32_t cell);
 
