@@ -5,11 +5,11 @@
 
 #include <numbers>
 
-#include "geometry/primitives.h"
 #include "support/moved_tissue.h"
-#include "support/tissue_blocks.h"
 
 using namespace resect;
+using test::ballOf;
+using test::barOf;
 using test::moveAndTear;
 
 namespace {
@@ -17,40 +17,9 @@ namespace {
 constexpr double kFrame = 1.0 / 60;
 constexpr double kStep = 1e-4;  // m, of the finite difference
 
-// A layer of about 64 x 40 x 64 mm without weight, held at its ground.
-struct Layer {
-  double spacing;
-  TissueCells cells;
-  ElasticTissue tissue;
-  Vec3 top;  // middle of the upper face, m
-
-  Layer(double s, const TissueMaterial& material)
-      : spacing(s), cells(test::solidBlock(dimsOf(s), s, material)), tissue(cells, settings()) {
-    const Vec3i dims = cells.lattice.dims;
-    top = s * (0.5 * (dims - Vec3i::Ones()).cast<double>());
-    top.y() = s * (dims.y() - 0.5);
-    test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& x) {
-      if (x.y() == 0) tissue.hold(c, kHeldAll);
-    });
-  }
-  static Vec3i dimsOf(double s) {
-    const auto cells = [&](double side) { return int(side / s + 0.5); };
-    return {cells(0.064), cells(0.040), cells(0.064)};
-  }
-  static TissueSettings settings() {
-    TissueSettings settings = test::weightless();
-    settings.drag = 5;
-    return settings;
-  }
+struct Layer : test::TissueLayer {
+  Layer(double s, const TissueMaterial& material) : TissueLayer(s, 0.04, 5, material) {}
 };
-
-// The lowest point of each is at the origin.
-SignedDistance barOf(double side) {
-  return {boxMesh({{-side / 2, 0, -side / 2}, {side / 2, 0.06, side / 2}}), 0.016, 0.0008};
-}
-SignedDistance ballOf(double radius) {
-  return {sphereMesh(Vec3(0, radius, 0), radius, 128), 0.016, 0.0006};
-}
 
 struct Difference {
   double model, simulated;  // N/m, along the step

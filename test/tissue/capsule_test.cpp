@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "geometry/measures.h"
-#include "geometry/primitives.h"
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
+#include "organ/touch_surface.h"
 #include "support/figures.h"
 #include "support/frequency.h"
 #include "support/moved_tissue.h"
@@ -38,32 +38,6 @@ std::vector<SurfacePatch> skinOn(const TissueCells& cells, const Vec3& normal) {
       patches.push_back({c, place.cast<float>(), (s * s / (kSide * kSide) * normal).cast<float>()});
     }
   }
-  return patches;
-}
-
-// The triangles of a mesh as the skin of cells; each belongs to the nearest solid cell.
-std::vector<SurfacePatch> patchesOf(const TriangleMesh& mesh, const TissueCells& cells) {
-  constexpr int kFar = 2;  // cells
-  const Lattice& lattice = cells.lattice;
-  std::vector<SurfacePatch> patches;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.points[std::size_t(t[0])], &b = mesh.points[std::size_t(t[1])],
-               &c = mesh.points[std::size_t(t[2])];
-    const Vec3 middle = (a + b + c) / 3;
-    const Vec3i at = lattice.toCellSpace(middle).array().round().cast<int>();
-    std::int64_t nearest = -1;
-    double least = 1e9;
-    for (int k = 0; k < 125; ++k) {
-      const Vec3i cell = at + Vec3i(k % 5, k / 5 % 5, k / 25) - Vec3i::Constant(kFar);
-      if (!lattice.contains(cell) || !cells.solid[std::size_t(lattice.index(cell))]) continue;
-      const double distance = (lattice.centre(cell) - middle).norm();
-      if (distance < least) least = distance, nearest = lattice.index(cell);
-    }
-    if (nearest >= 0)
-      patches.push_back(
-          {nearest, middle.cast<float>(), (0.5 * (b - a).cross(c - a)).cast<float>()});
-  }
-  std::ranges::stable_sort(patches, {}, &SurfacePatch::cell);
   return patches;
 }
 
@@ -144,7 +118,7 @@ TEST_CASE("the substep is stable with a capsule, on any cells") {
   for (const double spacing : {0.0115, 0.008, 0.0055}) {
     const Discretization part = discretize(mesh, latticeForSpacing(bounds(mesh), spacing));
     const TissueCells cells{part.lattice, part.inside, {liverTissue()}, {}};
-    const std::vector<SurfacePatch> skin = patchesOf(mesh, cells);
+    const std::vector<SurfacePatch> skin = touchSurface(makeOrgan(part, {}));
     double share = 0;
     for (const Mat3& f : states) {
       ElasticTissue tissue(cells, settings);
@@ -169,23 +143,12 @@ TEST_CASE("the substep is stable with a capsule, on any cells") {
 
 namespace {
 
-// Force on a ball that was pressed 4 mm into a layer of 64 x 32 x 64 mm, N.
+// Force on a ball with a radius of 8 mm that was pressed into a layer, N.
 double pressed(double spacing, double depth, const Vec3& place, bool capsule) {
-  const auto cellsOf = [&](double side) { return int(side / spacing + 0.5); };
-  const TissueCells cells =
-      test::solidBlock({cellsOf(0.064), cellsOf(0.032), cellsOf(0.064)}, spacing, liverTissue());
-  TissueSettings settings = test::weightless();
-  settings.drag = 30;
-  ElasticTissue tissue(cells, settings);
-  if (capsule) {
-    tissue.setSurface(skinOn(cells, Vec3::UnitY()));
-  }
-  test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& at) {
-    if (at.y() == 0) tissue.hold(c, kHeldAll);
-  });
-  const SignedDistance ball(sphereMesh(Vec3(0, 0.008, 0), 0.008, 128), 0.016, 0.0006);
-  Vec3 top = spacing * (0.5 * (cells.lattice.dims - Vec3i::Ones()).cast<double>() + place);
-  top.y() = spacing * (cells.lattice.dims.y() - 0.5);
+  test::TissueLayer layer(spacing, 0.032, 30, liverTissue());
+  if (capsule) layer.tissue.setSurface(skinOn(layer.cells, Vec3::UnitY()));
+  const SignedDistance ball = test::ballOf(0.008);
+  const Vec3 top = layer.top + spacing * place;
   TissueStep step;
   for (int i = 0; i < 90; ++i) {
     const auto pose = [&](int frame) {
@@ -193,7 +156,7 @@ double pressed(double spacing, double depth, const Vec3& place, bool capsule) {
                   Eigen::Quaterniond::Identity()};
     };
     const Obstacle tool = test::instrument(0, &ball, pose(i), pose(i + 1), 0, 0);
-    test::moveAndTear(tissue, kFrame, {&tool, 1}, step);
+    test::moveAndTear(layer.tissue, kFrame, {&tool, 1}, step);
   }
   return step.force[0].y();
 }

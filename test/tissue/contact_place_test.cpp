@@ -3,11 +3,11 @@
 
 #include <numbers>
 
-#include "geometry/primitives.h"
 #include "support/moved_tissue.h"
-#include "support/tissue_blocks.h"
 
 using namespace resect;
+using test::ballOf;
+using test::barOf;
 using test::moveAndTear;
 
 namespace {
@@ -15,42 +15,9 @@ namespace {
 constexpr double kFrame = 1.0 / 60;
 constexpr double kTurn = std::numbers::pi / 6;
 
-// A layer of liver of about 64 x 32 x 64 mm without weight, held at its ground.
-struct Layer {
-  TissueCells cells;
-  ElasticTissue tissue;
-  Vec3 top;     // middle of the upper face, m
-  Vec3 centre;  // of a cell's upper face near there, m
-
-  explicit Layer(double spacing)
-      : cells(test::solidBlock(dimsOf(spacing), spacing, liverTissue())),
-        tissue(cells, settings()) {
-    const Vec3i dims = cells.lattice.dims;
-    top = spacing * (0.5 * (dims - Vec3i::Ones()).cast<double>());
-    top.y() = spacing * (dims.y() - 0.5);
-    centre = spacing * Vec3(dims.x() / 2, dims.y() - 0.5, dims.z() / 2);
-    test::forEachCell(tissue, [&](std::int64_t c, const Vec3i& x) {
-      if (x.y() == 0) tissue.hold(c, kHeldAll);
-    });
-  }
-  static Vec3i dimsOf(double spacing) {
-    const auto cells = [&](double side) { return int(side / spacing + 0.5); };
-    return {cells(0.064), cells(0.032), cells(0.064)};
-  }
-  static TissueSettings settings() {
-    TissueSettings settings = test::weightless();
-    settings.drag = 30;
-    return settings;
-  }
+struct Layer : test::TissueLayer {
+  explicit Layer(double s) : TissueLayer(s, 0.032, 30, liverTissue()) {}
 };
-
-// The lowest point of each is at the origin.
-SignedDistance barOf(double side) {
-  return {boxMesh({{-side / 2, 0, -side / 2}, {side / 2, 0.06, side / 2}}), 0.016, 0.0008};
-}
-SignedDistance ballOf(double radius) {
-  return {sphereMesh(Vec3(0, radius, 0), radius, 128), 0.016, 0.0006};
-}
 
 Pose turned(const Vec3& place, double turn) {
   return {place, Eigen::Quaterniond(Eigen::AngleAxisd(turn, Vec3::UnitY()))};
