@@ -93,7 +93,7 @@ class Haptics(unittest.TestCase):
             self.assertIn(says, lines[0])
 
     def test_wrong_arguments_give_status_2(self):
-        for args in (["--seconds", "5"], ["--haptics", "--seconds", "0"], ["--haptics", "--thesis"],
+        for args in (["--seconds", "5"], ["--haptics", "--seconds", "0"], ["--haptics", "--thesis"], ["--haptics", "--once"], ["--haptics", "--most", "1000"],
                      ["press", "--haptics", "--tool", "spoon", "--spacing", "15mm"]):
             self.assertEqual(resect("bench", *args).returncode, 2, args)
 

@@ -61,8 +61,6 @@ int threadsBesideLoop(int wanted) {
 }
 
 void runHaptics(const Options& options, const OrganOptions& organOptions, bool named) {
-  require(!options.thesis && !options.profile,
-          "--haptics cannot be combined with --thesis or --profile; give one of them");
   const ThreadLimit threads(threadsBesideLoop(options.threads));
   std::vector<Scenario> scenarios;
   std::vector<std::filesystem::path> inputs;
@@ -144,21 +142,23 @@ void addBenchCommand(CLI::App& app) {
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
   auto organ = addOrganOptions(*command);
   addThreadsOption(*command, options->threads);
-  command->add_flag("--once", options->once,
-                    "Measure the scenario as it is; do not look for the largest organ");
-  command->add_flag(
+  CLI::Option* once = command->add_flag(
+      "--once", options->once, "Measure the scenario as it is; do not look for the largest organ");
+  CLI::Option* thesis = command->add_flag(
       "--thesis", options->thesis,
       "As the original system: tissue is still, instruments take out what they touch");
-  command->add_flag(
+  CLI::Option* profile = command->add_flag(
       "--profile", options->profile,
       "The stages by their time beside the profile in the original thesis (implies --once)");
-  command->add_option("--most", options->most, "Particles of the largest organ to try")
-      ->check(CLI::Range(100.0, 1e8))
-      ->capture_default_str();
+  CLI::Option* most =
+      command->add_option("--most", options->most, "Particles of the largest organ to try")
+          ->check(CLI::Range(100.0, 1e8))
+          ->capture_default_str();
   CLI::Option* haptics = command->add_flag(
       "--haptics", options->haptics,
       "The force for a hand at 1 kHz: deadlines, jitter, noise, passivity; without SCENARIO of "
       "press and incise-under-traction");
+  for (CLI::Option* other : {once, thesis, profile, most}) haptics->excludes(other);
   command->add_option("--seconds", options->seconds, "With --haptics: how long each run lasts")
       ->check(CLI::Range(1.0, 3600.0))
       ->capture_default_str()
