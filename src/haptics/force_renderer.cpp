@@ -11,7 +11,7 @@ namespace {
 // A slow simulation: the difference fades over at most this many durations of a frame.
 constexpr double kMostFrames = 4;
 
-// The force of a hand at `place` of the instrument in the simulation, and of its rest.
+// A point of the instrument, which was at `place` in the simulation, in the hand.
 struct Lever {
   Vec3 place;       // where it is now
   Vec3 way, speed;  // how far and how fast beyond the simulated instrument
@@ -50,7 +50,7 @@ Wrench forceAt(const LocalModel& model, const HandMotion& hand) {
     normals += force * plane.normal * plane.normal.transpose();
   }
   const Lever lever = leverAt(model, hand, model.restPlace);
-  const Vec3 change = model.restStiffness * lever.way + model.restDamping * lever.speed;
+  const Vec3 change = model.restStiffness * lever.way;
   if (model.held || model.planeCount == 0)
     add(lever.place, model.rest - change);
   else if (normalForce > 0)

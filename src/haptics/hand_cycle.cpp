@@ -11,7 +11,7 @@ constexpr double kSpeedTime = 4e-3;
 }  // namespace
 
 HandCycle::HandCycle(double mostForce, const Pose& start, double now)
-    : renderer_(mostForce), read_(now) {
+    : renderer_(mostForce), guard_(mostForce), read_(now) {
   motion_.pose = start;
   guard_.moved(start);
 }

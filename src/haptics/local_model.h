@@ -33,7 +33,7 @@ struct LocalModel {
   std::int64_t frame = -1;  // of the simulation; -1: no frame yet
   double time = 0;          // at the end of the frame, s
   double duration = 0;      // of the frame, s
-  bool inHand = false;      // false: all that follows is zero
+  bool inHand = false;      // false: all that follows the pose is zero
   Pose pose;                // of the instrument in the simulation, at the end of the frame
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  // of the instrument in the frame, rad/s
 
@@ -49,7 +49,6 @@ struct LocalModel {
   Vec3 rest = Vec3::Zero();
   Vec3 restPlace = Vec3::Zero();  // where it acts
   double restStiffness = 0;       // N/m, in all directions; with planes: along them
-  double restDamping = 0;         // N s/m
   double friction = 0;            // Coulomb's coefficient
   bool held = false;              // the instrument grips tissue
 

@@ -45,6 +45,8 @@ Wrench PassivityGuard::allow(const Wrench& wanted, double dt) {
   if (share_ < 1) ++interventions_;
   written_ = {share_ * wanted.force, share_ * wanted.torque};
   if (account_ < 0) written_.force -= kBrake / dt * way_;
+  if (const double force = written_.force.norm(); force > mostForce_)
+    written_.force *= mostForce_ / force;
   return written_;
 }
 

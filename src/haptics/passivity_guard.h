@@ -13,10 +13,13 @@ namespace resect {
 
 class PassivityGuard {
  public:
+  // mostForce: of all that is written, N, > 0.
+  explicit PassivityGuard(double mostForce) : mostForce_(mostForce) {}
+
   // To be called first in each cycle, with the pose just read from the device.
   void moved(const Pose& pose);
-  // The force to write in this cycle: `wanted`, or less. dt: time to the next cycle, s, > 0; by the
-  // last one's way the next one's is expected.
+  // The force to write in this cycle: `wanted`, or less; or one that brakes the hand. dt: time to
+  // the next cycle, s, > 0. The hand is expected to move in the next cycle as in the last one.
   Wrench allow(const Wrench& wanted, double dt);
 
   // Work of the forces on the hand, J; below 0 when the hand has given energy. And its largest
@@ -26,6 +29,7 @@ class PassivityGuard {
   std::int64_t interventions() const { return interventions_; }  // cycles with less than wanted
 
  private:
+  double mostForce_;
   bool started_ = false;
   Pose last_;
   Vec3 way_ = Vec3::Zero(), turn_ = Vec3::Zero();  // in the last cycle, m and rad

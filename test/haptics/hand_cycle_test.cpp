@@ -126,6 +126,24 @@ TEST_CASE("a hand that is shaken fast in contact gets no energy") {
     }
 }
 
+TEST_CASE("the brake keeps to the force that the device renders") {
+  PassivityGuard guard(3);
+  Pose pose;
+  guard.moved(pose);
+  // The hand stands still, then runs with the force at 2 m/s: nobody could foresee that.
+  double most = 0;
+  bool brakes = false;
+  for (int i = 0; i < 60; ++i) {
+    if (i > 50) pose.position.x() += 2e-3;
+    guard.moved(pose);
+    const Wrench wrench = guard.allow({Vec3(3, 0, 0), Vec3::Zero()}, 1e-3);
+    most = std::max(most, wrench.force.norm());
+    brakes = brakes || wrench.force.x() < -1;
+  }
+  CHECK(brakes);
+  CHECK(most <= 3 + 1e-12);
+}
+
 TEST_CASE("planes push and never pull, and friction keeps to its limit") {
   LocalModel model;
   model.inHand = true;

@@ -48,6 +48,55 @@ TEST_CASE("the loop renders the newest model of each hand while the simulation t
   CHECK(loop.pose(1).position.y() < 1e-4);
 }
 
+namespace {
+
+// A plug-in whose first device fails after some reads; the second one remembers its force.
+struct Failing {
+  int reads = 0;
+  double force = -1;
+};
+Failing failing[2];
+int opened = 0;
+
+Failing& at(ResectHapticDevice* device) { return *reinterpret_cast<Failing*>(device); }
+
+constexpr ResectHapticDeviceFunctions kFailing = {
+    RESECT_HAPTIC_DEVICE_VERSION,
+    "failing",
+    [](const char*, ResectHapticLimits* limits) {
+      limits->most_force = 5;
+      return reinterpret_cast<ResectHapticDevice*>(&failing[opened++]);
+    },
+    [](ResectHapticDevice*) {},
+    [](ResectHapticDevice* device, ResectHapticPose*) {
+      return int(&at(device) == &failing[0] && ++at(device).reads > 50);
+    },
+    [](ResectHapticDevice* device, const ResectHapticForce* force) {
+      at(device).force = std::abs(force->force[1]);
+      return 0;
+    },
+    [](ResectHapticDevice*) { return "the cable is out"; },
+    nullptr};
+
+}  // namespace
+
+TEST_CASE("when a device fails the others get no force any more, and the reason is told") {
+  std::vector<std::unique_ptr<HapticDevice>> devices;
+  for (int k = 0; k < 2; ++k)
+    devices.push_back(std::make_unique<HapticDevice>(kFailing, "failing", ""));
+  HapticLoop loop(std::move(devices), 1, {});
+  LocalModel model;
+  model.inHand = true;
+  model.duration = 1.0 / 60;
+  model.planeCount = 1;
+  model.planes[0] = {Vec3::Zero(), Vec3::UnitY(), 1, 200, 0};
+  loop.give(1, model);
+  sleepUntil(steadySeconds() + 0.3);
+  CHECK(failing[0].reads == 51);
+  CHECK(failing[1].force == 0);
+  CHECK_THROWS_WITH_AS(loop.stop(), doctest::Contains("the cable is out"), Error);
+}
+
 TEST_CASE("a loop with no simulation ends at once when it is told to") {
   const HapticPlugin plugin(findHapticPlugin("simulated_hand"));
   const double began = steadySeconds();

@@ -67,9 +67,14 @@ std::string HapticPlugin::name() const {
 }
 
 HapticDevice::HapticDevice(const HapticPlugin& plugin, const std::string& options)
-    : library_(plugin.library()),
-      functions_(&plugin.functions()),
-      file_(shownText(plugin.file().string(), kLongestShownPath)),
+    : HapticDevice(plugin.functions(), plugin.file().string(), options) {
+  library_ = plugin.library();
+}
+
+HapticDevice::HapticDevice(const ResectHapticDeviceFunctions& functions, const std::string& name,
+                           const std::string& options)
+    : functions_(&functions),
+      file_(shownText(name, kLongestShownPath)),
       device_(functions_->open(options.c_str(), &limits_)) {
   if (!device_) fail("open");
   if (!(limits_.most_force > 0 && std::isfinite(limits_.most_force))) {

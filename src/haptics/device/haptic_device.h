@@ -39,8 +39,11 @@ class HapticPlugin {
 class HapticDevice {
  public:
   // options: text for the plug-in. Throws Error with the plug-in's sentence if it cannot be opened,
-  // or if its limits are not numbers above 0.
+  // or if the force that it renders is not a number above 0.
   explicit HapticDevice(const HapticPlugin& plugin, const std::string& options = "");
+  // A device of a table of functions in this program, which must outlive it. name: for errors.
+  HapticDevice(const ResectHapticDeviceFunctions& functions, const std::string& name,
+               const std::string& options);
   ~HapticDevice();
   HapticDevice(const HapticDevice&) = delete;
   HapticDevice& operator=(const HapticDevice&) = delete;

@@ -91,11 +91,16 @@ void HapticLoop::run() {
       times_.missed += next - number - 1 + (done > due + kHapticPeriod);
       number = next;
     }
-    for (auto& hand : hands_) hand->device->write({});
   } catch (...) {
     failure_ = std::current_exception();
     failed_ = true;
   }
+  // Also after a failure, in which the other devices still hold their forces.
+  for (auto& hand : hands_) try {
+      hand->device->write({});
+    } catch (...) {
+      if (!failure_) failure_ = std::current_exception();
+    }
 }
 
 void HapticLoop::cycle(double now, double time) {
