@@ -22,7 +22,8 @@
 
 namespace {
 
-constexpr double kLongest = 0.05;  // s: a program that was stopped for longer goes on from there
+constexpr double kLongest =
+    0.05;  // s: the longest time that a read() advances; longer pauses are skipped
 constexpr double kSubstep = 1e-4;  // s
 
 struct SimulatedHand {

@@ -17,8 +17,8 @@ struct Wrench {
   Vec3 torque = Vec3::Zero();  // about the position of the hand's pose, N m
 };
 
-// What the model says of an instrument that is elsewhere than in the simulation. Planes push and
-// never pull; friction keeps to Coulomb's limit; grips pull both ways. Allocates nothing.
+// The model's force on an instrument whose pose differs from that of the simulation. Planes push
+// and never pull; friction keeps to Coulomb's limit; grips pull both ways. Allocates nothing.
 Wrench forceAt(const LocalModel& model, const HandMotion& hand);
 
 class ForceRenderer {
@@ -26,15 +26,15 @@ class ForceRenderer {
   // mostForce: N, > 0; forces are shortened to it. Throws Error if it is not.
   explicit ForceRenderer(double mostForce = 20);
 
-  // A model has arrived. hand, now: as in the latest render(). From now on the new model counts.
-  // What it changes at the hand fades in over the time between two models.
+  // Takes over a new model. hand, now: those of the render() that follows. The force does not jump:
+  // the change fades in over the time between two models.
   void take(const LocalModel& model, const HandMotion& hand, double now);
   // The force on the hand. now: time of a steady clock, s, not before that of earlier calls.
   Wrench render(const HandMotion& hand, double now) const;
 
   const LocalModel& model() const { return model_; }
-  // How much the last model differed from the one before where the hand was, N: what the model
-  // before had not foreseen.
+  // When the last model arrived: how far its force at the hand's pose was from that of the previous
+  // model, N.
   double correction() const { return correction_; }
 
  private:

@@ -9,13 +9,14 @@ namespace resect {
 // Elastic moduli of tissue for a motion that lasts a given time.
 struct LocalModuli {
   double shear = 0;    // Pa
-  double poisson = 0;  // of a compression as fast as that
+  double poisson = 0;  // Poisson's ratio in a motion of that duration
   double plane = 0;    // E / (1 - nu^2), Pa
 };
 // time: in which the instrument moves at an even speed, s, > 0.
 LocalModuli moduliWithin(const TissueMaterial& material, double time);
 
-// Of a patch of `area` m^2 that is pressed or dragged, spread by the cells' splines; N/m.
+// Stiffness that a patch of `area` m^2 meets when it is pressed, and when it is dragged along the
+// surface; the cells' splines spread its force; N/m.
 double pressedStiffness(const LocalModuli& moduli, double area, double spacing);
 double draggedStiffness(const LocalModuli& moduli, double area, double spacing);
 // Of a number of gripped cells; N/m in any direction.

@@ -13,7 +13,7 @@ namespace resect {
 template <typename T>
 class TripleBuffer {
  public:
-  // Writer: the value to fill before publish(). It holds what was written some values ago.
+  // Writer: the value to fill before publish(). It still holds an older value.
   T& draft() { return slots_[writing_].value; }
   // Writer: makes draft() the newest value.
   void publish() {

@@ -159,12 +159,12 @@ TEST_CASE("neither frame rate nor the speed of pulling moves the tear") {
   const Torn usual = pull({});
   for (const double rate : {30.0, 120.0}) {
     const Torn torn = pull({.frameRate = rate});
-    CHECK(figures.add(fmt::format("W H at {} frames per second, over that at 60", rate),
+    CHECK(figures.add(fmt::format("W H at {} frames per second, against that at 60", rate),
                       torn.energy, usual.energy, 0.12) < 0.12);
   }
   for (const double speed : {0.005, 0.03}) {
     const Torn torn = pull({.speed = speed});
-    CHECK(figures.add(fmt::format("W H at {} mm/s, over that at 15", 1e3 * speed), torn.energy,
+    CHECK(figures.add(fmt::format("W H at {} mm/s, against that at 15", 1e3 * speed), torn.energy,
                       usual.energy, 0.15) < 0.15);
   }
 }

@@ -32,9 +32,11 @@ struct HapticsReport {
   std::int64_t cycles = 0, missed = 0;  // of the loop; missed: not done within 1 ms
   double p50 = 0, p99 = 0, latest = 0;  // jitter: how late cycles began, s
   RealTimeRights rights;
-  std::int64_t frames = 0, lateFrames = 0;  // of the simulation; late: took longer than they last
-  double frameDuration = 0;                 // s
-  TimeSummary frame;                        // time of a frame with its local models
+  std::int64_t frames = 0,
+               lateFrames =
+                   0;        // of the simulation; late: computing took longer than the frame lasts
+  double frameDuration = 0;  // s
+  TimeSummary frame;         // time of a frame with its local models
   std::vector<HandReport> hands;
 
   double met() const { return cycles > 0 ? double(cycles - missed) / double(cycles) : 0; }
@@ -47,10 +49,10 @@ struct HapticsSetup {
 };
 
 // The scenario's motions are repeated until the time is over; each time the simulation begins anew.
-// A device that plays a person is told the motion of its instrument and holds it there by hand.
-// Other devices hold the instrument themselves: their workspace's origin is where the instrument is
-// at its first key. `progress` gets the share of the time that is over. Throws Error if the
-// scenario moves no such instrument, or a device fails.
+// A device that plays a person is told where the scenario wants the instrument; its coordinates are
+// those of the world. With other devices a person moves the instrument: the origin of their
+// workspace is put at the instrument's first key. `progress` gets the share of the time that is
+// over. Throws Error if the scenario moves no such instrument, or a device fails.
 HapticsReport benchHaptics(Simulation& simulation, const Scenario& scenario,
                            const HapticPlugin& plugin, const HapticsSetup& setup,
                            const std::function<void(double)>& progress = {});

@@ -2,9 +2,10 @@
 // header of Resect.
 //
 // A plug-in is a shared library with one function, resect_haptic_device(), which returns a table of
-// functions. Resect opens it at run time; neither is linked against the other. After open() one
-// thread calls read() and then write(), 1000 times a second: neither may wait, allocate, or take
-// longer than 0.1 ms. docs/how-to/haptic_device.md has a complete example.
+// functions. Resect opens it at run time; neither is linked against the other. After open()
+// the same thread calls intend() and read() once. Then one thread of Resect's calls intend(),
+// read() and write(), 1000 times a second: none of them may wait, allocate, or take longer than 0.1
+// ms. docs/how-to/haptic_device.md has a complete example.
 //
 // Coordinates: metres, newtons, seconds; right-handed, X to the right, Y up, Z towards the person.
 // The plug-in turns and shifts the device's coordinates so that its workspace lies about the

@@ -30,8 +30,8 @@ struct HapticSample {
 
 // Results of a loop that has ended.
 struct HapticTimes {
-  std::int64_t cycles = 0;      // that should have been
-  std::int64_t missed = 0;      // of them: not finished one period after they should begin
+  std::int64_t cycles = 0;      // that were due
+  std::int64_t missed = 0;      // of them: not finished 1 ms after they were due
   std::vector<float> lateness;  // how late each cycle began, s
   RealTimeRights rights;
 };
@@ -47,8 +47,9 @@ using IntentAt = std::function<HandIntent(std::size_t hand, double time)>;
 class HapticLoop {
  public:
   // devices: one per hand. seconds: for how long memory for samples is set aside; afterwards the
-  // loop goes on without keeping any. intent: may be empty; called on the loop's thread, so it must
-  // not allocate. Starts at once; each hand has a pose when the constructor returns.
+  // loop goes on without keeping any. intent: may be empty; called once here and then on the loop's
+  // thread, where it must not allocate. Starts at once; each hand has a pose when the constructor
+  // returns.
   HapticLoop(std::vector<std::unique_ptr<HapticDevice>> devices, double seconds, IntentAt intent);
   ~HapticLoop();  // stops, writes zero forces and waits for the thread
 

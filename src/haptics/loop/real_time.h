@@ -6,7 +6,7 @@ namespace resect {
 
 // What the system has permitted.
 struct RealTimeRights {
-  bool priority = false;      // the thread runs before all that are not of real time (SCHED_FIFO)
+  bool priority = false;      // priority over all threads without real-time priority (SCHED_FIFO)
   bool lockedMemory = false;  // the program's memory stays in RAM
 };
 

@@ -1,8 +1,8 @@
 // The organ's capsule: a thin membrane on its skin, much stiffer than the tissue under it.
 //
 // The cells that carry the skin have the membrane's energy besides their own. It depends on the
-// stretches lambda_1 and lambda_2 of the skin in its plane, of which the cell's deformation
-// gradient gives account. With d_i = lambda_i - 1, d_1 >= d_2, a membrane of modulus E, thickness t
+// stretches lambda_1 and lambda_2 of the skin in its plane, which follow from the cell's
+// deformation gradient. With d_i = lambda_i - 1, d_1 >= d_2, a membrane of modulus E, thickness t
 // and Poisson's ratio 0.5 has the tensions (per width at rest)
 //
 //     T_1 = max(0, E t d_1, E t (d_1 + d_2 / 2) 4/3)      T_2 = max(0, E t (d_2 + d_1 / 2) 4/3)
@@ -19,9 +19,9 @@
 
 namespace resect {
 
-// Gives the cells their part of the skin: area and mean normal of their patches (ascending by
-// cell). Skin on cells that have all 26 bonds is left out. Does nothing if no material has a
-// capsule.
+// Gives the cells their part of the skin: normal and area of their patches; as a tensor, so that
+// both faces of a thin margin count (ascending by cell). Skin on cells that have all 26 bonds is
+// left out. Does nothing if no material has a capsule.
 void setSkin(ElasticState& state, std::span<const SurfacePatch> patches);
 
 // Updates ElasticState::capsule of the cells from their materials, bonds and tears.

@@ -1,11 +1,11 @@
 // The state of elastic tissue between two substeps, as arrays over the cells of a box with a halo.
 //
-// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 4 = 172, and 4 * (7 + 8 n) more
-// where materials have n Maxwell branches, 20 more with a capsule. Lengths are in m, masses in
-// kg; offsets to neighbours are counted in spacings. The letters A_i, q_i and M_i are those of
-// docs/methods/tissue.md. L_i is the inverse of M_i, and S_i the sum over j of w_ij X_ij. w is the
-// weight of an edge neighbour (bondWeights()). Sums are formed with weights in units of w. The
-// remaining factors are contained in the arrays.
+// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 5 = 173, and 4 * (7 + 8 n) more
+// where materials have n Maxwell branches, 20 more with a capsule (48 if there are no branches).
+// Lengths are in m, masses in kg; offsets to neighbours are counted in spacings. The letters A_i,
+// q_i and M_i are those of docs/methods/tissue.md. L_i is the inverse of M_i, and S_i the sum over
+// j of w_ij X_ij. w is the weight of an edge neighbour (bondWeights()). Sums are formed with
+// weights in units of w. The remaining factors are contained in the arrays.
 #pragma once
 
 #include <array>
@@ -57,8 +57,9 @@ struct ElasticState {
   std::array<FloatArray, 3> planeWeight;
   std::array<FloatArray, 3> load;  // outside force on the cell, N
   // Of tissue whose materials have Maxwell branches; else empty. relaxed[k]: B of branch k, whose
-  // stress is mu share (F (I + B) - cof F): xx yy zz xy xz yz. viscous: sum over the branches of
-  // their moduli times V times B, a mean of the coming substeps, J.
+  // stress is mu share (F (I + B) - cof F): xx yy zz xy xz yz. viscous: sum over the branches
+  // of modulus times V times B, J, where B is its mean over the substeps until the branches are
+  // advanced again.
   std::array<std::array<FloatArray, 6>, kMostBranches> relaxed;
   std::array<FloatArray, 6> viscous;
   FloatArray inverseMass;  // 1/kg; 0 where there is no tissue

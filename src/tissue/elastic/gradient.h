@@ -8,8 +8,8 @@ namespace resect {
 
 // Cells are given by their index in the CellBox.
 
-// Weights of neighbours by kind (tissue/stencil.h), in units of an edge neighbour's, as the sums
-// over an ElasticState's arrays take them.
+// Weights of neighbours by kind (tissue/stencil.h), relative to an edge neighbour's weight: the
+// unit that the arrays of ElasticState are made for.
 std::array<double, 4> edgeWeights();
 
 // ElasticState::inverseMoment of a cell as a matrix, 1/m.

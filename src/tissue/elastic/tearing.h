@@ -10,15 +10,15 @@ namespace resect {
 // the tear energy. Measured in notched strips on cells of 2.5 to 8 mm, aligned and turned
 // (test/tissue/tear_energy_test.cpp).
 inline constexpr double kCrackShare = 0.28;
-// A crack advances by at most a cell in the time that this speed takes, m/s, and by at most a cell
-// in a frame.
+// Largest speed of a crack, m/s. It also advances by at most one cell in a frame.
 inline constexpr double kTearSpeed = 0.3;
 // How far from a gripped cell tissue without a crack may tear, m.
 inline constexpr double kGripReach = 0.02;
-// Cells at cuts are looked at more closely from this share of the energy that tears them.
+// A cell at a cut, with its neighbours, becomes a candidate when it holds this share of the energy
+// that tears the weakest material.
 inline constexpr double kScreen = 0.3;
-// Cells and bonds count as alike if they differ by no more than this factor. So tissue that is
-// alike, such as that along the front of a crack, tears at once, whatever the last bits.
+// Cells and bonds count as equal if their energies differ by no more than this factor. So those
+// along a crack's front tear in the same frame, even if rounding makes their energies differ.
 inline constexpr double kAlike = 0.9;
 
 // Unit vector of rest space along which F stretches most.

@@ -6,9 +6,9 @@
 // The spring stands for tissue that the lattice does not resolve: the half of a cell between the
 // outermost centres and the surface, and dents smaller than a cell (docs/methods/tissue.md).
 //
-// Friction is taken cell by cell: a pressed cell loses its tangential velocity, with the way that
-// it went by it in the substep, up to Coulomb's limit. The momentum that cells lose, divided by the
-// frame's duration, is the force on the obstacle.
+// Friction is taken cell by cell: a pressed cell loses its tangential velocity, up to Coulomb's
+// limit; the displacement that this velocity caused in the substep is undone. The momentum that
+// cells lose, divided by the frame's duration, is the force on the obstacle.
 //
 // As a last resort, cells whose centres are inside an obstacle are moved out. For a blade or a hook
 // this is all, since it must be able to enter tissue.
@@ -126,7 +126,8 @@ class TissueContacts {
   std::vector<std::int32_t> slot_;   // per cell of the box: index in Body::cells, or -1
   std::vector<ContactPoint> found_;  // of a cell
   std::vector<Column> moved_;        // displacements of Body::cells, m
-  // Given to them by points in this substep: impulse, kg m/s; the last component is above 0 if any.
+  // Given to them by points in this substep: impulse, kg m/s; the last component is above 0 for
+  // cells that were given something.
   std::vector<Column> given_;
 };
 

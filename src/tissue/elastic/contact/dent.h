@@ -10,7 +10,7 @@
 namespace resect {
 
 struct Dent {
-  double depth = 0;              // m, normal to the obstacle's surface; 0: no contact
+  double depth = 0;              // m, part of the way along the obstacle's normal; 0: no contact
   Vec3 outwards = Vec3::Zero();  // normal of the obstacle's surface
   double share = 0;              // of the patch that the obstacle covers, 0 to 1
 };

@@ -1,7 +1,7 @@
 // The points at which elastic tissue touches obstacles.
 //
-// Points lie on the surface at rest, and each stands for a patch of it. They are the patches that
-// the organ has told (TissueModel::setSurface()), and points on the faces that edits have bared.
+// Points lie on the surface at rest, and each stands for a patch of it. The patches are
+// those given by setSurface(), and parts of the faces that edits have bared.
 // Without an organ they lie on all faces of cells that have no neighbour.
 //
 // A point belongs to a cell. It follows the mean of that cell and of the neighbours bonded to it,
