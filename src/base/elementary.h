@@ -2,11 +2,13 @@
 //
 // The C libraries of different machines give results that differ in the last bit. The state must
 // not depend on the library. The functions here use only +, -, *, /, fused multiply-add, square
-// root and rounding of IEEE 754 doubles, in a fixed order. Their errors are below 2 units in the
-// last place (test/base/elementary_test.cpp). sin() and cos() give NaN for |x| > 1e6, acos() for
-// |x| > 1; every function gives NaN for NaN. Cost: some 20 to 40 operations per call.
+// root and rounding of IEEE 754 doubles, and integer operations on their bits, in a fixed order.
+// Their errors are below 2 units in the last place (test/base/elementary_test.cpp). sin() and cos()
+// give NaN for |x| > 1e6, acos() for |x| > 1; every function gives NaN for NaN. Cost: 20 to 60
+// operations per call.
 //
-// Method: x is reduced to a short interval (Cody and Waite 1980). There the Taylor series is summed
+// Method: sin(), cos() and exp() reduce x to a short interval (Cody and Waite 1980), the arc
+// functions to the distance from one of three tabulated angles. There the Taylor series is summed
 // until the rest is below a hundredth of a unit in the last place. cbrt() uses Halley's iteration.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Prints the output of a command: lines that may contain file names and foreign text, and JSON.
+// Prints the output of a command: JSON, and lines that may contain file names and foreign text.
 #pragma once
 
 #include <fmt/format.h>

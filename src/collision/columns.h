@@ -1,16 +1,15 @@
 // Scanline rasteriser: finds all crossings of columns (lines along +z) with a closed mesh. First
-// the x and y of the mesh's points and of the columns are snapped to an integer raster. Which
-// triangles of the snapped mesh a column crosses is decided exactly; the depth of a crossing is
-// rounded as any floating-point number.
+// the x and y of the mesh's points and of the columns are snapped to an integer raster. It is
+// decided exactly which triangles of the snapped mesh a column crosses. Only the depth of a
+// crossing is rounded, as any floating-point number.
 //
-// The raster has
-// 2^30 steps over the larger of the mesh's extents in x and y; on a liver a step is 0.2 nm. With
-// these integers every edge function is an exact 64-bit integer. A column through an edge or a
-// vertex is treated as if it were shifted by (s, s^2), where s > 0 is infinitesimal. The shifted
-// column meets neither edges nor vertices. So for a closed, oriented mesh the signs of every
-// column's crossings sum to zero, whatever the shapes of the triangles. The raster depends on the
-// mesh alone. So a column has the same crossings whether it is cast alone or with others, in a grid
-// or in a list, at any number of threads.
+// The raster has 2^30 steps over the larger of the mesh's extents in x and y; on a liver a step is
+// 0.2 nm. With these integers every edge function is an exact 64-bit integer. A column through an
+// edge or a vertex is treated as if it were shifted by (s, s^2), where s > 0 is infinitesimal. The
+// shifted column meets neither edges nor vertices. So for a closed, oriented mesh the signs of
+// every column's crossings sum to zero, whatever the shapes of the triangles. The raster depends on
+// the mesh alone. So a column has the same crossings whether it is cast alone or with others, in a
+// grid or in a list, at any number of threads.
 //
 // Cost: a pass over the mesh's points and triangles; then a few operations for each column in a
 // triangle's bounding box, and a few for each crossing. Sources: layered depth images for
@@ -69,7 +68,7 @@ struct SnappedMesh {
   };
   Vec2 origin = Vec2::Zero();  // lowest x, y of the mesh, m
   double step = 1;             // one raster step, m
-  RawArray<RasterXY> xy;       // per point; most triangles are rejected by x and y alone
+  RawArray<RasterXY> xy;       // per point; without z, since most triangles are rejected by x and y
   std::span<const Vec3> points;
   std::span<const Triangle> triangles;
 
@@ -81,7 +80,7 @@ struct SnappedMesh {
 
 // The mesh must be closed and oriented outwards, with finite coordinates. An empty mesh is allowed.
 SnappedMesh snapToRaster(const TriangleMesh& mesh);
-// A temporary mesh would be destroyed before the result.
+// Deleted, since a temporary mesh would be destroyed before the result that refers to it.
 SnappedMesh snapToRaster(const TriangleMesh&& mesh) = delete;
 
 // All crossings of a regular grid of columns.

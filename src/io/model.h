@@ -25,11 +25,12 @@ struct ModelPart {
   std::optional<Finish> finish{};  // of the first shape of the part
 };
 
-// Poses of the tools and of the camera in a saved scene (inventor/scene/scene_file.h), world.
+// Poses of the tools and of the camera in a saved scene (inventor/scene/scene_file.h), in world
+// coordinates.
 struct ScenePlaces {
   std::vector<Pose> tools;  // in the order of the room that was saved; at most kMostSceneTools
   Pose camera;
-  double heightAngle = 0;    // rad, between 0 and pi
+  double heightAngle = 0;    // the camera's angle of view from bottom to top, rad, 0 to pi
   double focalDistance = 0;  // m, > 0
 };
 
@@ -57,13 +58,15 @@ const ModelPart& partNamed(const Model& model, const std::string& name);
 
 inline constexpr std::size_t kLongestName = 60;  // characters of a part's name in a message
 
-// The names of the first `most` parts, as "a, b, c and 23 more". A name longer than 60 characters
-// is cut short.
+// The names of the first `most` parts, as "a, b, c and 23 more". Of a name longer than kLongestName
+// only the beginning and the end are shown.
 std::string partList(const Model& model, std::size_t most = 40);
 
-// Throws Error if the model has what no reader may return: no triangles at all, an index out of
-// range, a coordinate that is not finite or whose absolute value is above 1e9 m, a normal that is
-// neither unit nor zero, a finish that is out of range, or a number in `places` that is.
+// Throws Error if no reader may return this model. So it is if the model has no triangles, if an
+// index is out of range, if a coordinate is not finite or its absolute value is above 1e9 m, if a
+// part has another number of normals than of points, if a normal is neither unit nor zero, if a
+// number of a finish or of `places` is out of range, or if `places` has more than kMostSceneTools
+// tools.
 void checkModel(const Model& model);
 
 // For sending a model through a pipe: modelToBytes() gives its bytes, bytesToModel() makes the

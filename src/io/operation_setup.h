@@ -1,5 +1,5 @@
 // Makes a simulation from a scenario: reads the files that the scenario names, and makes organs,
-// tissue and tools of them.
+// tissue and tools from them.
 #pragma once
 
 #include <functional>
@@ -33,24 +33,24 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
                            std::optional<Pose>* place = nullptr);
 
 // The organ's cells, with the labels of the source. The cells are sampled from the mesh of
-// loadOrganMesh() unless the source is a file of particles (io/cells/particle_file.h). The cells of
-// a file of particles are kept; if source.resample, new cells are sampled from their surface. Such
-// a source is not rotated and `place` is left as it is; only steps 3 and 4 of loadOrganMesh() are
-// applied. Throws Error if a label marks no particle.
+// loadOrganMesh() unless the source is a file of particles (io/cells/particle_file.h). Such a file
+// gives its own cells; if source.resample, cells are sampled anew from their surface. In both cases
+// the source is not rotated and `place` is not used: only steps 3 and 4 of loadOrganMesh() are
+// applied, with the box of the file's lattice. Throws Error if a label marks no particle.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr);
 
-// A tool from its description file, given by the file's path or by its name among those that come
-// with Resect ("scalpel"). It is drawn as the parts of its model (io/drawn_parts.h).
+// A tool from its description file. name: the file's path, or the name of a tool that comes with
+// Resect ("scalpel"). The tool is drawn as the parts of its model (io/drawn_parts.h).
 ToolModel loadTool(const std::string& name, const ModelReader& readModel);
 
 // The scenario's tools.
 std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 
-// The tissue of one organ, at rest. Throws Error if an attachment contains no particle, if a
-// material is for a label that no particle has, or if a setting is out of range.
+// The tissue of one organ, at rest. Throws Error if an attachment of elastic tissue contains no
+// particle, if a material is for a label that no particle has, or if a setting is out of range.
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ);
 
 // All organs of the scenario, at rest.
@@ -58,13 +58,13 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
                                       const Progress& progress = {},
                                       std::vector<std::string>* notes = nullptr);
 // The springs of the scenario's joints. In thesis mode there are none. Throws Error if a joint
-// joins no two cells.
+// names an organ that does not exist, or if no two cells are near enough for it.
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs);
 
-// Makes a simulation of organs, joints and tools, with the scenario's table. If the scenario has a
-// tool box, its walls become an obstacle for moving tissue. They do not if a particle lies in the
-// tool box at the start, since they would push that organ out.
+// Makes a simulation of organs, joints and tools, with the scenario's table. The walls of the
+// scenario's tool box become an obstacle for moving tissue, unless a particle of some organ lies in
+// the tool box at the start: the walls would push that organ out.
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools);
 

@@ -4,9 +4,9 @@
 // field, normalised. The gradient is found by a 3D Sobel operator: central differences along one
 // axis, averaged over the other two axes with weights 1 2 1 (Zucker and Hummel 1981 compare it with
 // others). Plain central differences would show the lattice as ribs in the highlights. The mean
-// error of the normals on a ball is 2.5 degrees with plain central differences at two nodes per
-// cell, 1.6 degrees with the Sobel operator at two nodes per cell, and 1.3 degrees with the Sobel
-// operator at one node per cell.
+// error of the normals on a ball at two nodes per cell is 2.5 degrees with plain central
+// differences and 1.6 degrees with the Sobel operator. At one node per cell the Sobel operator
+// averages over a wider range, and the error is 1.3 degrees.
 //
 // Cost: 1 500 operations per brick and 60 more per vertex.
 #pragma once
@@ -25,8 +25,8 @@ namespace resect {
 float cutShare(float before, float iso);
 
 // Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: the number
-// of the grid edge that each vertex lies on, as written by brickVertices(). `normals` and `cut` may
-// be overwritten up to the next multiple of CrossedEdges::kStep.
+// of the grid edge that each vertex lies on, as written by brickVertices(). `normals` and `cut`
+// must have room up to the next multiple of CrossedEdges::kStep; the rest is overwritten.
 void brickLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
                std::span<const std::uint8_t> edges, Vec3f* normals, float* cut);
 

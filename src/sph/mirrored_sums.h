@@ -1,5 +1,6 @@
-// Mirrored sums: cells that have equal weights about a node are added before they are weighed. Used
-// only by the sums over floats (sph/field_stencil.cpp) and over levels (sph/level_stencil.cpp).
+// Mirrored sums: the values of cells that have equal weights for a node are added first, and their
+// sum is then multiplied by the weight. Used only by the sums over floats (sph/field_stencil.cpp)
+// and over levels (sph/level_stencil.cpp).
 //
 // All functions are inlined, so that they are compiled for the instruction set of their caller.
 #pragma once
@@ -9,14 +10,14 @@
 
 #include "sph/field_stencil.h"
 
-// The warning concerns the calling convention of functions that return vectors. It does not matter
+// -Wpsabi warns about the calling convention of functions that return vectors. It does not matter
 // here, since all of them are inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace resect {
 
-// Row: one value for each of the four nodes of a row of a brick. Half: the values of two rows, for
-// machines with eight lanes.
+// Row: one value for each of the four nodes of a row of a brick. Half: the values of two rows, that
+// is, of half a plane of a brick; for machines with eight lanes.
 typedef float Row __attribute__((vector_size(16)));
 typedef float Half __attribute__((vector_size(32)));
 
@@ -43,8 +44,8 @@ struct Mirrored {
 
 // With two nodes per cell: the mirrored sums along an axis, for the node that has the index i (0 to
 // 3) on this axis. at(k): the value of cell k along the axis, counted from the lowest cell in the
-// reach of the brick. The value may be that of one cell, a vector, or a mirrored sum along another
-// axis.
+// reach of the brick. at() may return the value of one cell, a vector of such values, or a mirrored
+// sum along another axis.
 template <typename At>
 [[gnu::always_inline]] inline auto mirrored(int i, At at) {
   using T = std::decay_t<decltype(at(0))>;
@@ -53,10 +54,10 @@ template <typename At>
   return Mirrored<T>{at(h + 1) + at(h + 2), at(h) + at(h + 3)};
 }
 
-// With two nodes per cell: whether a mirrored sum matters to a row of nodes. y, z: the indices of
-// the row in the brick. k: the sum; its cells are the far ones along the axes whose bits are set (1
-// for x, 2 for y, 4 for z) and the near ones along the others. True if any node of the row reaches
-// these cells. Nodes with odd indices lie midway between cells.
+// With two nodes per cell: whether any node of a row reaches the cells of a mirrored sum. y, z: the
+// indices of the row in the brick. k: number of the sum, with one bit per axis (1 for x, 2 for y, 4
+// for z). A set bit stands for the far cells along that axis, a clear bit for the near ones. Nodes
+// with odd indices lie midway between cells.
 constexpr bool reaches(int y, int z, int k) {
   const auto square = [](int node, bool further) {  // squared distance along an axis, in half cells
     return (node % 2 + 2 * further) * (node % 2 + 2 * further);
@@ -68,12 +69,13 @@ constexpr bool reaches(int y, int z, int k) {
 // and 2 of a brick's nodes, which lie on cell centres in y; 1 for rows 1 and 3, which lie midway.
 // Second index: number of the plane of cells. Third index: number of the sum: bit 0 for x, bit 1
 // for y; a bit is 0 for near, 1 for far.
-constexpr int kCellsBetween = 5;  // cells in reach of a brick along an axis
+constexpr int kCellsBetween =
+    5;  // with two nodes per cell: cells in reach of a brick along an axis
 using SumsBetween = Half[2][kCellsBetween][4];
 
 // Evaluates planes of a brick from the mirrored sums along x and y: plane z if bit z of `planes` is
-// set. Processes eight nodes at a time. To make the sums and weigh them, it aims at 27 additions
-// and products per node.
+// set. Processes eight nodes at a time. It makes about 19 additions and products per node. With
+// the sums along x and y, which the caller makes, there are about 27.
 [[gnu::always_inline]] inline void weighBetween(const FieldStencil& stencil,
                                                 const SumsBetween& sumsOf, unsigned planes,
                                                 float* out) {

@@ -50,9 +50,9 @@ shown lift 40
 shown incise 44
 shown incise-under-traction 64
 shown snip 70
-shown resect-segment-elastic 104
+shown resect-segment-elastic 124
 shown liver-and-gallbladder 34
 shown hang 12
 shown drop 20
 strip incise-under-traction 960x540+0+0 24 42 48 56 64 last
-strip resect-segment-elastic 640x430+120+110 26 38 62 74 96 last
+strip resect-segment-elastic 640x430+120+110 26 38 62 116 124 last

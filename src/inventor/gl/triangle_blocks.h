@@ -3,8 +3,8 @@
 //
 // The triangles are divided into blocks of 128 consecutive ones. For each block its bounding box
 // and the range of its vertices are stored. A query tests every box and returns only the blocks
-// that can matter: a few for a few pixels, whatever the size of the surface. Only changed blocks
-// are updated.
+// that can matter. For a few pixels these are few, whatever the size of the surface. Only changed
+// blocks are updated.
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ class TriangleBlocks {
   };
   static Box emptyBox();
 
-  // Call after the entries [begin, end) of the array of vertices or of triangles have changed. The
-  // next refresh() then updates their blocks.
+  // To be called when the vertices or the triangles [begin, end) have changed. The next refresh()
+  // then updates their blocks.
   void verticesChanged(std::size_t begin, std::size_t end) { vertices_.push_back({begin, end}); }
   void trianglesChanged(std::size_t begin, std::size_t end) { triangles_.push_back({begin, end}); }
   // Updates the blocks that use changed entries. A triangle whose first two corners are equal is an
@@ -48,7 +48,8 @@ class TriangleBlocks {
              std::span<const Triangle> triangles) const;
   // After refresh(): bounds of all triangles.
   Box box() const;
-  // After refresh(): runs, in order, that include every triangle with a part in all half spaces.
+  // After refresh(): runs, in ascending order. They include every triangle that has a point which
+  // lies in all half spaces at once.
   std::vector<Run> within(const HalfSpaces& spaces) const;
   // After refresh(): runs, in order, that include every triangle that the ray meets.
   std::vector<Run> along(const Ray& ray) const;

@@ -11,8 +11,9 @@
 
 namespace resect {
 
-// The nodes of a box that lie in tissue, and the grid edges between them that are whole, that is,
-// not severed. Found on demand, for the 64 nodes of a brick at a time.
+// The nodes of a box that lie in tissue (inside, by the colour field), and the grid edges between
+// them that are whole, that is, not severed. Found on demand, for the 64 nodes of a brick at a
+// time.
 class TissueGrid {
  public:
   // Answers for the nodes of the box and those next to it. A node outside the field is not in
@@ -31,7 +32,7 @@ class TissueGrid {
   struct Brick {
     bool insideKnown = false, wholeKnown = false, cellsKnown = false;
     // Bits stand for nodes. inside: nodes in tissue. whole: per axis, the lower nodes of whole
-    // edges. cells: the lowest nodes of cells with twelve whole edges.
+    // edges. cells: the lowest nodes of grid cells whose twelve edges are all whole.
     std::uint64_t inside = 0, whole[3] = {}, cells = 0;
   };
 
@@ -47,16 +48,16 @@ class TissueGrid {
   std::vector<Brick> bricks_;
 };
 
-// The owner of a grid node: the particle that is the fewest edges away, on a path of whole edges
-// through tissue. Of several at the same distance it is the one with the lowest index. -1 if no
-// particle is within kFar edges.
+// The owner of a grid node: the particle whose centre, which is a grid node, is reached over the
+// fewest edges. All edges on the way must be whole. Of several particles at the same distance it is
+// the one with the lowest index. -1 if no particle is within kFar edges.
 class NodeOwners {
  public:
   static constexpr int kFar = 6;  // greatest distance of an owner, edges
 
-  // Answers for the nodes of a box. grid: must cover the box and kFar nodes round it. Cost: four
-  // bytes per node that the grid must cover, and work proportional to the number of nodes that
-  // searches visit.
+  // Answers for the nodes of a box. grid: must cover the box and kFar nodes round it. Memory:
+  // four bytes per node that the grid must cover, and eight per node of the box. Work: proportional
+  // to the number of nodes that searches visit.
   NodeOwners(const Organ& organ, TissueGrid& grid, const IndexBox& box);
 
   // node: must lie in tissue.
@@ -93,9 +94,9 @@ class NodeOwners {
     const std::int32_t near = -std::int32_t(own->searched <= edges);  // all bits set, or none
     return (own->owner & near) | (kNobody & ~near);
   }
-  // Searches up to `edges` away for the owner of node i. If the owner is d edges away, some
-  // neighbours of i along whole edges have an owner that is d - 1 edges away from them. The lowest
-  // of these owners is the owner of i.
+  // Searches up to `edges` away for the owner of node i. If the owner is d edges away, it also owns
+  // a neighbour of i along a whole edge, and is d - 1 edges away from that neighbour. So the owner
+  // of i is the lowest index among the owners of neighbours that are d - 1 edges away from them.
   void search(int edges, std::int32_t i);
 
   std::int64_t particleAt(const Vec3i& node) const;

@@ -1,4 +1,5 @@
-// The columns of each kind of row of a recording, listed once for both writing and reading.
+// The columns of the tables branch, frames, key_states, events and samples of a recording, listed
+// once for both writing and reading.
 #pragma once
 
 #include <cstring>
@@ -13,12 +14,13 @@ namespace resect {
 // A key state as it is stored.
 struct StoredKeyState {
   std::int64_t branch = 0, frame = 0;
-  std::string hash;  // 16 hexadecimal digits
-  std::int64_t size = 0;
-  Bytes state;  // compressed by zstd
+  std::string hash;       // 16 hexadecimal digits
+  std::int64_t size = 0;  // bytes of `state` when it is decompressed
+  Bytes state;            // compressed by zstd
 };
 
-// The columns of each row, in the order of its table.
+// columns() calls v with the name of the table and the values of the row, in the order of the
+// table's columns.
 template <class Visitor>
 void columns(Visitor&& v, Branch& r) {
   v("branch", r.number, r.parent, r.from, r.name);
@@ -80,7 +82,7 @@ Row rowOf(const Statement& statement) {
   return row;
 }
 
-// All rows of a bound statement that begins with SELECT *.
+// All rows that a statement gives. It begins with SELECT *, and its arguments are bound.
 template <class Row>
 std::vector<Row> rowsOf(Statement& statement) {
   std::vector<Row> rows;

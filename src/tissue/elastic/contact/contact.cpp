@@ -14,13 +14,19 @@ namespace {
 constexpr double kFineDents = 0.5;
 constexpr double kTwiceAsStiff = 0.6;  // depth at which a point's spring is, spacings
 constexpr double kDeepest = 0.8;       // spacings; deeper the spring's force does not grow
-constexpr double kDamping = 0.4;       // of a point, as a share of the impedance of tissue
+constexpr double kFarthest = 4;        // spacings: the way out of an obstacle, at most
+// WayOut::leastSlope; the walls of the tray are thin, and tissue must not stay in them.
+constexpr double kEdgeOn = 0.2, kNeverEdgeOn = -1;
+constexpr double kDamping = 0.4;  // of a point, as a share of the impedance of tissue
 // Spacings: how much nearer than by its speed tissue may come in a frame.
 constexpr double kCentreReach = 0.3, kPointReach = 0.5;
 // Spacings per substep: limits the speed of cells when a tool jumps.
 constexpr double kMostPush = 0.25;
 // Blades and hooks: distance that they keep from the centres of cells, in spacings.
 constexpr double kEnteringStandOff = 0.1;
+// Other instruments: how deep, in spacings, centres of cells may be inside. Were they pushed out of
+// a narrow tip at once, then by its flank, and the tip would slip into the tissue.
+constexpr double kPressingDepth = 1;
 
 Vec3 at(const std::array<FloatArray, 3>& field, std::int32_t i) {
   return {field[0][i], field[1][i], field[2][i]};
@@ -32,10 +38,12 @@ Vec3 vector(const Column& c) { return {c[0], c[1], c[2]}; }
 struct Spring {
   double stiffness, damping;
 };
-Spring springOf(const TissueMaterial& m, double spacing) {
+// The table and the tray are flat over many cells: there are no dents that the lattice does not
+// resolve.
+Spring springOf(const TissueMaterial& m, double spacing, bool dents) {
   const double pressed = m.lame() + 2 * m.shear();        // modulus of tissue that cannot give way
   const double dented = 2 * m.shear() / (1 - m.poisson);  // E / (1 - nu^2)
-  return {1 / (0.5 * spacing / pressed + kFineDents * spacing / dented),
+  return {1 / (0.5 * spacing / pressed + (dents ? kFineDents * spacing / dented : 0)),
           kDamping * m.density * m.waveSpeed()};
 }
 
@@ -59,6 +67,7 @@ void TissueContacts::list(const ElasticState& s, const ElasticKernel& kernel, co
   }
   listCells(s, origin, duration, gripper);
   slot_.resize(std::size_t(s.box.size), -1);
+  mean_.clear(s);
   for (std::size_t b = 0; b < bodyCount_; ++b) {
     Body& body = bodies_[b];
     for (const std::int32_t cell : body.candidates) {
@@ -95,7 +104,9 @@ std::int32_t TissueContacts::slotOf(const ElasticState& s, std::int32_t cell, co
 
 void TissueContacts::listPoints(const ElasticState& s, const ElasticKernel& kernel,
                                 const Vec3& origin, double duration, Body& body) {
-  ChunkGradients gradients(s, kernel);
+  // What the table and the tray touch is as wide as many cells. Its own normal will do.
+  const bool instrument = body.obstacle.tool >= 0;
+  ChunkGradients gradients(s, kernel), around(s, kernel);
   for (const std::int32_t cell : body.candidates) {
     found_.clear();
     if (body.obstacle.shape)
@@ -110,13 +121,20 @@ void TissueContacts::listPoints(const ElasticState& s, const ElasticKernel& kern
     });
     if (found_.empty()) continue;
     const Mat3 cof = cofactors(Mat3::Identity() + gradients.at(cell));
-    for (const ContactPoint& point : found_) listPoint(s, cell, point, cof, origin, way, body);
+    AreaBySide sides;
+    if (instrument) sides = mean_.around(s, points_, around, cell);
+    for (const ContactPoint& point : found_) {
+      const Vec3 normal = instrument ? meanNormal(sides, point.normal)
+                                     : (cof * point.normal.cast<double>()).normalized();
+      listPoint(s, cell, point, cof, normal, origin, way, body);
+    }
   }
 }
 
 // Lists a point, unless the obstacle is farther away than `way`.
 void TissueContacts::listPoint(const ElasticState& s, std::int32_t cell, const ContactPoint& point,
-                               const Mat3& cof, const Vec3& origin, double way, Body& body) {
+                               const Mat3& cof, const Vec3& normal, const Vec3& origin, double way,
+                               Body& body) {
   const PointWeights weights = weightsAt(s, cell, point.offset);
   // What lies between the mean of the cells and the surface turns as a normal does.
   const Vec3 above = (point.offset - weights.mean).cast<double>();
@@ -129,9 +147,8 @@ void TissueContacts::listPoint(const ElasticState& s, std::int32_t cell, const C
     moved += double(weights.weight[std::size_t(n)]) * at(s.u, weights.cell[std::size_t(n)]);
   const double width = std::sqrt(point.area);
   if (!reaches(body, base + moved, body.obstacle.shape ? way + 0.5 * width : way)) return;
-  const Vec3 normal = cof * point.normal.cast<double>();
-  const Spring spring = springOf(s.materials[s.material[cell]], s.spacing);
-  body.points.push_back({base.cast<float>(), (-normal / normal.norm()).cast<float>(), float(width),
+  const Spring spring = springOf(s.materials[s.material[cell]], s.spacing, body.obstacle.tool >= 0);
+  body.points.push_back({base.cast<float>(), (-normal).cast<float>(), float(width),
                          float(spring.stiffness * point.area), float(spring.damping * point.area),
                          std::int32_t(body.shares.size()), weights.count});
   for (int n = 0; n < weights.count; ++n)
@@ -144,11 +161,11 @@ void TissueContacts::listPoint(const ElasticState& s, std::int32_t cell, const C
 Dent TissueContacts::dentOf(const Body& body, const Point& point, const Stance& stance,
                             double spacing, const Vec3& fromOrigin) {
   const Obstacle& o = body.obstacle;
-  const double deepest = kDeepest * spacing;
+  const WayOut limits{kDeepest * spacing, kFarthest * spacing, o.tool < 0 ? kNeverEdgeOn : kEdgeOn};
   if (!o.shape)
-    return {std::min(deepest, -fromOrigin.dot(stance.turn.col(1))), stance.turn.col(1), 1};
+    return {std::min(limits.deepest, -fromOrigin.dot(stance.turn.col(1))), stance.turn.col(1), 1};
   Dent dent = dentIn(*o.shape, stance.turn.transpose() * fromOrigin,
-                     stance.turn.transpose() * point.inwards.cast<double>(), point.width, deepest);
+                     stance.turn.transpose() * point.inwards.cast<double>(), point.width, limits);
   dent.outwards = stance.turn * dent.outwards;
   return dent;
 }
@@ -189,7 +206,7 @@ void TissueContacts::pushCentre(const ElasticState& s, const Body& body, const S
   const std::int32_t i = body.cells[k].cell;
   const Vec3 fromOrigin =
       body.cells[k].rest + at(s.u, i) + way.cast<double>() - stance.pose.position;
-  double depth = o.enters ? kEnteringStandOff * s.spacing : 0;
+  double depth = (o.enters ? kEnteringStandOff : o.tool < 0 ? 0 : -kPressingDepth) * s.spacing;
   Vec3 outwards = stance.turn.col(1);  // of a half space
   if (o.shape) {
     const auto sample = (*o.shape)(stance.turn.transpose() * fromOrigin);

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "tissue/elastic/contact/dent.h"
+#include "tissue/elastic/contact/mean_normals.h"
 #include "tissue/elastic/contact/points.h"
 #include "tissue/elastic/elastic_state.h"
 #include "tissue/elastic/kernel/elastic_kernel.h"
@@ -60,7 +61,7 @@ class TissueContacts {
 
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(points_, bodies_, bodyCount_, impulse_, slot_, found_, moved_, given_);
+    v.made(points_, bodies_, bodyCount_, impulse_, slot_, found_, mean_, moved_, given_);
   }
 
  private:
@@ -106,7 +107,7 @@ class TissueContacts {
   void listPoints(const ElasticState& state, const ElasticKernel& kernel, const Vec3& origin,
                   double duration, Body& body);
   void listPoint(const ElasticState& state, std::int32_t cell, const ContactPoint& point,
-                 const Mat3& cof, const Vec3& origin, double way, Body& body);
+                 const Mat3& cof, const Vec3& normal, const Vec3& origin, double way, Body& body);
   std::int32_t slotOf(const ElasticState& state, std::int32_t cell, const Vec3& origin, Body& body);
   bool reaches(const Body& body, const Vec3& place, double way) const;
   void pressPoints(const ElasticState& state, const Body& body, const Stance& stance, double dt);
@@ -125,7 +126,8 @@ class TissueContacts {
   // Memory that is used again.
   std::vector<std::int32_t> slot_;   // per cell of the box: index in Body::cells, or -1
   std::vector<ContactPoint> found_;  // of a cell
-  std::vector<Column> moved_;        // displacements of Body::cells, m
+  MeanNormals mean_;
+  std::vector<Column> moved_;  // displacements of Body::cells, m
   // Given to them by points in this substep: impulse, kg m/s; the last component is above 0 for
   // cells that were given something.
   std::vector<Column> given_;

@@ -1,11 +1,13 @@
 #include "tissue/elastic/contact/dent.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace resect {
 namespace {
 
-constexpr int kSteps = 4;            // towards the way out
+constexpr int kSteps = 40;           // towards the way out
+constexpr double kClose = 0.01;      // of a width: distance from the border that ends the search
 constexpr double kLeastSlope = 0.5;  // of the distance along the way, for a step of Newton's
 
 }  // namespace
@@ -14,22 +16,26 @@ constexpr double kLeastSlope = 0.5;  // of the distance along the way, for a ste
 // larger, and the share grows from 0 at that border to 1 a width further inside. Patches beside
 // each other then cover the face exactly, wherever they lie.
 Dent dentIn(const SignedDistance& shape, const Vec3& place, const Vec3& inwards, double width,
-            double deepest) {
-  Dent dent;
+            const WayOut& limits) {
   const double larger = 0.5 * width;
   SignedDistance::Sample sample = shape(place);
-  if (sample.distance >= larger) return dent;
+  if (sample.distance >= larger) return {};
   double way = 0;
-  for (int k = 0; k < kSteps; ++k) {
+  for (int k = 0; k < kSteps && std::abs(sample.distance - larger) > kClose * width; ++k) {
     const double slope = sample.outwards.dot(inwards);
     way -= (sample.distance - larger) / (slope > kLeastSlope ? slope : 1);
-    if (way > deepest + larger) break;
+    if (way > limits.farthest + larger) return {};
     sample = shape(place + way * inwards);
   }
-  if (way > deepest + larger) return {deepest, inwards, 1};
+  const double slope = sample.outwards.dot(inwards);
+  if (way > limits.deepest + larger) {
+    if (slope < limits.leastSlope || sample.distance < larger - kClose * width) return {};
+    return {limits.deepest, inwards, 1};
+  }
+  Dent dent;
   dent.outwards = sample.outwards;
-  dent.depth = std::min(deepest, way * std::max(0.0, sample.outwards.dot(inwards)) - larger);
-  if (dent.depth <= 0) return Dent{};
+  dent.depth = std::min(limits.deepest, way * std::max(0.0, slope) - larger);
+  if (dent.depth <= 0) return {};
   const double within = larger - shape(place + (way - width) * inwards).distance;
   dent.share = std::clamp(within / width, 0.0, 1.0);
   return dent;
