@@ -77,8 +77,8 @@ ResectHapticDevice* openHand(const char* options, ResectHapticLimits* limits) {
     const std::string one = all.substr(begin, end - begin);
     if (!set(*hand, one)) {
       lastError = "\"" + one +
-                  "\" is no option; give mass, stiffness, damping, resolution or step, each with "
-                  "= and a number from 0";
+                  "\" is no option, or its value cannot be used; give mass (above 0), stiffness, "
+                  "damping, resolution or step, each with = and a number from 0";
       delete hand;
       return nullptr;
     }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text/shown_text.h"
 
 namespace resect {
@@ -69,6 +71,11 @@ std::string toText(const HapticsReport& r, const Scenario& scenario) {
                     hand.peakForce, hand.largestStep, hand.correction, hand.peakStiffness,
                     1e3 * hand.energy, 1e3 * hand.mostEnergy, hand.guarded);
   }
+  const auto untouched = [](const HandReport& hand) { return !(hand.peakForce > 0); };
+  if (std::ranges::all_of(r.hands, untouched))
+    text += fmt::format(
+        "  in {:g} s no instrument has touched tissue: give more --seconds, or another scenario\n",
+        r.seconds);
   return text;
 }
 

@@ -4,8 +4,8 @@
 // into tetrahedra that are congruent and nearly regular. Each tetrahedron with corners on both
 // sides of the surface gives one or two triangles. So the mesh is closed, oriented and manifold for
 // any function. The mesh is then smoothed, and edges that cut off a corner or a sharp margin of the
-// body are split (isosurface/relax.h). Cost: 1.5 evaluations of the function per cube of the
-// lattice and about 30 per point of the mesh. Same bits at any number of threads.
+// body are split (isosurface/relax.h). Cost: at most 2 evaluations of the function per cube of
+// the lattice, and about 30 per point of the mesh. Same bits at any number of threads.
 //
 // Sources: marching tetrahedra, Doi, Koide (1991); the lattice, Labelle, Shewchuk (2007).
 #pragma once
@@ -18,8 +18,8 @@
 namespace resect {
 
 struct PolygoniseSettings {
-  // Longest edge of most triangles, m, > 0; the mean edge is three quarters of it. Parts of the
-  // body that are thinner than `edge` may be lost.
+  // Few edges of the mesh are longer than this, m, > 0; the mean is about three quarters of it.
+  // Parts of the body that are thinner than `edge` may be lost.
   double edge = 0.0025;
   // Largest slope of the function (Lipschitz constant), > 0. A block of cubes is skipped if the
   // value at its centre shows that the surface cannot reach the block. Infinite: nothing is

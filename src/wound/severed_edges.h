@@ -1,9 +1,10 @@
 // The severed grid edges of an organ, and the traces of blades on the grid's faces.
 //
 // The grid is that of the colour field's nodes. All lengths are in node spacings. A severed edge
-// keeps the position and the normal of its first cut, and never becomes whole again. Storage is
-// sparse: there is one record for each brick that a blade went through, and none for an uncut
-// organ. Severing an edge costs O(1).
+// keeps the position and the normal of its first cut, and never becomes whole again. An uncut organ
+// stores nothing. The first cut allocates a few bytes for every brick of the grid. Beyond that
+// there is one record for each brick that a blade went through. After the first cut, severing an
+// edge costs O(1).
 #pragma once
 
 #include <array>
@@ -51,11 +52,12 @@ class SeveredEdges {
   // at(), betweenCells(), normal() and visitTraces() also accept nodes outside the grid, where
   // nothing is severed. at(): the cut's position along an edge, 0 to 1.
   float at(const Vec3i& node, int axis) const;  // kWhole where not severed
-  // Whether a cut separates the two lattice cells that the edge lies between. Every refine-th node
-  // of a grid line lies on the mid-plane of a cell. The edge lies on the stretch of its grid line
-  // between two such nodes. True if any edge of this stretch is severed.
+  // Between the mid-planes of two neighbouring cells, a grid line has `refine` edges. Returns
+  // whether any edge is severed on the stretch that contains this one: a cut then lies between the
+  // two cells. The node must not lie before the first one along the axis.
   bool betweenCells(const Vec3i& node, int axis) const;
-  Vec3f normal(const Vec3i& node, int axis) const;  // unit, positive along the axis
+  Vec3f normal(const Vec3i& node,
+               int axis) const;  // of a severed edge: unit, not negative along it
   // Calls visit(const FaceTrace&) for the traces on a face, in the order in which they were
   // recorded.
   template <typename Visit>
@@ -77,9 +79,9 @@ class SeveredEdges {
     const Record* r = recordOfBrick(brick);
     return r ? r->share[std::size_t(axis)].data() : nullptr;
   }
-  // Whether a blade severed an edge, or left a trace, in the brick's cells or close to them: in a
-  // cube whose corners are eight neighbouring cell centres of the lattice and that contains one of
-  // the brick's cells. In other bricks the surface is that of an uncut organ.
+  // True if a blade severed an edge or left a trace in a lattice cube that contains a grid cell of
+  // the brick, and for a few more bricks round the blade. Where it is false, the surface is that of
+  // an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
   // The bricks whose surface depends on what was severed or traced since the last update(), in

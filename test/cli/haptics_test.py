@@ -84,7 +84,8 @@ class Haptics(unittest.TestCase):
                  "breaks": ({"READ": "1"}, "failed in read(): the plug is out")}
         cases = [(compiled(name, PLUGIN, (RIGHT | change).items()), says) for name, (change, says) in wrong.items()]
         cases += [(FOLDER / "none.so", "there is no haptic plug-in"), (FOLDER / "text.so", "is not a shared library"),
-                  ("no_such_device", "there is no haptic device")]
+                  ("no_such_device", "there is no haptic device"),
+                  ("no_such_device.so", "there is no haptic plug-in")]
         for plugin, says in cases:
             done = resect("bench", "press", "--haptics", "--seconds", 1, "--spacing", "15mm", "--device", plugin)
             self.assertEqual(done.returncode, 1, (plugin, done.stderr))

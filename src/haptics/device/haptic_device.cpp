@@ -11,7 +11,7 @@ namespace resect {
 namespace fs = std::filesystem;
 
 fs::path findHapticPlugin(const std::string& name) {
-  if (name.find('/') != std::string::npos) return name;
+  if (name.find('/') != std::string::npos || name.ends_with(".so")) return name;
   const std::string file = "resect_" + name + ".so";
   std::error_code ec;
   const fs::path program = fs::read_symlink("/proc/self/exe", ec).parent_path();

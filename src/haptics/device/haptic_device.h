@@ -11,9 +11,10 @@
 
 namespace resect {
 
-// Finds a plug-in. name: a path if it holds a slash; otherwise that of one which comes with Resect,
-// such as "simulated_hand". It is looked for in the folder of the program, in ../lib/resect/ seen
-// from there, and where plug-ins are installed. Throws Error with the places if it is nowhere.
+// Finds a plug-in. name: a path if it holds a slash or ends with ".so"; otherwise the name of one
+// that comes with Resect, such as "simulated_hand". It is looked for in the folder of the program,
+// in ../lib/resect/ seen from there, and where plug-ins are installed. Throws Error with the places
+// if it is nowhere.
 std::filesystem::path findHapticPlugin(const std::string& name);
 
 // A loaded plug-in. It stays loaded while a device of it is open.

@@ -69,6 +69,7 @@ class OperatingRoom {
     return organs_[std::size_t(number)];
   }
   int organCount() const { return int(organs_.size()); }
+  // The surface of an added organ must be closed, since its back faces are not drawn.
   void addOrgan(const Vec3f& colour);
 
   // `model` replaces the present table or tool box. With nullptr there is none afterwards.
@@ -93,8 +94,7 @@ class OperatingRoom {
   int toolOfPath(const SoFullPath& path) const;
 
   // Shows a mesh as the first organ, uncut, with smooth normals (geometry/normals.h). For an organ
-  // that changes, update organ() instead. If that organ came from addOrgan(), its surface must be
-  // closed, since its back faces are not drawn.
+  // that changes, update organ() instead.
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
   void setOrganColour(const Vec3f& colour);  // of the first organ
   void setOrganPose(const Pose& pose);       // of all organs and tissues
@@ -118,15 +118,15 @@ class OperatingRoom {
   // and are drawn without shaders.
   SoSeparator* aids() const { return aids_; }
 
-  // Call after a change of organs, tools or tool box. `box`: contains the change, world, m. The
-  // next picture redraws shadows only in the boxes given since the last picture. It redraws all
-  // shadows if one of these boxes was empty, or if there was no call.
+  // Call after a change of organs, tools or tool box. `box`: contains the change, world, m. If
+  // something has changed, the next picture redraws the shadows inside all boxes given since the
+  // last picture. It redraws all shadows if a box was empty, or if changedIn() was not called.
   void changedIn(const Aabb& box);
 
   const SoShadowMaps& shadows() const { return *shadows_; }
   // Texels along each side of the shadow maps: fewer are faster.
   void setShadowResolution(int texels);
-  void holdShadows(bool held);  // while held, shadows are not redrawn
+  void holdShadows(bool held);  // while held, shadows that were drawn once stay
 
   // Aims lamps and shadows at the box, world, m. Call it once per scene and when the organ's pose
   // is set, but not in every frame: the light would flicker.
