@@ -111,7 +111,7 @@ TEST_CASE("the force is smooth while an instrument is drawn over tissue") {
       const double atBall = ripple(s, ball, 0.004, turn), atBar = ripple(s, bar, 0.003, turn);
       MESSAGE(s << " m: ball " << atBall << ", bar " << atBar);
       CHECK(atBall < 0.01);
-      CHECK(atBar < (s > 0.005 ? 0.012 : 0.01));
+      CHECK(atBar < 0.01);
     }
   }
 }

@@ -17,6 +17,9 @@ constexpr double kDeepest = 0.8;       // spacings; deeper the spring's force do
 constexpr double kFarthest = 4;        // spacings: the way out of an obstacle, at most
 // WayOut::leastSlope; the walls of the tray are thin, and tissue must not stay in them.
 constexpr double kEdgeOn = 0.2, kNeverEdgeOn = -1;
+// Cosine of the angle between a point's own normal and the mean one: above kAlike the own normal is
+// used, below kApart the mean.
+constexpr double kAlike = 0.99, kApart = 0.94;
 constexpr double kDamping = 0.4;  // of a point, as a share of the impedance of tissue
 // Spacings: how much nearer than by its speed tissue may come in a frame.
 constexpr double kCentreReach = 0.3, kPointReach = 0.5;
@@ -124,8 +127,12 @@ void TissueContacts::listPoints(const ElasticState& s, const ElasticKernel& kern
     AreaBySide sides;
     if (instrument) sides = mean_.around(s, points_, around, cell);
     for (const ContactPoint& point : found_) {
-      const Vec3 normal = instrument ? meanNormal(sides, point.normal)
-                                     : (cof * point.normal.cast<double>()).normalized();
+      Vec3 normal = (cof * point.normal.cast<double>()).normalized();
+      if (instrument) {
+        const Vec3 mean = meanNormal(sides, point.normal);
+        const double share = std::clamp((kAlike - mean.dot(normal)) / (kAlike - kApart), 0.0, 1.0);
+        normal = (share * mean + (1 - share) * normal).normalized();
+      }
       listPoint(s, cell, point, cof, normal, origin, way, body);
     }
   }
