@@ -32,11 +32,10 @@ struct HapticsReport {
   std::int64_t cycles = 0, missed = 0;  // of the loop; missed: not done within 1 ms
   double p50 = 0, p99 = 0, latest = 0;  // jitter: how late cycles began, s
   RealTimeRights rights;
-  std::int64_t frames = 0,
-               lateFrames =
-                   0;        // of the simulation; late: computing took longer than the frame lasts
-  double frameDuration = 0;  // s
-  TimeSummary frame;         // time of a frame with its local models
+  std::int64_t frames = 0;      // of the simulation
+  std::int64_t lateFrames = 0;  // of these: computing took longer than the frame lasts
+  double frameDuration = 0;     // s
+  TimeSummary frame;            // time of a frame with its local models
   std::vector<HandReport> hands;
 
   double met() const { return cycles > 0 ? double(cycles - missed) / double(cycles) : 0; }

@@ -50,8 +50,8 @@ class OperatingSession {
   // undo() shows the moment before the last stroke, redo() the moment at which undo() was called
   // last, and show() any moment (LiveOperation::show()). The tools go where they were at that
   // moment. Operating goes on from there when goOn() is called, or when the hand takes or moves an
-  // instrument. Both stop the motions. If there is nothing to undo or
-  // redo, the operation stays at its moment.
+  // instrument. undo() and redo() stop the motions; if there is nothing to undo or redo, the
+  // operation stays at its moment.
   void undo();
   void redo();
   void show(Moment moment);
