@@ -1,14 +1,13 @@
 // A blade that advances through a liver that has sagged under its weight: what one advance costs in
-// tissue that moves. Beside it advanceBlade of bench_surface, in tissue at rest.
+// tissue that moves. The blade is that of the tissue at rest (tissue/cutting_edge.h).
 
 #include <benchmark/benchmark.h>
 
-#include "organ/incision/moved_incision.h"
 #include "organ/incision/strands.h"
 #include "support/bench_organs.h"
+#include "tissue/cut_bonds.h"
 #include "tissue/elastic/elastic_tissue.h"
 #include "tissue/move_tissues.h"
-#include "tissue/stencil.h"
 
 using namespace resect;
 
@@ -48,31 +47,8 @@ struct Operation {
   std::vector<Vec3> edge(double x, double depth) const { return bench::uprightEdge(top, x, depth); }
 };
 
-struct Advance {
-  SweptBlade blade;
-  std::vector<std::int64_t> near;
-  std::vector<TissueBond> bonds;
-};
-
-// What a scalpel finds (tools/blade_part.h): the particles near the blade, and the bonds that it
-// crosses.
-Advance find(const Operation& operation, double x, double depth) {
-  Advance found;
-  found.blade = ruledBlade(operation.edge(x, depth), operation.edge(x + 0.005, depth));
-  const Lattice& lattice = operation.organ.rest.lattice;
-  found.near = operation.tissue.cellsIn(found.blade.bounds.padded(2 * lattice.spacing.x()));
-  for (const std::int64_t c : found.near)
-    for (int d = kFirstForward; d < kDirections; ++d) {
-      if (!(operation.tissue.bonds(c) >> d & 1)) continue;
-      const std::int64_t other = lattice.index(lattice.cell(c) + offsetOf(d));
-      if (crossing(found.blade, operation.place(c), operation.place(other)))
-        found.bonds.push_back({c, d});
-    }
-  return found;
-}
-
-// One advance of 5 mm: grid edges and bonds severed, strands parted, bricks meshed. The argument is
-// the depth in mm.
+// One advance of 5 mm: an incision as the tissue hands it on, and the bricks meshed. The argument
+// is the depth in mm.
 void advanceBlade(benchmark::State& state) {
   static const Operation fresh;
   const double depth = 1e-3 * double(state.range(0));
@@ -84,13 +60,20 @@ void advanceBlade(benchmark::State& state) {
       operation = fresh;
       x = -0.04;
     }
-    const Advance advance = find(operation, x, depth);
+    const SweptBlade blade = ruledBlade(operation.edge(x, depth), operation.edge(x + 0.005, depth));
+    const Lattice& lattice = operation.organ.rest.lattice;
+    std::vector<std::int64_t> near;
+    visitCellsIn(lattice, blade.bounds.padded(2 * lattice.spacing.x()), [&](const Vec3i& at) {
+      const std::int64_t cell = lattice.index(at);
+      if (operation.organ.alive[std::size_t(cell)]) near.push_back(cell);
+    });
     state.ResumeTiming();
-    edges += double(inciseMoved(operation.organ, operation.tissue, advance.blade, advance.near));
-    for (const TissueBond& bond : advance.bonds) operation.tissue.sever(bond.cell, bond.direction);
-    partStrands(operation.organ, operation.tissue, advance.bonds, advance.near);
+    edges += double(incise(operation.organ, blade, CutsBetweenCells::One));
+    const std::vector<TissueBond> crossed = crossedBonds(operation.tissue, lattice, blade);
+    for (const TissueBond& bond : crossed) operation.tissue.sever(bond.cell, bond.direction);
+    partStrands(operation.organ, operation.tissue, crossed, near);
     updateSurface(operation.organ, updateField(operation.organ));
-    bonds += double(advance.bonds.size());
+    bonds += double(crossed.size());
     x += 0.005;
     ++steps;
   }

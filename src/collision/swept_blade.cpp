@@ -69,6 +69,11 @@ SweptBlade ruledBlade(std::span<const Vec3> before, std::span<const Vec3> after)
   return blade;
 }
 
+void append(SweptBlade& blade, const SweptBlade& more) {
+  blade.triangles.insert(blade.triangles.end(), more.triangles.begin(), more.triangles.end());
+  blade.bounds.grow(more.bounds);
+}
+
 std::optional<BladeCrossing> crossing(const SweptBlade& blade, const Vec3& p, const Vec3& q) {
   std::optional<BladeCrossing> first;
   const Vec3 reach = 2 * kBladeReach * blade.bounds.size() + Vec3::Constant(kOnPlane);

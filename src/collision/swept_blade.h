@@ -52,6 +52,9 @@ SweptBlade sweepBlade(std::span<const Vec3> edge, const Pose& from, const Pose& 
 // m; both must have the same number of points.
 SweptBlade ruledBlade(std::span<const Vec3> before, std::span<const Vec3> after);
 
+// Appends the triangles of the sweep `more` to `blade`.
+void append(SweptBlade& blade, const SweptBlade& more);
+
 // A crossing of the strip by a segment from p to q.
 struct BladeCrossing {
   double share = 0;           // fraction of the way from p to q, in [0, 1]

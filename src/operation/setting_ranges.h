@@ -21,6 +21,8 @@ inline constexpr SettingRange kTearEnergy{0.1, 1e6};         // J/m^2; liver 164
 inline constexpr SettingRange kTearStretch{1, 100};          // 1; the older name of the energy
 inline constexpr SettingRange kCapsule{0, 1e5};              // N/m
 inline constexpr SettingRange kCapsuleStrength{1, 1e6};      // N/m
+inline constexpr SettingRange kCutEnergy{0, 1e6};            // J/m^2
+inline constexpr SettingRange kCapsuleCutEnergy{0, 1e4};     // J/m
 inline constexpr SettingRange kStiffening{0, 20};            // 1
 inline constexpr SettingRange kRelaxationShare{0, 10};       // 1
 inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; substeps do not resolve less
@@ -43,6 +45,7 @@ inline constexpr SettingRange kKeyTime{0, 3600};      // s
 inline constexpr double kFarthestPose = 100;          // m, of organs and instruments, on each axis
 inline constexpr double kFarthestToolPoint = 10;      // m, in an instrument's own frame
 inline constexpr SettingRange kFriction{0, 10};       // 1
+inline constexpr SettingRange kBluntness{0, 100};     // 1
 inline constexpr SettingRange kSlipForce{0, 1e4};     // N
 inline constexpr SettingRange kContactRadius{0, 1};   // m
 inline constexpr SettingRange kJawOpening{0, 3};      // rad

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
-#include "organ/incision/moved_incision.h"
 #include "organ/incision/strands.h"
+#include "tissue/cut_bonds.h"
 #include "tissue/stencil.h"
 
 namespace resect {
 namespace {
+
+constexpr double kNearBlade = 2;  // spacings: how far a cut can part strands
 
 // What each kind of edit does. Severed bonds and blades are recorded, so that strands can be
 // severed after all edits.
@@ -37,9 +39,18 @@ struct Application {
     severed.push_back({edit.cell, edit.direction});
   }
   void operator()(const Incision& edit) {
-    if (!std::ranges::all_of(edit.cells, [&](std::int64_t cell) { return there(cell); })) return;
-    inciseMoved(to.organ, *to.tissue, edit.blade, edit.cells);
-    nearBlades.insert(nearBlades.end(), edit.cells.begin(), edit.cells.end());
+    const Lattice& lattice = to.organ.rest.lattice;
+    incise(to.organ, edit.blade,
+           to.tissue->moves() ? CutsBetweenCells::One : CutsBetweenCells::Any);
+    for (const TissueBond& bond : crossedBonds(*to.tissue, lattice, edit.blade)) {
+      to.tissue->sever(bond.cell, bond.direction);
+      ++summary.incised;
+    }
+    visitCellsIn(lattice, edit.blade.bounds.padded(kNearBlade * lattice.spacing.maxCoeff()),
+                 [&](const Vec3i& at) {
+                   const std::int64_t cell = lattice.index(at);
+                   if (to.organ.alive[std::size_t(cell)]) nearBlades.push_back(cell);
+                 });
   }
   // Only tools grip; springs without a tool are permanent attachments.
   void operator()(const Grip& edit) {

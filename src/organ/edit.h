@@ -26,9 +26,8 @@ struct SeverBond {  // severs the bond of the cell in this direction
   std::int64_t cell = -1;
   std::int32_t direction = -1;
 };
-struct Incision {                   // cuts the surface where a blade has passed
-  SweptBlade blade;                 // world; cuts the tissue at its present position
-  std::vector<std::int64_t> cells;  // of the particles near the blade, ascending
+struct Incision {    // cuts along a blade: the surface, and the bonds that cross it
+  SweptBlade blade;  // in the tissue at rest, m
 };
 struct Grip {  // the cell keeps its present position relative to the tool from now on
   std::int64_t cell = -1;

@@ -108,13 +108,8 @@ RemovedParticle removeParticle(Organ& organ, std::int64_t cell) {
 
 std::span<const std::int64_t> updateField(Organ& organ) { return organ.field.update(); }
 
-std::int64_t incise(Organ& organ, const SweptBlade& blade) {
-  return severAtRest(organ.severed, organ.field, blade);
-}
-
-std::int64_t incise(Organ& organ, const SweptBlade& blade, std::span<const std::int64_t> bricks,
-                    const PlaceNodes& place) {
-  return severAlong(organ.severed, organ.field, blade, bricks, place, CutsBetweenCells::One);
+std::int64_t incise(Organ& organ, const SweptBlade& blade, CutsBetweenCells cuts) {
+  return severAtRest(organ.severed, organ.field, blade, cuts);
 }
 
 void updateSurface(Organ& organ, std::span<const std::int64_t> touchedBricks) {

@@ -86,13 +86,10 @@ RemovedParticle removeParticle(Organ& organ, std::int64_t cell);
 // that they had before the operation, false sets 0.
 void setParticle(Organ& organ, std::int64_t cell, bool there);
 
-// Cuts along the blade without removing anything; the surface follows at the next updateSurface().
-// The first overload is for tissue at rest. The second is for tissue that has moved: it cuts only
-// in `bricks`, and `place` gives the present positions of their nodes. Both return the number of
-// grid edges severed.
-std::int64_t incise(Organ& organ, const SweptBlade& blade);
-std::int64_t incise(Organ& organ, const SweptBlade& blade, std::span<const std::int64_t> bricks,
-                    const PlaceNodes& place);
+// Cuts the surface along the blade without removing anything; it follows at the next
+// updateSurface(). blade: in the tissue at rest. Returns the number of grid edges severed.
+std::int64_t incise(Organ& organ, const SweptBlade& blade,
+                    CutsBetweenCells cuts = CutsBetweenCells::Any);
 
 // updateField() evaluates the bricks that edits touched and returns these bricks. updateSurface()
 // then meshes them again.

@@ -44,7 +44,7 @@ struct ToolFields {
     v("drawn", model.drawn), v("hook", model.hook), v("point", model.point),
         v("contactRadius", model.contactRadius);
     v("response", model.response), v("friction", model.friction);
-    v("slipForce", model.slipForce);
+    v("slipForce", model.slipForce), v("bluntness", model.bluntness);
   }
 };
 

@@ -38,6 +38,7 @@ Simulation::Simulation(std::vector<OperatedOrgan> organs, std::vector<std::uniqu
   work_.removedCells.resize(organs_.size());
   work_.touchedBricks.resize(organs_.size());
   work_.obstacles.resize(organs_.size());
+  work_.edges.resize(tools_.size());
   if (!moves()) return;
   double finest = organs_[0].organ.rest.lattice.spacing.x(), coarsest = finest;
   for (const OperatedOrgan& o : organs_) {
@@ -94,8 +95,8 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   done("applyEdits");
   moveTissue(input, report);
   done("moveTissue");
-  applyTears(report);
-  done("applyTears");
+  applyCuts(report);
+  done("applyCuts");
   updateField(report);
   done("updateField");
   updateSurface(input);
@@ -150,14 +151,13 @@ void Simulation::moveTools(const FrameInput& input, StepReport& report) {
           state.tool->model.name));
       // The motion of the frame before is cleared too.
       state.wasInHand = state.inHand;
-      state.way = {state.way.from, state.way.to, state.way.to};
+      state.way = {state.way.to, state.way.to};
       continue;
     }
     const ToolStance now{wanted.pose, shareOf(wanted.squeeze), shareOf(wanted.pedal)};
     state.wasInHand = state.inHand;
     state.inHand = wanted.inHand;
-    state.way =
-        state.wasInHand ? ToolWay{state.way.from, state.way.to, now} : ToolWay{now, now, now};
+    state.way = state.wasInHand ? ToolWay{state.way.to, now} : ToolWay{now, now};
   }
 }
 
@@ -203,6 +203,7 @@ EditSummary Simulation::apply(std::span<const TissueEdit> edits) {
     sum.removed += summary.removed;
     sum.removedVolume += summary.removedVolume;
     sum.severed += summary.severed;
+    sum.incised += summary.incised;
   }
   return sum;
 }
@@ -212,48 +213,68 @@ void Simulation::applyEdits(StepReport& report) {
   const EditSummary summary = apply(work_.edits);
   report.removed = summary.removed;
   report.removedVolume = summary.removedVolume;
-  report.severed = summary.severed;
+  report.severed = summary.severed + summary.incised;
   dropJoints();
 }
 
-// Moves the tissue for the frame, with the moving tools as obstacles. Tears are queued.
-void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
-  report.toolForce.assign(tools_.size(), Vec3::Zero());
-  report.tissue.resize(organs_.size());
-  for (TissueStep& step : report.tissue) step.forget();
-  work_.tears.clear();
+// Lists the tissues of this frame with their obstacles: those that move, and those that edges may
+// cut.
+void Simulation::listMoving(const FrameInput& input, StepReport& report) {
   work_.moving.clear();
-  if (!moves() || !(input.duration > 0)) return;
+  if (!(input.duration > 0)) return;
+  bool cutting = false;
+  for (std::size_t i = 0; i < tools_.size(); ++i) {
+    const ToolState& state = tools_[i];
+    work_.edges[i].clear();
+    if (!state.inHand) continue;
+    for (const auto& part : state.tool->parts)
+      part->addEdges(state.tool->model, state.way, work_.edges[i]);
+    cutting |= !work_.edges[i].empty();
+  }
   for (std::size_t o = 0; o < organs_.size(); ++o) {
-    if (!organs_[o].tissue->moves()) continue;
+    if (!organs_[o].tissue->moves() && !cutting) continue;
     std::vector<Obstacle>& obstacles = work_.obstacles[o];
     obstacles.clear();
     for (std::size_t i = 0; i < tools_.size(); ++i) {
       const ToolState& state = tools_[i];
       const ToolModel& model = state.tool->model;
       if (!state.inHand) continue;
-      obstacles.push_back({std::int32_t(i), model.response == "remove" ? nullptr : shapes_[i].get(),
-                           false, state.way.from.pose, state.way.to.pose, entersTissue(model),
-                           model.friction, model.slipForce});
+      const bool solid = moves() && model.response != "remove";
+      obstacles.push_back({std::int32_t(i), solid ? shapes_[i].get() : nullptr, false,
+                           state.way.from.pose, state.way.to.pose, entersTissue(model),
+                           model.friction, model.slipForce, work_.edges[i]});
     }
     if (table_) obstacles.push_back(tableTop());
     for (std::size_t i = 0; i < standingShapes_.size(); ++i)
       obstacles.push_back(standing(*standingShapes_[i], standingPoses_[i]));
     work_.moving.push_back({organs_[o].tissue.get(), obstacles, &report.tissue[o]});
   }
+}
+
+// Moves the tissue for the frame, with the moving tools as obstacles, and lets edges cut. What this
+// causes is queued.
+void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
+  report.toolForce.assign(tools_.size(), Vec3::Zero());
+  report.tissue.resize(organs_.size());
+  for (TissueStep& step : report.tissue) step.forget();
+  work_.caused.clear();
+  listMoving(input, report);
+  if (work_.moving.empty()) return;
   findJoined();
   moveTissues(work_.moving, joints_, joined_, input.duration);
 
   for (std::size_t o = 0; o < organs_.size(); ++o) {
     const TissueStep& step = report.tissue[o];
+    for (const TissueCut& cut : step.cuts)
+      work_.caused.push_back({std::int32_t(o), cut.tool, Incision{cut.blade}});
     if (!organs_[o].tissue->moves()) continue;
     for (std::size_t k = 0; k < work_.obstacles[o].size(); ++k)
       if (const std::int32_t tool = work_.obstacles[o][k].tool; tool >= 0)
         report.toolForce[std::size_t(tool)] += step.force[k];
     for (const std::int32_t tool : step.letGo)
-      work_.tears.push_back({std::int32_t(o), tool, Release{}});
+      work_.caused.push_back({std::int32_t(o), tool, Release{}});
     for (const TissueBond& bond : step.torn)
-      work_.tears.push_back({std::int32_t(o), -1, SeverBond{bond.cell, bond.direction}});
+      work_.caused.push_back({std::int32_t(o), -1, SeverBond{bond.cell, bond.direction}});
     if (!step.calm)
       report.faults.emplace_back(
           "the tissue exploded and was stopped for a frame; make it softer, its cells larger or "
@@ -266,7 +287,11 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
   }
 }
 
-void Simulation::applyTears(StepReport& report) { report.torn = apply(work_.tears).severed; }
+void Simulation::applyCuts(StepReport& report) {
+  const EditSummary summary = apply(work_.caused);
+  report.severed += summary.incised;
+  report.torn = summary.severed;
+}
 
 // Evaluates the bricks of the colour field in reach of the edits.
 void Simulation::updateField(StepReport& report) {
@@ -300,7 +325,7 @@ void Simulation::measure(const FrameInput& input, StepReport& report) {
                     kMinIso, kMaxIso));
   report.contacts.swap(work_.contacts);
   report.edits.swap(work_.edits);
-  report.tears.swap(work_.tears);
+  report.caused.swap(work_.caused);
   time_ += input.duration;
   report.frame = frame_++;
   report.time = time_;

@@ -51,13 +51,14 @@ struct StepReport {
   double time = 0;                     // at the end of the frame, s
   std::int64_t removed = 0;            // number of particles removed
   double removedVolume = 0;            // volume removed, m^3
-  std::int64_t severed = 0, torn = 0;  // number of bonds severed by edits; of bonds that tore
+  std::int64_t severed = 0, torn = 0;  // number of bonds severed by cuts and edits; that tore
   std::int64_t touchedBricks = 0;      // number of bricks evaluated and meshed again
   // One entry per tool and organ: tool after tool, and for each tool organ after organ. The entry
   // of a tool that is not in hand has no particles.
   std::vector<ToolContacts> contacts;
-  std::vector<TissueEdit> edits;    // all but the tears, in order; skipped ones (apply_edits.h) too
-  std::vector<TissueEdit> tears;    // edits for bonds that tore and grips that slipped
+  std::vector<TissueEdit> edits;  // of input and tools, in order; skipped ones (apply_edits.h) too
+  std::vector<TissueEdit>
+      caused;  // by the tissue's step: cuts, bonds that tore, grips that slipped
   std::vector<TissueStep> tissue;   // one per organ
   std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero if no tissue moves
   std::vector<std::string> faults;  // sentences, each naming the setting to change
@@ -167,9 +168,10 @@ class Simulation {
   // Data that one stage of a frame passes to later ones. The memory is used again in each frame.
   struct Work {
     std::vector<ToolContacts> contacts;
-    std::vector<TissueEdit> edits, tears;
+    std::vector<TissueEdit> edits, caused;
     std::vector<std::vector<std::int64_t>> removedCells;       // by organ
     std::vector<std::span<const std::int64_t>> touchedBricks;  // by organ
+    std::vector<std::vector<CuttingEdge>> edges;               // by tool
     std::vector<std::vector<Obstacle>> obstacles;              // by organ
     std::vector<MovingTissue> moving;
   };
@@ -181,7 +183,8 @@ class Simulation {
   void actTools(const FrameInput& input);
   void applyEdits(StepReport& report);
   void moveTissue(const FrameInput& input, StepReport& report);
-  void applyTears(StepReport& report);
+  void listMoving(const FrameInput& input, StepReport& report);
+  void applyCuts(StepReport& report);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
   void measure(const FrameInput& input, StepReport& report);

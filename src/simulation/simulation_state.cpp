@@ -42,7 +42,7 @@ void Simulation::load(const SavedState& state) {
   loadState(*this, state);
   for (const TissueJoint& joint : joints_) requireSound(joint);
   for (const ToolState& tool : tools_)
-    for (const ToolStance* at : {&tool.way.earlier, &tool.way.from, &tool.way.to})
+    for (const ToolStance* at : {&tool.way.from, &tool.way.to})
       if (!isFinite(at->pose))
         throw error("the pose of tool \"{}\" in the state is not a number; give it as it was saved",
                     tool.tool->model.name);

@@ -1,6 +1,7 @@
 // The regular lattice of an organ's cells in rest space, and their numbering.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -50,5 +51,22 @@ struct Lattice {
             origin + spacing.cwiseProduct(dims.cast<double>() - Vec3::Constant(0.5))};
   }
 };
+
+// Calls visit(const Vec3i& cell) for the cells whose centres lie in the box or on its sides, x
+// fastest.
+template <typename Visit>
+void visitCellsIn(const Lattice& lattice, const Aabb& box, Visit visit) {
+  constexpr double kOnSide = 1e-9;  // spacings
+  Vec3i first, last;
+  for (int a = 0; a < 3; ++a) {
+    const double most = lattice.dims[a];  // before the conversion: a box may be huge
+    first[a] = int(std::ceil(std::clamp(lattice.toCellSpace(box.min)[a] - kOnSide, 0.0, most)));
+    last[a] =
+        int(std::floor(std::clamp(lattice.toCellSpace(box.max)[a] + kOnSide, -1.0, most - 1)));
+  }
+  for (int z = first.z(); z <= last.z(); ++z)
+    for (int y = first.y(); y <= last.y(); ++y)
+      for (int x = first.x(); x <= last.x(); ++x) visit(Vec3i(x, y, z));
+}
 
 }  // namespace resect

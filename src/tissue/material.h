@@ -51,6 +51,10 @@ struct TissueMaterial {
   // G: energy that a tear takes per area, J/m^2; above 0, infinity: it never tears. Liver: 164 +- 6
   // (needles; Gokgol et al. 2012).
   double tearEnergy = 164;
+  // J: energy that a sharp edge takes per area that it cuts, J/m^2; 0: it meets no resistance.
+  // capsuleCutEnergy: what it takes besides per length of capsule that it cuts, J/m.
+  double cutEnergy = 0;
+  double capsuleCutEnergy = 0;
 
   bool operator==(const TissueMaterial&) const = default;
 
@@ -59,6 +63,7 @@ struct TissueMaterial {
     v("name", name), v("young", young), v("poisson", poisson), v("density", density);
     v("tearEnergy", tearEnergy), v("stiffening", stiffening), v("branches", branches);
     v("capsule", capsule), v("capsuleStrength", capsuleStrength);
+    v("cutEnergy", cutEnergy), v("capsuleCutEnergy", capsuleCutEnergy);
   }
 
   double shear() const { return young / (2 * (1 + poisson)); }  // mu, Pa

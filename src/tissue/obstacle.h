@@ -2,8 +2,11 @@
 // of the tool box.
 #pragma once
 
+#include <span>
+
 #include "collision/signed_distance.h"
 #include "geometry/pose.h"
+#include "tissue/cutting_edge.h"
 
 namespace resect {
 
@@ -19,6 +22,7 @@ struct Obstacle {
   bool enters = false;
   double friction = 0.3;  // Coulomb's coefficient
   double slipForce = 0;   // force at which an instrument releases all cells it grips, N; 0: never
+  std::span<const CuttingEdge> edges{};  // of an instrument that cuts
 };
 
 // The table's top at y = 0.

@@ -18,9 +18,23 @@ StillTissue::StillTissue(const Lattice& lattice, std::vector<std::uint8_t> solid
 void StillTissue::endFrame(TissueStep& step) {
   step.substeps = step.retries = 0;
   step.calm = true;
-  step.force.assign(obstacles_, Vec3::Zero());
+  step.force.assign(obstacles_.size(), Vec3::Zero());
   step.torn.clear();
   step.letGo.clear();
+  step.cuts.clear();
+  for (const Obstacle& o : obstacles_)
+    for (const CuttingEdge& edge : o.edges) {
+      if (!edge.begins) continue;
+      Aabb way;
+      for (const Vec3& p : edge.points) way.grow(edge.from * p), way.grow(edge.to * p);
+      if (!meets(way.padded(lattice_.spacing.maxCoeff()), lattice_.box()) || !movesToCut(edge))
+        continue;
+      std::vector<Vec3> points(edge.points.begin(), edge.points.end());
+      if (edge.reversed) std::ranges::reverse(points);
+      SweptBlade blade = sweepBlade(points, edge.from, edge.to);
+      if (!blade.empty()) step.cuts.push_back({o.tool, std::move(blade)});
+    }
+  obstacles_ = {};
 }
 
 void StillTissue::remove(std::int64_t cell) {
@@ -77,20 +91,10 @@ std::uint32_t StillTissue::bonds(std::int64_t cell) const {
 
 std::vector<std::int64_t> StillTissue::cellsIn(const Aabb& box) const {
   std::vector<std::int64_t> cells;
-  const Aabb part = intersection(box, lattice_.box());
-  if (part.empty()) return cells;
-  Vec3i low, high;
-  for (int a = 0; a < 3; ++a) {
-    low[a] = std::max(0, int(std::ceil(lattice_.toCellSpace(part.min)[a] - 1e-9)));
-    high[a] =
-        std::min(lattice_.dims[a] - 1, int(std::floor(lattice_.toCellSpace(part.max)[a] + 1e-9)));
-  }
-  for (int z = low.z(); z <= high.z(); ++z)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int x = low.x(); x <= high.x(); ++x) {
-        const std::int64_t cell = lattice_.index({x, y, z});
-        if (solid(cell) && box.contains(lattice_.centre({x, y, z}))) cells.push_back(cell);
-      }
+  visitCellsIn(lattice_, box, [&](const Vec3i& at) {
+    const std::int64_t cell = lattice_.index(at);
+    if (solid(cell)) cells.push_back(cell);
+  });
   return cells;
 }
 

@@ -1,7 +1,7 @@
 // Tissue that never moves, as in the original system. It takes one byte of memory per cell.
 //
 // Edits change it as they change any tissue: cells can be removed, bonds can be severed, and tools
-// can grip cells.
+// can grip cells. A cutting edge meets no resistance: it cuts along its whole way.
 #pragma once
 
 #include "sph/lattice.h"
@@ -16,9 +16,7 @@ class StillTissue : public TissueModel {
   StillTissue(const Lattice& lattice, std::vector<std::uint8_t> solid);
 
   bool moves() const override { return false; }
-  void beginFrame(double, std::span<const Obstacle> obstacles) override {
-    obstacles_ = obstacles.size();
-  }
+  void beginFrame(double, std::span<const Obstacle> obstacles) override { obstacles_ = obstacles; }
   int substepsWanted() const override { return 0; }
   bool substep(int, int) override { return true; }
   bool startAgain(bool) override { return true; }
@@ -79,7 +77,7 @@ class StillTissue : public TissueModel {
   // Set up once, or copied from the organ.
   std::vector<std::uint8_t> solid_;
   Lattice lattice_;
-  std::size_t obstacles_ = 0;  // number of obstacles in this frame
+  std::span<const Obstacle> obstacles_;  // of this frame
 };
 
 }  // namespace resect

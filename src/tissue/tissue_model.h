@@ -32,11 +32,12 @@ struct TissueStep {
   std::vector<Vec3> force;   // on each obstacle, mean over the frame, N
   std::vector<TissueBond> torn;     // bonds stretched beyond their limit: to be severed
   std::vector<std::int32_t> letGo;  // tools whose grip slipped: to be released
+  std::vector<TissueCut> cuts;      // what cutting edges cut, in the order of the obstacles
 
   void forget() {  // resets to a frame without motion; keeps the memory
     substeps = retries = 0;
     calm = true;
-    force.clear(), torn.clear(), letGo.clear();
+    force.clear(), torn.clear(), letGo.clear(), cuts.clear();
   }
 };
 

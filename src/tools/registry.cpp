@@ -73,7 +73,7 @@ std::unique_ptr<Tool> makeTool(ToolModel model) {
               std::ranges::all_of(model.edge, finite) && std::ranges::all_of(model.hook, finite) &&
               finite(model.jaws.pivot) && finite(model.jaws.axis) &&
               std::isfinite(model.jaws.opening) && model.contactRadius >= 0 &&
-              model.friction >= 0 && model.slipForce >= 0,
+              model.friction >= 0 && model.bluntness >= 0 && model.slipForce >= 0,
           "a length, friction or force of tool \"{}\" is not a number from 0; correct it",
           model.name);
   for (const DrawnPart& part : model.drawn) {

@@ -64,7 +64,9 @@ struct ToolModel {
   // Empty: the tool's working parts act. "remove": the tool removes what it touches, as all
   // instruments of the thesis did.
   std::string response;
-  double friction = 0.3;   // Coulomb's coefficient, on tissue
+  double friction = 0.3;  // Coulomb's coefficient, on tissue
+  // Of its edges: how much more energy a cut takes than with a new blade, 0 or more.
+  double bluntness = 1;
   double slipForce = 6.0;  // N: pull beyond which a hook releases its cells; 0: never
 };
 

@@ -1,6 +1,6 @@
 // Interface of working parts. Blade, jaws, hook and remover are the classes that come with Resect.
-// A working part finds the tissue that it acts on, and queues edits. It changes nothing itself, and
-// it need not know whether the tissue moves.
+// A working part finds the tissue that it acts on and queues edits, or it has edges that cut. It
+// changes nothing itself, and it need not know whether the tissue moves.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,13 @@ struct ToolStance {
   }
 };
 
-// The way of a tool. `earlier`: its stance at the start of the frame before. `from`, `to`: its
-// stances at the start and at the end of this frame.
+// The way of a tool: its stances at the start and at the end of this frame.
 struct ToolWay {
-  ToolStance earlier, from, to;
+  ToolStance from, to;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v("earlier", earlier), v("from", from), v("to", to);
+    v("from", from), v("to", to);
   }
 };
 
@@ -72,7 +71,10 @@ class WorkingPart {
   virtual ~WorkingPart() = default;
   // Appends edits to `edits`. Called for each organ in each frame in which the tool is in hand.
   // When no tissue is near, it must be cheap and allocate nothing.
-  virtual void act(const Touch& touch, std::vector<TissueEdit>& edits) const = 0;
+  virtual void act(const Touch&, std::vector<TissueEdit>&) const {}
+  // Appends the part's cutting edges. Called in each frame in which the tool is in hand. What they
+  // cut is up to the tissue (tissue/cutting_edge.h). Their points must stay valid in the frame.
+  virtual void addEdges(const ToolModel&, const ToolWay&, std::vector<CuttingEdge>&) const {}
 };
 
 }  // namespace resect

@@ -10,28 +10,31 @@ namespace resect {
 namespace {
 
 constexpr double kOnPlane = 1e-12;       // m, as in collision/swept_blade.cpp
+constexpr double kBorder = 1e-9;         // m
 constexpr double kShortestTrace = 1e-6;  // node spacings
 constexpr int kSide = 5;
 constexpr int kStep[3] = {1, kSide, kSide* kSide};
+constexpr int kPlacedNodes = kSide * kSide * kSide;  // on which a brick's edges and faces lie
 using Vec2 = Eigen::Vector2d;
 
 int at(const Vec3i& n) { return (n.z() * kSide + n.y()) * kSide + n.x(); }
 
 // The nodes of a brick: positions, and heights above one of the blade's triangles.
-struct PlacedBrick {
+struct GridBrick {
   Vec3i first;
   std::array<Vec3, kPlacedNodes> place;
   std::array<double, kPlacedNodes> height;
-  std::array<Aabb, kBrickNodes * kBrickNodes * kBrickNodes> cells;  // bounds, x fastest
-  Aabb bounds;
   CutsBetweenCells cuts;
 
   bool above(int i) const { return height[std::size_t(i)] >= -kOnPlane; }
-  bool known(int i) const { return !std::isnan(height[std::size_t(i)]); }
+  Aabb bounds() const { return {place.front(), place.back()}; }
+  Aabb cell(const Vec3i& n) const {  // bounds of the cell at the brick's node n
+    return {place[std::size_t(at(n))], place[std::size_t(at(n + Vec3i::Ones()))]};
+  }
 };
 
 // Fraction of the way from i to j at which the triangle's plane is met.
-double planeShare(const PlacedBrick& b, int i, int j) {
+double planeShare(const GridBrick& b, int i, int j) {
   const double from = b.height[std::size_t(i)], to = b.height[std::size_t(j)];
   return std::clamp(from / (from - to), 0.0, 1.0);
 }
@@ -42,35 +45,20 @@ Vec3 inTriangle(const BladeTriangle& t, const Vec3& p) {
   return {u, v, 1 - u - v};
 }
 
-// Gradient of the height along the grid's axes: the blade's normal in rest space.
-Vec3 restNormal(const PlacedBrick& b, const Vec3i& n, int axis) {
-  const int i = at(n), j = i + kStep[axis];
-  Vec3 normal;
-  normal[axis] = b.height[std::size_t(j)] - b.height[std::size_t(i)];
-  for (const int other : {nextAxis(axis), lastAxis(axis)}) {
-    const int step = n[other] + 1 < kSide ? kStep[other] : -kStep[other];
-    const double slope = 0.5 * (b.height[std::size_t(i + step)] - b.height[std::size_t(i)] +
-                                b.height[std::size_t(j + step)] - b.height[std::size_t(j)]);
-    normal[other] = std::isnan(slope) ? 0 : step > 0 ? slope : -slope;
-  }
-  return normal;
-}
-
-void severEdge(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle& t, const Vec3i& n,
+void severEdge(SeveredEdges& severed, const GridBrick& b, const BladeTriangle& t, const Vec3i& n,
                int axis) {
   const int i = at(n), j = i + kStep[axis];
-  if (!b.known(i) || !b.known(j) || b.above(i) == b.above(j)) return;
+  if (b.above(i) == b.above(j)) return;
   if (b.cuts == CutsBetweenCells::One && severed.betweenCells(b.first + n, axis)) return;
   const double share = planeShare(b, i, j);
   const Vec3 p =
       b.place[std::size_t(i)] + share * (b.place[std::size_t(j)] - b.place[std::size_t(i)]);
   if (inTriangle(t, p).minCoeff() < -kBladeReach) return;
-  severed.sever(b.first + n, axis, share, restNormal(b, n, axis));
+  severed.sever(b.first + n, axis, share, t.normal);
 }
 
-// Half of a face stays a triangle in the world, so its intersection with the blade is straight in
-// the world and at rest.
-void traceHalf(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle& t, const Vec3i& n,
+// The trace on half of a face.
+void traceHalf(SeveredEdges& severed, const GridBrick& b, const BladeTriangle& t, const Vec3i& n,
                int axis, const std::array<Vec2, 3>& corners) {
   std::array<int, 3> index;
   for (std::size_t c = 0; c < 3; ++c)
@@ -81,8 +69,7 @@ void traceHalf(SeveredEdges& severed, const PlacedBrick& b, const BladeTriangle&
   int ends = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const int i = index[c], j = index[(c + 1) % 3];
-    if (!b.known(i)) return;
-    if (b.above(i) == b.above(j) || !b.known(j) || ends == 2) continue;
+    if (b.above(i) == b.above(j) || ends == 2) continue;
     const double share = planeShare(b, i, j);
     inFace[ends] = corners[c] + share * (corners[(c + 1) % 3] - corners[c]);
     inBlade[ends++] = inTriangle(
@@ -114,77 +101,33 @@ int cornerOf(const Vec3i& n, int corner) {
   return at(n) + (corner & 1) + (corner >> 1 & 1) * kSide + (corner >> 2) * kSide * kSide;
 }
 
-// visit(cell's number, its first node)
-template <typename Visit>
-void visitCells(Visit visit) {
-  for (int z = 0, cell = 0; z < kBrickNodes; ++z)
-    for (int y = 0; y < kBrickNodes; ++y)
-      for (int x = 0; x < kBrickNodes; ++x) visit(std::size_t(cell++), Vec3i(x, y, z));
-}
-
-// Bounds of the cells, merged from neighbouring nodes along x, then y, then z. Nodes without a
-// position are left out.
-void findBounds(PlacedBrick& b) {
-  std::array<Aabb, kPlacedNodes> box;
-  for (std::size_t i = 0; i < kPlacedNodes; ++i) {
-    box[i] = {};
-    if (!std::isnan(b.place[i].x())) box[i].grow(b.place[i]);
-  }
-  for (const int step : kStep)
-    for (std::size_t i = 0; i + std::size_t(step) < kPlacedNodes; ++i)
-      box[i].grow(box[i + std::size_t(step)]);
-  b.bounds = {};
-  visitCells([&](std::size_t cell, const Vec3i& n) {
-    b.cells[cell] = box[std::size_t(at(n))];
-    b.bounds.grow(b.cells[cell]);
-  });
-}
-
 // A sweep's triangles are far smaller than a brick: most miss most of its cells. reach: bounds of
 // the region in which the triangle can sever.
-void severBrick(SeveredEdges& severed, PlacedBrick& b, const BladeTriangle& t, const Aabb& reach) {
-  bool heightsKnown = false;
-  visitCells([&](std::size_t cell, const Vec3i& n) {
-    if (!meets(b.cells[cell], reach)) return;
-    if (!heightsKnown)
-      for (std::size_t i = 0; i < kPlacedNodes; ++i)
-        b.height[i] = t.normal.dot(b.place[i] - t.corner);
-    heightsKnown = true;
+void severBrick(SeveredEdges& severed, GridBrick& b, const BladeTriangle& t, const Aabb& reach) {
+  for (std::size_t i = 0; i < kPlacedNodes; ++i) b.height[i] = t.normal.dot(b.place[i] - t.corner);
+  for (int cell = 0; cell < kBrickNodes * kBrickNodes * kBrickNodes; ++cell) {
+    const Vec3i n(cell % kBrickNodes, cell / kBrickNodes % kBrickNodes,
+                  cell / (kBrickNodes * kBrickNodes));
+    if (!meets(b.cell(n), reach)) continue;
     int high = 0;  // of the cell's corners
     for (int c = 0; c < 8; ++c) high += b.above(cornerOf(n, c));
-    if (high == 0 || high == 8) return;
+    if (high == 0 || high == 8) continue;
     for (int axis = 0; axis < 3; ++axis) {
       severEdge(severed, b, t, n, axis);
       traceHalf(severed, b, t, n, axis, {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1)});
       traceHalf(severed, b, t, n, axis, {Vec2(0, 0), Vec2(1, 1), Vec2(0, 1)});
     }
-  });
+  }
 }
 
 }  // namespace
 
-std::int64_t severAlong(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade,
-                        std::span<const std::int64_t> bricks, const PlaceNodes& place,
-                        CutsBetweenCells cuts) {
+std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade,
+                         CutsBetweenCells cuts) {
+  if (blade.empty()) return 0;
   const std::int64_t before = severed.count();
   std::vector<Aabb> reach;
   for (const BladeTriangle& t : blade.triangles) reach.push_back(boundsOf(t));
-  PlacedBrick b;
-  b.cuts = cuts;
-  for (const std::int64_t index : bricks) {
-    const Vec3i brick = field.brick(index);
-    b.first = kBrickNodes * brick;
-    place(brick, b.place);
-    findBounds(b);
-    for (std::size_t t = 0; t < blade.triangles.size(); ++t)
-      if (meets(b.bounds, reach[t])) severBrick(severed, b, blade.triangles[t], reach[t]);
-  }
-  return severed.count() - before;
-}
-
-std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const SweptBlade& blade) {
-  if (blade.empty()) return 0;
-  const IndexBox within = field.bricksIn(blade.bounds);
   // A brick's edges and faces matter if its nodes, or those of a brick below, are not all empty.
   const auto matters = [&](const Vec3i& b) {
     for (int d = 0; d < 8; ++d) {
@@ -194,17 +137,22 @@ std::int64_t severAtRest(SeveredEdges& severed, const ColourField& field, const 
     }
     return false;
   };
-  std::vector<std::int64_t> bricks;
-  for (std::int32_t i = 0; i < std::int32_t(within.count()); ++i)
-    if (matters(within.coordinates(i))) bricks.push_back(field.brickIndex(within.coordinates(i)));
-  return severAlong(severed, field, blade, bricks,
-                    [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> places) {
-                      const Vec3 first = (kBrickNodes * brick).cast<double>();
-                      for (int i = 0; i < kPlacedNodes; ++i) {
-                        const Vec3i at(i % kSide, i / kSide % kSide, i / kSide / kSide);
-                        places[std::size_t(i)] = field.nodePosition(first + at.cast<double>());
-                      }
-                    });
+  // A blade on the border of two bricks severs edges of both.
+  const IndexBox within = field.bricksIn(blade.bounds.padded(kBorder));
+  GridBrick b;
+  b.cuts = cuts;
+  for (std::int32_t k = 0; k < std::int32_t(within.count()); ++k) {
+    const Vec3i brick = within.coordinates(k);
+    if (!matters(brick)) continue;
+    b.first = kBrickNodes * brick;
+    for (int i = 0; i < kPlacedNodes; ++i) {
+      const Vec3i node = b.first + Vec3i(i % kSide, i / kSide % kSide, i / kSide / kSide);
+      b.place[std::size_t(i)] = field.nodePosition(node.cast<double>());
+    }
+    for (std::size_t t = 0; t < blade.triangles.size(); ++t)
+      if (meets(b.bounds(), reach[t])) severBrick(severed, b, blade.triangles[t], reach[t]);
+  }
+  return severed.count() - before;
 }
 
 }  // namespace resect

@@ -7,7 +7,6 @@
 #include "geometry/topology.h"
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
-#include "organ/incision/moved_incision.h"
 #include "organ/incision/strands.h"
 #include "organ/organ.h"
 #include "organ/pieces.h"
@@ -18,49 +17,10 @@
 #include "tissue/elastic/elastic_tissue.h"
 #include "tissue/stencil.h"
 #include "tissue/still_tissue.h"
-#include "wound/node_places.h"
 
 using namespace resect;
 
 namespace {
-
-// Tissue that is bent, stretched and twisted, uneven from particle to particle, and parted by
-// `gap` along x = `parted`.
-struct BentTissue : StillTissue {
-  BentTissue(const Organ& o, double unevenness, Random& random)
-      : StillTissue(o.rest.lattice, o.alive), organ(o), middle(o.rest.lattice.box().centre()) {
-    for (std::int64_t c = 0; c < o.rest.lattice.cellCount(); ++c)
-      jitter.push_back(
-          Vec3(unevenness * o.rest.lattice.spacing.x() * test::randomDirection(random)));
-  }
-  Vec3 whereTo(const Vec3& X) const {
-    const Vec3 d = X - middle;
-    const double turn = 12 * d.y();
-    return {1.2 * d.x() * std::cos(turn) - d.z() * std::sin(turn), 0.9 * d.y() + 4 * d.x() * d.x(),
-            1.2 * d.x() * std::sin(turn) + d.z() * std::cos(turn)};
-  }
-  bool moves() const override { return true; }
-  Vec3 displacement(std::int64_t cell) const override {
-    const Vec3 X = organ.rest.lattice.centre(organ.rest.lattice.cell(cell));
-    return whereTo(X) - X + jitter[std::size_t(cell)] +
-           (X.x() > parted ? Vec3(gap, 0.5 * gap, 0) : Vec3(0, 0, 0));
-  }
-  void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override {
-    for (std::size_t n = 0; n < cells.size(); ++n) {
-      const Vec3 X = organ.rest.lattice.centre(organ.rest.lattice.cell(cells[n]));
-      Mat3 gradient = -Mat3::Identity();
-      for (int a = 0; a < 3; ++a)
-        gradient.col(a) +=
-            (whereTo(X + 1e-5 * Vec3::Unit(a)) - whereTo(X - 1e-5 * Vec3::Unit(a))) / 2e-5;
-      places[n] = {displacement(cells[n]).cast<float>(), gradient.cast<float>()};
-    }
-  }
-
-  const Organ& organ;
-  Vec3 middle;
-  std::vector<Vec3> jitter;
-  double parted = 0, gap = 0;
-};
 
 void follow(Organ& organ) { updateSurface(organ, updateField(organ)); }
 
@@ -174,54 +134,6 @@ TEST_CASE(
       CHECK(pieces[0].particles + pieces[1].particles == organ.particles);
       CHECK(std::abs((volume(pieces[0].mesh) + volume(pieces[1].mesh)) / whole - 1) < 1e-8);
     }
-}
-
-TEST_CASE("in moved tissue a blade finds every edge that a search of the whole organ finds") {
-  Random random(9);
-  for (const int refine : {1, 2, 3}) {
-    OrganSettings settings;
-    settings.refine = refine;
-    Organ organ = makeOrgan(test::blob(14), settings);
-    Organ whole = makeOrgan(test::blob(14), settings);
-    BentTissue tissue(organ, 0.1, random);
-    std::vector<std::int64_t> particles,
-        bricks(std::size_t(organ.field.brickDims().cast<std::int64_t>().prod()));
-    for (std::int64_t c = 0; c < organ.rest.lattice.cellCount(); ++c)
-      if (organ.alive[c] && organ.rest.inside[c]) particles.push_back(c);
-    std::iota(bricks.begin(), bricks.end(), 0);
-    std::int64_t severed = 0;
-    for (int cut = 0; cut < 40; ++cut) {
-      INFO("refinement ", refine, ", cut ", cut);
-      // First apart, so that the blades after it meet the lips of a wound.
-      const SweptBlade blade =
-          cut == 0 ? test::flatBlade(Vec3(0.0012, 0, 0), Vec3(0, 0.1, 0), Vec3(0, 0, 0.1))
-                   : test::randomBlade(Vec3::Zero(), cut % 2 ? 0.02 : 0.005, 0.005, random);
-      if (cut == 1) tissue.parted = tissue.middle.x(), tissue.gap = 0.008;
-      const std::int64_t found = inciseMoved(organ, tissue, blade, particles);
-      const auto motionOf = [&](std::int64_t cell) {
-        CellPlacement place;
-        tissue.place({&cell, 1}, {&place, 1});
-        const Vec3 rest = whole.rest.lattice.centre(whole.rest.lattice.cell(cell));
-        return particleMotion(rest.cast<float>(), place.displacement, place.gradient);
-      };
-      const Wound wound{whole.severed, whole.alive};
-      std::vector<std::array<Vec3, kPlacedNodes>> places(bricks.size());
-      for (const std::int64_t brick : bricks)
-        std::ranges::copy(placeNodes(whole.field, wound, whole.surface.iso(),
-                                     test::nodesOf(whole.field.brick(brick)), motionOf),
-                          places[std::size_t(brick)].begin());
-      const std::int64_t there =
-          incise(whole, blade, bricks, [&](const Vec3i& brick, std::span<Vec3, kPlacedNodes> out) {
-            std::ranges::copy(places[std::size_t(whole.field.brickIndex(brick))], out.begin());
-          });
-      CHECK(found == there);
-      severed += there;
-    }
-    CHECK(severed > 400);
-    follow(organ), follow(whole);
-    CHECK(organ.surface.mesh().points == whole.surface.mesh().points);
-    CHECK(organ.surface.mesh().triangles == whole.surface.mesh().triangles);
-  }
 }
 
 TEST_CASE("a cut organ can be carved, and carved away, and its iso level changed") {

@@ -31,6 +31,7 @@ std::vector<std::unique_ptr<Tool>> instruments() {
   };
   add("scalpel", boxMesh({{-0.0003, -0.008, 0}, {0.0003, 0.003, 0.15}}), [](ToolModel& m) {
     m.edge = {{0, -0.008, 0}, {0, -0.0082, 0.02}, {0, -0.008, 0.04}};
+    m.bluntness = 0.2;  // so that it cuts, wherever it passes
   });
   add("hook", boxMesh({{-0.0015, -0.0015, 0}, {0.0015, 0.0015, 0.15}}), [](ToolModel& m) {
     m.hook = {{0, -0.01, 0.01}, {0, 0, 0}, {0, 0.01, 0.01}};
@@ -40,6 +41,7 @@ std::vector<std::unique_ptr<Tool>> instruments() {
   add("scissors", boxMesh({{-0.0005, -0.002, 0.04}, {0.0005, 0.002, 0.15}}), [](ToolModel& m) {
     m.edge = {{0, 0, 0}, {0, 0, 0.02}, {0, 0, 0.04}};
     m.jaws = {{0, 0, 0.045}, Vec3::UnitX(), 0.6};
+    m.bluntness = 0.2;
   });
   return tools;
 }

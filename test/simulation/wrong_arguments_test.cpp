@@ -121,7 +121,6 @@ TEST_CASE(
         Incision incision;
         const std::vector<Vec3> before = {place(), place()}, after = {place(), place()};
         incision.blade = ruledBlade(before, after);
-        for (int i = 0; i < 5; ++i) incision.cells.push_back(whole(cells));
         return incision;
       }
       case 3:

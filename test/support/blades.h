@@ -84,12 +84,4 @@ inline Discretization blob(int cells, double s = 0.005) {
   });
 }
 
-// The nodes on which a brick's edges and faces lie, as severAlong() asks for their places.
-inline std::vector<Vec3i> nodesOf(const Vec3i& brick) {
-  std::vector<Vec3i> nodes;
-  for (int i = 0; i < kPlacedNodes; ++i)
-    nodes.push_back(kBrickNodes * brick + Vec3i(i % 5, i / 5 % 5, i / 25));
-  return nodes;
-}
-
 }  // namespace resect::test

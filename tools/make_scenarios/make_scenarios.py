@@ -34,21 +34,29 @@ class Path3:
             # Keys fall on frames, so that the corners of the way are passed and not cut off between two frames.
             seconds = math.dist(tip, self.keys[-1][1]) / (speed or self.speed)
             self.time += max(1, math.ceil(seconds * FRAME_RATE - 1e-6)) / FRAME_RATE
-        self.keys.append((round(self.time, 5), tip, self.squeeze))
+        self.keys.append((round(self.time, 5), tip, self.squeeze, self.edge))
+        return self
+
+    def turn(self, edge):
+        """Turns the instrument so that its edge points elsewhere, by the next key."""
+        self.edge = edge
         return self
 
     def snip(self, seconds=0.3):
         """Closes the jaws where they are and opens them again."""
         for self.squeeze in (1.0, 0.0):
             self.wait(seconds)
-            self.keys.append((round(self.time, 5), self.keys[-1][1], self.squeeze))
+            self.keys.append((round(self.time, 5), self.keys[-1][1], self.squeeze, self.edge))
         return self
 
     def text(self):
         vector = lambda v: "[" + ", ".join(f"{x:.4f}".rstrip("0").rstrip(".") for x in v) + "]"
-        turn = f"{{ handle = {vector(self.handle)}, edge = {vector(self.edge)} }}"
+        turn = lambda edge: f"{{ handle = {vector(self.handle)}, edge = {vector(edge)} }}"
         jaws = lambda squeeze: f", squeeze = {squeeze:g}" if squeeze else ""
-        rows = [f"  {{ time = {t:.7g}, position = {vector(p)}, rotation = {turn}{jaws(s)} }}," for t, p, s in self.keys]
+        rows = [
+            f"  {{ time = {t:.7g}, position = {vector(p)}, rotation = {turn(edge)}{jaws(s)} }},"
+            for t, p, s, edge in self.keys
+        ]
         return "keys = [\n" + "\n".join(rows) + "\n]\n"
 
 
@@ -210,13 +218,19 @@ def snip():
 
 
 def resect_segment_elastic():
-    """The scalpel, held upright, cuts the left lateral part off; the hook pulls it aside, and the scalpel cuts the
-    strands that are left; the hook lifts the part away."""
-    x = 0.062
-    scalpel = Path3(handle=(0, 1, 0.05), edge=(0, -0.05, 1), speed=0.15)
+    """The scalpel, held upright, cuts the left lateral part off from both sides; the hook pulls it aside, and the
+    scalpel cuts the strands that are left; the hook lifts the part away."""
+    x, there, back = 0.062, (0, -0.05, 1), (0, 0.05, -1)
+    scalpel = Path3(handle=(0, 1, 0.05), edge=there, speed=0.15)
+
+    def cut_off(x, speed):
+        """There, and back with the edge turned: where a cut leaves the tissue, the last of it gives way uncut."""
+        scalpel.to(x, 0.2, -0.12, speed=0.4).to(x, 0.001, -0.12, speed=0.4).to(x, 0.001, 0.13, speed=speed)
+        scalpel.turn(back).to(x, 0.001, 0.16, speed=0.1).to(x, 0.001, -0.06, speed=speed)
+        scalpel.turn(there).to(x, 0.14, -0.06, speed=0.4).to(0.05, 0.24, 0.14, speed=0.5)
+
     scalpel.wait(0.9)
-    scalpel.to(x, 0.2, -0.12, speed=0.3).to(x, 0.001, -0.12, speed=0.3).to(x, 0.001, 0.13, speed=0.1)
-    scalpel.to(x, 0.14, 0.13, speed=0.4).to(0.05, 0.24, 0.14, speed=0.5)
+    cut_off(x, 0.12)
     caught, pulled, lifted = (0.075, 0.016, 0.02), (0.095, 0.03, 0.025), (0.14, 0.075, 0.04)
     hook = Path3(handle=(0.45, 0.85, 0.27), edge=(0.85, -0.52, 0.1), speed=0.15)
     hook.wait(scalpel.time + 0.2)
@@ -225,10 +239,7 @@ def resect_segment_elastic():
     hook.to(*caught).to(*pulled, speed=0.06)
     scalpel.wait(hook.time - scalpel.time)
     scalpel.to(0.05, 0.24, 0.14)
-    for taut in (0.07, 0.062):  # twice, so that it comes off on cells of 7 to 9 mm
-        scalpel.to(taut, 0.2, -0.12, speed=0.4).to(taut, 0.001, -0.12, speed=0.4).to(taut, 0.001, 0.13, speed=0.15)
-        scalpel.to(taut, 0.14, 0.13, speed=0.4)
-    scalpel.to(0.05, 0.24, 0.14, speed=0.5)
+    cut_off(0.066, 0.15)
     hook.wait(scalpel.time - hook.time - 1)
     hook.to(*pulled).to(*lifted, speed=0.06)
     hook.wait(0.6)
@@ -302,7 +313,7 @@ def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration
     if x:
         for _, path in tools:
             if path:
-                path.keys = [(time, (tip[0] + x, *tip[1:]), squeeze) for time, tip, squeeze in path.keys]
+                path.keys = [(time, (tip[0] + x, *tip[1:]), *rest) for time, tip, *rest in path.keys]
         organ = f"position = [{x:g}, 0, 0]  # clear of the tray\n"
     text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration, thesis=False)
     if close_up:
@@ -362,7 +373,7 @@ def all_scenarios():
                           snip(), ligaments(ASIDE), x=ASIDE)
     yield "resect-segment-elastic", elastic(
         "A piece of a soft liver taken off", "The scalpel parts the left lateral part; the hook lifts it away", 8.0,
-        resect_segment_elastic(), ligaments(ASIDE), x=ASIDE)
+        resect_segment_elastic(), ligaments(ASIDE), "cut_energy = 20  # a new blade\n", x=ASIDE)
     yield "liver-and-gallbladder", liver_and_gallbladder()
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n")

@@ -76,6 +76,9 @@ TissueMaterial readMaterial(const TomlTable& t, const TissueMaterial& defaults,
   material.capsule = t.number("capsule", ranges::kCapsule, defaults.capsule);
   material.capsuleStrength =
       t.number("capsule_strength", ranges::kCapsuleStrength, defaults.capsuleStrength);
+  material.cutEnergy = t.number("cut_energy", ranges::kCutEnergy, defaults.cutEnergy);
+  material.capsuleCutEnergy =
+      t.number("capsule_cut_energy", ranges::kCapsuleCutEnergy, defaults.capsuleCutEnergy);
   material.branches = readBranches(t, defaults.branches);
   material.tearEnergy = readTearEnergy(t, material, notes);
   if (material.waveSpeed() > ranges::kFastestWave)

@@ -76,6 +76,7 @@ TissueSetup readTissue(const TomlTable& t) {
     tissue.material.stiffening = 0;
     tissue.material.branches.clear();
     tissue.material.capsule = 0;
+    tissue.material.cutEnergy = tissue.material.capsuleCutEnergy = 0;
   }
   tissue.material = readMaterial(t, tissue.material, tissue.notes);
   tissue.materials = readMaterials(t, tissue.material, tissue.notes);
@@ -250,6 +251,7 @@ ToolModel toTool(const TomlTable& t, const std::filesystem::path& folder,
   model.response = readResponse(t);
   model.friction = t.number("friction", ranges::kFriction, model.friction);
   model.slipForce = t.number("slip_force", ranges::kSlipForce, model.slipForce);
+  model.bluntness = t.number("bluntness", ranges::kBluntness, model.bluntness);
   model.file = folder / t.text("model");
   t.refuseUnknownKeys();
   model.mesh = readMesh(model.file);

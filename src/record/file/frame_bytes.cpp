@@ -99,8 +99,6 @@ void write(Writer& to, const Incision& e) {
     for (const Vec3* v : {&t.corner, &t.normal, &t.alongU, &t.alongV, &t.otherU, &t.otherV})
       to.vec(*v);
   to.vec(e.blade.bounds.min), to.vec(e.blade.bounds.max);
-  to.count(e.cells.size());
-  to.raw(e.cells.data(), e.cells.size() * sizeof(std::int64_t));
 }
 void write(Writer& to, const Grip& e) { to.plain(e.cell), to.pose(e.pose); }
 void write(Writer&, const Release&) {}
@@ -117,8 +115,6 @@ void read(Reader& from, Incision& e) {
     for (Vec3* v : {&t.corner, &t.normal, &t.alongU, &t.alongV, &t.otherU, &t.otherV})
       *v = from.vec();
   e.blade.bounds.min = from.vec(), e.blade.bounds.max = from.vec();
-  e.cells.resize(from.count(sizeof(std::int64_t)));
-  from.raw(e.cells.data(), e.cells.size() * sizeof(std::int64_t));
 }
 void read(Reader& from, Grip& e) {
   e.cell = from.plain<std::int64_t>();

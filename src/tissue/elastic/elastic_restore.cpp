@@ -12,7 +12,7 @@ namespace resect {
 void ElasticTissue::visit(StateVisitor& v) {
   state_.visit(v);
   v("fineness", fineness_), v("halvings", halvings_), v("calmFrames", calmFrames_);
-  v("contacts", cutFaces_), v("springs", springs_), v("fibres", fibres_);
+  v("contacts", cutFaces_), v("fronts", fronts_), v("springs", springs_), v("fibres", fibres_);
   v("cut", cut_), v("pulled", pulled_), v("sinceTear", sinceTear_);
 }
 
@@ -20,6 +20,7 @@ void ElasticTissue::visitMade(StateVisitor& v) {
   state_.visitMade(v);
   contacts_.visitMade(v);
   springs_.visitMade(v);
+  fronts_.visitMade(v);
   v.made(lattice_, settings_, kernel_, longestSubstep_, uneven_, gripper_);
   v.made(bondsChanged_, holdsChanged_, frame_, before_, kept_);
 }
@@ -67,8 +68,9 @@ void ElasticTissue::checkRestored() const {
   for (const Fibre& fibre : fibres_) fits = fits && inBox(fibre.a) && inBox(fibre.b);
   for (const auto* list : {&cut_, &pulled_})
     for (const std::int32_t i : *list) fits = fits && inBox(i);
-  fits = fits && cutFaces_.fit(s.box.size) && halvings_ >= 0 && halvings_ <= kMostHalvings &&
-         fineness_ >= 0 && fineness_ <= kMostFineness && sinceTear_ >= 0;
+  fits = fits && cutFaces_.fit(s.box.size) && fronts_.fit() && halvings_ >= 0 &&
+         halvings_ <= kMostHalvings && fineness_ >= 0 && fineness_ <= kMostFineness &&
+         sinceTear_ >= 0;
   if (!fits)
     throw error(
         "the state does not fit the organ's tissue; restore it into the operation that it "

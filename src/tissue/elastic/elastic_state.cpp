@@ -185,6 +185,11 @@ void checkMaterial(const TissueMaterial& m) {
       "material \"{}\" has capsule = {} N/m with a strength of {} N/m; give a capsule from 0 to "
       "1e5, and a strength above 0",
       m.name, m.capsule, m.capsuleStrength);
+  require(
+      within(m.cutEnergy, 0, 1e6) && within(m.capsuleCutEnergy, 0, 1e4),
+      "material \"{}\" has cutEnergy = {} J/m^2 and capsuleCutEnergy = {} J/m; give 0 to 1e6, and "
+      "0 to 1e4",
+      m.name, m.cutEnergy, m.capsuleCutEnergy);
   require(within(m.stiffening, 0, 20) && m.branches.size() <= kMostBranches &&
               std::ranges::all_of(m.branches,
                                   [&](const Relaxation& branch) {

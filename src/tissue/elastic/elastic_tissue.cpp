@@ -165,6 +165,7 @@ void ElasticTissue::beginFrame(double duration, std::span<const Obstacle> obstac
   keepState();
   contacts_.list(state_, *kernel_, lattice_.origin, duration, obstacles, gripper_);
   springs_.forgetImpulses(obstacles.size());
+  fronts_.list(rest(), duration, longestSubstep_, obstacles);
 }
 
 bool ElasticTissue::substep(int number, int count) {
@@ -185,6 +186,7 @@ bool ElasticTissue::substep(int number, int count) {
   clearPulls();
   if (calm) cutFaces_.push(state_, frame_.constants.lookAhead);
   if (calm) contacts_.push(state_, share, dt, frame_.constants.lookAhead);
+  if (calm) fronts_.push(rest(), state_, share, dt, frame_.constants.lookAhead);
   return calm;
 }
 
@@ -193,6 +195,7 @@ bool ElasticTissue::startAgain(bool exploded) {
   clearPulls();
   contacts_.forgetImpulses();
   springs_.forgetImpulses(frame_.obstacles.size());
+  fronts_.startAgain(rest());
   if (!exploded) return frame_.calm;
   calmFrames_ = 0;
   if (halvings_ == kMostHalvings) {
@@ -211,10 +214,12 @@ void ElasticTissue::endFrame(TissueStep& step) {
   step.calm = frame_.calm;
   step.force.resize(frame_.obstacles.size());
   step.letGo.clear();
+  step.cuts.clear();
+  fronts_.appendCuts(step.cuts);
   for (std::size_t b = 0; b < frame_.obstacles.size(); ++b) {
     const Obstacle& o = frame_.obstacles[b];
     const Vec3 grip = springs_.impulse()[b] / frame_.duration;
-    step.force[b] = contacts_.impulse()[b] / frame_.duration + grip;
+    step.force[b] = (contacts_.impulse()[b] + fronts_.impulse()[b]) / frame_.duration + grip;
     if (o.tool >= 0 && o.slipForce > 0 && grip.norm() > o.slipForce) step.letGo.push_back(o.tool);
   }
   findTears(step.letGo, step.torn);

@@ -15,6 +15,7 @@
 #include "tissue/attachment.h"
 #include "tissue/elastic/contact/contact.h"
 #include "tissue/elastic/contact/cut_faces.h"
+#include "tissue/elastic/cutting/cut_front.h"
 #include "tissue/elastic/elastic_state.h"
 #include "tissue/elastic/fibres.h"
 #include "tissue/elastic/kernel/elastic_kernel.h"
@@ -125,6 +126,9 @@ class ElasticTissue final : public TissueModel {
   Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff stress, Pa
   Vec3 elasticForce(std::int64_t cell) const;          // as the last stress pass computed it, N
   TissueEnergy energy();
+  std::span<const CutFront> fronts() const { return fronts_.fronts(); }
+  // The cutting edges in the tissue, and what they did in the last frame.
+  CutWork cutWork() const { return fronts_.work(); }  // of the last frame
   void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override;
   void visit(StateVisitor& visitor) override;
   void visitMade(StateVisitor& visitor) override;
@@ -172,6 +176,7 @@ class ElasticTissue final : public TissueModel {
   void chooseFineness();
   void lookAhead(float time);
   void clearPulls();
+  RestTissue rest() const { return {state_, lattice_, contacts_.points()}; }
   void keepState();
   void restoreState();
   void checkRestored() const;
@@ -182,6 +187,7 @@ class ElasticTissue final : public TissueModel {
   int halvings_ = 0;    // how often the substep is halved at present
   int calmFrames_ = 0;  // while it is halved: calm frames since it last changed
   CutFaces cutFaces_;
+  CutFronts fronts_;
   TissueSprings springs_;
   std::vector<Fibre> fibres_;
   std::vector<std::int32_t> cut_;     // both cells of each severed bond

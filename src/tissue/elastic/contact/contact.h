@@ -45,6 +45,7 @@ class TissueContacts {
   // SubstepConstants::lookAhead.
   void push(ElasticState& state, double share, double dt, double lookAhead);
 
+  const ContactPoints& points() const { return points_; }
   // Momentum that cells have given to each obstacle since list(), kg m/s.
   std::span<const Vec3> impulse() const { return impulse_; }
   // Sets impulse() to zero.

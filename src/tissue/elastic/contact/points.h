@@ -37,6 +37,12 @@ class ContactPoints {
   // The same with few points: one for each bare face, and one for all the organ's patches.
   void coarse(const ElasticState& state, std::int32_t cell,
               std::vector<ContactPoint>& points) const;
+  // Calls visit(const ContactPoint&) for the patches of the organ's surface that belong to the
+  // cell.
+  template <typename Visit>
+  void visitPatches(std::int32_t cell, Visit visit) const {
+    for (const Owned& one : patchesOf(cell)) visit(one.point);
+  }
   std::size_t bytes() const {  // memory held
     return told_.capacity() * sizeof(Owned) + first_.capacity() * sizeof(std::int32_t);
   }

@@ -1,0 +1,398 @@
+#include "tissue/elastic/cutting/cut_front.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.h"
+#include "tissue/elastic/chunk_bounds.h"
+#include "tissue/elastic/gradient.h"
+
+namespace resect {
+namespace {
+
+// Of a tie: rho s^2 l times this over dt^2 and over dt.
+constexpr double kStiffness = 1, kDamping = 0.5;
+constexpr double kHandTime = 0.03;     // s
+constexpr double kLeastLean = 0.05;    // slicing makes cuts easier, but not beyond this
+constexpr double kStandsStill = 1e-5;  // m/s: below it the hand has no direction
+constexpr double kReach = 1.5;         // spacings: how far from cells an edge is looked for
+constexpr double kMostSlip = 0.25;     // spacings per substep
+constexpr double kLookAhead = 1.2;     // spacings: a tie needs a bond so near ahead
+constexpr double kStretched = 3;  // samples farther apart than this many steps are not neighbours
+constexpr std::size_t kBeside = 3;
+constexpr double kMostJump = 0.5;  // spacings: farther an edge is not taken to have cut
+constexpr double kOpen = 0.002;    // m: half of the gap of a cut that is open
+constexpr double kHalfStep = 0.525, kOutOfTissue = 1.1;  // steps
+constexpr double kCapsuleDepth = 0.002;  // m: over which the capsule's energy is spread
+
+// Corners of a polyline at equal distances.
+struct Along {
+  Vec3 point, tangent;
+};
+Along alongEdge(std::span<const Vec3> points, double way) {
+  Along at{points[0], Vec3::UnitX()};
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec3 piece = points[i + 1] - points[i];
+    const double length = piece.norm();
+    if (!(length > 0)) continue;
+    at.tangent = piece / length;
+    at.point = points[i] + std::min(way, length) * at.tangent;
+    if (way <= length) break;
+    way -= length;
+  }
+  return at;
+}
+
+double lengthOf(std::span<const Vec3> points) {
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) length += (points[i + 1] - points[i]).norm();
+  return length;
+}
+
+// The tied sample nearest to sample k, at most kBeside samples away; the number of samples if there
+// is none.
+std::size_t tiedNear(const CutFront& front, std::size_t k) {
+  const std::size_t count = front.samples.size();
+  for (std::size_t off = 1; off <= kBeside; ++off) {
+    if (k >= off && front.samples[k - off].tied) return k - off;
+    if (k + off < count && front.samples[k + off].tied) return k + off;
+  }
+  return count;
+}
+
+Vec3 withoutPart(const Vec3& v, const Vec3& unit) { return v - v.dot(unit) * unit; }
+
+}  // namespace
+
+CutFronts::Edge& CutFronts::edgeOf(std::size_t number) {
+  if (edges_.size() <= number) edges_.resize(number + 1);
+  return edges_[number];
+}
+
+// Cells that the edge may come near in the frame.
+void CutFronts::findCandidates(const RestTissue& rest, const CuttingEdge& edge) {
+  const ElasticState& s = rest.state();
+  const Lattice& lattice = rest.lattice();
+  candidates_.clear();
+  Aabb box;
+  for (const Vec3& p : edge.points) box.grow(edge.from * p), box.grow(edge.to * p);
+  box = box.padded(kReach * s.spacing);
+  for (const TissueChunk& chunk : s.chunks) {
+    if (!meets(chunkBounds(s, chunk, lattice.origin), box)) continue;
+    for (std::int32_t i = chunk.start + chunk.first; i <= chunk.start + chunk.last; ++i) {
+      if (!s.solid[i]) continue;
+      const Vec3 x = lattice.centre(s.box.cell(i)) + Vec3(s.u[0][i], s.u[1][i], s.u[2][i]);
+      if (box.contains(x)) candidates_.push_back({i, x});
+    }
+  }
+}
+
+void CutFronts::list(const RestTissue& rest, double duration, double dt,
+                     std::span<const Obstacle> obstacles) {
+  const ElasticState& s = rest.state();
+  duration_ = duration;
+  work_ = {};
+  impulse_.assign(obstacles.size(), Vec3::Zero());
+  stiffness_ = kStiffness * s.spacing * s.spacing / (dt * dt);
+  damping_ = kDamping * s.spacing * s.spacing / dt;
+
+  std::vector<CutFront> fronts;  // those with tissue near, in the order of the obstacles
+  for (std::size_t b = 0; b < obstacles.size(); ++b)
+    for (std::size_t e = 0; e < obstacles[b].edges.size(); ++e) {
+      const CuttingEdge& edge = obstacles[b].edges[e];
+      findCandidates(rest, edge);
+      if (candidates_.empty()) continue;
+      const double length = lengthOf(edge.points);
+      const int count = std::max(1, int(std::ceil(length / (0.5 * s.spacing))));
+      Edge& here = edgeOf(fronts.size());
+      here.edge = edge;
+      here.obstacle = b;
+      here.step = length / count;
+      here.samples.resize(std::size_t(count));
+      const auto same = std::ranges::find_if(fronts_, [&](const CutFront& f) {
+        return f.tool == obstacles[b].tool && f.edge == std::int32_t(e);
+      });
+      CutFront& front = fronts.emplace_back();
+      if (same != fronts_.end()) front = std::move(*same);
+      front.tool = obstacles[b].tool;
+      front.edge = std::int32_t(e);
+      front.samples.resize(std::size_t(count));
+      for (std::size_t k = 0; k < front.samples.size(); ++k) {
+        const Along at = alongEdge(edge.points, (double(k) + 0.5) * here.step);
+        CutSample& sample = front.samples[k];
+        Sample now;
+        now.point = at.point;
+        now.tangent = at.tangent;
+        now.outwards = at.tangent.cross(edge.normal);
+        const Vec3 from = edge.from * at.point;
+        const bool there = sample.known && (sample.tied || rest.inside(sample.place));
+        if (!there)
+          locate(rest, from, kReach * s.spacing + (edge.to * at.point - from).norm(), sample, now);
+        if (sample.known) rest.findCells(sample.place, now.cells);
+        if (now.cells.nearest < 0) sample.known = sample.tied = false;
+        if (sample.known) {
+          const Mat3 f = now.cells.gradient + Mat3::Identity();
+          now.toRest = f.determinant() > 0.05 ? Mat3(f.inverse()) : Mat3(Mat3::Identity());
+        }
+        now.cellsAt = sample.place;
+        now.askedAt = now.lengthAt = Vec3::Constant(1e9);
+        now.start = sample.place;
+        here.samples[k] = std::move(now);
+      }
+    }
+  fronts_ = std::move(fronts);
+  kept_ = fronts_;
+}
+
+// The point of the tissue where the edge is: by the cell that is nearest now.
+void CutFronts::locate(const RestTissue& rest, const Vec3& point, double reach, CutSample& sample,
+                       Sample& now) const {
+  const Candidate* nearest = nullptr;
+  double least = reach * reach;
+  for (const Candidate& c : candidates_)
+    if (const double distance2 = (c.place - point).squaredNorm(); distance2 < least) {
+      least = distance2;
+      nearest = &c;
+    }
+  sample.known = nearest != nullptr;
+  if (!nearest) return;
+  const Mat3 f = gradientAt(rest.state(), nearest->cell) + Mat3::Identity();
+  now.toRest = f.determinant() > 0.05 ? Mat3(f.inverse()) : Mat3(Mat3::Identity());
+  sample.place = rest.lattice().centre(rest.state().box.cell(nearest->cell)) +
+                 now.toRest * (point - nearest->place);
+}
+
+// How much edge the sample stands for, what the tissue there is, and whether there is any ahead.
+void CutFronts::look(const RestTissue& rest, Edge& edge, const CutFront& front,
+                     std::size_t k) const {
+  Sample& now = edge.samples[k];
+  const Vec3& place = front.samples[k].place;
+  const double s = rest.state().spacing;
+  if ((place - now.lengthAt).norm() > s / 32) {
+    now.lengthAt = place;
+    constexpr int kParts = 4;
+    now.length = 0;
+    for (int side = -1; side <= 1; side += 2) {
+      const std::size_t other = k + std::size_t(side);  // beyond the last one where there is none
+      Vec3 way = side * edge.step * (now.toRest * (edge.edge.to.rotation * now.tangent));
+      if (other < front.samples.size() && front.samples[other].known) {
+        const Vec3 to = front.samples[other].place - place;
+        if (to.norm() < kStretched * edge.step) way = to;
+      }
+      for (int part = 0; part < kParts; ++part)
+        if (rest.inside(place + (part + 0.5) / (2 * kParts) * way))
+          now.length += way.norm() / (2 * kParts);
+    }
+    const ElasticState& state = rest.state();
+    const TissueMaterial& m = state.materials[state.material[now.cells.nearest]];
+    const double depth = rest.depth(place);
+    now.toughness = m.cutEnergy;
+    if (depth > 0 && depth < kCapsuleDepth) now.toughness += m.capsuleCutEnergy / kCapsuleDepth;
+    now.toughness *= edge.edge.bluntness;
+  }
+  if (!(now.length > 0)) {
+    now.ahead = false;
+  } else if ((place - now.askedAt).norm() > s / 8) {
+    now.askedAt = place;
+    const Vec3 along = (now.toRest * (edge.edge.to.rotation * now.tangent)).normalized();
+    const Vec3 ahead = (now.toRest * (edge.edge.to.rotation * now.outwards)).normalized();
+    now.ahead = rest.tissueAhead(place, along, kLookAhead * s * ahead);
+  }
+}
+
+void CutFronts::pullSample(const RestTissue& rest, Edge& edge, CutFront& front, std::size_t k,
+                           const Pose& pose, double dt) {
+  CutSample& sample = front.samples[k];
+  Sample& now = edge.samples[k];
+  now.force.setZero();
+  if (!sample.known) return;
+  const double s = rest.state().spacing;
+  const Vec3 hand = pose * now.point;
+  const Vec3 motion = (edge.edge.to * now.point - edge.edge.from * now.point) / duration_;
+  const Vec3 outwards = pose.rotation * now.outwards, normal = pose.rotation * edge.edge.normal;
+  sample.motion += std::min(1.0, dt / kHandTime) * (motion - sample.motion);
+  const Vec3 inPlane = withoutPart(sample.motion, normal);
+  if (inPlane.norm() > kStandsStill && inPlane.dot(outwards) > 0)
+    sample.lean = std::max(kLeastLean, inPlane.dot(outwards) / inPlane.norm());
+
+  // An edge that moves sideways slips past tissue and cuts nothing.
+  const bool sideways = std::abs(sample.motion.dot(normal)) > inPlane.norm();
+
+  const auto follow = [&] {  // the cells round the tie, found anew when it has moved
+    if ((sample.place - now.cellsAt).norm() < s / 16) return;
+    rest.findCells(sample.place, now.cells);
+    now.cellsAt = sample.place;
+  };
+  const auto offset = [&] {
+    return hand - sample.place - rest.displacement(sample.place, now.cells);
+  };
+  if (!sample.tied) {
+    const bool wasInside = now.length > 0;
+    // Beside a sample that lags, the edge lags as it does.
+    const std::size_t other = tiedNear(front, k);
+    if (other < front.samples.size()) {
+      const Vec3 place = front.samples[other].place +
+                         edge.samples[other].toRest * (hand - pose * edge.samples[other].point);
+      if ((place - sample.place).norm() > kMostJump * s) now.swept = false;
+      sample.place = place;
+    } else {
+      for (int step = 0; step < 2; ++step) {
+        sample.place += now.toRest * offset();
+        follow();
+        if (now.cells.nearest < 0) return;
+      }
+    }
+    follow();
+    if (now.cells.nearest < 0) return;
+    look(rest, edge, front, k);
+    // Where nothing holds the edge, it cuts what it passes, unless it moves back or sideways.
+    const bool back = inPlane.dot(outwards) < -0.5 * inPlane.norm();
+    const bool open = rest.apart(sample.place, now.cells) > kOpen;
+    if (!wasInside || sideways || back || open || !edge.edge.begins) now.swept = false;
+    if (!now.swept) now.start = sample.place;
+    now.swept = now.length > 0;
+    if (!now.ahead || now.spent || open || sideways || !edge.edge.begins) return;
+    sample.tied = true;
+  }
+  if (!now.swept) now.start = sample.place, now.swept = true;
+  look(rest, edge, front, k);
+  const ElasticState& state = rest.state();
+  const double density = state.materials[state.material[now.cells.nearest]].density;
+  const double stiffness = stiffness_ * density * edge.step,
+               damping = damping_ * density * edge.step;
+  const Vec3 slow = motion - rest.velocity(now.cells);
+  Vec3 way = offset();
+  const Vec3 across = way.dot(normal) * normal;
+  way -= across;
+  Vec3 force = stiffness * way + damping * withoutPart(slow, normal);
+  if (force.dot(outwards) <= 0 && way.dot(outwards) <= 0) {
+    sample.tied = false;
+    now.spent = true;
+    return;
+  }
+  const double full = now.toughness * now.length, most = full * sample.lean;
+  if (force.dot(outwards) <= 0) force.setZero();
+  if (force.norm() > most) {
+    force *= most / force.norm();
+    Vec3 slip = way - force / stiffness;
+    if (slip.dot(force.norm() > 0 ? force : way) > 0) {
+      slip = now.toRest * slip;
+      if (slip.norm() > kMostSlip * s) slip *= kMostSlip * s / slip.norm();
+      sample.place += slip;
+      if (sideways) now.start += slip;
+      const Vec3 forth = now.toRest * outwards;
+      const double area = sideways ? 0 : now.length * std::max(0.0, slip.dot(forth) / forth.norm());
+      work_.area += area;
+      work_.cut += now.toughness * area;
+      follow();
+      way = withoutPart(offset(), normal);
+    }
+  }
+  // The flat of the blade holds the tissue too; what is pushed too hard slips past it uncut.
+  Vec3 flat = stiffness * across + damping * slow.dot(normal) * normal;
+  if (flat.norm() > full) {
+    flat *= full / flat.norm();
+    const Vec3 slip = now.toRest * (across - flat / stiffness);
+    if (across.dot(flat) > 0 && slip.norm() < s) sample.place += slip, now.start += slip;
+    follow();
+  }
+  look(rest, edge, front, k);
+  if (!now.ahead) {
+    sample.tied = false;
+    now.spent = true;
+    return;
+  }
+  now.force = force + flat;
+  now.motion = motion;
+  work_.held += 0.5 * stiffness * way.squaredNorm();
+}
+
+void CutFronts::push(const RestTissue& rest, ElasticState& s, double share, double dt,
+                     double lookAhead) {
+  work_.held = 0;
+  for (std::size_t f = 0; f < fronts_.size(); ++f) {
+    Edge& edge = edges_[f];
+    const Pose pose = interpolate(edge.edge.from, edge.edge.to, share);
+    for (std::size_t k = 0; k < edge.samples.size(); ++k)
+      pullSample(rest, edge, fronts_[f], k, pose, dt);
+    for (const Sample& sample : edge.samples) {
+      if (sample.force == Vec3::Zero()) continue;
+      impulse_[edge.obstacle] -= dt * sample.force;
+      work_.given += dt * sample.force.dot(sample.motion);
+      for (std::size_t c = 0; c < sample.cells.cells.size(); ++c) {
+        const std::int32_t i = sample.cells.cells[c];
+        const Vec3 change = dt * sample.cells.weights[c] * double(s.inverseMass[i]) * sample.force;
+        for (int a = 0; a < 3; ++a) {
+          if (s.held[i] >> a & 1) continue;
+          s.v[a][i] += float(change[a]);
+          s.u[a][i] += float(dt * change[a]);
+          s.ahead[a][i] = s.u[a][i] + float(lookAhead) * s.v[a][i];
+        }
+      }
+    }
+    for (const Sample& sample : edge.samples)
+      if (sample.force != Vec3::Zero())
+        work_.taken += dt * sample.force.dot(rest.velocity(sample.cells));
+  }
+}
+
+void CutFronts::appendCuts(std::vector<TissueCut>& cuts) const {
+  std::vector<Vec3> before, after;
+  for (std::size_t f = 0; f < fronts_.size(); ++f) {
+    const Edge& edge = edges_[f];
+    const std::vector<CutSample>& samples = fronts_[f].samples;
+    const auto joined = [&](std::size_t k) {  // whether sample k sweeps on with sample k + 1
+      if (k + 1 >= samples.size() || !edge.samples[k].swept || !edge.samples[k + 1].swept)
+        return false;
+      const double most = kStretched * edge.step;
+      return (edge.samples[k + 1].start - edge.samples[k].start).norm() < most &&
+             (samples[k + 1].place - samples[k].place).norm() < most;
+    };
+    TissueCut cut;
+    cut.tool = fronts_[f].tool;
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      const Sample& now = edge.samples[k];
+      if (!now.swept) continue;
+      const Vec3 along = edge.step * (now.toRest * (edge.edge.to.rotation * now.tangent));
+      // Beyond the last sample: half a step, and where the edge leaves the tissue, out of it.
+      const auto beyond = [&](std::size_t other) {
+        const bool leaves = other < samples.size() && !(edge.samples[other].length > 0);
+        return Vec3((leaves ? kOutOfTissue : kHalfStep) * along);
+      };
+      if (k == 0 || !joined(k - 1))
+        before = {now.start - beyond(k - 1)}, after = {samples[k].place - beyond(k - 1)};
+      before.push_back(now.start), after.push_back(samples[k].place);
+      if (joined(k)) continue;
+      before.push_back(now.start + beyond(k + 1)),
+          after.push_back(samples[k].place + beyond(k + 1));
+      if (edge.edge.reversed) std::ranges::reverse(before), std::ranges::reverse(after);
+      append(cut.blade, ruledBlade(before, after));
+    }
+    if (!cut.blade.empty()) cuts.push_back(std::move(cut));
+  }
+}
+
+void CutFronts::startAgain(const RestTissue& rest) {
+  fronts_ = kept_;
+  work_ = {};
+  std::ranges::fill(impulse_, Vec3::Zero());
+  for (std::size_t f = 0; f < fronts_.size(); ++f)
+    for (std::size_t k = 0; k < fronts_[f].samples.size(); ++k) {
+      Sample& now = edges_[f].samples[k];
+      now.swept = now.spent = false;
+      now.start = now.cellsAt = fronts_[f].samples[k].place;
+      now.cells.nearest = -1;
+      if (fronts_[f].samples[k].known) rest.findCells(now.start, now.cells);
+      now.askedAt = now.lengthAt = Vec3::Constant(1e9);
+    }
+}
+
+bool CutFronts::fit() const {
+  return std::ranges::all_of(fronts_, [](const CutFront& front) {
+    return std::ranges::all_of(front.samples, [](const CutSample& sample) {
+      return sample.place.allFinite() && sample.motion.allFinite() && std::isfinite(sample.lean);
+    });
+  });
+}
+
+}  // namespace resect
