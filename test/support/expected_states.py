@@ -18,7 +18,7 @@ ELASTIC = {
     "press": "c47ed1d7d4a6c3e2",
     "lift": "82cb14e9a56d4b4b",
     "incise": "cc53b604687d31b5",
-    "incise-under-traction": "1941662400313e42",
+    "incise-under-traction": "f0474582c3abd527",
     "snip": "2f6d6e978e0f00b4",
     "resect-segment-elastic": "14627563a96903d0",
     "liver-and-gallbladder": "233bd38b74245e5d",

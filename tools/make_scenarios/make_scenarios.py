@@ -191,7 +191,7 @@ def incise_under_traction():
     # The lobe's top along the cut, after it has sagged: the blade's edge must reach out of the tissue, or it tunnels.
     top = ((-0.005, 0.047), (0.005, 0.048), (0.015, 0.048), (0.025, 0.047), (0.035, 0.045), (0.045, 0.043),
            (0.055, 0.041), (0.065, 0.038), (0.075, 0.033))
-    x, depth = 0.03, 0.014
+    x, depth = 0.03, 0.018
     scalpel = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.15)
     scalpel.wait(2.2)
     scalpel.to(x, 0.2, -0.03).to(x, top[0][1] + 0.03, top[0][0] - 0.01)
