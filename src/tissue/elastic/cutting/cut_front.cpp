@@ -223,7 +223,7 @@ void CutFronts::pullSample(const RestTissue& rest, Edge& edge, CutFront& front, 
     rest.findCells(sample.place, now.cells);
     now.cellsAt = sample.place;
   };
-  const auto offset = [&] {
+  const auto offset = [&]() -> Vec3 {
     return hand - sample.place - rest.displacement(sample.place, now.cells);
   };
   if (!sample.tied) {
