@@ -49,7 +49,7 @@ class RestTissue {
   const ElasticState& state() const { return state_; }
   const Lattice& lattice() const { return lattice_; }
 
-  static constexpr double kCutReach = 0.008;  // m; on coarse lattices 1.5 spacings
+  static constexpr double kCutReach = 0.009;  // m; on coarse lattices 1.5 spacings
   static constexpr double kKnownDepth = 1;
 
  private:
