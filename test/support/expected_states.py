@@ -20,7 +20,7 @@ ELASTIC = {
     "incise": "cc53b604687d31b5",
     "incise-under-traction": "f0474582c3abd527",
     "snip": "2f6d6e978e0f00b4",
-    "resect-segment-elastic": "14627563a96903d0",
+    "resect-segment-elastic": "b7e014098e4caef6",
     "liver-and-gallbladder": "233bd38b74245e5d",
     "hang": "4d533e8110c61b0b",
     "drop": "ce319fe7f94823b9",

@@ -239,7 +239,7 @@ def resect_segment_elastic():
     hook.to(*caught).to(*pulled, speed=0.06)
     scalpel.wait(hook.time - scalpel.time)
     scalpel.to(0.05, 0.24, 0.14)
-    cut_off(0.066, 0.15)
+    cut_off(0.07, 0.15)
     hook.wait(scalpel.time - hook.time - 1)
     hook.to(*pulled).to(*lifted, speed=0.06)
     hook.wait(0.6)
@@ -373,7 +373,7 @@ def all_scenarios():
                           snip(), ligaments(ASIDE), x=ASIDE)
     yield "resect-segment-elastic", elastic(
         "A piece of a soft liver taken off", "The scalpel parts the left lateral part; the hook lifts it away", 8.0,
-        resect_segment_elastic(), ligaments(ASIDE), "cut_energy = 20  # a new blade\n", x=ASIDE)
+        resect_segment_elastic(), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE)
     yield "liver-and-gallbladder", liver_and_gallbladder()
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n")

@@ -11,7 +11,7 @@ namespace resect {
 namespace {
 
 constexpr double kLeastReach = 1.5;  // spacings: fewer cells would be crushed one by one
-constexpr double kClose = 0.5;
+constexpr double kClose = 0.5;       // of the way ahead
 
 Aabb boxRound(const Vec3& point, double reach) { return Aabb{point, point}.padded(reach); }
 
