@@ -18,10 +18,10 @@ constexpr double kStandsStill = 1e-5;  // m/s: below it the hand has no directio
 constexpr double kReach = 1.5;         // spacings: how far from cells an edge is looked for
 constexpr double kMostSlip = 0.25;     // spacings per substep
 constexpr double kLookAhead = 1.2;     // spacings: a tie needs a bond so near ahead
-constexpr double kStretched = 3;  // samples farther apart than this many steps are not neighbours
+constexpr double kStretched = 3;    // samples farther apart than this many steps are not neighbours
 constexpr std::size_t kBeside = 3;  // samples: so far an edge lags as a tied neighbour does
-constexpr double kMostJump = 0.5;  // spacings: farther an edge is not taken to have cut
-constexpr double kOpen = 0.002;    // m: half of the gap of a cut that is open
+constexpr double kMostJump = 0.5;   // spacings: farther an edge is not taken to have cut
+constexpr double kOpen = 0.002;     // m: half of the gap of a cut that is open
 constexpr double kHalfStep = 0.525, kOutOfTissue = 1.1;  // steps
 constexpr double kCapsuleDepth = 0.002;  // m: over which the capsule's energy is spread
 
