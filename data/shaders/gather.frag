@@ -5,7 +5,7 @@ varying vec3 objectNormal;
 varying float cutShare;
 
 void main() {
-  gl_FragData[0] = vec4(objectPosition, cutShare);
+  gl_FragData[0] = vec4(objectPosition, cutOrRim(cutShare, objectPosition));
   // The normal's octahedral map (Meyer et al. 2010).
   vec3 n = gl_FrontFacing ? objectNormal : -objectNormal;
   n /= abs(n.x) + abs(n.y) + abs(n.z);

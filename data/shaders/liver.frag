@@ -7,5 +7,5 @@ varying vec3 baseColor;
 
 void main() {
   vec3 n = normalize(gl_FrontFacing ? objectNormal : -objectNormal);  // open surfaces have a back
-  gl_FragColor = vec4(liver(objectPosition, widest(objectPosition), n, cutShare, eyePosition, baseColor), 1.0);
+  gl_FragColor = vec4(liver(objectPosition, widest(objectPosition), n, cutOrRim(cutShare, objectPosition), eyePosition, baseColor), 1.0);
 }

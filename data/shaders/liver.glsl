@@ -2,7 +2,7 @@
 // parenchyma, darker and moist, with vessels. Colours are linear.
 //
 // p: position at rest, `wide`: how far it moves within a pixel; n0: unit normal towards the eye's
-// side; cutShare: 0 capsule, 1 cut; eyePosition: in eye space; baseColor: of the capsule, as on a
+// side; cutShare: as cutOrRim() gives it; eyePosition: in eye space; baseColor: of the capsule, as on a
 // screen. Positions and normals in object space, m.
 vec3 liver(vec3 p, float wide, vec3 n0, float cutShare, vec3 eyePosition, vec3 baseColor) {
   vec4 broad = noise(p * 55.0);
@@ -39,6 +39,7 @@ vec3 liver(vec3 p, float wide, vec3 n0, float cutShare, vec3 eyePosition, vec3 b
     wetness = mix(1.0, 0.85, cut);
   }
   albedo = mix(albedo, vec3(0.30, 0.14, 0.11), 0.25 * rim);
+  albedo = mix(albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-cutShare, 0.0));
 
   // The film of fluid is smoother than the tissue under it.
   vec3 slope = bumps - dot(bumps, n0) * n0;

@@ -24,6 +24,9 @@ namespace resect {
 // before: value of the colour field at the point before any edit. iso: the iso level.
 float cutShare(float before, float iso);
 
+// Instead of a cut share: a vertex of the skin at the rim of a cut, which is drawn as a thin line.
+constexpr float kRimShare = -1;
+
 // Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: the number
 // of the grid edge that each vertex lies on, as written by brickVertices(). `normals` and `cut`
 // must have room up to the next multiple of CrossedEdges::kStep; the rest is overwritten.

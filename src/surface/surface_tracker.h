@@ -59,7 +59,7 @@ class SurfaceTracker {
   std::span<const Vec3f> points() const { return points_; }  // rest space, m
   // These two throw Error if the surface has changed since the last updateLook().
   std::span<const Vec3f> normals() const;  // unit, outwards
-  std::span<const float> cut() const;      // cut shares, 0 to 1
+  std::span<const float> cut() const;      // cut shares, 0 to 1; kRimShare at rims of cuts
   std::span<const Triangle> triangles() const { return triangles_; }
   std::int64_t triangleCount() const { return triangleCount_; }  // holes not counted
 

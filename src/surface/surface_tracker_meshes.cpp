@@ -76,7 +76,7 @@ SurfaceTracker::Compact SurfaceTracker::compact(std::span<const Vec3f> points,
   visitVertices([&](std::size_t v, bool twin) {
     if (twin) return;  // the same point of the mesh
     result.normals.push_back(normals[v]);
-    result.cut.push_back(cutShares[v]);
+    result.cut.push_back(std::max(0.f, cutShares[v]));  // a rim is skin
   });
   return result;
 }

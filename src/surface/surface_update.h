@@ -23,7 +23,7 @@ struct SurfaceUpdate {
 
   std::vector<IndexRange> newVertices;
   std::vector<Vec3f> rest;  // rest positions, m
-  std::vector<float> cut;   // cut shares, 0 to 1
+  std::vector<float> cut;   // cut shares, 0 to 1; kRimShare at rims of cuts
 
   std::vector<IndexRange> movedVertices;  // includes the new vertices
   std::vector<Vec3f> points, normals;     // present positions (world, m); normals (unit, outwards)

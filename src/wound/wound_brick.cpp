@@ -269,8 +269,10 @@ class BrickCutter {
     }
     slope = slope.cwiseQuotient(field_.lattice().spacing.cast<float>());
     const float length = slope.norm();
+    constexpr float kBare = 0.02f;  // from this share on, former tissue is seen and not skin
     const float cut = edited_ ? cutShare(before, grid().iso) : 0.f;
-    add(p, length > 0 ? Vec3f(slope / -length) : Vec3f(0, 1, 0), cut, n, anchors);
+    add(p, length > 0 ? Vec3f(slope / -length) : Vec3f(0, 1, 0), cut < kBare ? kRimShare : cut, n,
+        anchors);
   }
 
   void bindIsoVertices(const BrickSigns& signs) {

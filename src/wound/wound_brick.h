@@ -28,7 +28,7 @@ struct BrickWound {
   struct Vertex {
     Vec3f position;     // rest space, m
     Vec3f normal;       // unit, out of the tissue
-    float cut;          // cut share, 0 to 1
+    float cut;          // cut share, 0 to 1, or kRimShare
     bool twin = false;  // whether it is the twin of the vertex before it
   };
   // A corner below kFirstCellVertex is a CellVertex of the cell (wound_loops.h). From any other

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -55,12 +56,17 @@ struct BallOnTable {
     room.look(RoomView::Top, box, double(kWidth) / kHeight);
   }
   void setCut(float share) {
+    setCut([&](const Vec3&) { return share; });
+  }
+  template <typename Share>
+  void setCut(const Share& shareAt) {
+    std::vector<float> cut;
+    for (const Vec3& p : ball.points) cut.push_back(shareAt(p));
     std::vector<Vec3f> points, normals;
     for (const Vec3& p : ball.points) {
       points.push_back(p.cast<float>());
       normals.push_back((p - Vec3(0, 0.07, 0)).normalized().cast<float>());
     }
-    const std::vector<float> cut(points.size(), share);
     room.organ()->update(wholeSurface(points, normals, cut, ball.triangles));
   }
 };
@@ -94,6 +100,26 @@ TEST_CASE("cut tissue differs from the capsule at one glance") {
   // A just noticeable difference is about 3 of 255; ten times that is seen without looking for it.
   CHECK(distance(capsule, cut) > 30);
   CHECK(brightness(cut) < 0.75 * brightness(capsule));  // moist parenchyma is darker
+}
+
+TEST_CASE("the rim of a cut whose lips touch is a thin dark line") {
+  BallOnTable scene;
+  OffscreenView view(kWidth, kHeight);
+  scene.setCut(0.0f);
+  const RgbImage whole = view.render(scene.room.root());
+  // Along the meridian of the ball in the plane x = 0.
+  scene.setCut([](const Vec3& p) { return std::abs(p.x()) < 1e-6 ? -1.0f : 0.0f; });
+  const RgbImage line = view.render(scene.room.root());
+  int dark = 0, widest = 0;
+  for (int y = kHeight / 2 + 10; y < kHeight / 2 + 30; ++y) {
+    int here = 0;
+    for (int x = kWidth / 2 - 20; x <= kWidth / 2 + 20; ++x)
+      here += line.at(x, y)[0] + 12 < whole.at(x, y)[0];
+    dark += here > 0;
+    widest = std::max(widest, here);
+  }
+  CHECK(dark >= 15);  // it goes through highlights, too
+  CHECK(widest <= 3);
 }
 
 TEST_CASE("the organ casts a shadow on the table, away from the lamp") {

@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
+#include "isosurface/brick_look.h"
 #include "support/blades.h"
 #include "support/random_edits.h"
 #include "support/references/wound_reference.h"
@@ -289,5 +290,30 @@ TEST_CASE(
     CHECK(late == 0);
     CHECK(both > 0);
     CHECK(both < lips / 4);
+  }
+}
+
+TEST_CASE("the skin's vertices at the rim of a cut are marked, and only they") {
+  for (int refine : {1, 2, 3}) {
+    Patient p(test::blob(20), refine);
+    const Vec3 normal = Vec3(0.2, 1, 0.3).normalized(), on = p.middle() + Vec3(0.001, 0.0012, 0);
+    const Vec3 a = normal.unitOrthogonal();
+    p.follow();
+    p.surface.updateLook(p.field);
+    CHECK(std::ranges::count(p.surface.cut(), kRimShare) == 0);
+    p.cut(test::flatBlade(on, 0.2 * a, 0.2 * normal.cross(a)));
+    p.follow();
+    p.surface.updateLook(p.field);
+    int rim = 0, off = 0;
+    for (std::size_t v = 0; v < p.surface.cut().size(); ++v) {
+      if (p.surface.cut()[v] != kRimShare) continue;
+      ++rim;
+      const Vec3 at = p.surface.points()[v].cast<double>();
+      off += std::abs((at - on).dot(normal)) > 0.5 * p.spacing() / refine;
+    }
+    CHECK(rim > 40);
+    CHECK(off == 0);
+    const std::vector<float> exported = p.surface.compact().cut;
+    CHECK(*std::ranges::min_element(exported) >= 0);
   }
 }

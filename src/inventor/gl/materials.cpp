@@ -25,9 +25,9 @@ struct Stages {
 Stages stages(RoomMaterial material) {
   switch (material) {
     case RoomMaterial::Liver:
-      return {"organ.vert", {"light.glsl", "noise.glsl", "liver.glsl", "liver.frag"}};
+      return {"organ.vert", {"light.glsl", "noise.glsl", "rim.glsl", "liver.glsl", "liver.frag"}};
     case RoomMaterial::Gather:
-      return {"organ.vert", {"noise.glsl", "gather.frag"}};
+      return {"organ.vert", {"noise.glsl", "rim.glsl", "gather.frag"}};
     case RoomMaterial::Steel:
       return {"surface.vert", {"light.glsl", "noise.glsl", "steel.frag"}};
     case RoomMaterial::Cloth:
