@@ -57,7 +57,9 @@ void MainWindow::makeMenus() {
         QString::fromStdString("The " + name + " that comes with Resect, whole"), [this, name] {
           Scenario scenario = options_.scenario;
           keepFirstOrgan(scenario);
-          scenario.organs[0].source.file = name;
+          OrganSource source = scenario.organs[0].source;
+          source.file = name;
+          if (source.file != scenario.organs[0].source.file) replaceOrgans(scenario, source);
           load(scenario);
         });
   }
@@ -160,7 +162,11 @@ void MainWindow::makeMenus() {
     if (session_ && session_->tools().held() >= 0)
       session_->tools().hold(session_->tools().held(), how);
   };
-  add(instruments, "&Direct", QKeySequence("D"), "The instrument follows the mouse",
+  add(instruments, "Along the &surface", QKeySequence("S"),
+      "The instrument follows the organ's surface under the pointer", [=, this] {
+        if (session_) precise(session_->tools().usual());
+      });
+  add(instruments, "&Direct", QKeySequence("D"), "Dragging moves it across the view",
       [=] { precise(ToolHandling::Hold::Direct); });
   add(instruments, "Handle &box: move", QKeySequence("B"), "Moves it along one axis or face",
       [=] { precise(ToolHandling::Hold::HandleBox); });
@@ -169,6 +175,12 @@ void MainWindow::makeMenus() {
   add(instruments, "&Let go", QKeySequence("G"), "It stays where it is", [this] {
     if (session_) session_->tools().hold(-1, ToolHandling::Hold::None);
   });
+
+  add(instruments, "L&eave at work", {},
+      "While it presses: it goes on holding or pressing there, and the hand is free (key F)",
+      [this] {
+        if (session_ && session_->tools().pressing()) session_->tools().leave();
+      });
 
   instruments->addSeparator();
   add(instruments, "&Play the scenario's motions", QKeySequence("P"),

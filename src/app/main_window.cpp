@@ -24,6 +24,7 @@
 #include "app/say.h"
 #include "app/viewer.h"
 #include "app/widgets/controls_overlay.h"
+#include "app/widgets/instruments_panel.h"
 #include "app/widgets/panels.h"
 #include "app/widgets/theme.h"
 #include "app/widgets/timeline_panel.h"
@@ -45,6 +46,8 @@ const char* nameOf(ToolHandling::Hold how) {
       return "none";
     case ToolHandling::Hold::Direct:
       return "direct";
+    case ToolHandling::Hold::Guided:
+      return "guided";
     case ToolHandling::Hold::HandleBox:
       return "handle-box";
     case ToolHandling::Hold::Trackball:
@@ -53,16 +56,25 @@ const char* nameOf(ToolHandling::Hold how) {
   return "";
 }
 
-QString sentenceOf(ToolHandling::Hold how, const QString& tool) {
-  switch (how) {
+// "Wheel: 10 mm deep" of the guided tool in hand, as a line of its own.
+QString depthOf(const ToolHandling& tools) {
+  return QString("\nWheel: %1 mm deep").arg(std::lround(1e3 * tools.depth(tools.held())));
+}
+
+// What can be done next with the instrument in hand.
+QString sentenceOf(const ToolHandling& tools, const QString& name) {
+  switch (tools.how()) {
     case ToolHandling::Hold::None:
-      return "Drag an instrument, or press its number.";
+      return "Take an instrument: click it, or press its number.";
     case ToolHandling::Hold::Direct:
-      return tool + " in hand: drag, wheel, Shift turns.";
+      return name + " in hand: drag, wheel, Shift turns.";
+    case ToolHandling::Hold::Guided:
+      if (tools.pressing()) return name + " at work; F leaves it there." + depthOf(tools);
+      return name + ": press and draw." + depthOf(tools);
     case ToolHandling::Hold::HandleBox:
-      return tool + " in a handle box: middle click to turn.";
+      return name + " in a handle box: middle click to turn.";
     case ToolHandling::Hold::Trackball:
-      return tool + " in a trackball: middle click to move.";
+      return name + " in a trackball: middle click to move.";
   }
   return {};
 }
@@ -193,8 +205,8 @@ void MainWindow::makeDocks() {
   resizeDocks(docks, heights, Qt::Vertical);
   instruments_->chosen = [this](int tool) {
     if (!session_) return;
-    if (tool < 0)
-      session_->tools().putBack(session_->tools().held());
+    if (tool == session_->tools().held())
+      session_->tools().putBack(tool);
     else
       session_->tools().take(tool);
     viewer_->setFocus();
@@ -213,7 +225,7 @@ void MainWindow::makeDocks() {
     if (spacing) setSpacing(scenario, session_->cells().lattice.spacing.x(), *spacing);
     for (ScenarioOrgan& organ : scenario.organs) organ.source.settings.refine = refine;
     if (elastic != scenario.organs[0].tissue.elastic)
-      elastic ? makeElastic(scenario) : makeThesis(scenario);
+      elastic ? makeElastic(scenario) : makeStill(scenario);
     if (load(scenario)) keepsView_ = true;
   };
 }
@@ -225,12 +237,16 @@ void MainWindow::tick() {
   if (tools.held() != heldSaid_ || tools.how() != howSaid_) {
     heldSaid_ = tools.held();
     howSaid_ = tools.how();
-    const QString name =
-        heldSaid_ < 0 ? QString() : shown(session_->toolModels()[std::size_t(heldSaid_)].name);
-    instruments_->setHeld(heldSaid_, sentenceOf(howSaid_, name));
-    if (options_.reports)
-      say("held {} {}", heldSaid_ < 0 ? "nothing" : name.toStdString(), nameOf(howSaid_));
+    if (options_.reports) say("held {} {}", heldName("nothing").toStdString(), nameOf(howSaid_));
   }
+  if (tools.left() != leftSaid_) {
+    leftSaid_ = tools.left();
+    std::string names;
+    for (int i = 0; i < tools.toolCount(); ++i)
+      if (tools.isLeft(i)) names += " " + session_->toolModels()[std::size_t(i)].name;
+    if (options_.reports) say("left{}", names.empty() ? " nothing" : names);
+  }
+  instruments_->show(heldSaid_, tools.left(), sentenceOf(tools, heldName("")));
   const LiveState& state = session_->state();
   if (options_.reports && state.removed != removedSaid_) {
     removedSaid_ = state.removed;
@@ -274,6 +290,12 @@ void MainWindow::tick() {
   lastSize_ = size;
 }
 
+// Name of the instrument in hand, `none` if there is none.
+QString MainWindow::heldName(const char* none) const {
+  const int held = session_->tools().held();
+  return held < 0 ? QString(none) : shown(session_->toolModels()[std::size_t(held)].name);
+}
+
 bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {
   if (overlay_->isVisible() && isPress(event)) overlay_->hide();
   // Out of the past, not the instrument into the tool box.
@@ -290,8 +312,8 @@ bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewp
   lookingAt_ = false;
   viewer_->unsetCursor();
   statusBar()->clearMessage();
-  Vec3 point;
-  if (session_->pointUnder(event.getPosition(), viewport, point)) session_->camera().lookAt(point);
+  if (const auto under = session_->pointUnder(event.getPosition(), viewport))
+    session_->camera().lookAt(under->point);
   return true;
 }
 

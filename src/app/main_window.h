@@ -84,6 +84,7 @@ class MainWindow : public QMainWindow {
   void toggleVideo();
   bool viewerEvent(const SoEvent& event, const SbViewportRegion& viewport);
   void undo(bool again);
+  QString heldName(const char* none) const;
   void look(RoomView view);
   void viewAll();
   void bringEverythingBack();
@@ -127,6 +128,7 @@ class MainWindow : public QMainWindow {
   double forceSaid_ = 0;            // largest force on a tool since the last report, N
   int heldSaid_ = -2;               // number of the tool in hand; -1: none; -2: nothing said yet
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
+  std::vector<std::uint8_t> leftSaid_;  // per tool, as ToolHandling::left()
   std::string script_, faultSaid_, recorderSaid_;
   std::string operationFile_;      // file where the user saved the operation; empty: none yet
   std::string madeFrom_;           // recording that the operation was opened from; empty: none

@@ -59,9 +59,9 @@ void MainWindow::openFile(const QString& file) {
       remember(file);
     } else if (isParticleFile(path)) {
       Scenario scenario = options_.scenario;
-      keepFirstOrgan(scenario);
-      scenario.organs[0].source = {};
-      scenario.organs[0].source.file = path.string();
+      OrganSource source;
+      source.file = path.string();
+      replaceOrgans(scenario, source);
       load(scenario);
       remember(file);
     } else {
@@ -77,8 +77,7 @@ void MainWindow::askOrgan(const QString& file) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
     Scenario scenario = session_ ? session_->scenario() : options_.scenario;
-    keepFirstOrgan(scenario);
-    scenario.organs[0].source = dialog->source();
+    replaceOrgans(scenario, dialog->source());
     // A saved scene keeps its position.
     if (scenario.organs[0].source.part == kOrganNode) scenario.organs[0].source.onTable = false;
     load(scenario);

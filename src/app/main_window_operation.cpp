@@ -17,6 +17,8 @@
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
+#include "app/widgets/controls_overlay.h"
+#include "app/widgets/instruments_panel.h"
 #include "app/widgets/panels.h"
 #include "app/widgets/timeline_panel.h"
 #include "base/error.h"
@@ -101,10 +103,9 @@ void MainWindow::cancelLoading() {
 // Loads the built-in liver at the start, coarse enough to appear at once.
 void MainWindow::loadDefault() {
   Scenario scenario = options_.scenario;
-  keepFirstOrgan(scenario);
-  scenario.organs[0] = {};
-  scenario.organs[0].source.spacing = 0.006;
-  makeThesis(scenario);
+  OrganSource liver;
+  liver.spacing = 0.008;
+  replaceOrgans(scenario, liver);
   load(scenario);
 }
 
@@ -157,7 +158,10 @@ bool MainWindow::begin(OrganLoader::Result result) {
     return false;
   }
   viewer_->show(session_.get());
+  overlay_->guided = session_->tools().usual() == ToolHandling::Hold::Guided;
+  overlay_->update();
   heldSaid_ = -2;
+  leftSaid_.assign(session_->toolModels().size(), 0);
   removedSaid_ = 0;
   uploadedSaid_ = 0;
   removed_->clear();

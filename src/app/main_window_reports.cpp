@@ -98,8 +98,9 @@ void MainWindow::reportMoment() {
   if (state.ledger && state.ledger != ledgerSaid_) {
     ledgerSaid_ = state.ledger;
     const TissueSplit all = state.ledger->tissue();
-    say("ledger frame {} removed {:.3f} ml pieces {:.3f} ml debris {:.3f} ml", state.frame,
-        1e6 * all.removed.volume, 1e6 * all.pieces.volume, 1e6 * all.debris.volume);
+    say("ledger frame {} removed {:.3f} ml pieces {:.3f} ml debris {:.3f} ml cut {:.2f} cm2",
+        state.frame, 1e6 * all.removed.volume, 1e6 * all.pieces.volume, 1e6 * all.debris.volume,
+        1e4 * state.ledger->cut());
   }
   if (arrived) momentSaid_ = state.moment;
   if (arrived || !session_->showing()) showingSaid_ = session_->showing();

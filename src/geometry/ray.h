@@ -12,6 +12,12 @@ struct Ray {
   Vec3 at(double t) const { return origin + t * direction; }
 };
 
+// A point of a surface and the unit normal there, which points out of the body. World, m.
+struct SurfacePoint {
+  Vec3 point = Vec3::Zero();
+  Vec3 normal = Vec3::UnitY();
+};
+
 // The t at which the ray meets the triangle a, b, c, from either side; infinity if it does not
 // (Moeller and Trumbore 1997). Edges belong to the triangle, so no ray passes between two triangles
 // of a closed surface. A ray that is parallel to the plane of the triangle, or lies in this plane,

@@ -44,6 +44,13 @@ void keepFirstOrgan(Scenario& scenario) {
   scenario.joints.clear();
 }
 
+void replaceOrgans(Scenario& scenario, const OrganSource& source) {
+  keepFirstOrgan(scenario);
+  scenario.organs[0].source = source;
+  scenario.organs[0].tissue.attachments.clear();
+  scenario.organs[0].tissue.materials.clear();
+}
+
 void setSpacing(Scenario& scenario, double before, double spacing) {
   require(!scenario.organs.empty() && before > 0 && spacing > 0 && std::isfinite(before) &&
               std::isfinite(spacing),
@@ -60,9 +67,14 @@ void makeElastic(Scenario& scenario) {
   for (ScenarioOrgan& organ : scenario.organs) organ.tissue.elastic = true;
 }
 
-void makeThesis(Scenario& scenario) {
-  scenario.mode = OperationMode::Thesis;
+void makeStill(Scenario& scenario) {
+  scenario.mode = OperationMode::Operation;
   for (ScenarioOrgan& organ : scenario.organs) organ.tissue.elastic = false;
+}
+
+void makeThesis(Scenario& scenario) {
+  makeStill(scenario);
+  scenario.mode = OperationMode::Thesis;
 }
 
 namespace {

@@ -190,12 +190,17 @@ void requireSound(const Scenario& scenario);
 bool moves(const Scenario& scenario);
 // Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
+// Replaces all organs by one. Its tissue moves as that of the first organ did, without the
+// attachments and the labels' materials, whose places and labels were those of the old organ.
+void replaceOrgans(Scenario& scenario, const OrganSource& source);
 // Sets the spacing of the first organ, m, and drops its dims. Scales the spacings of the other
 // organs in proportion. An organ that has dims instead of a spacing keeps its dims. before: the
 // first organ's spacing until now, m.
 void setSpacing(Scenario& scenario, double before, double spacing);
 // Makes the tissue of all organs elastic, and sets operation mode.
 void makeElastic(Scenario& scenario);
+// Makes the tissue of all organs still, and sets operation mode.
+void makeStill(Scenario& scenario);
 // Makes the tissue of all organs still, and sets thesis mode.
 void makeThesis(Scenario& scenario);
 

@@ -103,7 +103,7 @@ def still(program, folder, seconds):
     screen = Screen(folder, 1700, 1000)
     window = None
     try:
-        window = Window(program, screen, "--spacing", "5mm", "--size", "1600x860")
+        window = Window(program, screen, "--thesis", "--spacing", "5mm", "--size", "1600x860")
         window.wait("ready", 180)
         window.tell("picture-size 1280 770")
         window.wait("places")

@@ -11,7 +11,7 @@ from pathlib import Path
 from screen import Screen, Window
 
 MOST_GROWTH = 48  # MB from half time to the end: pools of threads and drivers fill up slowly
-KEYS = ("1", "2", "3", "4", "Escape", "space", "h", "l", "d", "b", "t", "g", "c", "Left", "Right", "Up", "Down", "Prior",
+KEYS = ("1", "2", "3", "4", "Escape", "space", "h", "l", "d", "s", "f", "b", "t", "g", "c", "Left", "Right", "Up", "Down", "Prior",
         "Next", "shift+Left", "shift+Up", "shift+Prior", "ctrl+1", "ctrl+2", "ctrl+3", "ctrl+4", "F1", "F11", "Tab",
         "ctrl+o", "ctrl+s", "ctrl+e", "ctrl+p", "ctrl+r", "5", "9", "x")
 MENUS = {"alt+f": 7, "alt+v": 16, "alt+i": 3, "alt+h": 1}  # entries that may be chosen, below the first: not Quit
@@ -113,7 +113,7 @@ class Person:
                 self.window.drain()
                 assert self.held().startswith("held nothing"), f"after Escape and Space: {self.held()}"
                 at = dict(self.window.places)
-                for key, held in (("1", "held Scalpel direct"), ("t", "held Scalpel trackball"),
+                for key, held in (("1", "held Scalpel "), ("t", "held Scalpel trackball"),
                                   ("b", "held Scalpel handle-box"), ("Escape", "held nothing")):
                     self.screen.key(key)
                     self.window.wait(held, 30)

@@ -36,8 +36,8 @@ class AtTheWindow(ScreenTest):
     folder = FOLDER
 
     def opened(self, spacing="12mm", size="1200x900"):
-        """A window with the built-in liver, ready and with the keys."""
-        window = Window(PROGRAM, self.screen, "--spacing", spacing, "--size", size)
+        """A window with the still liver of the thesis, ready and with the keys."""
+        window = Window(PROGRAM, self.screen, "--thesis", "--spacing", spacing, "--size", size)
         self.addCleanup(window.quit)
         window.wait("ready")
         self.screen.focus("^Resect$")
@@ -303,7 +303,7 @@ class AtTheWindow(ScreenTest):
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as daemon:
             daemon.bind(str(address))
             daemon.listen()
-            window = Window(PROGRAM, self.screen, "--spacing", "12mm", "--size", "1200x900",
+            window = Window(PROGRAM, self.screen, "--thesis", "--spacing", "12mm", "--size", "1200x900",
                             environment={"SPNAV_SOCKET": str(address)})
             self.addCleanup(window.quit)
             daemon.settimeout(60)
@@ -330,7 +330,7 @@ class AtTheWindow(ScreenTest):
     def test_a_pick_hits_what_is_under_the_pointer_at_any_scale(self):
         for scale in ("1", "1.5", "2"):
             size = f"{int(1200 / float(scale))}x{int(900 / float(scale))}"
-            window = Window(PROGRAM, self.screen, "--spacing", "12mm", "--size", size, scale=scale)
+            window = Window(PROGRAM, self.screen, "--thesis", "--spacing", "12mm", "--size", size, scale=scale)
             try:
                 window.wait("ready")
                 time.sleep(0.5)
@@ -342,7 +342,8 @@ class AtTheWindow(ScreenTest):
                 window.quit()
 
     def test_random_input_does_not_end_it_and_all_comes_back(self):
-        self.assertEqual(play(PROGRAM, FOLDER / "random", seconds=20, seed=1), 0)
+        self.assertEqual(play(PROGRAM, FOLDER / "random", seconds=12, seed=1), 0)
+        self.assertEqual(play(PROGRAM, FOLDER / "random_thesis", seconds=12, seed=2, organ=("--thesis", "--spacing", "8mm")), 0)
 
     def test_a_broken_file_is_a_sentence_in_the_window(self):
         broken = FOLDER / "broken.stl"

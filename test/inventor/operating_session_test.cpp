@@ -336,8 +336,9 @@ TEST_CASE("where tissue has moved the point under a pixel lies on the surface as
   for (int i = 0; i < 9; ++i) {
     const Vec3 through =
         box.centre() + 0.25 * Vec3((i % 3 - 1) * box.size().x(), 0, (i / 3 - 1) * box.size().z());
-    Vec3 point;
-    REQUIRE(session.pointUnder(session.pixelOf(through, viewport), viewport, point));
+    const auto under = session.pointUnder(session.pixelOf(through, viewport), viewport);
+    REQUIRE(under);
+    const Vec3 point = under->point;
     if (point.y() < 1e-6) continue;  // the table
     // To within the motion that no eye sees.
     CHECK(offSurface(session, point) < 2e-4);
@@ -351,15 +352,15 @@ TEST_CASE(
     "beside the organ the point under a pixel lies on the table, and on the wall there is none") {
   Bench bench;
   const Vec3 onTable(0, 0, bench.session->cells().lattice.box().max.z() + 0.03);
-  Vec3 point;
-  REQUIRE(bench.session->pointUnder(bench.session->pixelOf(onTable, bench.viewport), bench.viewport,
-                                    point));
-  CHECK(std::abs(point.y()) < 1e-6);
-  CHECK((point - onTable).norm() < 0.005);  // some pixels
+  const auto under =
+      bench.session->pointUnder(bench.session->pixelOf(onTable, bench.viewport), bench.viewport);
+  REQUIRE(under);
+  CHECK(std::abs(under->point.y()) < 1e-6);
+  CHECK((under->point - onTable).norm() < 0.005);  // some pixels
   // Level with the table's top and upwards there is nothing.
   auto* camera = bench.session->room().camera();
   camera->pointAt(camera->position.getValue() + SbVec3f(0, 0.2f, -1), SbVec3f(0, 1, 0));
-  CHECK_FALSE(bench.session->pointUnder({400, 250}, bench.viewport, point));
+  CHECK_FALSE(bench.session->pointUnder({400, 250}, bench.viewport));
 }
 
 TEST_CASE("C held down closes the scissors in hand, and they open again when it is let go") {

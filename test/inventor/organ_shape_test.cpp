@@ -247,19 +247,20 @@ TEST_CASE("a ray meets the shape where its nearest triangle is now, and no holes
     const auto point = shape->firstPointOn({centre + 0.5 * way, -way});
     REQUIRE(point);
     // A chord of a circle of 60 rings sags by 1.4e-4 of the radius, in both directions.
-    CHECK((*point - centre).norm() == doctest::Approx(0.1).epsilon(1e-3));
-    CHECK((*point - (centre + 0.1 * way)).norm() < 1e-4);
+    CHECK((point->point - centre).norm() == doctest::Approx(0.1).epsilon(1e-3));
+    CHECK((point->point - (centre + 0.1 * way)).norm() < 1e-4);
+    CHECK(point->normal.dot(way) > 0.99);
     CHECK_FALSE(shape->firstPointOn({centre + 0.5 * way, way}));
   }
   const Ray down{Vec3(0.003, 1, 0.002), Vec3(0, -2, 0)};
-  CHECK(shape->firstPointOn(down)->y() == doctest::Approx(0.2).epsilon(1e-3));
+  CHECK(shape->firstPointOn(down)->point.y() == doctest::Approx(0.2).epsilon(1e-3));
   for (Vec3f& p : sphere.points) p.y() -= 0.05f;
   shape->update(sphere.moved(0, sphere.points.size()));
-  CHECK(shape->firstPointOn(down)->y() == doctest::Approx(0.15).epsilon(1e-3));
+  CHECK(shape->firstPointOn(down)->point.y() == doctest::Approx(0.15).epsilon(1e-3));
   // The upper half is cut away: the ray goes on to the lower one.
   for (Triangle& t : sphere.triangles)
     if (sphere.points[std::size_t(t[0])].y() > 0.05f) t = {0, 0, 0};
   shape->update(trianglesFrom(0, sphere.triangles));
-  CHECK(shape->firstPointOn(down)->y() == doctest::Approx(-0.05).epsilon(1e-3));
+  CHECK(shape->firstPointOn(down)->point.y() == doctest::Approx(-0.05).epsilon(1e-3));
   shape->unref();
 }

@@ -16,22 +16,26 @@
 
 namespace resect::test {
 
-// A coarse liver, all instruments, and a mouse on a picture of 800 x 500 pixels.
+// A coarse liver, all instruments, and a mouse on a picture of 800 x 500 pixels. living: its tissue
+// moves, and instruments follow its surface; else as in the thesis.
 struct OperatingBench {
   Scenario scenario;
   std::unique_ptr<OperatingSession> session;
   SbViewportRegion viewport{800, 500};
 
-  OperatingBench() {
+  explicit OperatingBench(bool living = false) {
     scenario.organs[0].source.spacing = 0.012;
+    if (living) makeElastic(scenario);
     int place = 0;
     for (const ToolKind& kind : toolKinds())
       scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
     const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
+    Organ organ = makeOrgan(loadCells(scenario.organs[0].source, reader), {});
+    auto tissue = makeTissue(scenario.organs[0].tissue, organ);
     session = std::make_unique<OperatingSession>(
         scenario,
-        std::make_unique<Simulation>(makeOrgan(loadCells(scenario.organs[0].source, reader), {}),
-                                     loadTools(scenario, reader)),
+        std::make_unique<Simulation>(std::move(organ), loadTools(scenario, reader),
+                                     std::move(tissue)),
         1.6);
     settle();
   }
@@ -93,10 +97,10 @@ struct OperatingBench {
   }
   // Of its surface, in front of its middle.
   Vec3 pointOfOrgan() const {
-    Vec3 point;
     const Vec3 middle = session->cells().lattice.box().centre();
-    REQUIRE(session->pointUnder(session->pixelOf(middle, viewport), viewport, point));
-    return point;
+    const auto under = session->pointUnder(session->pixelOf(middle, viewport), viewport);
+    REQUIRE(under);
+    return under->point;
   }
   SbVec2s nowhere() const { return {790, 490}; }  // the room's wall
   bool manipulated(int tool) {

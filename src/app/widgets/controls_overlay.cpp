@@ -4,11 +4,25 @@
 #include <QPainter>
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace resect {
 namespace {
 
-constexpr std::pair<const char*, const char*> kControls[] = {
+using Controls = std::vector<std::pair<const char*, const char*>>;
+
+const Controls kGuided = {
+    {"Click an instrument, or 1 2 3 4", "take scalpel, hook, baton or scissors"},
+    {"Move the mouse", "it hovers over the organ; the arrow is the way its edge faces"},
+    {"Press and draw", "it cuts, pulls or pushes until the button is released"},
+    {"Wheel, page keys", "deeper or shallower; Shift + wheel: turn its edge"},
+    {"F while pressing", "leaves it at work there; take another one meanwhile"},
+    {"Escape", "puts it back into the tool box"},
+    {"D, B, T; S", "move it freely, by handle box, trackball; along the surface again"},
+};
+
+// In the thesis's mode, where instruments do not follow the surface.
+const Controls kThesis = {
     {"Drag an instrument", "move it across the view"},
     {"Wheel", "move it in depth; Shift: roll it"},
     {"Shift + drag", "turn it about its tip"},
@@ -17,7 +31,10 @@ constexpr std::pair<const char*, const char*> kControls[] = {
     {"Arrow keys, page keys", "move in steps; with Shift: turn"},
     {"Click an instrument", "handle box, the precise way; middle click: trackball"},
     {"Click elsewhere / Escape", "let go / back into the tool box"},
-    {"Right drag, wheel", "look round, zoom; middle drag: shift"},
+};
+
+const Controls kAlways = {
+    {"Right drag, Ctrl + wheel", "look round, zoom; L, then a click: look there"},
     {"Ctrl + 1 2 3 4", "surgeon, assistant, top, laparoscope"},
     {"Ctrl + Z", "takes the last stroke back; with Shift does it again"},
     {"Drag in the timeline", "shows any earlier moment; End: back to the end"},
@@ -43,10 +60,14 @@ void ControlsOverlay::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), QColor(8, 16, 20, 120));
   const QFontMetrics metrics(font());
-  const int row = metrics.height() + 8, rows = int(std::size(kControls));
+  Controls controls = guided ? kGuided : kThesis;
+  controls.insert(controls.end(), kAlways.begin(), kAlways.end());
+  const int row = metrics.height() + 8, rows = int(controls.size());
+  QFont bold = font();
+  bold.setBold(true);
   int keys = 0, words = 0;
-  for (const auto& [key, what] : kControls) {
-    keys = std::max(keys, metrics.horizontalAdvance(key));
+  for (const auto& [key, what] : controls) {
+    keys = std::max(keys, QFontMetrics(bold).horizontalAdvance(key));
     words = std::max(words, metrics.horizontalAdvance(what));
   }
   const QRect box(0, 0, keys + words + 84, row * (rows + 2) + 36);
@@ -58,13 +79,11 @@ void ControlsOverlay::paintEvent(QPaintEvent*) {
   painter.setPen(Qt::NoPen);
   painter.setBrush(QColor(14, 26, 32, 225));
   painter.drawRoundedRect(box, 12, 12);
-  QFont bold = font();
-  bold.setBold(true);
   painter.setFont(bold);
   painter.setPen(QColor(235, 245, 248));
-  painter.drawText(28, 18 + metrics.ascent(), "Take an instrument and bring it to the liver");
+  painter.drawText(28, 18 + metrics.ascent(), "Take an instrument and work on the organ");
   int y = 18 + row + 8;
-  for (const auto& [key, what] : kControls) {
+  for (const auto& [key, what] : controls) {
     painter.setFont(bold);
     painter.setPen(QColor(150, 210, 220));
     painter.drawText(28, y + metrics.ascent(), key);

@@ -9,6 +9,7 @@ namespace resect {
 class ControlsOverlay : public QWidget {
  public:
   explicit ControlsOverlay(QWidget* parent);
+  bool guided = true;  // instruments follow the surface; false: the thesis's controls
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -11,8 +11,6 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -89,42 +87,6 @@ QString namesOf(const std::vector<ScenarioOrgan>& organs) {
   QStringList names;
   for (const ScenarioOrgan& organ : organs) names << shown(organ.source.name);
   return names.join(", ");
-}
-
-InstrumentsPanel::InstrumentsPanel(QWidget* parent) : QWidget(parent) {
-  layout_ = new QVBoxLayout(this);
-  how_ = new QLabel(this);
-  how_->setTextFormat(Qt::PlainText);
-  how_->setWordWrap(true);
-  how_->setMinimumHeight(2 * fontMetrics().height() + 6);
-  layout_->addWidget(how_);
-  layout_->addStretch();
-}
-
-void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
-  for (QToolButton* button : buttons_) delete button;
-  buttons_.clear();
-  for (std::size_t i = 0; i < tools.size(); ++i) {
-    auto* button = new QToolButton(this);
-    button->setText(QString("%1   %2").arg(i + 1).arg(shown(tools[i].name)));
-    button->setToolTip(QString("<p>%1<br>Key %2 takes it in hand; Escape puts it back.</p>")
-                           .arg(shownInHtml(tools[i].description))
-                           .arg(i + 1));
-    button->setAccessibleName(shown(tools[i].name));
-    button->setCheckable(true);
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    QObject::connect(button, &QToolButton::clicked, this, [this, i](bool on) {
-      if (chosen) chosen(on ? int(i) : -1);
-    });
-    layout_->insertWidget(int(i), button);
-    buttons_.push_back(button);
-  }
-}
-
-void InstrumentsPanel::setHeld(int tool, const QString& how) {
-  for (std::size_t i = 0; i < buttons_.size(); ++i) buttons_[i]->setChecked(int(i) == tool);
-  how_->setText(how);
 }
 
 OrganPanel::OrganPanel(QWidget* parent) : QWidget(parent) {

@@ -1,4 +1,4 @@
-// The panels beside the picture: instruments, organ, removed tissue, forces, timing.
+// The panels beside the picture: organ, removed tissue, forces, timing.
 #pragma once
 
 #include <QWidget>
@@ -17,8 +17,6 @@ class QLabel;
 class QPushButton;
 class QSlider;
 class QSpinBox;
-class QToolButton;
-class QVBoxLayout;
 
 namespace resect {
 
@@ -27,19 +25,6 @@ using History = std::vector<std::pair<double, double>>;
 
 // The organs' names for people: "Built-in liver", "liver, gallbladder".
 QString namesOf(const std::vector<ScenarioOrgan>& organs);
-
-// One button per instrument, pressed while that instrument is in hand.
-class InstrumentsPanel : public QWidget {
- public:
-  explicit InstrumentsPanel(QWidget* parent = nullptr);
-  void setTools(const std::vector<ToolModel>& tools);
-  void setHeld(int tool, const QString& how);  // tool: number, -1: none; how: a sentence
-  std::function<void(int tool)> chosen;  // tool: take it in hand; -1: put back the one in hand
- private:
-  QVBoxLayout* layout_;
-  QLabel* how_;
-  std::vector<QToolButton*> buttons_;
-};
 
 // Shows the numbers of particles and triangles and the organ's volume. Lets the user set iso level,
 // spacing, refinement and kind of tissue.

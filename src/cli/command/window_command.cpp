@@ -15,6 +15,8 @@
 namespace resect {
 namespace {
 
+constexpr const char* kFirstScenario = "incise";  // of a window that is asked for no other
+
 struct Options {
   std::string scenario, organ, size = "1280x800";
   double fpsLimit = 60;
@@ -31,11 +33,17 @@ void window(const Options& options, const OrganOptions& organOptions) {
     if (!std::filesystem::is_regular_file(given))
       throw error("{}: there is no such recording; check the name", given.string());
     window.operation = given.string();
-    window.scenario.organs[0].source.spacing = 0.005;
-  } else if (!options.scenario.empty())
+  }
+  if (options.scenario.empty() && options.organ.empty() && !options.thesis)
+    window.scenario = readScenario(findDataFile(kFirstScenario, "scenarios", ".toml"));
+  else if (!options.scenario.empty() && window.operation.empty())
     window.scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
-  else
+  else if (options.thesis) {
     window.scenario.organs[0].source.spacing = 0.005;
+  } else {
+    window.scenario.organs[0].source.spacing = 0.008;
+    makeElastic(window.scenario);
+  }
   organOptions.applyTo(window.scenario, options.organ);
   if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;
@@ -55,7 +63,7 @@ void addWindowCommand(CLI::App& app) {
   command->add_option(
       "SCENARIO", options->scenario,
       "Organ and room of this scenario, or a recorded operation (*.resect) that goes "
-      "on; without it the built-in liver at 5 mm");
+      "on; without it \"incise\", a soft liver on the table");
   command->add_option(
       "--organ", options->organ,
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());

@@ -171,23 +171,16 @@ void SoOrganShape::growChanged(const std::vector<Range>& vertices,
           if (std::size_t(v) < points.size()) changed_.grow(points[std::size_t(v)]);
 }
 
-std::optional<Vec3> SoOrganShape::firstPointOn(const Ray& ray) {
+std::optional<SurfacePoint> SoOrganShape::firstPointOn(const Ray& ray) {
   takeFields();
   refreshBlocks();
-  double first = std::numeric_limits<double>::infinity();
-  const auto corner = [&](std::int32_t v) {
-    return Vec3(surface_.points[std::size_t(v)].cast<double>());
-  };
-  for (const TriangleBlocks::Run& run : blocks_.along(ray)) {
-    const std::size_t end = std::min(run.first + run.count, surface_.triangles.size());
-    for (std::size_t i = run.first; i < end; ++i) {
-      const Triangle& t = surface_.triangles[i];
-      if (t[0] != t[1])
-        first = std::min(first, firstMeeting(ray, corner(t[0]), corner(t[1]), corner(t[2])));
-    }
-  }
-  if (std::isinf(first)) return std::nullopt;
-  return ray.at(first);
+  return resect::firstPointOn(surface_, blocks_, ray);
+}
+
+std::pair<SurfaceCopy, TriangleBlocks> SoOrganShape::snapshot() {
+  takeFields();
+  refreshBlocks();
+  return {surface_, blocks_};
 }
 
 Aabb SoOrganShape::takeChanged() {

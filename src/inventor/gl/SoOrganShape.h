@@ -19,12 +19,13 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/vec.h"
 #include "geometry/aabb.h"
-#include "geometry/ray.h"
 #include "inventor/gl/per_context.h"
+#include "inventor/gl/surface_ray.h"
 #include "inventor/gl/triangle_blocks.h"
 #include "surface/surface_update.h"
 
@@ -41,7 +42,8 @@ class SoOrganShape : public SoShape {
   // the surface comes from update() alone.
   SoMFVec3f points;      // m
   SoMFVec3f normals;     // unit, outwards, one per point
-  SoMFFloat cut;         // cut share per point: 0 capsule, 1 cut parenchyma; missing ones are 0
+  SoMFFloat cut;         // cut share per point: 0 capsule, 1 cut parenchyma, -1 capsule at the
+                         // rim of a cut; missing ones are 0
   SoMFInt32 coordIndex;  // triangles: three indices, then -1
 
   // Number of changes so far. update() writes it.
@@ -60,9 +62,10 @@ class SoOrganShape : public SoShape {
   Aabb takeChanged();
 
   // The first point, in object space, where a ray meets the present surface; none if there is no
-  // such point. Cost: a box test per 128 triangles, and a test of each triangle in the boxes that
-  // the ray meets.
-  std::optional<Vec3> firstPointOn(const Ray& ray);
+  // such point.
+  std::optional<SurfacePoint> firstPointOn(const Ray& ray);
+  // A copy of the present surface, for rays that are to meet it later.
+  std::pair<SurfaceCopy, TriangleBlocks> snapshot();
 
   // Triangles drawn at the last rendering, unused elements of the array included. (An unused
   // element is the triangle (0, 0, 0); see surface/surface_tracker.h.)

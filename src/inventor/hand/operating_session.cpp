@@ -3,8 +3,7 @@
 #include <Inventor/SbViewVolume.h>
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/SoDB.h>
-#include <Inventor/SoPickedPoint.h>
-#include <Inventor/actions/SoRayPickAction.h>
+#include <Inventor/events/SoLocation2Event.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoSpotLight.h>
 #include <Inventor/sensors/SoSensorManager.h>
@@ -87,11 +86,17 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       camera_(view_.room().camera()),
       iso_(view_.room().aids(), isoFoot(organBox_)),
       marker_(view_.room().aids()),
+      aim_(view_.room().aids()),
       events_(SbViewportRegion(640, 480)),
       ledger_(scenario, *simulation),
       operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch),
                  std::move(history), std::move(ledger_)) {
   for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
+  if (scenario.mode == OperationMode::Operation) {
+    std::vector<HandStyle> styles;
+    for (const ToolModel& model : toolModels_) styles.push_back(handStyleOf(model));
+    tools_.guide(std::move(styles));
+  }
   tools_.changed = [this] { handMoved(); };
   tools_.released = [this] { operation_.endStroke(); };
   tools_.readyPlace = Vec3(organBox_.centre().x(), organBox_.max.y() + 0.02,
@@ -113,9 +118,14 @@ Vec3 OperatingSession::lampPosition() const {
   return {p[0], p[1], p[2]};
 }
 
-// By a hand that moves an instrument, an operation goes on from the moment that is shown.
+// By a hand that works with an instrument, an operation goes on from the moment that is shown.
 void OperatingSession::handMoved() {
-  if (!following_) goOn();
+  if (following_) return toolsChanged();
+  const bool hovers = tools_.how() == ToolHandling::Hold::Guided && !tools_.pressing();
+  if (!hovers) goOn();
+  // A tool that hovers is where the hand is; one that works is where the operation has brought it.
+  if (hovers && state_.playback == 0)
+    room().setToolPose(tools_.held(), tools_.wanted(tools_.held()));
   toolsChanged();
 }
 
@@ -133,15 +143,28 @@ void OperatingSession::setIso(float iso) {
   damage_.everything = true;
 }
 
+// Tells the operation where the hand has the tools and which of them work.
+void OperatingSession::setTools() {
+  constexpr double kFastest = 0.3;  // m/s, of a hand that works
+  for (int i = 0; i < tools_.toolCount(); ++i) {
+    const bool held = i == tools_.held();
+    const bool guided = held && tools_.how() == ToolHandling::Hold::Guided;
+    const bool works = held ? !guided || tools_.pressing() : tools_.isLeft(i);
+    const ToolInput input{tools_.wanted(i), works, held && !tools_.squeezing() ? 0.0 : 1.0};
+    if (guided && works)
+      operation_.setTool(i, input, HandMotion{tools_.pressedFrom(), kFastest});
+    else
+      operation_.setTool(i, input);
+  }
+}
+
 void OperatingSession::toolsChanged() {
   if (tools_.held() >= 0 && !following_) stopPlaying();
   toolBoxes_.resize(std::size_t(tools_.toolCount()));
   shownSlices_.resize(toolBoxes_.size());
+  // While a moment is shown, the operation decides where the tools are.
+  if (!showing()) setTools();
   for (int i = 0; i < tools_.toolCount(); ++i) {
-    const bool held = i == tools_.held();
-    // While a moment is shown, the operation decides where the tools are.
-    if (!showing())
-      operation_.setTool(i, {tools_.pose(i), held, held && !tools_.squeezing() ? 0.0 : 1.0});
     const Aabb box = room().toolBounds(i);
     Aabb& before = toolBoxes_[std::size_t(i)];
     if (box.min == before.min && box.max == before.max) continue;
@@ -150,7 +173,7 @@ void OperatingSession::toolsChanged() {
     before = box;
     // A manipulator fills its box.
     std::vector<Aabb> slices{box};
-    if (i != tools_.held() || tools_.how() == ToolHandling::Hold::Direct) {
+    if (i != tools_.held() || tools_.how() == tools_.usual()) {
       slices = toolSlices_[std::size_t(i)];
       for (Aabb& slice : slices) slice = movedBox(slice, tools_.pose(i));
     }
@@ -158,9 +181,10 @@ void OperatingSession::toolsChanged() {
       for (const Aabb& place : places) addWithShadow(damage_, place, lampPosition(), organBox_);
     shownSlices_[std::size_t(i)] = slices;
   }
-  if (tools_.held() < 0) {
+  damage_.boxes.push_back(aim_.show(playing_ ? nullptr : tools_.surfaceHand()));
+  if (tools_.held() < 0 || tools_.surfaceHand()) {
     marker_.hide();
-    damage_.boxes.push_back(markerBox_);
+    damage_.boxes.push_back(std::exchange(markerBox_, {}));
   }
 }
 
@@ -171,9 +195,11 @@ bool OperatingSession::handle(const SoEvent& event, const SbViewportRegion& view
   // A dragger is highlighted under the pointer.
   if (events_.getGrabber()) damage_.everything = true;
   if (events_.isHandled()) return true;
-  if (!camera_.handle(event, viewport)) return false;
-  damage_.everything = true;
-  return true;
+  if (camera_.handle(event, viewport)) {
+    damage_.everything = true;
+    return true;
+  }
+  return tools_.surfaceHand() && event.isOfType(SoLocation2Event::getClassTypeId());
 }
 
 Damage OperatingSession::update() {
@@ -202,8 +228,10 @@ Damage OperatingSession::update() {
       followMoment();
     else if (playing_)
       followMotion();
+    else
+      followHand();
     const int held = tools_.held();
-    if (held >= 0 && std::size_t(held) < state_.tips.size()) {
+    if (held >= 0 && !tools_.surfaceHand() && std::size_t(held) < state_.tips.size()) {
       const TipPlace& place = state_.tips[std::size_t(held)];
       const Vec3 tip = tools_.pose(held) * toolModels_[std::size_t(held)].tip;
       Aabb box;
@@ -221,88 +249,11 @@ Damage OperatingSession::update() {
   return std::exchange(damage_, {});
 }
 
-void OperatingSession::play(double until) {
-  following_ = true;
-  tools_.hold(-1, ToolHandling::Hold::None);
-  following_ = false;
-  const std::int64_t all = frameCount(scenario_);
-  if (played_ >= all) played_ = 0;
-  playUntil_ = std::min<std::int64_t>(all, std::llround(until * scenario_.frameRate));
-  playing_ = true;
-  auto motion = [scenario = scenario_, frame = played_, end = playUntil_]() mutable {
-    return frame < end ? std::optional(frameInput(scenario, frame++)) : std::nullopt;
-  };
-  if (played_ == 0)
-    asked_ = operation_.playFromStart(std::move(motion));
-  else
-    operation_.play(std::move(motion));
-}
-
-void OperatingSession::followMotion() {
-  std::vector<ToolInput> inputs = state_.played;
-  if (inputs.empty() && operation_.playing()) return;
-  if (inputs.empty()) {
-    // The motion is over, perhaps without its last frames having been seen here.
-    playing_ = false;
-    played_ = playUntil_;
-    if (played_ > 0) inputs = frameInput(scenario_, played_ - 1).tools;
-    if (played_ == frameCount(scenario_))
-      for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].pose = scenario_.tools[i].rest;
-  }
-  for (std::size_t i = 0; i < inputs.size(); ++i) room().setToolPose(int(i), inputs[i].pose);
-  toolsChanged();
-}
-
-void OperatingSession::undo() {
-  leave();
-  asked_ = operation_.undo();
-}
-
-void OperatingSession::redo() {
-  leave();
-  asked_ = operation_.redo();
-}
-
-void OperatingSession::show(Moment moment) {
-  leave();
-  asked_ = operation_.show(moment);
-}
-
-// Another moment will be shown: nothing plays or is dragged any more.
-void OperatingSession::leave() {
-  stopPlaying();
-  played_ = 0;
-  tools_.interrupt();
-  goingOn_ = false;
-}
-
-// Puts the tools where they are in the moment that is shown.
-void OperatingSession::followMoment() {
-  following_ = true;
-  int inHand = -1;
-  for (std::size_t i = 0; i < state_.played.size(); ++i) {
-    room().setToolPose(int(i), state_.played[i].pose);
-    if (state_.played[i].inHand) inHand = int(i);
-  }
-  if (inHand != tools_.held()) {
-    tools_.hold(inHand, ToolHandling::Hold::Direct);
-    if (inHand >= 0) room().setToolPose(inHand, state_.played[std::size_t(inHand)].pose);
-  }
-  iso_.setValue(state_.iso);
-  toolsChanged();
-  following_ = false;
-}
-
-void OperatingSession::stopPlaying() {
-  if (!playing_) return;
-  operation_.play({});
-  playing_ = false;
-  played_ = 0;
-}
-
 void OperatingSession::follow(const ViewMotion& motion) {
   if (motion.move.isZero() && motion.turn.isZero()) return;
   if (tools_.held() >= 0) {
+    if (tools_.how() == ToolHandling::Hold::Guided)
+      tools_.hold(tools_.held(), ToolHandling::Hold::Direct);
     if (!motion.move.isZero()) tools_.move(motion.move);
     tools_.turn(motion.turn);
     return;
@@ -343,25 +294,9 @@ void OperatingSession::bringEverythingBack(double aspect) {
   look(RoomView::Surgeon, aspect);
 }
 
-bool OperatingSession::pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport,
-                                  Vec3& point) const {
-  // The organ is excluded from Inventor's picking for speed and tested separately.
-  constexpr double kReach = 5;  // m
-  const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
-  const SbVec2s size = viewport.getViewportSizePixels();
-  SbVec3f from, towards;
-  volume.projectPointToLine(SbVec2f(float(pixel[0]) / size[0], float(pixel[1]) / size[1]), from,
-                            towards);
-  Ray ray{Vec3(from[0], from[1], from[2]), Vec3(towards[0], towards[1], towards[2])};
-  ray.direction = (ray.direction - ray.origin).normalized();
-  double nearest = kReach;
-  for (int o = 0; o < room().organCount(); ++o)
-    if (const auto on = room().organ(o)->firstPointOn(ray))
-      nearest = std::min(nearest, (*on - ray.origin).norm());
-  const double table = -ray.origin.y() / ray.direction.y();  // its plane, y = 0
-  if (table >= 0) nearest = std::min(nearest, table);
-  point = ray.at(nearest);
-  return nearest < kReach;
+std::optional<SurfacePoint> OperatingSession::pointUnder(const SbVec2s& pixel,
+                                                         const SbViewportRegion& viewport) const {
+  return PointedSurface(room()).under(pixel, viewport);
 }
 
 SbVec2s OperatingSession::pixelOf(const Vec3& point, const SbViewportRegion& viewport) const {

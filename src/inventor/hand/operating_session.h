@@ -13,6 +13,7 @@
 
 #include "inventor/gl/camera_moves.h"
 #include "inventor/gl/damage.h"
+#include "inventor/hand/aim_marker.h"
 #include "inventor/hand/iso_dragger.h"
 #include "inventor/hand/six_axes.h"
 #include "inventor/hand/tip_marker.h"
@@ -72,9 +73,9 @@ class OperatingSession {
   // Stops the motions, puts all tools back to their rest poses, and shows the surgeon's view. That
   // view includes all organs and the tool box.
   void bringEverythingBack(double aspect);
-  // Sets `point` to the point that is seen at a pixel: on an organ's present surface, or on the
-  // plane of the table's top (world, m). False if there is none within 5 m of the camera.
-  bool pointUnder(const SbVec2s& pixel, const SbViewportRegion& viewport, Vec3& point) const;
+  // The point that is seen at a pixel (PointedSurface::under()).
+  std::optional<SurfacePoint> pointUnder(const SbVec2s& pixel,
+                                         const SbViewportRegion& viewport) const;
   // The pixel of the viewport at which a point (world, m) is seen.
   SbVec2s pixelOf(const Vec3& point, const SbViewportRegion& viewport) const;
   // Middle of a tool's bounding box, world, m. A click there takes the tool if nothing hides it.
@@ -95,6 +96,8 @@ class OperatingSession {
  private:
   Aabb allThereIs() const;
   void toolsChanged();
+  void setTools();
+  void followHand();
   void followMotion();
   void followMoment();
   void leave();
@@ -111,6 +114,7 @@ class OperatingSession {
   CameraMoves camera_;
   IsoDragger iso_;
   TipMarker marker_;
+  AimMarker aim_;
   SoHandleEventAction events_;
   Damage damage_{true, {}, {}};
   std::vector<Aabb> toolBoxes_;  // per tool: its bounding box when it last moved, world, m

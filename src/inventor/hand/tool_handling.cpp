@@ -1,9 +1,7 @@
 #include "inventor/hand/tool_handling.h"
 
 #include <Inventor/SoPath.h>
-#include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoGetMatrixAction.h>
-#include <Inventor/actions/SoHandleEventAction.h>
 #include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/draggers/SoDragger.h>
 #include <Inventor/events/SoKeyboardEvent.h>
@@ -16,9 +14,7 @@
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoTransform.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
+#include <utility>
 
 #include "base/error.h"
 #include "operation/room.h"
@@ -26,11 +22,7 @@
 namespace resect {
 namespace {
 
-constexpr float kScaleRounding = 1e-8f;                   // squared distance of scales
-constexpr int kClickPixels = 4;                           // a press that moves less is a click
-constexpr double kWheelStep = 0.005;                      // m
-constexpr double kKeyStep = 0.002;                        // m
-constexpr double kTurnPerPixel = 0.006, kKeyTurn = 0.05;  // rad
+constexpr float kScaleRounding = 1e-8f;  // squared distance of scales
 
 Vec3 toVec(const SbVec3f& v) { return {v[0], v[1], v[2]}; }
 
@@ -50,7 +42,9 @@ ToolHandling::ToolHandling(OperatingRoom& room, std::vector<Pose> rests)
     : room_(room),
       events_(new SoEventCallback),
       rests_(std::move(rests)),
-      bodies_(rests_.size(), nullptr) {
+      bodies_(rests_.size(), nullptr),
+      left_(rests_.size()),
+      pointed_(room) {
   for (const SoType type : {SoMouseButtonEvent::getClassTypeId(),
                             SoLocation2Event::getClassTypeId(), SoKeyboardEvent::getClassTypeId()})
     events_->addEventCallback(type, heard, this);
@@ -90,6 +84,7 @@ void ToolHandling::setPose(int tool, const Pose& pose) {
 }
 
 void ToolHandling::interrupt() {
+  endPress();
   pressed_ = -1;
   elsewhere_ = dragging_ = false;
 }
@@ -100,10 +95,13 @@ void ToolHandling::hold(int tool, Hold how) {
   if (how == Hold::None) tool = -1;
   if (tool == held_ && how == how_) return;
   detach();
+  endPress();
   held_ = tool;
   how_ = how;
   squeezing_ = false;
+  if (tool >= 0) left_[std::size_t(tool)] = 0;
   if (how == Hold::HandleBox || how == Hold::Trackball) attach(tool, how);
+  if (how == Hold::Guided) takeUpHeld();
   if (how == Hold::Direct && atRest(tool)) {
     // Its tip moves to its former middle, where the pointer is.
     setPose(tool, {room_.toolBounds(tool).centre(), workingRotation()});
@@ -112,9 +110,22 @@ void ToolHandling::hold(int tool, Hold how) {
 }
 
 void ToolHandling::take(int tool) {
+  requireTool(tool);
+  if (pressing() && tool != held_) leave();
   const bool rested = atRest(tool);
-  hold(tool, Hold::Direct);
-  if (rested) setPose(tool, {readyPlace, workingRotation()});
+  hold(tool, usual());
+  if (rested && !surfaceHand()) setPose(tool, {readyPlace, workingRotation()});
+}
+
+void ToolHandling::leave() {
+  if (held_ < 0) return;
+  detach();
+  const int tool = std::exchange(held_, -1);
+  how_ = Hold::None;
+  left_[std::size_t(tool)] = 1;
+  endPress();
+  if (released) released();
+  notify();
 }
 
 bool ToolHandling::atRest(int tool) const {
@@ -128,9 +139,11 @@ void ToolHandling::putBack(int tool) {
   requireTool(tool);
   if (tool == held_) {
     detach();
+    endPress();
     held_ = -1;
     how_ = Hold::None;
   }
+  left_[std::size_t(tool)] = 0;
   room_.setToolPose(tool, rests_[std::size_t(tool)]);
   notify();
 }
@@ -187,17 +200,6 @@ Vec3 ToolHandling::onScreen(const Vec3& inView) const {
   return toVec(world);
 }
 
-// At the depth of the held tool's tip.
-double ToolHandling::metresPerPixel(const SoHandleEventAction& action) const {
-  const SoPerspectiveCamera& camera = *room_.camera();
-  const double depth =
-      (pose(held_).position - toVec(camera.position.getValue())).dot(onScreen(Vec3::UnitZ()));
-  const SbVec2s size = action.getViewportRegion().getViewportSizePixels();
-  // Inventor's angle applies to the narrower side.
-  return 2 * std::max(depth, 0.01) * std::tan(0.5 * camera.heightAngle.getValue()) /
-         std::max<int>(1, std::min(size[0], size[1]));
-}
-
 void ToolHandling::move(const Vec3& inView) {
   if (held_ < 0) return;
   Pose moved = pose(held_);
@@ -213,146 +215,6 @@ void ToolHandling::turn(const Vec3& inView) {
   turned.rotation =
       (Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)) * turned.rotation).normalized();
   setPose(held_, turned);
-}
-
-void ToolHandling::heard(void* closure, SoEventCallback* node) {
-  auto* self = static_cast<ToolHandling*>(closure);
-  const SoEvent* event = node->getEvent();
-  if (event->isOfType(SoMouseButtonEvent::getClassTypeId()))
-    self->mouseButton(*node);
-  else if (event->isOfType(SoLocation2Event::getClassTypeId()))
-    self->mouseMoved(*node);
-  else
-    self->key(*node);
-}
-
-// The tool under the pointer, -1 for none; `dragger`: a part of the manipulator is in front.
-int ToolHandling::toolUnder(SoEventCallback& node, bool& dragger) const {
-  dragger = false;
-  const SoPickedPoint* picked = node.getPickedPoint();
-  if (!picked) return -1;
-  const SoFullPath* path = static_cast<const SoFullPath*>(picked->getPath());
-  for (int i = 0; i < path->getLength(); ++i)
-    if (path->getNode(i)->isOfType(SoDragger::getClassTypeId())) dragger = true;
-  return room_.toolOfPath(*path);
-}
-
-void ToolHandling::mouseButton(SoEventCallback& node) {
-  const auto* event = static_cast<const SoMouseButtonEvent*>(node.getEvent());
-  const bool down = event->getState() == SoButtonEvent::DOWN;
-  const SbVec2s at = event->getPosition();
-  switch (event->getButton()) {
-    case SoMouseButtonEvent::BUTTON1: {
-      if (!down) {
-        if (!dragging_ && elsewhere_) hold(-1, Hold::None);
-        if (!dragging_ && !elsewhere_ && pressed_ >= 0) hold(pressed_, precise_);
-        // The release of a press that the camera handled is the camera's too.
-        if (pressed_ >= 0) node.setHandled();
-        if (dragging_ && released) released();
-        pressed_ = -1;
-        elsewhere_ = dragging_ = false;
-        return;
-      }
-      bool dragger = false;
-      const int tool = toolUnder(node, dragger);
-      pressedAt_ = lastAt_ = at;
-      dragging_ = false;
-      pressed_ = -1;
-      elsewhere_ = false;
-      if (dragger) return;  // handled by the manipulator
-      elsewhere_ = tool < 0 && held_ >= 0;
-      pressed_ = tool >= 0 ? tool : how_ == Hold::Direct ? held_ : -1;
-      if (pressed_ >= 0) node.setHandled();
-      return;
-    }
-    case SoMouseButtonEvent::BUTTON2:  // the middle one
-      if (!down || held_ < 0) return;
-      hold(held_, how_ == Hold::HandleBox ? Hold::Trackball : Hold::HandleBox);
-      node.setHandled();
-      return;
-    case SoMouseButtonEvent::BUTTON4:
-    case SoMouseButtonEvent::BUTTON5: {
-      if (held_ < 0 || event->wasCtrlDown()) return;
-      const double sign = event->getButton() == SoMouseButtonEvent::BUTTON4 ? 1 : -1;
-      if (down) {
-        if (event->wasShiftDown())
-          turn({0, 0, sign * kKeyTurn});
-        else
-          move({0, 0, sign * kWheelStep});
-      }
-      node.setHandled();
-      return;
-    }
-    default:
-      return;
-  }
-}
-
-void ToolHandling::mouseMoved(SoEventCallback& node) {
-  // A key may have put back the dragged tool.
-  if (dragging_ && held_ < 0) pressed_ = -1;
-  if (pressed_ < 0) {
-    if (elsewhere_) {
-      const SbVec2s way = node.getEvent()->getPosition() - pressedAt_;
-      // Moving the camera with a manipulator attached does not release the tool.
-      if (std::max(std::abs(way[0]), std::abs(way[1])) > kClickPixels) elsewhere_ = false;
-    }
-    return;
-  }
-  const SbVec2s at = node.getEvent()->getPosition(), way = at - pressedAt_;
-  if (!dragging_ && std::max(std::abs(way[0]), std::abs(way[1])) <= kClickPixels) {
-    node.setHandled();
-    return;
-  }
-  if (!dragging_) {
-    dragging_ = true;
-    hold(pressed_, Hold::Direct);
-  }
-  const double right = at[0] - lastAt_[0], up = at[1] - lastAt_[1];
-  lastAt_ = at;
-  if (node.getEvent()->wasShiftDown())
-    turn(Vec3(-up, right, 0) * kTurnPerPixel);
-  else
-    move(Vec3(right, up, 0) * metresPerPixel(*node.getAction()));
-  node.setHandled();
-}
-
-void ToolHandling::key(SoEventCallback& node) {
-  const auto* event = static_cast<const SoKeyboardEvent*>(node.getEvent());
-  const int key = event->getKey();
-  if (key == SoKeyboardEvent::C && !event->wasCtrlDown() && held_ >= 0) {
-    squeezing_ = event->getState() == SoButtonEvent::DOWN;
-    notify();
-    node.setHandled();
-    return;
-  }
-  if (event->getState() != SoButtonEvent::DOWN) return;
-  if (key >= SoKeyboardEvent::NUMBER_1 && key <= SoKeyboardEvent::NUMBER_9) {
-    const int tool = key - SoKeyboardEvent::NUMBER_1;
-    if (tool >= toolCount() || event->wasCtrlDown()) return;
-    take(tool);
-    node.setHandled();
-    return;
-  }
-  if (held_ < 0) return;
-  struct Way {
-    int key;
-    double x, y, z;
-  };
-  static constexpr Way kWays[] = {
-      {SoKeyboardEvent::LEFT_ARROW, -1, 0, 0}, {SoKeyboardEvent::RIGHT_ARROW, 1, 0, 0},
-      {SoKeyboardEvent::UP_ARROW, 0, 1, 0},    {SoKeyboardEvent::DOWN_ARROW, 0, -1, 0},
-      {SoKeyboardEvent::PAGE_UP, 0, 0, 1},     {SoKeyboardEvent::PAGE_DOWN, 0, 0, -1}};
-  const auto* way = std::ranges::find(kWays, int(key), &Way::key);
-  if (key == SoKeyboardEvent::ESCAPE)
-    putBack(held_);
-  else if (way == std::end(kWays))
-    return;
-  else if (event->wasShiftDown())
-    turn(kKeyTurn * Vec3(-way->y, way->x, way->z));
-  else
-    move(kKeyStep * Vec3(way->x, way->y, way->z));
-  node.setHandled();
 }
 
 }  // namespace resect

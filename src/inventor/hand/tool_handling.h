@@ -10,7 +10,15 @@
 // A tool can also be held directly. Dragging the tool moves it in the plane of the view; the wheel
 // moves it in depth. With Shift, dragging or the wheel turns the tool about its tip. The arrow keys
 // do the same as dragging, the page keys the same as the wheel. Keys 1 to 9 take a tool, Escape
-// puts the tool in hand back, and its jaws close while C is held down. One tool is held at a time.
+// puts the tool in hand back, and its jaws close while C is held down.
+//
+// If guide() was called, a tool that is taken follows the organ's surface instead
+// (operation/hand/surface_hand.h): it hovers over the point under the pointer, and works while the
+// left button is down. The wheel and the page keys change how deep it works; with Shift the mouse
+// and the wheel turn its edge.
+//
+// One tool is in hand at a time. Others can be left where they are, holding or pressing: see
+// leave(). They are out of the hand, but go on working.
 //
 // Events come through an SoEventCallback at the start of the scene, so that a window and a test get
 // the same behaviour. Events that are not for tools, such as those that move the camera, stay
@@ -19,12 +27,16 @@
 
 #include <Inventor/SbVec2s.h>
 #include <Inventor/SbVec3f.h>
+#include <Inventor/SbViewportRegion.h>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "geometry/pose.h"
+#include "inventor/hand/pointed_surface.h"
 #include "inventor/scene/operating_room.h"
+#include "operation/hand/surface_hand.h"
 
 class SoDragger;
 class SoEventCallback;
@@ -36,7 +48,7 @@ namespace resect {
 
 class ToolHandling {
  public:
-  enum class Hold { None, Direct, HandleBox, Trackball };
+  enum class Hold { None, Direct, Guided, HandleBox, Trackball };
 
   // `rests`: per tool of the room, its rest pose. The room must outlive this object.
   ToolHandling(OperatingRoom& room, std::vector<Pose> rests);
@@ -45,18 +57,42 @@ class ToolHandling {
   ToolHandling& operator=(const ToolHandling&) = delete;
 
   int toolCount() const { return int(rests_.size()); }
-  int held() const { return held_; }             // number of the tool in hand; -1: none
-  Hold how() const { return how_; }              // how it is held
-  bool squeezing() const { return squeezing_; }  // whether the key that closes its jaws is down
+  int held() const { return held_; }  // number of the tool in hand; -1: none
+  Hold how() const { return how_; }   // how it is held
+  bool squeezing() const;             // whether the hand closes its jaws
+  bool pressing() const { return how_ == Hold::Guided && hand_.pressing; }
+  // Whether the tool was left holding or pressing; for all tools, 1: it was.
+  bool isLeft(int tool) const { return left_[std::size_t(tool)] != 0; }
+  const std::vector<std::uint8_t>& left() const { return left_; }
+  // How deep a tool works that is guided, m.
+  double depth(int tool) const { return depths_[std::size_t(tool)]; }
   // World pose of a tool, without the scale that a handle box may have set.
   Pose pose(int tool) const;
+
+  // From now on, tools that are taken follow the surface. styles: one per tool.
+  void guide(std::vector<HandStyle> styles);
+  // How tools are held that are taken by their number or dragged: Guided, or Direct without
+  // guide().
+  Hold usual() const { return styles_.empty() ? Hold::Direct : Hold::Guided; }
+  // The hand over the surface; null unless the tool in hand is guided and pointed at something.
+  const SurfaceHand* surfaceHand() const;
+  // The pose of the tool in hand at which it began to press; only while pressing().
+  const Pose& pressedFrom() const { return pressedFrom_; }
+  // The pose to which the hand brings a tool. It differs from pose() for the tool in hand if this
+  // is guided: whoever moves the tools brings them there.
+  Pose wanted(int tool) const;
 
   // Lets go of the tool in hand, and then holds `tool` in the way `how`. With tool -1 or Hold::None
   // no tool is held afterwards. A tool that is taken from its rest pose with Hold::Direct gets its
   // working rotation (operation/room.h), and its tip moves to where the tool's middle was.
   void hold(int tool, Hold how);
-  // Calls hold(tool, Hold::Direct). If the tool was at its rest pose, its tip moves to readyPlace.
+  // Calls hold(tool, usual()). If the tool was at its rest pose, its tip moves to readyPlace, or to
+  // where the pointer is. If the tool in hand was pressing, it is left so.
   void take(int tool);
+  // Leaves the tool in hand where it is, holding or pressing, until it is taken again or put back.
+  void leave();
+  // For a moment of the past: which tools are left, one value per tool.
+  void setLeft(const std::vector<std::uint8_t>& left) { left_ = left; }
   // Moves the tool to its rest pose, and lets go of it if it is in hand.
   void putBack(int tool);
   void setPose(int tool, const Pose& pose);
@@ -77,12 +113,19 @@ class ToolHandling {
 
   // Called after a tool was taken, let go or moved, and when its jaws begin or cease to close.
   std::function<void()> changed;
-  // Called when the mouse button with which a tool was moved is released.
+  // Called when the mouse button with which a tool was moved, or pressed, is released.
   std::function<void()> released;
 
  private:
   void requireTool(int tool) const;
   static void heard(void* self, SoEventCallback* node);
+  void takeUpHeld();
+  void aim(const SbVec2s& pixel, const SbViewportRegion& viewport);
+  void startPress();
+  void endPress();
+  void guidedButton(SoEventCallback& node, bool down);
+  void guidedMove(SoEventCallback& node);
+  void guidedWheel(double notches, bool turning);
   void mouseButton(SoEventCallback& node);
   void mouseMoved(SoEventCallback& node);
   void key(SoEventCallback& node);
@@ -92,6 +135,7 @@ class ToolHandling {
   static void draggerMoved(void* self, SoDragger* dragger);
   Vec3 onScreen(const Vec3& inView) const;  // a vector along the view's axes, in world axes
   double metresPerPixel(const SoHandleEventAction& action) const;
+  SbVec2s pixelsOf(const Vec3& inView, const SoHandleEventAction& action) const;
   bool atRest(int tool) const;
   void notify() const {
     if (changed) changed();
@@ -103,9 +147,19 @@ class ToolHandling {
   mutable std::vector<SoPath*> bodies_;  // path to each tool's body, found on demand
   int held_ = -1;
   Hold how_ = Hold::None;
-  bool squeezing_ = false;
+  bool squeezing_ = false;          // the key is down that closes jaws
+  std::vector<std::uint8_t> left_;  // per tool; 1: left holding or pressing
   Hold precise_ = Hold::HandleBox;  // the manipulator that the next left click brings
   SbVec3f place_;                   // the manipulator's translation before it last set a scale
+
+  std::vector<HandStyle> styles_;  // per tool; empty without guide()
+  std::vector<double> depths_;     // per tool: how deep it works, m
+  SurfaceHand hand_;               // of the tool in hand, if it is guided
+  Pose pressedFrom_;
+  PointedSurface pointed_;
+  // Where the pointer was last, to which a tool is taken that follows the surface.
+  SbVec2s pointer_;
+  std::optional<SbViewportRegion> viewport_;
 
   // The members below are valid from the press of the left button until its release.
   int pressed_ = -1;            // tool that the drag moves

@@ -28,6 +28,7 @@ LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::
       watch_(std::move(watch)),
       frameRate_(frameRate),
       wholeVolume_(restVolume(*simulation_)),
+      motions_(rests.size()),
       publishers_(simulation_->organs().size()) {
   require(frameRate >= 1 && frameRate <= 1000, "{} frames a second were asked for; give 1 to 1000",
           frameRate);
@@ -56,11 +57,12 @@ LiveOperation::~LiveOperation() {
   thread_.join();
 }
 
-void LiveOperation::setTool(int tool, const ToolInput& input) {
+void LiveOperation::setTool(int tool, const ToolInput& input, std::optional<HandMotion> motion) {
   const std::lock_guard lock(mutex_);
   require(tool >= 0 && std::size_t(tool) < input_.tools.size(),
           "there is no tool {} among {}; number from 0", tool, input_.tools.size());
   input_.tools[std::size_t(tool)] = input;
+  motions_[std::size_t(tool)] = std::move(motion);
 }
 
 void LiveOperation::setIso(float iso) {

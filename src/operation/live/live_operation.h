@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "operation/ledger/ledger_watch.h"
+#include "operation/live/hand_speed.h"
 #include "operation/live/live_state.h"
 #include "operation/live/operation_history.h"
 #include "operation/live/surface_publisher.h"
@@ -59,8 +60,10 @@ class LiveOperation {
   LiveOperation& operator=(const LiveOperation&) = delete;
 
   // setTool() and setIso() take effect from the next frame on and may be called from any thread.
-  // The jaws of a tool that is set here move no faster than a hand moves them (squeeze_speed.h).
-  void setTool(int tool, const ToolInput& input);
+  // The jaws of a tool that is set here move no faster than a hand moves them (hand_speed.h).
+  // motion: if it is given, the tool goes to its pose as a hand does, over several frames; else it
+  // is there at the end of the next frame. LiveState::poses tells where the tools are.
+  void setTool(int tool, const ToolInput& input, std::optional<HandMotion> motion = {});
   void setIso(float iso);
   // From the next frame on `motion` moves the tools. It is called once per frame, in the
   // operation's thread, until it returns nothing. play({}) ends it earlier. Of the FrameInput that
@@ -129,7 +132,8 @@ class LiveOperation {
     std::int64_t towards = 0;  // number of the branch to whose end the playback leads
     bool operated = false;     // no moment of the history was shown before
     FrameInput input;
-    bool byMotion = false;  // a motion gave the input's tools
+    std::vector<std::optional<HandMotion>> motions;  // as setTool() got them
+    bool byMotion = false;                           // a motion gave the input's tools
   };
   std::int64_t ask(Request request);
   void work();
@@ -157,6 +161,7 @@ class LiveOperation {
   mutable std::mutex mutex_;  // guards all members below; between frames, also simulation_
   std::condition_variable newFrame_, wake_;
   FrameInput input_;
+  std::vector<std::optional<HandMotion>> motions_;  // one per tool, as setTool() got it
   Motion motion_;
   // fresh_: a frame has ended since the last take().
   bool paused_ = false, ending_ = false, fresh_ = false;

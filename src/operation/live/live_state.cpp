@@ -28,6 +28,8 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
     if (std::ranges::find(state.faults, fault) == state.faults.end()) state.faults.push_back(fault);
 
   const std::vector<ToolState>& tools = simulation.tools();
+  state.poses.resize(tools.size());
+  state.inHand.resize(tools.size());
   state.tips.resize(tools.size());
   state.squeeze.resize(tools.size());
   state.forces.resize(tools.size());
@@ -37,6 +39,8 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   state.touching.resize(tools.size());
   const std::size_t organs = simulation.organs().size();
   for (std::size_t i = 0; i < tools.size(); ++i) {
+    state.poses[i] = tools[i].pose();
+    state.inHand[i] = tools[i].inHand;
     state.squeeze[i] = tools[i].way.to.squeeze;
     state.forces[i] = tools[i].feltForce.norm();
     double& touch = state.lastTouch[i];

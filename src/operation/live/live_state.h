@@ -39,11 +39,13 @@ struct LiveState {
   std::shared_ptr<const Timeline> timeline;  // renewed several times a second
   StepTimes times;
   // The lists below have one element per tool.
-  std::vector<TipPlace> tips;      // valid only while the tool is in hand
-  std::vector<double> squeeze;     // of its jaws: 0 wide open, 1 closed
-  std::vector<double> forces;      // smoothed force of the tissue on the tool, N
-  std::vector<double> peakForces;  // largest so far of the mean forces in a frame, N
-  std::vector<double> lastTouch;   // simulated time when the tool last touched tissue, s; -1: never
+  std::vector<Pose> poses;           // where it is
+  std::vector<std::uint8_t> inHand;  // 1: it is in hand, or left holding or pressing
+  std::vector<TipPlace> tips;        // valid only while the tool is in hand
+  std::vector<double> squeeze;       // of its jaws: 0 wide open, 1 closed
+  std::vector<double> forces;        // smoothed force of the tissue on the tool, N
+  std::vector<double> peakForces;    // largest so far of the mean forces in a frame, N
+  std::vector<double> lastTouch;  // simulated time when the tool last touched tissue, s; -1: never
   std::vector<std::uint8_t> touching;  // 1: the tool touched tissue in the last 0.1 s
 };
 

@@ -7,8 +7,8 @@
 #include "base/progress.h"
 #include "base/stage_clock.h"
 #include "base/stop.h"
+#include "operation/live/hand_speed.h"
 #include "operation/live/live_operation.h"
-#include "operation/live/squeeze_speed.h"
 
 namespace resect {
 
@@ -44,6 +44,7 @@ std::optional<LiveOperation::Task> LiveOperation::nextTask(
     return task;
   }
   task.input = input_;
+  task.motions = motions_;
   input_.iso.reset();
   input_.strokeEnds = false;
   if (const auto next = motion_ ? motion_() : std::nullopt) {
@@ -113,8 +114,12 @@ void LiveOperation::operate(Task task) {
   if (!task.byMotion)
     for (std::size_t i = 0; i < task.input.tools.size(); ++i) {
       ToolInput& tool = task.input.tools[i];
-      tool.squeeze =
-          squeezeTowards(tool.squeeze, simulation_->tools()[i].way.to.squeeze, task.input.duration);
+      const ToolState& now = simulation_->tools()[i];
+      tool.squeeze = squeezeTowards(tool.squeeze, now.way.to.squeeze, task.input.duration);
+      if (const auto& motion = task.motions[i])
+        tool.pose = now.inHand
+                        ? poseTowards(tool.pose, now.pose(), task.input.duration, motion->fastest)
+                        : motion->from;
     }
   StageClock clock;
   std::string refusal;

@@ -1,8 +1,22 @@
 #include "operation/live/operation_events.h"
 
+#include <algorithm>
 #include <utility>
+#include <variant>
 
 namespace resect {
+
+namespace {
+
+// Whether a tool has cut in this step; a blade may cut between particles and touch none.
+bool cuts(const StepReport& report, std::int32_t tool) {
+  const auto isCut = [&](const TissueEdit& edit) {
+    return edit.tool == tool && std::holds_alternative<Incision>(edit.what);
+  };
+  return std::ranges::any_of(report.edits, isCut) || std::ranges::any_of(report.caused, isCut);
+}
+
+}  // namespace
 
 std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation& simulation,
                                      EventMemory& memory) {
@@ -19,6 +33,7 @@ std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation&
     bool touching = t < report.toolForce.size() && report.toolForce[t].squaredNorm() > 0;
     for (std::size_t o = 0; o < organs; ++o)
       touching |= !report.contacts[t * organs + o].cells.empty();
+    touching |= cuts(report, std::int32_t(t));
     if (touching != bool(memory.touching[t]))
       note(touching ? "touch" : "release", std::int64_t(t), 0);
     memory.inHand[t] = inHand, memory.touching[t] = touching;

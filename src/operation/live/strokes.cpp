@@ -15,22 +15,28 @@ bool still(const ToolInput& a, const ToolInput& b) {
 
 void StrokeTracker::add(std::int64_t frame, const FrameInput& input,
                         std::span<const OperationEvent> events) {
-  if (input.strokeEnds) inStroke_ = false, resting_ = true;
-  if (!std::ranges::equal(input.tools, before_, still)) resting_ = false;
+  const std::size_t tools = input.tools.size();
+  resting_.resize(tools);
+  if (input.strokeEnds) inStroke_ = false, std::ranges::fill(resting_, 1);
+  bool works = false;  // a tool that is in hand and does not rest
+  for (std::size_t i = 0; i < tools; ++i) {
+    if (i >= before_.size() || !still(input.tools[i], before_[i])) resting_[i] = 0;
+    works |= input.tools[i].inHand && !resting_[i];
+  }
   before_ = input.tools;
 
   Stroke now{frame - 1, frame, -1, 0, 0, 0};
   for (const OperationEvent& event : events) {
-    remember(memory_, event, input.tools.size());
+    remember(memory_, event, tools);
     if (event.kind == "remove") now.removed += std::int64_t(event.amount);
     if (event.kind == "cut") now.severed += std::int64_t(event.amount);
     if (event.kind == "tear") now.torn += std::int64_t(event.amount);
   }
-  const auto touching = std::ranges::find(memory_.touching, char(1));
+  bool touching = false;
+  for (std::size_t i = std::min(tools, memory_.touching.size()); i-- > 0;)
+    if (memory_.touching[i] && !resting_[i]) touching = true, now.tool = std::int64_t(i);
   // A thin blade parts tissue between particles without pushing any.
-  const bool contact =
-      !resting_ && (touching != memory_.touching.end() || now.removed > 0 || now.severed > 0);
-  if (touching != memory_.touching.end()) now.tool = touching - memory_.touching.begin();
+  const bool contact = touching || (works && (now.removed > 0 || now.severed > 0));
 
   if (contact && !inStroke_) {
     strokes_.push_back(now);

@@ -3,8 +3,8 @@
 //
 // A stroke begins when an instrument in hand touches or cuts an organ. It ends when the hand lets
 // go (FrameInput::strokeEnds), when no instrument has touched an organ for kEndSeconds, or when all
-// instruments are put back. After the hand has let go, the next stroke begins only when a tool that
-// touches an organ is moved.
+// instruments are put back. After the hand has let go, a tool takes part in a stroke again only
+// when it is moved: a hook that was left holding does not.
 #pragma once
 
 #include <cstdint>
@@ -37,8 +37,8 @@ class StrokeTracker {
   std::vector<Stroke> strokes_;
   EventMemory memory_;
   std::vector<ToolInput> before_;  // tools of the last frame
+  std::vector<char> resting_;      // per tool: the hand has let go, and it has not moved since then
   bool inStroke_ = false;
-  bool resting_ = false;  // the hand has let go, and no tool has been moved since then
   double untouched_ = 0;  // s, since the last contact of the stroke
 };
 

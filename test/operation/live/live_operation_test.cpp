@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "operation/live/squeeze_speed.h"
+#include "operation/live/hand_speed.h"
 #include "support/block_organ.h"
 #include "support/corners.h"
 #include "support/test_tools.h"

@@ -1,0 +1,53 @@
+#include "app/widgets/instruments_panel.h"
+
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "app/say.h"
+
+namespace resect {
+
+InstrumentsPanel::InstrumentsPanel(QWidget* parent) : QWidget(parent) {
+  layout_ = new QVBoxLayout(this);
+  how_ = new QLabel(this);
+  how_->setTextFormat(Qt::PlainText);
+  how_->setWordWrap(true);
+  how_->setMinimumHeight(2 * fontMetrics().height() + 6);
+  layout_->addWidget(how_);
+  layout_->addStretch();
+}
+
+void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
+  for (QToolButton* button : buttons_) delete button;
+  buttons_.clear();
+  names_.clear();
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    auto* button = new QToolButton(this);
+    names_.push_back(QString("%1   %2").arg(i + 1).arg(shown(tools[i].name)));
+    button->setText(names_.back());
+    button->setToolTip(QString("<p>%1<br>Key %2 takes it in hand; Escape puts it back.</p>")
+                           .arg(shownInHtml(tools[i].description))
+                           .arg(i + 1));
+    button->setAccessibleName(shown(tools[i].name));
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    QObject::connect(button, &QToolButton::clicked, this, [this, i] {
+      if (chosen) chosen(int(i));
+    });
+    layout_->insertWidget(int(i), button);
+    buttons_.push_back(button);
+  }
+}
+
+void InstrumentsPanel::show(int held, const std::vector<std::uint8_t>& left, const QString& how) {
+  for (std::size_t i = 0; i < buttons_.size(); ++i) {
+    buttons_[i]->setChecked(int(i) == held);
+    const QString text = left[i] ? names_[i] + "   (left at work)" : names_[i];
+    if (buttons_[i]->text() != text) buttons_[i]->setText(text);
+  }
+  if (how_->text() != how) how_->setText(how);
+}
+
+}  // namespace resect

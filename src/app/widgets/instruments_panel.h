@@ -1,0 +1,34 @@
+// The panel of the instruments.
+#pragma once
+
+#include <QWidget>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "tools/tool.h"
+
+class QLabel;
+class QToolButton;
+class QVBoxLayout;
+
+namespace resect {
+
+// One button per instrument, pressed while that instrument is in hand. It tells which instruments
+// were left holding or pressing.
+class InstrumentsPanel : public QWidget {
+ public:
+  explicit InstrumentsPanel(QWidget* parent = nullptr);
+  void setTools(const std::vector<ToolModel>& tools);
+  // held: number of the tool in hand, -1: none. left: per tool; 1: it was left holding or pressing.
+  // how: a sentence on what can be done.
+  void show(int held, const std::vector<std::uint8_t>& left, const QString& how);
+  std::function<void(int tool)> chosen;  // a tool's button was clicked
+ private:
+  QVBoxLayout* layout_;
+  QLabel* how_;
+  std::vector<QToolButton*> buttons_;
+  std::vector<QString> names_;
+};
+
+}  // namespace resect

@@ -1,0 +1,130 @@
+// The hand that guides a tool over the organ's surface.
+#include <Inventor/SbViewportRegion.h>
+#include <Inventor/actions/SoHandleEventAction.h>
+#include <Inventor/events/SoMouseButtonEvent.h>
+#include <Inventor/nodes/SoEventCallback.h>
+
+#include <utility>
+
+#include "base/error.h"
+#include "inventor/hand/tool_handling.h"
+
+namespace resect {
+namespace {
+
+constexpr double kDepthStep = 0.002;                          // m, of a notch of the wheel
+constexpr double kTurnPerNotch = 0.1, kTurnPerPixel = 0.006;  // rad
+
+bool isIn(const SbVec2s& pixel, const SbViewportRegion& viewport) {
+  const SbVec2s size = viewport.getViewportSizePixels();
+  return pixel[0] >= 0 && pixel[1] >= 0 && pixel[0] < size[0] && pixel[1] < size[1];
+}
+
+}  // namespace
+
+void ToolHandling::guide(std::vector<HandStyle> styles) {
+  require(int(styles.size()) == toolCount(), "there are {} styles for {} tools; give one for each",
+          styles.size(), toolCount());
+  styles_ = std::move(styles);
+  depths_.clear();
+  for (const HandStyle& style : styles_) depths_.push_back(style.depth);
+}
+
+bool ToolHandling::squeezing() const {
+  return squeezing_ || (pressing() && hand_.style.closesJaws);
+}
+
+const SurfaceHand* ToolHandling::surfaceHand() const {
+  return how_ == Hold::Guided && hand_.pointing ? &hand_ : nullptr;
+}
+
+Pose ToolHandling::wanted(int tool) const {
+  if (tool != held_ || !surfaceHand()) return pose(tool);
+  const Pose there = poseOf(hand_);
+  return constrain ? constrain(tool, there) : there;
+}
+
+// The tool that is now held is brought to the pointer, its handle towards the viewer.
+void ToolHandling::takeUpHeld() {
+  const HandStyle& style = styles_[std::size_t(held_)];
+  Vec3 towardsViewer = -onScreen(Vec3::UnitZ());
+  towardsViewer.y() = 0;
+  hand_ = takeUp(style, style.forward < 0 ? Vec3(-towardsViewer) : towardsViewer);
+  hand_.depth = depths_[std::size_t(held_)];
+  if (!viewport_ || !isIn(pointer_, *viewport_)) return;
+  if (const auto at = pointed_.under(pointer_, *viewport_)) pointAt(hand_, *at);
+}
+
+void ToolHandling::aim(const SbVec2s& pixel, const SbViewportRegion& viewport) {
+  pointer_ = pixel;
+  viewport_ = viewport;
+  const auto at = pressing() ? pointed_.along(pixel, viewport) : pointed_.under(pixel, viewport);
+  if (!at) return;
+  pointAt(hand_, *at);
+  notify();
+}
+
+void ToolHandling::startPress() {
+  pressedFrom_ = wanted(held_);
+  press(hand_);
+  pointed_.begin(hand_.at);
+  notify();
+}
+
+void ToolHandling::endPress() {
+  if (!hand_.pressing) return;
+  lift(hand_);
+  pointed_.end();
+}
+
+// A press on a tool takes it, elsewhere the tool in hand works until the release.
+void ToolHandling::guidedButton(SoEventCallback& node, bool down) {
+  const SbVec2s at = node.getEvent()->getPosition();
+  const SbViewportRegion& viewport = node.getAction()->getViewportRegion();
+  if (!down) {
+    if (!pressing()) return;
+    endPress();
+    aim(at, viewport);
+    if (released) released();
+    notify();
+    node.setHandled();
+    return;
+  }
+  bool dragger = false;
+  const int tool = toolUnder(node, dragger);
+  if (dragger) return;
+  pointer_ = at;
+  viewport_ = viewport;
+  if (tool >= 0 && tool != held_) {
+    take(tool);
+  } else if (held_ >= 0) {
+    aim(at, viewport);
+    if (surfaceHand()) startPress();
+  } else {
+    return;
+  }
+  node.setHandled();
+}
+
+void ToolHandling::guidedMove(SoEventCallback& node) {
+  const SbVec2s at = node.getEvent()->getPosition();
+  if (node.getEvent()->wasShiftDown()) {
+    turnHeading(hand_, kTurnPerPixel * (at[0] - pointer_[0]));
+    pointer_ = at;
+    notify();
+  } else {
+    aim(at, node.getAction()->getViewportRegion());
+  }
+  node.setHandled();
+}
+
+void ToolHandling::guidedWheel(double notches, bool turning) {
+  if (turning)
+    turnHeading(hand_, kTurnPerNotch * notches);
+  else
+    goDeeper(hand_, kDepthStep * notches);
+  depths_[std::size_t(held_)] = hand_.depth;
+  notify();
+}
+
+}  // namespace resect

@@ -1,0 +1,41 @@
+// The point of the organs that is seen under a pixel.
+#pragma once
+
+#include <Inventor/SbVec2s.h>
+
+#include <optional>
+#include <vector>
+
+#include "inventor/gl/surface_ray.h"
+
+class SbViewportRegion;
+
+namespace resect {
+
+class OperatingRoom;
+
+class PointedSurface {
+ public:
+  explicit PointedSurface(OperatingRoom& room) : room_(room) {}
+
+  // On an organ's present surface, or on the plane of the table's top. None if there is nothing
+  // within 5 m of the camera. The normal faces the camera.
+  std::optional<SurfacePoint> under(const SbVec2s& pixel, const SbViewportRegion& viewport) const;
+
+  // A stroke begins at `first`: until end(), along() finds points on the organs' surfaces as they
+  // are now. Else an instrument that dents the surface would follow the dent down.
+  void begin(const SurfacePoint& first);
+  void end();
+  // The point under the pixel. Where the pointer leaves the organ, or jumps to another part of it,
+  // the stroke goes on in the plane of the picture.
+  std::optional<SurfacePoint> along(const SbVec2s& pixel, const SbViewportRegion& viewport);
+
+ private:
+  Ray rayThrough(const SbVec2s& pixel, const SbViewportRegion& viewport) const;
+
+  OperatingRoom& room_;
+  std::vector<std::pair<SurfaceCopy, TriangleBlocks>> kept_;  // of the organs, at begin()
+  SurfacePoint last_;                                         // of the stroke
+};
+
+}  // namespace resect

@@ -1,0 +1,108 @@
+// What moves an operating session's tools besides the hand: motions that play, and moments of the
+// history.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "inventor/hand/operating_session.h"
+
+namespace resect {
+
+void OperatingSession::play(double until) {
+  following_ = true;
+  tools_.hold(-1, ToolHandling::Hold::None);
+  tools_.setLeft(std::vector<std::uint8_t>(toolModels_.size()));
+  following_ = false;
+  const std::int64_t all = frameCount(scenario_);
+  if (played_ >= all) played_ = 0;
+  playUntil_ = std::min<std::int64_t>(all, std::llround(until * scenario_.frameRate));
+  playing_ = true;
+  auto motion = [scenario = scenario_, frame = played_, end = playUntil_]() mutable {
+    return frame < end ? std::optional(frameInput(scenario, frame++)) : std::nullopt;
+  };
+  if (played_ == 0)
+    asked_ = operation_.playFromStart(std::move(motion));
+  else
+    operation_.play(std::move(motion));
+}
+
+void OperatingSession::followMotion() {
+  std::vector<ToolInput> inputs = state_.played;
+  if (inputs.empty() && operation_.playing()) return;
+  if (inputs.empty()) {
+    // The motion is over, perhaps without its last frames having been seen here.
+    playing_ = false;
+    played_ = playUntil_;
+    if (played_ > 0) inputs = frameInput(scenario_, played_ - 1).tools;
+    if (played_ == frameCount(scenario_))
+      for (std::size_t i = 0; i < inputs.size(); ++i) inputs[i].pose = scenario_.tools[i].rest;
+  }
+  for (std::size_t i = 0; i < inputs.size(); ++i) room().setToolPose(int(i), inputs[i].pose);
+  toolsChanged();
+}
+
+// A guided tool that works is where the operation has brought it.
+void OperatingSession::followHand() {
+  const int held = tools_.held();
+  if (!tools_.pressing() || state_.showing || std::size_t(held) >= state_.inHand.size() ||
+      !state_.inHand[std::size_t(held)])
+    return;
+  room().setToolPose(held, state_.poses[std::size_t(held)]);
+  toolsChanged();
+}
+
+void OperatingSession::undo() {
+  leave();
+  asked_ = operation_.undo();
+}
+
+void OperatingSession::redo() {
+  leave();
+  asked_ = operation_.redo();
+}
+
+void OperatingSession::show(Moment moment) {
+  leave();
+  asked_ = operation_.show(moment);
+}
+
+// Another moment will be shown: nothing plays or is dragged any more.
+void OperatingSession::leave() {
+  stopPlaying();
+  played_ = 0;
+  tools_.interrupt();
+  goingOn_ = false;
+}
+
+// Puts the tools where they are in the moment that is shown.
+void OperatingSession::followMoment() {
+  following_ = true;
+  const bool guided = tools_.usual() == ToolHandling::Hold::Guided;
+  std::vector<std::uint8_t> left(state_.played.size());
+  for (std::size_t i = 0; i < state_.played.size(); ++i) {
+    room().setToolPose(int(i), state_.played[i].pose);
+    left[i] = state_.played[i].inHand;
+  }
+  // The hand keeps a guided tool, which may have hovered then; else it gets one that worked.
+  int inHand = guided ? tools_.held() : -1;
+  const auto last = std::ranges::find(left.rbegin(), left.rend(), 1);
+  if (inHand < 0 && last != left.rend()) inHand = int(left.rend() - last) - 1;
+  if (inHand != tools_.held()) {
+    tools_.hold(inHand, tools_.usual());
+    if (inHand >= 0) room().setToolPose(inHand, state_.played[std::size_t(inHand)].pose);
+  }
+  if (inHand >= 0) left[std::size_t(inHand)] = 0;
+  if (guided) tools_.setLeft(left);
+  iso_.setValue(state_.iso);
+  toolsChanged();
+  following_ = false;
+}
+
+void OperatingSession::stopPlaying() {
+  if (!playing_) return;
+  operation_.play({});
+  playing_ = false;
+  played_ = 0;
+}
+
+}  // namespace resect

@@ -1,0 +1,126 @@
+#include "operation/hand/surface_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.h"
+#include "base/error.h"
+#include "geometry/rotation.h"
+
+namespace resect {
+namespace {
+
+constexpr double kUpWay = 0.015;       // m of way over which the normal is averaged
+constexpr double kFirstDepth = 0.001;  // m: of an edge that enters slowly, at the press
+constexpr double kDescent = 1.5;       // m of depth per m of way, of such an edge
+constexpr double kStart = 0.0015;      // m of way that show the direction of a stroke
+constexpr double kStraight = 0.006;    // m of way in which a stroke may still choose its direction
+constexpr double kStill = 1e-6;        // m
+
+// A unit vector at right angles to `up`, as near to `wanted` as possible.
+Vec3 alongSurface(const Vec3& wanted, const Vec3& up) {
+  const Vec3 flat = wanted - wanted.dot(up) * up;
+  constexpr double kSmall = 1e-3;
+  return flat.norm() > kSmall ? Vec3(flat.normalized()) : up.unitOrthogonal();
+}
+
+// Turns the heading towards a way of the hand, by a share that grows with its length.
+void follow(SurfaceHand& hand, const Vec3& way, double turnWay) {
+  const double length = way.norm();
+  if (turnWay <= 0 || length < kStill) return;
+  // Back along its way a blade is withdrawn; it does not turn round in the tissue.
+  constexpr double kBack = -0.2;
+  if (hand.pressing && way.dot(hand.heading) < kBack * length) return;
+  Vec3 sum = math::exp(-length / turnWay) * hand.heading +
+             (1 - math::exp(-length / turnWay)) * way / length;
+  constexpr double kOpposite = 0.05;
+  if (sum.norm() < kOpposite) sum += kOpposite * hand.up.cross(hand.heading);
+  hand.heading = sum;
+}
+
+}  // namespace
+
+HandStyle handStyleOf(const ToolModel& tool) {
+  HandStyle style;
+  if (tool.jaws.opening > 0) {
+    // One jaw below the surface and one above.
+    style = {.upright = 0.42, .forward = -0.91, .hover = 0.014, .depth = 0.003};
+    style.turnHovering = 0.06;
+    style.closesJaws = true;
+  } else if (tool.edge.size() > 1) {
+    style = {.upright = 0.8, .forward = 0.6, .hover = 0.005, .depth = 0.016};
+    style.turnHovering = 0.02;
+    style.turnPressing = 0.012;
+    style.entersSlowly = style.headsForWay = true;
+  } else if (!tool.hook.empty()) {
+    style = {.upright = 0.6, .forward = 0.8, .hover = 0.006, .depth = 0.012};
+    style.headsForWay = true;
+  } else {
+    style = {.upright = 0.9, .forward = 0.44, .hover = 0.005, .depth = 0.008};
+  }
+  return style;
+}
+
+SurfaceHand takeUp(const HandStyle& style, const Vec3& heading) {
+  SurfaceHand hand;
+  hand.style = style;
+  hand.depth = style.depth;
+  hand.heading = alongSurface(heading, hand.up);
+  return hand;
+}
+
+void pointAt(SurfaceHand& hand, const SurfacePoint& at) {
+  const Vec3 way = hand.pointing ? Vec3(at.point - hand.at.point) : Vec3::Zero();
+  if (!hand.pointing) hand.up = at.normal;
+  hand.pointing = true;
+  hand.at = at;
+  const double length = way.norm();
+  hand.up = (hand.up + (1 - math::exp(-length / kUpWay)) * (at.normal - hand.up)).normalized();
+  if (hand.pressing) hand.way += length;
+  const Vec3 flat = way - way.dot(hand.up) * hand.up;
+  const bool starts = hand.pressing && hand.style.headsForWay && hand.way < kStraight;
+  if (starts && flat.norm() > kStill) {
+    // The first millimetres decide, those after them correct.
+    const double share = hand.way - length < kStart ? 1 : 0.5;
+    hand.heading += share * (flat.normalized() - hand.heading);
+  } else {
+    follow(hand, flat, hand.pressing ? hand.style.turnPressing : hand.style.turnHovering);
+  }
+  hand.heading = alongSurface(hand.heading, hand.up);
+}
+
+void press(SurfaceHand& hand) {
+  hand.pressing = true;
+  hand.way = 0;
+}
+
+void lift(SurfaceHand& hand) { hand.pressing = false; }
+
+void goDeeper(SurfaceHand& hand, double more) {
+  const double before = hand.depth;
+  hand.depth = std::clamp(hand.depth + more, 0.0, kMostDepth);
+  if (hand.pressing) hand.way += std::max(0.0, hand.depth - before);
+}
+
+void turnHeading(SurfaceHand& hand, double angle) {
+  hand.heading = rotationAbout(hand.up, angle) * hand.heading;
+}
+
+Pose poseOf(const SurfaceHand& hand) {
+  require(hand.pointing, "the hand points at nothing; point at a surface first");
+  const HandStyle& style = hand.style;
+  const Vec3 handle = (style.upright * hand.up + style.forward * hand.heading).normalized();
+  const Vec3 edge = (style.upright * hand.heading - style.forward * hand.up).normalized();
+  Mat3 axes;  // the tool's edge faces its -y, its handle its +z
+  axes << -edge.cross(handle), -edge, handle;
+  double depth = -style.hover;
+  if (hand.pressing)
+    depth =
+        style.entersSlowly ? std::min(hand.depth, kFirstDepth + kDescent * hand.way) : hand.depth;
+  // A blade goes in along its handle, so that it enters where the hand points.
+  const Vec3 inwards =
+      style.entersSlowly && depth > 0 ? Vec3(handle / handle.dot(hand.up)) : hand.up;
+  return {hand.at.point - depth * inwards, Eigen::Quaterniond(axes)};
+}
+
+}  // namespace resect

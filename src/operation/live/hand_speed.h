@@ -1,0 +1,45 @@
+// Limits the motion of tools and their jaws to that of a hand.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.h"
+#include "geometry/pose.h"
+#include "geometry/rotation.h"
+
+namespace resect {
+
+constexpr double kSqueezeTime = 0.25;  // s: least time from wide open to closed, or back
+
+// The squeeze that jaws reach after `duration`, s, if they have the squeeze `now` and are to reach
+// `wanted`. A squeeze is 0 (wide open) to 1 (closed).
+inline double squeezeTowards(double wanted, double now, double duration) {
+  const double most = duration / kSqueezeTime;
+  return std::clamp(wanted, now - most, now + most);
+}
+
+constexpr double kHandTime = 0.04;  // s: time in which a hand covers 63 % of what is left of a way
+constexpr double kHandTurning = 6.0;  // rad/s: most that a hand turns
+
+// How a hand brings a tool to its pose.
+struct HandMotion {
+  Pose from;             // where the tool is when it is taken in hand; world
+  double fastest = 0.3;  // m/s, above 0
+};
+
+// The pose that a tool reaches after `duration`, s, if it has the pose `now`, is to reach `wanted`
+// and moves at most `fastest`, m/s.
+inline Pose poseTowards(const Pose& wanted, const Pose& now, double duration, double fastest) {
+  constexpr double kNear = 1e-5, kAligned = 1e-3;  // m, rad: there
+  const double length = (wanted.position - now.position).norm();
+  const double angle = angleBetween(now.rotation, wanted.rotation);
+  if (length < kNear && angle < kAligned) return wanted;
+  const double share = 1 - math::exp(-duration / kHandTime);
+  const double moved = std::min(share, fastest * duration / std::max(length, kNear));
+  const double turned = std::min(share, kHandTurning * duration / std::max(angle, kAligned));
+  return {now.position + moved * (wanted.position - now.position),
+          slerp(now.rotation, wanted.rotation, turned)};
+}
+
+}  // namespace resect

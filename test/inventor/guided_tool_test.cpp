@@ -1,0 +1,232 @@
+// A mouse that guides instruments over living tissue.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "inventor/hand/operating_session.h"
+#include "support/operating_bench.h"
+
+using namespace resect;
+
+namespace {
+
+constexpr int kScalpel = 0, kHook = 1, kScissors = 3;
+
+struct Bench : test::OperatingBench {
+  Bench() : OperatingBench(true) {
+    session->operation().waitFor(40);  // the liver has sunk
+    session->update();
+  }
+
+  SbVec2s onOrgan(double right = 0, double up = 0) const {
+    const SbVec2s middle = session->pixelOf(pointOfOrgan(), viewport);
+    return {short(middle[0] + right), short(middle[1] + up)};
+  }
+  void take(int tool, const SbVec2s& at) {
+    move(at);
+    SoKeyboardEvent event;
+    event.setKey(SoKeyboardEvent::Key(int(SoKeyboardEvent::NUMBER_1) + tool));
+    event.setState(SoButtonEvent::DOWN);
+    send(event, at);
+    REQUIRE(tools().held() == tool);
+    REQUIRE(tools().how() == ToolHandling::Hold::Guided);
+  }
+  void press(const SbVec2s& at) { button(at, true, SoMouseButtonEvent::BUTTON1); }
+  void release(const SbVec2s& at) { button(at, false, SoMouseButtonEvent::BUTTON1); }
+  // At the pace of a hand.
+  void draw(const SbVec2s& from, const SbVec2s& to) {
+    constexpr int kSteps = 25;
+    for (int i = 1; i <= kSteps; ++i) {
+      move(SbVec2s(short(from[0] + (to[0] - from[0]) * i / kSteps),
+                   short(from[1] + (to[1] - from[1]) * i / kSteps)));
+      settle();
+    }
+  }
+  double cutArea() {
+    const auto ledger = session->state().ledger;
+    return ledger ? ledger->cut() : 0;
+  }
+  void waitSeconds(double seconds) {
+    session->operation().waitFor(session->state().frame + std::int64_t(60 * seconds));
+    session->update();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("an instrument in hand hovers over the surface under the pointer") {
+  Bench bench;
+  const SbVec2s at = bench.onOrgan();
+  bench.take(kScalpel, at);
+  for (const SbVec2s& to : {at, bench.onOrgan(-30, 10), bench.onOrgan(40, -20)}) {
+    bench.move(to);
+    const auto under = bench.session->pointUnder(to, bench.viewport);
+    REQUIRE(under);
+    const Vec3 tip = bench.tools().pose(kScalpel).position;
+    const double height = (tip - under->point).norm();
+    CHECK(height > 0.003);
+    CHECK(height < 0.008);
+  }
+  bench.waitSeconds(0.2);
+  CHECK(bench.session->state().peakForces[kScalpel] == 0);
+  CHECK(bench.cutArea() == 0);
+}
+
+TEST_CASE(
+    "pressing and drawing cuts a continuous line, releasing ends it, and undo takes it back") {
+  Bench bench;
+  const SbVec2s from = bench.onOrgan(-30, 15), to = bench.onOrgan(30, -15);
+  bench.take(kScalpel, from);
+  bench.press(from);
+  CHECK(bench.tools().pressing());
+  bench.draw(from, to);
+  CHECK(bench.session->state().touching[kScalpel]);
+  const Vec3 working = bench.tools().pose(kScalpel).position;
+  bench.release(to);
+  CHECK_FALSE(bench.tools().pressing());
+  CHECK((bench.tools().pose(kScalpel).position - working).norm() > 0.01);  // it is lifted out
+  bench.waitSeconds(1.5);
+  CHECK(bench.cutArea() > 2e-4);
+  CHECK(bench.session->state().removed == 0);
+  CHECK(bench.session->state().undoable == 1);
+
+  bench.session->undo();
+  bench.session->operation().waitForAnswer();
+  bench.session->update();
+  CHECK(bench.session->showing());
+  CHECK(bench.cutArea() == 0);
+  // Hovering looks on; the next press goes on from there.
+  bench.move(bench.onOrgan(-10, 10));
+  CHECK(bench.session->showing());
+  bench.press(bench.onOrgan(-10, 10));
+  bench.settle();
+  CHECK_FALSE(bench.session->showing());
+  bench.release(bench.onOrgan(-10, 10));
+}
+
+TEST_CASE("an instrument moves no faster than a hand while it works") {
+  Bench bench;
+  const SbVec2s from = bench.onOrgan(-40, 0), to = bench.onOrgan(40, 0);
+  bench.take(kScalpel, from);
+  bench.press(from);
+  bench.settle();
+  bench.move(to);  // in one event
+  Vec3 before = bench.tools().pose(kScalpel).position;
+  std::int64_t frame = bench.session->state().frame;
+  for (int i = 0; i < 10; ++i) {
+    bench.settle();
+    const Vec3 now = bench.session->state().poses[kScalpel].position;
+    const std::int64_t frames = bench.session->state().frame - frame;
+    if (i > 0) CHECK((now - before).norm() < 0.3 / 60 * double(frames) + 1e-6);
+    before = now;
+    frame = bench.session->state().frame;
+  }
+}
+
+TEST_CASE("the wheel sets how deep an instrument works, and each keeps its depth") {
+  Bench bench;
+  const SbVec2s at = bench.onOrgan();
+  bench.take(kScalpel, at);
+  const double depth = bench.tools().depth(kScalpel), hook = bench.tools().depth(kHook);
+  for (int i = 0; i < 3; ++i) bench.button(at, true, SoMouseButtonEvent::BUTTON4);
+  CHECK(bench.tools().depth(kScalpel) == doctest::Approx(depth + 0.006));
+  const Vec3 heading = bench.tools().surfaceHand()->heading;
+  bench.button(at, true, SoMouseButtonEvent::BUTTON4, true);  // with Shift
+  CHECK(bench.tools().depth(kScalpel) == doctest::Approx(depth + 0.006));
+  CHECK(heading.dot(bench.tools().surfaceHand()->heading) == doctest::Approx(std::cos(0.1)));
+  bench.take(kHook, at);
+  CHECK(bench.tools().depth(kHook) == hook);
+  bench.take(kScalpel, at);
+  CHECK(bench.tools().depth(kScalpel) == doctest::Approx(depth + 0.006));
+}
+
+TEST_CASE("a hook left holding holds while the scalpel cuts; taken again, it lets go") {
+  Bench bench;
+  const SbVec2s from = bench.onOrgan(10, -5), to = bench.onOrgan(45, -5);
+  bench.take(kHook, from);
+  bench.press(from);
+  bench.waitSeconds(0.4);
+  bench.draw(from, to);
+  REQUIRE(bench.session->state().forces[kHook] > 0.05);
+  bench.key(SoKeyboardEvent::F);
+  CHECK(bench.tools().held() == -1);
+  CHECK(bench.tools().isLeft(kHook));
+  bench.release(to);
+  const Pose left = bench.tools().pose(kHook);
+
+  const SbVec2s start = bench.onOrgan(-10, 20), end = bench.onOrgan(-10, -20);
+  bench.take(kScalpel, start);
+  bench.press(start);
+  bench.draw(start, end);
+  bench.release(end);
+  bench.waitSeconds(1.2);
+  CHECK(bench.tools().isLeft(kHook));
+  CHECK(bench.session->state().forces[kHook] > 0.05);
+  CHECK((bench.tools().pose(kHook).position - left.position).norm() < 1e-6);
+  CHECK(bench.cutArea() > 1e-4);
+  CHECK(bench.session->state().undoable == 2);  // the pull and the cut
+
+  // The cut is taken back, and the hook still holds.
+  bench.session->undo();
+  bench.session->operation().waitForAnswer();
+  bench.session->update();
+  CHECK(bench.cutArea() == 0);
+  CHECK(bench.tools().isLeft(kHook));
+  bench.session->goOn();
+  bench.waitSeconds(0.3);
+  CHECK(bench.session->state().inHand[kHook]);
+
+  bench.take(kHook, start);
+  CHECK_FALSE(bench.tools().isLeft(kHook));
+  bench.waitSeconds(0.3);
+  CHECK(bench.session->state().forces[kHook] < 0.01);
+}
+
+TEST_CASE("taking another instrument while one works leaves that one at work") {
+  Bench bench;
+  const SbVec2s at = bench.onOrgan();
+  bench.take(kHook, at);
+  bench.press(at);
+  bench.settle();
+  bench.take(kScalpel, at);
+  CHECK(bench.tools().isLeft(kHook));
+  bench.tools().putBack(kHook);
+  CHECK_FALSE(bench.tools().isLeft(kHook));
+  // Nothing holds: there is nothing to leave.
+  bench.key(SoKeyboardEvent::F);
+  CHECK(bench.tools().held() == kScalpel);
+}
+
+TEST_CASE("pressing closes scissors") {
+  Bench bench;
+  const SbVec2s at = bench.onOrgan();
+  bench.take(kScissors, at);
+  bench.waitSeconds(0.3);
+  CHECK(bench.session->state().squeeze[kScissors] == 0);
+  bench.press(at);
+  bench.waitSeconds(0.4);
+  CHECK(bench.session->state().squeeze[kScissors] == 1);
+  bench.release(at);
+  bench.waitSeconds(0.4);
+  CHECK(bench.session->state().squeeze[kScissors] == 0);
+}
+
+TEST_CASE("a stroke goes on beside the organ, and a press on an instrument takes it") {
+  Bench bench;
+  bench.move(bench.pixelOf(kHook));
+  bench.press(bench.pixelOf(kHook));
+  REQUIRE(bench.tools().held() == kHook);
+  bench.release(bench.pixelOf(kHook));
+  bench.take(kScalpel, bench.onOrgan());
+  bench.press(bench.onOrgan());
+  bench.move({5, 495});  // the wall
+  CHECK(bench.tools().surfaceHand() != nullptr);
+  CHECK(bench.tools().wanted(kScalpel).position.allFinite());
+  bench.release({5, 495});
+  // Freely, and along the surface again.
+  bench.tools().hold(kScalpel, ToolHandling::Hold::Direct);
+  CHECK(bench.tools().surfaceHand() == nullptr);
+  bench.tools().hold(kScalpel, bench.tools().usual());
+  bench.move(bench.onOrgan());
+  CHECK(bench.tools().surfaceHand() != nullptr);
+}

@@ -1,0 +1,117 @@
+#include "operation/hand/surface_hand.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+
+using namespace resect;
+
+namespace {
+
+HandStyle styleOf(const std::string& kind) {
+  ToolModel model;
+  if (kind == "scalpel" || kind == "scissors") model.edge = {{0, 0, 0}, {0, -0.008, 0.03}};
+  if (kind == "scissors") model.jaws.opening = 0.5;
+  if (kind == "hook") model.hook = {{0, -0.01, 0.01}, {0, 0, 0}, {0, 0.01, 0.01}};
+  return handStyleOf(model);
+}
+
+// Over a plane through the origin with this normal, from `from` to `to` in steps of a millimetre.
+void draw(SurfaceHand& hand, const Vec3& normal, const Vec3& from, const Vec3& to) {
+  const int steps = std::max(1, int(std::lround((to - from).norm() / 0.001)));
+  for (int i = 0; i <= steps; ++i) pointAt(hand, {from + i * (to - from) / steps, normal});
+}
+
+// How far the tool's tip lies below the plane, m.
+double depthOf(const SurfaceHand& hand, const Vec3& normal) {
+  return -poseOf(hand).position.dot(normal);
+}
+
+}  // namespace
+
+TEST_CASE("an instrument hovers over the surface, whichever way this faces") {
+  for (const Vec3& normal :
+       {Vec3(0, 1, 0), Vec3(0.6, 0.8, 0), Vec3(0, 0, 1), Vec3(-0.3, 0.5, -0.7).normalized()})
+    for (const char* name : {"scalpel", "hook", "baton", "scissors"}) {
+      CAPTURE(name);
+      SurfaceHand hand = takeUp(styleOf(name), Vec3::UnitX());
+      draw(hand, normal, Vec3::Zero(), 0.04 * normal.unitOrthogonal());
+      CHECK(depthOf(hand, normal) == doctest::Approx(-hand.style.hover));
+      // The handle is outside, and the heading in the surface.
+      CHECK((poseOf(hand).rotation * Vec3::UnitZ()).dot(normal) > 0.3);
+      CHECK(std::abs(hand.heading.dot(normal)) < 1e-9);
+      CHECK(hand.heading.norm() == doctest::Approx(1));
+    }
+}
+
+TEST_CASE("a blade enters where the hand presses, goes down on its way, and cuts towards it") {
+  const Vec3 normal = Vec3(0.2, 1, -0.3).normalized(), way = normal.unitOrthogonal();
+  for (const Vec3& towards : {way, Vec3(-way), Vec3(normal.cross(way))}) {
+    SurfaceHand hand = takeUp(styleOf("scalpel"), Vec3::UnitZ());
+    pointAt(hand, {Vec3::Zero(), normal});
+    press(hand);
+    CHECK(depthOf(hand, normal) < 0.0015);
+    draw(hand, normal, Vec3::Zero(), 0.002 * towards);
+    CHECK(depthOf(hand, normal) < 0.006);
+    draw(hand, normal, 0.002 * towards, 0.05 * towards);
+    CHECK(depthOf(hand, normal) == doctest::Approx(hand.depth));
+    CHECK(hand.heading.dot(towards) > 0.99);
+    // The edge, -y of the tool, faces that way, and the handle leans towards it.
+    CHECK((poseOf(hand).rotation * -Vec3::UnitY()).dot(towards) > 0.7);
+    CHECK((poseOf(hand).rotation * Vec3::UnitZ()).dot(towards) > 0.5);
+    // The line of the tip along the handle meets the surface where the hand points.
+    const Pose pose = poseOf(hand);
+    const Vec3 handle = pose.rotation * Vec3::UnitZ();
+    const Vec3 entry = pose.position + depthOf(hand, normal) / handle.dot(normal) * handle;
+    CHECK((entry - 0.05 * towards).norm() < 1e-6);
+  }
+}
+
+TEST_CASE("a blade follows a bend, but does not turn round when it is drawn back") {
+  const Vec3 up = Vec3::UnitY();
+  SurfaceHand hand = takeUp(styleOf("scalpel"), Vec3::UnitX());
+  pointAt(hand, {Vec3::Zero(), up});
+  press(hand);
+  draw(hand, up, Vec3::Zero(), Vec3(0.03, 0, 0));
+  draw(hand, up, Vec3(0.03, 0, 0), Vec3(0.03, 0, 0.05));
+  CHECK(hand.heading.dot(Vec3::UnitZ()) > 0.95);
+  draw(hand, up, Vec3(0.03, 0, 0.05), Vec3(0.03, 0, 0.01));
+  CHECK(hand.heading.dot(Vec3::UnitZ()) > 0.95);
+  lift(hand);
+  CHECK(depthOf(hand, up) < 0);
+  draw(hand, up, Vec3(0.03, 0, 0.01), Vec3(0.03, 0, -0.1));
+  CHECK(hand.heading.dot(Vec3::UnitZ()) < -0.9);
+}
+
+TEST_CASE("a hook is pulled towards its handle, and keeps its direction while it holds") {
+  const Vec3 up = Vec3::UnitY();
+  SurfaceHand hand = takeUp(styleOf("hook"), Vec3::UnitZ());
+  pointAt(hand, {Vec3::Zero(), up});
+  press(hand);
+  CHECK(depthOf(hand, up) == doctest::Approx(hand.depth));
+  draw(hand, up, Vec3::Zero(), Vec3(0.03, 0, 0));
+  CHECK((poseOf(hand).rotation * Vec3::UnitZ()).x() > 0.5);
+  const Vec3 heading = hand.heading;
+  draw(hand, up, Vec3(0.03, 0, 0), Vec3(0.03, 0, 0.04));
+  CHECK((hand.heading - heading).norm() < 1e-9);
+}
+
+TEST_CASE("the wheel presses deeper, within bounds, and turns the edge") {
+  const Vec3 up = Vec3::UnitY();
+  SurfaceHand hand = takeUp(styleOf("scalpel"), Vec3::UnitX());
+  pointAt(hand, {Vec3::Zero(), up});
+  press(hand);
+  goDeeper(hand, 0.01);
+  CHECK(depthOf(hand, up) > 0.01);  // without a way of the hand
+  goDeeper(hand, 1);
+  CHECK(hand.depth == kMostDepth);
+  goDeeper(hand, -1);
+  CHECK(hand.depth == 0);
+  turnHeading(hand, 0.5);
+  CHECK(hand.heading.dot(Vec3::UnitX()) == doctest::Approx(std::cos(0.5)));
+  CHECK_THROWS_AS(poseOf(takeUp(styleOf("baton"), Vec3::UnitX())), Error);
+}
