@@ -12,18 +12,8 @@ namespace {
 
 // Of a tie: rho s^2 l times this over dt^2 and over dt.
 constexpr double kStiffness = 1, kDamping = 0.5;
-constexpr double kHandTime = 0.03;     // s
-constexpr double kLeastLean = 0.05;    // slicing makes cuts easier, but not beyond this
-constexpr double kStandsStill = 1e-5;  // m/s: below it the hand has no direction
-constexpr double kReach = 1.5;         // spacings: how far from cells an edge is looked for
-constexpr double kMostSlip = 0.25;     // spacings per substep
-constexpr double kLookAhead = 1.2;     // spacings: a tie needs a bond so near ahead
-constexpr double kStretched = 3;    // samples farther apart than this many steps are not neighbours
-constexpr std::size_t kBeside = 3;  // samples: so far an edge lags as a tied neighbour does
-constexpr double kMostJump = 0.5;   // spacings: farther an edge is not taken to have cut
-constexpr double kOpen = 0.002;     // m: half of the gap of a cut that is open
+constexpr double kReach = 1.5;  // spacings: how far from cells an edge is looked for
 constexpr double kHalfStep = 0.525, kOutOfTissue = 1.1;  // steps
-constexpr double kCapsuleDepth = 0.002;  // m: over which the capsule's energy is spread
 
 // Corners of a polyline at equal distances.
 struct Along {
@@ -48,19 +38,6 @@ double lengthOf(std::span<const Vec3> points) {
   for (std::size_t i = 0; i + 1 < points.size(); ++i) length += (points[i + 1] - points[i]).norm();
   return length;
 }
-
-// The tied sample nearest to sample k, at most kBeside samples away; the number of samples if there
-// is none.
-std::size_t tiedNear(const CutFront& front, std::size_t k) {
-  const std::size_t count = front.samples.size();
-  for (std::size_t off = 1; off <= kBeside; ++off) {
-    if (k >= off && front.samples[k - off].tied) return k - off;
-    if (k + off < count && front.samples[k + off].tied) return k + off;
-  }
-  return count;
-}
-
-Vec3 withoutPart(const Vec3& v, const Vec3& unit) { return v - v.dot(unit) * unit; }
 
 }  // namespace
 
@@ -162,159 +139,13 @@ void CutFronts::locate(const RestTissue& rest, const Vec3& point, double reach, 
                  now.toRest * (point - nearest->place);
 }
 
-// How much edge the sample stands for, what the tissue there is, and whether there is any ahead.
-void CutFronts::look(const RestTissue& rest, Edge& edge, const CutFront& front,
-                     std::size_t k) const {
-  Sample& now = edge.samples[k];
-  const Vec3& place = front.samples[k].place;
-  const double s = rest.state().spacing;
-  if ((place - now.lengthAt).norm() > s / 32) {
-    now.lengthAt = place;
-    constexpr int kParts = 4;
-    now.length = 0;
-    for (int side = -1; side <= 1; side += 2) {
-      const std::size_t other = k + std::size_t(side);  // beyond the last one where there is none
-      Vec3 way = side * edge.step * (now.toRest * (edge.edge.to.rotation * now.tangent));
-      if (other < front.samples.size() && front.samples[other].known) {
-        const Vec3 to = front.samples[other].place - place;
-        if (to.norm() < kStretched * edge.step) way = to;
-      }
-      for (int part = 0; part < kParts; ++part)
-        if (rest.inside(place + (part + 0.5) / (2 * kParts) * way))
-          now.length += way.norm() / (2 * kParts);
-    }
-    const ElasticState& state = rest.state();
-    const TissueMaterial& m = state.materials[state.material[now.cells.nearest]];
-    const double depth = rest.depth(place);
-    now.toughness = m.cutEnergy;
-    if (depth > 0 && depth < kCapsuleDepth) now.toughness += m.capsuleCutEnergy / kCapsuleDepth;
-    now.toughness *= edge.edge.bluntness;
-  }
-  if (!(now.length > 0)) {
-    now.ahead = false;
-  } else if ((place - now.askedAt).norm() > s / 8) {
-    now.askedAt = place;
-    const Vec3 along = (now.toRest * (edge.edge.to.rotation * now.tangent)).normalized();
-    const Vec3 ahead = (now.toRest * (edge.edge.to.rotation * now.outwards)).normalized();
-    now.ahead = rest.tissueAhead(place, along, kLookAhead * s * ahead);
-  }
-}
-
-void CutFronts::pullSample(const RestTissue& rest, Edge& edge, CutFront& front, std::size_t k,
-                           const Pose& pose, double dt) {
-  CutSample& sample = front.samples[k];
-  Sample& now = edge.samples[k];
-  now.force.setZero();
-  if (!sample.known) return;
-  const double s = rest.state().spacing;
-  const Vec3 hand = pose * now.point;
-  const Vec3 motion = (edge.edge.to * now.point - edge.edge.from * now.point) / duration_;
-  const Vec3 outwards = pose.rotation * now.outwards, normal = pose.rotation * edge.edge.normal;
-  sample.motion += std::min(1.0, dt / kHandTime) * (motion - sample.motion);
-  const Vec3 inPlane = withoutPart(sample.motion, normal);
-  if (inPlane.norm() > kStandsStill && inPlane.dot(outwards) > 0)
-    sample.lean = std::max(kLeastLean, inPlane.dot(outwards) / inPlane.norm());
-
-  // An edge that moves sideways slips past tissue and cuts nothing.
-  const bool sideways = std::abs(sample.motion.dot(normal)) > inPlane.norm();
-
-  const auto follow = [&] {  // the cells round the tie, found anew when it has moved
-    if ((sample.place - now.cellsAt).norm() < s / 16) return;
-    rest.findCells(sample.place, now.cells);
-    now.cellsAt = sample.place;
-  };
-  const auto offset = [&]() -> Vec3 {
-    return hand - sample.place - rest.displacement(sample.place, now.cells);
-  };
-  if (!sample.tied) {
-    const bool wasInside = now.length > 0;
-    // Beside a sample that lags, the edge lags as it does.
-    const std::size_t other = tiedNear(front, k);
-    if (other < front.samples.size()) {
-      const Vec3 place = front.samples[other].place +
-                         edge.samples[other].toRest * (hand - pose * edge.samples[other].point);
-      if ((place - sample.place).norm() > kMostJump * s) now.swept = false;
-      sample.place = place;
-    } else {
-      for (int step = 0; step < 2; ++step) {
-        sample.place += now.toRest * offset();
-        follow();
-        if (now.cells.nearest < 0) return;
-      }
-    }
-    follow();
-    if (now.cells.nearest < 0) return;
-    look(rest, edge, front, k);
-    // Where nothing holds the edge, it cuts what it passes, unless it moves back or sideways.
-    const bool back = inPlane.dot(outwards) < -0.5 * inPlane.norm();
-    const bool open = rest.apart(sample.place, now.cells) > kOpen;
-    if (!wasInside || sideways || back || open || !edge.edge.begins) now.swept = false;
-    if (!now.swept) now.start = sample.place;
-    now.swept = now.length > 0;
-    if (!now.ahead || now.spent || open || sideways || !edge.edge.begins) return;
-    sample.tied = true;
-  }
-  if (!now.swept) now.start = sample.place, now.swept = true;
-  look(rest, edge, front, k);
-  const ElasticState& state = rest.state();
-  const double density = state.materials[state.material[now.cells.nearest]].density;
-  const double stiffness = stiffness_ * density * edge.step,
-               damping = damping_ * density * edge.step;
-  const Vec3 slow = motion - rest.velocity(now.cells);
-  Vec3 way = offset();
-  const Vec3 across = way.dot(normal) * normal;
-  way -= across;
-  Vec3 force = stiffness * way + damping * withoutPart(slow, normal);
-  if (force.dot(outwards) <= 0 && way.dot(outwards) <= 0) {
-    sample.tied = false;
-    now.spent = true;
-    return;
-  }
-  const double full = now.toughness * now.length, most = full * sample.lean;
-  if (force.dot(outwards) <= 0) force.setZero();
-  if (force.norm() > most) {
-    force *= most / force.norm();
-    Vec3 slip = way - force / stiffness;
-    if (slip.dot(force.norm() > 0 ? force : way) > 0) {
-      slip = now.toRest * slip;
-      if (slip.norm() > kMostSlip * s) slip *= kMostSlip * s / slip.norm();
-      sample.place += slip;
-      if (sideways) now.start += slip;
-      const Vec3 forth = now.toRest * outwards;
-      const double area = sideways ? 0 : now.length * std::max(0.0, slip.dot(forth) / forth.norm());
-      work_.area += area;
-      work_.cut += now.toughness * area;
-      follow();
-      way = withoutPart(offset(), normal);
-    }
-  }
-  // The flat of the blade holds the tissue too; what is pushed too hard slips past it uncut.
-  Vec3 flat = stiffness * across + damping * slow.dot(normal) * normal;
-  if (flat.norm() > full) {
-    flat *= full / flat.norm();
-    const Vec3 slip = now.toRest * (across - flat / stiffness);
-    if (across.dot(flat) > 0 && slip.norm() < s) sample.place += slip, now.start += slip;
-    follow();
-  }
-  look(rest, edge, front, k);
-  if (!now.ahead) {
-    sample.tied = false;
-    now.spent = true;
-    return;
-  }
-  now.force = force + flat;
-  now.motion = motion;
-  work_.held += 0.5 * stiffness * way.squaredNorm();
-}
-
 void CutFronts::push(const RestTissue& rest, ElasticState& s, double share, double dt,
                      double lookAhead) {
   work_.held = 0;
   for (std::size_t f = 0; f < fronts_.size(); ++f) {
     Edge& edge = edges_[f];
     const Pose pose = interpolate(edge.edge.from, edge.edge.to, share);
-    for (std::size_t k = 0; k < edge.samples.size(); ++k)
-      pullSample(rest, edge, fronts_[f], k, pose, dt);
+    pullSamples(rest, edge, fronts_[f], pose, dt);
     for (const Sample& sample : edge.samples) {
       if (sample.force == Vec3::Zero()) continue;
       impulse_[edge.obstacle] -= dt * sample.force;
@@ -344,7 +175,7 @@ void CutFronts::appendCuts(std::vector<TissueCut>& cuts) const {
     const auto joined = [&](std::size_t k) {  // whether sample k sweeps on with sample k + 1
       if (k + 1 >= samples.size() || !edge.samples[k].swept || !edge.samples[k + 1].swept)
         return false;
-      const double most = kStretched * edge.step;
+      const double most = kStretchedSteps * edge.step;
       return (edge.samples[k + 1].start - edge.samples[k].start).norm() < most &&
              (samples[k + 1].place - samples[k].place).norm() < most;
     };

@@ -103,6 +103,7 @@ class CutFronts {
     double step = 0;  // length of edge that a sample stands for, m
     std::vector<Sample> samples;
   };
+  static constexpr double kStretchedSteps = 3;  // samples farther apart are not neighbours
   // A cell near an edge.
   struct Candidate {
     std::int32_t cell;
@@ -113,9 +114,13 @@ class CutFronts {
   void findCandidates(const RestTissue& rest, const CuttingEdge& edge);
   void locate(const RestTissue& rest, const Vec3& point, double reach, CutSample& sample,
               Sample& now) const;
-  void look(const RestTissue& rest, Edge& edge, const CutFront& front, std::size_t k) const;
-  void pullSample(const RestTissue& rest, Edge& edge, CutFront& front, std::size_t k,
-                  const Pose& pose, double dt);
+  // In cut_tie.cpp: what happens to the samples of an edge in a substep. pose: of the edge.
+  struct Pull;
+  void pullSamples(const RestTissue& rest, Edge& edge, CutFront& front, const Pose& pose,
+                   double dt);
+  bool tie(Pull& pull);
+  void letGo(Pull& pull);
+  void pullTie(Pull& pull);
 
   std::vector<CutFront> fronts_;  // state
   std::vector<CutFront> kept_;    // at the beginning of the frame
