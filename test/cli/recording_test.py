@@ -53,7 +53,7 @@ class Recordings(unittest.TestCase):
                 self.assertLessEqual(len(str(time_s)), len("12.123456789"))
 
     def test_a_piece_that_comes_off_is_an_event(self):
-        file, summary = self.recorded("resect-segment-elastic", "--spacing", "9mm")
+        file, summary = self.recorded("resect-segment-elastic")
         replay = resect("replay", file, "--json", "-")
         events = [event for event in json.loads(replay.stdout)["events"] if event["kind"] == "piece"]
         self.assertGreater(len(events), 0)

@@ -13,7 +13,7 @@ namespace {
 // Of a tie: rho s^2 l times this over dt^2 and over dt.
 constexpr double kStiffness = 1, kDamping = 0.5;
 constexpr double kReach = 1.5;  // spacings: how far from cells an edge is looked for
-constexpr double kHalfStep = 0.525, kOutOfTissue = 1.1;  // steps
+constexpr double kHalfStep = 0.525, kOutOfTissue = 2;  // steps
 
 // Corners of a polyline at equal distances.
 struct Along {
@@ -102,11 +102,14 @@ void CutFronts::list(const RestTissue& rest, double duration, double dt,
         now.tangent = at.tangent;
         now.outwards = at.tangent.cross(edge.normal);
         const Vec3 from = edge.from * at.point;
-        const bool there = sample.known && (sample.tied || rest.inside(sample.place));
+        const bool there =
+            sample.known && (sample.tied || sample.cutting || rest.inside(sample.place));
         if (!there)
           locate(rest, from, kReach * s.spacing + (edge.to * at.point - from).norm(), sample, now);
         if (sample.known) rest.findCells(sample.place, now.cells);
         if (now.cells.nearest < 0) sample.known = sample.tied = false;
+        sample.cutting = sample.cutting && there && sample.known;
+        now.swept = now.inside = sample.cutting;
         if (sample.known) {
           const Mat3 f = now.cells.gradient + Mat3::Identity();
           now.toRest = f.determinant() > 0.05 ? Mat3(f.inverse()) : Mat3(Mat3::Identity());
@@ -210,7 +213,8 @@ void CutFronts::startAgain(const RestTissue& rest) {
   for (std::size_t f = 0; f < fronts_.size(); ++f)
     for (std::size_t k = 0; k < fronts_[f].samples.size(); ++k) {
       Sample& now = edges_[f].samples[k];
-      now.swept = now.spent = false;
+      now.swept = now.inside = fronts_[f].samples[k].cutting;
+      now.spent = false;
       now.start = now.cellsAt = fronts_[f].samples[k].place;
       now.cells.nearest = -1;
       if (fronts_[f].samples[k].known) rest.findCells(now.start, now.cells);

@@ -21,13 +21,15 @@ namespace resect {
 struct CutSample {
   bool known = false;          // whether `place` is known: tissue is near
   bool tied = false;           // whether the edge is held by tissue there
+  bool cutting = false;        // whether it swept through tissue at the end of the last frame
   Vec3 place = Vec3::Zero();   // the point of the tissue at rest where the edge is, m
   Vec3 motion = Vec3::Zero();  // of the hand at the sample, m/s, smoothed over kHandTime
   double lean = 1;             // cosine of the angle between that motion and the cut's direction
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v("known", known), v("tied", tied), v("place", place), v("motion", motion), v("lean", lean);
+    v("known", known), v("tied", tied), v("cutting", cutting), v("place", place),
+        v("motion", motion), v("lean", lean);
   }
 };
 
@@ -86,7 +88,8 @@ class CutFronts {
   struct Sample {
     Vec3 point, tangent, outwards;  // in the edge's coordinates; m, unit, unit
     Vec3 start;                     // of the sweep: the tie at rest when it began, m
-    bool swept = false;             // it has cut in this frame
+    bool swept = false;             // it has cut since `start`, without a break
+    bool inside = false;            // it stood for edge in tissue when it was looked at last
     bool spent = false;  // it was let go in this frame, and is not tied again before the next
     Mat3 toRest = Mat3::Identity();  // inverse of F at the tie
     PointCells cells;

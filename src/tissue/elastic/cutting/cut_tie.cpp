@@ -14,7 +14,7 @@ constexpr double kStandsStill = 1e-5;    // m/s: below it the hand has no direct
 constexpr double kMostSlip = 0.25;       // spacings per substep
 constexpr double kLookAhead = 1.2;       // spacings: a tie needs a bond so near ahead
 constexpr std::size_t kBeside = 3;       // samples: so far an edge lags as a tied neighbour does
-constexpr double kMostJump = 0.5;        // spacings: farther an edge is not taken to have cut
+constexpr double kMostJump = 1;          // spacings: farther an edge is not taken to have cut
 constexpr double kOpen = 0.002;          // m: half of the gap of a cut that is open
 constexpr double kCapsuleDepth = 0.002;  // m: over which the capsule's energy is spread
 
@@ -113,7 +113,7 @@ void CutFronts::Pull::look() {
 bool CutFronts::tie(Pull& pull) {
   CutSample& sample = pull.sample;
   Sample& now = pull.now;
-  const bool wasInside = now.length > 0;
+  const bool wasInside = now.inside;
   // Beside a sample that lags, the edge lags as it does.
   const std::size_t other = tiedNear(pull.front, pull.k);
   if (other < pull.front.samples.size()) {
@@ -136,9 +136,11 @@ bool CutFronts::tie(Pull& pull) {
   const bool back = pull.inPlane.dot(pull.outwards) < -0.5 * pull.inPlane.norm();
   const bool open = pull.rest.apart(sample.place, now.cells) > kOpen;
   const bool begins = pull.edge.edge.begins;
-  if (!wasInside || pull.sideways || back || open || !begins) now.swept = false;
+  // In an open cut no other one begins. (Skin that is about to be cut may be apart, too.)
+  const bool idle = open && !now.ahead && !now.swept;
+  if (!wasInside || pull.sideways || back || idle || !begins) now.swept = false;
   if (!now.swept) now.start = sample.place;
-  now.swept = now.length > 0;
+  now.swept = now.inside = now.length > 0;
   sample.tied = now.ahead && !now.spent && !open && !pull.sideways && begins;
   return sample.tied;
 }
@@ -153,6 +155,7 @@ void CutFronts::pullTie(Pull& pull) {
   CutSample& sample = pull.sample;
   Sample& now = pull.now;
   if (!now.swept) now.start = sample.place, now.swept = true;
+  now.inside = true;
   pull.look();
   const ElasticState& state = pull.rest.state();
   const double density = state.materials[state.material[now.cells.nearest]].density;
@@ -214,6 +217,7 @@ void CutFronts::pullSamples(const RestTissue& rest, Edge& edge, CutFront& front,
       sample.lean = std::max(kLeastLean, forth / pull.inPlane.norm());
     pull.sideways = std::abs(sample.motion.dot(pull.normal)) > pull.inPlane.norm();
     if (sample.tied || tie(pull)) pullTie(pull);
+    sample.cutting = pull.now.swept;
   }
 }
 
