@@ -18,7 +18,7 @@ void main() {
 
   // Threads every 0.9 mm; where a pixel is wider they become a tone.
   vec2 thread = q * 1100.0, wide = fwidth(thread);
-  float seen = 1.0 - smoothstep(0.2, 0.7, max(wide.x, wide.y));
+  float seen = 1.0 - smoothstep(0.10, 0.32, max(wide.x, wide.y));
   vec2 wave = sin(3.14159 * thread);
   float weave = seen * wave.x * wave.y;
 
@@ -28,14 +28,19 @@ void main() {
   vec3 v = toWorld(-normalize(eyePosition));
 
   vec3 l0, l1;
-  vec3 e0 = lampLight(0, point, l0), e1 = lampLight(1, point, l1);
-  vec3 albedo = fromScreen(baseColor) * (1.0 + 0.30 * weave + 0.05 * creases.x);
+  vec3 e0 = lampLight(0, point, l0), e1 = 0.6 * lampLight(1, point, l1);
+  // Woven cloth of many washings is duller and darker than its dye, blue more than green.
+  vec3 dye = fromScreen(baseColor);
+  vec3 grey = vec3(dot(dye, vec3(0.2126, 0.7152, 0.0722)));
+  dye = dye.b > dye.g ? 0.32 * mix(grey, dye, 0.50) : 0.46 * mix(grey, dye, 0.66);
+  vec3 albedo = dye * (1.0 + 0.22 * weave + 0.05 * creases.x);
   float open = around.tableOpen;
   // Light that has touched the organ comes back red.
   vec3 bounce = open * (1.0 - open) * vec3(0.10, 0.015, 0.01);
   vec3 diffuse = e0 * around.tableLit * max(dot(n, l0), 0.0) +
-                 e1 * max(dot(n, l1), 0.0) * open + ambientLight(n) * open + bounce;
+                 e1 * max(dot(n, l1), 0.0) * open + ambientLight(n) * open + bounce +
+                 headLight(eyePosition) * max(dot(n, v), 0.0) * (0.4 + 0.6 * open);
   float x = 1.0 - max(dot(n, v), 0.0);
   vec3 color = albedo * diffuse + 0.04 * x * x * x * diffuse * open;  // lint at grazing sight
-  gl_FragColor = vec4(picture(color), 1.0);
+  gl_FragColor = vec4(picture(color, eyePosition), 1.0);
 }

@@ -5,7 +5,9 @@
 uniform sampler2DShadow lampShadow;  // see SoShadowMaps
 uniform sampler2D shadowGrid;
 
-const float kLampRadius = 0.20;
+const float kLampRadius = 0.20;  // m
+const float kExposure = 1.40;
+const float kHead = 0.36;        // of the lamp at the eye
 
 vec3 toWorld(vec3 eyeDirection) { return (gl_TextureMatrix[5] * vec4(eyeDirection, 0.0)).xyz; }
 vec3 pointToWorld(vec3 eyePoint) { return (gl_TextureMatrix[5] * vec4(eyePoint, 1.0)).xyz; }
@@ -88,13 +90,38 @@ float lampVisible(vec3 eyePoint, vec3 eyeNormal) {
   return lit / 8.0;
 }
 
-// Irradiance of lamp `which` on a surface that faces it, without shadow: a pool of light.
+// Light of the main lamp that comes through tissue: four places 3 to 15 mm towards the lamp, spread
+// as they go deeper; each is lit where no more than that stands between. Red goes farthest.
+vec3 lampThrough(vec3 eyePoint) {
+  vec3 towards = normalize(gl_LightSource[0].position.xyz - eyePoint);
+  vec3 sum = vec3(0.0), weight = vec3(0.13, 0.040, 0.028);
+  for (int k = 0; k < 4; ++k) {
+    float a = 2.399963 * float(k) + 1.0, r = 0.005 + 0.003 * float(k);
+    vec4 s = gl_TextureMatrix[7] * vec4(eyePoint + (0.003 + 0.004 * float(k)) * towards, 1.0);
+    sum += weight * shadow2D(lampShadow, s.xyz / s.w + vec3(r * cos(a), r * sin(a), 0.0)).r;
+    weight *= vec3(0.60, 0.36, 0.30);
+  }
+  return sum;
+}
+
+// Irradiance of the lamp that the surgeon wears, or of a laparoscope: it comes from the eye, throws
+// no shadow that the eye could see, falls off with distance and towards the picture's edge.
+vec3 headLight(vec3 eyePoint) {
+  float off = dot(eyePoint.xy, eyePoint.xy) / max(eyePoint.z * eyePoint.z, 1e-4);
+  return vec3(1.0, 0.985, 0.95) * kHead * exp(-5.0 * off) / (dot(eyePoint, eyePoint) + 0.20);
+}
+
+// Irradiance of lamp `which` on a surface that faces it, without shadow: a pool of light, bright over
+// a hand's breadth. The second lamp is wider and turned down: it fills.
 vec3 lampLight(int which, vec3 point, out vec3 toLamp) {
   vec3 way = pointToWorld(gl_LightSource[which].position.xyz) - point;
   toLamp = normalize(way);
   float c = dot(toLamp, -toWorld(gl_LightSource[which].spotDirection));
-  float pool = smoothstep(gl_LightSource[which].spotCosCutoff, 1.0, c);
-  return gl_LightSource[which].diffuse.rgb * pool * 2.0 / max(dot(way, way), 0.1);
+  float across = (1.0 - c * c) / max(c * c, 0.01) * (which == 0 ? 13.0 : 7.0);
+  float pool = step(0.0, c) * exp(-across) + 0.03;
+  vec3 white = gl_LightSource[which].diffuse.rgb;
+  if (which == 1) white = 0.20 * mix(white, vec3(dot(white, vec3(0.333))), 0.6);
+  return white * pool * 2.0 / max(dot(way, way), 0.1);
 }
 
 // What SoShadowMaps knows about the place under a point of the scene.
@@ -129,7 +156,7 @@ Surroundings softSurroundings(vec3 eyePoint, vec3 point) {
 
 // Diffuse light of the room on a surface of this normal.
 vec3 ambientLight(vec3 normal) {
-  vec3 above = vec3(0.20, 0.225, 0.25), below = vec3(0.05, 0.075, 0.070);
+  vec3 above = vec3(0.085, 0.092, 0.098), below = vec3(0.014, 0.022, 0.020);
   return mix(below, above, 0.5 + 0.5 * normal.y);
 }
 
@@ -149,10 +176,12 @@ float glossLobe(vec3 n, vec3 l, vec3 v, float roughness) {
 // A colour as designers write it, to the share of light it sends back.
 vec3 fromScreen(vec3 color) { return pow(color, vec3(2.2)); }
 
-// Radiance to displayed colour: filmic curve (Narkowicz 2016), sRGB gamma, a dither of half a step
-// against bands in the dark.
-vec3 picture(vec3 light) {
-  vec3 x = 0.9 * light;
+// Radiance at a place before the eye to displayed colour: the lens darkens towards the edge of the
+// picture (by the angle, so that parts of a picture fit together), filmic curve (Narkowicz 2016), sRGB
+// gamma, a dither of half a step against bands in the dark.
+vec3 picture(vec3 light, vec3 eyePoint) {
+  vec2 q = eyePoint.xy / (0.41 * max(-eyePoint.z, 1e-4));  // 1: 22 degrees off the axis
+  vec3 x = kExposure * light * (1.0 - 0.72 * smoothstep(0.30, 1.75, dot(q, q)));
   vec3 film = clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
   float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   return pow(film, vec3(1.0 / 2.2)) + (dither - 0.5) / 255.0;

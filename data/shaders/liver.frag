@@ -6,6 +6,9 @@ varying float cutShare;
 varying vec3 baseColor;
 
 void main() {
-  vec3 n = normalize(gl_FrontFacing ? objectNormal : -objectNormal);  // open surfaces have a back
-  gl_FragColor = vec4(liver(objectPosition, widest(objectPosition), n, cutOrRim(cutShare, objectPosition), eyePosition, baseColor), 1.0);
+  // Open surfaces have a back; a folded triangle whose normal still faces the eye has none.
+  bool facing = gl_FrontFacing || dot(gl_NormalMatrix * objectNormal, eyePosition) < 0.0;
+  vec3 n = normalize(facing ? objectNormal : -objectNormal);
+  float bend = length(fwidth(objectNormal)) / max(length(fwidth(eyePosition)), 1e-5);
+  gl_FragColor = vec4(liver(objectPosition, widest(objectPosition), n, bend, cutOrRim(cutShare, objectPosition), eyePosition, baseColor), 1.0);
 }

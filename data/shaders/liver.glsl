@@ -1,78 +1,141 @@
-// Living liver: a wet capsule, reddish brown and faintly mottled; where it is cut, granular
-// parenchyma, darker and moist, with vessels. Colours are linear.
-//
-// p: position at rest, `wide`: how far it moves within a pixel; n0: unit normal towards the eye's
-// side; cutShare: as cutOrRim() gives it; eyePosition: in eye space; baseColor: of the capsule, as on a
-// screen. Positions and normals in object space, m.
-vec3 liver(vec3 p, float wide, vec3 n0, float cutShare, vec3 eyePosition, vec3 baseColor) {
-  vec4 broad = noise(p * 55.0);
-  vec4 fine = noise(p * 420.0 + 3.7) * finer(420.0 * wide);
-  vec4 middle = noise(p * 160.0 + 9.1);
+// Living liver: a matt mahogany capsule under a thin film of fluid, which glints in places; where it
+// is cut, granular moist parenchyma with vessels. Colours are linear. Positions and normals in
+// object space, m, unless a name says otherwise.
 
-  // The edge of a cut wanders a little.
-  float cut = smoothstep(0.38, 0.62, cutShare + 0.10 * middle.x * step(0.02, cutShare));
-  float rim = cut * (1.0 - cut) * 4.0;
+// Patterns on the tissue, by its place at rest. Each is a noise, its gradient in yzw. They are turned
+// against each other, so that no lattice shows.
+struct Patterns {
+  vec4 low, broad, middle, fine;  // waves of some 40, 18, 7 and 2.5 mm
+  float lost;                     // how much of the film's roughness is finer than a pixel
+};
 
-  vec3 capsule = fromScreen(baseColor);
-  capsule *= 1.0 + 0.16 * broad.x + 0.10 * middle.x + 0.12 * fine.x;
-  capsule = mix(capsule, vec3(1.25, 2.1, 1.7) * capsule, 0.35 * smoothstep(0.0, 0.7, -broad.x));
+Patterns patternsAt(vec3 p, float wide) {
+  const mat3 turn = mat3(0.36, 0.48, -0.80, -0.80, 0.60, 0.0, 0.48, 0.64, 0.60);
+  Patterns at;
+  at.low = noise(p * 26.0 + 1.3);
+  at.broad = noise(turn * p * 55.0);
+  at.broad.yzw = at.broad.yzw * turn;
+  at.middle = noise(p * 150.0 + 9.1);
+  at.fine = noise(turn * p * 420.0 + 3.7) * finer(420.0 * wide);
+  at.fine.yzw = at.fine.yzw * turn;
+  at.lost = 0.03 * (1.0 - finer(420.0 * wide)) + 0.04 * (1.0 - finer(150.0 * wide));
+  return at;
+}
 
-  vec3 bumps = 0.050 * broad.yzw + 0.042 * middle.yzw + 0.030 * fine.yzw;
-  vec3 albedo = capsule;
-  float wetness = 1.0;
-  if (cut > 0.0) {
+struct Tissue {
+  vec3 albedo;
+  vec3 bumps;  // slope of the tissue
+  vec3 waves;  // slope of the film on it: few and long, so that a lamp breaks into some pieces
+  float wet;   // how thick the film is, 0 to 1
+  float lost;  // Patterns::lost
+  float cut;   // 0 capsule, 1 cut
+};
+
+vec3 capsuleColour(Patterns at, vec3 base) {
+  vec3 colour = base * vec3(0.60, 0.98, 1.07);
+  colour *= 1.0 + 0.13 * at.low.x + 0.08 * at.broad.x + 0.05 * at.middle.x + 0.07 * at.fine.x;
+  // A faint haze where the capsule is thicker.
+  float haze = smoothstep(0.0, 0.8, at.low.x - 0.4 * at.broad.x);
+  return mix(colour, vec3(0.20, 0.085, 0.070), 0.14 * haze);
+}
+
+vec3 parenchymaColour(Patterns at, vec4 grain, vec3 p) {
+  vec3 inside = vec3(0.112, 0.0265, 0.0195) * (1.0 + 0.10 * at.broad.x + 0.10 * at.middle.x);
+  // Lobules: paler centres in a darker net, about 1.5 mm.
+  float lobule = at.fine.x + 0.5 * grain.x;
+  inside = mix(inside, vec3(0.180, 0.050, 0.034), 0.50 * smoothstep(0.0, 0.6, lobule));
+  inside = mix(inside, vec3(0.075, 0.009, 0.008), 0.55 * smoothstep(0.1, 0.6, -lobule));
+  // Vessels are curves in space, where two noises vanish together: walls pale, lumens full of dark
+  // blood.
+  float large = length(vec2(at.broad.x, noise(p.zxy * 50.0 + 17.3).x));
+  float small = length(vec2(at.middle.x, noise(p.zxy * 140.0 + 5.1).x));
+  float wall = max(1.0 - smoothstep(0.17, 0.23, large), 0.7 - 0.7 * smoothstep(0.14, 0.22, small));
+  float lumen = max(1.0 - smoothstep(0.11, 0.15, large), 0.8 - 0.8 * smoothstep(0.07, 0.13, small));
+  inside = mix(inside, vec3(0.26, 0.115, 0.085), 0.6 * wall);
+  return mix(inside, vec3(0.050, 0.0035, 0.0045), lumen);
+}
+
+// share: as cutOrRim() gives it; base: of the capsule.
+Tissue tissueAt(vec3 p, float wide, float share, vec3 base) {
+  Patterns at = patternsAt(p, wide);
+  // The edge of a cut wanders a little; the capsule there is a thin pale line.
+  float wandering = share + 0.08 * at.middle.x * step(0.02, share);
+  float border = smoothstep(0.42, 0.56, wandering);
+  float pale = smoothstep(0.20, 0.34, wandering) * (1.0 - border);
+
+  Tissue t;
+  t.cut = border;
+  t.lost = at.lost;
+  t.albedo = capsuleColour(at, base);
+  t.bumps = 0.016 * at.broad.yzw + 0.014 * at.middle.yzw + 0.012 * at.fine.yzw;
+  t.waves = 0.050 * at.broad.yzw + 0.060 * at.middle.yzw + 0.030 * at.fine.yzw;
+  t.wet = smoothstep(0.05, 0.45, 0.8 * at.low.x + 0.45 * at.broad.x + 0.12);
+  if (border > 0.0) {
     vec4 grain = noise(p * 1000.0) * finer(1000.0 * wide);
-    vec3 inside = vec3(0.0518, 0.0068, 0.0055);
-    inside *= 1.0 + 0.22 * grain.x + 0.15 * fine.x + 0.12 * broad.x;
-    // Lobules: paler centres in a darker net, about 1.5 mm.
-    inside = mix(inside, vec3(0.0740, 0.0178, 0.0111), 0.40 * smoothstep(0.0, 0.7, fine.x + 0.5 * grain.x));
-    // Vessels are curves in space, where two noises vanish together.
-    float large = length(vec2(broad.x, noise(p.zxy * 50.0 + 17.3).x));
-    float small = length(vec2(middle.x, noise(p.zxy * 140.0 + 5.1).x));
-    // Walls pale, lumens full of dark blood.
-    float wall = max(1.0 - smoothstep(0.17, 0.23, large), 0.7 - 0.7 * smoothstep(0.14, 0.22, small));
-    float lumen = max(1.0 - smoothstep(0.11, 0.15, large), 0.8 - 0.8 * smoothstep(0.07, 0.13, small));
-    inside = mix(inside, vec3(0.1665, 0.0703, 0.0536), 0.6 * wall);
-    inside = mix(inside, vec3(0.060, 0.0035, 0.0045), lumen);
-    albedo = mix(albedo, inside, cut);
-    bumps = mix(bumps, 0.05 * middle.yzw + 0.09 * fine.yzw + 0.08 * grain.yzw, cut);
-    wetness = mix(1.0, 0.85, cut);
+    t.albedo = mix(t.albedo, parenchymaColour(at, grain, p), border);
+    vec3 rough = 0.02 * at.middle.yzw + 0.055 * at.fine.yzw + 0.045 * grain.yzw;
+    t.bumps = mix(t.bumps, rough, border);
+    t.wet = mix(t.wet, 0.8, border);
   }
-  albedo = mix(albedo, vec3(0.30, 0.14, 0.11), 0.25 * rim);
-  albedo = mix(albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-cutShare, 0.0));
+  t.albedo = mix(t.albedo, vec3(0.25, 0.120, 0.090), 0.36 * pale);
+  t.albedo = mix(t.albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-share, 0.0));  // blood in a rim
+  return t;
+}
 
-  // The film of fluid is smoother than the tissue under it.
-  vec3 slope = bumps - dot(bumps, n0) * n0;
-  vec3 tissueEye = normalize(gl_NormalMatrix * (n0 - slope));
-  vec3 filmEye = normalize(gl_NormalMatrix * (n0 - 0.55 * slope));
+// p: position at rest, `wide`: how far it moves within a pixel; n0: unit normal towards the eye's
+// side; bend: curvature, 1/m; share: as cutOrRim() gives it; eyePosition: in eye space; baseColor:
+// of the capsule, as on a screen.
+vec3 liver(vec3 p, float wide, vec3 n0, float bend, float share, vec3 eyePosition, vec3 baseColor) {
+  Tissue t = tissueAt(p, wide, share, fromScreen(baseColor));
+  vec3 slope = t.bumps - dot(t.bumps, n0) * n0, waves = t.waves - dot(t.waves, n0) * n0;
   vec3 flatEye = normalize(gl_NormalMatrix * n0);
-  vec3 n = toWorld(tissueEye), film = toWorld(filmEye), flat_ = toWorld(flatEye);
+  vec3 film = toWorld(normalize(gl_NormalMatrix * (n0 - waves))), flat_ = toWorld(flatEye);
+  vec3 n = toWorld(normalize(gl_NormalMatrix * (n0 - slope)));
   vec3 point = pointToWorld(eyePosition), v = toWorld(-normalize(eyePosition));
+  // Carved faces carry the rows of the lattice: what scatters under them shades softer than they are.
+  n = normalize(mix(n, v, 0.42 * t.cut));
 
   float lit = lampVisible(eyePosition, flatEye);
   Surroundings around = surroundings(eyePosition, point);
-  float open = around.open;
+  // Inside a wound the map of heights knows nothing: there some of the room is seen.
+  float open = mix(around.open, max(around.open, 0.30), t.cut);
   vec3 l0, l1;
-  vec3 e0 = lampLight(0, point, l0), e1 = lampLight(1, point, l1);
+  vec3 e0 = lampLight(0, point, l0), e1 = lampLight(1, point, l1), eh = headLight(eyePosition);
+  eh *= 0.35 + 0.65 * open;  // deep in a wound less of it arrives
 
-  // Red light travels farthest in tissue: it creeps round the terminator and into the shadow.
-  vec3 wrap = vec3(0.32, 0.10, 0.07);
+  // Light under the surface: the more the surface bends, the farther round the terminator it comes,
+  // red farthest; and it crosses what is thin.
+  vec3 wrap = vec3(0.22, 0.06, 0.04) + vec3(0.38, 0.14, 0.10) * smoothstep(25.0, 300.0, bend);
   vec3 soft0 = max((vec3(dot(n, l0)) + wrap) / (1.0 + wrap), 0.0);
+  soft0 *= soft0 / (soft0 + 0.06) * 1.06;  // no edge where it ends
   vec3 soft1 = max((vec3(dot(n, l1)) + wrap) / (1.0 + wrap), 0.0);
-  vec3 through = vec3(sqrt(lit), lit, lit);
-  vec3 diffuse = e0 * soft0 * through + e1 * soft1 * (0.15 + 0.85 * open) +
-                 ambientLight(n) * vec3(sqrt(open), open, open);
-  vec3 color = albedo * diffuse;
+  vec3 softH = max((vec3(dot(n, v)) + 0.5 * wrap) / (1.0 + 0.5 * wrap), 0.0);
+  softH *= softH * (0.15 + 0.85 * softH);
+  vec3 crossed = lampThrough(eyePosition);
+  vec3 behind = 0.6 * crossed * smoothstep(0.15, -0.35, dot(flat_, l0));
+  // What is hidden from the room is lit by the tissue round it, in red.
+  vec3 again = min(3.0 * t.albedo, 0.85);
+  vec3 hidden = vec3(open) / (1.0 - again * (1.0 - open));
+  vec3 diffuse = eh * softH + 1.25 * e0 * (soft0 * max(vec3(lit), crossed) + behind) +
+                 0.4 * e1 * soft1 * hidden * (0.1 + 0.9 * open) +
+                 0.6 * ambientLight(n) * hidden * open;
+  vec3 color = t.albedo * diffuse;
 
-  float nv = max(dot(film, v), 0.0);
-  vec3 r = reflect(-v, film);
-  // Below the horizon the film mirrors the cloth, not the room.
-  vec3 cloth = vec3(0.006, 0.050, 0.042) * (0.2 + 0.8 * around.tableLit) * around.tableOpen;
-  vec3 mirror = mix(cloth, mirrored(point, r, mix(0.055, 0.08, cut)) * open * mix(0.2, 1.0, lit),
-                    smoothstep(-0.2, 0.2, r.y));
-  color += wetness * fresnel(0.028, nv) * mirror;
-  color += 0.020 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.48);
-  color += 0.020 * e1 * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.48);
-
-  return picture(color);
+  // The film mirrors the cloth below the horizon, above it one soft gradient.
+  vec3 r = reflect(-v, n);
+  vec3 cloth = vec3(0.004, 0.020, 0.016) * (0.2 + 0.8 * around.tableLit) * around.tableOpen;
+  vec3 sky = mix(cloth, vec3(0.11, 0.12, 0.13) * open, smoothstep(-0.3, 0.6, r.y));
+  float nv = max(dot(n, v), 0.0);
+  color += min(fresnel(0.028, nv), 0.20) * sky * smoothstep(0.0, 0.25, dot(flat_, v));
+  // The lamps' sheen, very soft, and their glints where the film is thick enough.
+  color += 0.010 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.55);
+  color += 0.010 * e1 * open * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.55);
+  float rough = 0.15 + 1.5 * t.lost, third = 0.333;
+  float fromMain = 0.010 * dot(e0, vec3(third)) * max(dot(film, l0), 0.0);
+  float fromSecond = 0.020 * dot(e1, vec3(third)) * max(dot(film, l1), 0.0);
+  float glints = lit * (fromMain * glossLobe(film, l0, v, rough + 0.02) +
+                        fromSecond * glossLobe(film, l1, v, rough));
+  color += t.wet * t.wet * smoothstep(0.05, 0.25, dot(flat_, v)) *
+           (0.014 * eh * glossLobe(film, v, v, rough) + vec3(1.0, 0.985, 0.95) * glints);
+  return picture(color, eyePosition);
 }

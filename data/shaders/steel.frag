@@ -10,7 +10,7 @@ void main() {
   vec3 marks = objectPosition * vec3(250.0, 250.0, 3000.0);
   vec4 brush = noise(marks) * finer(widest(marks));
   float metal = smoothstep(0.12, 0.35, dot(gl_FrontMaterial.specular.rgb, vec3(0.333)));
-  vec3 slope = 0.016 * metal * vec3(brush.y, brush.z, 0.6 * brush.w);
+  vec3 slope = 0.008 * metal * vec3(brush.y, brush.z, 0.6 * brush.w);
   slope -= dot(slope, n0) * n0;
   vec3 flatEye = normalize(gl_NormalMatrix * n0);
   vec3 n = toWorld(normalize(gl_NormalMatrix * (n0 - slope)));
@@ -18,6 +18,9 @@ void main() {
   if (dot(n, v) < 0.0) n = normalize(n - 2.0 * dot(n, v) * v);
 
   vec3 tint = fromScreen(baseColor);
+  // The tray's cloth and plastic are dull: they do not outshine the field.
+  vec3 dull = 0.42 * mix(vec3(dot(tint, vec3(0.2126, 0.7152, 0.0722))), tint, 0.55);
+  tint = mix(dull, tint, metal);
   vec3 f0 = mix(vec3(0.04), 0.25 + 0.75 * tint, metal);
   float shine = clamp(gl_FrontMaterial.shininess / 128.0, 0.05, 1.0);
   float rough = mix(0.55, mix(0.42, 0.22, shine), metal);
@@ -35,8 +38,12 @@ void main() {
   vec3 cloth = vec3(0.006, 0.055, 0.045) * (0.25 + 0.9 * around.tableLit) * (0.3 + 0.7 * around.tableOpen);
   vec3 mirror = mix(cloth, mirrored(point, r, rough * rough) * (0.25 + 0.75 * open),
                     smoothstep(-0.35, 0.05, r.y));
+  mirror = 0.8 * mirror + vec3(0.022, 0.024, 0.026);
   vec3 color = tint * mix(1.0, 0.30, metal) * diffuse + f * mirror * mix(0.5, 1.0, lit);
   color += f * (e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, rough + 0.15) +
                 e1 * open * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, rough + 0.15));
-  gl_FragColor = vec4(picture(color), 1.0);
+  // A blade that is seen edge-on shines by the lamp at the eye.
+  float nv = max(dot(n, v), 0.0);
+  color += headLight(eyePosition) * nv * (0.6 * f * glossLobe(n, v, v, rough + 0.12) + 0.12 * tint);
+  gl_FragColor = vec4(picture(color, eyePosition), 1.0);
 }
