@@ -91,6 +91,16 @@ bool isPress(const SoEvent& event) {
          static_cast<const SoButtonEvent&>(event).getState() == SoButtonEvent::DOWN;
 }
 
+// The tool in hand or left at work on which the force is largest; -1 for none.
+int workingTool(const LiveState& state) {
+  int strongest = -1;
+  for (std::size_t i = 0; i < state.inHand.size(); ++i)
+    if (state.inHand[i] &&
+        (strongest < 0 || state.forces[i] > state.forces[std::size_t(strongest)]))
+      strongest = int(i);
+  return strongest;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
@@ -274,7 +284,8 @@ void MainWindow::tick() {
     if (state.moves)
       force_->parentWidget()->raise();  // above the timing, where they share one place
   }
-  if (state.moves) force_->follow(state, session_->playing() ? playedTool(state) : tools.held());
+  if (state.moves)
+    force_->follow(state, session_->playing() ? playedTool(state) : workingTool(state));
   timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
   timeline_->follow(state, session_->showing(), session_->answered());
   if (state.timeline && strokesNoted_ != state.timeline->strokeCount()) noteRecording();

@@ -152,7 +152,8 @@ bool MainWindow::begin(OrganLoader::Result result) {
     strokesBefore_ = strokes;
     strokesNoted_.reset();
     operationFile_.clear();
-    setWindowTitle("Resect");
+    const std::string& title = result.scenario.title;
+    setWindowTitle(title.empty() ? QString("Resect") : "Resect - " + shown(title));
   } catch (const std::exception& e) {
     complain(e.what());
     return false;

@@ -81,7 +81,7 @@ class Person:
                                env=self.screen.environment, capture_output=True, text=True, timeout=30).stdout.split()
         named = [(number, subprocess.run(["xdotool", "getwindowname", number], env=self.screen.environment, timeout=30,
                                          capture_output=True, text=True).stdout.strip()) for number in found]
-        return [(number, name) for number, name in named if name != "Resect"]
+        return [(number, name) for number, name in named if not name.startswith("Resect")]
 
     def answer_dialogs(self, answer=None):
         """Each open dialog gets Return or Escape."""
@@ -105,7 +105,7 @@ class Person:
                 self.answer_dialogs("Escape")
                 time.sleep(0.5)
             self.window.drain()
-            self.screen.focus("^Resect$")
+            self.screen.focus("^Resect")
             self.screen.key("Escape", "Escape", "space")
             try:
                 self.window.wait("places", 30)
@@ -171,7 +171,7 @@ def play(program, folder, seconds, seed, organ=("--spacing", "8mm")):
         print(f"{actions} random acts in {time.time() - begun:.0f} s (seed {seed}), started {person.starts} times; "
               f"memory {half:.0f} MB at half time, {end:.0f} MB at the end")
         assert end - half <= MOST_GROWTH, f"it keeps {end - half:.0f} MB more than at half time"
-        person.screen.focus("^Resect$")
+        person.screen.focus("^Resect")
         person.screen.key("ctrl+q")
         person.window.process.wait(timeout=120)
         assert person.window.process.returncode == 0, f"it ended with {person.window.process.returncode}"

@@ -23,8 +23,8 @@ struct OperatingBench {
   std::unique_ptr<OperatingSession> session;
   SbViewportRegion viewport{800, 500};
 
-  explicit OperatingBench(bool living = false) {
-    scenario.organs[0].source.spacing = 0.012;
+  explicit OperatingBench(bool living = false, double spacing = 0.012) {
+    scenario.organs[0].source.spacing = spacing;
     if (living) makeElastic(scenario);
     int place = 0;
     for (const ToolKind& kind : toolKinds())

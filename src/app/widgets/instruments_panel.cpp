@@ -13,7 +13,7 @@ InstrumentsPanel::InstrumentsPanel(QWidget* parent) : QWidget(parent) {
   how_ = new QLabel(this);
   how_->setTextFormat(Qt::PlainText);
   how_->setWordWrap(true);
-  how_->setMinimumHeight(2 * fontMetrics().height() + 6);
+  how_->setMinimumHeight(3 * fontMetrics().height() + 6);
   layout_->addWidget(how_);
   layout_->addStretch();
 }

@@ -233,11 +233,10 @@ void TimelinePanel::follow(const LiveState& state, bool showing, bool answered) 
   play_->setText(speed_ > 0 ? "Stop" : "Play");
   play_->setEnabled(showing && (speed_ > 0 || frame_ < end_));
   goOn_->setEnabled(showing);
-  hint_->setText(!showing      ? QString()
-                 : asked_ >= 0 ? "going there ..."
-                 : frame_ < end_
-                     ? "Looking back: take an instrument to go on from here, or press End"
-                     : "Paused: take an instrument to go on");
+  hint_->setText(!showing        ? QString()
+                 : asked_ >= 0   ? "going there ..."
+                 : frame_ < end_ ? "Looking back: work on to go on from here; End: to the end"
+                                 : "Paused: take an instrument to go on");
   hint_->setToolTip(hint_->text());
   goOn_->setText(frame_ < end_ ? "Go on from here" : "Go on");
   memory_->setText(QString("%1 MB").arg(double(state.historyBytes) / (1 << 20), 0, 'f', 0));

@@ -78,13 +78,26 @@ void CameraMoves::lookAt(const Vec3& point) {
   place(*camera_, toVec(camera_->position.getValue()), point);
 }
 
+// At the point of interest.
+double CameraMoves::metresPerPixel(const SbViewportRegion& viewport) const {
+  const SbVec2s size = viewport.getViewportSizePixels();
+  return 2.0 * camera_->focalDistance.getValue() * std::tan(0.5 * camera_->heightAngle.getValue()) /
+         std::max<int>(1, std::min(size[0], size[1]));
+}
+
 bool CameraMoves::handle(const SoEvent& event, const SbViewportRegion& viewport) {
   if (event.isOfType(SoMouseButtonEvent::getClassTypeId())) {
     const auto& mouse = static_cast<const SoMouseButtonEvent&>(event);
     const int button = mouse.getButton();
     const bool down = mouse.getState() == SoButtonEvent::DOWN;
     if (button == SoMouseButtonEvent::BUTTON4 || button == SoMouseButtonEvent::BUTTON5) {
+      const double before = camera_->focalDistance.getValue();
       if (down) zoom(button == SoMouseButtonEvent::BUTTON4 ? kZoomPerStep : 1 / kZoomPerStep);
+      // What is under the pointer stays there.
+      const SbVec2s at = event.getPosition(), size = viewport.getViewportSizePixels();
+      const double gained =
+          metresPerPixel(viewport) * (1 - before / camera_->focalDistance.getValue());
+      if (down) pan((at[0] - 0.5 * size[0]) * gained, (at[1] - 0.5 * size[1]) * gained);
       return true;
     }
     if (!down) {
@@ -99,10 +112,7 @@ bool CameraMoves::handle(const SoEvent& event, const SbViewportRegion& viewport)
   if (event.isOfType(SoLocation2Event::getClassTypeId()) && drag_ != Drag::None) {
     const SbVec2s at = event.getPosition(), way = at - lastAt_;
     lastAt_ = at;
-    const SbVec2s size = viewport.getViewportSizePixels();
-    const double metres = 2.0 * camera_->focalDistance.getValue() *
-                          std::tan(0.5 * camera_->heightAngle.getValue()) /
-                          std::max<int>(1, std::min(size[0], size[1]));
+    const double metres = metresPerPixel(viewport);
     if (drag_ == Drag::Orbit)
       orbit(way[0] * kOrbitPerPixel, way[1] * kOrbitPerPixel);
     else

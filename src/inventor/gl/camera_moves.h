@@ -3,7 +3,7 @@
 //   right button, dragged                      orbit
 //   left button, dragged                       orbit, if nothing else has used the event
 //   middle button, or Shift and any button     pan
-//   wheel                                      zoom towards the point of interest
+//   wheel                                      zoom; what is under the pointer stays there
 //
 // The camera stays upright. Its elevation is limited, so it cannot turn upside down.
 #pragma once
@@ -45,6 +45,7 @@ class CameraMoves {
   Vec3 pointOfInterest() const;
 
  private:
+  double metresPerPixel(const SbViewportRegion& viewport) const;
   enum class Drag { None, Orbit, Pan };
   SoPerspectiveCamera* camera_;
   Drag drag_ = Drag::None;

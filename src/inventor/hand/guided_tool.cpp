@@ -4,8 +4,6 @@
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <Inventor/nodes/SoEventCallback.h>
 
-#include <utility>
-
 #include "base/error.h"
 #include "inventor/hand/tool_handling.h"
 
@@ -22,12 +20,12 @@ bool isIn(const SbVec2s& pixel, const SbViewportRegion& viewport) {
 
 }  // namespace
 
-void ToolHandling::guide(std::vector<HandStyle> styles) {
-  require(int(styles.size()) == toolCount(), "there are {} styles for {} tools; give one for each",
-          styles.size(), toolCount());
-  styles_ = std::move(styles);
+void ToolHandling::guide(std::span<const ToolModel> models) {
+  require(int(models.size()) == toolCount(), "there are {} models for {} tools; give one for each",
+          models.size(), toolCount());
+  models_ = models;
   depths_.clear();
-  for (const HandStyle& style : styles_) depths_.push_back(style.depth);
+  for (const ToolModel& model : models_) depths_.push_back(handStyleOf(model).depth);
 }
 
 bool ToolHandling::squeezing() const {
@@ -40,13 +38,12 @@ const SurfaceHand* ToolHandling::surfaceHand() const {
 
 Pose ToolHandling::wanted(int tool) const {
   if (tool != held_ || !surfaceHand()) return pose(tool);
-  const Pose there = poseOf(hand_);
-  return constrain ? constrain(tool, there) : there;
+  return poseAboveTable(hand_, models_[std::size_t(tool)].mesh.points);
 }
 
 // The tool that is now held is brought to the pointer, its handle towards the viewer.
 void ToolHandling::takeUpHeld() {
-  const HandStyle& style = styles_[std::size_t(held_)];
+  const HandStyle style = handStyleOf(models_[std::size_t(held_)]);
   Vec3 towardsViewer = -onScreen(Vec3::UnitZ());
   towardsViewer.y() = 0;
   hand_ = takeUp(style, style.forward < 0 ? Vec3(-towardsViewer) : towardsViewer);
@@ -62,6 +59,11 @@ void ToolHandling::aim(const SbVec2s& pixel, const SbViewportRegion& viewport) {
   if (!at) return;
   pointAt(hand_, *at);
   notify();
+}
+
+void ToolHandling::aimAgain() {
+  if (how_ == Hold::Guided && !hand_.pressing && viewport_ && isIn(pointer_, *viewport_))
+    aim(pointer_, *viewport_);
 }
 
 void ToolHandling::startPress() {

@@ -92,11 +92,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch),
                  std::move(history), std::move(ledger_)) {
   for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
-  if (scenario.mode == OperationMode::Operation) {
-    std::vector<HandStyle> styles;
-    for (const ToolModel& model : toolModels_) styles.push_back(handStyleOf(model));
-    tools_.guide(std::move(styles));
-  }
+  if (scenario.mode == OperationMode::Operation) tools_.guide(toolModels_);
   tools_.changed = [this] { handMoved(); };
   tools_.released = [this] { operation_.endStroke(); };
   tools_.readyPlace = Vec3(organBox_.centre().x(), organBox_.max.y() + 0.02,
@@ -196,6 +192,7 @@ bool OperatingSession::handle(const SoEvent& event, const SbViewportRegion& view
   if (events_.getGrabber()) damage_.everything = true;
   if (events_.isHandled()) return true;
   if (camera_.handle(event, viewport)) {
+    tools_.aimAgain();
     damage_.everything = true;
     return true;
   }
@@ -271,6 +268,7 @@ void OperatingSession::look(RoomView view, double aspect) {
     room().frame(view, allThereIs(), aspect);
   else
     room().look(view, organBox_, aspect);
+  tools_.aimAgain();
   damage_.everything = true;
 }
 

@@ -55,6 +55,7 @@ std::optional<SurfacePoint> PointedSurface::under(const SbVec2s& pixel,
 void PointedSurface::begin(const SurfacePoint& first) {
   end();
   last_ = first;
+  reached_ = false;
   for (int o = 0; o < room_.organCount(); ++o) kept_.push_back(room_.organ(o)->snapshot());
 }
 
@@ -70,12 +71,14 @@ std::optional<SurfacePoint> PointedSurface::along(const SbVec2s& pixel,
   if (!(depth > 0)) return std::nullopt;
   const Vec3 beside = ray.at(depth);
   SurfacePoint next{beside, last_.normal};
-  double nearest = std::max(kJump, kSlope * (beside - last_.point).norm());
+  double nearest = reached_ ? std::max(kJump, kSlope * (beside - last_.point).norm())
+                            : (beside - ray.origin).norm();
   for (const auto& [surface, blocks] : kept_) {
     const auto on = firstPointOn(surface, blocks, ray);
     if (!on || (on->point - beside).norm() > nearest) continue;
     nearest = (on->point - beside).norm();
     next = seenFrom(ray, *on);
+    reached_ = true;
   }
   return last_ = next;
 }

@@ -26,8 +26,9 @@ class PointedSurface {
   // are now. Else an instrument that dents the surface would follow the dent down.
   void begin(const SurfacePoint& first);
   void end();
-  // The point under the pixel. Where the pointer leaves the organ, or jumps to another part of it,
-  // the stroke goes on in the plane of the picture.
+  // The point under the pixel. A stroke that begins beside the organ goes on to it. Where the
+  // pointer then leaves the organ, or jumps to another part of it, the stroke goes on in the plane
+  // of the picture.
   std::optional<SurfacePoint> along(const SbVec2s& pixel, const SbViewportRegion& viewport);
 
  private:
@@ -36,6 +37,7 @@ class PointedSurface {
   OperatingRoom& room_;
   std::vector<std::pair<SurfaceCopy, TriangleBlocks>> kept_;  // of the organs, at begin()
   SurfacePoint last_;                                         // of the stroke
+  bool reached_ = false;                                      // it has been on an organ
 };
 
 }  // namespace resect

@@ -78,20 +78,21 @@ void OperatingSession::leave() {
 void OperatingSession::followMoment() {
   following_ = true;
   const bool guided = tools_.usual() == ToolHandling::Hold::Guided;
+  // Guided tools that stood still at work had been left; the one that moved was in the hand. If
+  // none did, the hand keeps what it has, which may have hovered.
+  int inHand = guided ? tools_.held() : -1;
   std::vector<std::uint8_t> left(state_.played.size());
   for (std::size_t i = 0; i < state_.played.size(); ++i) {
     room().setToolPose(int(i), state_.played[i].pose);
-    left[i] = state_.played[i].inHand;
+    if (!state_.played[i].inHand) continue;
+    left[i] = guided && !state_.moved[i];
+    if (!left[i]) inHand = int(i);
   }
-  // The hand keeps a guided tool, which may have hovered then; else it gets one that worked.
-  int inHand = guided ? tools_.held() : -1;
-  const auto last = std::ranges::find(left.rbegin(), left.rend(), 1);
-  if (inHand < 0 && last != left.rend()) inHand = int(left.rend() - last) - 1;
+  if (inHand >= 0 && left[std::size_t(inHand)]) inHand = -1;
   if (inHand != tools_.held()) {
     tools_.hold(inHand, tools_.usual());
     if (inHand >= 0) room().setToolPose(inHand, state_.played[std::size_t(inHand)].pose);
   }
-  if (inHand >= 0) left[std::size_t(inHand)] = 0;
   if (guided) tools_.setLeft(left);
   iso_.setValue(state_.iso);
   toolsChanged();

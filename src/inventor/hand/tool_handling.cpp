@@ -111,7 +111,7 @@ void ToolHandling::hold(int tool, Hold how) {
 
 void ToolHandling::take(int tool) {
   requireTool(tool);
-  if (pressing() && tool != held_) leave();
+  if (tool != held_ && usual() == Hold::Guided && held_ >= 0) pressing() ? leave() : putBack(held_);
   const bool rested = atRest(tool);
   hold(tool, usual());
   if (rested && !surfaceHand()) setPose(tool, {readyPlace, workingRotation()});

@@ -31,6 +31,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/pose.h"
@@ -69,11 +70,12 @@ class ToolHandling {
   // World pose of a tool, without the scale that a handle box may have set.
   Pose pose(int tool) const;
 
-  // From now on, tools that are taken follow the surface. styles: one per tool.
-  void guide(std::vector<HandStyle> styles);
+  // From now on, tools that are taken follow the surface, and stay above the table. models: one per
+  // tool; must outlive this object.
+  void guide(std::span<const ToolModel> models);
   // How tools are held that are taken by their number or dragged: Guided, or Direct without
   // guide().
-  Hold usual() const { return styles_.empty() ? Hold::Direct : Hold::Guided; }
+  Hold usual() const { return models_.empty() ? Hold::Direct : Hold::Guided; }
   // The hand over the surface; null unless the tool in hand is guided and pointed at something.
   const SurfaceHand* surfaceHand() const;
   // The pose of the tool in hand at which it began to press; only while pressing().
@@ -87,7 +89,8 @@ class ToolHandling {
   // working rotation (operation/room.h), and its tip moves to where the tool's middle was.
   void hold(int tool, Hold how);
   // Calls hold(tool, usual()). If the tool was at its rest pose, its tip moves to readyPlace, or to
-  // where the pointer is. If the tool in hand was pressing, it is left so.
+  // where the pointer is. With guide(), the tool that was in hand before is put back, or is left
+  // at work if it was pressing.
   void take(int tool);
   // Leaves the tool in hand where it is, holding or pressing, until it is taken again or put back.
   void leave();
@@ -96,6 +99,8 @@ class ToolHandling {
   // Moves the tool to its rest pose, and lets go of it if it is in hand.
   void putBack(int tool);
   void setPose(int tool, const Pose& pose);
+  // Points again at what is now under the pointer: the camera has moved.
+  void aimAgain();
   // Ends a drag: the mouse moves no tool until a button is pressed again.
   void interrupt();
 
@@ -152,9 +157,9 @@ class ToolHandling {
   Hold precise_ = Hold::HandleBox;  // the manipulator that the next left click brings
   SbVec3f place_;                   // the manipulator's translation before it last set a scale
 
-  std::vector<HandStyle> styles_;  // per tool; empty without guide()
-  std::vector<double> depths_;     // per tool: how deep it works, m
-  SurfaceHand hand_;               // of the tool in hand, if it is guided
+  std::span<const ToolModel> models_;  // per tool; empty without guide()
+  std::vector<double> depths_;         // per tool: how deep it works, m
+  SurfaceHand hand_;                   // of the tool in hand, if it is guided
   Pose pressedFrom_;
   PointedSurface pointed_;
   // Where the pointer was last, to which a tool is taken that follows the surface.

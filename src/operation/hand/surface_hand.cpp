@@ -44,11 +44,15 @@ HandStyle handStyleOf(const ToolModel& tool) {
   HandStyle style;
   if (tool.jaws.opening > 0) {
     // One jaw below the surface and one above.
-    style = {.upright = 0.42, .forward = -0.91, .hover = 0.014, .depth = 0.003};
+    style = {.upright = 0.42, .forward = -0.91, .hover = 0.014, .depth = 0.008};
     style.turnHovering = 0.06;
     style.closesJaws = true;
   } else if (tool.edge.size() > 1) {
     style = {.upright = 0.8, .forward = 0.6, .hover = 0.005, .depth = 0.016};
+    double reach = 0;  // of the edge along the handle
+    for (const Vec3& p : tool.edge) reach = std::max(reach, (p - tool.edge.front()).dot(tool.axis));
+    constexpr double kOut = 0.004;  // m
+    style.mostDepth = std::clamp(style.upright * reach - kOut, style.depth, style.mostDepth);
     style.turnHovering = 0.02;
     style.turnPressing = 0.012;
     style.entersSlowly = style.headsForWay = true;
@@ -97,14 +101,24 @@ void press(SurfaceHand& hand) {
 void lift(SurfaceHand& hand) { hand.pressing = false; }
 
 void goDeeper(SurfaceHand& hand, double more) {
-  const double before = hand.depth;
-  hand.depth = std::clamp(hand.depth + more, 0.0, kMostDepth);
-  if (hand.pressing) hand.way += std::max(0.0, hand.depth - before);
+  hand.depth = std::clamp(hand.depth + more, 0.0, hand.style.mostDepth);
+  if (hand.pressing) hand.way += std::max(0.0, more) / kDescent;
 }
 
 void turnHeading(SurfaceHand& hand, double angle) {
   hand.heading = rotationAbout(hand.up, angle) * hand.heading;
 }
+
+namespace {
+
+// The direction in which the instrument goes in, of a length that gains 1 m of depth. A blade goes
+// in along its handle, so that it enters where the hand points.
+Vec3 wayIn(const SurfaceHand& hand, const Vec3& handle) {
+  return hand.pressing && hand.style.entersSlowly ? Vec3(-handle / handle.dot(hand.up))
+                                                  : Vec3(-hand.up);
+}
+
+}  // namespace
 
 Pose poseOf(const SurfaceHand& hand) {
   require(hand.pointing, "the hand points at nothing; point at a surface first");
@@ -117,10 +131,18 @@ Pose poseOf(const SurfaceHand& hand) {
   if (hand.pressing)
     depth =
         style.entersSlowly ? std::min(hand.depth, kFirstDepth + kDescent * hand.way) : hand.depth;
-  // A blade goes in along its handle, so that it enters where the hand points.
-  const Vec3 inwards =
-      style.entersSlowly && depth > 0 ? Vec3(handle / handle.dot(hand.up)) : hand.up;
-  return {hand.at.point - depth * inwards, Eigen::Quaterniond(axes)};
+  return {hand.at.point + depth * wayIn(hand, handle), Eigen::Quaterniond(axes)};
+}
+
+Pose poseAboveTable(const SurfaceHand& hand, std::span<const Vec3> points) {
+  const Pose pose = poseOf(hand);
+  double lowest = 0;
+  for (const Vec3& p : points) lowest = std::min(lowest, (pose * p).y());
+  if (!(lowest < 0)) return pose;
+  const Vec3 in = wayIn(hand, pose.rotation * Vec3::UnitZ());
+  constexpr double kLevel = -0.2;  // a way in that hardly leads down is left straight up
+  const Vec3 out = in.y() < kLevel ? Vec3(lowest / in.y() * -in) : Vec3(0, -lowest, 0);
+  return {pose.position + out, pose.rotation};
 }
 
 }  // namespace resect

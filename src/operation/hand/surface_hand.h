@@ -6,6 +6,8 @@
 // and turns towards the motion of the hand: a blade cuts towards where it goes.
 #pragma once
 
+#include <span>
+
 #include "geometry/pose.h"
 #include "geometry/ray.h"
 #include "tools/tool.h"
@@ -16,10 +18,11 @@ namespace resect {
 struct HandStyle {
   // The direction to the handle is `upright` times the normal plus `forward` times the heading.
   double upright = 1, forward = 0;
-  double hover = 0.005;       // m: height of the tip over the surface while hovering
-  double depth = 0.01;        // m: of the tip below the surface while pressing, at first
-  double turnHovering = 0;    // m of way in which the heading follows the hand; 0: it does not turn
-  double turnPressing = 0;    // the same while pressing
+  double hover = 0.005;     // m: height of the tip over the surface while hovering
+  double depth = 0.01;      // m: of the tip below the surface while pressing, at first
+  double mostDepth = 0.06;  // m: a blade whose edge does not reach out of the tissue makes a tunnel
+  double turnHovering = 0;  // m of way in which the heading follows the hand; 0: it does not turn
+  double turnPressing = 0;  // the same while pressing
   bool entersSlowly = false;  // the tip goes down no farther than it goes on
   bool headsForWay = false;   // the first millimetres of a stroke set the heading
   bool closesJaws = false;    // pressing closes the jaws
@@ -27,11 +30,9 @@ struct HandStyle {
 // By the model's geometry: a blade has an edge, scissors have jaws, a hook has a bend.
 HandStyle handStyleOf(const ToolModel& tool);
 
-constexpr double kMostDepth = 0.06;  // m
-
 struct SurfaceHand {
   HandStyle style;
-  double depth = 0.01;           // m, 0 to kMostDepth
+  double depth = 0.01;           // m, 0 to style.mostDepth
   SurfacePoint at;               // at which the hand points
   Vec3 up = Vec3::UnitY();       // unit: the normal, averaged over the way
   Vec3 heading = Vec3::UnitZ();  // unit, at right angles to `up`: the edge faces this way
@@ -53,5 +54,8 @@ void turnHeading(SurfaceHand& hand, double angle);
 // Where the hand has the instrument: the pose of the tool's frame, whose origin is the tip. The
 // hand must be pointing.
 Pose poseOf(const SurfaceHand& hand);
+// The same, drawn back the way it went in until none of `points`, in the tool's frame, m, lies
+// below y = 0, the top of the table.
+Pose poseAboveTable(const SurfaceHand& hand, std::span<const Vec3> points);
 
 }  // namespace resect

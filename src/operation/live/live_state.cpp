@@ -8,6 +8,7 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
               double before, const std::vector<double>& peaks) {
   constexpr double kTouchShows = 0.1;    // s: removed tissue is in contact for one frame only
   constexpr double kFeltContact = 0.01;  // N
+  constexpr double kMoved = 1e-5;        // m
   state.frame = report.frame + 1;
   state.time = report.time;
   std::int64_t removed = 0;
@@ -30,6 +31,7 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   const std::vector<ToolState>& tools = simulation.tools();
   state.poses.resize(tools.size());
   state.inHand.resize(tools.size());
+  state.moved.resize(tools.size());
   state.tips.resize(tools.size());
   state.squeeze.resize(tools.size());
   state.forces.resize(tools.size());
@@ -41,6 +43,8 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   for (std::size_t i = 0; i < tools.size(); ++i) {
     state.poses[i] = tools[i].pose();
     state.inHand[i] = tools[i].inHand;
+    const ToolWay& way = tools[i].way;
+    state.moved[i] = (way.to.pose.position - way.from.pose.position).norm() > kMoved;
     state.squeeze[i] = tools[i].way.to.squeeze;
     state.forces[i] = tools[i].feltForce.norm();
     double& touch = state.lastTouch[i];

@@ -41,6 +41,7 @@ struct LiveState {
   // The lists below have one element per tool.
   std::vector<Pose> poses;           // where it is
   std::vector<std::uint8_t> inHand;  // 1: it is in hand, or left holding or pressing
+  std::vector<std::uint8_t> moved;   // 1: it moved in the last frame
   std::vector<TipPlace> tips;        // valid only while the tool is in hand
   std::vector<double> squeeze;       // of its jaws: 0 wide open, 1 closed
   std::vector<double> forces;        // smoothed force of the tissue on the tool, N

@@ -5,9 +5,11 @@
 namespace resect {
 namespace {
 
-bool still(const ToolInput& a, const ToolInput& b) {
-  return a.pose.position == b.pose.position &&
-         a.pose.rotation.coeffs() == b.pose.rotation.coeffs() && a.inHand == b.inHand &&
+// Whether a tool that did `a` when the hand let go still rests when it does `b`.
+bool rests(const ToolInput& a, const ToolInput& b) {
+  constexpr double kTurns = 0.05;  // rad
+  return (a.pose.position - b.pose.position).norm() < StrokeTracker::kMoves &&
+         angleBetween(a.pose.rotation, b.pose.rotation) < kTurns && a.inHand == b.inHand &&
          a.squeeze == b.squeeze && a.pedal == b.pedal;
 }
 
@@ -17,13 +19,13 @@ void StrokeTracker::add(std::int64_t frame, const FrameInput& input,
                         std::span<const OperationEvent> events) {
   const std::size_t tools = input.tools.size();
   resting_.resize(tools);
-  if (input.strokeEnds) inStroke_ = false, std::ranges::fill(resting_, 1);
+  if (input.strokeEnds) inStroke_ = false;
   bool works = false;  // a tool that is in hand and does not rest
   for (std::size_t i = 0; i < tools; ++i) {
-    if (i >= before_.size() || !still(input.tools[i], before_[i])) resting_[i] = 0;
+    if (input.strokeEnds) resting_[i] = input.tools[i];
+    if (resting_[i] && !rests(*resting_[i], input.tools[i])) resting_[i].reset();
     works |= input.tools[i].inHand && !resting_[i];
   }
-  before_ = input.tools;
 
   Stroke now{frame - 1, frame, -1, 0, 0, 0};
   for (const OperationEvent& event : events) {

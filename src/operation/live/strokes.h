@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,12 +33,14 @@ class StrokeTracker {
   bool inStroke() const { return inStroke_; }  // the last stroke goes on
 
   static constexpr double kEndSeconds = 1;
+  static constexpr double kMoves = 0.003;  // m: a tool that moves less still rests
 
  private:
   std::vector<Stroke> strokes_;
   EventMemory memory_;
-  std::vector<ToolInput> before_;  // tools of the last frame
-  std::vector<char> resting_;      // per tool: the hand has let go, and it has not moved since then
+  // Per tool: what it did when the hand let go, until it moves on. (A tool that is left at work may
+  // still be on its last millimetre then.)
+  std::vector<std::optional<ToolInput>> resting_;
   bool inStroke_ = false;
   double untouched_ = 0;  // s, since the last contact of the stroke
 };

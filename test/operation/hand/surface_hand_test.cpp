@@ -108,7 +108,7 @@ TEST_CASE("the wheel presses deeper, within bounds, and turns the edge") {
   goDeeper(hand, 0.01);
   CHECK(depthOf(hand, up) > 0.01);  // without a way of the hand
   goDeeper(hand, 1);
-  CHECK(hand.depth == kMostDepth);
+  CHECK(hand.depth == hand.style.mostDepth);
   goDeeper(hand, -1);
   CHECK(hand.depth == 0);
   turnHeading(hand, 0.5);
