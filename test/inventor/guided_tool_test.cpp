@@ -92,7 +92,7 @@ TEST_CASE("a stroke over the dome or a lobe, along or across, opens the skin in 
       bench.press(begin);
       bench.draw(begin, end);
       bench.release(end);
-      bench.waitSeconds(0.5);
+      bench.waitSeconds(1.2);
       const std::vector<int> holes = holesIn(*bench.session->room().organ());
       REQUIRE_FALSE(holes.empty());
       int corners = 0;

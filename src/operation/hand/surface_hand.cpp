@@ -10,12 +10,11 @@
 namespace resect {
 namespace {
 
-constexpr double kUpWay = 0.015;       // m of way over which the normal is averaged
-constexpr double kFirstDepth = 0.001;  // m: of an edge that enters slowly, at the press
-constexpr double kDescent = 1.5;       // m of depth per m of way, of such an edge
-constexpr double kStart = 0.0015;      // m of way that show the direction of a stroke
-constexpr double kStraight = 0.006;    // m of way in which a stroke may still choose its direction
-constexpr double kStill = 1e-6;        // m
+constexpr double kUpWay = 0.015;     // m of way over which the normal is averaged
+constexpr double kDescent = 1.5;     // m of depth per m of way, of such an edge
+constexpr double kStart = 0.002;     // m of way that show the direction of a stroke; then it enters
+constexpr double kStraight = 0.006;  // m of way in which a stroke may still choose its direction
+constexpr double kStill = 1e-6;      // m
 
 // A unit vector at right angles to `up`, as near to `wanted` as possible.
 Vec3 alongSurface(const Vec3& wanted, const Vec3& up) {
@@ -102,7 +101,7 @@ void lift(SurfaceHand& hand) { hand.pressing = false; }
 
 void goDeeper(SurfaceHand& hand, double more) {
   hand.depth = std::clamp(hand.depth + more, 0.0, hand.style.mostDepth);
-  if (hand.pressing) hand.way += std::max(0.0, more) / kDescent;
+  if (hand.pressing) hand.way = std::max(hand.way, kStart) + std::max(0.0, more) / kDescent;
 }
 
 void turnHeading(SurfaceHand& hand, double angle) {
@@ -129,8 +128,7 @@ Pose poseOf(const SurfaceHand& hand) {
   axes << -edge.cross(handle), -edge, handle;
   double depth = -style.hover;
   if (hand.pressing)
-    depth =
-        style.entersSlowly ? std::min(hand.depth, kFirstDepth + kDescent * hand.way) : hand.depth;
+    depth = style.entersSlowly ? std::min(hand.depth, kDescent * (hand.way - kStart)) : hand.depth;
   return {hand.at.point + depth * wayIn(hand, handle), Eigen::Quaterniond(axes)};
 }
 

@@ -19,8 +19,9 @@ inline double squeezeTowards(double wanted, double now, double duration) {
   return std::clamp(wanted, now - most, now + most);
 }
 
-constexpr double kHandTime = 0.04;  // s: time in which a hand covers 63 % of what is left of a way
-constexpr double kHandTurning = 6.0;  // rad/s: most that a hand turns
+constexpr double kHandTime = 0.04;   // s: time in which a hand covers 63 % of what is left of a way
+constexpr double kHandTurning = 12;  // rad/s: most that a hand turns
+constexpr double kTurnsFirst = 0.35;  // rad: by more than this a hand turns before it moves on
 
 // How a hand brings a tool to its pose.
 struct HandMotion {
@@ -36,7 +37,8 @@ inline Pose poseTowards(const Pose& wanted, const Pose& now, double duration, do
   const double angle = angleBetween(now.rotation, wanted.rotation);
   if (length < kNear && angle < kAligned) return wanted;
   const double share = 1 - math::exp(-duration / kHandTime);
-  const double moved = std::min(share, fastest * duration / std::max(length, kNear));
+  const double moved =
+      angle > kTurnsFirst ? 0 : std::min(share, fastest * duration / std::max(length, kNear));
   const double turned = std::min(share, kHandTurning * duration / std::max(angle, kAligned));
   return {now.position + moved * (wanted.position - now.position),
           slerp(now.rotation, wanted.rotation, turned)};

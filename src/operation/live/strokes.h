@@ -33,7 +33,7 @@ class StrokeTracker {
   bool inStroke() const { return inStroke_; }  // the last stroke goes on
 
   static constexpr double kEndSeconds = 1;
-  static constexpr double kMoves = 0.003;  // m: a tool that moves less still rests
+  static constexpr double kMoves = 0.008;  // m: a tool that moves less still rests
 
  private:
   std::vector<Stroke> strokes_;

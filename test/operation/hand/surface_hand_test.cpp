@@ -106,7 +106,7 @@ TEST_CASE("the wheel presses deeper, within bounds, and turns the edge") {
   pointAt(hand, {Vec3::Zero(), up});
   press(hand);
   goDeeper(hand, 0.01);
-  CHECK(depthOf(hand, up) > 0.01);  // without a way of the hand
+  CHECK(depthOf(hand, up) == doctest::Approx(0.01));  // without a way of the hand
   goDeeper(hand, 1);
   CHECK(hand.depth == hand.style.mostDepth);
   goDeeper(hand, -1);

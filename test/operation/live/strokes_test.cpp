@@ -63,7 +63,7 @@ TEST_CASE("a tool that was left holding takes no part in the strokes of the othe
   CHECK_FALSE(hands.tracker.inStroke());
 
   // It is moved again: a stroke.
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 8; ++i) {
     CHECK_FALSE(hands.tracker.inStroke());
     hands.move(1);
     hands.step();
