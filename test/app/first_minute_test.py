@@ -9,19 +9,16 @@ import time
 import unittest
 from pathlib import Path
 
-from screen import ScreenTest, Window
+from screen import ScreenTest
 
 PROGRAM, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 
 
 class FirstMinute(ScreenTest):
-    folder = FOLDER
+    program, folder = PROGRAM, FOLDER
 
     def opened(self, *args):
-        window = Window(PROGRAM, self.screen, "--size", "1240x900", *args)
-        self.addCleanup(window.quit)
-        window.wait("ready")
-        self.screen.focus("^Resect")
+        window = super().opened(*args)
         time.sleep(1.5)  # the liver sinks
         return window
 

@@ -28,14 +28,7 @@ PROGRAM, FOLDER = OPTIONS.program, OPTIONS.folder
 
 
 class KeptOperation(ScreenTest):
-    folder = FOLDER
-
-    def opened(self, *args):
-        window = Window(PROGRAM, self.screen, "--size", "1240x900", *args)
-        self.addCleanup(window.quit)
-        window.wait("ready")
-        self.screen.focus("^Resect")
-        return window
+    program, folder = PROGRAM, FOLDER
 
     def stroke(self, window, first, last, deep=20):
         """The instrument in hand to `first`, into the organ with the wheel, and on to `last`."""

@@ -193,8 +193,16 @@ class Window:
 
 
 class ScreenTest(unittest.TestCase):
-    """Tests on a screen of their own; pictures and settings go to `folder`, which is made anew."""
-    folder = None
+    """Tests of `program` on a screen of their own; pictures and settings go to `folder`, which is made anew."""
+    program = folder = None
+
+    def opened(self, *args):
+        """A window, ready and with the keys."""
+        window = Window(self.program, self.screen, "--size", "1240x900", *args)
+        self.addCleanup(window.quit)
+        window.wait("ready")
+        self.screen.focus("^Resect")
+        return window
 
     @classmethod
     def setUpClass(cls):
