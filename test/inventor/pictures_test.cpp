@@ -99,6 +99,9 @@ TEST_CASE("cut tissue differs from the capsule at one glance") {
                    cut[1], cut[2]));
   // A just noticeable difference is about 3 of 255; ten times that is seen without looking for it.
   CHECK(distance(capsule, cut) > 30);
+  // Its structure is seen: it is neither black nor does it glow.
+  CHECK(brightness(cut) > 0.75 * brightness(capsule));
+  CHECK(brightness(cut) < 1.6 * brightness(capsule));
 }
 
 TEST_CASE("the rim of a cut whose lips touch is a thin dark line") {
