@@ -1,4 +1,5 @@
 #include "inventor/gl/camera_moves.h"
+#include "inventor/gl/vectors.h"
 
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/events/SoLocation2Event.h>
@@ -13,9 +14,6 @@ namespace {
 
 constexpr double kOrbitPerPixel = 0.006;  // rad
 constexpr double kZoomPerStep = 0.88;
-
-Vec3 toVec(const SbVec3f& v) { return {v[0], v[1], v[2]}; }
-SbVec3f toSb(const Vec3& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
 
 Vec3 axisOf(const SoPerspectiveCamera& camera, const SbVec3f& axis) {
   SbVec3f world;

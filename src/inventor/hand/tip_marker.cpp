@@ -1,4 +1,5 @@
 #include "inventor/hand/tip_marker.h"
+#include "inventor/gl/vectors.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoCoordinate3.h>
@@ -19,8 +20,6 @@ namespace {
 
 constexpr double kNear = 0.008;  // m: closer than this the tip glows
 constexpr float kRing = 0.006f;  // m
-
-SbVec3f toSb(const Vec3& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "inventor/gl/vectors.h"
 #include "inventor/hand/tool_handling.h"
 
 namespace resect {
@@ -21,8 +22,6 @@ constexpr int kClickPixels = 4;                           // a press that moves 
 constexpr double kWheelStep = 0.005;                      // m
 constexpr double kKeyStep = 0.002;                        // m
 constexpr double kTurnPerPixel = 0.006, kKeyTurn = 0.05;  // rad
-
-Vec3 toVec(const SbVec3f& v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 

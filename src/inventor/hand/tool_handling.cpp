@@ -1,4 +1,5 @@
 #include "inventor/hand/tool_handling.h"
+#include "inventor/gl/vectors.h"
 
 #include <Inventor/SoPath.h>
 #include <Inventor/actions/SoGetMatrixAction.h>
@@ -23,8 +24,6 @@ namespace resect {
 namespace {
 
 constexpr float kScaleRounding = 1e-8f;  // squared distance of scales
-
-Vec3 toVec(const SbVec3f& v) { return {v[0], v[1], v[2]}; }
 
 SoPath* pathTo(SoNode* root, SoNode* node) {
   SoSearchAction search;

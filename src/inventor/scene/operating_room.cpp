@@ -27,14 +27,13 @@
 #include "inventor/gl/SoShadeOnce.h"
 #include "inventor/gl/SoShadowMaps.h"
 #include "inventor/gl/materials.h"
+#include "inventor/gl/vectors.h"
 #include "inventor/init.h"
 #include "inventor/scene/model_nodes.h"
 
 namespace resect {
 
 namespace {
-
-SbVec3f toSb(const Vec3& v) { return SbVec3f(float(v.x()), float(v.y()), float(v.z())); }
 
 SoSeparator* uncachedSeparator() {
   auto* separator = new SoSeparator;

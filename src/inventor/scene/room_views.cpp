@@ -6,12 +6,11 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "inventor/gl/vectors.h"
 #include "inventor/scene/operating_room.h"
 
 namespace resect {
 namespace {
-
-SbVec3f toSb(const Vec3& v) { return SbVec3f(float(v.x()), float(v.y()), float(v.z())); }
 
 struct Direction {
   Vec3 towards;        // from the target to the camera
