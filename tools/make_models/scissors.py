@@ -1,11 +1,10 @@
 """Dissecting scissors: two slim blades that turn about a screw, long shanks, two finger rings.
 Millimetres. The two halves are one shape, turned by half a turn about the Z axis."""
 
-import math
-
 from description import description_text
-from inventor import Material, model_text, numbers
-from loft import circle, close_end, close_start, loft, through
+from inventor import Material, model_text
+from jaws import both_opened, finger_ring, half_turned, middle, screw
+from loft import close_end, close_start, loft, through
 from surface import Surface
 
 LENGTH = 168.0
@@ -89,10 +88,9 @@ def section(z):
 def build_half(surface, part, turned):
     """One half: a skin from tip to shank and a ring that overlaps its end. `turned`: by half a turn
     about Z."""
-    sign = -1.0 if turned else 1.0
 
     def place(p):
-        return (sign * p[0], sign * p[1], p[2])
+        return half_turned(p) if turned else p
 
     rings = [[place(p) for p in section(z)] for z in STATIONS]
 
@@ -105,36 +103,8 @@ def build_half(surface, part, turned):
     loft(surface, rings, label)
     close_end(surface, rings[-1], middle(rings[-1]), label)
 
-    tube = []
-    for k in range(RING_STEPS):
-        a = 2.0 * math.pi * k / RING_STEPS
-        outward = (math.cos(a), math.sin(a))
-        row = []
-        for across, along in circle(TUBE_STEPS, RING_TUBE[0], RING_TUBE[1]):
-            y = RING_CENTRE[0] + (RING_HALF[0] + along) * outward[0]
-            z = RING_CENTRE[1] + (RING_HALF[1] + along) * outward[1]
-            row.append(place((GAP + RING_TUBE[0] + across, y, z)))
-        tube.append(row)
-    loft(surface, tube + tube[:1], lambda row, column: (part, "ring"))
-
-
-def middle(ring):
-    return tuple(sum(p[a] for p in ring) / len(ring) for a in range(3))
-
-
-def screw(surface):
-    def disc(x, radius):
-        return [(x, y, PIVOT + z) for y, z in circle(20, radius)]
-
-    rings = [
-        disc(-SCREW_HALF, 0.8 * SCREW_RADIUS),
-        disc(-SCREW_HALF + 0.5, SCREW_RADIUS),
-        disc(SCREW_HALF - 0.5, SCREW_RADIUS),
-        disc(SCREW_HALF, 0.8 * SCREW_RADIUS),
-    ]
-    close_start(surface, rings[0], (-SCREW_HALF, 0.0, PIVOT), lambda r, c: ("Screw", "head"))
-    loft(surface, rings, lambda r, c: ("Screw", ("side", r)))
-    close_end(surface, rings[-1], (SCREW_HALF, 0.0, PIVOT), lambda r, c: ("Screw", "other head"))
+    centre = (GAP + RING_TUBE[0], *RING_CENTRE)
+    finger_ring(surface, part, place, centre, RING_HALF, RING_TUBE, (RING_STEPS, TUBE_STEPS))
 
 
 def build():
@@ -143,18 +113,8 @@ def build():
     surface = Surface(unit=0.001)
     build_half(surface, "JawUpper", turned=False)
     build_half(surface, "JawLower", turned=True)
-    screw(surface)
+    screw(surface, PIVOT, SCREW_RADIUS, SCREW_HALF)
     return surface
-
-
-def opened(angle):
-    """The transform that holds a half open: it turns about the screw."""
-    return (
-        "Transform {\n"
-        f"  rotation 1 0 0 {numbers([angle], 6)}\n"
-        f"  center 0 0 {numbers([0.001 * PIVOT], 6)}\n"
-        "}\n"
-    )
 
 
 def files():
@@ -182,10 +142,7 @@ towards +Z; the blades move in the Y-Z plane.
         ("jaw_axis", (1.0, 0.0, 0.0), "Unit vector along the screw."),
         ("jaw_opening", OPENING, "Angle between the edges when wide open (rad)."),
     ]
-    before = {
-        "JawUpper": opened(0.5 * OPENING),
-        "JawLower": opened(-0.5 * OPENING),
-    }
+    before = both_opened(OPENING, PIVOT, ("JawUpper", "JawLower"))
     materials = {part: STEEL for part in ("JawUpper", "JawLower", "Screw")}
     return {
         "scissors.iv": model_text(description, build(), materials, before=before),
