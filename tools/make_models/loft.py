@@ -4,7 +4,7 @@ A ring is a closed row of points, right-handed about the direction of travel fro
 rings of a skin have the same number of points; ring[i] of one is joined to ring[i] of the next, so
 the skin's normals point outwards. `label(row, column)` returns (part, smooth) for the band between
 rings row and row + 1, points column and column + 1; row is -1 for the fan that closes the start and
--2 for the one that closes the end.
+-2 for the one that closes the end. Where it returns None, the quad is left out.
 """
 
 import math
@@ -21,7 +21,9 @@ def loft(surface, rings, label=plain):
         count = len(here)
         for i in range(count):
             j = (i + 1) % count
-            surface.quad(here[i], here[j], there[j], there[i], *label(row, i))
+            found = label(row, i)
+            if found:
+                surface.quad(here[i], here[j], there[j], there[i], *found)
 
 
 def close_start(surface, ring, apex, label=plain):

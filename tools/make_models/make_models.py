@@ -12,6 +12,7 @@ import baton
 import hook
 import scalpel
 import scissors
+import suction
 import table
 import toolbox
 
@@ -19,7 +20,7 @@ import toolbox
 def all_files():
     """{file name: text} of everything, in a fixed order."""
     result = {}
-    for module in (scalpel, hook, baton, scissors, table, toolbox):
+    for module in (scalpel, hook, baton, scissors, suction, table, toolbox):
         result.update(module.files())
     return result
 
