@@ -9,6 +9,7 @@ import os
 import sys
 
 import baton
+import clip_applier
 import hook
 import scalpel
 import scissors
@@ -20,7 +21,7 @@ import toolbox
 def all_files():
     """{file name: text} of everything, in a fixed order."""
     result = {}
-    for module in (scalpel, hook, baton, scissors, suction, table, toolbox):
+    for module in (scalpel, hook, baton, scissors, suction, clip_applier, table, toolbox):
         result.update(module.files())
     return result
 
