@@ -4,8 +4,10 @@ descriptions say.
     python3 test/models/models_test.py [-v]
 """
 
+import math
 import os
 import random
+import re
 import subprocess
 import sys
 import tomllib
@@ -16,8 +18,18 @@ import solid
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FOLDER = os.path.join(SOURCE, "data", "tools")
-INSTRUMENTS = ("scalpel", "hook", "baton", "scissors")
-SHELLS = {"scalpel": 1, "hook": 1, "baton": 1, "scissors": 5, "table": 1, "toolbox": 2}
+INSTRUMENTS = ("scalpel", "hook", "baton", "scissors", "suction", "clip_applier", "bipolar")
+SHELLS = {
+    "scalpel": 1,
+    "hook": 1,
+    "baton": 1,
+    "scissors": 5,
+    "suction": 1,
+    "clip_applier": 7,
+    "bipolar": 5,
+    "table": 1,
+    "toolbox": 2,
+}
 MILLIMETRE = 0.001
 
 
@@ -41,6 +53,19 @@ class Model:
 MODELS = {name: Model(name) for name in SHELLS}
 
 
+def inventor_parts(name):
+    """{part: its points} of a model with named parts."""
+    with open(os.path.join(FOLDER, name + ".iv"), encoding="utf-8") as file:
+        text = file.read()
+    head, *parts = re.split(r"(?=^  DEF )", text, flags=re.MULTILINE)
+    header = head.splitlines()[0] + "\n"
+    result = {}
+    for part in parts:
+        strips = inventor_text.read_strips(header + part.rstrip().removesuffix("\n}") + "\n")
+        result[part.split()[1]] = [position for strip in strips for position, _ in strip]
+    return result
+
+
 def description(name):
     with open(os.path.join(FOLDER, name + ".toml"), "rb") as file:
         return tomllib.load(file)
@@ -60,7 +85,8 @@ class EveryModel(unittest.TestCase):
             shells = solid.shells(model.faces)
             self.assertEqual(len(shells), SHELLS[name])
             for shell in shells:
-                self.assertGreater(solid.volume([model.triangles[k] for k in shell]), 1e-7)
+                # The least is half of the clip applier's clip.
+                self.assertGreater(solid.volume([model.triangles[k] for k in shell]), 5e-9)
 
         self.check(test)
 
@@ -115,7 +141,9 @@ class EveryInstrument(unittest.TestCase):
 
     def test_has_its_tip_on_the_surface_and_the_handle_along_its_axis(self):
         def test(model, text):
-            self.assertLess(solid.distance(text["tip"], model.triangles), 0.01 * MILLIMETRE)
+            # The tip of a suction tube is the middle of its mouth, away from the rim.
+            most = 1.8 if text["kind"] == "suction" else 0.01
+            self.assertLess(solid.distance(text["tip"], model.triangles), most * MILLIMETRE)
             self.assertAlmostEqual(solid.length(text["axis"]), 1.0, delta=1e-9)
             along = [
                 solid.dot(solid.subtract(point, text["tip"]), text["axis"])
@@ -129,7 +157,7 @@ class EveryInstrument(unittest.TestCase):
     def test_names_its_kind_and_its_model_file(self):
         for name in INSTRUMENTS:
             text = description(name)
-            self.assertEqual((text["kind"], text["model"]), (name, name + ".iv"))
+            self.assertEqual((text["kind"], text["model"]), (name.replace("_", "-"), name + ".iv"))
             self.assertTrue(text["name"] and text["description"])
 
 
@@ -207,6 +235,41 @@ class TheBaton(unittest.TestCase):
 
     def test_touches_within_half_its_tip(self):
         self.assertAlmostEqual(description("baton")["contact_radius"], 0.003, delta=1e-9)
+
+
+class TheSuctionTube(unittest.TestCase):
+    def test_has_its_mouth_in_the_plane_of_its_tip_with_a_bore_behind_it(self):
+        model = MODELS["suction"]
+        rim = [solid.length(p) for p in model.points if p[2] == 0.0]
+        self.assertTrue(1.6 * MILLIMETRE < min(rim) and max(rim) < 3.3 * MILLIMETRE)
+        for z, inside in ((1.0, 0.0), (4.0, 0.0), (7.0, 1.0)):
+            along = (0.0, math.tan(math.radians(15.0)) * z * MILLIMETRE, z * MILLIMETRE)
+            self.assertAlmostEqual(solid.winding_number(along, model.triangles), inside, delta=1e-6)
+
+    def test_touches_within_the_radius_of_its_head(self):
+        radius = description("suction")["contact_radius"]
+        head = [abs(x) for x, _, z in MODELS["suction"].points if z < 0.015]
+        self.assertAlmostEqual(max(head), radius, delta=0.05 * MILLIMETRE)
+
+
+class TheJaws(unittest.TestCase):
+    """Of instruments that grip but do not cut; their models are read closed."""
+
+    def test_meet_at_the_tip_and_nowhere_pass_each_other_in_front_of_the_pivot(self):
+        for name, until in (("clip_applier", 0.024), ("bipolar", 0.14)):
+            text = description(name)
+            self.assertNotIn("edge", text)
+            self.assertEqual((text["jaw_axis"], text["tip"]), ([1.0, 0.0, 0.0], [0.0, 0.0, 0.0]))
+            jaws = inventor_parts(name)
+            for part, side in (("JawUpper", 1.0), ("JawLower", -1.0)):
+                front = [side * y for _, y, z in jaws[part] if z <= until]
+                self.assertGreater(min(front), 0.0)
+
+    def test_open_about_as_wide_at_their_ends_as_real_ones(self):
+        for name, least, most in (("clip_applier", 0.007, 0.009), ("bipolar", 0.008, 0.012)):
+            text = description(name)
+            width = text["jaw_pivot"][2] * text["jaw_opening"]
+            self.assertTrue(least < width < most, (name, width))
 
 
 class TheRoom(unittest.TestCase):

@@ -175,8 +175,8 @@ def build():
 def files():
     """{file name: text} of this instrument."""
     description = f"""
-Clip applier, {LENGTH:.0f} mm long, in metres, open, with a clip in its jaws. Closed, the ends of the
-jaws meet at the origin; handle towards +Z; the jaws turn in the Y-Z plane about the screw. The
+Clip applier, {LENGTH:.0f} mm long, in metres, open, with a clip in its jaws. Closed, the ends of
+the jaws meet at the origin; handle towards +Z; the jaws turn in the Y-Z plane about the screw. The
 parts whose names begin with JawUpper and JawLower are wide open: viewers turn them about the screw
 as the jaws close.
 """

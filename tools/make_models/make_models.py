@@ -9,6 +9,7 @@ import os
 import sys
 
 import baton
+import bipolar
 import clip_applier
 import hook
 import scalpel
@@ -21,7 +22,7 @@ import toolbox
 def all_files():
     """{file name: text} of everything, in a fixed order."""
     result = {}
-    for module in (scalpel, hook, baton, scissors, suction, clip_applier, table, toolbox):
+    for module in (scalpel, hook, baton, scissors, suction, clip_applier, bipolar, table, toolbox):
         result.update(module.files())
     return result
 

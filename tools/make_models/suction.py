@@ -1,5 +1,5 @@
-"""A fine suction tube after Yankauer's: a rounded head with a mouth and four side holes, a tube with
-one slight bend, a moulded grip with a vent for the thumb and a barb for the hose. Millimetres.
+"""A fine suction tube after Yankauer's: a rounded head with a mouth and four side holes, a tube
+with one slight bend, a moulded grip with a vent for the thumb and a barb for the hose. Millimetres.
 
 Every ring has SIDES points: 0 towards +x, SIDES / 4 towards +y, where the thumb lies.
 """
