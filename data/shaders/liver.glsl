@@ -79,6 +79,15 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base) {
   }
   t.albedo = mix(t.albedo, vec3(0.25, 0.120, 0.090), 0.36 * pale);
   t.albedo = mix(t.albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-share, 0.0));  // blood in a rim
+  vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x);
+  if (blood.x + blood.y > 0.0) {
+    t.albedo = underBlood(t.albedo, blood);
+    float covered = smoothstep(0.06, 0.5, blood.x), clot = smoothstep(0.05, 0.3, blood.y - blood.x);
+    t.bumps = mix(t.bumps, 0.25 * t.bumps, covered);
+    t.waves = mix(t.waves, 0.35 * t.waves, covered);
+    t.wet = mix(t.wet, 1.0 - 0.6 * clot, max(covered, clot));
+    t.lost *= 1.0 - 0.7 * covered;
+  }
   return t;
 }
 

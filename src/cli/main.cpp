@@ -64,6 +64,7 @@ int parseAndRun(int argc, char** argv) {
   });
   resect::addInfoCommand(app);
   resect::addLiverCommand(app);
+  resect::addAnatomyCommand(app);
   resect::addDiscretizeCommand(app);
   resect::addSurfaceCommand(app);
   resect::addRunCommand(app);

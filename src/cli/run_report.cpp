@@ -6,6 +6,7 @@
 
 #include "base/text/printed_time.h"
 #include "base/text/shown_text.h"
+#include "cli/blood_report.h"
 #include "cli/ledger_report.h"
 
 namespace resect {
@@ -54,6 +55,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
       json["tool_forces_n"].push_back(
           {{"tool", forces.tool}, {"peak", forces.peak}, {"per_frame", forces.perFrame}});
   }
+  if (summary.blood) json["blood"] = toJson(*summary.blood);
   json["faults"] = summary.faults;
   json["state_hash"] = fmt::format("{:016x}", summary.stateHash);
   return json;
@@ -66,6 +68,7 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
     text += fmt::format("  {:<10} {}\n", what, value);
   };
   text += toText(summary.ledger);
+  if (summary.blood) text += toText(*summary.blood);
   if (summary.deepestOverlap > 0)  // moving tissue gives way instead
     row("overlap", fmt::format("{:.2f} ml of tool and organ in one place at most",
                                1e6 * summary.deepestOverlap));

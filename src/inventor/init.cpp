@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "inventor/blood/SoBloodPool.h"
 #include "inventor/gl/SoMarchingCubes.h"
 #include "inventor/gl/SoOrganShape.h"
 #include "inventor/gl/SoShadeOnce.h"
@@ -24,6 +25,7 @@ void initInventor() {
   SoOrganShape::initClass();
   SoShadowMaps::initClass();
   SoShadeOnce::initClass();
+  SoBloodPool::initClass();
 }
 
 }  // namespace resect

@@ -12,6 +12,7 @@
 #include "io/organ_mesh.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
+#include "io/vessels_file.h"
 #include "operation/frame_estimate.h"
 #include "operation/room.h"
 #include "organ/cell_labels.h"
@@ -205,6 +206,30 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
   return tissue;
 }
 
+namespace {
+
+// The organ's vessels where it lies; null if it has none.
+std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
+                                           const std::optional<Pose>& place,
+                                           std::vector<std::string>* notes) {
+  if (source.vessels.empty()) return {};
+  if (!place)
+    throw error(
+        "organ \"{}\" is a file of particles, which has no place for vessels; leave out vessels",
+        source.name);
+  if (isVesselsFile(source)) return makeVesselMap(transformed(readVessels(source.vessels), *place));
+  if (!hasVessels(source)) {
+    if (notes)
+      notes->push_back(
+          "the vessels are those of another organ and were left out: it does not bleed");
+    return {};
+  }
+  return makeVesselMap(
+      transformed(readVessels(dataFolder() / "organs" / (source.file + ".vessels")), *place));
+}
+
+}  // namespace
+
 std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress, std::vector<std::string>* notes) {
   requireSound(scenario);
@@ -227,6 +252,7 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
     Organ organ =
         makeOrgan(loadCells(source, readModel, progress ? share : Progress(), notes, &place),
                   source.settings);
+    organ.map = vesselsOf(source, place, notes);
     std::unique_ptr<TissueModel> tissue = makeTissue(scenario.organs[i].tissue, organ);
     organs.push_back(operatedOrgan(source.name, std::move(organ), std::move(tissue)));
   }

@@ -25,6 +25,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
 
   StageClock clock;
   StepReport report;
+  BloodBooks blood;
   const std::int64_t frames = frameCount(scenario);
   for (std::int64_t frame = 0; frame < frames; ++frame) {
     const FrameInput input = frameInput(scenario, frame);
@@ -43,6 +44,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
       summary.touched = summary.touched || force > 0;
       summary.forces[i].perFrame.push_back(float(force));
     }
+    blood.add(report, input.duration);
     summary.severed += report.severed;
     summary.torn += report.torn;
     summary.touched = summary.touched || report.removed > 0 || report.severed > 0;
@@ -60,6 +62,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   summary.surface = summarise(simulation.surfaceMesh());
   checkStop();
   summary.ledger = LedgerBooks(scenario, simulation).ledgerOf(simulation);
+  summary.blood = blood.summaryOf(simulation);
   summary.stateHash = simulation.stateHash();
   return summary;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/stage_clock.h"
+#include "operation/blood_summary.h"
 #include "operation/ledger/ledger.h"
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
@@ -44,6 +45,7 @@ struct RunSummary {
   std::vector<ToolForces> forces;          // one per tool; none if no tissue moves
   std::int64_t severed = 0, torn = 0;      // bonds that edits severed; bonds that tore
   std::int64_t substeps = 0, retries = 0;  // sums over all frames and organs
+  std::optional<BloodSummary> blood;       // if any organ has vessels
   std::uint64_t stateHash = 0;
 
   // Simulated time over the time that it took to compute.

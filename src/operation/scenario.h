@@ -44,6 +44,9 @@ struct OrganSource {
   bool onTable = true;  // put it on the table top, y = 0, with its box centred over the origin
   bool settle = true;   // if onTable: roll it to the nearest pose in which it lies still
   OrganSettings settings;
+  // Vessels, with which the organ bleeds: "" none, kBuiltInVessels, or a file of vessels
+  // (io/vessels_file.h) in the coordinates of the organ's file, in mm.
+  std::string vessels;
   // These are added to the landmarks and labels of a particle file. Where the regions of labels
   // overlap, the last one counts.
   std::vector<Landmark> landmarks;
@@ -54,6 +57,7 @@ struct OrganSource {
     v("name", name), v("beside", beside), v("file", file), v("part", part), v("unit", unit);
     v("repair", repair), v("spacing", spacing), v("dims", dims), v("resample", resample);
     v("pose", pose), v("onTable", onTable), v("settle", settle), v("settings", settings);
+    v("vessels", vessels);
     v("landmarks", landmarks), v("labels", labels);
   }
 };
@@ -63,6 +67,14 @@ inline constexpr std::string_view kBuiltInOrgans[] = {"liver", "gallbladder"};
 inline bool isBuiltIn(const OrganSource& source) {
   return std::ranges::find(kBuiltInOrgans, source.file) != std::end(kBuiltInOrgans);
 }
+// Whether the source is a built-in organ that comes with vessels; and the names of these, for
+// messages.
+inline constexpr std::string_view kBuiltInVessels = "built-in";
+inline bool isVesselsFile(const OrganSource& source) {
+  return !source.vessels.empty() && source.vessels != kBuiltInVessels;
+}
+inline bool hasVessels(const OrganSource& source) { return source.file == "liver"; }
+inline std::string organsWithVessels() { return "liver"; }
 std::string builtInOrgans();  // "liver, gallbladder", for messages
 
 // Pose, squeeze and pedal of a tool at one time. Between two keys rotations are interpolated along

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "anatomy/vessel_state.h"
 #include "organ/incision/strands.h"
 #include "tissue/cut_bonds.h"
 #include "tissue/stencil.h"
@@ -9,7 +10,8 @@
 namespace resect {
 namespace {
 
-constexpr double kNearBlade = 2;  // spacings: how far a cut can part strands
+constexpr double kAllVessels = 1;  // m: of radius; thinner ones are cut, and so all
+constexpr double kNearBlade = 2;   // spacings: how far a cut can part strands
 
 // What each kind of edit does. Severed bonds and blades are recorded, so that strands can be
 // severed after all edits.
@@ -30,6 +32,7 @@ struct Application {
     summary.removed += gone.particles;
     summary.removedVolume += gone.volume;
     to.tissue->remove(edit.cell);
+    cutVesselsIn(edit.cell);
     removedCells.push_back(edit.cell);
   }
   void operator()(const SeverBond& edit) {
@@ -37,9 +40,15 @@ struct Application {
     if (!(to.tissue->bonds(edit.cell) >> edit.direction & 1)) return;
     to.tissue->sever(edit.cell, edit.direction);
     severed.push_back({edit.cell, edit.direction});
+    if (to.organ.map && neighbourKind(edit.direction) == 1)
+      cutVessels(to.organ.map->anatomy, to.organ.map->index, faceOf(edit), to.organ.vessels,
+                 summary.vessels);
   }
   void operator()(const Incision& edit) {
     const Lattice& lattice = to.organ.rest.lattice;
+    if (to.organ.map)
+      cutVessels(to.organ.map->anatomy, to.organ.map->index, edit.blade, to.organ.vessels,
+                 summary.vessels);
     incise(to.organ, edit.blade,
            to.tissue->moves() ? CutsBetweenCells::One : CutsBetweenCells::Any);
     for (const TissueBond& bond : crossedBonds(*to.tissue, lattice, edit.blade)) {
@@ -61,6 +70,38 @@ struct Application {
   }
   void operator()(const SetLabel& edit) {
     if (there(edit.cell)) to.organ.fields.label.set(to.organ.rest.lattice, edit.cell, edit.label);
+  }
+  void operator()(const PlaceClip& edit) {
+    if (to.organ.map && edit.segment >= 0 &&
+        std::size_t(edit.segment) < to.organ.map->anatomy.segments.size())
+      to.organ.vessels.addClip({edit.segment, std::clamp(edit.share, 0.0, 1.0)});
+  }
+  void operator()(const Coagulate& edit) {
+    if (to.organ.map)
+      sealVessels(to.organ.map->anatomy, edit.place, edit.radius, edit.widest, to.organ.vessels);
+  }
+  void operator()(const ClampInflow& edit) { to.organ.vessels.inflowClamped = edit.closed; }
+  void operator()(const Suction&) {}  // takes blood, not tissue (blood/bleeding.h)
+
+  void cutVesselsIn(std::int64_t cell) {
+    if (!to.organ.map) return;
+    const Lattice& lattice = to.organ.rest.lattice;
+    const Vec3 centre = lattice.centre(lattice.cell(cell));
+    cutVessels(to.organ.map->anatomy, to.organ.map->index,
+               {centre - 0.5 * lattice.spacing, centre + 0.5 * lattice.spacing}, kAllVessels,
+               to.organ.vessels, summary.vessels);
+  }
+  // The face between the two cells of a bond.
+  SweptBlade faceOf(const SeverBond& bond) const {
+    const Lattice& lattice = to.organ.rest.lattice;
+    const Vec3 along = offsetOf(bond.direction).cast<double>();
+    const Vec3 middle =
+        lattice.centre(lattice.cell(bond.cell)) + 0.5 * lattice.spacing.cwiseProduct(along);
+    const Vec3 u = 0.5 * lattice.spacing.cwiseProduct(Vec3(along.y(), along.z(), along.x())),
+               v = 0.5 * lattice.spacing.cwiseProduct(Vec3(along.z(), along.x(), along.y()));
+    const Vec3 before[] = {middle - u - v, middle + u - v},
+               after[] = {middle - u + v, middle + u + v};
+    return ruledBlade(before, after);
   }
 };
 

@@ -39,10 +39,30 @@ struct SetLabel {   // the cell gets another label (organ/cell_fields.h)
   std::uint8_t label = 0;
 };
 
+struct PlaceClip {  // closes a vessel at a place of it
+  std::int32_t segment = -1;
+  double share = 0;  // of the segment's length, 0 to 1
+};
+struct Coagulate {            // closes the ends of cut vessels near a place, and stops oozing there
+  Vec3 place = Vec3::Zero();  // in the tissue at rest, m
+  double radius = 0;          // m
+  double widest = 0;          // radius of the widest vessel that it closes, m
+};
+struct ClampInflow {  // closes or opens portal vein and artery before they enter the organ
+  bool closed = true;
+};
+struct Suction {              // takes blood for the whole frame
+  Vec3 place = Vec3::Zero();  // world, m
+  double radius = 0;          // m
+  double rate = 0;            // at most, m^3/s
+};
+
 struct TissueEdit {
   std::int32_t organ = 0;  // number of the organ in the simulation
   std::int32_t tool = -1;  // number of the tool that made it; -1: none
-  std::variant<RemoveCell, SeverBond, Incision, Grip, Release, SetLabel> what;
+  std::variant<RemoveCell, SeverBond, Incision, Grip, Release, SetLabel, PlaceClip, Coagulate,
+               ClampInflow, Suction>
+      what;
 };
 
 }  // namespace resect

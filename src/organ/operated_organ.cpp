@@ -56,6 +56,11 @@ std::uint64_t fingerprint(const Organ& organ) {
   hash.addSpan(std::span<const std::uint8_t>(rest.inside));
   hash.add(rest.skinScale);
   hash.add(organ.field.refine());
+  if (organ.map)
+    for (const VesselSegment& s : organ.map->anatomy.segments) {
+      for (int a = 0; a < 3; ++a) hash.add(s.end[a]);
+      hash.add(s.radius);
+    }
   return hash.value();
 }
 

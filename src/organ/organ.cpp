@@ -63,7 +63,9 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
           0,
           0,
           settings.iso,
-          std::move(fields)};
+          std::move(fields),
+          nullptr,
+          {}};
 }
 
 std::int64_t ownerCell(const Discretization& rest, std::int64_t cell) {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "anatomy/vessel_map.h"
+#include "anatomy/vessel_state.h"
 #include "organ/cell_fields.h"
 #include "sph/colour_field.h"
 #include "sph/discretization.h"
@@ -44,6 +47,8 @@ struct Organ {
   double removedVolume = 0;         // volume removed since the organ was made, m^3
   float iso = 50;                   // level of the surface
   CellFields fields;
+  std::shared_ptr<const VesselMap> map;  // vessels at rest; null: none are known
+  VesselState vessels;                   // what was done to them
 
   double volume() const { return rest.volume() - removedVolume; }  // of the tissue left, m^3
   // The cell's present label.
@@ -53,12 +58,13 @@ struct Organ {
   void visit(Visitor& v) {
     v.perCell("alive", alive, rest.lattice.order());
     fields.visit(v, rest.lattice.order());
+    v("vessels", vessels);
     v("severed", severed), v("iso", iso);
     v("particles", particles), v("removed", removed), v("removedVolume", removedVolume);
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(rest, field, surface);
+    v.made(rest, field, surface, map);
   }
 };
 

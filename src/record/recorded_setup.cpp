@@ -48,13 +48,23 @@ struct ToolFields {
   }
 };
 
-struct SetupFields {
-  Scenario scenario;
-  std::vector<ToolFields> tools;
+struct OrganVessels {
+  std::vector<VesselSegment> segments;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v("scenario", scenario), v("tools", tools);
+    v("segments", segments);
+  }
+};
+
+struct SetupFields {
+  Scenario scenario;
+  std::vector<ToolFields> tools;
+  std::vector<OrganVessels> vessels;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("scenario", scenario), v("tools", tools), v("vessels", vessels);
   }
 };
 
@@ -69,21 +79,26 @@ RecordedSetup setupOf(const Scenario& scenario, const Simulation& simulation) {
           "it was made from",
           scenario.organs.size(), scenario.tools.size(), simulation.organs().size(),
           simulation.tools().size());
-  RecordedSetup setup{scenario, {}, {}};
-  for (const OperatedOrgan& organ : simulation.organs()) setup.cells.push_back(organ.organ.rest);
+  RecordedSetup setup{scenario, {}, {}, {}};
+  for (const OperatedOrgan& organ : simulation.organs()) {
+    setup.cells.push_back(organ.organ.rest);
+    setup.anatomies.push_back(organ.organ.map ? organ.organ.map->anatomy : Anatomy());
+  }
   for (const ToolState& tool : simulation.tools()) setup.tools.push_back(tool.tool->model);
   return setup;
 }
 
 Simulation simulationOf(const RecordedSetup& setup) {
   const Scenario& scenario = setup.scenario;
-  if (setup.cells.size() != scenario.organs.size() || setup.tools.size() != scenario.tools.size())
+  if (setup.cells.size() != scenario.organs.size() || setup.tools.size() != scenario.tools.size() ||
+      setup.anatomies.size() != setup.cells.size())
     throw error("the recording's organs or tools are not those of its scenario; it is damaged");
   requireSound(scenario);
   std::vector<OperatedOrgan> organs;
   for (std::size_t i = 0; i < setup.cells.size(); ++i) {
     const ScenarioOrgan& source = scenario.organs[i];
     Organ organ = makeOrgan(setup.cells[i], source.source.settings);
+    if (!setup.anatomies[i].empty()) organ.map = makeVesselMap(setup.anatomies[i]);
     std::unique_ptr<TissueModel> tissue = makeTissue(source.tissue, organ);
     organs.push_back(operatedOrgan(source.source.name, std::move(organ), std::move(tissue)));
   }
@@ -94,8 +109,9 @@ Simulation simulationOf(const RecordedSetup& setup) {
 }
 
 SetupBytes toBytes(const RecordedSetup& setup) {
-  SetupFields fields{setup.scenario, {}};
+  SetupFields fields{setup.scenario, {}, {}};
   for (const ToolModel& tool : setup.tools) fields.tools.emplace_back(tool);
+  for (const Anatomy& anatomy : setup.anatomies) fields.vessels.push_back({anatomy.segments});
   SetupBytes bytes{toBytes(saveState(fields, kFingerprint)), {}};
   for (const Discretization& cells : setup.cells)
     bytes.cells.push_back(formatCells({cells, {"resect " RESECT_VERSION, "recording", 1}}));
@@ -108,8 +124,10 @@ RecordedSetup setupFromBytes(const SetupBytes& bytes) {
     throw error("the recording holds no scenario; it is damaged");
   SetupFields fields;
   loadState(fields, state);
-  RecordedSetup setup{std::move(fields.scenario), {}, {}};
+  RecordedSetup setup{std::move(fields.scenario), {}, {}, {}};
   for (const ToolFields& tool : fields.tools) setup.tools.push_back(tool.value());
+  for (OrganVessels& vessels : fields.vessels)
+    setup.anatomies.push_back(makeAnatomy(std::move(vessels.segments)));
   for (const std::string& cells : bytes.cells)
     setup.cells.push_back(parseCells(cells, "the recording's organ").cells);
   return setup;

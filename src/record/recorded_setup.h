@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "anatomy/anatomy.h"
 #include "operation/scenario.h"
 #include "sph/discretization.h"
 
@@ -14,6 +15,7 @@ struct RecordedSetup {
   Scenario scenario;
   std::vector<Discretization> cells;  // one per organ, at its final position and with labels
   std::vector<ToolModel> tools;       // one per tool, with its meshes
+  std::vector<Anatomy> anatomies;     // one per organ, at its final position; empty: no vessels
 };
 
 // The name of a tool, for people; empty if there is no tool with that number.

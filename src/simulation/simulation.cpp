@@ -35,6 +35,7 @@ Simulation::Simulation(std::vector<OperatedOrgan> organs, std::vector<std::uniqu
     tools_.emplace_back();
     tools_.back().tool = std::move(tool);
   }
+  blood_ = Bleeding(organs_);
   work_.removedCells.resize(organs_.size());
   work_.touchedBricks.resize(organs_.size());
   work_.obstacles.resize(organs_.size());
@@ -101,6 +102,8 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   done("updateField");
   updateSurface(input);
   done("updateSurface");
+  flowBlood(input, report);
+  done("flowBlood");
   measure(input, report);
   done("measure");
 }
@@ -195,7 +198,7 @@ void Simulation::actTools(const FrameInput& input) {
         work_.edits.push_back({std::int32_t(o), std::int32_t(i), Release{}});
 }
 
-EditSummary Simulation::apply(std::span<const TissueEdit> edits) {
+EditSummary Simulation::apply(std::span<const TissueEdit> edits, StepReport& report) {
   EditSummary sum;
   for (std::size_t o = 0; o < organs_.size(); ++o) {
     const EditSummary summary =
@@ -204,13 +207,16 @@ EditSummary Simulation::apply(std::span<const TissueEdit> edits) {
     sum.removedVolume += summary.removedVolume;
     sum.severed += summary.severed;
     sum.incised += summary.incised;
+    for (const std::int32_t segment : summary.vessels)
+      report.vessels.push_back({std::int32_t(o), segment});
   }
   return sum;
 }
 
 void Simulation::applyEdits(StepReport& report) {
   for (auto& removed : work_.removedCells) removed.clear();
-  const EditSummary summary = apply(work_.edits);
+  report.vessels.clear();
+  const EditSummary summary = apply(work_.edits, report);
   report.removed = summary.removed;
   report.removedVolume = summary.removedVolume;
   report.severed = summary.severed + summary.incised;
@@ -288,7 +294,7 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
 }
 
 void Simulation::applyCuts(StepReport& report) {
-  const EditSummary summary = apply(work_.caused);
+  const EditSummary summary = apply(work_.caused, report);
   report.severed += summary.incised;
   report.torn = summary.severed;
 }
@@ -315,6 +321,14 @@ void Simulation::updateSurface(const FrameInput& input) {
       o.skin.follow(o.organ.surface, o.organ.rest.lattice, *o.tissue, work_.removedCells[i],
                     keepsLook_);
   }
+}
+
+// Blood leaves cut vessels and tissue, and runs.
+void Simulation::flowBlood(const FrameInput& input, StepReport& report) {
+  if (!blood_.any()) return;
+  work_.applied.assign(work_.edits.begin(), work_.edits.end());
+  work_.applied.insert(work_.applied.end(), work_.caused.begin(), work_.caused.end());
+  blood_.step(organs_, work_.applied, input.duration, time_ + input.duration, table_, report.blood);
 }
 
 // Updates time and frame, and reports faults.
@@ -380,7 +394,7 @@ SurfaceTracker::Compact Simulation::surface() const {
 std::size_t Simulation::bytes() const {
   std::size_t sum = 0;
   for (const OperatedOrgan& o : organs_) sum += o.bytes();
-  return sum;
+  return sum + blood_.bytes();
 }
 
 }  // namespace resect

@@ -15,6 +15,7 @@
 
 #include "base/stage_clock.h"
 #include "base/state/saved_state.h"
+#include "blood/bleeding.h"
 #include "organ/apply_edits.h"
 #include "organ/operated_organ.h"
 #include "tissue/joint.h"
@@ -45,6 +46,11 @@ struct FrameInput {
   bool strokeEnds = false;
 };
 
+// A vessel of which more was cut in a frame.
+struct CutVessel {
+  std::int32_t organ = 0, segment = -1;
+};
+
 // Result of a frame. Output only: no stage reads it.
 struct StepReport {
   std::int64_t frame = 0;              // number of the frame, from 0
@@ -60,6 +66,8 @@ struct StepReport {
   std::vector<TissueEdit>
       caused;  // by the tissue's step: cuts, bonds that tore, grips that slipped
   std::vector<TissueStep> tissue;   // one per organ
+  std::vector<CutVessel> vessels;   // vessels that were cut further in the frame
+  BloodReport blood;                // if any organ has vessels
   std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero if no tissue moves
   std::vector<std::string> faults;  // sentences, each naming the setting to change
 };
@@ -137,6 +145,9 @@ class Simulation {
   // called before.
   SurfaceTracker::Compact surface() const;
 
+  // Blood of this operation; organs without vessels do not bleed.
+  const Bleeding& blood() const { return blood_; }
+
   // Memory held for organs, their tissue and surfaces, bytes.
   std::size_t bytes() const;
 
@@ -158,6 +169,7 @@ class Simulation {
   void visit(Visitor& v) {
     v("frame", frame_), v("time", time_);
     v.fixed("organs", organs_), v.fixed("tools", tools_), v("joints", joints_);
+    v("blood", blood_);
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
@@ -169,6 +181,7 @@ class Simulation {
   struct Work {
     std::vector<ToolContacts> contacts;
     std::vector<TissueEdit> edits, caused;
+    std::vector<TissueEdit> applied;                           // both, for blood
     std::vector<std::vector<std::int64_t>> removedCells;       // by organ
     std::vector<std::span<const std::int64_t>> touchedBricks;  // by organ
     std::vector<std::vector<CuttingEdge>> edges;               // by tool
@@ -187,9 +200,10 @@ class Simulation {
   void applyCuts(StepReport& report);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
+  void flowBlood(const FrameInput& input, StepReport& report);
   void measure(const FrameInput& input, StepReport& report);
 
-  EditSummary apply(std::span<const TissueEdit> edits);
+  EditSummary apply(std::span<const TissueEdit> edits, StepReport& report);
   void dropJoints();
   void findJoined();
   std::uint64_t fingerprint() const;
@@ -199,6 +213,7 @@ class Simulation {
   std::vector<OperatedOrgan> organs_;
   std::vector<ToolState> tools_;
   std::vector<TissueJoint> joints_;
+  Bleeding blood_;
   double time_ = 0;
   std::int64_t frame_ = 0;
 

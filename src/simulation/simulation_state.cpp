@@ -47,6 +47,7 @@ void Simulation::load(const SavedState& state) {
         throw error("the pose of tool \"{}\" in the state is not a number; give it as it was saved",
                     tool.tool->model.name);
   for (OperatedOrgan& o : organs_) remake(o, keepsLook_);
+  blood_.remake(organs_);
 }
 
 std::uint64_t Simulation::stateHash() const {

@@ -9,11 +9,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/vec.h"
 #include "geometry/triangle_mesh.h"
+#include "surface/blood_map.h"
 #include "surface/index_range.h"
 
 namespace resect {
@@ -31,8 +33,11 @@ struct SurfaceUpdate {
   std::vector<IndexRange> newTriangles;
   std::vector<Triangle> triangles;  // indices of vertices of the whole surface; {0, 0, 0}: unused
 
+  std::shared_ptr<const BloodMap> blood;  // the organ's blood, if it has changed
+
   bool empty() const {
-    return !everything && newVertices.empty() && movedVertices.empty() && newTriangles.empty();
+    return !everything && newVertices.empty() && movedVertices.empty() && newTriangles.empty() &&
+           !blood;
   }
 };
 

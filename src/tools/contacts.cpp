@@ -102,7 +102,9 @@ NearCells nearMoved(const Organ& organ, const TissueModel& tissue, const Aabb& b
 
 }  // namespace
 
-bool entersTissue(const ToolModel& tool) { return !tool.edge.empty() || !tool.hook.empty(); }
+bool entersTissue(const ToolModel& tool) {
+  return !tool.edge.empty() || !tool.hook.empty() || tool.jaws.opening > 0;
+}
 
 ToolContacts findContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
                           const Pose& from, const Pose& to) {

@@ -18,7 +18,8 @@ namespace resect {
 ToolContacts findContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
                           const Pose& from, const Pose& to);
 
-// Whether the tool is able to enter tissue (Obstacle::enters): it has an edge or a hook.
+// Whether the tool is able to enter tissue (Obstacle::enters): it has an edge, a hook or
+// jaws.
 bool entersTissue(const ToolModel& tool);
 
 }  // namespace resect

@@ -6,10 +6,13 @@
 #include <string>
 
 #include "base/error.h"
+#include "tools/bipolar_part.h"
 #include "tools/blade_part.h"
+#include "tools/clip_part.h"
 #include "tools/hook_part.h"
 #include "tools/jaws_part.h"
 #include "tools/remover.h"
+#include "tools/suction_part.h"
 
 namespace resect {
 namespace {
@@ -19,11 +22,14 @@ std::unique_ptr<WorkingPart> make() {
   return std::make_unique<Part>();
 }
 
-constexpr std::array<PartKind, 4> kPartKinds = {{
+constexpr std::array<PartKind, 7> kPartKinds = {{
     {"blade", make<BladePart>},
     {"jaws", make<JawsPart>},
     {"hook", make<HookPart>},
     {"remover", make<Remover>},
+    {"suction", make<SuctionPart>},
+    {"clip", make<ClipPart>},
+    {"bipolar", make<BipolarPart>},
 }};
 
 template <typename Kinds>
@@ -46,11 +52,14 @@ std::unique_ptr<WorkingPart> makePart(std::string_view name, const ToolModel& mo
 std::span<const PartKind> partKinds() { return kPartKinds; }
 
 std::span<const ToolKind> toolKinds() {
-  static const std::array<ToolKind, 4> kinds = {{
+  static const std::array<ToolKind, 7> kinds = {{
       {"scalpel", {"blade"}},
       {"hook", {"hook"}},
       {"baton", {}},  // blunt: only its shape pushes
       {"scissors", {"jaws"}},
+      {"suction", {"suction"}, true},
+      {"clip_applier", {"clip"}, true},
+      {"bipolar", {"bipolar"}, true},
   }};
   return kinds;
 }

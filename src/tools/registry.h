@@ -20,6 +20,7 @@ std::span<const PartKind> partKinds();
 struct ToolKind {
   std::string_view name;
   std::vector<std::string_view> parts;
+  bool stopsBleeding = false;  // of use only where organs bleed
 };
 // All kinds of instrument, in the order in which they are shown to people.
 std::span<const ToolKind> toolKinds();

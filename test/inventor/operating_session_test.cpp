@@ -315,7 +315,8 @@ TEST_CASE("where tissue has moved the point under a pixel lies on the surface as
   makeElastic(scenario);
   int place = 0;
   for (const ToolKind& kind : toolKinds())
-    scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
+    if (!kind.stopsBleeding)
+      scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
   const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
   Organ organ =
       makeOrgan(loadCells(scenario.organs[0].source, reader), scenario.organs[0].source.settings);

@@ -26,7 +26,7 @@ TEST_CASE("a scene that is saved comes back with organ, tools and camera") {
   CHECK(organ.triangles.size() == surface.mesh.triangles.size());
   REQUIRE(model.places);
   const ScenePlaces& places = *model.places;
-  REQUIRE(places.tools.size() == toolKinds().size());
+  REQUIRE(places.tools.size() == bench.scenario.tools.size());
   CHECK((places.tools[1].position - Vec3(0.1, 0.2, 0.05)).norm() < 1e-6);
   CHECK(places.tools[1].rotation.angularDistance(toolBoxPlace(1).rotation) < 1e-6);
   SoPerspectiveCamera& camera = *bench.session->room().camera();

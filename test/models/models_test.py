@@ -157,7 +157,7 @@ class EveryInstrument(unittest.TestCase):
     def test_names_its_kind_and_its_model_file(self):
         for name in INSTRUMENTS:
             text = description(name)
-            self.assertEqual((text["kind"], text["model"]), (name.replace("_", "-"), name + ".iv"))
+            self.assertEqual((text["kind"], text["model"]), (name, name + ".iv"))
             self.assertTrue(text["name"] and text["description"])
 
 

@@ -111,8 +111,16 @@ TEST_CASE("inputs of frames come back from their bytes") {
   input.tools[1] = {{{0.1, -0.0, 1e-300}, Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5)}, false, 0.25, 1};
   Incision incision;
   incision.blade = sweepBlade(std::vector<Vec3>{{0, 0, 0}, {0, 0, 0.01}}, {}, {{0.01, 0, 0}, {}});
-  input.edits = {{0, 1, RemoveCell{17}}, {1, -1, SeverBond{4, 25}}, {0, 2, incision},
-                 {0, 0, Grip{9, {}}},    {0, 0, Release{}},         {0, -1, SetLabel{5, 200}}};
+  input.edits = {{0, 1, RemoveCell{17}},
+                 {1, -1, SeverBond{4, 25}},
+                 {0, 2, incision},
+                 {0, 0, Grip{9, {}}},
+                 {0, 0, Release{}},
+                 {0, -1, SetLabel{5, 200}},
+                 {0, -1, PlaceClip{4, 0.25}},
+                 {0, 1, Coagulate{Vec3(1, 2, 3), 0.004, 0.003}},
+                 {0, -1, ClampInflow{false}},
+                 {0, 0, Suction{Vec3(3, 2, 1), 0.01, 25e-6}}};
   const auto again = [&](const FrameInput& last) {
     return frameToBytes(frameFromBytes(frameToBytes(input, last), last), last);
   };

@@ -123,9 +123,9 @@ TEST_CASE("the stage clock gets a lap of every stage in the order of the step") 
   Simulation simulation = ballAndTool(test::ballTool(0.005));
   StageClock clock;
   for (int i = 0; i < 3; ++i) simulation.step(toolAt({2, 2, 2}), &clock);
-  const std::vector<std::string> names = {"moveTools",   "findContacts",  "actTools",
-                                          "applyEdits",  "moveTissue",    "applyCuts",
-                                          "updateField", "updateSurface", "measure"};
+  const std::vector<std::string> names = {
+      "moveTools", "findContacts", "actTools",      "applyEdits", "moveTissue",
+      "applyCuts", "updateField",  "updateSurface", "flowBlood",  "measure"};
   REQUIRE(clock.stages().size() == names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     CHECK(clock.stages()[i].name == names[i]);

@@ -28,7 +28,8 @@ struct OperatingBench {
     if (living) makeElastic(scenario);
     int place = 0;
     for (const ToolKind& kind : toolKinds())
-      scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
+      if (!kind.stopsBleeding)
+        scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
     const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
     Organ organ = makeOrgan(loadCells(scenario.organs[0].source, reader), {});
     auto tissue = makeTissue(scenario.organs[0].tissue, organ);

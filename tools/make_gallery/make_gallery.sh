@@ -49,10 +49,16 @@ shown press 30
 shown lift 40
 shown incise 44
 shown incise-under-traction 64
+shown bleed 80
+shown stop-bleeding 105
 shown snip 70
 shown resect-segment-elastic 124
 shown liver-and-gallbladder 34
 shown hang 12
 shown drop 20
 strip incise-under-traction 960x540+0+0 24 42 48 56 64 last
+# The cut and its bleeding, and what stops it.
+montage "$(picture bleed 26)" "$(picture bleed 41)" "$(picture bleed 56)" "$(picture stop-bleeding 56)" \
+  "$(picture stop-bleeding 81)" "$(picture stop-bleeding 146)" -tile 3x2 -geometry 450x+0+0 "$work/blood.png"
+convert "$work/blood.png" -colors 220 "PNG8:$images/stop_bleeding.png"
 strip resect-segment-elastic 640x430+120+110 26 38 62 116 124 last

@@ -186,7 +186,7 @@ the origin, the handle towards +Z; the jaws move in the Y-Z plane.
 """
     entries = [
         ("name", "Clip applier", ""),
-        ("kind", "clip-applier", ""),
+        ("kind", "clip_applier", ""),
         ("model", "clip_applier.iv", ""),
         (
             "description",

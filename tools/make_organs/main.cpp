@@ -1,9 +1,11 @@
 // make_organs FOLDER: writes the organs that come along (data/organs/*.ply) as their formulas give
-// them. Reading such a file takes 2 ms, the formula 700.
+// them, and the liver's vessels. Reading such a file takes 2 ms, the formula 700.
 #include <cstdio>
 #include <filesystem>
 
+#include "anatomy/growth/vessel_growth.h"
 #include "io/mesh_file.h"
+#include "io/vessels_file.h"
 #include "organ/builtin/builtin_gallbladder.h"
 #include "organ/builtin/builtin_liver.h"
 
@@ -13,7 +15,10 @@ int main(int count, char** arguments) try {
     return 2;
   }
   const std::filesystem::path folder = arguments[1];
-  resect::writeMeshFile(folder / "liver.ply", resect::builtinLiver());
+  const resect::TriangleMesh liver = resect::builtinLiver();
+  resect::writeMeshFile(folder / "liver.ply", liver);
+  resect::writeVessels(folder / "liver.vessels",
+                       resect::growVessels(liver, resect::builtinLiverVessels()));
   resect::writeMeshFile(folder / "gallbladder.ply", resect::builtinGallbladder());
 } catch (const std::exception& e) {
   std::fprintf(stderr, "make_organs: %s\n", e.what());

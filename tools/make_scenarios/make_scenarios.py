@@ -180,6 +180,60 @@ def incise():
     return [("scalpel", path), ("hook", None), ("baton", None)]
 
 
+# The portal branch of 2.7 mm that `bleed` cuts, once the liver has sagged: in its middle (-0.017, 0.028, 0.044), 21 mm
+# under the skin.
+VESSEL = (-0.017, 0.028, 0.044)
+
+
+def cut_branch(path):
+    """A stroke across the branch, in from the dome's flank and out where the lobe is thin."""
+    z = VESSEL[2]
+    path.to(-0.07, 0.2, z).to(-0.055, 0.1, z)
+    for x, y in ((-0.045, 0.056), (-0.030, 0.040), (-0.017, 0.0235), (-0.005, 0.018), (0.010, 0.014), (0.022, 0.016)):
+        path.to(x, y, z, speed=0.05)
+    path.to(0.05, 0.12, z, speed=0.3).to(0.05, 0.24, 0.14, speed=0.4)
+
+
+def bleed():
+    """The scalpel cuts a portal branch of 3 mm; nobody stops the bleeding."""
+    path = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
+    path.wait(0.9)
+    cut_branch(path)
+    return [("scalpel", path), ("hook", None), ("baton", None)]
+
+
+def stop_bleeding():
+    """The same cut; suction clears the wound, a clip closes the branch, and bipolar forceps seal what is left."""
+    scalpel = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
+    scalpel.wait(0.9)
+    cut_branch(scalpel)
+    x, y, z = VESSEL
+    suction = Path3(handle=(-0.5, 0.86, 0.1), edge=(0, -0.1, 0.86), speed=0.3)
+    suction.wait(scalpel.time - 1.0)
+    suction.to(-0.1, 0.2, 0.1).to(x - 0.008, y + 0.028, z, speed=0.3)
+    suction.wait(1.5)
+    suction.to(x - 0.008, y + 0.028, z).to(x - 0.03, y + 0.055, z + 0.012, speed=0.05)
+    clip = Path3(handle=(0.2, 0.9, 0.4), edge=(0, -0.4, 0.9), speed=0.15)
+    clip.wait(scalpel.time - 0.3)
+    clip.to(x + 0.05, 0.2, z + 0.1).to(x + 0.004, y + 0.045, z + 0.01).to(x, y + 0.004, z, speed=0.05).snip()
+    clip.to(x + 0.05, 0.2, z + 0.1, speed=0.3)
+    bipolar = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.15)
+    bipolar.wait(clip.time - 0.6)
+    bipolar.to(x + 0.02, 0.2, z + 0.12)
+    for dx, dy in ((-0.034, 0.034), (-0.026, 0.026), (-0.018, 0.019), (-0.010, 0.012), (-0.002, 0.006),
+                   (0.006, 0.002), (0.014, -0.002), (0.022, -0.006), (0.030, -0.008)):
+        for down in (0.009, 0.0):
+            bipolar.to(x + dx, y + dy + down, z, speed=0.1).snip(0.2)
+    bipolar.to(x + 0.02, 0.2, z + 0.12, speed=0.3)
+    suction.wait(bipolar.time - 1.5 - suction.time)
+    suction.to(x - 0.03, y + 0.055, z + 0.012).to(x + 0.010, y + 0.022, z + 0.015, speed=0.05)
+    suction.to(x + 0.025, y + 0.005, z + 0.03, speed=0.02)
+    suction.wait(0.5)
+    suction.to(x + 0.025, y + 0.005, z + 0.03)
+    return [("scalpel", scalpel), ("hook", None), ("baton", None), ("suction", suction), ("clip_applier", clip),
+            ("bipolar", bipolar)]
+
+
 def incise_under_traction():
     """The hook pulls the left lobe aside, the scalpel is drawn over it across the pull, and the wound opens."""
     caught, pulled, opened = (0.051, 0.022, 0.03), (0.061, 0.029, 0.03), (0.067, 0.033, 0.03)
@@ -314,7 +368,7 @@ def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration
         for _, path in tools:
             if path:
                 path.keys = [(time, (tip[0] + x, *tip[1:]), *rest) for time, tip, *rest in path.keys]
-        organ = f"position = [{x:g}, 0, 0]  # clear of the tray\n"
+        organ = f"position = [{x:g}, 0, 0]  # clear of the tray\n" + organ
     text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration, thesis=False)
     if close_up:
         text = text.replace('view = "surgeon"\n', f'view = "surgeon"\nclose_up = {close_up}\n', 1)
@@ -361,14 +415,21 @@ def all_scenarios():
                            press(), ligaments(ASIDE), x=ASIDE)
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, lift(),
                           ligaments(ASIDE), x=ASIDE)
-    yield "incise", elastic("An incision over the dome", "The blade is drawn towards the surgeon; nothing is lost",
-                            8.0, incise(), ligaments(ASIDE), x=ASIDE,
+    yield "incise", elastic("An incision over the dome", "The blade is drawn towards the surgeon; the wound bleeds",
+                            8.0, incise(), ligaments(ASIDE), x=ASIDE, organ='vessels = "built-in"\n',
                             close_up="[[-0.13, 0.05, -0.05], [-0.05, 0.1, 0.06]]")
     yield "incise-under-traction", elastic(
         "An incision under traction", "The hook pulls, the scalpel cuts across the pull, and the wound opens", 6.0,
         incise_under_traction(), ligaments(-0.035),
         organ="position = [-0.035, 0, 0]  # so that the lobe does not come to lie on the tray\n",
         close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]")
+    bleeds = f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\nvessels = \"built-in\"\n"
+    yield "bleed", elastic(
+        "A branch of the portal vein bleeds", "The scalpel cuts a branch of 3 mm; blood wells up, runs and pools", 8.0,
+        bleed(), ligaments(ASIDE), organ=bleeds, duration=12, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
+    yield "stop-bleeding", elastic(
+        "Bleeding is stopped", "Suction clears the wound, a clip closes the vessel, bipolar forceps seal the rest", 8.0,
+        stop_bleeding(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
                           snip(), ligaments(ASIDE), x=ASIDE)
     yield "resect-segment-elastic", elastic(

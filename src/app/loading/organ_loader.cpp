@@ -53,7 +53,10 @@ TissueSetup besideDrawing(TissueSetup setup) {
 }
 
 Scenario withAllInstruments(Scenario scenario) {
+  const bool bleeds = std::ranges::any_of(
+      scenario.organs, [](const ScenarioOrgan& organ) { return !organ.source.vessels.empty(); });
   for (const ToolKind& kind : toolKinds()) {
+    if (kind.stopsBleeding && !bleeds) continue;
     const std::string name(kind.name);
     const bool there = std::any_of(
         scenario.tools.begin(), scenario.tools.end(),

@@ -205,6 +205,11 @@ void RemovedPanel::follow(const LiveState& state) {
   whole_ = state.removedVolume + state.volume;
   particles_ = state.removed;
   parts_ = state.ledger ? partsOf(*state.ledger) : QString();
+  if (state.bleeds)
+    parts_.prepend(QString("Blood lost %1 ml, now %2 ml/min%3")
+                       .arg(state.bled * 1e6, 0, 'f', 1)
+                       .arg(state.bleedingRate * 60e6, 0, 'f', 0)
+                       .arg(parts_.isEmpty() ? "" : "; "));
   // While an earlier moment is shown nothing is done; a stroke that was taken back has not
   // happened.
   if (state.showing) return update();

@@ -10,6 +10,7 @@ namespace resect {
 
 void addInfoCommand(CLI::App& app);
 void addLiverCommand(CLI::App& app);
+void addAnatomyCommand(CLI::App& app);
 void addDiscretizeCommand(CLI::App& app);
 void addSurfaceCommand(CLI::App& app);
 void addRunCommand(CLI::App& app);

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <limits>
 
+#include "inventor/blood/blood_texture.h"
+
 namespace resect {
 
 namespace {
@@ -36,7 +38,12 @@ struct SoOrganShape::ContextBuffers {
   std::size_t capacity[kBufferCount] = {};  // elements
   std::vector<Range> unsent[kPartCount];    // may overlap
 
-  void free() const { glDeleteBuffers(kBufferCount, names); }
+  BloodTexture blood;
+
+  void free() const {
+    glDeleteBuffers(kBufferCount, names);
+    blood.free();
+  }
 };
 
 SO_NODE_SOURCE(SoOrganShape);
@@ -104,6 +111,14 @@ void SoOrganShape::takeFields() {
 
 void SoOrganShape::update(const SurfaceUpdate& update) {
   if (update.empty()) return;
+  if (update.blood) {
+    for (const Aabb& box : {blood_ ? blood_->box : Aabb(), update.blood->box})
+      if (!box.empty()) {
+        changed_.low = changed_.low.cwiseMin(box.min.cast<float>());
+        changed_.high = changed_.high.cwiseMax(box.max.cast<float>());
+      }
+    blood_ = update.blood;
+  }
   const auto rangesOf = [](const std::vector<IndexRange>& ranges) {
     std::vector<Range> result;
     for (const IndexRange& r : ranges)
@@ -242,6 +257,10 @@ void SoOrganShape::upload(ContextBuffers& buffers) {
   for (std::vector<Range>& unsent : buffers.unsent) unsent.clear();
 }
 
+void SoOrganShape::bindBlood(std::uint32_t context, unsigned program) {
+  contexts_[context].blood.bind(blood_, program);
+}
+
 void SoOrganShape::GLRender(SoGLRenderAction* action) {
   takeFields();
   if (!shouldGLRender(action) || surface_.triangles.empty()) return;
@@ -256,6 +275,9 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
   const auto bind = [&](Buffer b) { glBindBuffer(GL_ARRAY_BUFFER, buffers.names[b]); };
   glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
   upload(buffers);
+  GLint program = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+  if (program) buffers.blood.bind(blood_, GLuint(program));
   bind(kPoints);
   glEnableClientState(GL_VERTEX_ARRAY);
   glVertexPointer(3, GL_FLOAT, 0, nullptr);

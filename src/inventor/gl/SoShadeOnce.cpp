@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "inventor/gl/SoOrganShape.h"
 #include "inventor/gl/SoShadowMaps.h"
 #include "inventor/gl/gl_program.h"
 #include "inventor/gl/materials.h"
@@ -51,8 +52,8 @@ struct SoShadeOnce::ContextTextures {
   // At least this large.
   void make(int w, int h) {
     if (program == 0)
-      program = makeProgram({"gathered.vert"},
-                            {"light.glsl", "noise.glsl", "liver.glsl", "gathered.frag"});
+      program = makeProgram({"gathered.vert"}, {"light.glsl", "noise.glsl", "blood.glsl",
+                                                "liver.glsl", "gathered.frag"});
     if (w <= width && h <= height) return;
     glPushAttrib(GL_TEXTURE_BIT);
     freeTextures();
@@ -194,6 +195,11 @@ bool SoShadeOnce::gather(SoGLRenderAction* action, ContextTextures& textures, un
     glUniform1i(at("shadowGrid"), kShadowGridUnit);
     glUniform2f(at("texel"), 1.0f / float(textures.width), 1.0f / float(textures.height));
     glUniform4f(at("viewport"), float(view[0]), float(view[1]), float(view[2]), float(view[3]));
+    for (int i = 0; i < getNumChildren(); ++i)
+      if (getChild(i)->isOfType(SoOrganShape::getClassTypeId()))
+        static_cast<SoOrganShape*>(getChild(i))
+            ->bindBlood(std::uint32_t(SoGLCacheContextElement::get(action->getState())),
+                        textures.program);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);

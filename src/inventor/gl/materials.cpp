@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "base/error.h"
+#include "inventor/blood/SoBloodPool.h"
 #include "inventor/gl/SoShadowMaps.h"
 #include "io/data_folder.h"
 
@@ -25,7 +26,8 @@ struct Stages {
 Stages stages(RoomMaterial material) {
   switch (material) {
     case RoomMaterial::Liver:
-      return {"organ.vert", {"light.glsl", "noise.glsl", "rim.glsl", "liver.glsl", "liver.frag"}};
+      return {"organ.vert",
+              {"light.glsl", "noise.glsl", "rim.glsl", "blood.glsl", "liver.glsl", "liver.frag"}};
     case RoomMaterial::Gather:
       return {"organ.vert", {"noise.glsl", "rim.glsl", "gather.frag"}};
     case RoomMaterial::Steel:
@@ -74,6 +76,7 @@ SoShaderProgram* makeMaterial(RoomMaterial material) {
   if (material != RoomMaterial::Gather) {
     sampler("lampShadow", kLampShadowUnit);
     sampler("shadowGrid", kShadowGridUnit);
+    if (material == RoomMaterial::Cloth) sampler("pool", kPoolUnit);
   }
 
   auto* program = new SoShaderProgram;

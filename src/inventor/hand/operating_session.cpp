@@ -199,6 +199,20 @@ bool OperatingSession::handle(const SoEvent& event, const SbViewportRegion& view
   return tools_.surfaceHand() && event.isOfType(SoLocation2Event::getClassTypeId());
 }
 
+// Draws the puddles and drops, and what lay where they were.
+void OperatingSession::followLooseBlood() {
+  if (!state_.loose && !loose_) return;
+  for (const auto* blood : {loose_.get(), state_.loose.get()}) {
+    if (!blood) continue;
+    if (!blood->poolBox.empty()) damage_.boxes.push_back(blood->poolBox);
+    Aabb drops;
+    for (const Vec3f& drop : blood->drops) drops.grow(drop.cast<double>());
+    if (!drops.empty()) damage_.boxes.push_back(drops.padded(0.004));
+  }
+  loose_ = state_.loose;
+  room().setLooseBlood(loose_.get());
+}
+
 Damage OperatingSession::update() {
   SoSensorManager* sensors = SoDB::getSensorManager();
   sensors->processTimerQueue();
@@ -207,6 +221,7 @@ Damage OperatingSession::update() {
   std::vector<SurfaceUpdate> updates;
   if (operation_.take(updates, state_)) {
     view_.follow(updates);
+    followLooseBlood();
     Aabb changed;
     for (int o = 0; o < room().organCount(); ++o) changed.grow(room().organ(o)->takeChanged());
     const bool everything = std::ranges::any_of(updates, &SurfaceUpdate::everything);

@@ -98,6 +98,7 @@ class OperatingSession {
   void toolsChanged();
   void setTools();
   void followHand();
+  void followLooseBlood();
   void followMotion();
   void followMoment();
   void leave();
@@ -123,10 +124,11 @@ class OperatingSession {
   // Per tool: boxes of its slices when it last moved, world, m; its bounding box if it had a
   // manipulator then.
   std::vector<std::vector<Aabb>> shownSlices_;
-  Aabb markerBox_;          // of the marker under the tip, as shown last, world, m
-  std::int64_t asked_ = 0;  // number of the last request to the operation
-  bool goingOn_ = false;    // goOn() was called, and no frame has ended since
-  bool following_ = false;  // the tools are being put where the operation has them
+  std::shared_ptr<const LooseBlood> loose_;  // as drawn last
+  Aabb markerBox_;                           // of the marker under the tip, as shown last, world, m
+  std::int64_t asked_ = 0;                   // number of the last request to the operation
+  bool goingOn_ = false;                     // goOn() was called, and no frame has ended since
+  bool following_ = false;                   // the tools are being put where the operation has them
   bool playing_ = false;
   std::int64_t played_ = 0, playUntil_ = 0;  // scenario frames: where play() begins and ends
   LiveState state_;

@@ -4,11 +4,13 @@
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoCoordinate3.h>
+#include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoEventCallback.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoPickStyle.h>
+#include <Inventor/nodes/SoPointSet.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShaderProgram.h>
 #include <Inventor/nodes/SoShapeHints.h>
@@ -23,6 +25,7 @@
 #include "base/error.h"
 #include "geometry/normals.h"
 #include "geometry/topology.h"
+#include "inventor/blood/SoBloodPool.h"
 #include "inventor/gl/SoOrganShape.h"
 #include "inventor/gl/SoShadeOnce.h"
 #include "inventor/gl/SoShadowMaps.h"
@@ -30,6 +33,7 @@
 #include "inventor/gl/vectors.h"
 #include "inventor/init.h"
 #include "inventor/scene/model_nodes.h"
+#include "operation/live/loose_blood.h"
 
 namespace resect {
 
@@ -61,6 +65,23 @@ SoNode* backgroundQuad() {
   face->numVertices = 4;
   quad->addChild(face);
   return quad;
+}
+
+// Drops of blood at these places.
+SoSeparator* dropsIn(SoCoordinate3* places) {
+  SoSeparator* drops = uncachedSeparator();
+  auto* flat = new SoLightModel;
+  flat->model = SoLightModel::BASE_COLOR;
+  auto* colour = new SoBaseColor;
+  colour->rgb.setValue(0.42f, 0.03f, 0.03f);
+  auto* style = new SoDrawStyle;
+  style->pointSize = 4;
+  auto* unpickable = new SoPickStyle;
+  unpickable->style = SoPickStyle::UNPICKABLE;
+  for (SoNode* node :
+       std::initializer_list<SoNode*>{flat, colour, style, unpickable, places, new SoPointSet})
+    drops->addChild(node);
+  return drops;
 }
 
 // Colour, hints and shape of one tissue. Back faces of a closed surface are culled.
@@ -153,7 +174,11 @@ OperatingRoom::OperatingRoom() {
   steel_->ref();
   root_->addChild(withMaterial(RoomMaterial::Steel, {toolbox_}));
   root_->addChild(tools_);
-  root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
+  pool_ = new SoBloodPool;
+  root_->addChild(withMaterial(RoomMaterial::Cloth, {pool_, table_}));
+  drops_ = new SoCoordinate3;
+  drops_->point.setNum(0);
+  root_->addChild(dropsIn(drops_));
   // Drawn last, since most of it is hidden.
   auto* room = withMaterial(RoomMaterial::Room, {backgroundQuad()});
   auto* notPicked = new SoPickStyle;
@@ -285,6 +310,15 @@ void OperatingRoom::setToolPose(int tool, const Pose& pose) { setPose(toolTransf
 void OperatingRoom::setOrgan(const TriangleMesh& mesh, const Vec3f& colour) {
   setOrganColour(colour);
   setMesh({organColour_, organHints_, organs_[0]}, mesh);
+}
+
+void OperatingRoom::setLooseBlood(const LooseBlood* blood) {
+  pool_->set(blood ? blood->pool : std::vector<std::uint8_t>());
+  const int count = blood ? int(blood->drops.size()) : 0;
+  if (count == 0 && drops_->point.getNum() == 0) return;
+  drops_->point.setNum(count);
+  for (int i = 0; i < count; ++i)
+    drops_->point.set1Value(i, SbVec3f(blood->drops[std::size_t(i)].data()));
 }
 
 void OperatingRoom::setOrganColour(const Vec3f& colour) {

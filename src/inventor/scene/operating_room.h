@@ -24,6 +24,7 @@
 #include "inventor/scene/model_nodes.h"
 
 class SoBaseColor;
+class SoCoordinate3;
 class SoEventCallback;
 class SoFullPath;
 class SoNode;
@@ -36,8 +37,10 @@ class SoTransform;
 
 namespace resect {
 
+class SoBloodPool;
 class SoOrganShape;
 class SoShadowMaps;
+struct LooseBlood;
 
 enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
 
@@ -96,6 +99,8 @@ class OperatingRoom {
   // Shows a mesh as the first organ, uncut, with smooth normals (geometry/normals.h). For an organ
   // that changes, update organ() instead.
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
+  // Shows blood on the table and in the air. Null: there is none.
+  void setLooseBlood(const LooseBlood* blood);
   void setOrganColour(const Vec3f& colour);  // of the first organ
   void setOrganPose(const Pose& pose);       // of all organs and tissues
 
@@ -151,6 +156,8 @@ class OperatingRoom {
   SoShadowMaps* shadows_;
   SoSeparator* casters_;
   SoSeparator* table_;
+  SoBloodPool* pool_;
+  SoCoordinate3* drops_;
   SoSeparator* toolbox_;
   SoTransform* toolboxPose_;
   SoSeparator* tools_;

@@ -11,6 +11,7 @@
 #include "inventor/gl/SoOrganShape.h"
 #include "inventor/init.h"
 #include "io/data_folder.h"
+#include "operation/live/loose_blood.h"
 #include "operation/room.h"
 
 namespace resect {
@@ -71,6 +72,7 @@ void OperationView::follow(const Simulation& simulation) {
     updates.push_back(publishers_[o].take());
   }
   follow(updates);
+  room_.setLooseBlood(looseBlood(simulation.blood()).get());
 }
 
 void OperationView::follow(std::span<const SurfaceUpdate> updates) {

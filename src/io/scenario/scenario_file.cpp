@@ -42,6 +42,12 @@ OrganSource readOrgan(const TomlTable& t) {
   organ.settle = t.flag("settle", true);
   organ.settings.refine = t.integer("refine", 1, 4, organ.settings.refine);
   organ.settings.iso = float(t.number("iso", kMinIso, kMaxIso, organ.settings.iso));
+  organ.vessels = t.text("vessels", "");
+  if (organ.vessels == kBuiltInVessels && !hasVessels(organ))
+    t.complain("vessels", "is \"built-in\", and \"" + organ.file +
+                              "\" comes without vessels; name a file of vessels, or take an organ "
+                              "that has them: " +
+                              organsWithVessels());
   organ.landmarks = readLandmarks(t);
   organ.labels = readLabels(t);
   return organ;
@@ -214,8 +220,10 @@ Scenario readScenario(const std::filesystem::path& path) {
   Scenario scenario = toScenario(TomlTable::readFile(path));
   scenario.name = path.stem().string();
   scenario.file = path.string();
-  for (ScenarioOrgan& organ : scenario.organs)
+  for (ScenarioOrgan& organ : scenario.organs) {
     if (!isBuiltIn(organ.source)) organ.source.file = resolved(organ.source.file, path);
+    if (isVesselsFile(organ.source)) organ.source.vessels = resolved(organ.source.vessels, path);
+  }
   for (ScenarioTool& tool : scenario.tools) tool.model = resolved(tool.model, path);
   return scenario;
 }

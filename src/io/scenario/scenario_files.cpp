@@ -16,8 +16,10 @@ std::vector<std::filesystem::path> shippedFiles() {
 std::vector<std::filesystem::path> filesRead(const Scenario& scenario) {
   std::vector<std::filesystem::path> files = shippedFiles();
   if (!scenario.file.empty()) files.emplace_back(scenario.file);
-  for (const ScenarioOrgan& organ : scenario.organs)
+  for (const ScenarioOrgan& organ : scenario.organs) {
     if (!isBuiltIn(organ.source)) files.emplace_back(organ.source.file);
+    if (isVesselsFile(organ.source)) files.emplace_back(organ.source.vessels);
+  }
   for (const ScenarioTool& tool : scenario.tools) {
     files.push_back(findDataFile(tool.model, "tools", ".toml"));
     // The mesh is not needed here.

@@ -41,7 +41,14 @@ void follow(SurfaceHand& hand, const Vec3& way, double turnWay) {
 
 HandStyle handStyleOf(const ToolModel& tool) {
   HandStyle style;
-  if (tool.jaws.opening > 0) {
+  if (tool.jaws.opening > 0 && tool.edge.empty()) {
+    // Clips and forceps: both jaws straddle what lies on the surface.
+    style = {.upright = 0.8, .forward = -0.6, .hover = 0.010, .depth = 0.002};
+    style.turnHovering = 0.06;
+    style.closesJaws = true;
+  } else if (tool.kind == "suction") {
+    style = {.upright = 0.8, .forward = -0.6, .hover = 0.008, .depth = 0};
+  } else if (tool.jaws.opening > 0) {
     // One jaw below the surface and one above.
     style = {.upright = 0.42, .forward = -0.91, .hover = 0.014, .depth = 0.008};
     style.turnHovering = 0.06;

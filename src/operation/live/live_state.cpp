@@ -4,6 +4,23 @@
 
 namespace resect {
 
+namespace {
+
+void noteBlood(LiveState& state, const Simulation& simulation, const StepReport& report) {
+  constexpr double kMeanTime = 1;  // s
+  state.bleeds = simulation.blood().any();
+  if (!state.bleeds) return;
+  const double before = state.bled;
+  state.bled = toCubicMetres(simulation.blood().ledger().bled);
+  const double share = std::min(1.0, std::max(0.0, report.time - state.bloodTime) / kMeanTime);
+  state.bloodTime = report.time;
+  if (state.bled < before) state.bleedingRate = 0;  // another moment
+  state.bleedingRate += share * (report.blood.rate - state.bleedingRate);
+  state.loose = looseBlood(simulation.blood());
+}
+
+}  // namespace
+
 void noteStep(LiveState& state, const Simulation& simulation, const StepReport& report,
               double before, const std::vector<double>& peaks) {
   constexpr double kTouchShows = 0.1;    // s: removed tissue is in contact for one frame only
@@ -24,6 +41,7 @@ void noteStep(LiveState& state, const Simulation& simulation, const StepReport& 
   state.removed = removed;
   state.volume = before - state.removedVolume;
   state.iso = simulation.organ().iso;
+  noteBlood(state, simulation, report);
   state.moves = simulation.moves();
   for (const std::string& fault : report.faults)
     if (std::ranges::find(state.faults, fault) == state.faults.end()) state.faults.push_back(fault);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "operation/ledger/ledger.h"
+#include "operation/live/loose_blood.h"
 #include "operation/live/step_times.h"
 #include "operation/live/timeline.h"
 #include "operation/live/tip_place.h"
@@ -38,6 +39,10 @@ struct LiveState {
   std::size_t historyBytes = 0;  // memory for the states of the history
   std::shared_ptr<const Timeline> timeline;  // renewed several times a second
   StepTimes times;
+  bool bleeds = false;                      // whether any organ has vessels
+  double bled = 0, bleedingRate = 0;        // so far, m^3; mean over about a second, m^3/s
+  double bloodTime = 0;                     // of these, s
+  std::shared_ptr<const LooseBlood> loose;  // on the table and in the air; null: none
   // The lists below have one element per tool.
   std::vector<Pose> poses;           // where it is
   std::vector<std::uint8_t> inHand;  // 1: it is in hand, or left holding or pressing

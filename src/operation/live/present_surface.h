@@ -13,12 +13,15 @@ struct PresentSurface {
   const Organ& organ;
   std::span<const Vec3f> points, normals;  // world, m; unit, outwards; one per vertex
   bool moves = false;                      // TissueModel::moves()
+  const OperatedOrgan* operated = nullptr;
+  const BloodFilm* film = nullptr;  // null: the organ does not bleed
 };
 
 // organ: its number. Call simulation.keepLook() before, since the view has normals.
 inline PresentSurface presentSurface(const Simulation& simulation, std::size_t organ = 0) {
   const OperatedOrgan& o = simulation.organs()[organ];
-  return {o.organ, o.points(), o.normals(), o.tissue->moves()};
+  return {o.organ,           o.points(), o.normals(),
+          o.tissue->moves(), &o,         o.organ.map ? &simulation.blood().film(organ) : nullptr};
 }
 
 }  // namespace resect

@@ -4,9 +4,19 @@
 #include <limits>
 #include <utility>
 
+#include "blood/film/film_map.h"
+
 namespace resect {
 
 void SurfacePublisher::follow(const PresentSurface& surface) {
+  followShape(surface);
+  if (!surface.film) return;
+  const bool wet = !surface.film->wet().empty();
+  if (wet || wet_ || update_.everything) update_.blood = filmMap(*surface.film, *surface.operated);
+  wet_ = wet;
+}
+
+void SurfacePublisher::followShape(const PresentSurface& surface) {
   const SurfaceTracker& tracker = surface.organ.surface;
   const SurfaceTracker::Changes& changes = tracker.changes();
   // A viewer that falls behind gets the whole surface once instead of the same ranges many times.

@@ -36,11 +36,13 @@ class SurfacePublisher {
   SurfaceUpdate take();
 
  private:
+  void followShape(const PresentSurface& surface);
   void tellEverything(const PresentSurface& surface);
   void findUnseen(std::span<const Vec3f> points, std::span<const IndexRange> changed);
 
   float seenMotion_;
   bool begun_ = false;
+  bool wet_ = false;            // whether there was blood at the last follow()
   std::uint64_t followed_ = 0;  // SurfaceTracker::Changes::number at the last follow()
   SurfaceUpdate update_;
   std::vector<Vec3f> told_;           // for moving tissue: last published position of each vertex

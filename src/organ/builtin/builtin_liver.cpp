@@ -27,4 +27,14 @@ TriangleMesh builtinLiver(double edge) {
   return polygonise(builtinLiverDistance, box, {.edge = edge});
 }
 
+VesselGrowth builtinLiverVessels() {
+  VesselGrowth growth;
+  growth.seed = 2;
+  growth.hilum = Vec3(0.035, -0.020, 0.010);
+  growth.hilumOut = Vec3(0.058, -0.052, 0.012);
+  growth.cava = Vec3(0.035, 0.042, -0.016);
+  growth.cavaOut = Vec3(0.035, 0.052, -0.034);
+  return growth;
+}
+
 }  // namespace resect

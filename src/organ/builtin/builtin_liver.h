@@ -8,6 +8,7 @@
 // its centre near the origin. Coordinates are in metres: Y up, +Z anterior, +X the patient's left.
 #pragma once
 
+#include "anatomy/growth/vessel_growth.h"
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
@@ -21,5 +22,9 @@ double builtinLiverDistance(const Vec3& p);
 // most triangles have no edge longer than this. At 2.5 mm there are some 60 000 triangles, computed
 // in a fraction of a second.
 TriangleMesh builtinLiver(double edge = 0.0025);
+
+// Where the liver's vessels enter and leave it: hilum and vena cava as in the Visible Human Male.
+// The seed is that of five whose artery and duct reach most terminals.
+VesselGrowth builtinLiverVessels();
 
 }  // namespace resect

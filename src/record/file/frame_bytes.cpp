@@ -104,6 +104,13 @@ void write(Writer& to, const Grip& e) { to.plain(e.cell), to.pose(e.pose); }
 void write(Writer&, const Release&) {}
 void write(Writer& to, const SetLabel& e) { to.plain(e.cell), to.plain(e.label); }
 
+void write(Writer& to, const PlaceClip& e) { to.plain(e.segment), to.plain(e.share); }
+void write(Writer& to, const Coagulate& e) {
+  to.vec(e.place), to.plain(e.radius), to.plain(e.widest);
+}
+void write(Writer& to, const ClampInflow& e) { to.plain(std::uint8_t(e.closed)); }
+void write(Writer& to, const Suction& e) { to.vec(e.place), to.plain(e.radius), to.plain(e.rate); }
+
 void read(Reader& from, RemoveCell& e) { e.cell = from.plain<std::int64_t>(); }
 void read(Reader& from, SeverBond& e) {
   e.cell = from.plain<std::int64_t>();
@@ -124,6 +131,20 @@ void read(Reader&, Release&) {}
 void read(Reader& from, SetLabel& e) {
   e.cell = from.plain<std::int64_t>();
   e.label = from.plain<std::uint8_t>();
+}
+
+void read(Reader& from, PlaceClip& e) {
+  e.segment = from.plain<std::int32_t>();
+  e.share = from.plain<double>();
+}
+void read(Reader& from, Coagulate& e) {
+  e.place = from.vec();
+  e.radius = from.plain<double>(), e.widest = from.plain<double>();
+}
+void read(Reader& from, ClampInflow& e) { e.closed = from.flag(); }
+void read(Reader& from, Suction& e) {
+  e.place = from.vec();
+  e.radius = from.plain<double>(), e.rate = from.plain<double>();
 }
 
 using EditKind = decltype(TissueEdit::what);

@@ -1,0 +1,21 @@
+// Blood on the organ: how thick it is, and how it looks.
+uniform sampler3D bloodMap;   // liquid and clotted; 1 stands for 2 mm
+uniform vec3 bloodLow;        // of the map, at rest, m
+uniform vec3 bloodPerMetre;   // 0: there is no blood
+
+// Thickness of liquid (x) and clotted (y) blood, mm. The map is that of cells, so its borders are
+// broken up by noise: `rough`, -1 to 1.
+vec2 bloodAt(vec3 rest, float rough) {
+  if (bloodPerMetre.x == 0.0) return vec2(0.0);
+  vec2 thick = 2.0 * texture3D(bloodMap, (rest - bloodLow) * bloodPerMetre).ra;
+  vec2 least = vec2(0.018 * (1.0 + 0.7 * rough));
+  return thick * smoothstep(least, 3.0 * least, thick);
+}
+
+// What is seen of a surface of this colour under blood: liquid absorbs green and blue within a twentieth
+// of a millimetre, red within a seventh of one; behind that is the blood's own dark red.
+vec3 underBlood(vec3 colour, vec2 thick) {
+  vec3 through = exp(-thick.x * vec3(7.0, 18.0, 20.0) - thick.y * vec3(8.0, 20.0, 22.0));
+  vec3 own = mix(vec3(0.040, 0.0016, 0.0020), vec3(0.018, 0.0014, 0.0014), thick.y / (thick.x + thick.y + 1e-4));
+  return colour * through + own * (1.0 - through);
+}

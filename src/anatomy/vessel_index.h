@@ -1,0 +1,35 @@
+// Finds the vessel segments near a place.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "anatomy/anatomy.h"
+
+namespace resect {
+
+// A grid of bins over the segments' box; each bin lists the segments whose box, with their radius,
+// meets it.
+class VesselIndex {
+ public:
+  VesselIndex() = default;
+  explicit VesselIndex(std::span<const VesselSegment> segments);
+
+  // The segments that may meet the box, ascending. `found` is overwritten; its memory is reused.
+  void near(const Aabb& box, std::vector<std::int32_t>& found) const;
+  std::size_t bytes() const {
+    return first_.capacity() * sizeof(std::int32_t) + listed_.capacity() * sizeof(std::int32_t);
+  }
+
+ private:
+  template <typename Visit>
+  void visitBins(const Aabb& box, Visit visit) const;
+
+  Aabb box_;
+  Vec3i dims_ = Vec3i::Zero();
+  std::vector<std::int32_t> first_, listed_;  // bin b lists listed_[first_[b]] to [first_[b + 1]]
+};
+
+}  // namespace resect

@@ -1,0 +1,12 @@
+// Vessels as tubes, to be looked at.
+#pragma once
+
+#include "anatomy/anatomy.h"
+#include "geometry/triangle_mesh.h"
+
+namespace resect {
+
+// A closed prism of eight sides round each segment of the kind; prisms overlap where segments meet.
+TriangleMesh vesselMesh(const Anatomy& anatomy, VesselKind kind);
+
+}  // namespace resect

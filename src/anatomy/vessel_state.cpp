@@ -1,0 +1,130 @@
+#include "anatomy/vessel_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/elementary.h"
+
+namespace resect {
+namespace {
+
+VesselInjury& injuryOf(VesselState& state, std::int32_t segment) {
+  auto at = std::ranges::lower_bound(state.injuries, segment, {}, &VesselInjury::segment);
+  if (at == state.injuries.end() || at->segment != segment) {
+    at = state.injuries.insert(at, VesselInjury{});
+    at->segment = segment;
+  }
+  return *at;
+}
+
+// Cuts a filament between two shares of its length. A new cut opens ends that were sealed.
+void cutFilament(VesselState& state, std::int32_t segment, int filament, double from, double to,
+                 std::vector<std::int32_t>& cut) {
+  VesselInjury& injury = injuryOf(state, segment);
+  const bool wider = from < injury.from || to > injury.to;
+  const bool first = !(injury.cut >> filament & 1);
+  if (!first && !wider) return;
+  injury.cut |= 1u << filament;
+  if (from < injury.from) injury.from = from, injury.sealed &= std::uint8_t(~1u);
+  if (to > injury.to) injury.to = to, injury.sealed &= std::uint8_t(~2u);
+  if (first && (cut.empty() || cut.back() != segment)) cut.push_back(segment);
+}
+
+// The part of the way from a to b that lies in the box, as shares.
+std::optional<std::pair<double, double>> partIn(const Aabb& box, const Vec3& a, const Vec3& b) {
+  double from = 0, to = 1;
+  for (int i = 0; i < 3; ++i) {
+    const double way = b[i] - a[i];
+    if (std::abs(way) < 1e-12) {
+      if (a[i] < box.min[i] || a[i] > box.max[i]) return {};
+      continue;
+    }
+    const double u = (box.min[i] - a[i]) / way, v = (box.max[i] - a[i]) / way;
+    from = std::max(from, std::min(u, v));
+    to = std::min(to, std::max(u, v));
+  }
+  if (from >= to) return {};
+  return std::pair{from, to};
+}
+
+}  // namespace
+
+const VesselInjury* VesselState::injury(std::int32_t segment) const {
+  const auto at = std::ranges::lower_bound(injuries, segment, {}, &VesselInjury::segment);
+  return at != injuries.end() && at->segment == segment ? &*at : nullptr;
+}
+
+bool VesselState::clipped(const VesselInjury& injury, VesselEnd end) const {
+  return std::ranges::any_of(clips, [&](const VesselClip& clip) {
+    return clip.segment == injury.segment &&
+           (end == VesselEnd::Root ? clip.share <= injury.from : clip.share >= injury.to);
+  });
+}
+
+bool VesselState::clipped(std::int32_t segment) const {
+  return std::ranges::any_of(clips,
+                             [&](const VesselClip& clip) { return clip.segment == segment; });
+}
+
+void VesselState::addClip(const VesselClip& clip) {
+  const auto before = [](const VesselClip& a, const VesselClip& b) {
+    return a.segment < b.segment || (a.segment == b.segment && a.share < b.share);
+  };
+  clips.insert(std::ranges::upper_bound(clips, clip, before), clip);
+}
+
+Filament filamentOf(const VesselSegment& segment, int filament) {
+  if (filament == 0) return {segment.start, segment.end};
+  const Vec3 along = (segment.end - segment.start).normalized();
+  const Vec3 u = along.cross(std::abs(along.x()) < 0.7 ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY()))
+                     .normalized();
+  const Vec3 v = along.cross(u);
+  const bool inner = filament <= 6;
+  const double angle =
+      inner ? (filament - 1) * std::numbers::pi / 3 : (filament - 7 + 0.5) * std::numbers::pi / 6;
+  const double r = (inner ? 0.5 : 0.87) * segment.radius;
+  const Vec3 offset = r * (math::cos(angle) * u + math::sin(angle) * v);
+  return {segment.start + offset, segment.end + offset};
+}
+
+void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& blade,
+                VesselState& state, std::vector<std::int32_t>& cut) {
+  if (anatomy.empty() || blade.empty()) return;
+  std::vector<std::int32_t> near;
+  index.near(blade.bounds, near);
+  for (const std::int32_t i : near)
+    for (int f = 0; f < kFilaments; ++f) {
+      const Filament filament = filamentOf(anatomy.segments[std::size_t(i)], f);
+      if (const auto at = crossing(blade, filament.start, filament.end))
+        cutFilament(state, i, f, at->share, at->share, cut);
+    }
+}
+
+void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box, double spared,
+                VesselState& state, std::vector<std::int32_t>& cut) {
+  if (anatomy.empty()) return;
+  std::vector<std::int32_t> near;
+  index.near(box, near);
+  for (const std::int32_t i : near) {
+    if (anatomy.segments[std::size_t(i)].radius >= spared) continue;
+    for (int f = 0; f < kFilaments; ++f) {
+      const Filament filament = filamentOf(anatomy.segments[std::size_t(i)], f);
+      if (const auto part = partIn(box, filament.start, filament.end))
+        cutFilament(state, i, f, part->first, part->second, cut);
+    }
+  }
+}
+
+void sealVessels(const Anatomy& anatomy, const Vec3& place, double radius, double widest,
+                 VesselState& state) {
+  for (VesselInjury& injury : state.injuries) {
+    const VesselSegment& s = anatomy.segments[std::size_t(injury.segment)];
+    if (s.radius > widest) continue;
+    if ((s.at(injury.from) - place).norm() <= radius) injury.sealed |= 1;
+    if ((s.at(injury.to) - place).norm() <= radius) injury.sealed |= 2;
+  }
+}
+
+}  // namespace resect

@@ -1,0 +1,118 @@
+// Blood in an operation: out of cut vessels and cut tissue, over the organs, in drops through the
+// air, and onto the table. The ledger is exact: what has bled is what lies somewhere, to the
+// picolitre.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "blood/film/blood_film.h"
+#include "blood/film/blood_table.h"
+#include "blood/flow/vessel_flow.h"
+#include "organ/edit.h"
+
+namespace resect {
+
+// Where the blood is that an operation has lost: bled = film + clotted + drops + pools + sucked +
+// absorbed + lost.
+struct BloodLedger {
+  Picolitres bled = 0;      // out of vessels and cut tissue
+  Picolitres film = 0;      // liquid on organs
+  Picolitres clotted = 0;   // on organs
+  Picolitres drops = 0;     // in the air
+  Picolitres pools = 0;     // on the table
+  Picolitres sucked = 0;    // by suction
+  Picolitres absorbed = 0;  // by gauze
+  Picolitres lost = 0;      // beside the table
+
+  Picolitres found() const { return film + clotted + drops + pools + sucked + absorbed + lost; }
+};
+
+// A vessel end that bleeds.
+struct BleedingEnd {
+  std::int32_t organ = 0, segment = -1;
+  VesselEnd end = VesselEnd::Root;
+  Vec3 place = Vec3::Zero();  // world, m
+  double flow = 0;            // m^3/s
+};
+
+struct BloodReport {
+  BloodLedger ledger;
+  double rate = 0;                // out of vessels and tissue, mean over the frame, m^3/s
+  double airRate = 0;             // drawn into open hepatic veins, m^3/s
+  std::vector<BleedingEnd> ends;  // those that bleed, by organ and segment
+};
+
+// Grade of bleeding by its rate, m^3/s: 0 none to 4 life-threatening (VIBe; Lewis et al. 2017).
+int bleedingGrade(double rate);
+
+class Bleeding {
+ public:
+  Bleeding() = default;
+  // Organs without an anatomy do not bleed.
+  explicit Bleeding(std::span<const OperatedOrgan> organs, const Circulation& circulation = {});
+  bool any() const { return any_; }
+
+  // A frame, after the tissue has moved. `organs`: those of the constructor; their vessels' flows
+  // are written. edits: all that were applied in the frame. time: at the end of the frame, s.
+  void step(std::span<OperatedOrgan> organs, std::span<const TissueEdit> edits, double duration,
+            double time, bool table, BloodReport& report);
+
+  const BloodFilm& film(std::size_t organ) const { return organs_[organ].film; }
+  const std::vector<BloodDrop>& drops() const { return drops_; }
+  const BloodTable& table() const { return table_; }
+  BloodLedger ledger() const;
+  std::size_t bytes() const;
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v.fixed("organs", organs_), v("drops", drops_), v("table", table_);
+    v("bled", bled_), v("sucked", sucked_), v("absorbed", absorbed_), v("lost", lost_);
+  }
+  void remake(std::span<const OperatedOrgan> organs);  // after a state was loaded
+
+ private:
+  // A cell whose cut faces ooze.
+  struct Oozing {
+    std::int64_t cell = -1;
+    double area = 0;   // of the faces, m^2
+    double since = 0;  // when they were cut, s
+
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("cell", cell), v("area", area), v("since", since);
+    }
+  };
+  struct OrganBlood {
+    BloodFilm film;
+    std::vector<Oozing> oozing;
+    double sinusoids = 0;  // Pa
+    VesselFlow flow;       // set up once
+
+    template <class Visitor>
+    void visit(Visitor& v) {
+      v("film", film), v("oozing", oozing), v("sinusoids", sinusoids);
+    }
+  };
+
+  void follow(OrganBlood& blood, const OperatedOrgan& organ, std::int32_t number,
+              std::span<const TissueEdit> edits, double time);
+  void bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t number, double duration,
+             double time, BloodReport& report);
+  void bleedFrom(OrganBlood& blood, const OperatedOrgan& organ, const VesselInjury& injury, int end,
+                 std::int64_t cell, double duration, double time, Picolitres volume);
+  void ooze(OrganBlood& blood, const OperatedOrgan& organ, double duration, double time);
+  void suck(const Suction& suction, double duration);
+  void fly(std::span<const OperatedOrgan> organs, double duration, bool table);
+  void shed(OrganBlood& blood, std::int64_t cell, Picolitres volume);
+
+  std::vector<OrganBlood> organs_;
+  std::vector<BloodDrop> drops_;
+  BloodTable table_;
+  Picolitres bled_ = 0, sucked_ = 0, absorbed_ = 0, lost_ = 0;
+  bool any_ = false;
+  Circulation circulation_;
+};
+
+}  // namespace resect

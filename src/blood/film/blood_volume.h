@@ -1,0 +1,15 @@
+// Volumes of blood as whole picolitres: sums are exact, so that no drop is ever lost or made.
+#pragma once
+
+#include <cstdint>
+
+namespace resect {
+
+using Picolitres = std::int64_t;
+inline constexpr double kPicolitresPerM3 = 1e15;
+
+// Rounds down. volume: m^3, up to 9000 m^3.
+inline Picolitres toPicolitres(double volume) { return Picolitres(volume * kPicolitresPerM3); }
+inline double toCubicMetres(Picolitres volume) { return double(volume) / kPicolitresPerM3; }
+
+}  // namespace resect

@@ -1,0 +1,87 @@
+// The cells over which blood runs: particles with a free face, and the shape of the skin there.
+//
+// A particle's face is free where no bonded particle lies beyond it: on the organ's surface, on the
+// walls of a wound, and on the lips of an incision that is closed. Everything here is derived from
+// the organ and its tissue.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "organ/operated_organ.h"
+#include "tissue/stencil.h"
+
+namespace resect {
+
+// Cells are numbered as on the organ's lattice with a layer of empty cells round it, x fastest, so
+// that every cell has 26 neighbours.
+struct PaddedNumbers {
+  Vec3i dims = Vec3i::Zero();  // of the lattice
+  std::int32_t step(int direction) const {
+    return offsetAlong(direction, 0) +
+           (dims.x() + 2) *
+               (offsetAlong(direction, 1) + (dims.y() + 2) * offsetAlong(direction, 2));
+  }
+  std::int32_t of(const Vec3i& cell) const {
+    return ((cell.z() + 1) * (dims.y() + 2) + cell.y() + 1) * (dims.x() + 2) + cell.x() + 1;
+  }
+  Vec3i cell(std::int32_t number) const {
+    const std::int32_t row = number / (dims.x() + 2);
+    return {number % (dims.x() + 2) - 1, row % (dims.y() + 2) - 1, row / (dims.y() + 2) - 1};
+  }
+  std::size_t count() const {
+    return std::size_t(dims.x() + 2) * std::size_t(dims.y() + 2) * std::size_t(dims.z() + 2);
+  }
+};
+
+struct SkinCell {
+  // At rest. normal: unit, out of the tissue. offset: from the cell's centre to its skin, m.
+  Vec3f normal = Vec3f::Zero(), offset = Vec3f::Zero();
+  float area = 0;          // of its skin, m^2
+  std::uint32_t free = 0;  // bit d: the neighbour in direction d is a particle no longer bonded
+  std::uint32_t ways = 0;  // bit d: blood can run to the skin cell in direction d
+  std::uint32_t open = 0;  // bit d: the face in direction d is free (face neighbours only)
+  bool skin = false;
+  bool slit = false;  // all its free faces are lips of cuts
+};
+
+// Faces of a cell that were not free before an edit.
+struct OpenedFaces {
+  std::int64_t cell = -1;
+  int faces = 0;
+};
+
+class SkinCells {
+ public:
+  SkinCells() = default;
+  explicit SkinCells(const OperatedOrgan& organ);  // finds all skin cells
+
+  // Finds again what may have changed after edits at these cells: their neighbours two cells away.
+  // Appends the faces that were opened.
+  void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
+             std::vector<OpenedFaces>& opened);
+
+  const SkinCell& operator[](std::int32_t number) const { return cells_[std::size_t(number)]; }
+  bool isSkin(std::int32_t number) const { return cells_[std::size_t(number)].skin; }
+  const PaddedNumbers& numbers() const { return numbers_; }
+  const std::int32_t* steps() const { return steps_.data(); }  // by direction
+  std::int32_t numberOf(std::int64_t cell) const { return numbers_.of(lattice_.cell(cell)); }
+  std::int64_t latticeCell(std::int32_t number) const {
+    return lattice_.index(numbers_.cell(number));
+  }
+  const Lattice& lattice() const { return lattice_; }
+  bool empty() const { return cells_.empty(); }
+
+ private:
+  void find(const OperatedOrgan& organ, const Vec3i& cell);
+  void link(const Vec3i& cell);
+
+  Lattice lattice_;
+  PaddedNumbers numbers_;
+  std::array<std::int32_t, kDirections> steps_{};
+  std::vector<SkinCell> cells_;  // by padded number
+};
+
+}  // namespace resect

@@ -1,0 +1,305 @@
+#include "blood/flow/vessel_flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace resect {
+namespace {
+
+constexpr double kJetLoss = 1.56;   // of a jet from a sharp end
+constexpr double kBackwards = 0.2;  // what a leaf carries out of collapsing sinusoids
+constexpr double kLeastLoss = 1e3;  // Pa s/m^3: of an end, so that it is never without
+constexpr int kRounds = 4;
+constexpr double kHeldOpen = 1.5e-3;  // m: radius from which hepatic veins stay open
+constexpr VesselKind kBlood[] = {VesselKind::PortalVein, VesselKind::HepaticVein,
+                                 VesselKind::HepaticArtery};
+
+double poiseuille(const VesselSegment& s) {
+  const double r2 = s.radius * s.radius;
+  return 8 * kBloodViscosity * s.length() / (std::numbers::pi * r2 * r2);
+}
+
+double lossAt(double flow, double area) {
+  return kJetLoss * kBloodDensity * std::abs(flow) / (2 * area * area) + kLeastLoss;
+}
+
+// The same conductance behind a resistance.
+double behind(double resistance, double conductance) {
+  return conductance / (1 + resistance * conductance);
+}
+
+}  // namespace
+
+VesselFlow::VesselFlow(std::shared_ptr<const VesselMap> map, const Circulation& circulation)
+    : map_(std::move(map)), anatomy_(&map_->anatomy) {
+  const Anatomy& anatomy = *anatomy_;
+  for (const VesselKind kind : kBlood) {
+    Tree& tree = trees_[std::size_t(kind)];
+    tree.range = anatomy.range(kind);
+    tree.supply = kind == VesselKind::PortalVein    ? circulation.portal
+                  : kind == VesselKind::HepaticVein ? circulation.hepatic
+                                                    : circulation.artery;
+    const std::size_t count = std::size_t(tree.range.count);
+    tree.resistance.resize(count);
+    tree.firstChild.assign(count + 1, 0);
+    const auto segment = [&](std::size_t i) -> const VesselSegment& {
+      return anatomy.segments[std::size_t(tree.range.first) + i];
+    };
+    const auto parentOf = [&](std::size_t i) {
+      const std::int32_t parent = segment(i).parent;
+      return parent < 0 ? -1 : parent - tree.range.first;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      tree.resistance[i] = poiseuille(segment(i));
+      if (parentOf(i) < 0)
+        tree.roots.push_back(std::int32_t(i));
+      else
+        ++tree.firstChild[std::size_t(parentOf(i)) + 1];
+    }
+    for (std::size_t i = 0; i < count; ++i) tree.firstChild[i + 1] += tree.firstChild[i];
+    tree.children.resize(std::size_t(tree.firstChild.back()));
+    std::vector<std::int32_t> next(tree.firstChild.begin(), tree.firstChild.end());
+    for (std::size_t i = 0; i < count; ++i)
+      if (parentOf(i) >= 0)
+        tree.children[std::size_t(next[std::size_t(parentOf(i))]++)] = std::int32_t(i);
+
+    // The leaves' conductance is such that the healthy organ has the flow of its supply.
+    const double root = tree.supply.pressure - tree.supply.resistance * tree.supply.flow;
+    const double wanted = tree.supply.flow / (root - circulation.sinusoids);
+    double low = 1e-16, high = 1e-6;
+    for (int i = 0; i < 100 && count > 0; ++i) {
+      const double middle = std::sqrt(low * high);
+      (conductance(tree, middle) < wanted ? low : high) = middle;
+    }
+    tree.leafConductance = low;
+    condense(tree);
+  }
+}
+
+// Of the tree from its root to the sinusoids, if each leaf has the conductance `leaf`.
+double VesselFlow::conductance(Tree& tree, double leaf) const {
+  tree.leafConductance = leaf;
+  condense(tree);
+  double sum = 0;
+  for (const std::int32_t root : tree.roots) sum += tree.seen[0][std::size_t(root)];
+  return sum;
+}
+
+void VesselFlow::condense(Tree& tree) const {
+  const bool collapses = tree.supply.flow > 0;
+  for (int backwards = 0; backwards < 2; ++backwards) {
+    const double leaf = tree.leafConductance * (backwards && collapses ? kBackwards : 1);
+    std::vector<double>& seen = tree.seen[std::size_t(backwards)];
+    seen.assign(tree.resistance.size(), 0);
+    for (std::size_t i = seen.size(); i-- > 0;) {
+      double sum = anatomy_->segments[std::size_t(tree.range.first) + i].leaf ? leaf : 0;
+      for (std::int32_t c = tree.firstChild[i]; c < tree.firstChild[i + 1]; ++c)
+        sum += seen[std::size_t(tree.children[std::size_t(c)])];
+      seen[i] = behind(tree.resistance[i], sum);
+    }
+  }
+}
+
+// One pass up and down the part of a tree that injuries concern.
+struct VesselFlow::Sweep {
+  struct Node {
+    std::int32_t segment;      // within the tree
+    std::int32_t parent = -1;  // index of its node; -1: the root
+    std::int32_t injury = -1;  // index in VesselState::injuries
+    bool shut = false;         // by a clip, without being severed
+    bool backwards = false;    // what is beyond it is cut off from the source
+    double g = 0, j = 0;       // at its end: flow into what is beyond = g p - j
+    double pressure = 0;       // at its end
+  };
+  std::vector<Node> nodes;  // ascending by segment
+};
+
+double VesselFlow::solveTree(const Tree& tree, VesselState& state,
+                             std::span<const EndOutside> outside, double sourceShare,
+                             double sinusoids, bool keep, double& air) const {
+  // The segments with injuries or clips, and those between them and the root.
+  std::vector<std::int32_t> concerned;
+  const auto add = [&](std::int32_t segment) {
+    for (std::int32_t i = segment; i >= 0; i = anatomy_->segments[std::size_t(i)].parent)
+      concerned.push_back(i - tree.range.first);
+  };
+  const auto mine = [&](std::int32_t segment) {
+    return segment >= tree.range.first && segment < tree.range.first + tree.range.count;
+  };
+  for (const VesselInjury& injury : state.injuries)
+    if (mine(injury.segment)) add(injury.segment);
+  for (const VesselClip& clip : state.clips)
+    if (mine(clip.segment)) add(clip.segment);
+  std::ranges::sort(concerned);
+  concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
+
+  const bool clamped = state.inflowClamped && tree.supply.flow > 0;
+  Sweep sweep;
+  sweep.nodes.reserve(concerned.size());
+  const auto nodeOf = [&](std::int32_t segment) -> std::int32_t {
+    const auto at = std::ranges::lower_bound(concerned, segment);
+    return at != concerned.end() && *at == segment ? std::int32_t(at - concerned.begin()) : -1;
+  };
+  const auto injuryAt = [&](const Sweep::Node& n) -> VesselInjury& {
+    return state.injuries[std::size_t(n.injury)];
+  };
+  for (const std::int32_t segment : concerned) {
+    Sweep::Node n{segment, -1, -1, false, clamped, 0, 0, 0};
+    const std::int32_t number = segment + tree.range.first;
+    const std::int32_t parent = anatomy_->segments[std::size_t(number)].parent;
+    if (parent >= 0) n.parent = nodeOf(parent - tree.range.first);
+    if (const VesselInjury* injury = state.injury(number))
+      n.injury = std::int32_t(injury - state.injuries.data());
+    const bool severed = n.injury >= 0 && injuryAt(n).severed();
+    n.shut = !severed && state.clipped(number);
+    n.backwards |=
+        severed || n.shut || (n.parent >= 0 && sweep.nodes[std::size_t(n.parent)].backwards);
+    sweep.nodes.push_back(n);
+  }
+
+  double gRoot = 0, jRoot = 0;
+  const auto join = [&](std::int32_t node, double g, double j) {
+    (node < 0 ? gRoot : sweep.nodes[std::size_t(node)].g) += g;
+    (node < 0 ? jRoot : sweep.nodes[std::size_t(node)].j) += j;
+  };
+  // Where the outside pressure is higher, veins collapse: such an end was closed in this call,
+  // unless it is a wide hepatic vein, which the tissue holds open, and which draws air. An end of
+  // an injury: its conductance to the outside, beyond `resistance`.
+  const auto openEnd = [&](const Sweep::Node& n, int end, double resistance, double area) {
+    const VesselInjury& injury = injuryAt(n);
+    const EndOutside& out = outside[std::size_t(n.injury)];
+    if (injury.isSealed(VesselEnd(end)) || out.closed[end] ||
+        collapsed_[std::size_t(n.injury)][end] ||
+        (injury.severed() && state.clipped(injury, VesselEnd(end))))
+      return 0.0;
+    return 1 / (resistance + lossAt(injury.flow[end], area));
+  };
+  struct Ends {
+    double resistance, toRoot, toFar, area, g[2];  // toRoot, toFar: of the parts before and beyond
+  };
+  const auto endsOf = [&](const Sweep::Node& n) {
+    const VesselInjury& injury = injuryAt(n);
+    const VesselSegment& s = anatomy_->segments[std::size_t(injury.segment)];
+    Ends e;
+    e.resistance = tree.resistance[std::size_t(n.segment)];
+    e.toRoot = injury.from * e.resistance;
+    e.toFar = (1 - injury.to) * e.resistance;
+    e.area = std::numbers::pi * s.radius * s.radius * injury.share();
+    const bool severed = injury.severed();
+    e.g[0] = openEnd(n, 0, severed ? e.toRoot : 0, e.area);
+    e.g[1] = severed ? openEnd(n, 1, e.toFar, e.area) : 0;
+    return e;
+  };
+
+  for (const std::int32_t root : tree.roots)
+    if (nodeOf(root) < 0)
+      join(-1, tree.seen[clamped][std::size_t(root)],
+           tree.seen[clamped][std::size_t(root)] * sinusoids);
+  for (std::size_t k = sweep.nodes.size(); k-- > 0;) {
+    Sweep::Node& n = sweep.nodes[k];
+    const std::size_t i = std::size_t(n.segment);
+    double healthy = 0;
+    if (anatomy_->segments[std::size_t(tree.range.first) + i].leaf)
+      healthy += tree.leafConductance * (n.backwards && tree.supply.flow > 0 ? kBackwards : 1);
+    for (std::int32_t c = tree.firstChild[i]; c < tree.firstChild[i + 1]; ++c) {
+      const std::int32_t child = tree.children[std::size_t(c)];
+      if (nodeOf(child) < 0) healthy += tree.seen[n.backwards][std::size_t(child)];
+    }
+    n.g += healthy;
+    n.j += healthy * sinusoids;
+    if (n.shut) continue;
+    const double r = tree.resistance[i];
+    if (n.injury < 0) {
+      join(n.parent, behind(r, n.g), n.j / (1 + r * n.g));
+      continue;
+    }
+    const Ends e = endsOf(n);
+    const EndOutside& out = outside[std::size_t(n.injury)];
+    if (injuryAt(n).severed()) {
+      n.g += e.g[1];
+      n.j += e.g[1] * out.pressure[1];
+      join(n.parent, e.g[0], e.g[0] * out.pressure[0]);
+    } else {  // a hole in the wall, between the parts before and beyond it
+      const double g = behind(e.toFar, n.g) + e.g[0];
+      const double j = n.j / (1 + e.toFar * n.g) + e.g[0] * out.pressure[0];
+      join(n.parent, behind(e.toRoot, g), j / (1 + e.toRoot * g));
+    }
+  }
+
+  const double source = sourceShare * tree.supply.pressure;
+  const double root =
+      clamped ? (gRoot > 0 ? jRoot / gRoot : 0)
+              : (source / tree.supply.resistance + jRoot) / (1 / tree.supply.resistance + gRoot);
+  const double inflow = clamped ? 0 : (source - root) / tree.supply.resistance;
+  double out = 0;
+  for (Sweep::Node& n : sweep.nodes) {
+    const double before = n.parent < 0 ? root : sweep.nodes[std::size_t(n.parent)].pressure;
+    const double r = tree.resistance[std::size_t(n.segment)];
+    const double alone = n.g > 0 ? n.j / n.g : 0;
+    if (n.shut) {
+      n.pressure = alone;
+      continue;
+    }
+    if (n.injury < 0) {
+      n.pressure = (before + r * n.j) / (1 + r * n.g);
+      continue;
+    }
+    const Ends e = endsOf(n);
+    const EndOutside& beyond = outside[std::size_t(n.injury)];
+    double flow[2];
+    if (injuryAt(n).severed()) {
+      n.pressure = alone;
+      flow[0] = e.g[0] * (before - beyond.pressure[0]);
+      flow[1] = e.g[1] * (n.pressure - beyond.pressure[1]);
+    } else {
+      const double g = behind(e.toFar, n.g) + e.g[0];
+      const double j = n.j / (1 + e.toFar * n.g) + e.g[0] * beyond.pressure[0];
+      const double hole = (before + e.toRoot * j) / (1 + e.toRoot * g);
+      n.pressure = (hole + e.toFar * n.j) / (1 + e.toFar * n.g);
+      flow[0] = e.g[0] * (hole - beyond.pressure[0]);
+      flow[1] = 0;
+    }
+    out += flow[0] + flow[1];
+    if (!keep) continue;
+    VesselInjury& injury = injuryAt(n);
+    for (int end = 0; end < 2; ++end) {
+      if (flow[end] < 0) {
+        const bool wide = anatomy_->segments[std::size_t(injury.segment)].radius >= kHeldOpen;
+        if (tree.supply.flow < 0 && wide)
+          air -= flow[end];
+        else
+          collapsed_[std::size_t(n.injury)][end] = true;
+      }
+      // Damped, since the loss grows with the flow.
+      injury.flow[end] = e.g[end] > 0 ? 0.5 * (injury.flow[end] + std::max(0.0, flow[end])) : 0;
+    }
+  }
+  if (keep) tree.inflow = inflow;
+  return inflow - out;
+}
+
+double VesselFlow::solve(VesselState& state, std::span<const EndOutside> outside,
+                         const SourceShares& sources, double& sinusoids) const {
+  double air = 0;
+  collapsed_.assign(state.injuries.size(), {false, false});
+  for (int round = 0; round < kRounds; ++round) {
+    air = 0;
+    const auto net = [&](double pressure, bool keep) {  // flow into the sinusoids
+      double sum = 0;
+      for (const VesselKind kind : kBlood)
+        sum += solveTree(trees_[std::size_t(kind)], state, outside,
+                         kind == VesselKind::HepaticArtery ? sources.artery
+                         : kind == VesselKind::PortalVein  ? sources.portal
+                                                           : 1,
+                         pressure, keep, air);
+      return sum;
+    };
+    const double none = net(0, false), unit = net(kMmHg, false);  // it is affine in the pressure
+    if (unit < none) sinusoids = none / (none - unit) * kMmHg;
+    net(sinusoids, true);
+  }
+  return air;
+}
+
+}  // namespace resect

@@ -1,0 +1,63 @@
+#include "cli/blood_report.h"
+
+#include <fmt/format.h>
+
+namespace resect {
+namespace {
+
+double ml(Picolitres volume) { return 1e6 * toCubicMetres(volume); }
+double mlPerMinute(double rate) { return 60e6 * rate; }
+
+constexpr std::size_t kMostNamed = 3;  // vessels in the text
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const BloodSummary& summary) {
+  const BloodLedger& l = summary.ledger;
+  nlohmann::ordered_json json = {{"bled_ml", ml(l.bled)},
+                                 {"film_ml", ml(l.film)},
+                                 {"clotted_ml", ml(l.clotted)},
+                                 {"drops_ml", ml(l.drops)},
+                                 {"pools_ml", ml(l.pools)},
+                                 {"sucked_ml", ml(l.sucked)},
+                                 {"absorbed_ml", ml(l.absorbed)},
+                                 {"lost_ml", ml(l.lost)},
+                                 {"unexplained_pl", l.bled - l.found()},
+                                 {"rate_ml_min", mlPerMinute(summary.rate)},
+                                 {"highest_rate_ml_min", mlPerMinute(summary.highest)},
+                                 {"vibe", bleedingGrade(summary.rate)},
+                                 {"air_ml", 1e6 * summary.air},
+                                 {"vessels", nlohmann::ordered_json::array()}};
+  for (const CutVesselSummary& v : summary.vessels)
+    json["vessels"].push_back({{"kind", wordOf(v.kind)},
+                               {"diameter_mm", 1e3 * v.diameter},
+                               {"severed", v.severed},
+                               {"closed", v.closed},
+                               {"bled_ml", 1e6 * v.bled}});
+  return json;
+}
+
+std::string toText(const BloodSummary& summary) {
+  const BloodLedger& l = summary.ledger;
+  std::string text = fmt::format(
+      "  {:<10} {:.1f} ml bled, now {:.0f} ml/min (grade {} of 4): {:.1f} ml on organs, {:.1f} ml "
+      "clotted, {:.1f} ml on the table\n",
+      "blood", ml(l.bled), mlPerMinute(summary.rate), bleedingGrade(summary.rate),
+      ml(l.film + l.drops), ml(l.clotted), ml(l.pools + l.lost));
+  if (l.sucked > 0 || l.absorbed > 0)
+    text += fmt::format("  {:<10} {:.1f} ml sucked, {:.1f} ml in gauze\n", "", ml(l.sucked),
+                        ml(l.absorbed));
+  if (summary.air > 1e-9)
+    text +=
+        fmt::format("  {:<10} {:.1f} ml of air drawn into hepatic veins\n", "", 1e6 * summary.air);
+  std::string named;
+  for (std::size_t i = 0; i < summary.vessels.size() && i < kMostNamed; ++i)
+    named += fmt::format("{}{} of {:.1f} mm", i ? ", " : "", nameOf(summary.vessels[i].kind),
+                         1e3 * summary.vessels[i].diameter);
+  if (!named.empty())
+    text +=
+        fmt::format("  {:<10} {} cut, the widest: {}\n", "vessels", summary.vessels.size(), named);
+  return text;
+}
+
+}  // namespace resect

@@ -1,0 +1,40 @@
+// Inventor node that gives the blood on the table to the shaders of the nodes after it
+// (data/shaders/cloth.frag). In .iv files: `BloodPool {}`, which has none.
+#pragma once
+
+#include <Inventor/fields/SoSFInt32.h>
+#include <Inventor/nodes/SoNode.h>
+#include <Inventor/nodes/SoSubNode.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "inventor/gl/per_context.h"
+
+namespace resect {
+
+inline constexpr int kPoolUnit = 2;  // texture unit
+
+class SoBloodPool : public SoNode {
+  SO_NODE_HEADER(SoBloodPool);
+
+ public:
+  static void initClass();
+  SoBloodPool();
+
+  SoSFInt32 revision;  // number of changes so far; set() writes it
+
+  // A square of bytes, x fastest: the depth of blood. Empty: none.
+  void set(std::vector<std::uint8_t> depths);
+
+ protected:
+  ~SoBloodPool() override;
+  void GLRender(SoGLRenderAction* action) override;
+
+ private:
+  struct ContextTexture;
+  std::vector<std::uint8_t> depths_;
+  PerContext<ContextTexture> contexts_;
+};
+
+}  // namespace resect

@@ -1,0 +1,23 @@
+// Blood that is on no organ, for viewers: puddles on the table and drops in the air.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "blood/bleeding.h"
+
+namespace resect {
+
+struct LooseBlood {
+  static constexpr double kDeepest = 5e-3;  // m: what the byte 255 stands for
+
+  std::vector<std::uint8_t> pool;  // depth on the table: kTableCells x kTableCells, x fastest
+  Aabb poolBox;                    // round the puddles, world, m
+  std::vector<Vec3f> drops;        // world, m
+};
+
+// Null if there is none.
+std::shared_ptr<const LooseBlood> looseBlood(const Bleeding& blood);
+
+}  // namespace resect

@@ -1,0 +1,82 @@
+#include "anatomy/growth/vessel_growth.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "anatomy/growth/murray.h"
+#include "anatomy/measure_anatomy.h"
+#include "base/error.h"
+#include "geometry/primitives.h"
+
+using namespace resect;
+
+namespace {
+
+// A ball of 6 cm radius, with hilum below and cava above.
+TriangleMesh ball() { return sphereMesh(Vec3::Zero(), 0.06); }
+
+VesselGrowth settings(std::uint64_t seed) {
+  VesselGrowth g;
+  g.terminals = 200;
+  g.seed = seed;
+  g.hilum = Vec3(0.01, -0.045, 0);
+  g.hilumOut = Vec3(0.01, -0.09, 0);
+  g.cava = Vec3(-0.01, 0.045, -0.01);
+  g.cavaOut = Vec3(-0.01, 0.08, -0.01);
+  return g;
+}
+
+}  // namespace
+
+TEST_CASE("radii grow with the number of terminals to the power of 1 / 2.8") {
+  for (const double n : {1e-3, 0.5, 1.0, 2.0, 7.3, 128.0, 999.0, 5000.0})
+    CHECK(murrayShare(n) == doctest::Approx(std::pow(n, 1 / 2.8)).epsilon(1e-14));
+}
+
+TEST_CASE("the vessels of any seed stay inside the organ and cross none of another kind") {
+  const TriangleMesh organ = ball();
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    CAPTURE(seed);
+    const Anatomy anatomy = growVessels(organ, settings(seed));
+    const AnatomyMeasures m = measure(anatomy, organ);
+    CHECK(m.kinds[0].terminals == 200);
+    CHECK(m.kinds[1].terminals == 200);
+    // Artery and duct reach nearly all of the portal vein's terminals.
+    CHECK(m.kinds[2].terminals > 140);
+    CHECK(m.kinds[3].terminals > 110);
+    for (const VesselMeasures& kind : m.kinds) CHECK(kind.outside == 0);
+    for (int a = 0; a < kVesselKinds; ++a)
+      for (int b = 0; b < a; ++b) {
+        CAPTURE(a);
+        CAPTURE(b);
+        CHECK(m.crossings[std::size_t(a)][std::size_t(b)] == 0);
+      }
+    // Wider towards the root, order by order.
+    for (const VesselMeasures& kind : m.kinds)
+      for (std::size_t o = 1; o < kind.radiusByOrder.size(); ++o)
+        CHECK(kind.radiusByOrder[o] > kind.radiusByOrder[o - 1]);
+  }
+}
+
+TEST_CASE("the same seed gives the same vessels, another one gives others") {
+  const TriangleMesh organ = ball();
+  const auto ends = [&](std::uint64_t seed) {
+    std::vector<double> all;
+    for (const VesselSegment& s : growVessels(organ, settings(seed)).segments)
+      all.insert(all.end(), {s.end.x(), s.end.y(), s.end.z(), s.radius});
+    return all;
+  };
+  CHECK(ends(3) == ends(3));
+  CHECK(ends(3) != ends(4));
+}
+
+TEST_CASE("vessels for an organ without room, or with settings out of range, are refused") {
+  VesselGrowth g = settings(1);
+  g.terminals = 10;
+  CHECK_THROWS_AS(growVessels(ball(), g), Error);
+  g = settings(1);
+  g.hilum.x() = std::nan("");
+  CHECK_THROWS_AS(growVessels(ball(), g), Error);
+  CHECK_THROWS_AS(growVessels(sphereMesh(Vec3::Zero(), 0.002), settings(1)), Error);
+}

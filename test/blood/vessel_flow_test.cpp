@@ -1,0 +1,124 @@
+#include "blood/flow/vessel_flow.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "anatomy/small_vessels.h"
+
+using namespace resect;
+
+namespace {
+
+constexpr std::uint32_t kAll = (1u << kFilaments) - 1;
+
+struct Solved {
+  VesselState state;
+  double sinusoids = 5 * kMmHg;
+  double air = 0;
+  double out() const {
+    double sum = 0;
+    for (const VesselInjury& i : state.injuries) sum += i.flow[0] + i.flow[1];
+    return sum;
+  }
+};
+
+// The steady state.
+Solved solved(const VesselFlow& flow, VesselState state, double pressure = 0) {
+  Solved result{std::move(state)};
+  EndOutside outside;
+  outside.pressure[0] = outside.pressure[1] = pressure;
+  const std::vector<EndOutside> all(result.state.injuries.size(), outside);
+  for (int i = 0; i < 60; ++i) result.air = flow.solve(result.state, all, {}, result.sinusoids);
+  return result;
+}
+
+VesselState severed(std::int32_t segment, double share) {
+  VesselState state;
+  state.injuries.push_back({segment, kAll, share, share, 0, {0, 0}, 0});
+  return state;
+}
+
+double inflow(const VesselFlow& flow) {
+  return flow.inflow(VesselKind::PortalVein) + flow.inflow(VesselKind::HepaticVein) +
+         flow.inflow(VesselKind::HepaticArtery);
+}
+
+}  // namespace
+
+TEST_CASE("without injuries the organ has the flow and the pressures of its supply") {
+  const VesselFlow flow(makeVesselMap(test::threeForks()), {});
+  const Solved s = solved(flow, {});
+  CHECK(flow.inflow(VesselKind::PortalVein) == doctest::Approx(18.75e-6).epsilon(1e-9));
+  CHECK(flow.inflow(VesselKind::HepaticArtery) == doctest::Approx(6.25e-6).epsilon(1e-9));
+  CHECK(flow.inflow(VesselKind::HepaticVein) == doctest::Approx(-25e-6).epsilon(1e-9));
+  CHECK(s.sinusoids == doctest::Approx(5 * kMmHg).epsilon(1e-9));
+}
+
+TEST_CASE("what flows in flows out, to a billionth, whatever is cut, clipped or clamped") {
+  const VesselFlow flow(makeVesselMap(test::threeForks()), {});
+  for (int segment = 0; segment < 9; ++segment)
+    for (const bool clamped : {false, true})
+      for (const bool clipped : {false, true}) {
+        CAPTURE(segment);
+        VesselState state = severed(segment, 0.4);
+        state.inflowClamped = clamped;
+        if (clipped) state.addClip({segment, 0.2});
+        const Solved s = solved(flow, state);
+        CHECK(std::abs(inflow(flow) - s.out()) < 1e-9 * 25e-6);
+        if (clipped) CHECK(s.state.injuries[0].flow[0] == 0);
+        CHECK(s.state.injuries[0].flow[1] >= 0);
+      }
+}
+
+TEST_CASE("a thin long vessel bleeds by Poiseuille's law, a wide short one as an orifice") {
+  Circulation steady;
+  steady.artery.resistance = 1e3;  // a source that does not give way
+  const auto bleeding = [&](double radius, double length) {
+    const VesselFlow flow(
+        makeVesselMap(test::straightVessel(VesselKind::HepaticArtery, Vec3::Zero(),
+                                           Vec3(2 * length, 0, 0), radius)),
+        steady);
+    return solved(flow, severed(0, 0.5)).state.injuries[0].flow[0];
+  };
+  const double pressure = steady.artery.pressure;
+  const double thin = bleeding(0.1e-3, 0.1);
+  CHECK(thin == doctest::Approx(pressure * std::numbers::pi * 1e-16 / (8 * kBloodViscosity * 0.1))
+                    .epsilon(0.01));
+  const double wide = bleeding(2e-3, 0.005), area = std::numbers::pi * 4e-6;
+  CHECK(wide ==
+        doctest::Approx(area * std::sqrt(2 * pressure / (1.56 * kBloodDensity))).epsilon(0.02));
+}
+
+TEST_CASE("sealed ends do not bleed, and a hole in a wall bleeds less than a severed vessel") {
+  const VesselFlow flow(makeVesselMap(test::threeForks()), {});
+  VesselState state = severed(1, 0.5);
+  const double all = solved(flow, state).out();
+  state.injuries[0].cut = 0b111111;
+  const double hole = solved(flow, state).out();
+  CHECK(hole > 0);
+  CHECK(hole < all);
+  state.injuries[0].cut = kAll;
+  state.injuries[0].sealed = 3;
+  CHECK(solved(flow, state).out() == 0);
+}
+
+TEST_CASE("clamping the inflow leaves a portal branch only what runs back out of the sinusoids") {
+  const VesselFlow flow(makeVesselMap(test::threeForks()), {});
+  VesselState state = severed(1, 0.5);
+  const double open = solved(flow, state).out();
+  state.inflowClamped = true;
+  const double clamped = solved(flow, state).out();
+  CHECK(clamped < 0.3 * open);
+  CHECK(clamped > 0);
+}
+
+TEST_CASE("where the outside pressure is higher nothing flows, and wide hepatic veins draw air") {
+  const VesselFlow flow(makeVesselMap(test::threeForks()), {});
+  const double high = 120 * kMmHg;                          // more than any source has
+  const Solved vein = solved(flow, severed(3, 0.5), high);  // the stem, 6 mm
+  CHECK(vein.out() == 0);
+  CHECK(vein.air > 0);
+  CHECK(solved(flow, severed(1, 0.5), high).air == 0);  // portal
+}

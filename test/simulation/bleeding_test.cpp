@@ -1,0 +1,194 @@
+#include "blood/bleeding.h"
+
+#include <doctest/doctest.h>
+
+#include "anatomy/small_vessels.h"
+#include "base/random.h"
+#include "simulation/simulation.h"
+#include "support/block_organ.h"
+#include "support/test_tools.h"
+
+using namespace resect;
+
+namespace {
+
+constexpr double kSide = 0.005;  // m
+
+// A block of 60 x 30 x 60 mm of still tissue over the table, with a portal vein of 4 mm along x in
+// its middle.
+Simulation block(double height = 0) {
+  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
+  cells.lattice.origin = Vec3(0.5 * kSide, height + 0.5 * kSide, 0.5 * kSide);
+  Organ organ = makeOrgan(std::move(cells), {});
+  organ.map = makeVesselMap(test::straightVessel(VesselKind::PortalVein,
+                                                 Vec3(-0.02, height + 0.0151, 0.0301),
+                                                 Vec3(0.05, height + 0.0151, 0.0301), 0.002));
+  return Simulation(std::move(organ), {});
+}
+
+FrameInput with(std::vector<TissueEdit> edits) {
+  FrameInput input;
+  input.edits = std::move(edits);
+  return input;
+}
+
+// Cuts down through the top and the vein, across it.
+TissueEdit cutAcross(double height = 0) {
+  return {0, -1, Incision{test::acrossX(0.0321, height + 0.01, height + 0.05)}};
+}
+
+void checkLedger(const StepReport& report) {
+  REQUIRE(report.blood.ledger.bled == report.blood.ledger.found());
+}
+
+double ml(Picolitres volume) { return 1e6 * toCubicMetres(volume); }
+
+}  // namespace
+
+TEST_CASE("tissue whose vessel is cut bleeds, and every picolitre is found again in every frame") {
+  Simulation simulation = block();
+  StepReport report = simulation.step(with({cutAcross()}));
+  REQUIRE(report.vessels.size() == 1);
+  double before = 0;
+  for (int i = 0; i < 600; ++i) {
+    report = simulation.step({});
+    checkLedger(report);
+    CHECK(ml(report.blood.ledger.bled) > before);
+    before = ml(report.blood.ledger.bled);
+  }
+  REQUIRE(report.blood.ends.size() == 1);  // nothing feeds the sinusoids beyond the cut
+  CHECK(report.blood.ends[0].end == VesselEnd::Root);
+  CHECK(before >
+        20);  // 4 mm of a portal vein: 11 ml/s, less what the block's one leaf lets through
+  CHECK(report.blood.ledger.film > 0);
+  CHECK(report.blood.ledger.pools > 0);  // it runs down the sides
+  CHECK(report.blood.ledger.clotted > 0);
+}
+
+TEST_CASE("an organ without vessels does not bleed, and cut tissue of one with vessels oozes") {
+  Organ plain = makeOrgan(test::fullBlock({6, 6, 6}), {});
+  Simulation dry(std::move(plain), {});
+  CHECK_FALSE(dry.blood().any());
+  CHECK(dry.step(with({{0, -1, RemoveCell{3}}})).blood.ledger.bled == 0);
+
+  Simulation simulation = block();
+  const Lattice lattice = simulation.organ().rest.lattice;
+  simulation.step(with({{0, -1, RemoveCell{lattice.index({6, 5, 1})}}}));  // far from the vein
+  StepReport report;
+  for (int i = 0; i < 60; ++i) report = simulation.step({});
+  // Five faces were bared, 1.25 cm^2, each with 0.02 ml/s per cm^2.
+  CHECK(ml(report.blood.ledger.bled) == doctest::Approx(0.02 * 1.25 * 61 / 60).epsilon(0.02));
+}
+
+TEST_CASE("clips on both sides of the cut stop the vessel, heat stops the rest") {
+  Simulation simulation = block();
+  simulation.step(with({cutAcross()}));
+  const double share = (0.0321 + 0.02) / 0.07;
+  StepReport report = simulation.step(
+      with({{0, -1, PlaceClip{0, share - 0.05}}, {0, -1, PlaceClip{0, share + 0.05}}}));
+  for (int i = 0; i < 5; ++i) report = simulation.step({});
+  CHECK(report.blood.ends.empty());
+  CHECK(report.blood.rate > 0);  // oozing
+  report = simulation.step(with({{0, -1, Coagulate{Vec3(0.032, 0.02, 0.03), 0.1, 0.01}}}));
+  report = simulation.step({});
+  CHECK(report.blood.rate == 0);
+  checkLedger(report);
+}
+
+TEST_CASE("suction takes the blood within its reach, and clamping the inflow slows the bleeding") {
+  Simulation simulation = block();
+  StepReport report = simulation.step(with({cutAcross()}));
+  for (int i = 0; i < 240; ++i) report = simulation.step({});
+  const double rate = report.blood.rate;
+  CHECK(report.blood.ledger.sucked == 0);
+  for (int i = 0; i < 60; ++i)
+    report = simulation.step(with({{0, -1, Suction{Vec3(0.03, 0.03, 0.03), 0.08, 50e-6}}}));
+  checkLedger(report);
+  CHECK(ml(report.blood.ledger.sucked) > 1);
+  simulation.step(with({{0, -1, ClampInflow{true}}}));
+  for (int i = 0; i < 30; ++i) report = simulation.step({});
+  CHECK(report.blood.rate < 0.3 * rate);
+}
+
+TEST_CASE("blood under an overhang drips, and falls past a table that is not there") {
+  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
+  cells.lattice.origin = Vec3(0.5 * kSide, 0.2, 0.5 * kSide);
+  Organ organ = makeOrgan(std::move(cells), {});
+  organ.map = makeVesselMap(test::straightVessel(
+      VesselKind::PortalVein, Vec3(-0.02, 0.2126, 0.0301), Vec3(0.05, 0.2126, 0.0301), 0.002));
+  Simulation simulation(std::move(organ), {}, nullptr, false);
+  simulation.step(with({{0, -1, Incision{test::acrossX(0.0321, 0.1, 0.3)}}}));
+  bool dripped = false;
+  StepReport report;
+  for (int i = 0; i < 900; ++i) {
+    report = simulation.step({});
+    checkLedger(report);
+    dripped |= report.blood.ledger.drops > 0;
+  }
+  CHECK(dripped);
+  CHECK(report.blood.ledger.lost > 0);
+  CHECK(report.blood.ledger.pools == 0);
+}
+
+TEST_CASE("the ledger stays exact through random cuts, removals, tears, suction, clips and heat") {
+  Simulation simulation = block();
+  const Lattice lattice = simulation.organ().rest.lattice;
+  Random random(5);
+  StepReport report;
+  for (int frame = 0; frame < 1200; ++frame) {
+    std::vector<TissueEdit> edits;
+    const auto place = [&] {
+      return Vec3(random.uniform(0, 0.06), random.uniform(0, 0.03), random.uniform(0, 0.06));
+    };
+    switch (random.below(12)) {
+      case 0:
+        edits.push_back({0, -1, RemoveCell{random.below(int(lattice.cellCount()))}});
+        break;
+      case 1: {
+        const double x = random.uniform(0.005, 0.045);
+        edits.push_back({0, -1, Incision{test::acrossX(x, random.uniform(0, 0.02), 0.05)}});
+        break;
+      }
+      case 2:
+        edits.push_back(
+            {0, -1, SeverBond{random.below(int(lattice.cellCount())), random.below(26)}});
+        break;
+      case 3:
+        edits.push_back({0, -1, Suction{place(), 0.015, 25e-6}});
+        break;
+      case 4:
+        edits.push_back({0, -1, Coagulate{place(), 0.004, 0.0035}});
+        break;
+      case 5:
+        if (frame > 800) edits.push_back({0, -1, PlaceClip{0, random.uniform()}});
+        break;
+      default:
+        break;
+    }
+    report = simulation.step(with(std::move(edits)));
+    checkLedger(report);
+  }
+  CHECK(ml(report.blood.ledger.bled) > 5);
+}
+
+TEST_CASE("a saved operation bleeds on with the same bits") {
+  Simulation one = block(), other = block();
+  one.step(with({cutAcross()}));
+  for (int i = 0; i < 100; ++i) one.step({});
+  other.restore(one.save());
+  for (int i = 0; i < 100; ++i) {
+    one.step({});
+    other.step({});
+  }
+  CHECK(one.stateHash() == other.stateHash());
+}
+
+TEST_CASE("the grade of bleeding follows its rate in millilitres a minute") {
+  const auto grade = [](double mlPerMinute) { return bleedingGrade(mlPerMinute / 60e6); };
+  CHECK(grade(0) == 0);
+  CHECK(grade(1) == 0);
+  CHECK(grade(4) == 1);
+  CHECK(grade(9) == 2);
+  CHECK(grade(49) == 3);
+  CHECK(grade(51) == 4);
+}
