@@ -11,7 +11,7 @@
 #include "app/viewer.h"
 #include "app/widgets/open_organ_dialog.h"
 #include "base/error.h"
-#include "formats/gltf_files.h"
+#include "formats/meshes/gltf_buffers.h"
 #include "formats/png_file.h"
 #include "inventor/scene/scene_file.h"
 #include "io/cells/particle_file.h"

@@ -10,8 +10,8 @@
 
 #include "base/error.h"
 #include "base/text/printed_time.h"
-#include "formats/assimp_file.h"
 #include "formats/export/glb_file.h"
+#include "formats/meshes/gltf_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
@@ -262,7 +262,7 @@ TEST_CASE("an exported .glb shows at each moment the surface and the instruments
     REQUIRE_MESSAGE(scene, importer.GetErrorString());
     CHECK(scene->mNumMeshes == glb.json["meshes"].size());
     REQUIRE(scene->mNumAnimations == 1);
-    const Model model = readAssimpFile(path, path, bytes);
+    const Model model = readGltfFile(path.string(), bytes);
     CHECK(model.parts.size() > 0);
   }
 }

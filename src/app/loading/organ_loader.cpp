@@ -15,10 +15,10 @@
 #include "base/error.h"
 #include "base/progress.h"
 #include "base/stop.h"
-#include "formats/assimp_file.h"
 #include "inventor/reading/model_file.h"
 #include "io/cells/particle_file.h"
 #include "io/operation_setup.h"
+#include "io/plain_mesh.h"
 #include "operation/room.h"
 #include "tools/registry.h"
 
@@ -31,13 +31,6 @@ std::string sentenceOf(QProcess& process) {
   std::string text = process.readAllStandardError().trimmed().toStdString();
   if (text.starts_with(kPrefix)) text.erase(0, std::string_view(kPrefix).size());
   return text.empty() ? "the file's reader ended without a word; try another file" : text;
-}
-
-// Models written by this program need no sandbox.
-Model readOwnFile(const std::filesystem::path& path) {
-  std::string bytes(std::filesystem::file_size(path), '\0');
-  std::ifstream(path, std::ios::binary).read(bytes.data(), std::streamsize(bytes.size()));
-  return readAssimpFile(path, path, bytes);
 }
 
 bool isModelFile(const OrganSource& source) {
@@ -91,7 +84,7 @@ struct OrganLoader::Job {
     const StopBy stop(cancelled);
     try {
       organs = loadOrgans(
-          wanted, readOwnFile,
+          wanted, readPlainMesh,
           [this](double now) {
             share = now;
             return !cancelled;

@@ -17,7 +17,7 @@
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
 #include "cli/thesis_profile.h"
-#include "formats/gltf_files.h"
+#include "formats/meshes/gltf_buffers.h"
 #include "io/cells/particle_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"

@@ -8,7 +8,7 @@
 #include "cli/command_output.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
-#include "formats/gltf_files.h"
+#include "formats/meshes/gltf_buffers.h"
 #include "geometry/measures.h"
 #include "inventor/reading/model_file.h"
 #include "io/mesh_file.h"

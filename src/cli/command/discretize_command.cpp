@@ -11,7 +11,7 @@
 #include "cli/organ_options.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
-#include "formats/gltf_files.h"
+#include "formats/meshes/gltf_buffers.h"
 #include "io/cells/particle_file.h"
 #include "io/operation_setup.h"
 #include "io/output/run_files.h"

@@ -13,7 +13,7 @@
 #include "cli/picture_writer.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
-#include "formats/gltf_files.h"
+#include "formats/meshes/gltf_buffers.h"
 #include "formats/png_file.h"
 #include "geometry/resting_pose.h"
 #include "inventor/picture/offscreen_view.h"

@@ -15,7 +15,7 @@
 #include "cli/progress_bar.h"
 #include "cli/run_report.h"
 #include "cli/shared_options.h"
-#include "formats/gltf_files.h"
+#include "formats/meshes/gltf_buffers.h"
 #include "io/atomic_file.h"
 #include "io/data_folder.h"
 #include "io/mesh_file.h"

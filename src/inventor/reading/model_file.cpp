@@ -2,14 +2,18 @@
 
 #include <Inventor/SoInput.h>
 
-#include <cctype>
-
 #include "base/error.h"
-#include "formats/assimp_file.h"
 #include "formats/child/child_process.h"
 #include "formats/child/foreign_file.h"
 #include "formats/gzip.h"
-#include "formats/vtk_file.h"
+#include "formats/meshes/gltf_file.h"
+#include "formats/meshes/obj_file.h"
+#include "formats/meshes/off_file.h"
+#include "formats/meshes/ply_file.h"
+#include "formats/meshes/stl_file.h"
+#include "formats/meshes/vtk_file.h"
+#include "formats/meshes/word_reader.h"
+#include "formats/model_kind.h"
 #include "inventor/init.h"
 #include "inventor/reading/iv_guard.h"
 #include "inventor/reading/iv_reader.h"
@@ -24,37 +28,38 @@ constexpr std::size_t kLargestFile = std::size_t(1) << 30;  // with all that is 
 constexpr std::size_t kLargestUnpacked = std::size_t(1) << 29;
 constexpr std::size_t kMostBeside = 16;
 
-std::string lowerExtension(const fs::path& path) {
-  std::string text = path.extension().string();
-  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-// A name with the format's extension: without .gz, and corrected by the first bytes.
-fs::path formatName(const fs::path& path, std::string_view bytes) {
-  fs::path name = lowerExtension(path) == ".gz" ? path.stem() : path;
-  if (bytes.starts_with("glTF")) return name.replace_extension(".glb");
-  if (bytes.starts_with("ply\n") || bytes.starts_with("ply\r"))
-    return name.replace_extension(".ply");
-  return name;
-}
-
 Model readHere(const fs::path& path, std::string_view bytes, const BesideFiles& beside,
                SharedNumber& share) {
   if (bytes.empty()) throw error("{}: is empty; choose a file that holds a surface", path.string());
   std::string unpacked;
   if (isGzip(bytes)) bytes = unpacked = unpackGzip(path.string(), bytes, kLargestUnpacked);
-  const fs::path name = formatName(path, bytes);
-  const std::string extension = lowerExtension(name);
-  if (isInventorFile(bytes) || extension == ".iv" || extension == ".wrl")
-    return readInventorFile(path.string(), bytes, ShapeReading::Converted,
-                            [&](double now) { share.set(now); });
-  if (isVtkFile(bytes) || extension == ".vtk") return readVtkFile(path.string(), bytes);
-  if (isAssimpFile(name)) return readAssimpFile(path, name, bytes, beside);
-  throw error(
-      "{}: is of no kind that can be read; use .iv, .wrl, .obj, .stl, .ply, .off, .glb, .gltf "
-      "or .vtk",
-      path.string());
+  const std::string name = path.string();
+  switch (modelKind(path, bytes)) {
+    case ModelKind::Inventor:
+      return readInventorFile(name, bytes, ShapeReading::Converted,
+                              [&](double now) { share.set(now); });
+    case ModelKind::Vtk:
+      return readVtkFile(name, bytes);
+    case ModelKind::Obj:
+      return readObjFile(name, bytes);
+    case ModelKind::Stl:
+      return readStlFile(name, bytes);
+    case ModelKind::Ply:
+      return readPlyFile(name, bytes);
+    case ModelKind::Off:
+      return readOffFile(name, bytes);
+    case ModelKind::Glb:
+    case ModelKind::Gltf:
+      break;
+  }
+  return readGltfFile(name, bytes, beside);
+}
+
+// Whether Coin may be needed, told without unpacking the file: this is asked outside the sandbox.
+bool mayBeInventor(const fs::path& path, std::string_view bytes) {
+  if (isInventorFile(bytes) || isGzip(bytes)) return true;
+  const std::string ending = lowerCase(path.extension().string());
+  return ending == ".iv" || ending == ".wrl" || ending == ".gz";
 }
 
 // The child's answer: a model, or the name of a file beside it that it lacks.
@@ -102,7 +107,7 @@ Model readModelWithin(const fs::path& path, double seconds, const Progress& prog
         },
         [&] { report(progress, share.get()); },
         [&] {
-          if (!isAssimpFile(formatName(path, {bytes.data(), bytes.size()}))) prepareCoin();
+          if (mayBeInventor(path, {bytes.data(), bytes.size()})) prepareCoin();
         });
     if (answer.starts_with(kModel)) {
       Model model = bytesToModel(std::string_view(answer).substr(1), path.string());

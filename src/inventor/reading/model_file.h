@@ -11,8 +11,8 @@ namespace resect {
 
 // Reads .iv and .wrl (any version of Inventor or VRML), .obj, .stl, .ply, .off, .glb, .gltf and
 // legacy .vtk. Each may be gzip-compressed. The format is recognised by the first bytes if
-// possible, otherwise by the extension. The model is in metres: Units nodes of Inventor are
-// followed, and all other numbers are taken as metres.
+// possible, otherwise by the extension (formats/model_kind.h). The model is in metres: Units nodes
+// of Inventor are followed, and all other numbers are taken as metres.
 //
 // A child process (formats/child/child_process.h) reads the file. It may use 2 GB of memory, and 5
 // s of processor time plus 1 s for each MB of the file. If the file makes it crash or exceed a

@@ -1,4 +1,4 @@
-#include "formats/vtk_file.h"
+#include "formats/meshes/vtk_file.h"
 
 #include <doctest/doctest.h>
 
@@ -129,4 +129,39 @@ TEST_CASE("a damaged file is refused with the section it is in") {
   std::string binary = three;
   binary.replace(binary.find("ASCII"), 5, "BINARY");
   refuses(binary, "the file ends before");
+}
+
+TEST_CASE("arrays of texts, bits and odd numbers in a field are passed over, as text and binary") {
+  const std::string body = kTetrahedron.substr(kHead.size());
+  const std::string field =
+      "FIELD FieldData 4\nSPACE 1 1 string\nRAS\nnotes 1 3 utf8_string\na%20b\n\nPOINTS 8 float\n"
+      "flags 1 9 bit\n1 0 1 0 1 0 1 0 1\nvalues 2 1 double\nnan -1.#IND\n";
+  checkTetrahedron(read(kHead + field + body));
+  std::string binaryHead = kHead;
+  binaryHead.replace(binaryHead.find("ASCII"), 5, "BINARY");
+  const std::string longText(100, 'x');  // its length takes two bytes
+  std::string texts("\xc3RAS", 4);
+  texts += std::string("\xc0", 1) + std::string("\x80\x64", 2) + longText;
+  checkTetrahedron(
+      read(binaryHead + "FIELD FieldData 3\nspace 1 3 string\n" + texts + "\nflags 1 9 bit\n" +
+           std::string("\n\n", 2) + "\nvalues 1 2 vtktypeint64\n" +
+           bigEndian<std::int64_t>({10, 20}) + "\nPOINTS 4 float\n" +
+           bigEndian<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) + "\nPOLYGONS 4 16\n" +
+           bigEndian<std::int32_t>({3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2, 3, 1, 2, 3}) + "\n"));
+  CHECK(test::tells(sentence(kHead + "FIELD f 1\na 1 9 string\nx\n"), "fewer texts"));
+  CHECK(test::tells(sentence(kHead + "FIELD f 1\na 1 9 bit\n1 0\n"), "fewer numbers"));
+  CHECK(test::tells(sentence(binaryHead + "FIELD f 1\na 1 1 string\n\xc9xx"),
+                    "longer than the file"));
+  CHECK(test::tells(sentence(kHead + "FIELD f 1\na 1 1 rune\nx\n"), "unknown type 'rune'"));
+}
+
+TEST_CASE("words of a .vtk may be in small letters or capitals, and bytes may follow") {
+  std::string small = kTetrahedron;
+  for (std::size_t i = kHead.find("ASCII"); i < small.size(); ++i)
+    small[i] = char(std::tolower(static_cast<unsigned char>(small[i])));
+  checkTetrahedron(read(small));
+  checkTetrahedron(read(kTetrahedron + std::string(4, '\0') + "\x1a"));
+  std::string numbers = kTetrahedron;
+  numbers.replace(numbers.find("0 0 0 1 0 0"), 11, ".0 0. +0 1.E0 0d0 -0");
+  checkTetrahedron(read(numbers));
 }

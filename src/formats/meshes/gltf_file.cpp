@@ -1,65 +1,31 @@
-#include "formats/assimp_file.h"
+#include "formats/meshes/gltf_file.h"
 
 #include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-#include <algorithm>
-#include <array>
 #include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <cstdint>
 #include <new>
 #include <optional>
 
 #include "base/error.h"
-#include "formats/gltf_files.h"
+#include "formats/meshes/gltf_requirements.h"
 #include "geometry/polygon.h"
 
 namespace resect {
 namespace {
 
-constexpr std::array kExtensions{"obj", "stl", "ply", "off", "glb", "gltf"};
 constexpr int kDeepestNode = 500;
-constexpr const char* kNoObjName =
-    "defaultobject";  // the library's name for .obj parts without one
-
-std::string extensionOf(const std::filesystem::path& path) {
-  std::string text = path.extension().string();
-  if (!text.empty()) text.erase(0, 1);
-  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
-std::string nameOfFormat(const std::string& extension) {
-  if (extension == "glb") return "glTF binary";
-  if (extension == "gltf") return "glTF";
-  std::string name = extension;
-  for (char& c : name) c = char(std::toupper(static_cast<unsigned char>(c)));
-  return name;
-}
-
-// "my%20buffer.bin" as "my buffer.bin" (RFC 3986, 2.1).
-std::string withoutPercents(std::string_view text) {
-  const auto digit = [](char c) { return c <= '9' ? c - '0' : (c | 32) - 'a' + 10; };
-  std::string plain;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool coded = text[i] == '%' && i + 2 < text.size() &&
-                       std::isxdigit(static_cast<unsigned char>(text[i + 1])) &&
-                       std::isxdigit(static_cast<unsigned char>(text[i + 2]));
-    plain += coded ? char(16 * digit(text[i + 1]) + digit(text[i + 2])) : text[i];
-    if (coded) i += 2;
-  }
-  return plain;
-}
 
 // The library's view of the disk: the model and the buffers that were read for it.
 class MemoryDisk : public Assimp::IOSystem {
  public:
-  MemoryDisk(std::string model, std::string_view bytes, const BesideFiles& beside)
-      : model_(std::move(model)), bytes_(bytes), beside_(beside) {}
+  MemoryDisk(std::string model, std::string_view bytes, std::string_view positions,
+             const BesideFiles& beside)
+      : model_(std::move(model)), bytes_(bytes), positions_(positions), beside_(beside) {}
 
   bool Exists(const char* name) const override { return find(name).data() != nullptr; }
   char getOsSeparator() const override { return '/'; }
@@ -80,13 +46,14 @@ class MemoryDisk : public Assimp::IOSystem {
  private:
   std::string_view find(const std::string& name) const {
     if (name == model_) return bytes_;
+    if (name == kPlainPositions) return positions_;
     const auto file = beside_.find(withoutPercents(name));
     return file == beside_.end() ? std::string_view()
                                  : std::string_view(file->second.data(), file->second.size());
   }
 
   std::string model_;
-  std::string_view bytes_;
+  std::string_view bytes_, positions_;
   const BesideFiles& beside_;
   std::optional<std::string> lacking_;
 };
@@ -132,6 +99,14 @@ TriangleMesh meshOf(const aiMesh& source, const aiMatrix4x4& transform, const st
   return mesh;
 }
 
+// The name of the node, or else of its mesh. The library itself calls what has no name "nodes[3]".
+std::string nameOf(const aiNode& node, const aiMesh& mesh) {
+  const std::string ofNode = node.mName.C_Str(), ofMesh = mesh.mName.C_Str();
+  const bool nodeIsNamed = !ofNode.empty() && !ofNode.starts_with("nodes[");
+  const bool meshIsNamed = !ofMesh.empty() && !ofMesh.starts_with("meshes[");
+  return nodeIsNamed || !meshIsNamed ? ofNode : ofMesh;
+}
+
 void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, int depth,
              Model& model) {
   if (depth > kDeepestNode)
@@ -143,9 +118,7 @@ void collect(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above,
       throw error("{}: a node uses mesh {} of only {}; export the model again", model.path,
                   node.mMeshes[i], scene.mNumMeshes);
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
-    const bool nodeHasOwnName = node.mName.length > 0 && &node != scene.mRootNode;
-    std::string name = nodeHasOwnName ? node.mName.C_Str() : mesh.mName.C_Str();
-    if (name == kNoObjName) name.clear();
+    const std::string name = nameOf(node, mesh);
     addToPart(model, name, meshOf(mesh, transform, model.path));
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i)
@@ -172,56 +145,34 @@ void checkGltfFrame(const std::string& path, std::string_view bytes) {
     if (at + 8 > length || number(at) > length - at - 8) throw cutOff();
 }
 
-// The library reads as many elements as a .ply's header promises, for minutes if the number is
-// damaged. Each takes a byte at least.
-void checkPlyCounts(const std::string& path, std::string_view bytes) {
-  const std::string_view header = bytes.substr(0, bytes.find("end_header"));
-  for (std::size_t at = header.find("element "); at != header.npos;
-       at = header.find("element ", at + 1)) {
-    const std::size_t number = header.find(' ', at + 8);
-    if (number == header.npos) continue;
-    std::uint64_t count = 0;
-    for (std::size_t i = number + 1; i < header.size() && header[i] >= '0' && header[i] <= '9'; ++i)
-      count = std::min<std::uint64_t>(10 * count + std::uint64_t(header[i] - '0'), std::uint64_t(1)
-                                                                                       << 40);
-    if (count > bytes.size())
-      throw error("{}: is shorter than its header says; copy or export it again", path);
-  }
-}
-
 }  // namespace
 
-bool isAssimpFile(const std::filesystem::path& path) {
-  return std::find(kExtensions.begin(), kExtensions.end(), extensionOf(path)) != kExtensions.end();
-}
-
-Model readAssimpFile(const std::filesystem::path& path, const std::filesystem::path& formatName,
-                     std::string_view bytes, const BesideFiles& beside) {
-  const std::string extension = extensionOf(formatName);
-  if (extension == "glb") checkGltfFrame(path.string(), bytes);
-  if (extension == "ply") checkPlyCounts(path.string(), bytes);
+Model readGltfFile(const std::string& path, std::string_view bytes, const BesideFiles& beside) {
+  const bool isBinary = bytes.starts_with("glTF");
+  if (isBinary) checkGltfFrame(path, bytes);
+  const PlainGltf plain = plainGltf(path, bytes, beside);
+  if (!plain.bytes.empty()) bytes = plain.bytes;
   Assimp::Importer importer;
   // Everything but surfaces is skipped, so that no texture or animation can do harm.
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                               aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
                                   aiComponent_CAMERAS | aiComponent_NORMALS |
                                   aiComponent_TEXCOORDS | aiComponent_COLORS);
-  const std::string name = "model." + extension;
-  auto* disk = new MemoryDisk(name, bytes, beside);
+  const std::string name = isBinary ? "model.glb" : "model.gltf";
+  auto* disk = new MemoryDisk(name, bytes, plain.positions, beside);
   importer.SetIOHandler(disk);  // which owns it
   const aiScene* scene = importer.ReadFile(name, aiProcess_RemoveComponent);
-  if (isGltf(name) && disk->lacking()) {
-    if (!isGltfBuffer(*disk->lacking()))
-      throw error("{}: a buffer of it is no .bin file beside it; export it as .glb", path.string());
+  if (disk->lacking()) {
+    requireGltfBuffer(path, *disk->lacking());
     throw LacksFile{*disk->lacking()};
   }
   if (importer.GetErrorString() == std::string("std::bad_alloc")) throw std::bad_alloc();
   if (!scene || !scene->mRootNode)
-    throw error("{}: not a readable .{} file ({}); export it again", path.string(), extension,
+    throw error("{}: not a readable glTF file ({}); export it again", path,
                 oneLine(importer.GetErrorString()));
   Model model;
-  model.path = path.string();
-  model.format = nameOfFormat(extension);
+  model.path = path;
+  model.format = isBinary ? "glTF binary" : "glTF";
   collect(*scene, *scene->mRootNode, aiMatrix4x4(), 0, model);
   return model;
 }

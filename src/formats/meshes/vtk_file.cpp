@@ -1,14 +1,13 @@
-#include "formats/vtk_file.h"
+#include "formats/meshes/vtk_file.h"
 
-#include <algorithm>
 #include <bit>
-#include <cctype>
-#include <charconv>
-#include <cstring>
+#include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "base/error.h"
 #include "base/text/shown_text.h"
+#include "formats/meshes/word_reader.h"
 #include "geometry/polygon.h"
 
 namespace resect {
@@ -22,28 +21,33 @@ struct NumberType {
   bool isFloat = false, isSigned = true;
 };
 
-NumberType numberType(std::string_view name) {
+NumberType numberType(const std::string& anyCase) {
+  const std::string name = lowerCase(anyCase);
   if (name == "float") return {4, true};
   if (name == "double") return {8, true};
-  if (name == "char") return {1, false};
+  if (name == "char" || name == "signed_char") return {1, false};
   if (name == "unsigned_char") return {1, false, false};
   if (name == "short") return {2, false};
   if (name == "unsigned_short") return {2, false, false};
   if (name == "int") return {4, false};
   if (name == "unsigned_int") return {4, false, false};
-  if (name == "long" || name == "vtktypeint64" || name == "vtkIdType") return {8, false};
-  if (name == "unsigned_long") return {8, false, false};
+  if (name == "long" || name == "long_long" || name == "vtktypeint64" || name == "vtkidtype")
+    return {8, false};
+  if (name == "unsigned_long" || name == "unsigned_long_long" || name == "vtktypeuint64")
+    return {8, false, false};
   return {};
 }
 
 class VtkReader {
  public:
-  VtkReader(const std::string& path, std::string_view bytes) : path_(path), bytes_(bytes) {}
+  VtkReader(const std::string& path, std::string_view bytes)
+      : path_(path), bytes_(bytes), words_(path, bytes) {}
 
   TriangleMesh read() {
     readHeader();
-    for (std::string section = word(); !section.empty(); section = word()) {
-      section_ = shortened(section);
+    for (std::string word = nextWord(); !word.empty(); word = nextWord()) {
+      section_ = shortened(word);
+      const std::string section = upperCase(word);
       if (section == "POINTS") {
         readPoints();
       } else if (section == "POLYGONS" || section == "TRIANGLE_STRIPS" || section == "LINES" ||
@@ -67,92 +71,80 @@ class VtkReader {
  private:
   template <typename... Args>
   Error fail(fmt::format_string<Args...> format, Args&&... args) const {
-    return error("{}{}: section {} {}; export the file again as legacy VTK PolyData", path_,
-                 lineNumber(), section_, fmt::format(format, std::forward<Args>(args)...));
+    return error("{}: section {} {}; export the file again as legacy VTK PolyData", where(),
+                 section_, fmt::format(format, std::forward<Args>(args)...));
   }
-  // Of what was read last, as ":12"; a binary file has lines in its header only.
-  std::string lineNumber() const {
-    if (binary_) return "";
-    const std::string_view read = bytes_.substr(0, read_);
-    return fmt::format(":{}", 1 + std::ranges::count(read, '\n'));
-  }
+  // A binary file has lines in its header only.
+  std::string where() const { return binary_ ? path_ : words_.where(); }
   static std::string shortened(std::string_view text) { return shownText(text, 30); }
-
-  std::string_view line() {
-    read_ = at_;
-    const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
-    std::string_view text = bytes_.substr(at_, end - at_);
-    at_ = std::min(end + 1, bytes_.size());
-    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
-    return text;
+  static std::string upperCase(std::string_view text) {
+    std::string upper(text);
+    for (char& c : upper)
+      if (c >= 'a' && c <= 'z') c = char(c - 'a' + 'A');
+    return upper;
   }
-  static bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-  std::string_view token() {
-    while (at_ < bytes_.size() && isSpace(bytes_[at_])) ++at_;
-    const std::size_t begin = read_ = at_;
-    while (at_ < bytes_.size() && !isSpace(bytes_[at_])) ++at_;
-    return bytes_.substr(begin, at_ - begin);
-  }
-  std::string word() { return std::string(token()); }
+  std::string nextWord() { return std::string(words_.word()); }
 
   std::int64_t count(const char* what) {
-    const std::string_view text = token();
-    std::int64_t value = 0;
-    const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (status != std::errc() || end != text.data() + text.size())
-      throw fail("has '{}' where the number of {} should be", shortened(text), what);
-    if (value < 0) throw fail("has {} {}", value, what);
-    return value;
+    const std::string_view text = words_.word();
+    const std::optional<std::int64_t> value = wholeNumberOf(text);
+    if (!value) throw fail("has '{}' where the number of {} should be", shortened(text), what);
+    if (*value < 0) throw fail("has {} {}", *value, what);
+    return *value;
   }
 
   void readHeader() {
     section_ = "header";
     if (!isVtkFile(bytes_)) throw fail("does not begin with '{}'", kMagic);
-    line();
-    line();  // title
-    const std::string form = word();
+    words_.line();
+    words_.line();  // title
+    const std::string form = upperCase(words_.word());
     if (form != "ASCII" && form != "BINARY")
       throw fail("says '{}' instead of ASCII or BINARY", shortened(form));
     binary_ = form == "BINARY";
-    if (word() != "DATASET") throw fail("names no DATASET");
-    const std::string kind = word();
+    if (upperCase(words_.word()) != "DATASET") throw fail("names no DATASET");
+    const std::string kind = upperCase(words_.word());
     if (kind != "POLYDATA")
-      throw error("{}{}: holds {} and not a surface; extract the surface and save it as POLYDATA",
-                  path_, lineNumber(), shortened(kind));
+      throw error("{}: holds {} and not a surface; extract the surface and save it as POLYDATA",
+                  where(), shortened(kind));
   }
 
   // `count` numbers of that type as doubles or integers.
   template <typename T>
   std::vector<T> numbers(std::int64_t count, const NumberType& type) {
-    const std::size_t left = bytes_.size() - at_;
     // Each number needs its bytes, or one digit and a space.
     const std::size_t need = binary_ ? std::size_t(type.bytes) : 2;
-    if (std::uint64_t(count) > (left + 1) / need)
+    if (binary_) words_.line();  // the rest of the line that names the section
+    if (std::uint64_t(count) > (words_.left() + (binary_ ? 0 : 1)) / need)
       throw fail("needs {} numbers, but the file ends before", count);
     std::vector<T> values;
     values.resize(std::size_t(count));
-    if (binary_) {
-      line();  // the rest of the line that names the section
-      if (std::uint64_t(count) > (bytes_.size() - at_) / need)
-        throw fail("needs {} numbers, but the file ends before", count);
-      for (T& value : values) value = bigEndian<T>(type);
-    } else {
-      for (T& value : values) {
-        const std::string_view text = token();
-        const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (status != std::errc() || end != text.data() + text.size()) {
-          if (text.empty()) throw fail("needs {} numbers, but the file ends before", count);
-          throw fail("has '{}' where a number should be", shortened(text));
-        }
+    for (T& value : values) {
+      if (binary_) {
+        value = bigEndian<T>(type);
+        continue;
       }
+      const std::string_view text = words_.word();
+      const auto read = [&] {
+        if constexpr (std::is_floating_point_v<T>)
+          return numberOf(text);
+        else
+          return wholeNumberOf(text);
+      }();
+      if (text.empty()) throw fail("needs {} numbers, but the file ends before", count);
+      if (!read) throw fail("has '{}' where a number should be", shortened(text));
+      value = *read;
     }
     return values;
   }
 
   template <typename T>
   T bigEndian(const NumberType& type) {
+    const std::size_t at = words_.place();
     std::uint64_t raw = 0;
-    for (int i = 0; i < type.bytes; ++i) raw = raw << 8 | std::uint8_t(bytes_[at_++]);
+    for (std::size_t i = 0; i < std::size_t(type.bytes); ++i)
+      raw = raw << 8 | std::uint8_t(bytes_[at + i]);
+    words_.goTo(at + std::size_t(type.bytes));
     if (type.isFloat)
       return type.bytes == 4 ? T(std::bit_cast<float>(std::uint32_t(raw)))
                              : T(std::bit_cast<double>(raw));
@@ -163,7 +155,7 @@ class VtkReader {
 
   void readPoints() {
     const std::int64_t points = count("points");
-    const std::string name = word();
+    const std::string name = nextWord();
     const NumberType type = numberType(name);
     if (type.bytes == 0) throw fail("has numbers of unknown type '{}'", shortened(name));
     if (points > std::numeric_limits<std::int32_t>::max() / 3) throw fail("has {} points", points);
@@ -177,17 +169,18 @@ class VtkReader {
   void readCells(const std::string& section) {
     const std::int64_t cells = count("cells");
     const std::int64_t size = count("numbers");
-    const std::size_t afterCounts = at_;
+    const std::size_t afterCounts = words_.place();
     std::vector<std::int64_t> offsets, corners;
-    if (word() == "OFFSETS") {  // since 5.1: `cells` is one more than there are
+    if (upperCase(words_.word()) == "OFFSETS") {  // since 5.1: `cells` is one more than there are
       offsets = numbers<std::int64_t>(cells, integerType());
-      if (word() != "CONNECTIVITY") throw fail("has OFFSETS without CONNECTIVITY");
+      if (upperCase(words_.word()) != "CONNECTIVITY")
+        throw fail("has OFFSETS without CONNECTIVITY");
       corners = numbers<std::int64_t>(size, integerType());
       for (std::size_t i = 0; i < offsets.size(); ++i)
         if (offsets[i] < (i ? offsets[i - 1] : 0) || offsets[i] > size)
           throw fail("has the offset {} out of order", offsets[i]);
     } else {
-      at_ = afterCounts;
+      words_.goTo(afterCounts);
       const std::vector<std::int64_t> packed = numbers<std::int64_t>(size, {4, false});
       offsets.push_back(0);
       std::size_t i = 0;
@@ -208,7 +201,7 @@ class VtkReader {
   }
 
   NumberType integerType() {
-    const std::string name = word();
+    const std::string name = nextWord();
     const NumberType type = numberType(name);
     if (type.bytes == 0 || type.isFloat)
       throw fail("has numbers of unusable type '{}'", shortened(name));
@@ -237,34 +230,75 @@ class VtkReader {
 
   // Ends at an empty line.
   void skipMetadata() {
-    line();
-    while (at_ < bytes_.size() && !line().empty()) {
+    words_.line();
+    while (!words_.atEnd() && !words_.line().empty()) {
     }
   }
 
   void skipField() {
-    word();  // name
+    words_.word();  // name
     const std::int64_t arrays = count("arrays");
     for (std::int64_t i = 0; i < arrays; ++i) {
-      std::string name = word();
-      if (name == "METADATA") {  // follows the array before
+      std::string name = nextWord();
+      if (upperCase(name) == "METADATA") {  // follows the array before
         skipMetadata();
-        name = word();
+        name = nextWord();
       }
       if (name.empty()) throw fail("has fewer arrays than it says");
       const std::int64_t components = count("components"), tuples = count("tuples");
-      const std::string typeName = word();
-      const NumberType type = numberType(typeName);
-      if (type.bytes == 0) throw fail("has an array of unknown type '{}'", shortened(typeName));
       if (components > 0 && tuples > std::int64_t(bytes_.size()) / components)
         throw fail("has an array longer than the file");
-      numbers<double>(components * tuples, type);
+      skipArray(components * tuples, nextWord());
     }
+  }
+
+  void skipArray(std::int64_t values, const std::string& typeName) {
+    const std::string type = lowerCase(typeName);
+    const bool isText = type == "string" || type == "utf8_string" || type == "unicode_string";
+    if (isText || (type == "variant" && !binary_)) {
+      words_.line();  // the rest of the line that names the array
+      for (std::int64_t i = 0; i < values; ++i) {
+        if (words_.atEnd()) throw fail("has fewer texts than it says");
+        if (binary_)
+          skipBinaryText();
+        else
+          words_.line();  // may be empty
+      }
+      return;
+    }
+    const int each = numberType(type).bytes;
+    if (each == 0 && type != "bit")
+      throw fail("has an array of unknown type '{}'", shortened(typeName));
+    if (!binary_) {
+      for (std::int64_t i = 0; i < values; ++i)
+        if (words_.word().empty()) throw fail("has fewer numbers than it says");
+      return;
+    }
+    words_.line();
+    skipBytes(each == 0 ? std::uint64_t(values + 7) / 8
+                        : std::uint64_t(values) * std::uint64_t(each));
+  }
+
+  // Its length comes first: two bits say in how many bytes, 1, 2, 4 or 8, and the others are it.
+  void skipBinaryText() {
+    const auto first = std::uint8_t(bytes_[words_.place()]);
+    const std::size_t bytes = std::size_t(8) >> (first >> 6);
+    if (words_.left() < bytes) throw fail("has fewer texts than it says");
+    std::uint64_t length = first & 0x3f;
+    for (std::size_t i = 1; i < bytes; ++i)
+      length = length << 8 | std::uint8_t(bytes_[words_.place() + i]);
+    skipBytes(bytes);
+    skipBytes(length);
+  }
+
+  void skipBytes(std::uint64_t count) {
+    if (count > words_.left()) throw fail("has an array longer than the file");
+    words_.goTo(words_.place() + std::size_t(count));
   }
 
   const std::string& path_;
   std::string_view bytes_;
-  std::size_t at_ = 0, read_ = 0;  // the next byte; the first of what was read last
+  WordReader words_;
   std::string section_ = "header";
   bool binary_ = false, havePoints_ = false;
   TriangleMesh mesh_;

@@ -1,5 +1,5 @@
 // Are the files known that may belong to a model?
-#include "formats/gltf_files.h"
+#include "formats/meshes/gltf_buffers.h"
 
 #include <doctest/doctest.h>
 

@@ -1,0 +1,28 @@
+// Extensions of glTF that change a model's shape: they are refused by name, or obeyed before the
+// library reads the file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "formats/meshes/gltf_buffers.h"
+
+namespace resect {
+
+// A glTF file whose positions are all single-precision numbers.
+struct PlainGltf {
+  std::string bytes;      // of the file; empty: the file is plain as it is
+  std::string positions;  // content of the buffer kPlainPositions that `bytes` refers to
+};
+
+// No file beside a model has such a name (formats/child/foreign_file.h).
+inline constexpr const char* kPlainPositions = "resect/positions.bin";
+
+// Reads the JSON of a .glb or .gltf file. Undoes KHR_mesh_quantization: positions of whole numbers
+// become floats, and the other attributes of their primitives are left out. Extensions of looks and
+// KHR_draco_mesh_compression are left to the library. Throws Error if the JSON is damaged or if the
+// file requires an extension that is not followed; LacksFile (gltf_buffers.h) if quantized
+// positions lie in a buffer file that is not in `beside`.
+PlainGltf plainGltf(const std::string& path, std::string_view bytes, const BesideFiles& beside);
+
+}  // namespace resect

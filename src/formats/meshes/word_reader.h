@@ -1,0 +1,63 @@
+// Reads a text file word by word or line by line, and makes Errors that name the line.
+//
+// Words are separated by spaces, tabs and line ends; NULs and Ctrl-Z, which some programs append,
+// count as spaces. Lines end with LF, CR LF or CR. Numbers are read as programs print them: ".5",
+// "5.", "+5", "5E-1", Fortran's "5D-1", and what is no number ("nan", "-nan(ind)", "1.#QNAN") as
+// NaN.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/error.h"
+#include "base/vec.h"
+
+namespace resect {
+
+// The number that a word is, nothing if it is none. A value too large for a double is infinite, one
+// too small is 0.
+std::optional<double> numberOf(std::string_view word);
+// The same for a whole number. Some programs print these as "3.0" or "1e+06"; they are accepted.
+std::optional<std::int64_t> wholeNumberOf(std::string_view word);
+
+std::string lowerCase(std::string_view text);  // ASCII letters only
+
+class WordReader {
+ public:
+  // `path` is for messages; both must outlive the reader. A byte order mark of UTF-8 is skipped.
+  // Throws Error if the text is UTF-16.
+  WordReader(const std::string& path, std::string_view bytes);
+
+  std::string_view word();  // empty at the end
+  std::string_view line();  // the rest of the line, without its end; empty at the end
+  // Both throw Error if the next word is none, with `what` it should be, as "a coordinate".
+  double number(const char* what);
+  std::int64_t wholeNumber(const char* what);
+  Vec3 point();  // three numbers
+
+  bool atEnd() const { return at_ >= bytes_.size(); }
+  std::size_t place() const { return at_; }                 // of the next byte
+  void goTo(std::size_t place) { at_ = read_ = place; }     // place <= number of bytes
+  std::size_t left() const { return bytes_.size() - at_; }  // bytes
+
+  std::string where() const;  // "path:line" of what was read last
+
+  // "path:line: ...; export the file again"
+  template <typename... Args>
+  [[nodiscard]] Error fail(fmt::format_string<Args...> format, Args&&... args) const {
+    return error("{}: {}; export the file again", where(),
+                 fmt::format(format, std::forward<Args>(args)...));
+  }
+  // For a word that stands where `what` should be. An empty one means that the file ends early.
+  [[nodiscard]] Error unexpected(std::string_view word, std::string_view what) const;
+
+ private:
+  const std::string& path_;
+  std::string_view bytes_;
+  std::size_t at_ = 0, read_ = 0;  // the next byte; the first of what was read last
+};
+
+}  // namespace resect

@@ -1,0 +1,39 @@
+// Files as people bring them, read as the program reads them, up to the organ.
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+#include "geometry/measures.h"
+#include "inventor/reading/model_file.h"
+#include "io/organ_mesh.h"
+#include "support/sentence.h"
+#include "support/shared_data.h"
+
+using namespace resect;
+
+namespace {
+
+struct Case {
+  const char* file;
+  double ml;  // of the organ
+};
+
+}  // namespace
+
+TEST_CASE("small files that other programs wrote have their volume") {
+  const auto folder = test::sharedData("cases");
+  if (!folder) return;
+  for (const Case& one :
+       {Case{"01_dot_number_silent.obj", 1000}, Case{"02_dot_number_refused.obj", 1000},
+        Case{"03_quantized_silent.glb", 180.34}, Case{"04_quantized_refused.glb", 180.34},
+        Case{"05_first_byte_0A.ply", 1000}, Case{"06_string_field.vtk", 1000},
+        Case{"12_binary_trailing_bytes.stl", 1000}, Case{"13_ascii_upper.stl", 1000},
+        Case{"21_faces_first.ply", 1000}, Case{"23_names_with_spaces.obj", 2000}}) {
+    CAPTURE(one.file);
+    const OrganMesh organ = prepareOrganMesh(readModel(*folder / one.file));
+    CHECK(volume(organ.mesh) * 1e6 == doctest::Approx(one.ml).epsilon(1e-4));
+  }
+  CHECK(test::refuses([&] { readModel(*folder / "18_torn_text.ply"); }, "the file ends early"));
+  const Model kidney = readModel(*folder / "23_names_with_spaces.obj");
+  REQUIRE(kidney.parts.size() == 2);
+  CHECK(kidney.parts[0].name == "left kidney");
+}
