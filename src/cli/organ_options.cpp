@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "cli/progress_bar.h"
+#include "cli/shared_options.h"
 #include "inventor/reading/model_file.h"
 #include "io/scenario/length.h"
 #include "io/scenario/scenario_files.h"
@@ -73,7 +74,7 @@ ModelReader modelReader() {
 
 std::shared_ptr<OrganOptions> addOrganOptions(CLI::App& command) {
   auto options = std::make_shared<OrganOptions>();
-  command.add_option("--part", options->part, "Use only the part of that name of the model file");
+  addPartOption(command, options->part);
   command.add_option("--unit", options->unit,
                      "What the model's numbers are: mm, cm, m, um, in, or metres per unit");
   command.add_flag("--repair", options->repair,

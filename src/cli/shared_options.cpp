@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "formats/video.h"
 #include "inventor/scene/operating_room.h"
+#include "io/model.h"
 
 namespace resect {
 
@@ -41,6 +42,14 @@ void addThreadsOption(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "Threads to use; 0 = all. The result is the same")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
+}
+
+void addPartOption(CLI::App& command, std::string& part) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--part", [&part](const std::vector<std::string>& names) { part = partLines(names); },
+          "Take only the part of that name; given several times, these parts, joined")
+      ->allow_extra_args(false);
 }
 
 void addOverwriteOption(CLI::App& command, bool& overwrite, const std::string& numbered) {

@@ -37,6 +37,10 @@ void addPictureOptions(CLI::App& command, PictureOptions& options);
 // Adds --threads, 0 to 1024.
 void addThreadsOption(CLI::App& command, int& threads);
 
+// Adds --part, which may be given several times; `part`: as OrganMeshOptions::part
+// (io/organ_mesh.h).
+void addPartOption(CLI::App& command, std::string& part);
+
 // Adds --overwrite. numbered: says in the help what the option may remove, for example "the
 // numbered pictures of an earlier run from the folder of --frames".
 void addOverwriteOption(CLI::App& command, bool& overwrite, const std::string& numbered);

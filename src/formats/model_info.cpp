@@ -1,6 +1,8 @@
 #include "formats/model_info.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text/shown_text.h"
@@ -12,12 +14,35 @@
 
 namespace resect {
 
-ModelInfo modelInfo(const Model& model) {
-  const TriangleMesh mesh = merged(model);
+namespace {
+
+PartInfo partInfo(const Model& model, const ModelPart& part, double metresPerUnit) {
+  const Model alone{model.path, model.format, {part}};
+  const WeldedSurface welded = weldSurface(chosenSurface(alone, "", metresPerUnit));
+  PartInfo info{part.name, int(part.mesh.triangles.size())};
+  info.closed = welded.topology.closed() && !welded.mesh.triangles.empty();
+  info.boundaryEdges = welded.topology.boundaryEdges;
+  if (info.closed) info.volume = std::abs(volumeAbout(welded.mesh, bounds(welded.mesh).centre()));
+  return info;
+}
+
+std::string inWords(const PartInfo& part) {
+  return fmt::format("{}: {} triangles, {}", part.name.empty() ? "(no name)" : shownText(part.name),
+                     part.triangles,
+                     part.closed ? fmt::format("closed, {:.6g} ml", part.volume * 1e6)
+                                 : fmt::format("open, {} boundary edges", part.boundaryEdges));
+}
+
+}  // namespace
+
+ModelInfo modelInfo(const Model& whole, const OrganMeshOptions& options) {
+  const Model model = chosenParts(whole, options.part);
+  const TriangleMesh mesh = chosenSurface(model, "", options.metresPerUnit);
   ModelInfo info;
   info.path = model.path;
   info.format = model.format;
-  for (const ModelPart& part : model.parts) info.parts.push_back(part.name);
+  for (const ModelPart& part : model.parts)
+    info.parts.push_back(partInfo(model, part, options.metresPerUnit));
   info.triangles = int(mesh.triangles.size());
   info.area = area(mesh);
   info.volume = volume(mesh);
@@ -36,9 +61,13 @@ ModelInfo modelInfo(const Model& model) {
   info.insideOut = health.insideOut;
   info.boundaryEdges = health.boundaryEdges;
   info.nonManifoldEdges = health.nonManifoldEdges;
-  if (!isOrganSized(info.bounds)) {
-    const std::string unit = plausibleUnit(info.bounds);
-    if (unit != "m") info.unitHint = unit;
+  info.unitHint = unitHint(info.bounds, options.metresPerUnit);
+  try {
+    OrganMesh organ = prepareOrganMesh(whole, options);
+    info.organVolume = organ.volume;
+    info.notes = std::move(organ.notes);
+  } catch (const Error& e) {
+    info.refusal = e.what();
   }
   return info;
 }
@@ -46,9 +75,19 @@ ModelInfo modelInfo(const Model& model) {
 nlohmann::ordered_json toJson(const ModelInfo& info) {
   using Json = nlohmann::ordered_json;
   const auto triple = [](const Vec3& p) { return Json{p.x(), p.y(), p.z()}; };
+  Json names = Json::array(), parts = Json::array();
+  for (const PartInfo& part : info.parts) {
+    names.push_back(part.name);
+    parts.push_back({{"name", part.name},
+                     {"triangles", part.triangles},
+                     {"closed", part.closed},
+                     {"boundary_edges", part.boundaryEdges},
+                     {"volume_ml", part.closed ? Json(part.volume * 1e6) : Json()}});
+  }
   return {{"file", info.path},
           {"format", info.format},
-          {"parts", info.parts},
+          {"parts", names},
+          {"part_health", parts},
           {"triangles", info.triangles},
           {"vertices", info.vertices},
           {"area_m2", info.area},
@@ -60,7 +99,10 @@ nlohmann::ordered_json toJson(const ModelInfo& info) {
           {"inside_out", info.insideOut},
           {"boundary_edges", info.boundaryEdges},
           {"non_manifold_edges", info.nonManifoldEdges},
-          {"unit_hint", info.unitHint.empty() ? Json() : Json(info.unitHint)}};
+          {"unit_hint", info.unitHint.empty() ? Json() : Json(info.unitHint)},
+          {"organ_ml", info.organVolume ? Json(*info.organVolume * 1e6) : Json()},
+          {"notes", info.notes},
+          {"refusal", info.refusal.empty() ? Json() : Json(info.refusal)}};
 }
 
 std::string toText(const ModelInfo& info) {
@@ -86,12 +128,17 @@ std::string toText(const ModelInfo& info) {
   line("inside out", yes(info.insideOut));
   if (info.nonManifoldEdges > 0)
     line("non-manifold", fmt::format("{} edges of more than two triangles", info.nonManifoldEdges));
-  if (!info.unitHint.empty())
-    line("unit", fmt::format("not the size of an organ; if the file is in {0}, add --unit {0}",
-                             info.unitHint));
+  if (info.organVolume) line("as an organ", fmt::format("{:.6g} ml", *info.organVolume * 1e6));
+  if (!info.refusal.empty()) {
+    // The sentence begins with the file, which is said above.
+    std::string_view why = info.refusal;
+    if (why.starts_with(info.path + ": ")) why.remove_prefix(info.path.size() + 2);
+    line("as an organ", "refused: " + shownSentence(why));
+  }
+  for (const std::string& note : info.notes) line("note", shownSentence(note));
   if (info.parts.size() > 1) {
     line("parts", fmt::format("{}", info.parts.size()));
-    for (const std::string& part : info.parts) text += fmt::format("    {}\n", shownText(part));
+    for (const PartInfo& part : info.parts) text += fmt::format("    {}\n", inWords(part));
   }
   return text;
 }

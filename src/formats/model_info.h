@@ -2,17 +2,28 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/aabb.h"
 #include "io/model.h"
+#include "io/organ_mesh.h"
 
 namespace resect {
 
+struct PartInfo {
+  std::string name;
+  int triangles = 0;
+  // After welding (weldSurface):
+  bool closed = false;
+  int boundaryEdges = 0;
+  double volume = 0;  // m^3, >= 0; 0 for an open part
+};
+
 struct ModelInfo {
   std::string path, format;
-  std::vector<std::string> parts;
+  std::vector<PartInfo> parts;
   // As read:
   int triangles = 0;
   int vertices = 0;  // distinct positions, however often the file repeats them
@@ -26,9 +37,15 @@ struct ModelInfo {
   bool closed = false, oriented = false, insideOut = false;
   int boundaryEdges = 0, nonManifoldEdges = 0;
   std::string unitHint;  // unit in which the model would have an organ's size; empty: metres
+  // What prepareOrganMesh() makes of it: the volume of the organ's tissue, m^3, and the notes about
+  // it; or the sentence with which it refuses the model.
+  std::optional<double> organVolume;
+  std::vector<std::string> notes;
+  std::string refusal;
 };
 
-ModelInfo modelInfo(const Model& model);
+// About the parts that options.part names.
+ModelInfo modelInfo(const Model& model, const OrganMeshOptions& options = {});
 
 // The fields of `resect info --json`, lengths in m, area in m^2, volume in ml.
 nlohmann::ordered_json toJson(const ModelInfo& info);

@@ -185,6 +185,32 @@ void addToPart(Model& model, ModelPart piece) {
   append(part->mesh, piece.mesh);
 }
 
+std::vector<std::string> partNames(const std::string& lines) {
+  std::vector<std::string> names;
+  if (lines.empty()) return names;
+  for (std::size_t begin = 0, end = 0; end != lines.npos; begin = end + 1) {
+    end = lines.find('\n', begin);
+    names.push_back(lines.substr(begin, end - begin));
+  }
+  return names;
+}
+
+std::string partLines(const std::vector<std::string>& names) {
+  std::string lines;
+  for (const std::string& name : names) lines += (lines.empty() ? "" : "\n") + name;
+  return lines;
+}
+
+Model chosenParts(const Model& model, const std::string& lines) {
+  if (lines.empty()) return model;
+  const std::vector<std::string> names = partNames(lines);
+  for (const std::string& name : names) partNamed(model, name);
+  Model chosen{model.path, model.format, {}};
+  for (const ModelPart& part : model.parts)
+    if (std::ranges::count(names, part.name) > 0) chosen.parts.push_back(part);
+  return chosen;
+}
+
 const ModelPart& partNamed(const Model& model, const std::string& name) {
   for (const ModelPart& part : model.parts)
     if (part.name == name) return part;

@@ -10,6 +10,7 @@
 #include "io/data_folder.h"
 #include "io/drawn_parts.h"
 #include "io/organ_mesh.h"
+#include "io/organ_size.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/scenario_file.h"
 #include "io/vessels_file.h"
@@ -50,8 +51,23 @@ Discretization sample(const TriangleMesh& surface, const OrganSource& source,
       surface,
       source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, *source.spacing),
       progress);
+  if (cells.particleCount() == 0)
+    throw error(
+        "no cell centre of the lattice lies inside {}; use smaller cells (--spacing, --dims)",
+        source.file);
   fitSurface(surface, cells);
   return cells;
+}
+
+// Calls make(). To an Error of it the doubt about the organ's size is added, if any: it may be the
+// cause that the organ has too many cells, or none where the scenario looks for them.
+template <typename Make>
+auto doubting(const OrganSource& source, const Aabb& organ, const Make& make) {
+  try {
+    return make();
+  } catch (const Error& e) {
+    throw withDoubt(e, isBuiltIn(source) ? "" : sizeDoubt(organ, source.unit));
+  }
 }
 
 // Adds the source's landmarks and labels to those of the cells.
@@ -126,8 +142,10 @@ namespace {
 Discretization sourceCells(const OrganSource& source, const ModelReader& readModel,
                            const Progress& progress, std::vector<std::string>* notes,
                            std::optional<Pose>* place) {
-  if (!isParticleFile(source.file))
-    return sample(loadOrganMesh(source, readModel, notes, place), source, progress);
+  if (!isParticleFile(source.file)) {
+    const TriangleMesh surface = loadOrganMesh(source, readModel, notes, place);
+    return doubting(source, bounds(surface), [&] { return sample(surface, source, progress); });
+  }
   if (!source.beside.empty())
     throw usageError("{} holds particles, which lie as their file says; leave out beside",
                      source.file);
@@ -156,7 +174,7 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
                          std::optional<Pose>* place) {
   requireSound(source);
   Discretization cells = sourceCells(source, readModel, progress, notes, place);
-  label(cells, source);
+  doubting(source, particleBox(cells), [&] { label(cells, source); });
   return cells;
 }
 
@@ -253,7 +271,9 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
         makeOrgan(loadCells(source, readModel, progress ? share : Progress(), notes, &place),
                   source.settings);
     organ.map = vesselsOf(source, place, notes);
-    std::unique_ptr<TissueModel> tissue = makeTissue(scenario.organs[i].tissue, organ);
+    std::unique_ptr<TissueModel> tissue = doubting(source, particleBox(organ.rest), [&] {
+      return makeTissue(scenario.organs[i].tissue, organ);
+    });
     organs.push_back(operatedOrgan(source.name, std::move(organ), std::move(tissue)));
   }
   return organs;

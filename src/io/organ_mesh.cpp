@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/text/shown_text.h"
+#include "geometry/measures.h"
 #include "geometry/repair/weld.h"
 #include "geometry/topology.h"
 #include "io/organ_size.h"
@@ -16,12 +18,13 @@ std::string place(const Vec3& p) {
 
 Error openSurface(const Model& model, const OrganMeshOptions& options, const MeshHealth& health) {
   const std::string where = health.firstBoundaryPoint ? place(*health.firstBoundaryPoint) : "";
-  if (model.parts.size() > 1 && options.part.empty())
+  if (model.parts.size() > 1)
     return error(
-        "{}: its {} parts together are no closed body ({} boundary edges, the first at {}; "
-        "{} edges of more than two triangles); choose one with --part: {}",
-        model.path, model.parts.size(), health.boundaryEdges, where, health.nonManifoldEdges,
-        partList(model));
+        "{}: its {} {}parts together are no closed body ({} boundary edges, the first at {}; "
+        "{} edges of more than two triangles); choose {} with --part, which may be given several "
+        "times: {}",
+        model.path, model.parts.size(), options.part.empty() ? "" : "chosen ", health.boundaryEdges,
+        where, health.nonManifoldEdges, options.part.empty() ? "some" : "others", partList(model));
   return error(
       "{}: the surface is open, it has {} boundary edge{}, the first at {}; close it, or "
       "let --repair do it",
@@ -30,11 +33,50 @@ Error openSurface(const Model& model, const OrganMeshOptions& options, const Mes
 
 const char* plural(int count) { return count == 1 ? "" : "s"; }
 
+// The part that fills the box of the shell, as "part 'tumour'"; otherwise its place.
+std::string nameOf(const Shell& shell, const Model& model, double metresPerUnit) {
+  const double close = 1e-5 * shell.box.size().norm();
+  for (const ModelPart& part : model.parts) {
+    Aabb box = bounds(part.mesh);
+    box.min *= metresPerUnit;
+    box.max *= metresPerUnit;
+    if (model.parts.size() > 1 && !part.name.empty() && (box.min - shell.box.min).norm() < close &&
+        (box.max - shell.box.max).norm() < close)
+      return fmt::format("part '{}'", shownText(part.name, kLongestName));
+  }
+  return "the one round " + place(shell.box.centre());
+}
+
+// What the shells of an organ mean, which a person may have meant otherwise.
+void addShellNotes(const Model& model, double metresPerUnit, OrganMesh& organ) {
+  const auto tell = [&](ShellKind kind, const char* what, const char* meaning) {
+    double all = 0;
+    int count = 0;
+    const Shell* largest = nullptr;
+    for (const Shell& shell : organ.shells) {
+      if (shell.kind != kind) continue;
+      ++count, all += shell.volume;
+      if (!largest || shell.volume > largest->volume) largest = &shell;
+    }
+    if (count == 0) return;
+    organ.notes.push_back(fmt::format("{} inner shell{} of {:.4g} ml{} {} ({}{}){}", count,
+                                      plural(count), all * 1e6, count > 1 ? " in all" : "", what,
+                                      count > 1 ? "the largest is " : "",
+                                      nameOf(*largest, model, metresPerUnit), meaning));
+  };
+  tell(ShellKind::Cavity, "facing inwards: a cavity without tissue", "");
+  tell(ShellKind::Within, "facing outwards",
+       ", so that what it encloses is tissue; if it is a cavity, turn its faces inwards");
+}
+
 void addNotes(const OrganMeshOptions& options, OrganMesh& organ) {
   const RepairReport& r = organ.repairs;
   const auto note = [&]<typename... Args>(fmt::format_string<Args...> format, Args&&... args) {
     organ.notes.push_back(fmt::format(format, std::forward<Args>(args)...));
   };
+  if (r.trianglesDoubled > 0)
+    note("{} triangles dropped that lie on others: every face was there more than once",
+         r.trianglesDoubled);
   if (r.trianglesTurned > 0)
     note("{} triangle{} turned so that neighbours agree", r.trianglesTurned,
          plural(r.trianglesTurned));
@@ -51,20 +93,14 @@ void addNotes(const OrganMeshOptions& options, OrganMesh& organ) {
   if (r.componentsTurned > 0)
     note("{} component{} inside out turned", r.componentsTurned, plural(r.componentsTurned));
   if (organ.health.components > 1) note("the surface has {} components", organ.health.components);
-  if (!isOrganSized(organ.health.bounds)) {
-    // The hint refers to the file's own numbers.
-    Aabb own = organ.health.bounds;
-    own.min /= options.metresPerUnit;
-    own.max /= options.metresPerUnit;
-    note("its longest side is {:.4g} m, which is no organ's; perhaps the file is in {} (--unit)",
-         organ.health.bounds.size().maxCoeff(), plausibleUnit(own));
-  }
+  const std::string doubt = sizeDoubt(organ.health.bounds, options.metresPerUnit);
+  if (!doubt.empty()) organ.notes.push_back(doubt);
 }
 
 // Repairs organ.mesh, whose health is organ.health, to a closed, oriented surface, or throws Error.
 void mend(const Model& model, const OrganMeshOptions& options, OrganMesh& organ) {
   const MeshHealth& raw = organ.health;
-  const bool severalParts = model.parts.size() > 1 && options.part.empty();
+  const bool severalParts = model.parts.size() > 1;
   // Parts that overlap have edges of more than two triangles: closing the holes between them would
   // give a meaningless closed surface.
   if (!raw.closed && (!options.repair || (severalParts && raw.nonManifoldEdges > 0)))
@@ -97,25 +133,40 @@ WeldedSurface weldSurface(const TriangleMesh& mesh) {
 }
 
 TriangleMesh chosenSurface(const Model& model, const std::string& part, double metresPerUnit) {
-  TriangleMesh mesh = part.empty() ? merged(model) : partNamed(model, part).mesh;
+  TriangleMesh mesh = part.empty() ? merged(model) : merged(chosenParts(model, part));
   if (metresPerUnit != 1)
     for (Vec3& p : mesh.points) p *= metresPerUnit;
   return mesh;
 }
 
-OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options) {
+OrganMesh prepareOrganMesh(const Model& all, const OrganMeshOptions& options) {
+  const Model chosen = options.part.empty() ? Model() : chosenParts(all, options.part);
+  const Model& model = options.part.empty() ? all : chosen;
   OrganMesh organ;
-  WeldedSurface welded = weldSurface(chosenSurface(model, options.part, options.metresPerUnit));
+  WeldedSurface welded = weldSurface(chosenSurface(model, "", options.metresPerUnit));
   organ.mesh = std::move(welded.mesh);
   if (organ.mesh.triangles.empty())
     throw error("{}: all its triangles are degenerate; export the model again", model.path);
   organ.health = examine(organ.mesh, welded.topology);
   const MeshHealth& h = organ.health;
-  if (!h.closed || !h.oriented || h.specks > 0 || h.insideOut) {
-    mend(model, options, organ);
-    organ.health = examine(organ.mesh);
+  const std::string doubt = sizeDoubt(h.bounds, options.metresPerUnit);
+  try {
+    if (h.nonManifoldEdges > 0) {
+      dropDoubled(organ.mesh, organ.repairs);
+      if (organ.repairs.trianglesDoubled > 0) organ.health = examine(organ.mesh);
+    }
+    if (!h.closed || !h.oriented || h.specks > 0 || h.insideOut) {
+      mend(model, options, organ);
+      organ.health = examine(organ.mesh);
+    }
+  } catch (const Error& e) {
+    throw withDoubt(e, doubt);
   }
+  if (organ.health.components > 1) organ.shells = shellsOf(organ.mesh);
+  organ.volume = organ.shells.empty() ? volumeAbout(organ.mesh, organ.health.bounds.centre())
+                                      : tissueVolume(organ.shells);
   addNotes(options, organ);
+  addShellNotes(model, options.metresPerUnit, organ);
   return organ;
 }
 

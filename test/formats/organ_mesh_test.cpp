@@ -95,6 +95,70 @@ TEST_CASE("parts that make no body together are listed, and one can be chosen") 
   CHECK(volume(prepareOrganMesh(model, options).mesh) == doctest::Approx(0.02 * 0.02 * 0.03));
   options.part = "gall";
   CHECK(test::tells(sentence(model, options), "no part 'gall'; choose one of: capsule, stone"));
+  options.part = partLines({"stone", "gall"});
+  CHECK(test::tells(sentence(model, options), "no part 'gall'; choose one of: capsule, stone"));
+}
+
+TEST_CASE("several parts are joined to one body") {
+  TriangleMesh capsule = boxMesh({{0, 0, 0}, {0.1, 0.1, 0.1}}), bare = capsule;
+  capsule.triangles.resize(10);
+  bare.triangles.erase(bare.triangles.begin(), bare.triangles.begin() + 10);
+  const TriangleMesh sheet{{{0.05, 0.02, 0.02}, {0.05, 0.08, 0.02}, {0.05, 0.05, 0.08}},
+                           {{0, 1, 2}}};
+  const Model model = modelOf({{"capsule", capsule}, {"bare area", bare}, {"sheet inside", sheet}});
+  CHECK(test::tells(sentence(model), "choose some with --part, which may be given several times"));
+  OrganMeshOptions options;
+  options.part = "capsule\nbare area";
+  const OrganMesh organ = prepareOrganMesh(model, options);
+  CHECK(organ.volume == doctest::Approx(0.001));
+  CHECK(organ.notes.empty());
+  options.part = "bare area\nsheet inside";
+  CHECK(test::tells(sentence(model, options), "its 2 chosen parts together are no closed body"));
+  CHECK(partNames(options.part) == std::vector<std::string>{"bare area", "sheet inside"});
+  CHECK(partNames("").empty());
+  CHECK(chosenParts(model, "").parts.size() == 3);
+}
+
+TEST_CASE("inner shells are told: cavities, and those that face outwards, with their part") {
+  TriangleMesh inner = boxMesh({{0.03, 0.03, 0.03}, {0.07, 0.07, 0.07}});
+  const TriangleMesh outer = boxMesh({{0, 0, 0}, {0.1, 0.1, 0.1}});
+  OrganMesh organ = prepareOrganMesh(modelOf({{"liver", outer}, {"tumour", inner}}));
+  CHECK(organ.volume == doctest::Approx(1e-3));
+  REQUIRE(organ.notes.size() == 2);
+  CHECK(
+      organ.notes[1] ==
+      "1 inner shell of 64 ml facing outwards (part 'tumour'), so that what it encloses is tissue; "
+      "if it is a cavity, turn its faces inwards");
+  flip(inner);
+  TriangleMesh both = outer;
+  append(both, inner);
+  organ = prepareOrganMesh(modelOf({{"", both}}));
+  CHECK(organ.volume == doctest::Approx(936e-6));
+  REQUIRE(organ.notes.size() == 2);
+  CHECK(
+      organ.notes[1] ==
+      "1 inner shell of 64 ml facing inwards: a cavity without tissue (the one round (0.05, 0.05, "
+      "0.05) m)");
+  append(both, sphereMesh({0.015, 0.015, 0.015}, 0.01, 8));
+  append(both, sphereMesh({0.085, 0.015, 0.015}, 0.012, 8));
+  organ = prepareOrganMesh(modelOf({{"", both}}));
+  REQUIRE(organ.notes.size() == 3);
+  CHECK(test::tells(organ.notes[2], "2 inner shells of"));
+  CHECK(test::tells(organ.notes[2], "(the largest is the one round (0.085, 0.015, 0.015) m)"));
+}
+
+TEST_CASE("a face and its back are one face, and that is said") {
+  TriangleMesh mesh = ball(), back = ball();
+  flip(back);
+  append(mesh, back);
+  const OrganMesh organ = prepareOrganMesh(modelOf({{"", mesh}}));
+  CHECK(organ.volume == doctest::Approx(volume(ball())));
+  CHECK(organ.health.triangles == int(ball().triangles.size()));
+  REQUIRE(organ.notes.size() == 1);
+  CHECK(test::tells(organ.notes[0], "every face was there more than once"));
+  // Two parts that are the same.
+  CHECK(prepareOrganMesh(modelOf({{"a", ball()}, {"b", ball()}})).volume ==
+        doctest::Approx(volume(ball())));
 }
 
 TEST_CASE("overlapping parts are not repaired into nonsense") {
@@ -131,7 +195,8 @@ TEST_CASE("units scale the surface, and an implausible size is noted with the li
   const Model model = modelOf({{"", millimetres}});
   const OrganMesh raw = prepareOrganMesh(model);
   REQUIRE(raw.notes.size() == 1);
-  CHECK(test::tells(raw.notes[0], "perhaps the file is in mm"));
+  CHECK(raw.notes[0] ==
+        "its longest side is 200 m, which is no organ's; in mm it would be 0.2 m: add --unit mm");
   OrganMeshOptions options;
   options.metresPerUnit = 0.001;
   const OrganMesh scaled = prepareOrganMesh(model, options);
@@ -144,9 +209,35 @@ TEST_CASE("plausible units bring a body to the size of a liver") {
   CHECK(plausibleUnit(box(0.2)) == "m");
   CHECK(plausibleUnit(box(19)) == "cm");
   CHECK(plausibleUnit(box(210)) == "mm");
+  CHECK(plausibleUnit(box(2e5)) == "um");
   CHECK(plausibleUnit(box(0)) == "");
   CHECK(isOrganSized(box(0.3)));
   CHECK_FALSE(isOrganSized(box(20)));
+}
+
+TEST_CASE("a doubt about the size names the unit that would do, or none") {
+  const auto doubt = [](double side, double metresPerUnit) {
+    return sizeDoubt({Vec3::Zero(), Vec3(side, side / 2, side / 3)}, metresPerUnit);
+  };
+  CHECK(doubt(0.2, 1).empty());
+  CHECK(test::tells(doubt(200, 1), "in mm it would be 0.2 m: add --unit mm"));
+  CHECK(test::tells(doubt(15, 1), "add --unit cm"));
+  // In mm already, but its numbers are metres.
+  CHECK(test::tells(doubt(2e-4, 1e-3), "in m it would be 0.2 m: add --unit m"));
+  CHECK(test::tells(doubt(1.5, 1), "scale it"));
+  CHECK(test::tells(doubt(0, 1), "scale it"));
+  const Error refused = usageError("too many cells");
+  CHECK(withDoubt(refused, "").what() == std::string("too many cells"));
+  const Error doubted = withDoubt(refused, doubt(200, 1));
+  CHECK(test::tells(doubted.what(), "too many cells; its longest side is 200 m"));
+  CHECK(doubted.status() == Error::Status::Usage);
+  CHECK(withDoubt(doubted, doubt(200, 1)).what() == std::string(doubted.what()));
+}
+
+TEST_CASE("an open surface in another unit is refused with the unit that would do") {
+  TriangleMesh millimetres = openBall();
+  for (Vec3& p : millimetres.points) p *= 1000;
+  CHECK(test::tells(sentence(modelOf({{"", millimetres}})), "add --unit mm"));
 }
 
 TEST_CASE("specks and bodies without volume") {
@@ -177,7 +268,31 @@ TEST_CASE("the report has the promised fields, as read and after welding") {
   CHECK(json["inside_out"] == false);
   CHECK(json["boundary_edges"] == 3);
   CHECK(json["parts"] == std::vector<std::string>{"a", "b"});
+  CHECK(json["part_health"][0]["closed"] == false);
+  CHECK(json["part_health"][0]["boundary_edges"] == 3);
+  CHECK(json["part_health"][0]["volume_ml"].is_null());
+  CHECK(json["part_health"][1]["volume_ml"].get<double>() == doctest::Approx(1e6));
+  CHECK(json["organ_ml"].is_null());
+  CHECK(test::tells(json["refusal"].get<std::string>(), "its 2 parts together"));
   CHECK(test::tells(toText(info), "no, 3 boundary edges"));
+  CHECK(test::tells(toText(info), "refused: its 2 parts together"));
+  CHECK(test::tells(toText(info), "b: 12 triangles, closed, 1e+06 ml"));
+}
+
+TEST_CASE("the report says what organ a model becomes, in its unit and of its parts") {
+  TriangleMesh hollow = boxMesh({{0, 0, 0}, {100, 100, 100}});
+  append(hollow, boxMesh({{30, 30, 30}, {70, 70, 70}}));
+  const Model model = modelOf({{"bladder", hollow}, {"stone", ball()}});
+  const ModelInfo info = modelInfo(model, {"bladder", false, 1e-3});
+  REQUIRE(info.parts.size() == 1);
+  REQUIRE(info.organVolume);
+  CHECK(*info.organVolume == doctest::Approx(1e-3));
+  CHECK(info.volume == doctest::Approx(1.064e-3));
+  CHECK(info.unitHint.empty());
+  CHECK(test::tells(toText(info), "facing outwards"));
+  CHECK(toJson(info)["organ_ml"].get<double>() == doctest::Approx(1000));
+  CHECK(modelInfo(model, {"bladder", false, 1}).unitHint == "mm");
+  CHECK(modelInfo(model, {"bladder", false, 1e-6}).unitHint == "mm");
 }
 
 TEST_CASE("a model crosses the pipe unchanged, and damage is noticed") {

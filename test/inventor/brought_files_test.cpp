@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
-#include "geometry/measures.h"
 #include "inventor/reading/model_file.h"
 #include "io/organ_mesh.h"
 #include "support/sentence.h"
@@ -27,13 +26,17 @@ TEST_CASE("small files that other programs wrote have their volume") {
         Case{"03_quantized_silent.glb", 180.34}, Case{"04_quantized_refused.glb", 180.34},
         Case{"05_first_byte_0A.ply", 1000}, Case{"06_string_field.vtk", 1000},
         Case{"12_binary_trailing_bytes.stl", 1000}, Case{"13_ascii_upper.stl", 1000},
-        Case{"21_faces_first.ply", 1000}, Case{"23_names_with_spaces.obj", 2000}}) {
+        Case{"21_faces_first.ply", 1000}, Case{"23_names_with_spaces.obj", 2000},
+        Case{"07_cavity_inner_outward.stl", 1000}, Case{"15_face_and_its_back.stl", 1000}}) {
     CAPTURE(one.file);
     const OrganMesh organ = prepareOrganMesh(readModel(*folder / one.file));
-    CHECK(volume(organ.mesh) * 1e6 == doctest::Approx(one.ml).epsilon(1e-4));
+    CHECK(organ.volume * 1e6 == doctest::Approx(one.ml).epsilon(1e-4));
   }
   CHECK(test::refuses([&] { readModel(*folder / "18_torn_text.ply"); }, "the file ends early"));
   const Model kidney = readModel(*folder / "23_names_with_spaces.obj");
   REQUIRE(kidney.parts.size() == 2);
   CHECK(kidney.parts[0].name == "left kidney");
+  const Model patches = readModel(*folder / "25_two_patches.obj");
+  CHECK(prepareOrganMesh(patches, {partLines({"capsule", "bare_area"})}).volume ==
+        doctest::Approx(1e-3));
 }

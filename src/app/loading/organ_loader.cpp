@@ -158,7 +158,8 @@ void OrganLoader::readNext() {
   QStringList arguments{"convert", QString::fromStdString(organ.file),
                         QString::fromStdString(converted_.back()), "--unit",
                         QString::number(organ.unit, 'g', 17)};
-  if (!organ.part.empty()) arguments << "--part=" + QString::fromStdString(organ.part);
+  for (const std::string& name : partNames(organ.part))
+    arguments << "--part=" + QString::fromStdString(name);
   if (organ.repair) arguments << "--repair";
   reader_ = std::make_unique<QProcess>();
   reader_->start(QCoreApplication::applicationFilePath(), arguments);

@@ -18,6 +18,8 @@
 
 #include "app/say.h"
 #include "inventor/scene/scene_file.h"
+#include "io/organ_size.h"
+#include "io/scenario/length.h"
 
 namespace resect {
 namespace {
@@ -159,16 +161,11 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   return true;
 }
 
-// The unit in which the size is nearest to a liver's, 0.15 to 0.30 m.
+// The one that the commands would name (io/organ_size.h).
 int OpenOrganDialog::likelyUnit() const {
-  int best = 0;
-  for (int i = 0; i < unit_->count(); ++i) {
-    const auto off = [&](int k) {
-      return std::abs(std::log(std::max(1e-12, longest_ * unit_->itemData(k).toDouble()) / 0.22));
-    };
-    if (off(i) < off(best)) best = i;
-  }
-  return best;
+  const std::string unit = plausibleUnit({Vec3::Zero(), Vec3::Constant(longest_)});
+  const int at = unit.empty() ? -1 : unit_->findData(parseUnit(unit, "unit"));
+  return std::max(at, 0);
 }
 
 // True if one was chosen automatically: in a saved scene the organ is known by its name.

@@ -8,11 +8,13 @@
 #include "cli/command_output.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
+#include "cli/shared_options.h"
 #include "formats/meshes/gltf_buffers.h"
 #include "geometry/measures.h"
 #include "inventor/reading/model_file.h"
 #include "io/mesh_file.h"
 #include "io/organ_mesh.h"
+#include "io/organ_size.h"
 #include "io/output/run_files.h"
 #include "io/scenario/length.h"
 
@@ -42,6 +44,8 @@ void convert(const Options& options) {
     mesh = weldSurface(chosenSurface(model, options.part, metres)).mesh;
     if (mesh.triangles.empty())
       throw error("{}: all its triangles are degenerate; export the model again", model.path);
+    const std::string doubt = sizeDoubt(bounds(mesh), metres);
+    if (!doubt.empty()) notes.push_back(doubt);
   }
   writeMeshFile(options.out, mesh);
   if (options.json) {
@@ -66,7 +70,7 @@ void addConvertCommand(CLI::App& app) {
   command->add_option("IN", options->in, ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk")
       ->required();
   command->add_option("OUT", options->out, ".obj .stl .ply .vtk .iv")->required();
-  command->add_option("--part", options->part, "Take only the part of that name");
+  addPartOption(*command, options->part);
   command
       ->add_option("--unit", options->unit,
                    "What IN's numbers are: mm, cm, m, inch or the metres in one unit")
@@ -78,7 +82,8 @@ void addConvertCommand(CLI::App& app) {
       "Examples:\n"
       "  resect convert liver.iv liver.stl\n"
       "  resect convert scan.stl liver.obj --unit mm --repair\n"
-      "  resect convert liver.glb gallbladder.iv --part gallbladder");
+      "  resect convert liver.glb gallbladder.iv --part gallbladder\n"
+      "  resect convert organ.obj organ.stl --part capsule --part bare_area");
   command->callback([options] { convert(*options); });
 }
 

@@ -65,10 +65,6 @@ void addDiscretizeCommand(CLI::App& app) {
     addFilesOfGltf(inputs);
     checkOutputs({{{"--output", options->output}, {"--json", options->json ? "-" : ""}}}, inputs);
     const Discretization cells = loadCells(source, modelReader(), progressBar("particles"), &notes);
-    if (cells.particleCount() == 0)
-      throw error(
-          "no cell centre of the lattice lies inside {}; use a smaller --spacing or more --dims",
-          options->mesh);
     writeParticleFile(options->output,
                       {cells,
                        {"resect " RESECT_VERSION,

@@ -7,6 +7,7 @@
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
 #include "cli/progress_bar.h"
+#include "cli/shared_options.h"
 #include "formats/model_info.h"
 #include "formats/particle_info.h"
 #include "inventor/reading/model_file.h"
@@ -34,12 +35,9 @@ void infoOfParticles(const Options& options) {
 
 void info(const Options& options) {
   if (isParticleFile(options.file)) return infoOfParticles(options);
-  Model model = readModelWatched(options.file, progressBar("reading"));
   const double metres = parseUnit(options.unit, "--unit");
-  if (!options.part.empty()) model.parts = {partNamed(model, options.part)};
-  for (ModelPart& part : model.parts)
-    for (Vec3& p : part.mesh.points) p *= metres;
-  const ModelInfo result = modelInfo(model);
+  const Model model = readModelWatched(options.file, progressBar("reading"));
+  const ModelInfo result = modelInfo(model, {options.part, false, metres});
   if (options.json)
     writeJson("-", toJson(result));
   else
@@ -55,7 +53,7 @@ void addInfoCommand(CLI::App& app) {
       ->add_option("FILE", options->file,
                    ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk; particles: .dis .resect-cells")
       ->required();
-  command->add_option("--part", options->part, "Look only at the part of that name");
+  addPartOption(*command, options->part);
   command
       ->add_option("--unit", options->unit,
                    "What the file's numbers are: mm, cm, m, inch or the metres in one unit")
@@ -65,7 +63,8 @@ void addInfoCommand(CLI::App& app) {
       "Examples:\n"
       "  resect info liver.iv\n"
       "  resect info scan.stl --unit mm\n"
-      "  resect info liver.glb --part gallbladder --json");
+      "  resect info liver.glb --part gallbladder --json\n"
+      "  resect info organ.obj --part capsule --part bare_area");
   command->callback([options] { info(*options); });
 }
 

@@ -13,6 +13,7 @@
 #include "cli/picture_writer.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
+#include "cli/shared_options.h"
 #include "formats/meshes/gltf_buffers.h"
 #include "formats/png_file.h"
 #include "geometry/resting_pose.h"
@@ -23,6 +24,7 @@
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
 #include "io/organ_mesh.h"
+#include "io/organ_size.h"
 #include "io/output/run_files.h"
 #include "io/scenario/length.h"
 #include "io/scenario/scenario_files.h"
@@ -80,10 +82,8 @@ void render(const Options& options) {
   const double extent = bounds(all).size().maxCoeff();
   const double scale = extent < 0.01 || extent > 1.0 ? 0.2 / extent : 1.0;
   if (scale != 1.0)
-    fmt::print(
-        stderr,
-        "the models are {:.4g} m across and are shown as 0.2 m; give their unit, as --unit mm\n",
-        extent);
+    fmt::print(stderr, "the models are shown as if 0.2 m across: {}\n",
+               shownSentence(sizeDoubt(bounds(all), metres)));
   for (Vec3& p : all.points) p *= scale;
   Pose pose;
   if (options.pose != "keep") pose = standOnTable(all, rotationFor(options.pose, all));
@@ -144,7 +144,7 @@ void addRenderCommand(CLI::App& app) {
       ->check(CLI::IsMember({"lie", "stand", "keep"}))
       ->capture_default_str();
   command->add_flag("--no-room,!--room", options->noRoom, "Without table, tool box and tools");
-  command->add_option("--part", options->part, "Take only the part of that name");
+  addPartOption(*command, options->part);
   command
       ->add_option("--unit", options->unit,
                    "What the models' numbers are: mm, cm, m, inch or the metres in one unit")

@@ -33,6 +33,17 @@ std::vector<EdgeUse> sortedEdgeUses(const TriangleMesh& mesh) {
   return uses;
 }
 
+// One use of each edge that an odd number of triangles has.
+std::vector<EdgeUse> oddEdges(const TriangleMesh& mesh) {
+  const std::vector<EdgeUse> uses = sortedEdgeUses(mesh);
+  std::vector<EdgeUse> odd;
+  for (std::size_t i = 0, next = 0; i < uses.size(); i = next) {
+    for (next = i + 1; next < uses.size() && uses[next].edge == uses[i].edge;) ++next;
+    if ((next - i) % 2 == 1) odd.push_back(uses[i]);
+  }
+  return odd;
+}
+
 // The mesh without the triangles of the components marked in `drop`, unused points left out.
 TriangleMesh without(const TriangleMesh& mesh, const std::vector<std::int32_t>& component,
                      const std::vector<char>& drop) {
@@ -118,6 +129,42 @@ void closeHoles(TriangleMesh& mesh, RepairReport& report) {
         0.5 * (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm();
   }
   report.volumeAfter = volumeAbout(mesh, middle);
+}
+
+void dropDoubled(TriangleMesh& mesh, RepairReport& report) {
+  requireTriangles(mesh);
+  // Triangles of the same corners, in the order of the mesh, lie one after the other.
+  std::vector<std::pair<Triangle, std::int32_t>> byCorners;
+  byCorners.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Triangle corners = mesh.triangles[t];
+    std::sort(corners.begin(), corners.end());
+    byCorners.emplace_back(corners, std::int32_t(t));
+  }
+  std::sort(byCorners.begin(), byCorners.end());
+  int components = 0;
+  const std::vector<std::int32_t> component = pointComponents(mesh, &components);
+  std::vector<char> isFirst(mesh.triangles.size(), 0), allDoubled(std::size_t(components), 1);
+  for (std::size_t i = 0, next = 0; i < byCorners.size(); i = next) {
+    for (next = i + 1; next < byCorners.size() && byCorners[next].first == byCorners[i].first;)
+      ++next;
+    isFirst[std::size_t(byCorners[i].second)] = 1;
+    if (next == i + 1) allDoubled[std::size_t(component[byCorners[i].first[0]])] = 0;
+  }
+  if (std::ranges::count(allDoubled, 1) == 0) return;
+  TriangleMesh once;  // the first triangles of the components in question
+  once.points = mesh.points;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (isFirst[t] && allDoubled[std::size_t(component[mesh.triangles[t][0]])])
+      once.triangles.push_back(mesh.triangles[t]);
+  for (const EdgeUse& use : oddEdges(once))
+    allDoubled[std::size_t(component[std::int32_t(use.edge >> 32)])] = 0;
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (isFirst[t] || !allDoubled[std::size_t(component[mesh.triangles[t][0]])])
+      kept.push_back(mesh.triangles[t]);
+  report.trianglesDoubled += int(mesh.triangles.size() - kept.size());
+  mesh.triangles = std::move(kept);
 }
 
 void dropSpecks(TriangleMesh& mesh, RepairReport& report) {

@@ -1,5 +1,5 @@
-// Repairs a damaged mesh: turns triangles, closes holes, drops specks (components without volume),
-// and reports what was changed.
+// Repairs a damaged mesh: drops triangles that lie on others, turns triangles, closes holes, drops
+// specks (components without volume), and reports what was changed.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
@@ -7,6 +7,7 @@
 namespace resect {
 
 struct RepairReport {
+  int trianglesDoubled = 0;  // that dropDoubled() dropped
   int trianglesTurned = 0;   // by orientConsistently()
   int componentsTurned = 0;  // by turnOutwards(); includes cavities
   int specksDropped = 0;     // components that dropSpecks() dropped
@@ -20,6 +21,12 @@ struct RepairReport {
 // Each function takes a welded mesh and changes it in place. It adds to the report what was
 // changed. The results are deterministic. Each function but closeHoles() takes O(n log n) for n
 // triangles.
+
+// Looks for components in which every triangle has another one with the same corners, turned the
+// same way or the other, as some programs write each face and its back. Keeps the first of these in
+// a component that is closed with them alone, and leaves all others as they are. (Two coincident
+// sheets are such a component that would be open: a speck.)
+void dropDoubled(TriangleMesh& mesh, RepairReport& report);
 
 // Flips triangles so that two triangles that share an edge have the same orientation. Edges of more
 // than two triangles are ignored. In each part that is connected over the other edges, the

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "io/data_folder.h"
+#include "io/model.h"
 #include "io/scenario/label_reader.h"
 #include "io/scenario/length.h"
 #include "io/scenario/region_reader.h"
@@ -29,7 +30,7 @@ OrganSource readOrgan(const TomlTable& t) {
   organ.beside = t.text("beside", "");
   const std::string source = t.text("source", "liver");
   organ.file = source;
-  organ.part = t.text("part", "");
+  organ.part = partLines(t.isList("part") ? t.texts("part") : partNames(t.text("part", "")));
   organ.unit = parseUnit(t.text("unit", "m"), "organ.unit");
   organ.repair = t.flag("repair", false);
   if (t.has("spacing"))
