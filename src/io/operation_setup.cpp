@@ -1,10 +1,13 @@
 #include "io/operation_setup.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 
 #include "base/error.h"
+#include "collision/wall_thickness.h"
 #include "geometry/resting_pose.h"
 #include "io/cells/particle_file.h"
 #include "io/data_folder.h"
@@ -12,6 +15,7 @@
 #include "io/organ_mesh.h"
 #include "io/organ_size.h"
 #include "io/plain_mesh.h"
+#include "io/scenario/length.h"
 #include "io/scenario/scenario_file.h"
 #include "io/vessels_file.h"
 #include "operation/frame_estimate.h"
@@ -41,16 +45,49 @@ TriangleMesh builtInMesh(const std::string& name) {
 // Translation that puts a box on the table: centred over the origin, lowest point on the table top.
 Vec3 ontoTable(const Aabb& box) { return {-box.centre().x(), -box.min.y(), -box.centre().z()}; }
 
+// A spacing as it is given to --spacing, not rounded up: "1.6mm".
+std::string spacingText(double metres) {
+  const double step = metres >= 1e-3 ? 0.1 : 0.01;  // mm
+  return fmt::format("{:g}mm", std::max(step, step * std::floor(1e3 * metres / step + 1e-6)));
+}
+
+// Tells of walls that are thinner than two cells of side `cell`, m. Throws Error if half of the
+// tissue would be lost.
+void tellThinWalls(const TriangleMesh& surface, const OrganSource& source, double cell,
+                   std::vector<std::string>* notes) {
+  if (isBuiltIn(source)) return;  // its cells are chosen for it
+  const WallThickness walls = wallThickness(surface);
+  const double thin = walls.at(0.05);
+  if (thin >= 2 * cell) return;
+  const std::string measured =
+      fmt::format("behind 5 % of its surface lies no more than {} of tissue, behind half of it {}",
+                  lengthText(thin), lengthText(walls.at(0.5)));
+  constexpr double kMostLost = 0.02;
+  const double lost = walls.lostAt(cell);
+  if (lost > 0.5)
+    throw error("{}: {}; cells of {} would lose {:.0f} % of it; use --spacing {}, which keeps 98 %",
+                source.file, measured, lengthText(cell), 100 * lost,
+                spacingText(walls.cellFor(kMostLost)));
+  if (!notes) return;
+  if (lost > kMostLost)
+    notes->push_back(fmt::format("{}; cells of {} lose {:.0f} % of it, --spacing {} keeps 98 %",
+                                 measured, lengthText(cell), 100 * lost,
+                                 spacingText(walls.cellFor(kMostLost))));
+  else
+    notes->push_back(fmt::format("{}, less than two cells of {}; --spacing {} gives it two",
+                                 measured, lengthText(cell), spacingText(thin / 2)));
+}
+
 // Samples a closed surface with the source's spacing or dims.
 Discretization sample(const TriangleMesh& surface, const OrganSource& source,
-                      const Progress& progress) {
+                      const Progress& progress, std::vector<std::string>* notes) {
   require(source.dims || source.spacing,
           "organ \"{}\" has no spacing; give the side of its cells, or their number", source.name);
   const Aabb box = bounds(surface);
-  Discretization cells = discretize(
-      surface,
-      source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, *source.spacing),
-      progress);
+  const Lattice lattice =
+      source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, *source.spacing);
+  tellThinWalls(surface, source, lattice.spacing.maxCoeff(), notes);
+  Discretization cells = discretize(surface, lattice, progress);
   if (cells.particleCount() == 0)
     throw error(
         "no cell centre of the lattice lies inside {}; use smaller cells (--spacing, --dims)",
@@ -144,7 +181,8 @@ Discretization sourceCells(const OrganSource& source, const ModelReader& readMod
                            std::optional<Pose>* place) {
   if (!isParticleFile(source.file)) {
     const TriangleMesh surface = loadOrganMesh(source, readModel, notes, place);
-    return doubting(source, bounds(surface), [&] { return sample(surface, source, progress); });
+    return doubting(source, bounds(surface),
+                    [&] { return sample(surface, source, progress, notes); });
   }
   if (!source.beside.empty())
     throw usageError("{} holds particles, which lie as their file says; leave out beside",
@@ -162,7 +200,7 @@ Discretization sourceCells(const OrganSource& source, const ModelReader& readMod
   if (surface.triangles.empty())
     throw error("{} has no surface to sample anew; make it from a mesh", source.file);
   if (notes) notes->push_back(fmt::format("sampled anew from the surface of {} particles", before));
-  Discretization anew = sample(surface, source, progress);
+  Discretization anew = sample(surface, source, progress, notes);
   carryLabels(organ.rest, anew);
   return anew;
 }

@@ -36,7 +36,9 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
 // loadOrganMesh() unless the source is a file of particles (io/cells/particle_file.h). Such a file
 // gives its own cells; if source.resample, cells are sampled anew from their surface. In both cases
 // the source is not rotated and `place` is not used: only steps 3 and 4 of loadOrganMesh() are
-// applied, with the box of the file's lattice. Throws Error if a label marks no particle.
+// applied, with the box of the file's lattice. Walls that are thinner than two cells get a note
+// (collision/wall_thickness.h). Throws Error if a label marks no particle, if there is no particle,
+// or if the cells are so large that half of the tissue would be lost.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr);

@@ -68,6 +68,7 @@ class Brought(unittest.TestCase):
 
     def test_every_command_that_refuses_or_doubts_a_size_names_the_unit(self):
         model, out = write("in_mm.obj", points((200, 150, 100)) + faces()), FOLDER / "in_mm.dis"
+        out.unlink(missing_ok=True)
         hint = "in mm it would be 0.2 m: add --unit mm"
         self.assertIn(hint, resect("info", model).stdout)
         self.assertEqual(info(model)["unit_hint"], "mm")

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include "geometry/measures.h"
+#include "geometry/primitives.h"
 #include "io/scenario/scenario_file.h"
 #include "operation/room.h"
 #include "organ/builtin/builtin_gallbladder.h"
 #include "organ/builtin/builtin_liver.h"
+#include "support/sentence.h"
 
 using namespace resect;
 
@@ -83,4 +85,71 @@ TEST_CASE("frames that will take seconds, and older keys, are told of before the
   REQUIRE(stiff.size() == 1);
   CHECK_MESSAGE(stiff[0].starts_with("each frame will take about"), stiff[0]);
   CHECK(stiff[0].find("softer tissue (young, poisson)") != stiff[0].npos);
+}
+
+namespace {
+
+// A hollow ball of radius 4 cm, as a reader would read it.
+ModelReader hollowBall(double wall) {
+  TriangleMesh mesh = sphereMesh({0, 0, 0}, 0.04, 24),
+               inner = sphereMesh({0, 0, 0}, 0.04 - wall, 24);
+  flip(inner);
+  append(mesh, inner);
+  return [mesh](const std::filesystem::path& path) {
+    return Model{path.string(), "OBJ", {{"", mesh}}};
+  };
+}
+
+std::vector<std::string> notesOf(double wall, double spacing) {
+  OrganSource source;
+  source.file = "bladder.obj";
+  source.spacing = spacing;
+  std::vector<std::string> notes;
+  loadCells(source, hollowBall(wall), {}, &notes);
+  return notes;
+}
+
+}  // namespace
+
+TEST_CASE("walls that are too thin for the cells are told with the spacing that would do") {
+  const auto toldLast = [](const std::vector<std::string>& notes) { return notes.back(); };
+  CHECK(test::refuses([] { notesOf(0.002, 0.005); }, "cells of 5 mm would lose 9"));
+  CHECK(test::refuses([] { notesOf(0.002, 0.005); }, "mm, which keeps 98 %"));
+  CHECK(test::tells(toldLast(notesOf(0.0045, 0.005)), "cells of 5 mm lose"));
+  CHECK(test::tells(toldLast(notesOf(0.0045, 0.005)), "--spacing 3.7mm keeps 98 %"));
+  CHECK(test::tells(toldLast(notesOf(0.002, 0.0016)), "less than two cells of 1.6 mm"));
+  CHECK_FALSE(test::tells(toldLast(notesOf(0.012, 0.005)), "tissue, behind"));
+}
+
+TEST_CASE("a model in millimetres is refused with its unit, whatever refuses it") {
+  const ModelReader inMillimetres = [](const std::filesystem::path& path) {
+    return Model{path.string(), "STL", {{"", boxMesh({{0, 0, 0}, {200, 150, 100}})}}};
+  };
+  Scenario scenario;
+  scenario.organs.resize(1);
+  OrganSource& source = scenario.organs[0].source;
+  source.file = "scan.stl";
+  source.spacing = 0.005;
+  const auto refuses = [&](const std::string& what) {
+    return test::refuses([&] { loadOrgans(scenario, inMillimetres); }, what) &&
+           test::refuses([&] { loadOrgans(scenario, inMillimetres); },
+                         "in mm it would be 0.2 m: add --unit mm");
+  };
+  CHECK(refuses("needs 2.4e+13 cells"));
+  source.spacing.reset();
+  source.dims = Vec3i(8, 8, 8);
+  Region ball;
+  ball.shape = Region::Shape::Ball;
+  ball.centre = Vec3(0, 0.1, 0);
+  ball.radius = 0.01;
+  source.labels.push_back({1, "tumour", ball});
+  CHECK(refuses("marks no particle"));
+  source.labels.clear();
+  source.unit = 1e-3;
+  CHECK(loadOrgans(scenario, inMillimetres).size() == 1);
+  // What is far smaller than a cell is lost.
+  source.unit = 1e-6;
+  source.dims.reset();
+  source.spacing = 0.005;
+  CHECK(refuses("cells of 5 mm would lose 9"));
 }
