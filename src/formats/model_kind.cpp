@@ -88,13 +88,16 @@ bool startsAsGltf(std::string_view bytes) {
 }
 
 std::optional<ModelKind> kindByContent(std::string_view bytes) {
-  if (bytes.starts_with("#Inventor V") || bytes.starts_with("#VRML V")) return ModelKind::Inventor;
+  const std::size_t begin = std::min(bytes.find_first_not_of("\xef\xbb\xbf \t\r\n"), bytes.size());
+  const std::string_view text = bytes.substr(begin);
+  if (text.starts_with("#Inventor V") || text.starts_with("#VRML V")) return ModelKind::Inventor;
   if (isVtkFile(bytes)) return ModelKind::Vtk;
   if (bytes.starts_with("glTF")) return ModelKind::Glb;
   if (startsAsPly(bytes)) return ModelKind::Ply;
   if (startsAsOff(bytes)) return ModelKind::Off;
   if (startsAsTextStl(bytes)) return ModelKind::Stl;
   if (startsAsGltf(bytes)) return ModelKind::Gltf;
+  if (isExactBinaryStl(bytes)) return ModelKind::Stl;
   return std::nullopt;
 }
 
@@ -104,6 +107,8 @@ ModelKind modelKind(const fs::path& path, std::string_view bytes) {
   const std::string ending = endingOf(path);
   // The header of a binary .stl may begin with anything.
   if (ending == ".stl" && isExactBinaryStl(bytes)) return ModelKind::Stl;
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
+    plainText(path.string(), bytes);  // which refuses it
   if (const std::optional<ModelKind> kind = kindByContent(bytes)) return *kind;
   const auto ours = std::ranges::find(kEndings, ending, &Ending::ending);
   const auto isThis = [&](const OtherKind& other) {

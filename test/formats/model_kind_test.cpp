@@ -17,6 +17,7 @@ TEST_CASE("the first bytes of a file say more than its name") {
   CHECK(modelKind("a", "\xef\xbb\xbf{ \"asset\": {\"version\": \"2.0\"}}") == ModelKind::Gltf);
   CHECK(modelKind("a", "# vtk DataFile Version 3.0\n") == ModelKind::Vtk);
   CHECK(modelKind("a.obj", "#VRML V2.0 utf8\n") == ModelKind::Inventor);
+  CHECK(modelKind("a", "\xef\xbb\xbf\r\n#Inventor V2.1 ascii\n") == ModelKind::Inventor);
 }
 
 TEST_CASE("where the first bytes say nothing, the name does, in upper or lower case") {
@@ -35,6 +36,12 @@ TEST_CASE("a binary .stl is one, whatever its header begins with") {
     bytes += std::string("\1\0\0\0", 4) + std::string(50, '\0');
     CHECK(modelKind("a.stl", bytes) == ModelKind::Stl);
   }
+  // One whose number of bytes is the one that it says is one under any name.
+  const std::string whole =
+      std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(50, '\0');
+  CHECK(modelKind("a.obj", whole) == ModelKind::Stl);
+  CHECK(modelKind("a", whole) == ModelKind::Stl);
+  CHECK(modelKind("a.obj", whole + "x") == ModelKind::Obj);
 }
 
 TEST_CASE("what is not read is named, with the way to what is") {
@@ -54,4 +61,6 @@ TEST_CASE("what is not read is named, with the way to what is") {
   refuses("a.step", "ISO-10303-21;", "FreeCAD");
   refuses("a.xyz", "0 0 0\n", "of no kind that can be read");
   refuses("a", "", "of no kind that can be read");
+  for (const char* name : {"a.obj", "a.gltf", "a.wrl", "a.vtk", "a"})
+    refuses(name, std::string("\xff\xfe#\0", 4), "UTF-16");
 }

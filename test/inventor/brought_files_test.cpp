@@ -2,10 +2,12 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
+#include "geometry/measures.h"
 #include "inventor/reading/model_file.h"
 #include "io/organ_mesh.h"
 #include "support/sentence.h"
 #include "support/shared_data.h"
+#include "support/temporary_folder.h"
 
 using namespace resect;
 
@@ -17,6 +19,16 @@ struct Case {
 };
 
 }  // namespace
+
+TEST_CASE("Inventor and VRML text is read with what some programs put round it") {
+  const std::string box = "Separator { Cube { width 1 height 1 depth 1 } }\n";
+  const std::string vrml = "#VRML V2.0 utf8\nShape { geometry Box { size 1 1 1 } }\n";
+  const test::TemporaryFolder folder;
+  for (const std::string& text : {"#Inventor V2.1 ascii\n" + box, vrml})
+    for (const std::string& file : {text, "\xef\xbb\xbf" + text, "\r\n" + text, text + '\0',
+                                    text + "\x1a", text.substr(0, text.size() - 1)})
+      CHECK(volume(merged(readModel(folder.write("box.wrl", file)))) == doctest::Approx(1));
+}
 
 TEST_CASE("small files that other programs wrote have their volume") {
   const auto folder = test::sharedData("cases");

@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "formats/meshes/gltf_requirements.h"
+#include "formats/meshes/word_reader.h"
 #include "geometry/polygon.h"
 
 namespace resect {
@@ -149,7 +150,10 @@ void checkGltfFrame(const std::string& path, std::string_view bytes) {
 
 Model readGltfFile(const std::string& path, std::string_view bytes, const BesideFiles& beside) {
   const bool isBinary = bytes.starts_with("glTF");
-  if (isBinary) checkGltfFrame(path, bytes);
+  if (isBinary)
+    checkGltfFrame(path, bytes);
+  else
+    bytes = plainText(path, bytes);
   const PlainGltf plain = plainGltf(path, bytes, beside);
   if (!plain.bytes.empty()) bytes = plain.bytes;
   Assimp::Importer importer;

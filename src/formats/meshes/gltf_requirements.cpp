@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/text/shown_text.h"
+#include "formats/meshes/word_reader.h"
 
 namespace resect {
 namespace {
@@ -38,11 +39,10 @@ bool changesLooksOnly(const std::string& extension) {
 void checkRequired(const std::string& path, const Json& json) {
   for (const Json& one : json.value("extensionsRequired", Json::array())) {
     const std::string extension = one.get<std::string>();
-    if (extension == "KHR_mesh_quantization" || extension == "KHR_draco_mesh_compression" ||
-        changesLooksOnly(extension))
-      continue;
-    throw error("{}: requires the glTF extension {}, which is not read; export it without", path,
-                shownText(extension, 60));
+    if (extension == "KHR_mesh_quantization" || changesLooksOnly(extension)) continue;
+    const bool packed = extension.ends_with("_compression");
+    throw error("{}: requires the glTF extension {}, which is not read; export it without{}", path,
+                shownText(extension, 60), packed ? " compression" : "");
   }
 }
 
@@ -209,9 +209,7 @@ PlainGltf plainGltf(const std::string& path, std::string_view bytes, const Besid
     chunks = bytes.substr(20 + length,
                           wordAt(bytes, 8) - std::min<std::size_t>(20 + length, wordAt(bytes, 8)));
   }
-  const std::size_t last = text.find_last_not_of(std::string_view("\0 \r\n\t\x1a", 6));
-  text = text.substr(0, last == text.npos ? 0 : last + 1);
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text = plainText(path, text);
   Json json;
   try {
     json = Json::parse(text);

@@ -19,8 +19,8 @@ struct PlainGltf {
 inline constexpr const char* kPlainPositions = "resect/positions.bin";
 
 // Reads the JSON of a .glb or .gltf file. Undoes KHR_mesh_quantization: positions of whole numbers
-// become floats, and the other attributes of their primitives are left out. Extensions of looks and
-// KHR_draco_mesh_compression are left to the library. Throws Error if the JSON is damaged or if the
+// become floats, and the other attributes of their primitives are left out. Extensions of looks are
+// left to the library. Throws Error if the JSON is damaged or if the
 // file requires an extension that is not followed; LacksFile (gltf_buffers.h) if quantized
 // positions lie in a buffer file that is not in `beside`.
 PlainGltf plainGltf(const std::string& path, std::string_view bytes, const BesideFiles& beside);

@@ -37,6 +37,9 @@ TriangleMesh readBinary(const std::string& path, std::string_view bytes) {
     throw error("{}: is neither a text STL nor long enough for a binary one; export it again",
                 path);
   const std::uint32_t count = wordAt(bytes, kHeader - 4);
+  if (count == 0 && bytes.size() > kHeader)
+    throw error("{}: says that it has no triangles, but {} bytes follow; export it again", path,
+                bytes.size() - kHeader);
   if (bytes.size() < bytesPromised(bytes))
     throw error("{}: the file ends early: it promises {} triangles and holds {}; export it again",
                 path, count, (bytes.size() - kHeader) / kRecord);

@@ -64,10 +64,17 @@ std::optional<std::int64_t> wholeNumberOf(std::string_view word) {
   return std::int64_t(*real);
 }
 
-WordReader::WordReader(const std::string& path, std::string_view bytes)
-    : path_(path), bytes_(bytes) {
+std::string_view plainText(const std::string& path, std::string_view bytes) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
     throw error("{}: is UTF-16 text; save it as plain text (ASCII or UTF-8)", path);
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  while (!bytes.empty() && isSpace(bytes.front())) bytes.remove_prefix(1);
+  while (!bytes.empty() && isSpace(bytes.back())) bytes.remove_suffix(1);
+  return bytes;
+}
+
+WordReader::WordReader(const std::string& path, std::string_view bytes)
+    : path_(path), bytes_(bytes) {
   if (bytes.starts_with(kByteOrderMark)) goTo(kByteOrderMark.size());
 }
 

@@ -25,10 +25,13 @@ std::optional<std::int64_t> wholeNumberOf(std::string_view word);
 
 std::string lowerCase(std::string_view text);  // ASCII letters only
 
+// The text of a file without what some programs put before and after it: a byte order mark of
+// UTF-8 and empty lines, NULs and Ctrl-Z. Throws Error if the text is UTF-16.
+std::string_view plainText(const std::string& path, std::string_view bytes);
+
 class WordReader {
  public:
   // `path` is for messages; both must outlive the reader. A byte order mark of UTF-8 is skipped.
-  // Throws Error if the text is UTF-16.
   WordReader(const std::string& path, std::string_view bytes);
 
   std::string_view word();  // empty at the end

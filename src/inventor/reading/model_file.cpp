@@ -28,6 +28,13 @@ constexpr std::size_t kLargestFile = std::size_t(1) << 30;  // with all that is 
 constexpr std::size_t kLargestUnpacked = std::size_t(1) << 29;
 constexpr std::size_t kMostBeside = 16;
 
+// What Coin is given: text without what may stand before and after it, binary files as they are.
+std::string_view inventorText(const std::string& path, std::string_view bytes) {
+  const std::string_view text = plainText(path, bytes);
+  const bool isBinary = inventorFormat(text).ends_with(" binary");
+  return isBinary ? bytes : text;
+}
+
 Model readHere(const fs::path& path, std::string_view bytes, const BesideFiles& beside,
                SharedNumber& share) {
   if (bytes.empty()) throw error("{}: is empty; choose a file that holds a surface", path.string());
@@ -36,7 +43,7 @@ Model readHere(const fs::path& path, std::string_view bytes, const BesideFiles& 
   const std::string name = path.string();
   switch (modelKind(path, bytes)) {
     case ModelKind::Inventor:
-      return readInventorFile(name, bytes, ShapeReading::Converted,
+      return readInventorFile(name, inventorText(name, bytes), ShapeReading::Converted,
                               [&](double now) { share.set(now); });
     case ModelKind::Vtk:
       return readVtkFile(name, bytes);

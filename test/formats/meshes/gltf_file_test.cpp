@@ -130,6 +130,18 @@ TEST_CASE("quantized positions are read from a file beside the model and from it
                        kQuantized, 1)));
 }
 
+TEST_CASE("a .gltf is read with a byte order mark and a padded end") {
+  const Form form{5123, 65535, true};
+  BesideFiles beside;
+  const std::string data = dataOf(form);
+  RawArray<char> file;
+  file.resize(data.size());
+  std::memcpy(file.data(), data.data(), data.size());
+  beside.emplace("cube.bin", std::move(file));
+  const std::string json = jsonOf(form, R"("uri":"cube.bin",)", kQuantized, 1);
+  checkCube(readGltfFile("a.gltf", "\xef\xbb\xbf\r\n" + json + std::string("\n\0\x1a", 3), beside));
+}
+
 TEST_CASE("a .glb is read with bytes after its end") {
   const Form form{5123, 65535, true};
   checkCube(readGltfFile("a.glb", test::binaryGltf(jsonOf(form, "", kQuantized, 1), dataOf(form)) +
@@ -141,7 +153,8 @@ TEST_CASE("an extension that a file requires is followed or named") {
   const auto with = [&](const std::string& required) {
     return test::binaryGltf(jsonOf(form, "", required, 1), dataOf(form));
   };
-  for (const char* other : {"EXT_meshopt_compression", "EXT_mesh_gpu_instancing", "ACME_warp"}) {
+  for (const char* other : {"EXT_meshopt_compression", "KHR_draco_mesh_compression",
+                            "EXT_mesh_gpu_instancing", "ACME_warp"}) {
     CHECK(test::isRefusalOf("a.glb: ", std::string("requires the glTF extension ") + other,
                             sentence(with(fmt::format("\"{}\",{}", other, kQuantized)))));
   }

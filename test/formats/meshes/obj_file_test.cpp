@@ -114,5 +114,4 @@ TEST_CASE("a damaged .obj is refused with its line") {
   refuses(three + "f 0 1 2\n", "4", "counted from 1");
   refuses(three + "f 1 2 3/1/1 x\n", "4", "has 'x' where the number of a point");
   refuses(three + "\n\nf 1 2 99999999999999999999\n", "6", "99999999999999999999");
-  CHECK(test::refuses([&] { read(std::string("\xff\xfev\0", 4)); }, "UTF-16"));
 }

@@ -110,6 +110,7 @@ TEST_CASE("a torn .stl is refused wherever it is torn") {
   CHECK(test::tells(sentence(binary.substr(0, 400)),
                     "the file ends early: it promises 12 triangles and holds 6"));
   CHECK(test::tells(sentence(binaryCube("exported", 13)), "promises 13 triangles and holds 12"));
+  CHECK(test::tells(sentence(binaryCube("exported", 0)), "no triangles, but 600 bytes follow"));
   // The last line may be torn without loss.
   for (std::size_t length = 30; length < text.size() - sizeof("endsolid cube"); length += 11) {
     CAPTURE(length);

@@ -85,8 +85,11 @@ TEST_CASE("lines are counted whatever ends them") {
 TEST_CASE("a byte order mark is skipped, and UTF-16 is named") {
   const std::string path = "a.obj";
   CHECK(WordReader(path, "\xef\xbb\xbfv 1").word() == "v");
-  CHECK(test::refuses([&] { WordReader(path, std::string_view("\xff\xfev\0", 4)); }, "UTF-16"));
-  CHECK(test::refuses([&] { WordReader(path, std::string_view("\xfe\xff\0v", 4)); }, "UTF-16"));
+  CHECK(plainText(path, std::string_view("\xef\xbb\xbf\r\n a b\n\0\x1a", 12)) == "a b");
+  CHECK(plainText(path, "").empty());
+  CHECK(plainText(path, " \n").empty());
+  CHECK(test::refuses([&] { plainText(path, std::string_view("\xff\xfev\0", 4)); }, "UTF-16"));
+  CHECK(test::refuses([&] { plainText(path, std::string_view("\xfe\xff\0v", 4)); }, "UTF-16"));
 }
 
 TEST_CASE("a number with a comma is named as such") {
