@@ -19,6 +19,9 @@ nlohmann::ordered_json toJson(const SurfaceSummary& surface) {
           {"volume_ml", 1e6 * surface.volume}};
 }
 
+// To the millimetre.
+std::string coordinate(double metres) { return fmt::format("{:.3f}", metres); }
+
 }  // namespace
 
 nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenario) {
@@ -89,9 +92,16 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
   }
   const bool anyMoves = std::ranges::any_of(
       scenario.tools, [](const ScenarioTool& tool) { return !tool.keys.empty(); });
-  if (!summary.touched && anyMoves)
+  if (!summary.touched && anyMoves) {
+    const Aabb& box = summary.surfaceBefore.box;
     row("note",
-        "no instrument met an organ: their ways lie in the room, where the scenario puts them");
+        fmt::format("no instrument met an organ: their ways lie in the room, where the scenario "
+                    "puts them, and {} {} to {} m from left to right, {} to {} m in height and {} "
+                    "to {} m towards the surgeon; move the organ or the ways",
+                    summary.ledger.organs.size() > 1 ? "the organs fill" : "the organ fills",
+                    coordinate(box.min.x()), coordinate(box.max.x()), coordinate(box.min.y()),
+                    coordinate(box.max.y()), coordinate(box.min.z()), coordinate(box.max.z())));
+  }
   row("time",
       fmt::format("{} frames = {:.2f} s simulated in {:.3f} s: {:.1f} x real time", summary.frames,
                   summary.simulatedSeconds, summary.computedSeconds, summary.realTimeFactor()));

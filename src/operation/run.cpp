@@ -10,7 +10,8 @@ namespace resect {
 
 SurfaceSummary summarise(const TriangleMesh& surface) {
   const Topology t = topology(surface);
-  return {std::int64_t(surface.triangles.size()), t.closed(), t.oriented(), volume(surface)};
+  return {std::int64_t(surface.triangles.size()), t.closed(), t.oriented(), volume(surface),
+          bounds(surface)};
 }
 
 RunSummary runScenario(Simulation& simulation, const Scenario& scenario,

@@ -17,6 +17,7 @@ struct SurfaceSummary {
   std::int64_t triangles = 0;
   bool closed = false, oriented = false;
   double volume = 0;  // enclosed by the surface, m^3
+  Aabb box;           // m; empty without triangles
 };
 SurfaceSummary summarise(const TriangleMesh& surface);
 
