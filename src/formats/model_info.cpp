@@ -16,9 +16,7 @@ namespace resect {
 
 namespace {
 
-PartInfo partInfo(const Model& model, const ModelPart& part, double metresPerUnit) {
-  const Model alone{model.path, model.format, {part}};
-  const WeldedSurface welded = weldSurface(chosenSurface(alone, "", metresPerUnit));
+PartInfo partInfo(const ModelPart& part, const WeldedSurface& welded) {
   PartInfo info{part.name, int(part.mesh.triangles.size())};
   info.closed = welded.topology.closed() && !welded.mesh.triangles.empty();
   info.boundaryEdges = welded.topology.boundaryEdges;
@@ -41,8 +39,6 @@ ModelInfo modelInfo(const Model& whole, const OrganMeshOptions& options) {
   ModelInfo info;
   info.path = model.path;
   info.format = model.format;
-  for (const ModelPart& part : model.parts)
-    info.parts.push_back(partInfo(model, part, options.metresPerUnit));
   info.triangles = int(mesh.triangles.size());
   info.area = area(mesh);
   info.volume = volume(mesh);
@@ -55,6 +51,13 @@ ModelInfo modelInfo(const Model& whole, const OrganMeshOptions& options) {
 
   const WeldedSurface welded = weldSurface(mesh);
   const MeshHealth health = examine(welded.mesh, welded.topology);
+  for (const ModelPart& part : model.parts) {
+    const Model alone{model.path, model.format, {part}};
+    info.parts.push_back(
+        partInfo(part, model.parts.size() == 1
+                           ? welded
+                           : weldSurface(chosenSurface(alone, "", options.metresPerUnit))));
+  }
   info.components = health.components;
   info.closed = health.closed;
   info.oriented = health.oriented;
