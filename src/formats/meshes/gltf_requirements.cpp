@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -19,15 +18,24 @@ using Json = nlohmann::json;
 
 constexpr int kFloat = 5126;  // glTF's number for this type
 
-std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 4; i > 0; --i)
-    value = value << 8 | static_cast<unsigned char>(bytes[at + i - 1]);
-  return value;
-}
-
 void putWord(std::string& bytes, std::uint64_t value) {
   for (int i = 0; i < 4; ++i) bytes += char(value >> (8 * i));
+}
+
+// The library reads beyond the end of a truncated binary glTF file, so its structure is checked
+// here (glTF 2.0, 4.4): a header of 12 bytes with the total length, then chunks with their lengths.
+void checkFrame(const std::string& path, std::string_view bytes) {
+  const auto number = [&](std::size_t at) { return std::uint64_t(littleEndian(bytes, at)); };
+  const auto cutOff = [&] {
+    return error("{}: is shorter than it says itself; copy or export it again", path);
+  };
+  if (bytes.size() < 12) throw cutOff();
+  if (number(4) != 2) throw error("{}: is glTF version {}; export it as glTF 2.0", path, number(4));
+  const std::uint64_t length = number(8);
+  if (length > bytes.size()) throw cutOff();
+  if (length < 20) throw error("{}: has no JSON; export it again", path);
+  for (std::uint64_t at = 12; at < length; at += 8 + number(at))
+    if (at + 8 > length || number(at) > length - at - 8) throw cutOff();
 }
 
 bool changesLooksOnly(const std::string& extension) {
@@ -201,13 +209,12 @@ std::string withJson(std::string_view file, bool isBinary, std::string_view chun
 
 PlainGltf plainGltf(const std::string& path, std::string_view bytes, const BesideFiles& beside) {
   const bool isBinary = bytes.starts_with("glTF");
-  std::string_view text = bytes, chunks;
+  std::string_view text = bytes, chunks;  // the JSON; what follows it
   if (isBinary) {
-    if (bytes.size() < 20) throw error("{}: has no JSON; export it again", path);
-    const std::size_t length = std::min<std::size_t>(wordAt(bytes, 12), bytes.size() - 20);
-    text = bytes.substr(20, length);
-    chunks = bytes.substr(20 + length,
-                          wordAt(bytes, 8) - std::min<std::size_t>(20 + length, wordAt(bytes, 8)));
+    checkFrame(path, bytes);
+    const std::size_t jsonEnd = 20 + littleEndian(bytes, 12);
+    text = bytes.substr(20, jsonEnd - 20);
+    chunks = bytes.substr(jsonEnd, littleEndian(bytes, 8) - jsonEnd);
   }
   text = plainText(path, text);
   Json json;

@@ -18,11 +18,12 @@ struct PlainGltf {
 // No file beside a model has such a name (formats/child/foreign_file.h).
 inline constexpr const char* kPlainPositions = "resect/positions.bin";
 
-// Reads the JSON of a .glb or .gltf file. Undoes KHR_mesh_quantization: positions of whole numbers
-// become floats, and the other attributes of their primitives are left out. Extensions of looks are
-// left to the library. Throws Error if the JSON is damaged or if the
-// file requires an extension that is not followed; LacksFile (gltf_buffers.h) if quantized
-// positions lie in a buffer file that is not in `beside`.
+// Checks the lengths in a .glb file, and reads the JSON of a .glb or .gltf file. Undoes
+// KHR_mesh_quantization: positions of whole numbers become floats, and the other attributes of
+// their primitives are left out. Extensions of looks are left to the library. Throws Error if the
+// file is shorter than it says, if the JSON is damaged or if the file requires an extension that is
+// not followed; LacksFile (gltf_buffers.h) if quantized positions lie in a buffer file that is not
+// in `beside`.
 PlainGltf plainGltf(const std::string& path, std::string_view bytes, const BesideFiles& beside);
 
 }  // namespace resect

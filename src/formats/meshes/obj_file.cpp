@@ -12,20 +12,11 @@
 namespace resect {
 namespace {
 
-// NULs and Ctrl-Z, with which some programs fill or end a file, count as spaces.
-constexpr std::string_view kSpaces(" \t\v\f\0\x1a", 6);
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kSpaces);
-  if (begin == text.npos) return {};
-  return text.substr(begin, text.find_last_not_of(kSpaces) + 1 - begin);
-}
-
 // Empty at the end of the line, where a comment may begin.
 std::string_view takeWord(std::string_view& line) {
   line = trimmed(line);
   if (line.starts_with('#')) line = {};
-  const std::string_view word = line.substr(0, line.find_first_of(kSpaces));
+  const std::string_view word = line.substr(0, line.find_first_of(" \t\v\f"));
   line.remove_prefix(word.size());
   return word;
 }

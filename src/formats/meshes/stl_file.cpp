@@ -12,31 +12,21 @@ namespace {
 
 constexpr std::size_t kHeader = 84, kRecord = 50;  // bytes; the header ends with the count
 
-std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 4; i > 0; --i)
-    value = value << 8 | static_cast<unsigned char>(bytes[at + i - 1]);
-  return value;
-}
-
 std::uint64_t bytesPromised(std::string_view bytes) {
-  return kHeader + kRecord * std::uint64_t(wordAt(bytes, kHeader - 4));
+  return kHeader + kRecord * std::uint64_t(littleEndian(bytes, kHeader - 4));
 }
 
-// A binary file may begin with "solid" too. Text has the word "facet" or "endsolid", and no NUL
-// before it.
+// A binary file may begin with "solid" too, but below 2^24 triangles the highest byte of its count
+// is NUL.
 bool isText(std::string_view bytes) {
-  if (!startsAsTextStl(bytes)) return false;
-  const std::string start = lowerCase(bytes.substr(0, 4096));
-  const std::size_t word = std::min(start.find("facet"), start.find("endsolid"));
-  return word != start.npos && start.find('\0') > word;
+  return startsAsTextStl(bytes) && bytes.substr(0, kHeader).find('\0') == bytes.npos;
 }
 
 TriangleMesh readBinary(const std::string& path, std::string_view bytes) {
   if (bytes.size() < kHeader)
     throw error("{}: is neither a text STL nor long enough for a binary one; export it again",
                 path);
-  const std::uint32_t count = wordAt(bytes, kHeader - 4);
+  const std::uint32_t count = littleEndian(bytes, kHeader - 4);
   if (count == 0 && bytes.size() > kHeader)
     throw error("{}: says that it has no triangles, but {} bytes follow; export it again", path,
                 bytes.size() - kHeader);
@@ -52,18 +42,12 @@ TriangleMesh readBinary(const std::string& path, std::string_view bytes) {
     for (std::size_t corner = 1; corner <= 3; ++corner) {  // 0 is the normal
       Vec3 p;
       for (std::size_t k = 0; k < 3; ++k)
-        p[int(k)] = double(std::bit_cast<float>(wordAt(bytes, record + 12 * corner + 4 * k)));
+        p[int(k)] = double(std::bit_cast<float>(littleEndian(bytes, record + 12 * corner + 4 * k)));
       mesh.points.push_back(p);
     }
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
   return mesh;
-}
-
-std::string trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(" \t");
-  if (begin == text.npos) return "";
-  return std::string(text.substr(begin, text.find_last_not_of(" \t") + 1 - begin));
 }
 
 class TextStl {
@@ -72,7 +56,7 @@ class TextStl {
 
   void readInto(Model& model) {
     for (std::string word = keyword(); word == "solid"; word = keyword()) {
-      const std::string name = trimmed(words_.line());
+      const std::string name(trimmed(words_.line()));
       addToPart(model, name, readSolid());
     }
     // What else follows is none of the model's, unless a facet was left outside.

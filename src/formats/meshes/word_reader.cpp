@@ -64,13 +64,24 @@ std::optional<std::int64_t> wholeNumberOf(std::string_view word) {
   return std::int64_t(*real);
 }
 
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
+  while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::uint32_t littleEndian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 4; i > 0; --i)
+    value = value << 8 | static_cast<unsigned char>(bytes[at + i - 1]);
+  return value;
+}
+
 std::string_view plainText(const std::string& path, std::string_view bytes) {
   if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff"))
     throw error("{}: is UTF-16 text; save it as plain text (ASCII or UTF-8)", path);
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
-  while (!bytes.empty() && isSpace(bytes.front())) bytes.remove_prefix(1);
-  while (!bytes.empty() && isSpace(bytes.back())) bytes.remove_suffix(1);
-  return bytes;
+  return trimmed(bytes);
 }
 
 WordReader::WordReader(const std::string& path, std::string_view bytes)

@@ -25,6 +25,10 @@ std::optional<std::int64_t> wholeNumberOf(std::string_view word);
 
 std::string lowerCase(std::string_view text);  // ASCII letters only
 
+std::string_view trimmed(std::string_view text);  // without the spaces round it
+// The unsigned number in the four bytes at `at`, the lowest first. They must be there.
+std::uint32_t littleEndian(std::string_view bytes, std::size_t at);
+
 // The text of a file without what some programs put before and after it: a byte order mark of
 // UTF-8 and empty lines, NULs and Ctrl-Z. Throws Error if the text is UTF-16.
 std::string_view plainText(const std::string& path, std::string_view bytes);

@@ -72,7 +72,7 @@ TEST_CASE("a binary .stl is read whatever its header and what follows its triang
     checkCube(binaryCube(header));
   for (const std::size_t more : {1, 2, 49, 50, 1000}) {
     checkCube(binaryCube("exported") + std::string(more, '\0'));
-    checkCube(binaryCube("solid cube") + std::string(more, 'x'));
+    checkCube(binaryCube("solid facet endsolid") + std::string(more, 'x'));
   }
 }
 
