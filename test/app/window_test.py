@@ -353,6 +353,15 @@ class AtTheWindow(ScreenTest):
         self.assertIn("broken.stl", window.wait("error "))
         self.assertIsNone(window.process.poll())
 
+    def test_what_cannot_become_an_organ_is_told_with_its_own_name_and_unit(self):
+        flat = FOLDER / "sheet_in_mm.obj"
+        flat.write_text("v 0 0 0\nv 200 0 0\nv 0 150 0\nf 1 2 3\n")
+        window = Window(PROGRAM, self.screen, "--spacing", "12mm", "--organ", str(flat))
+        self.addCleanup(window.quit)
+        told = window.wait("error ")
+        self.assertIn("sheet_in_mm.obj: the surface is open", told)
+        self.assertIn("in mm it would be 0.2 m: add --unit mm", told)
+
 
 if __name__ == "__main__":
     if OPTIONS.measure or OPTIONS.random:

@@ -95,9 +95,20 @@ struct OrganLoader::Job {
     } catch (const Cancelled&) {
       problem = "cancelled";
     } catch (const std::exception& e) {
-      problem = e.what();
+      problem = withOwnNames(e.what());
     }
+    for (std::string& note : notes) note = withOwnNames(std::move(note));
     built = true;
+  }
+  // A sentence about a file that a reader wrote, as one about the person's own file.
+  std::string withOwnNames(std::string sentence) const {
+    for (std::size_t i = 0; i < wanted.organs.size(); ++i) {
+      const std::string& written = wanted.organs[i].source.file;
+      const std::string& own = scenario.organs[i].source.file;
+      if (const std::size_t at = sentence.find(written); at != sentence.npos && written != own)
+        sentence.replace(at, written.size(), own);
+    }
+    return sentence;
   }
 };
 
@@ -155,9 +166,9 @@ void OrganLoader::readNext() {
                                          .arg(QCoreApplication::applicationPid())
                                          .arg(++files_))
                            .toStdString());
+  // In the file's own numbers, so that a doubt about its size names its unit.
   QStringList arguments{"convert", QString::fromStdString(organ.file),
-                        QString::fromStdString(converted_.back()), "--unit",
-                        QString::number(organ.unit, 'g', 17)};
+                        QString::fromStdString(converted_.back())};
   for (const std::string& name : partNames(organ.part))
     arguments << "--part=" + QString::fromStdString(name);
   if (organ.repair) arguments << "--repair";
@@ -175,7 +186,6 @@ void OrganLoader::poll() {
       OrganSource& organ = job_->wanted.organs[next_++].source;
       organ.file = converted_.back();
       organ.part.clear();
-      organ.unit = 1;
       return readNext();
     }
     job_->built = true;
