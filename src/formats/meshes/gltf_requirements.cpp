@@ -217,22 +217,19 @@ PlainGltf plainGltf(const std::string& path, std::string_view bytes, const Besid
     chunks = bytes.substr(jsonEnd, littleEndian(bytes, 8) - jsonEnd);
   }
   text = plainText(path, text);
-  Json json;
   try {
-    json = Json::parse(text);
-  } catch (const Json::parse_error& e) {
-    const bool torn = e.byte > text.size();
-    throw error("{}: {}; copy or export it again", path,
-                torn ? std::string("the file ends early: its JSON is cut off")
-                     : fmt::format("its JSON is damaged at byte {}", e.byte));
-  }
-  try {
+    Json json = Json::parse(text);
     checkRequired(path, json);
     Dequantizer dequantizer(path, std::move(json), chunks.size() > 8 ? chunks.substr(8) : "",
                             beside);
     if (!dequantizer.apply()) return {};
     return {withJson(bytes, isBinary, chunks, dequantizer.json().dump()),
             dequantizer.takePositions()};
+  } catch (const Json::parse_error& e) {
+    const bool torn = e.byte > text.size();
+    throw error("{}: {}; copy or export it again", path,
+                torn ? std::string("the file ends early: its JSON is cut off")
+                     : fmt::format("its JSON is damaged at byte {}", e.byte));
   } catch (const Json::exception&) {
     throw error("{}: its JSON is not that of a glTF 2.0 file; export it again", path);
   }

@@ -177,6 +177,7 @@ TEST_CASE("damaged quantized files and torn text are refused") {
   CHECK(test::tells(changed(R"("bufferView":0)", R"("bufferView":7)"), "not that of a glTF"));
   CHECK(test::tells(changed(R"({"POSITION":0)", R"({"POSITION":7)"), "not that of a glTF"));
   CHECK(test::tells(changed(R"("asset")", R"(asset)"), "damaged at byte"));
+  CHECK(test::tells(changed(R"("count":8)", R"("count":1e999)"), "not that of a glTF"));
   for (std::size_t length = 1; length < json.size(); length += 29)
     CHECK(test::tells(test::sentenceOf([&] { readGltfFile("a.gltf", json.substr(0, length)); }),
                       "the file ends early"));
