@@ -30,6 +30,30 @@ TEST_CASE("Inventor and VRML text is read with what some programs put round it")
       CHECK(volume(merged(readModel(folder.write("box.wrl", file)))) == doctest::Approx(1));
 }
 
+TEST_CASE("a byte order mark before a text of any kind is passed over") {
+  const std::string mark = "\xef\xbb\xbf";
+  const std::string three = "0 0 0\n2 0 0\n0 1 0\n";
+  const std::pair<const char*, std::string> files[] = {
+      {"a.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n"},
+      {"a.off", "OFF\n3 1 0\n" + three + "3 0 1 2\n"},
+      {"a.ply",
+       "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+       "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+       "end_header\n" +
+           three + "3 0 1 2\n"},
+      {"a.stl",
+       "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 1 0\n"
+       "endloop\nendfacet\nendsolid\n"},
+      {"a.vtk", "# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n" + three +
+                    "POLYGONS 1 4\n3 0 1 2\n"}};
+  const test::TemporaryFolder folder;
+  for (const auto& [name, text] : files) {
+    CAPTURE(std::string(name));
+    CHECK(area(merged(readModel(folder.write(name, text)))) == doctest::Approx(1));
+    CHECK(area(merged(readModel(folder.write(name, mark + text)))) == doctest::Approx(1));
+  }
+}
+
 TEST_CASE("small files that other programs wrote have their volume") {
   const auto folder = test::sharedData("cases");
   if (!folder) return;

@@ -10,8 +10,6 @@
 namespace resect {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
 bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == '\0' || c == 0x1a; }
 
 // Whether a number that no double can hold is too small rather than too large.

@@ -23,6 +23,8 @@ std::optional<double> numberOf(std::string_view word);
 // The same for a whole number. Some programs print these as "3.0" or "1e+06"; they are accepted.
 std::optional<std::int64_t> wholeNumberOf(std::string_view word);
 
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8
+
 std::string lowerCase(std::string_view text);  // ASCII letters only
 
 std::string_view trimmed(std::string_view text);  // without the spaces round it

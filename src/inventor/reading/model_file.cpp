@@ -40,6 +40,9 @@ Model readHere(const fs::path& path, std::string_view bytes, const BesideFiles& 
   if (bytes.empty()) throw error("{}: is empty; choose a file that holds a surface", path.string());
   std::string unpacked;
   if (isGzip(bytes)) bytes = unpacked = unpackGzip(path.string(), bytes, kLargestUnpacked);
+  // A text of any kind may begin with a byte order mark; the header of a binary .stl with anything.
+  if (bytes.starts_with(kByteOrderMark) && !isExactBinaryStl(bytes))
+    bytes.remove_prefix(kByteOrderMark.size());
   const std::string name = path.string();
   switch (modelKind(path, bytes)) {
     case ModelKind::Inventor:
