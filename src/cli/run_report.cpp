@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/text/printed_time.h"
 #include "base/text/shown_text.h"
@@ -19,8 +20,10 @@ nlohmann::ordered_json toJson(const SurfaceSummary& surface) {
           {"volume_ml", 1e6 * surface.volume}};
 }
 
-// To the millimetre.
-std::string coordinate(double metres) { return fmt::format("{:.3f}", metres); }
+// To the millimetre, and never -0.
+std::string coordinate(double metres) {
+  return fmt::format("{:.3f}", (std::round(1e3 * metres) + 0.0) / 1e3);
+}
 
 }  // namespace
 
