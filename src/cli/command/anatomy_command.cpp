@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 
 #include "anatomy/growth/vessel_growth.h"
 #include "anatomy/measure_anatomy.h"
 #include "anatomy/vessel_mesh.h"
 #include "base/error.h"
+#include "blood/flow/vessel_flow.h"
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
 #include "cli/organ_options.h"
@@ -30,7 +32,7 @@ struct Options {
   std::string organ, unit = "m", out, meshes;
   std::vector<double> hilum, cava;
   int terminals = 1000, seed = 1;
-  bool json = false;
+  bool json = false, flows = false;
 };
 
 constexpr double kOut = 0.02;  // m: how far outside the organ its large vessels begin
@@ -97,6 +99,48 @@ nlohmann::ordered_json toJson(const AnatomyMeasures& measures) {
   return json;
 }
 
+// Steady flow out of both ends of a vessel that is severed in its middle, at the hilum's height,
+// ml/s.
+double flowOut(const VesselFlow& flow, std::int32_t segment, bool clip, bool clamp) {
+  VesselState state;
+  VesselInjury injury;
+  injury.segment = segment;
+  injury.cut = (1u << kFilaments) - 1;
+  injury.from = injury.to = 0.5;
+  state.injuries.push_back(injury);
+  state.inflowClamped = clamp;
+  if (clip) state.addClip({segment, 0.25});
+  const std::vector<EndOutside> outside(1);
+  double sinusoids = Circulation().sinusoids;
+  for (int i = 0; i < 30; ++i) flow.solve(state, outside, {}, sinusoids);
+  return 1e6 * (state.injuries[0].flow[0] + state.injuries[0].flow[1]);
+}
+
+// For vessels of some diameters: what they lose when they are cut.
+nlohmann::ordered_json flows(const Anatomy& anatomy) {
+  const VesselFlow flow(makeVesselMap(anatomy), {});
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  for (const VesselKind kind :
+       {VesselKind::PortalVein, VesselKind::HepaticArtery, VesselKind::HepaticVein})
+    for (const double wanted : {1e-3, 2e-3, 3.2e-3, 4e-3, 8e-3}) {
+      const VesselRange range = anatomy.range(kind);
+      std::int32_t best = -1;
+      double least = 0.1 * wanted;
+      for (std::int32_t i = range.first; i < range.first + range.count; ++i) {
+        const VesselSegment& s = anatomy.segments[std::size_t(i)];
+        const double off = std::abs(2 * s.radius - wanted);
+        if (s.parent >= 0 && off < least) least = off, best = i;
+      }
+      if (best < 0) continue;
+      rows.push_back({{"kind", wordOf(kind)},
+                      {"diameter_mm", 2e3 * anatomy.segments[std::size_t(best)].radius},
+                      {"open_ml_s", flowOut(flow, best, false, false)},
+                      {"clipped_ml_s", flowOut(flow, best, true, false)},
+                      {"clamped_ml_s", flowOut(flow, best, false, true)}});
+    }
+  return rows;
+}
+
 void anatomy(const Options& options) {
   checkOutputs({{{"--output", options.out}, {"--json", options.json ? "-" : ""}}});
   const Grown grown = anatomyOf(options);
@@ -109,7 +153,13 @@ void anatomy(const Options& options) {
     written.push_back(file.string());
   }
   const AnatomyMeasures measures = measure(grown.anatomy, grown.organ);
-  if (options.json) return writeJson("-", toJson(measures));
+  nlohmann::ordered_json lost = nlohmann::ordered_json::array();
+  if (options.flows) lost = flows(grown.anatomy);
+  if (options.json) {
+    nlohmann::ordered_json json = toJson(measures);
+    if (options.flows) json["flows"] = lost;
+    return writeJson("-", json);
+  }
   std::FILE* text = placeForText({options.out});
   int crossings = 0;
   for (int k = 0; k < kVesselKinds; ++k) {
@@ -122,6 +172,12 @@ void anatomy(const Options& options) {
       crossings += measures.crossings[std::size_t(k)][std::size_t(other)];
   }
   printLine(text, "{} pairs of vessels of two kinds cross", crossings);
+  for (const auto& row : lost)
+    printLine(text,
+              "severed {:<14} {:.2f} mm: {:6.2f} ml/s, clipped {:5.2f}, inflow clamped {:5.2f}",
+              row["kind"].get<std::string>(), row["diameter_mm"].get<double>(),
+              row["open_ml_s"].get<double>(), row["clipped_ml_s"].get<double>(),
+              row["clamped_ml_s"].get<double>());
   for (const std::string& file : written) printLine(text, "{}", file);
 }
 
@@ -145,6 +201,8 @@ void addAnatomyCommand(CLI::App& app) {
   command->add_option("-o,--output", options->out, "File to write the vessels to (.vessels)");
   command->add_option("--meshes", options->meshes,
                       "Folder for a mesh of each kind of vessel (.ply)");
+  command->add_flag("--flows", options->flows,
+                    "What vessels of some diameters lose when they are cut");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Examples:\n  resect anatomy --meshes trees && resect render trees/*.ply -o trees.png\n"
