@@ -42,8 +42,8 @@ void follow(SurfaceHand& hand, const Vec3& way, double turnWay) {
 HandStyle handStyleOf(const ToolModel& tool) {
   HandStyle style;
   if (tool.jaws.opening > 0 && tool.edge.empty()) {
-    // Clips and forceps: both jaws straddle what lies on the surface.
-    style = {.upright = 0.8, .forward = -0.6, .hover = 0.010, .depth = 0.002};
+    // Clips and forceps reach into a wound of a scalpel's depth.
+    style = {.upright = 0.8, .forward = -0.6, .hover = 0.010, .depth = 0.012};
     style.turnHovering = 0.06;
     style.closesJaws = true;
   } else if (tool.kind == "suction") {
