@@ -1,7 +1,19 @@
-// Blood on the organ: how thick it is, and how it looks.
+// Blood on the organ: how thick it is, and how it looks; and what heat has done to the tissue.
 uniform sampler3D bloodMap;   // liquid and clotted; 1 stands for 2 mm
 uniform vec3 bloodLow;        // of the map, at rest, m
 uniform vec3 bloodPerMetre;   // 0: there is no blood
+
+uniform sampler3D heatMap;    // coagulated and charred
+uniform vec3 heatLow;         // of the map, at rest, m
+uniform vec3 heatPerMetre;    // 0: nothing was heated
+
+// How much heat has coagulated (x) and charred (y) tissue, 0 to 1.
+vec2 heatAt(vec3 rest) {
+  if (heatPerMetre.x == 0.0) return vec2(0.0);
+  vec3 at = (rest - heatLow) * heatPerMetre;
+  if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) return vec2(0.0);
+  return texture3D(heatMap, at).ra;
+}
 
 // Thickness of liquid (x) and clotted (y) blood, mm. The map is that of cells, so its borders are
 // broken up by noise: `rough`, -1 to 1.

@@ -39,20 +39,24 @@ vec3 capsuleColour(Patterns at, vec3 base) {
   return mix(colour, vec3(0.20, 0.085, 0.070), 0.14 * haze);
 }
 
-vec3 parenchymaColour(Patterns at, vec4 grain, vec3 p) {
-  vec3 inside = vec3(0.112, 0.0265, 0.0195) * (1.0 + 0.10 * at.broad.x + 0.10 * at.middle.x);
-  // Lobules: paler centres in a darker net, about 1.5 mm.
-  float lobule = at.fine.x + 0.5 * grain.x;
-  inside = mix(inside, vec3(0.180, 0.050, 0.034), 0.50 * smoothstep(0.0, 0.6, lobule));
-  inside = mix(inside, vec3(0.075, 0.009, 0.008), 0.55 * smoothstep(0.1, 0.6, -lobule));
-  // Vessels are curves in space, where two noises vanish together: walls pale, lumens full of dark
-  // blood.
+// Vessels of an organ of which no vessels are known: curves in space, where two noises vanish together.
+// Walls are pale, lumens full of dark blood.
+vec3 withCurves(vec3 inside, Patterns at, vec3 p) {
   float large = length(vec2(at.broad.x, noise(p.zxy * 50.0 + 17.3).x));
   float small = length(vec2(at.middle.x, noise(p.zxy * 140.0 + 5.1).x));
   float wall = max(1.0 - smoothstep(0.17, 0.23, large), 0.7 - 0.7 * smoothstep(0.14, 0.22, small));
   float lumen = max(1.0 - smoothstep(0.11, 0.15, large), 0.8 - 0.8 * smoothstep(0.07, 0.13, small));
   inside = mix(inside, vec3(0.26, 0.115, 0.085), 0.6 * wall);
   return mix(inside, vec3(0.050, 0.0035, 0.0045), lumen);
+}
+
+vec3 parenchymaColour(Patterns at, vec4 grain, vec3 p) {
+  vec3 inside = vec3(0.112, 0.0265, 0.0195) * (1.0 + 0.10 * at.broad.x + 0.10 * at.middle.x);
+  // Lobules: paler centres in a darker net, about 1.5 mm.
+  float lobule = at.fine.x + 0.5 * grain.x;
+  inside = mix(inside, vec3(0.180, 0.050, 0.034), 0.50 * smoothstep(0.0, 0.6, lobule));
+  inside = mix(inside, vec3(0.075, 0.009, 0.008), 0.55 * smoothstep(0.1, 0.6, -lobule));
+  return vesselBin > 0.0 ? inside : withCurves(inside, at, p);
 }
 
 // share: as cutOrRim() gives it; base: of the capsule.
@@ -76,9 +80,33 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base) {
     vec3 rough = 0.02 * at.middle.yzw + 0.055 * at.fine.yzw + 0.045 * grain.yzw;
     t.bumps = mix(t.bumps, rough, border);
     t.wet = mix(t.wet, 0.8, border);
+    Vessel vessel = vesselAt(p);
+    float soft = max(0.6 * wide, 0.00003);
+    float wall = border * (1.0 - smoothstep(vessel.wall - soft, vessel.wall + soft, vessel.off));
+    float lumen = border * (1.0 - smoothstep(-soft, soft, vessel.off));
+    if (wall > 0.0) {
+      t.albedo = mix(t.albedo, wallColour(vessel.kind), wall);
+      t.albedo = mix(t.albedo, lumenColour(vessel.kind), lumen);
+      // The wall stands out as a lip; the lumen falls away inwards.
+      float lip = (vessel.off - 0.5 * vessel.wall) / vessel.wall;
+      t.bumps = mix(t.bumps, -0.5 * clamp(lip, -1.0, 1.0) * vessel.out_, wall * (1.0 - lumen));
+      t.bumps = mix(t.bumps, 0.8 * vessel.out_, lumen);
+      t.wet = mix(t.wet, 1.0, wall);
+    }
   }
   t.albedo = mix(t.albedo, vec3(0.25, 0.120, 0.090), 0.36 * pale);
   t.albedo = mix(t.albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-share, 0.0));  // blood in a rim
+  vec2 heat = heatAt(p);
+  if (heat.x > 0.0) {
+    // Coagulated tissue is dull and grey-tan, brown at its edge; then black.
+    float rough = 0.5 * at.middle.x + 0.5 * at.fine.x;
+    float tan_ = smoothstep(0.25, 0.75, heat.x + 0.15 * rough), edge = smoothstep(0.05, 0.4, heat.x) * (1.0 - tan_);
+    t.albedo = mix(t.albedo, vec3(0.115, 0.060, 0.040), 0.6 * edge);
+    t.albedo = mix(t.albedo, vec3(0.300, 0.215, 0.150) * (1.0 + 0.15 * rough), 0.9 * tan_);
+    t.albedo = mix(t.albedo, vec3(0.018, 0.013, 0.011), smoothstep(0.15, 0.7, heat.y + 0.25 * rough));
+    t.wet *= 1.0 - 0.75 * tan_;
+    t.bumps += 0.04 * tan_ * at.fine.yzw;
+  }
   vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x);
   if (blood.x + blood.y > 0.0) {
     t.albedo = underBlood(t.albedo, blood);

@@ -108,7 +108,13 @@ void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& bo
   std::vector<std::int32_t> near;
   index.near(box, near);
   for (const std::int32_t i : near) {
-    if (anatomy.segments[std::size_t(i)].radius >= spared) continue;
+    const VesselSegment& s = anatomy.segments[std::size_t(i)];
+    if (s.radius >= spared) {
+      const auto at = std::ranges::lower_bound(state.bared, i);
+      if (partIn(box, s.start, s.end) && (at == state.bared.end() || *at != i))
+        state.bared.insert(at, i);
+      continue;
+    }
     for (int f = 0; f < kFilaments; ++f) {
       const Filament filament = filamentOf(anatomy.segments[std::size_t(i)], f);
       if (const auto part = partIn(box, filament.start, filament.end))
@@ -117,13 +123,44 @@ void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& bo
   }
 }
 
-void sealVessels(const Anatomy& anatomy, const Vec3& place, double radius, double widest,
-                 VesselState& state) {
+void divideVessel(std::int32_t segment, double share, VesselState& state,
+                  std::vector<std::int32_t>& cut) {
+  for (int f = 0; f < kFilaments; ++f) cutFilament(state, segment, f, share, share, cut);
+}
+
+void sealVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box,
+                 const std::function<double(const Vec3&)>& coagulated, VesselState& state) {
+  constexpr double kSealed = 0.9;        // share that must be coagulated
+  constexpr double kBetween = 1.5e-3;    // m: of places along a vessel
+  constexpr double kPerimeter = 0.5e-3;  // m: thinner vessels are tested in their middle only
+  const auto welded = [&](const VesselSegment& s, double share) {
+    const Vec3 middle = s.at(share);
+    if (coagulated(middle) < kSealed) return false;
+    if (s.radius < kPerimeter) return true;
+    const Vec3 along = (s.end - s.start).normalized();
+    const Vec3 u = s.radius * along.unitOrthogonal(), v = along.cross(u);
+    return coagulated(middle + u) >= kSealed && coagulated(middle - u) >= kSealed &&
+           coagulated(middle + v) >= kSealed && coagulated(middle - v) >= kSealed;
+  };
   for (VesselInjury& injury : state.injuries) {
     const VesselSegment& s = anatomy.segments[std::size_t(injury.segment)];
-    if (s.radius > widest) continue;
-    if ((s.at(injury.from) - place).norm() <= radius) injury.sealed |= 1;
-    if ((s.at(injury.to) - place).norm() <= radius) injury.sealed |= 2;
+    if (s.radius > kWidestSealed) continue;
+    if (!(injury.sealed & 1) && welded(s, injury.from)) injury.sealed |= 1;
+    if (!(injury.sealed & 2) && welded(s, injury.to)) injury.sealed |= 2;
+  }
+  std::vector<std::int32_t> near;
+  index.near(box, near);
+  for (const std::int32_t i : near) {
+    const VesselSegment& s = anatomy.segments[std::size_t(i)];
+    if (s.radius > kWidestSealed || state.injury(i)) continue;
+    const double length = s.length();
+    for (double way = 0.5 * kBetween; way < length; way += kBetween) {
+      const double share = way / length;
+      const bool known = std::ranges::any_of(state.clips, [&](const VesselClip& clip) {
+        return clip.segment == i && std::abs(clip.share - share) * length < 0.5 * kBetween;
+      });
+      if (!known && box.contains(s.at(share)) && welded(s, share)) state.addClip({i, share, true});
+    }
   }
 }
 

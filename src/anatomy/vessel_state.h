@@ -7,6 +7,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "anatomy/anatomy.h"
@@ -42,21 +43,24 @@ struct VesselInjury {
   }
 };
 
-// A clip closes a segment at one place.
+// A clip closes a segment at one place; so does heat that welds its walls together.
 struct VesselClip {
   std::int32_t segment = -1;
   double share = 0;  // of the segment's length
+  bool byHeat = false;
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v("segment", segment), v("share", share);
+    v("segment", segment), v("share", share), v("byHeat", byHeat);
   }
 };
 
 struct VesselState {
   std::vector<VesselInjury> injuries;  // ascending by segment
   std::vector<VesselClip> clips;       // ascending by segment and share
+  std::vector<std::int32_t> bared;     // segments of which tissue was taken away, ascending
   bool inflowClamped = false;          // portal vein and artery are closed before the organ
+  double clampedTime = 0;              // for which they were closed so far, s
 
   const VesselInjury* injury(std::int32_t segment) const;
   // Whether an end of an injured vessel is closed by a clip.
@@ -66,7 +70,8 @@ struct VesselState {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v("injuries", injuries), v("clips", clips), v("inflowClamped", inflowClamped);
+    v("injuries", injuries), v("clips", clips), v("bared", bared);
+    v("inflowClamped", inflowClamped), v("clampedTime", clampedTime);
   }
 };
 
@@ -80,13 +85,21 @@ Filament filamentOf(const VesselSegment& segment, int filament);
 // of blade, box or face is that of the tissue at rest. Cost: the segments near it.
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& blade,
                 VesselState& state, std::vector<std::int32_t>& cut);
-// Vessels thinner than `spared`, m of radius, are cut where they run in the box.
+// Vessels thinner than `spared`, m of radius, are cut where they run in the box; the others are
+// bared there.
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box, double spared,
                 VesselState& state, std::vector<std::int32_t>& cut);
 
-// Closes the open ends within `radius`, m, of a place at rest, of vessels up to the radius
-// `widest`, m.
-void sealVessels(const Anatomy& anatomy, const Vec3& place, double radius, double widest,
-                 VesselState& state);
+// Cuts through a segment at a share of its length.
+void divideVessel(std::int32_t segment, double share, VesselState& state,
+                  std::vector<std::int32_t>& cut);
+
+// Radius of the widest vessel that heat seals, m: bipolar sealing is approved for up to 7 mm.
+inline constexpr double kWidestSealed = 0.0035;
+
+// Closes vessels where tissue is coagulated all round their lumen: ends that are open, and whole
+// vessels in a box at rest. coagulated: the share, 0 to 1, at a place at rest.
+void sealVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box,
+                 const std::function<double(const Vec3&)>& coagulated, VesselState& state);
 
 }  // namespace resect

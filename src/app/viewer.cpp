@@ -25,6 +25,8 @@ int inventorKey(int key) {
   if (key >= Qt::Key_A && key <= Qt::Key_Z) return SoKeyboardEvent::A + (key - Qt::Key_A);
   if (key >= Qt::Key_0 && key <= Qt::Key_9) return SoKeyboardEvent::NUMBER_0 + (key - Qt::Key_0);
   switch (key) {
+    case Qt::Key_Minus:
+      return SoKeyboardEvent::MINUS;
     case Qt::Key_Escape:
       return SoKeyboardEvent::ESCAPE;
     case Qt::Key_Left:

@@ -135,14 +135,6 @@ void Bleeding::follow(OrganBlood& blood, const OperatedOrgan& organ, std::int32_
   blood.film.renew(organ, changedCells(organ.organ, number, edits), drops_, opened);
   const double face = lattice.spacing.x() * lattice.spacing.x();
   for (const OpenedFaces& cut : opened) blood.oozing.push_back({cut.cell, cut.faces * face, time});
-  for (const TissueEdit& edit : edits) {
-    const auto* heat = std::get_if<Coagulate>(&edit.what);
-    if (!heat || edit.organ != number) continue;
-    std::erase_if(blood.oozing, [&](const Oozing& o) {
-      return (lattice.centre(lattice.cell(o.cell)) - heat->place).norm() <=
-             heat->radius + 0.5 * lattice.spacing.x();
-    });
-  }
   std::erase_if(blood.oozing, [&](const Oozing& o) {
     return time - o.since > kOozeEnds * kOozeTime || !organ.organ.alive[std::size_t(o.cell)];
   });
@@ -154,10 +146,15 @@ void Bleeding::shed(OrganBlood& blood, std::int64_t cell, Picolitres volume) {
 }
 
 void Bleeding::ooze(OrganBlood& blood, const OperatedOrgan& organ, double duration, double time) {
-  const double pressure = std::max(0.0, blood.sinusoids / circulation_.sinusoids);
+  const Lattice& lattice = organ.organ.rest.lattice;
+  const HeatField& heat = organ.organ.heat;
   for (const Oozing& o : blood.oozing) {
     if (!organ.tissue->solid(o.cell)) continue;
-    const double rate = kOoze * o.area * pressure * math::exp(-(time - o.since) / kOozeTime);
+    const double over = blood.sinusoids - pressureAt(blood.film.placeOf(organ, o.cell).place);
+    const double pressure = std::max(0.0, over / circulation_.sinusoids);
+    const double open =
+        heat.empty() ? 1 : 1 - heat.coagulated(lattice.centre(lattice.cell(o.cell)));
+    const double rate = kOoze * o.area * pressure * open * math::exp(-(time - o.since) / kOozeTime);
     shed(blood, o.cell, toPicolitres(rate * duration));
   }
 }
@@ -208,7 +205,8 @@ void Bleeding::bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t numbe
                                s.kind == VesselKind::BileDuct;  // bile does not flow here
       if (outside[i].closed[end]) continue;
       places[i][std::size_t(end)] = blood.film.placeOf(organ, exits[i][std::size_t(end)]).place;
-      outside[i].pressure[end] = kBloodDensity * kEarth * (places[i][std::size_t(end)].y() - level);
+      const Vec3& place = places[i][std::size_t(end)];
+      outside[i].pressure[end] = kBloodDensity * kEarth * (place.y() - level) + pressureAt(place);
     }
   }
   const double lost = toCubicMetres(bled_) / circulation_.volume, fall = pressureShare(lost);
@@ -227,16 +225,21 @@ void Bleeding::bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t numbe
     }
 }
 
-void Bleeding::suck(const Suction& suction, double duration) {
-  if (!(suction.rate > 0) || !suction.place.allFinite()) return;
-  Picolitres most = toPicolitres(suction.rate * duration);
-  for (OrganBlood& blood : organs_) {
-    if (!blood.film.ready()) continue;
-    const Picolitres taken = blood.film.take(suction.place, suction.radius, most);
-    sucked_ += taken;
-    most -= taken;
-  }
-  sucked_ += table_.take(suction.place, suction.radius, most);
+// Takes up to `most` of the blood within a radius, from organs and table.
+Picolitres Bleeding::take(const Vec3& place, double radius, Picolitres most) {
+  if (most <= 0 || !place.allFinite()) return 0;
+  Picolitres sum = 0;
+  for (OrganBlood& blood : organs_)
+    if (blood.film.ready()) sum += blood.film.take(place, radius, most - sum);
+  return sum + table_.take(place, radius, most - sum);
+}
+
+// What presses on a place of the skin, Pa.
+double Bleeding::pressureAt(const Vec3& place) const {
+  double most = 0;
+  for (const Press& press : pressing_)
+    if ((place - press.place).norm() <= press.radius) most = std::max(most, press.pressure);
+  return most;
 }
 
 // Drops fly until they meet an organ or the table.
@@ -287,18 +290,25 @@ void Bleeding::step(std::span<OperatedOrgan> organs, std::span<const TissueEdit>
   report.ends.clear();
   if (!any_) return;
   const Picolitres before = bled_;
+  pressing_.clear();
+  for (const TissueEdit& edit : edits)
+    if (const auto* press = std::get_if<Press>(&edit.what)) pressing_.push_back(*press);
   for (std::size_t i = 0; i < organs_.size(); ++i) {
     OrganBlood& blood = organs_[i];
     if (!blood.film.ready()) continue;
     follow(blood, organs[i], std::int32_t(i), edits, time);
     if (!(duration > 0)) continue;
+    if (organs[i].organ.vessels.inflowClamped) organs[i].organ.vessels.clampedTime += duration;
     bleed(blood, organs[i], std::int32_t(i), duration, time, report);
     ooze(blood, organs[i], duration, time);
     blood.film.place(organs[i]);
   }
   if (duration > 0) {
     for (const TissueEdit& edit : edits)
-      if (const auto* suction = std::get_if<Suction>(&edit.what)) suck(*suction, duration);
+      if (const auto* suction = std::get_if<Suction>(&edit.what))
+        sucked_ += take(suction->place, suction->radius, toPicolitres(suction->rate * duration));
+    for (const Press& press : pressing_)
+      absorbed_ += take(press.place, press.radius, toPicolitres(press.soaks * duration));
     for (OrganBlood& blood : organs_)
       if (blood.film.ready()) blood.film.step(duration, table, drops_);
     fly(organs, duration, table);

@@ -103,7 +103,8 @@ class Bleeding {
   void bleedFrom(OrganBlood& blood, const OperatedOrgan& organ, const VesselInjury& injury, int end,
                  std::int64_t cell, double duration, double time, Picolitres volume);
   void ooze(OrganBlood& blood, const OperatedOrgan& organ, double duration, double time);
-  void suck(const Suction& suction, double duration);
+  Picolitres take(const Vec3& place, double radius, Picolitres most);
+  double pressureAt(const Vec3& place) const;
   void fly(std::span<const OperatedOrgan> organs, double duration, bool table);
   void shed(OrganBlood& blood, std::int64_t cell, Picolitres volume);
 
@@ -113,6 +114,7 @@ class Bleeding {
   Picolitres bled_ = 0, sucked_ = 0, absorbed_ = 0, lost_ = 0;
   bool any_ = false;
   Circulation circulation_;
+  std::vector<Press> pressing_;  // in this frame
 };
 
 }  // namespace resect

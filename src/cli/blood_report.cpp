@@ -27,13 +27,26 @@ nlohmann::ordered_json toJson(const BloodSummary& summary) {
                                  {"highest_rate_ml_min", mlPerMinute(summary.highest)},
                                  {"vibe", bleedingGrade(summary.rate)},
                                  {"air_ml", 1e6 * summary.air},
-                                 {"vessels", nlohmann::ordered_json::array()}};
+                                 {"inflow_clamped_s", summary.inflowClamped},
+                                 {"vessels", nlohmann::ordered_json::array()},
+                                 {"bare", nlohmann::ordered_json::array()}};
+  const auto list = [](const Vec3& v) { return nlohmann::ordered_json{v.x(), v.y(), v.z()}; };
   for (const CutVesselSummary& v : summary.vessels)
     json["vessels"].push_back({{"kind", wordOf(v.kind)},
                                {"diameter_mm", 1e3 * v.diameter},
                                {"severed", v.severed},
                                {"closed", v.closed},
-                               {"bled_ml", 1e6 * v.bled}});
+                               {"bled_ml", 1e6 * v.bled},
+                               {"rate_ml_min", mlPerMinute(v.flow)},
+                               {"place", list(v.place)}});
+  for (const BareVesselSummary& v : summary.bare)
+    json["bare"].push_back({{"kind", wordOf(v.kind)},
+                            {"diameter_mm", 1e3 * v.diameter},
+                            {"place", list(v.place)},
+                            {"along", list(v.along)},
+                            {"length_mm", 1e3 * v.length},
+                            {"divided", v.divided},
+                            {"closures", v.closures}});
   return json;
 }
 
@@ -50,6 +63,8 @@ std::string toText(const BloodSummary& summary) {
   if (summary.air > 1e-9)
     text +=
         fmt::format("  {:<10} {:.1f} ml of air drawn into hepatic veins\n", "", 1e6 * summary.air);
+  if (summary.inflowClamped > 0)
+    text += fmt::format("  {:<10} {:.0f} s clamped\n", "inflow", summary.inflowClamped);
   std::string named;
   for (std::size_t i = 0; i < summary.vessels.size() && i < kMostNamed; ++i)
     named += fmt::format("{}{} of {:.1f} mm", i ? ", " : "", nameOf(summary.vessels[i].kind),

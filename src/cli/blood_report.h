@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "operation/blood_summary.h"
+#include "operation/blood/blood_summary.h"
 
 namespace resect {
 

@@ -22,12 +22,14 @@ TriangleMesh toolBoxWalls();
 
 // Pose in which tool number i, from 0, lies when it is not in hand. The tools lie on their sides,
 // one beside the other, with their handles towards the surgeon. Tools 0 to 3 lie in the tool box,
-// which has four places; further tools lie on the table, on the other side of the organ.
+// which has four places; further tools lie on the table, on the other side of the organ, four in a
+// row.
 inline Pose toolBoxPlace(int i) {
   const Eigen::Quaterniond onItsSide = rotationAbout(Vec3::UnitZ(), std::numbers::pi / 2);
   constexpr double kPlaces[] = {-0.085, -0.01, 0.065, 0.104};  // x, m
   if (i < 4) return {toolBoxPose() * Vec3(kPlaces[i], 0.008, -0.085), onItsSide};
-  return {Vec3(-0.27 - 0.05 * (i - 4), 0.008, -0.065), onItsSide};
+  const int row = (i - 4) / 4, column = (i - 4) % 4;
+  return {Vec3(-0.27 - 0.045 * column, 0.008, -0.065 - 0.21 * row), onItsSide};
 }
 
 // Rotation of a tool that is held over the organ for a cut. The handle points up and towards the

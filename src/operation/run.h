@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/stage_clock.h"
-#include "operation/blood_summary.h"
+#include "operation/blood/blood_summary.h"
 #include "operation/ledger/ledger.h"
 #include "operation/scenario.h"
 #include "simulation/simulation.h"

@@ -10,8 +10,7 @@
 namespace resect {
 namespace {
 
-constexpr double kAllVessels = 1;  // m: of radius; thinner ones are cut, and so all
-constexpr double kNearBlade = 2;   // spacings: how far a cut can part strands
+constexpr double kNearBlade = 2;  // spacings: how far a cut can part strands
 
 // What each kind of edit does. Severed bonds and blades are recorded, so that strands can be
 // severed after all edits.
@@ -32,7 +31,7 @@ struct Application {
     summary.removed += gone.particles;
     summary.removedVolume += gone.volume;
     to.tissue->remove(edit.cell);
-    cutVesselsIn(edit.cell);
+    cutVesselsIn(edit);
     removedCells.push_back(edit.cell);
   }
   void operator()(const SeverBond& edit) {
@@ -76,19 +75,23 @@ struct Application {
         std::size_t(edit.segment) < to.organ.map->anatomy.segments.size())
       to.organ.vessels.addClip({edit.segment, std::clamp(edit.share, 0.0, 1.0)});
   }
-  void operator()(const Coagulate& edit) {
-    if (to.organ.map)
-      sealVessels(to.organ.map->anatomy, edit.place, edit.radius, edit.widest, to.organ.vessels);
+  void operator()(const DivideVessel& edit) {
+    if (to.organ.map && edit.segment >= 0 &&
+        std::size_t(edit.segment) < to.organ.map->anatomy.segments.size())
+      divideVessel(edit.segment, std::clamp(edit.share, 0.0, 1.0), to.organ.vessels,
+                   summary.vessels);
   }
   void operator()(const ClampInflow& edit) { to.organ.vessels.inflowClamped = edit.closed; }
-  void operator()(const Suction&) {}  // takes blood, not tissue (blood/bleeding.h)
+  void operator()(const Heat&) {}     // works for the whole frame (organ/heat_organ.h)
+  void operator()(const Suction&) {}  // these two act on blood (blood/bleeding.h)
+  void operator()(const Press&) {}
 
-  void cutVesselsIn(std::int64_t cell) {
+  void cutVesselsIn(const RemoveCell& edit) {
     if (!to.organ.map) return;
     const Lattice& lattice = to.organ.rest.lattice;
-    const Vec3 centre = lattice.centre(lattice.cell(cell));
+    const Vec3 centre = lattice.centre(lattice.cell(edit.cell));
     cutVessels(to.organ.map->anatomy, to.organ.map->index,
-               {centre - 0.5 * lattice.spacing, centre + 0.5 * lattice.spacing}, kAllVessels,
+               {centre - 0.5 * lattice.spacing, centre + 0.5 * lattice.spacing}, edit.spares,
                to.organ.vessels, summary.vessels);
   }
   // The face between the two cells of a bond.

@@ -1,5 +1,5 @@
-// Cell fields: values that each cell has beside its colour value. At present there is one field,
-// the label of the structure that the cell belongs to.
+// Cell fields: values that each cell has beside its colour value: the label of the structure that
+// the cell belongs to, and whether heat has coagulated it.
 //
 // A field takes no memory until one of its values differs from the start value. To add a field, add
 // a member to CellFields and mention it in visit() and fit(). Then saving, comparing and hashing
@@ -51,12 +51,14 @@ struct CellFields {
   // Number of the structure that the cell belongs to. 0 is the organ's own parenchyma;
   // Discretization::labelNames has the names of the other structures.
   CellField<std::uint8_t> label;
+  CellField<std::uint8_t> coagulated;  // 1: heat has changed most of the cell's tissue
 
   template <class Visitor>
   void visit(Visitor& v, const CellOrder& order) {
     v.perCell("label", label, order);
+    v.perCell("coagulated", coagulated, order);
   }
-  bool fit(const Lattice& lattice) const { return label.fits(lattice); }
+  bool fit(const Lattice& lattice) const { return label.fits(lattice) && coagulated.fits(lattice); }
 };
 
 }  // namespace resect

@@ -21,6 +21,7 @@ namespace resect {
 
 struct RemoveCell {  // removes the particle of the cell
   std::int64_t cell = -1;
+  double spares = 1;  // m: vessels of at least this radius stay, bare
 };
 struct SeverBond {  // severs the bond of the cell in this direction
   std::int64_t cell = -1;
@@ -43,10 +44,10 @@ struct PlaceClip {  // closes a vessel at a place of it
   std::int32_t segment = -1;
   double share = 0;  // of the segment's length, 0 to 1
 };
-struct Coagulate {            // closes the ends of cut vessels near a place, and stops oozing there
+struct Heat {                 // heats tissue for the whole frame (heat/heat_field.h)
   Vec3 place = Vec3::Zero();  // in the tissue at rest, m
   double radius = 0;          // m
-  double widest = 0;          // radius of the widest vessel that it closes, m
+  double power = 0;           // W
 };
 struct ClampInflow {  // closes or opens portal vein and artery before they enter the organ
   bool closed = true;
@@ -57,11 +58,22 @@ struct Suction {              // takes blood for the whole frame
   double rate = 0;            // at most, m^3/s
 };
 
+struct Press {                // presses on bleeding vessels for the whole frame, and soaks up blood
+  Vec3 place = Vec3::Zero();  // world, m
+  double radius = 0;          // m
+  double pressure = 0;        // Pa
+  double soaks = 0;           // at most, m^3/s
+};
+struct DivideVessel {  // cuts through a vessel at a place of it
+  std::int32_t segment = -1;
+  double share = 0;  // of the segment's length, 0 to 1
+};
+
 struct TissueEdit {
   std::int32_t organ = 0;  // number of the organ in the simulation
   std::int32_t tool = -1;  // number of the tool that made it; -1: none
-  std::variant<RemoveCell, SeverBond, Incision, Grip, Release, SetLabel, PlaceClip, Coagulate,
-               ClampInflow, Suction>
+  std::variant<RemoveCell, SeverBond, Incision, Grip, Release, SetLabel, PlaceClip, Heat,
+               ClampInflow, Suction, Press, DivideVessel>
       what;
 };
 

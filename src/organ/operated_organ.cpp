@@ -30,6 +30,7 @@ OperatedOrgan operatedOrgan(std::string name, Organ organ, std::unique_ptr<Tissu
 void remake(OperatedOrgan& o, bool keepsLook) {
   Organ& organ = o.organ;
   checkRestored(organ);
+  organ.heat.requireSound();
   o.tissue->endRestore(organ.alive);
   for (std::int64_t cell = 0; cell < organ.rest.lattice.cellCount(); ++cell) {
     const bool there = organ.alive[std::size_t(cell)] != 0;

@@ -53,7 +53,8 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
     if (!alive[i] && cells.value[i] > 0 && ownerCell(cells, std::int64_t(i)) == std::int64_t(i))
       alive[i] = 1;
   SeveredEdges severed(field.brickDims(), field.refine());
-  CellFields fields{CellField<std::uint8_t>(cells.label)};
+  CellFields fields{CellField<std::uint8_t>(cells.label), {}};
+  HeatField heat(cells.lattice.box());
   return {std::move(cells),
           std::move(field),
           std::move(surface),
@@ -65,7 +66,8 @@ Organ makeOrgan(Discretization cells, const OrganSettings& settings) {
           settings.iso,
           std::move(fields),
           nullptr,
-          {}};
+          {},
+          std::move(heat)};
 }
 
 std::int64_t ownerCell(const Discretization& rest, std::int64_t cell) {

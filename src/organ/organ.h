@@ -8,6 +8,7 @@
 
 #include "anatomy/vessel_map.h"
 #include "anatomy/vessel_state.h"
+#include "heat/heat_field.h"
 #include "organ/cell_fields.h"
 #include "sph/colour_field.h"
 #include "sph/discretization.h"
@@ -49,6 +50,7 @@ struct Organ {
   CellFields fields;
   std::shared_ptr<const VesselMap> map;  // vessels at rest; null: none are known
   VesselState vessels;                   // what was done to them
+  HeatField heat;
 
   double volume() const { return rest.volume() - removedVolume; }  // of the tissue left, m^3
   // The cell's present label.
@@ -58,7 +60,7 @@ struct Organ {
   void visit(Visitor& v) {
     v.perCell("alive", alive, rest.lattice.order());
     fields.visit(v, rest.lattice.order());
-    v("vessels", vessels);
+    v("vessels", vessels), v("heat", heat);
     v("severed", severed), v("iso", iso);
     v("particles", particles), v("removed", removed), v("removedVolume", removedVolume);
   }

@@ -5,6 +5,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "organ/heat/heat_organ.h"
 #include "tools/contacts.h"
 
 namespace resect {
@@ -102,6 +103,8 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   done("updateField");
   updateSurface(input);
   done("updateSurface");
+  heatTissue(input);
+  done("heatTissue");
   flowBlood(input, report);
   done("flowBlood");
   measure(input, report);
@@ -188,8 +191,9 @@ void Simulation::actTools(const FrameInput& input) {
     const ToolState& state = tools_[std::size_t(contacts.tool)];
     const OperatedOrgan& organ = organs_[std::size_t(contacts.organ)];
     if (!state.inHand) continue;
-    const Touch touch{state.tool->model, state.way,   input.duration, contacts.tool,
-                      contacts.organ,    organ.organ, *organ.tissue,  contacts};
+    const Touch touch{state.tool->model, state.way,      input.duration,
+                      contacts.tool,     contacts.organ, organ.organ,
+                      *organ.tissue,     contacts,       state.feltForce.norm()};
     for (const auto& part : state.tool->parts) part->act(touch, work_.edits);
   }
   for (std::size_t i = 0; i < tools_.size(); ++i)
@@ -324,10 +328,23 @@ void Simulation::updateSurface(const FrameInput& input) {
 }
 
 // Blood leaves cut vessels and tissue, and runs.
-void Simulation::flowBlood(const FrameInput& input, StepReport& report) {
-  if (!blood_.any()) return;
+// Warms and coagulates tissue. What it does to vessels and materials counts from this frame's blood
+// and the next frame's tissue.
+void Simulation::heatTissue(const FrameInput& input) {
   work_.applied.assign(work_.edits.begin(), work_.edits.end());
   work_.applied.insert(work_.applied.end(), work_.caused.begin(), work_.caused.end());
+  for (std::size_t o = 0; o < organs_.size(); ++o) {
+    work_.heat.clear();
+    for (const TissueEdit& edit : work_.applied)
+      if (const auto* heat = std::get_if<Heat>(&edit.what); heat && edit.organ == std::int32_t(o))
+        work_.heat.push_back({heat->place, heat->radius, heat->power});
+    if (work_.heat.empty() && organs_[o].organ.heat.empty()) continue;
+    heatOrgan(organs_[o], work_.heat, input.duration, !work_.removedCells[o].empty());
+  }
+}
+
+void Simulation::flowBlood(const FrameInput& input, StepReport& report) {
+  if (!blood_.any()) return;
   blood_.step(organs_, work_.applied, input.duration, time_ + input.duration, table_, report.blood);
 }
 

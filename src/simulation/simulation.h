@@ -181,7 +181,8 @@ class Simulation {
   struct Work {
     std::vector<ToolContacts> contacts;
     std::vector<TissueEdit> edits, caused;
-    std::vector<TissueEdit> applied;                           // both, for blood
+    std::vector<TissueEdit> applied;  // both, for heat and blood
+    std::vector<HeatSource> heat;
     std::vector<std::vector<std::int64_t>> removedCells;       // by organ
     std::vector<std::span<const std::int64_t>> touchedBricks;  // by organ
     std::vector<std::vector<CuttingEdge>> edges;               // by tool
@@ -200,6 +201,7 @@ class Simulation {
   void applyCuts(StepReport& report);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
+  void heatTissue(const FrameInput& input);
   void flowBlood(const FrameInput& input, StepReport& report);
   void measure(const FrameInput& input, StepReport& report);
 

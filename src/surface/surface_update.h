@@ -15,8 +15,9 @@
 
 #include "base/vec.h"
 #include "geometry/triangle_mesh.h"
-#include "surface/blood_map.h"
 #include "surface/index_range.h"
+#include "surface/tissue_map.h"
+#include "surface/vessel_picture.h"
 
 namespace resect {
 
@@ -33,11 +34,12 @@ struct SurfaceUpdate {
   std::vector<IndexRange> newTriangles;
   std::vector<Triangle> triangles;  // indices of vertices of the whole surface; {0, 0, 0}: unused
 
-  std::shared_ptr<const BloodMap> blood;  // the organ's blood, if it has changed
+  std::shared_ptr<const TissueMap> blood, heat;  // on and in the organ, if they have changed
+  std::shared_ptr<const VesselPicture> vessels;  // in the organ, with the whole surface
 
   bool empty() const {
     return !everything && newVertices.empty() && movedVertices.empty() && newTriangles.empty() &&
-           !blood;
+           !blood && !heat && !vessels;
   }
 };
 

@@ -1,5 +1,6 @@
 #include "tools/blade_part.h"
 
+#include "tools/bare_vessels.h"
 #include "tools/tool.h"
 
 namespace resect {
@@ -23,6 +24,12 @@ Vec3 normalOf(const ToolModel& tool) {
 }
 
 }  // namespace
+
+void BladePart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
+  if (touch.model.edge.size() < 2 || touch.organ.vessels.bared.empty()) return;
+  divideBareVessels(touch, sweepBlade(touch.model.edge, touch.way.from.pose, touch.way.to.pose),
+                    edits);
+}
 
 void BladePart::addEdges(const ToolModel& tool, const ToolWay& way,
                          std::vector<CuttingEdge>& edges) const {

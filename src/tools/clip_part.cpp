@@ -10,9 +10,11 @@
 namespace resect {
 namespace {
 
-constexpr double kCloses = 0.95;   // squeeze at which the clip is shut
-constexpr double kReach = 0.008;   // m: how far from the jaws' middle a vessel is caught
-constexpr double kBehind = 0.003;  // m: a clip sits this far behind the end of a cut vessel
+constexpr double kCloses = 0.95;    // squeeze at which the clip is shut
+constexpr double kReach = 0.008;    // m: how far from the jaws' middle a vessel is caught
+constexpr double kBehind = 0.003;   // m: a clip sits this far behind the end of a cut vessel
+constexpr double kJaws = 0.004;     // m: half the length of the jaws
+constexpr double kBetween = 0.002;  // m: clips on one vessel are farther apart
 constexpr double kThinnest = 0.3e-3, kWidest = 3.5e-3;  // m: radii that clips hold
 
 // A place `way` metres from `share` of a segment towards the root, on the segment or on those
@@ -41,23 +43,34 @@ void ClipPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
   Aabb box;
   box.grow(*place);
   map.index.near(box.padded(kReach), near);
-  // The widest vessel that is cut, else the nearest that is whole.
+  // The end that bleeds most, else a vessel that is whole.
   std::optional<PlaceClip> clip;
-  double best = 0;
+  double most = 0, best = 0;
   for (const std::int32_t i : near) {
     const VesselSegment& s = map.anatomy.segments[std::size_t(i)];
     if (s.radius < kThinnest || s.radius > kWidest) continue;
+    if (const VesselInjury* injury = touch.organ.vessels.injury(i)) {
+      for (const VesselEnd end : {VesselEnd::Root, VesselEnd::Far}) {
+        const double share = end == VesselEnd::Root ? injury->from : injury->to;
+        if ((s.at(share) - *place).norm() > kReach || injury->isSealed(end) ||
+            touch.organ.vessels.clipped(*injury, end) || injury->flow[int(end)] <= most)
+          continue;
+        most = injury->flow[int(end)];
+        clip = end == VesselEnd::Root ? behind(map.anatomy, i, share, kBehind)
+                                      : PlaceClip{i, std::min(1.0, share + kBehind / s.length())};
+      }
+      continue;
+    }
+    if (most > 0) continue;
     const Vec3 way = s.end - s.start;
     const double share = std::clamp((*place - s.start).dot(way) / way.squaredNorm(), 0.0, 1.0);
     const double distance = (s.at(share) - *place).norm();
-    if (distance > kReach) continue;
-    const VesselInjury* injury = touch.organ.vessels.injury(i);
-    const bool open = injury && !touch.organ.vessels.clipped(*injury, VesselEnd::Root) &&
-                      !injury->isSealed(VesselEnd::Root);
-    const double worth = (open ? 1 + s.radius : 1e-3 / (1e-3 + distance));
-    if (worth <= best) continue;
-    best = worth;
-    clip = open ? behind(map.anatomy, i, injury->from, kBehind) : PlaceClip{i, share};
+    const bool there = std::ranges::any_of(touch.organ.vessels.clips, [&](const VesselClip& c) {
+      return c.segment == i && !c.byHeat && std::abs(c.share - share) * s.length() < kBetween;
+    });
+    // Between the jaws the widest counts, beside them the nearest.
+    const double worth = distance < kJaws ? kReach + s.radius : kReach - distance;
+    if (worth > best && !there) best = worth, clip = PlaceClip{i, share};
   }
   if (clip) edits.push_back(touch.edit(*clip));
 }

@@ -1,6 +1,7 @@
 #include "tools/jaws_part.h"
 
 #include "geometry/rotation.h"
+#include "tools/bare_vessels.h"
 #include "tools/tool.h"
 
 namespace resect {
@@ -14,6 +15,16 @@ Pose jawPose(const Jaws& jaws, const ToolStance& at, double side) {
 }
 
 }  // namespace
+
+void JawsPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
+  const bool closes = touch.way.to.squeeze > touch.way.from.squeeze;
+  if (!closes || touch.model.edge.size() < 2 || touch.organ.vessels.bared.empty()) return;
+  for (const double side : {1.0, -1.0})
+    divideBareVessels(touch,
+                      sweepBlade(touch.model.edge, jawPose(touch.model.jaws, touch.way.from, side),
+                                 jawPose(touch.model.jaws, touch.way.to, side)),
+                      edits);
+}
 
 void JawsPart::addEdges(const ToolModel& tool, const ToolWay& way,
                         std::vector<CuttingEdge>& edges) const {

@@ -9,6 +9,7 @@ namespace resect {
 
 class JawsPart : public WorkingPart {
  public:
+  void act(const Touch& touch, std::vector<TissueEdit>& edits) const override;
   void addEdges(const ToolModel& tool, const ToolWay& way,
                 std::vector<CuttingEdge>& edges) const override;
 };

@@ -6,11 +6,15 @@
 #include <string>
 
 #include "base/error.h"
+#include "tools/aspirator_part.h"
 #include "tools/bipolar_part.h"
 #include "tools/blade_part.h"
 #include "tools/clip_part.h"
+#include "tools/gauze_part.h"
 #include "tools/hook_part.h"
+#include "tools/inflow_clamp_part.h"
 #include "tools/jaws_part.h"
+#include "tools/pencil_part.h"
 #include "tools/remover.h"
 #include "tools/suction_part.h"
 
@@ -22,7 +26,7 @@ std::unique_ptr<WorkingPart> make() {
   return std::make_unique<Part>();
 }
 
-constexpr std::array<PartKind, 7> kPartKinds = {{
+constexpr std::array<PartKind, 11> kPartKinds = {{
     {"blade", make<BladePart>},
     {"jaws", make<JawsPart>},
     {"hook", make<HookPart>},
@@ -30,6 +34,10 @@ constexpr std::array<PartKind, 7> kPartKinds = {{
     {"suction", make<SuctionPart>},
     {"clip", make<ClipPart>},
     {"bipolar", make<BipolarPart>},
+    {"gauze", make<GauzePart>},
+    {"inflow_clamp", make<InflowClampPart>},
+    {"pencil", make<PencilPart>},
+    {"aspirator", make<AspiratorPart>},
 }};
 
 template <typename Kinds>
@@ -52,7 +60,7 @@ std::unique_ptr<WorkingPart> makePart(std::string_view name, const ToolModel& mo
 std::span<const PartKind> partKinds() { return kPartKinds; }
 
 std::span<const ToolKind> toolKinds() {
-  static const std::array<ToolKind, 7> kinds = {{
+  static const std::array<ToolKind, 11> kinds = {{
       {"scalpel", {"blade"}},
       {"hook", {"hook"}},
       {"baton", {}},  // blunt: only its shape pushes
@@ -60,6 +68,10 @@ std::span<const ToolKind> toolKinds() {
       {"suction", {"suction"}, true},
       {"clip_applier", {"clip"}, true},
       {"bipolar", {"bipolar"}, true},
+      {"gauze", {"gauze"}, true},
+      {"inflow_clamp", {"inflow_clamp"}, true},
+      {"pencil", {"pencil"}, true},
+      {"aspirator", {"aspirator"}, true},
   }};
   return kinds;
 }

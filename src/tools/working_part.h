@@ -59,6 +59,7 @@ struct Touch {
   const Organ& organ;
   const TissueModel& tissue;
   const ToolContacts& contacts;
+  double force = 0;  // of the tissue on the tool, as a hand feels it, N
 
   // Makes an edit by this tool, for this organ.
   TissueEdit edit(decltype(TissueEdit::what) what) const {

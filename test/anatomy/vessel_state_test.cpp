@@ -74,6 +74,7 @@ TEST_CASE(
   const Aabb box{Vec3(0.01, -0.01, -0.01), Vec3(0.016, 0.01, 0.01)};
   cutVessels(kVessel, VesselIndex(kVessel.segments), box, 0.001, state, segments);
   CHECK(state.injuries.empty());
+  CHECK(state.bared == std::vector<std::int32_t>{0});
   cutVessels(kVessel, VesselIndex(kVessel.segments), box, 1, state, segments);
   REQUIRE(state.injuries.size() == 1);
   CHECK(state.injuries[0].severed());
@@ -81,17 +82,51 @@ TEST_CASE(
   CHECK(state.injuries[0].to == doctest::Approx(0.4));
 }
 
-TEST_CASE("heat closes the ends near it, and a new cut opens them") {
+TEST_CASE(
+    "vessels are sealed where tissue is coagulated all round them, and a new cut opens them") {
+  const VesselIndex index(kVessel.segments);
+  const Aabb box{Vec3(0, -0.01, -0.01), Vec3(0.04, 0.01, 0.01)};
+  const auto seal = [&](VesselState& state, const Vec3& place, double radius) {
+    sealVessels(
+        kVessel, index, box, [&](const Vec3& p) { return (p - place).norm() < radius ? 1.0 : 0.0; },
+        state);
+  };
   Cut result = cut(test::acrossX(0.02, -0.01, 0.01));
-  sealVessels(kVessel, Vec3(0.03, 0, 0), 0.005, 0.01, result.state);
+  seal(result.state, Vec3(0.03, 0, 0), 0.005);
   CHECK(result.state.injuries[0].sealed == 0);  // too far away
-  sealVessels(kVessel, Vec3(0.02, 0, 0), 0.005, 0.001, result.state);
-  CHECK(result.state.injuries[0].sealed == 0);  // too wide
-  sealVessels(kVessel, Vec3(0.02, 0, 0), 0.005, 0.01, result.state);
+  seal(result.state, Vec3(0.02, 0.001, 0), 0.0025);
+  CHECK(result.state.injuries[0].sealed == 0);  // on one side only
+  seal(result.state, Vec3(0.02, 0.001, 0), 0.0035);
   CHECK(result.state.injuries[0].sealed == 3);
   const Cut again = cut(test::acrossX(0.01, -0.01, 0.01), result.state);
   CHECK_FALSE(again.state.injuries[0].isSealed(VesselEnd::Root));
   CHECK(again.state.injuries[0].isSealed(VesselEnd::Far));
+}
+
+TEST_CASE("a whole vessel that is sealed and then cut there is closed at both ends") {
+  VesselState state;
+  const Aabb box{Vec3(0.01, -0.01, -0.01), Vec3(0.03, 0.01, 0.01)};
+  for (int i = 0; i < 3; ++i)
+    sealVessels(
+        kVessel, VesselIndex(kVessel.segments), box,
+        [](const Vec3& p) { return std::abs(p.x() - 0.02) < 0.004 ? 1.0 : 0.0; }, state);
+  REQUIRE(state.clips.size() >= 4);
+  CHECK(state.clips.size() <= 7);  // each place once
+  for (const VesselClip& clip : state.clips) CHECK(clip.byHeat);
+  const Cut result = cut(test::acrossX(0.02, -0.01, 0.01), state);
+  CHECK(result.state.clipped(result.state.injuries[0], VesselEnd::Root));
+  CHECK(result.state.clipped(result.state.injuries[0], VesselEnd::Far));
+}
+
+TEST_CASE("a vessel can be divided at a place of it") {
+  VesselState state;
+  std::vector<std::int32_t> segments;
+  divideVessel(0, 0.3, state, segments);
+  REQUIRE(state.injuries.size() == 1);
+  CHECK(segments == std::vector<std::int32_t>{0});
+  CHECK(state.injuries[0].severed());
+  CHECK(state.injuries[0].from == 0.3);
+  CHECK(state.injuries[0].to == 0.3);
 }
 
 TEST_CASE("a clip closes the end on its side of the cut") {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kPressed = 182;  // frame: the tip was pressed in by 35 mm and then stood for 0.5 s
 
-struct Press {
+struct Pressed {
   double force;   // N, in that frame
   double most;    // N
   double inside;  // m: from where the tool's axis enters tissue to the tip; 0 if it does not
@@ -36,7 +36,7 @@ double lastCrossing(const TriangleMesh& mesh, const Vec3& from, const Vec3& dire
   return last;
 }
 
-Press press(double spacing, bool capsule) {
+Pressed press(double spacing, bool capsule) {
   Scenario scenario = readScenario(findDataFile("press", "scenarios", ".toml"));
   scenario.organs[0].source.spacing = spacing;
   if (!capsule) scenario.organs[0].tissue.material.capsule = 0;
@@ -57,8 +57,8 @@ Press press(double spacing, bool capsule) {
 }  // namespace
 
 TEST_CASE("a narrow tip that is pressed deep into the liver dents the skin") {
-  const Press coarse = press(0.008, true), fine = press(0.005, true);
-  for (const Press& p : {coarse, fine}) {
+  const Pressed coarse = press(0.008, true), fine = press(0.005, true);
+  for (const Pressed& p : {coarse, fine}) {
     MESSAGE(p.force << " N, " << 1e3 * p.inside << " mm inside");
     CHECK(p.force > 2.5);
     CHECK(p.inside < 0.01);  // of 35 mm
@@ -67,7 +67,7 @@ TEST_CASE("a narrow tip that is pressed deep into the liver dents the skin") {
 }
 
 TEST_CASE("the liver's capsule resists a deep press") {
-  const Press with = press(0.008, true), without = press(0.008, false);
+  const Pressed with = press(0.008, true), without = press(0.008, false);
   MESSAGE(with.most << " N, without a capsule " << without.most << " N");
   CHECK(with.most > 1.05 * without.most);
 }

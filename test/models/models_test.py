@@ -18,7 +18,8 @@ import solid
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FOLDER = os.path.join(SOURCE, "data", "tools")
-INSTRUMENTS = ("scalpel", "hook", "baton", "scissors", "suction", "clip_applier", "bipolar")
+INSTRUMENTS = ("scalpel", "hook", "baton", "scissors", "suction", "clip_applier", "bipolar", "gauze",
+               "inflow_clamp", "pencil", "aspirator")
 SHELLS = {
     "scalpel": 1,
     "hook": 1,
@@ -26,6 +27,10 @@ SHELLS = {
     "scissors": 5,
     "suction": 1,
     "clip_applier": 7,
+    "gauze": 10,
+    "inflow_clamp": 9,
+    "pencil": 7,
+    "aspirator": 4,
     "bipolar": 5,
     "table": 1,
     "toolbox": 2,
@@ -141,8 +146,8 @@ class EveryInstrument(unittest.TestCase):
 
     def test_has_its_tip_on_the_surface_and_the_handle_along_its_axis(self):
         def test(model, text):
-            # The tip of a suction tube is the middle of its mouth, away from the rim.
-            most = 1.8 if text["kind"] == "suction" else 0.01
+            # The tip of a tube that sucks is the middle of its mouth, away from the rim.
+            most = 1.8 if text["kind"] in ("suction", "aspirator") else 0.01
             self.assertLess(solid.distance(text["tip"], model.triangles), most * MILLIMETRE)
             self.assertAlmostEqual(solid.length(text["axis"]), 1.0, delta=1e-9)
             along = [
@@ -256,7 +261,7 @@ class TheJaws(unittest.TestCase):
     """Of instruments that grip but do not cut; their models are read closed."""
 
     def test_meet_at_the_tip_and_nowhere_pass_each_other_in_front_of_the_pivot(self):
-        for name, until in (("clip_applier", 0.024), ("bipolar", 0.14)):
+        for name, until in (("clip_applier", 0.024), ("bipolar", 0.14), ("inflow_clamp", 0.034)):
             text = description(name)
             self.assertNotIn("edge", text)
             self.assertEqual((text["jaw_axis"], text["tip"]), ([1.0, 0.0, 0.0], [0.0, 0.0, 0.0]))
@@ -266,7 +271,7 @@ class TheJaws(unittest.TestCase):
                 self.assertGreater(min(front), 0.0)
 
     def test_open_about_as_wide_at_their_ends_as_real_ones(self):
-        for name, least, most in (("clip_applier", 0.007, 0.009), ("bipolar", 0.008, 0.012)):
+        for name, least, most in (("clip_applier", 0.007, 0.009), ("bipolar", 0.008, 0.012), ("inflow_clamp", 0.015, 0.020)):
             text = description(name)
             width = text["jaw_pivot"][2] * text["jaw_opening"]
             self.assertTrue(least < width < most, (name, width))

@@ -59,7 +59,7 @@ TEST_CASE("a scenario runs all its frames and its summary adds up") {
   CHECK(summary.surface.closed);
   CHECK(summary.surface.oriented);
   CHECK(summary.ledger.organs[0].parts.size() == 1);
-  CHECK(summary.stages.size() == 10);
+  CHECK(summary.stages.size() == 11);
   CHECK(summary.stateHash == simulation.stateHash());
 }
 

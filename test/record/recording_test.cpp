@@ -118,9 +118,12 @@ TEST_CASE("inputs of frames come back from their bytes") {
                  {0, 0, Release{}},
                  {0, -1, SetLabel{5, 200}},
                  {0, -1, PlaceClip{4, 0.25}},
-                 {0, 1, Coagulate{Vec3(1, 2, 3), 0.004, 0.003}},
+                 {0, 1, Heat{Vec3(1, 2, 3), 0.004, 30}},
                  {0, -1, ClampInflow{false}},
-                 {0, 0, Suction{Vec3(3, 2, 1), 0.01, 25e-6}}};
+                 {0, 0, Suction{Vec3(3, 2, 1), 0.01, 25e-6}},
+                 {0, 2, RemoveCell{18, 0.0005}},
+                 {0, 1, Press{Vec3(4, 5, 6), 0.02, 1500, 4e-6}},
+                 {0, -1, DivideVessel{3, 0.75}}};
   const auto again = [&](const FrameInput& last) {
     return frameToBytes(frameFromBytes(frameToBytes(input, last), last), last);
   };

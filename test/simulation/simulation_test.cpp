@@ -124,8 +124,8 @@ TEST_CASE("the stage clock gets a lap of every stage in the order of the step") 
   StageClock clock;
   for (int i = 0; i < 3; ++i) simulation.step(toolAt({2, 2, 2}), &clock);
   const std::vector<std::string> names = {
-      "moveTools", "findContacts", "actTools",      "applyEdits", "moveTissue",
-      "applyCuts", "updateField",  "updateSurface", "flowBlood",  "measure"};
+      "moveTools",   "findContacts",  "actTools",   "applyEdits", "moveTissue", "applyCuts",
+      "updateField", "updateSurface", "heatTissue", "flowBlood",  "measure"};
   REQUIRE(clock.stages().size() == names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     CHECK(clock.stages()[i].name == names[i]);

@@ -130,7 +130,8 @@ TEST_CASE("a description may name working parts; one that there is not is refuse
   model.parts = {"spoon"};
   CHECK_THROWS_WITH(makeTool(model),
                     "there is no working part \"spoon\" (tool \"two in one\"); use one of: blade, "
-                    "jaws, hook, remover, suction, clip, bipolar");
+                    "jaws, hook, remover, suction, clip, bipolar, "
+                    "gauze, inflow_clamp, pencil, aspirator");
 }
 
 TEST_CASE("the overlap is the tool's volume while it is inside, a half of it when half is") {

@@ -8,21 +8,29 @@ import argparse
 import os
 import sys
 
+import aspirator
 import baton
 import bipolar
 import clip_applier
+import gauze
 import hook
+import inflow_clamp
+import pencil
 import scalpel
 import scissors
 import suction
 import table
 import toolbox
 
+INSTRUMENTS = (scalpel, hook, baton, scissors, suction, clip_applier, bipolar)
+INSTRUMENTS += (gauze, inflow_clamp, pencil, aspirator)
+ROOM = (table, toolbox)
+
 
 def all_files():
     """{file name: text} of everything, in a fixed order."""
     result = {}
-    for module in (scalpel, hook, baton, scissors, suction, clip_applier, bipolar, table, toolbox):
+    for module in INSTRUMENTS + ROOM:
         result.update(module.files())
     return result
 

@@ -10,13 +10,13 @@ namespace {
 constexpr std::array<float, 4> kWeights = {1, 0.6f, 0.36f, 0.22f};
 
 std::uint8_t toByte(float thickness) {
-  return std::uint8_t(std::clamp(255 * thickness / BloodMap::kDeepest + 0.5f, 0.f, 255.f));
+  return std::uint8_t(std::clamp(255 * thickness / TissueMap::kDeepest + 0.5f, 0.f, 255.f));
 }
 
 }  // namespace
 
-std::shared_ptr<const BloodMap> filmMap(const BloodFilm& film, const OperatedOrgan& organ) {
-  auto map = std::make_shared<BloodMap>();
+std::shared_ptr<const TissueMap> filmMap(const BloodFilm& film, const OperatedOrgan& organ) {
+  auto map = std::make_shared<TissueMap>();
   const SkinCells& skin = film.skin();
   const Lattice& lattice = skin.lattice();
   map->spacing = float(lattice.spacing.x());

@@ -4,11 +4,11 @@
 #include <memory>
 
 #include "blood/film/blood_film.h"
-#include "surface/blood_map.h"
+#include "surface/tissue_map.h"
 
 namespace resect {
 
 // Cost: the wet cells and those beside them, and clearing the map.
-std::shared_ptr<const BloodMap> filmMap(const BloodFilm& film, const OperatedOrgan& organ);
+std::shared_ptr<const TissueMap> filmMap(const BloodFilm& film, const OperatedOrgan& organ);
 
 }  // namespace resect

@@ -9,8 +9,10 @@ namespace {
 
 constexpr double kJetLoss = 1.56;   // of a jet from a sharp end
 constexpr double kBackwards = 0.2;  // what a leaf carries out of collapsing sinusoids
-constexpr double kLeastLoss = 1e3;  // Pa s/m^3: of an end, so that it is never without
 constexpr int kRounds = 4;
+// m/s: a jet is not linear about a slower flow, since its tangent would have no resistance; and no
+// pressure of the body drives blood out of an end faster.
+constexpr double kLeastSpeed = 1e-4, kFastest = 5;
 constexpr double kHeldOpen = 1.5e-3;  // m: radius from which hepatic veins stay open
 constexpr VesselKind kBlood[] = {VesselKind::PortalVein, VesselKind::HepaticVein,
                                  VesselKind::HepaticArtery};
@@ -20,9 +22,13 @@ double poiseuille(const VesselSegment& s) {
   return 8 * kBloodViscosity * s.length() / (std::numbers::pi * r2 * r2);
 }
 
-double lossAt(double flow, double area) {
-  return kJetLoss * kBloodDensity * std::abs(flow) / (2 * area * area) + kLeastLoss;
-}
+// Of a jet: pressure per square of its flow.
+double lossOf(double area) { return kJetLoss * kBloodDensity / (2 * area * area); }
+
+// An open end, linear about its last flow: flow out of it = g (p - pressure).
+struct OpenEnd {
+  double g = 0, pressure = 0;
+};
 
 // The same conductance behind a resistance.
 double behind(double resistance, double conductance) {
@@ -165,18 +171,21 @@ double VesselFlow::solveTree(const Tree& tree, VesselState& state,
   };
   // Where the outside pressure is higher, veins collapse: such an end was closed in this call,
   // unless it is a wide hepatic vein, which the tissue holds open, and which draws air. An end of
-  // an injury: its conductance to the outside, beyond `resistance`.
+  // an injury lies beyond `resistance`.
   const auto openEnd = [&](const Sweep::Node& n, int end, double resistance, double area) {
     const VesselInjury& injury = injuryAt(n);
     const EndOutside& out = outside[std::size_t(n.injury)];
     if (injury.isSealed(VesselEnd(end)) || out.closed[end] ||
         collapsed_[std::size_t(n.injury)][end] ||
         (injury.severed() && state.clipped(injury, VesselEnd(end))))
-      return 0.0;
-    return 1 / (resistance + lossAt(injury.flow[end], area));
+      return OpenEnd{};
+    // Newton's tangent of R Q + k Q^2 at the last flow.
+    const double k = lossOf(area), last = std::max(injury.flow[end], kLeastSpeed * area);
+    return OpenEnd{1 / (resistance + 2 * k * last), out.pressure[end] - k * last * last};
   };
   struct Ends {
-    double resistance, toRoot, toFar, area, g[2];  // toRoot, toFar: of the parts before and beyond
+    double resistance, toRoot, toFar, area;  // toRoot, toFar: of the parts before and beyond
+    OpenEnd open[2];
   };
   const auto endsOf = [&](const Sweep::Node& n) {
     const VesselInjury& injury = injuryAt(n);
@@ -187,8 +196,8 @@ double VesselFlow::solveTree(const Tree& tree, VesselState& state,
     e.toFar = (1 - injury.to) * e.resistance;
     e.area = std::numbers::pi * s.radius * s.radius * injury.share();
     const bool severed = injury.severed();
-    e.g[0] = openEnd(n, 0, severed ? e.toRoot : 0, e.area);
-    e.g[1] = severed ? openEnd(n, 1, e.toFar, e.area) : 0;
+    e.open[0] = openEnd(n, 0, severed ? e.toRoot : 0, e.area);
+    if (severed) e.open[1] = openEnd(n, 1, e.toFar, e.area);
     return e;
   };
 
@@ -215,14 +224,14 @@ double VesselFlow::solveTree(const Tree& tree, VesselState& state,
       continue;
     }
     const Ends e = endsOf(n);
-    const EndOutside& out = outside[std::size_t(n.injury)];
+    const OpenEnd &near = e.open[0], &far = e.open[1];
     if (injuryAt(n).severed()) {
-      n.g += e.g[1];
-      n.j += e.g[1] * out.pressure[1];
-      join(n.parent, e.g[0], e.g[0] * out.pressure[0]);
+      n.g += far.g;
+      n.j += far.g * far.pressure;
+      join(n.parent, near.g, near.g * near.pressure);
     } else {  // a hole in the wall, between the parts before and beyond it
-      const double g = behind(e.toFar, n.g) + e.g[0];
-      const double j = n.j / (1 + e.toFar * n.g) + e.g[0] * out.pressure[0];
+      const double g = behind(e.toFar, n.g) + near.g;
+      const double j = n.j / (1 + e.toFar * n.g) + near.g * near.pressure;
       join(n.parent, behind(e.toRoot, g), j / (1 + e.toRoot * g));
     }
   }
@@ -246,18 +255,18 @@ double VesselFlow::solveTree(const Tree& tree, VesselState& state,
       continue;
     }
     const Ends e = endsOf(n);
-    const EndOutside& beyond = outside[std::size_t(n.injury)];
+    const OpenEnd &near = e.open[0], &far = e.open[1];
     double flow[2];
     if (injuryAt(n).severed()) {
       n.pressure = alone;
-      flow[0] = e.g[0] * (before - beyond.pressure[0]);
-      flow[1] = e.g[1] * (n.pressure - beyond.pressure[1]);
+      flow[0] = near.g * (before - near.pressure);
+      flow[1] = far.g * (n.pressure - far.pressure);
     } else {
-      const double g = behind(e.toFar, n.g) + e.g[0];
-      const double j = n.j / (1 + e.toFar * n.g) + e.g[0] * beyond.pressure[0];
+      const double g = behind(e.toFar, n.g) + near.g;
+      const double j = n.j / (1 + e.toFar * n.g) + near.g * near.pressure;
       const double hole = (before + e.toRoot * j) / (1 + e.toRoot * g);
       n.pressure = (hole + e.toFar * n.j) / (1 + e.toFar * n.g);
-      flow[0] = e.g[0] * (hole - beyond.pressure[0]);
+      flow[0] = near.g * (hole - near.pressure);
       flow[1] = 0;
     }
     out += flow[0] + flow[1];
@@ -271,8 +280,7 @@ double VesselFlow::solveTree(const Tree& tree, VesselState& state,
         else
           collapsed_[std::size_t(n.injury)][end] = true;
       }
-      // Damped, since the loss grows with the flow.
-      injury.flow[end] = e.g[end] > 0 ? 0.5 * (injury.flow[end] + std::max(0.0, flow[end])) : 0;
+      injury.flow[end] = std::clamp(flow[end], 0.0, kFastest * e.area);
     }
   }
   if (keep) tree.inflow = inflow;

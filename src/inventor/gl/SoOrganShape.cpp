@@ -16,7 +16,8 @@
 #include <cmath>
 #include <limits>
 
-#include "inventor/blood/blood_texture.h"
+#include "inventor/blood/tissue_texture.h"
+#include "inventor/blood/vessel_texture.h"
 
 namespace resect {
 
@@ -38,11 +39,12 @@ struct SoOrganShape::ContextBuffers {
   std::size_t capacity[kBufferCount] = {};  // elements
   std::vector<Range> unsent[kPartCount];    // may overlap
 
-  BloodTexture blood;
+  TissueTexture blood{"blood", kBloodUnit}, heat{"heat", kHeatUnit};
+  VesselTexture vessels;
 
   void free() const {
     glDeleteBuffers(kBufferCount, names);
-    blood.free();
+    blood.free(), heat.free(), vessels.free();
   }
 };
 
@@ -111,14 +113,19 @@ void SoOrganShape::takeFields() {
 
 void SoOrganShape::update(const SurfaceUpdate& update) {
   if (update.empty()) return;
-  if (update.blood) {
-    for (const Aabb& box : {blood_ ? blood_->box : Aabb(), update.blood->box})
+  const auto take = [&](std::shared_ptr<const TissueMap>& held,
+                        const std::shared_ptr<const TissueMap>& given) {
+    if (!given) return;
+    for (const Aabb& box : {held ? held->box : Aabb(), given->box})
       if (!box.empty()) {
         changed_.low = changed_.low.cwiseMin(box.min.cast<float>());
         changed_.high = changed_.high.cwiseMax(box.max.cast<float>());
       }
-    blood_ = update.blood;
-  }
+    held = given;
+  };
+  take(blood_, update.blood);
+  take(heat_, update.heat);
+  if (update.vessels) vessels_ = update.vessels;
   const auto rangesOf = [](const std::vector<IndexRange>& ranges) {
     std::vector<Range> result;
     for (const IndexRange& r : ranges)
@@ -257,8 +264,11 @@ void SoOrganShape::upload(ContextBuffers& buffers) {
   for (std::vector<Range>& unsent : buffers.unsent) unsent.clear();
 }
 
-void SoOrganShape::bindBlood(std::uint32_t context, unsigned program) {
-  contexts_[context].blood.bind(blood_, program);
+void SoOrganShape::bindInside(std::uint32_t context, unsigned program) {
+  ContextBuffers& buffers = contexts_[context];
+  buffers.blood.bind(blood_, program);
+  buffers.heat.bind(heat_, program);
+  buffers.vessels.bind(vessels_, program);
 }
 
 void SoOrganShape::GLRender(SoGLRenderAction* action) {
@@ -277,7 +287,7 @@ void SoOrganShape::GLRender(SoGLRenderAction* action) {
   upload(buffers);
   GLint program = 0;
   glGetIntegerv(GL_CURRENT_PROGRAM, &program);
-  if (program) buffers.blood.bind(blood_, GLuint(program));
+  if (program) bindInside(context, GLuint(program));
   bind(kPoints);
   glEnableClientState(GL_VERTEX_ARRAY);
   glVertexPointer(3, GL_FLOAT, 0, nullptr);

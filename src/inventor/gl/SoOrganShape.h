@@ -58,9 +58,9 @@ class SoOrganShape : public SoShape {
   int vertexCount() const { return int(surface_.points.size()); }
   int triangleCount() const { return int(surface_.triangles.size()); }  // see drawnTriangles()
 
-  // Binds the blood for a program that draws this shape in another way (SoShadeOnce). The context
-  // and the program must be current.
-  void bindBlood(std::uint32_t context, unsigned program);
+  // Binds blood, heat and vessels for a program that draws this shape in another way (SoShadeOnce).
+  // The context and the program must be current.
+  void bindInside(std::uint32_t context, unsigned program);
 
   // A box, in object space, m, round everything that changed since the last call of this function.
   // It contains the changed parts at their former and at their present positions.
@@ -100,7 +100,8 @@ class SoOrganShape : public SoShape {
   void upload(ContextBuffers& buffers);
 
   SurfaceCopy surface_;
-  std::shared_ptr<const BloodMap> blood_;
+  std::shared_ptr<const TissueMap> blood_, heat_;
+  std::shared_ptr<const VesselPicture> vessels_;
   PerContext<ContextBuffers> contexts_;
   std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;
   std::int64_t drawnTriangles_ = 0;

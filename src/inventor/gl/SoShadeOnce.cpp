@@ -53,7 +53,7 @@ struct SoShadeOnce::ContextTextures {
   void make(int w, int h) {
     if (program == 0)
       program = makeProgram({"gathered.vert"}, {"light.glsl", "noise.glsl", "blood.glsl",
-                                                "liver.glsl", "gathered.frag"});
+                                                "vessels.glsl", "liver.glsl", "gathered.frag"});
     if (w <= width && h <= height) return;
     glPushAttrib(GL_TEXTURE_BIT);
     freeTextures();
@@ -198,8 +198,8 @@ bool SoShadeOnce::gather(SoGLRenderAction* action, ContextTextures& textures, un
     for (int i = 0; i < getNumChildren(); ++i)
       if (getChild(i)->isOfType(SoOrganShape::getClassTypeId()))
         static_cast<SoOrganShape*>(getChild(i))
-            ->bindBlood(std::uint32_t(SoGLCacheContextElement::get(action->getState())),
-                        textures.program);
+            ->bindInside(std::uint32_t(SoGLCacheContextElement::get(action->getState())),
+                         textures.program);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);

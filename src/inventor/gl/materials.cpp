@@ -27,7 +27,8 @@ Stages stages(RoomMaterial material) {
   switch (material) {
     case RoomMaterial::Liver:
       return {"organ.vert",
-              {"light.glsl", "noise.glsl", "rim.glsl", "blood.glsl", "liver.glsl", "liver.frag"}};
+              {"light.glsl", "noise.glsl", "rim.glsl", "blood.glsl", "vessels.glsl", "liver.glsl",
+               "liver.frag"}};
     case RoomMaterial::Gather:
       return {"organ.vert", {"noise.glsl", "rim.glsl", "gather.frag"}};
     case RoomMaterial::Steel:

@@ -76,11 +76,11 @@ Aabb AimMarker::show(const SurfaceHand* hand) {
     box_ = {};
     return before;
   }
-  if (!box_.empty() && hand->at.point == at_ && hand->heading == heading_ && hand->up == up_ &&
-      hand->depth == depth_ && hand->pressing == pressing_)
+  if (!box_.empty() && workPoint(*hand) == at_ && hand->heading == heading_ && hand->up == up_ &&
+      (hand->target ? 0 : hand->depth) == depth_ && hand->pressing == pressing_)
     return {};
-  at_ = hand->at.point, heading_ = hand->heading, up_ = hand->up;
-  depth_ = hand->depth, pressing_ = hand->pressing;
+  at_ = workPoint(*hand), heading_ = hand->heading, up_ = hand->up;
+  depth_ = hand->target ? 0 : hand->depth, pressing_ = hand->pressing;
   colour_->rgb = pressing_ ? SbColor(1.0f, 0.72f, 0.25f) : SbColor(0.75f, 0.95f, 1.0f);
   const Vec3 side = heading_.cross(up_), foot = at_ + kLift * up_;
   int corner = 0, line = 0;

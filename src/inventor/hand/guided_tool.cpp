@@ -50,6 +50,7 @@ void ToolHandling::takeUpHeld() {
   hand_.depth = depths_[std::size_t(held_)];
   if (!viewport_ || !isIn(pointer_, *viewport_)) return;
   if (const auto at = pointed_.under(pointer_, *viewport_)) pointAt(hand_, *at);
+  seek(hand_, targets_);
 }
 
 void ToolHandling::aim(const SbVec2s& pixel, const SbViewportRegion& viewport) {
@@ -58,7 +59,22 @@ void ToolHandling::aim(const SbVec2s& pixel, const SbViewportRegion& viewport) {
   const auto at = pressing() ? pointed_.along(pixel, viewport) : pointed_.under(pixel, viewport);
   if (!at) return;
   pointAt(hand_, *at);
+  seek(hand_, targets_);
   notify();
+}
+
+void ToolHandling::setTargets(std::vector<Vec3> targets) {
+  constexpr double kSeen = 0.5e-3;  // m
+  targets_ = std::move(targets);
+  if (!surfaceHand() || hand_.pressing) return;
+  const auto before = hand_.target;
+  seek(hand_, targets_);
+  const bool same =
+      before ? hand_.target && (*before - *hand_.target).norm() < kSeen : !hand_.target;
+  if (same)
+    hand_.target = before;
+  else
+    notify();
 }
 
 void ToolHandling::aimAgain() {

@@ -14,6 +14,7 @@
 #include "inventor/gl/camera_moves.h"
 #include "inventor/gl/damage.h"
 #include "inventor/hand/aim_marker.h"
+#include "inventor/hand/bleeding_marks.h"
 #include "inventor/hand/iso_dragger.h"
 #include "inventor/hand/six_axes.h"
 #include "inventor/hand/tip_marker.h"
@@ -58,6 +59,9 @@ class OperatingSession {
   void show(Moment moment);
   void setPlayback(double speed, std::int64_t branch) { operation_.setPlayback(speed, branch); }
   void goOn();
+  // Whether the places that bleed are marked while an instrument is in hand that stops bleeding,
+  // and whether it is guided to them. At first: yes.
+  void setBleedingMarks(bool marks) { marksBleeding_ = marks; }
   void setIso(float iso);                                      // also calls goOn()
   bool answered() const { return asked_ == state_.answered; }  // all requests are done
   // Whether a moment of the history is shown, or has been requested.
@@ -99,6 +103,8 @@ class OperatingSession {
   void setTools();
   void followHand();
   void followLooseBlood();
+  void followBareVessels();
+  void showBleeding();
   void followMotion();
   void followMoment();
   void leave();
@@ -116,6 +122,7 @@ class OperatingSession {
   IsoDragger iso_;
   TipMarker marker_;
   AimMarker aim_;
+  BleedingMarks bleeding_;
   SoHandleEventAction events_;
   Damage damage_{true, {}, {}};
   std::vector<Aabb> toolBoxes_;  // per tool: its bounding box when it last moved, world, m
@@ -125,11 +132,13 @@ class OperatingSession {
   // manipulator then.
   std::vector<std::vector<Aabb>> shownSlices_;
   std::shared_ptr<const LooseBlood> loose_;  // as drawn last
+  std::shared_ptr<const BareVessels> bare_;  // as drawn last
   Aabb markerBox_;                           // of the marker under the tip, as shown last, world, m
   std::int64_t asked_ = 0;                   // number of the last request to the operation
   bool goingOn_ = false;                     // goOn() was called, and no frame has ended since
   bool following_ = false;                   // the tools are being put where the operation has them
   bool playing_ = false;
+  bool marksBleeding_ = true;
   std::int64_t played_ = 0, playUntil_ = 0;  // scenario frames: where play() begins and ends
   LiveState state_;
   LedgerWatch ledger_;  // moved into operation_ when that is made

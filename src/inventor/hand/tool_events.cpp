@@ -23,6 +23,14 @@ constexpr double kWheelStep = 0.005;                      // m
 constexpr double kKeyStep = 0.002;                        // m
 constexpr double kTurnPerPixel = 0.006, kKeyTurn = 0.05;  // rad
 
+// The tools have the keys of a keyboard's upper row: 1 to 9, 0 and minus. -1: another key.
+int toolOfKey(int key) {
+  if (key >= SoKeyboardEvent::NUMBER_1 && key <= SoKeyboardEvent::NUMBER_9)
+    return key - SoKeyboardEvent::NUMBER_1;
+  if (key == SoKeyboardEvent::NUMBER_0) return 9;
+  return key == SoKeyboardEvent::MINUS ? 10 : -1;
+}
+
 }  // namespace
 
 // At the depth of the held tool's tip.
@@ -169,8 +177,7 @@ void ToolHandling::key(SoEventCallback& node) {
     node.setHandled();
     return;
   }
-  if (key >= SoKeyboardEvent::NUMBER_1 && key <= SoKeyboardEvent::NUMBER_9) {
-    const int tool = key - SoKeyboardEvent::NUMBER_1;
+  if (const int tool = toolOfKey(key); tool >= 0) {
     if (tool >= toolCount() || event->wasCtrlDown()) return;
     take(tool);
     node.setHandled();

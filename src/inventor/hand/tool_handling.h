@@ -101,6 +101,8 @@ class ToolHandling {
   void setPose(int tool, const Pose& pose);
   // Points again at what is now under the pointer: the camera has moved.
   void aimAgain();
+  // Places that the tool in hand works at when the hand points near them (seek()); world, m.
+  void setTargets(std::vector<Vec3> targets);
   // Ends a drag: the mouse moves no tool until a button is pressed again.
   void interrupt();
 
@@ -160,6 +162,7 @@ class ToolHandling {
   std::span<const ToolModel> models_;  // per tool; empty without guide()
   std::vector<double> depths_;         // per tool: how deep it works, m
   SurfaceHand hand_;                   // of the tool in hand, if it is guided
+  std::vector<Vec3> targets_;
   Pose pressedFrom_;
   PointedSurface pointed_;
   // Where the pointer was last, to which a tool is taken that follows the surface.

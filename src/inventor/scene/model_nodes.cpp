@@ -59,6 +59,8 @@ SoMaterial* materialNode(const Finish& finish) {
   return material;
 }
 
+}  // namespace
+
 SoSeparator* makePart(const DrawnPart& part) {
   constexpr double kCreaseDegrees = 30;
   auto* model = new SoSeparator;
@@ -76,8 +78,6 @@ SoSeparator* makePart(const DrawnPart& part) {
   addTriangles(model, part.mesh);
   return model;
 }
-
-}  // namespace
 
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees) {
   auto* model = new SoSeparator;

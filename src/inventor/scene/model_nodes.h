@@ -7,6 +7,7 @@
 #include "tools/tool.h"
 
 class SoNode;
+class SoSeparator;
 class SoTransform;
 
 namespace resect {
@@ -14,6 +15,9 @@ namespace resect {
 // A scene graph that draws the triangles. An edge looks sharp if the normals of its two triangles
 // differ by more than `creaseDegrees`, else smooth.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
+
+// A part with its finish; its jaw is closed.
+SoSeparator* makePart(const DrawnPart& part);
 
 // An instrument as a scene graph, and the transforms that turn its jaws. The jaws are closed at
 // first.

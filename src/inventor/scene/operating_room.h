@@ -40,6 +40,7 @@ namespace resect {
 class SoBloodPool;
 class SoOrganShape;
 class SoShadowMaps;
+struct BareVessels;
 struct LooseBlood;
 
 enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
@@ -101,6 +102,8 @@ class OperatingRoom {
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
   // Shows blood on the table and in the air. Null: there is none.
   void setLooseBlood(const LooseBlood* blood);
+  // Null: there are none.
+  void setBareVessels(const BareVessels* vessels);
   void setOrganColour(const Vec3f& colour);  // of the first organ
   void setOrganPose(const Pose& pose);       // of all organs and tissues
 
@@ -156,6 +159,7 @@ class OperatingRoom {
   SoShadowMaps* shadows_;
   SoSeparator* casters_;
   SoSeparator* table_;
+  SoSeparator* bare_;
   SoBloodPool* pool_;
   SoCoordinate3* drops_;
   SoSeparator* toolbox_;

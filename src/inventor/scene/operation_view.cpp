@@ -11,7 +11,8 @@
 #include "inventor/gl/SoOrganShape.h"
 #include "inventor/init.h"
 #include "io/data_folder.h"
-#include "operation/live/loose_blood.h"
+#include "operation/blood/bare_vessels.h"
+#include "operation/blood/loose_blood.h"
 #include "operation/room.h"
 
 namespace resect {
@@ -73,6 +74,7 @@ void OperationView::follow(const Simulation& simulation) {
   }
   follow(updates);
   room_.setLooseBlood(looseBlood(simulation.blood()).get());
+  room_.setBareVessels(bareVessels(simulation).get());
 }
 
 void OperationView::follow(std::span<const SurfaceUpdate> updates) {

@@ -15,6 +15,7 @@ constexpr double kDescent = 1.5;     // m of depth per m of way, of such an edge
 constexpr double kStart = 0.002;     // m of way that show the direction of a stroke; then it enters
 constexpr double kStraight = 0.006;  // m of way in which a stroke may still choose its direction
 constexpr double kStill = 1e-6;      // m
+constexpr double kSeeks = 0.012;     // m: a hand that stops bleeding finds a vessel this near
 
 // A unit vector at right angles to `up`, as near to `wanted` as possible.
 Vec3 alongSurface(const Vec3& wanted, const Vec3& up) {
@@ -41,13 +42,24 @@ void follow(SurfaceHand& hand, const Vec3& way, double turnWay) {
 
 HandStyle handStyleOf(const ToolModel& tool) {
   HandStyle style;
-  if (tool.jaws.opening > 0 && tool.edge.empty()) {
+  if (tool.kind == "inflow_clamp") {
+    style = {.upright = 0.6, .forward = -0.8, .hover = 0.012, .depth = 0.004};
+    style.turnHovering = 0.06;
+    style.closesJaws = true;
+  } else if (tool.kind == "gauze") {
+    style = {.upright = 0.8, .forward = -0.6, .hover = 0.012, .depth = 0.005};
+    style.seeks = kSeeks;
+  } else if (tool.kind == "aspirator") {
+    style = {.upright = 0.8, .forward = -0.6, .hover = 0.006, .depth = 0.004};
+  } else if (tool.jaws.opening > 0 && tool.edge.empty()) {
     // Clips and forceps reach into a wound of a scalpel's depth.
     style = {.upright = 0.8, .forward = -0.6, .hover = 0.010, .depth = 0.012};
     style.turnHovering = 0.06;
     style.closesJaws = true;
+    style.seeks = kSeeks;
   } else if (tool.kind == "suction") {
     style = {.upright = 0.8, .forward = -0.6, .hover = 0.008, .depth = 0};
+    style.seeks = kSeeks;
   } else if (tool.jaws.opening > 0) {
     // One jaw below the surface and one above.
     style = {.upright = 0.42, .forward = -0.91, .hover = 0.014, .depth = 0.008};
@@ -55,6 +67,7 @@ HandStyle handStyleOf(const ToolModel& tool) {
     style.closesJaws = true;
   } else if (tool.edge.size() > 1) {
     style = {.upright = 0.8, .forward = 0.6, .hover = 0.005, .depth = 0.016};
+    if (tool.kind == "pencil") style.depth = 0.008;
     double reach = 0;  // of the edge along the handle
     for (const Vec3& p : tool.edge) reach = std::max(reach, (p - tool.edge.front()).dot(tool.axis));
     constexpr double kOut = 0.004;  // m
@@ -106,6 +119,23 @@ void press(SurfaceHand& hand) {
 
 void lift(SurfaceHand& hand) { hand.pressing = false; }
 
+void seek(SurfaceHand& hand, std::span<const Vec3> targets) {
+  if (!hand.pointing) return;
+  if (hand.pressing) {
+    if (hand.target && (*hand.target - hand.at.point).norm() > hand.style.seeks)
+      hand.target.reset();
+    return;
+  }
+  hand.target.reset();
+  double least = hand.style.seeks;
+  for (const Vec3& target : targets) {
+    const double distance = (target - hand.at.point).norm();
+    if (distance < least) least = distance, hand.target = target;
+  }
+}
+
+Vec3 workPoint(const SurfaceHand& hand) { return hand.target.value_or(hand.at.point); }
+
 void goDeeper(SurfaceHand& hand, double more) {
   hand.depth = std::clamp(hand.depth + more, 0.0, hand.style.mostDepth);
   if (hand.pressing) hand.way = std::max(hand.way, kStart) + std::max(0.0, more) / kDescent;
@@ -134,9 +164,11 @@ Pose poseOf(const SurfaceHand& hand) {
   Mat3 axes;  // the tool's edge faces its -y, its handle its +z
   axes << -edge.cross(handle), -edge, handle;
   double depth = -style.hover;
-  if (hand.pressing)
+  if (hand.pressing && hand.target)
+    depth = 0;
+  else if (hand.pressing)
     depth = style.entersSlowly ? std::min(hand.depth, kDescent * (hand.way - kStart)) : hand.depth;
-  return {hand.at.point + depth * wayIn(hand, handle), Eigen::Quaterniond(axes)};
+  return {workPoint(hand) + depth * wayIn(hand, handle), Eigen::Quaterniond(axes)};
 }
 
 Pose poseAboveTable(const SurfaceHand& hand, std::span<const Vec3> points) {

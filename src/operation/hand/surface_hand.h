@@ -6,6 +6,7 @@
 // and turns towards the motion of the hand: a blade cuts towards where it goes.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "geometry/pose.h"
@@ -26,8 +27,10 @@ struct HandStyle {
   bool entersSlowly = false;  // the tip goes down no farther than it goes on
   bool headsForWay = false;   // the first millimetres of a stroke set the heading
   bool closesJaws = false;    // pressing closes the jaws
+  double seeks = 0;           // m: from how far the tip goes to a target (seek())
 };
-// By the model's geometry: a blade has an edge, scissors have jaws, a hook has a bend.
+// By the model's kind or else its geometry: a blade has an edge, scissors have jaws, a hook has a
+// bend.
 HandStyle handStyleOf(const ToolModel& tool);
 
 struct SurfaceHand {
@@ -38,7 +41,8 @@ struct SurfaceHand {
   Vec3 heading = Vec3::UnitZ();  // unit, at right angles to `up`: the edge faces this way
   bool pointing = false;         // `at` is set
   bool pressing = false;
-  double way = 0;  // m: of the hand since it began to press
+  double way = 0;              // m: of the hand since it began to press
+  std::optional<Vec3> target;  // at which the tip works instead of below `at`, world, m
 };
 
 // Takes up an instrument. heading: unit; for blades the direction of the cut.
@@ -50,6 +54,12 @@ void lift(SurfaceHand& hand);
 void goDeeper(SurfaceHand& hand, double more);
 // Turns the heading about the normal, anticlockwise as seen from outside, rad.
 void turnHeading(SurfaceHand& hand, double angle);
+
+// Chooses the target nearest to the point at which the hand points, if one is within style.seeks. A
+// hand that presses keeps its target while it stays within that distance, and takes up no other.
+void seek(SurfaceHand& hand, std::span<const Vec3> targets);
+// The point at which the instrument works: the target, or else the point on the surface.
+Vec3 workPoint(const SurfaceHand& hand);
 
 // Where the hand has the instrument: the pose of the tool's frame, whose origin is the tip. The
 // hand must be pointing.

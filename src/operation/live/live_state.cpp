@@ -17,6 +17,8 @@ void noteBlood(LiveState& state, const Simulation& simulation, const StepReport&
   if (state.bled < before) state.bleedingRate = 0;  // another moment
   state.bleedingRate += share * (report.blood.rate - state.bleedingRate);
   state.loose = looseBlood(simulation.blood());
+  state.bare = bareVessels(simulation);
+  state.bleedingEnds = report.blood.ends;
 }
 
 }  // namespace

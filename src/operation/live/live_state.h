@@ -7,8 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "operation/blood/bare_vessels.h"
+#include "operation/blood/loose_blood.h"
 #include "operation/ledger/ledger.h"
-#include "operation/live/loose_blood.h"
 #include "operation/live/step_times.h"
 #include "operation/live/timeline.h"
 #include "operation/live/tip_place.h"
@@ -42,7 +43,9 @@ struct LiveState {
   bool bleeds = false;                      // whether any organ has vessels
   double bled = 0, bleedingRate = 0;        // so far, m^3; mean over about a second, m^3/s
   double bloodTime = 0;                     // of these, s
+  std::vector<BleedingEnd> bleedingEnds;    // vessels' ends that bleed
   std::shared_ptr<const LooseBlood> loose;  // on the table and in the air; null: none
+  std::shared_ptr<const BareVessels> bare;  // null: none
   // The lists below have one element per tool.
   std::vector<Pose> poses;           // where it is
   std::vector<std::uint8_t> inHand;  // 1: it is in hand, or left holding or pressing

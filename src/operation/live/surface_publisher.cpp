@@ -5,12 +5,20 @@
 #include <utility>
 
 #include "blood/film/film_map.h"
+#include "organ/picture/picture_heat.h"
+#include "organ/picture/picture_vessels.h"
 
 namespace resect {
 
 void SurfacePublisher::follow(const PresentSurface& surface) {
   followShape(surface);
+  if (surface.operated && (surface.organ.heat.changed() || heated_ || update_.everything)) {
+    update_.heat = pictureHeat(*surface.operated);
+    heated_ = surface.organ.heat.changed();
+  }
   if (!surface.film) return;
+  if (!vessels_) vessels_ = pictureVessels(surface.organ.map->anatomy);
+  if (update_.everything) update_.vessels = vessels_;
   const bool wet = !surface.film->wet().empty();
   if (wet || wet_ || update_.everything) update_.blood = filmMap(*surface.film, *surface.operated);
   wet_ = wet;

@@ -42,8 +42,10 @@ class SurfacePublisher {
 
   float seenMotion_;
   bool begun_ = false;
+  bool heated_ = false;         // whether heat changed tissue at the last follow()
   bool wet_ = false;            // whether there was blood at the last follow()
   std::uint64_t followed_ = 0;  // SurfaceTracker::Changes::number at the last follow()
+  std::shared_ptr<const VesselPicture> vessels_;  // made once
   SurfaceUpdate update_;
   std::vector<Vec3f> told_;           // for moving tissue: last published position of each vertex
   std::vector<std::uint8_t> unseen_;  // 1 for each block whose motion has not been taken yet

@@ -91,7 +91,7 @@ bool same(const ToolInput& a, const ToolInput& b) {
          std::memcmp(&a.pedal, &b.pedal, sizeof a.pedal) == 0;
 }
 
-void write(Writer& to, const RemoveCell& e) { to.plain(e.cell); }
+void write(Writer& to, const RemoveCell& e) { to.plain(e.cell), to.plain(e.spares); }
 void write(Writer& to, const SeverBond& e) { to.plain(e.cell), to.plain(e.direction); }
 void write(Writer& to, const Incision& e) {
   to.count(e.blade.triangles.size());
@@ -105,13 +105,19 @@ void write(Writer&, const Release&) {}
 void write(Writer& to, const SetLabel& e) { to.plain(e.cell), to.plain(e.label); }
 
 void write(Writer& to, const PlaceClip& e) { to.plain(e.segment), to.plain(e.share); }
-void write(Writer& to, const Coagulate& e) {
-  to.vec(e.place), to.plain(e.radius), to.plain(e.widest);
-}
+void write(Writer& to, const Heat& e) { to.vec(e.place), to.plain(e.radius), to.plain(e.power); }
 void write(Writer& to, const ClampInflow& e) { to.plain(std::uint8_t(e.closed)); }
 void write(Writer& to, const Suction& e) { to.vec(e.place), to.plain(e.radius), to.plain(e.rate); }
 
-void read(Reader& from, RemoveCell& e) { e.cell = from.plain<std::int64_t>(); }
+void write(Writer& to, const Press& e) {
+  to.vec(e.place), to.plain(e.radius), to.plain(e.pressure), to.plain(e.soaks);
+}
+void write(Writer& to, const DivideVessel& e) { to.plain(e.segment), to.plain(e.share); }
+
+void read(Reader& from, RemoveCell& e) {
+  e.cell = from.plain<std::int64_t>();
+  e.spares = from.plain<double>();
+}
 void read(Reader& from, SeverBond& e) {
   e.cell = from.plain<std::int64_t>();
   e.direction = from.plain<std::int32_t>();
@@ -137,14 +143,24 @@ void read(Reader& from, PlaceClip& e) {
   e.segment = from.plain<std::int32_t>();
   e.share = from.plain<double>();
 }
-void read(Reader& from, Coagulate& e) {
+void read(Reader& from, Heat& e) {
   e.place = from.vec();
-  e.radius = from.plain<double>(), e.widest = from.plain<double>();
+  e.radius = from.plain<double>(), e.power = from.plain<double>();
 }
 void read(Reader& from, ClampInflow& e) { e.closed = from.flag(); }
 void read(Reader& from, Suction& e) {
   e.place = from.vec();
   e.radius = from.plain<double>(), e.rate = from.plain<double>();
+}
+
+void read(Reader& from, Press& e) {
+  e.place = from.vec();
+  e.radius = from.plain<double>(), e.pressure = from.plain<double>();
+  e.soaks = from.plain<double>();
+}
+void read(Reader& from, DivideVessel& e) {
+  e.segment = from.plain<std::int32_t>();
+  e.share = from.plain<double>();
 }
 
 using EditKind = decltype(TissueEdit::what);

@@ -20,7 +20,7 @@
 
 namespace resect {
 
-inline constexpr int kRecordingSchema = 7;
+inline constexpr int kRecordingSchema = 8;
 // Most bytes that a recording may have, its write-ahead log included.
 inline constexpr std::size_t kLargestRecording = std::size_t(1) << 30;
 

@@ -115,3 +115,43 @@ TEST_CASE("the wheel presses deeper, within bounds, and turns the edge") {
   CHECK(hand.heading.dot(Vec3::UnitX()) == doctest::Approx(std::cos(0.5)));
   CHECK_THROWS_AS(poseOf(takeUp(styleOf("baton"), Vec3::UnitX())), Error);
 }
+
+TEST_CASE("a hand that stops bleeding goes to the vessel near the pointer, and works at it") {
+  ToolModel clip;
+  clip.jaws.opening = 0.5;
+  const Vec3 normal = Vec3(0.2, 1, -0.3).normalized(), aside = normal.unitOrthogonal();
+  SurfaceHand hand = takeUp(handStyleOf(clip), Vec3::UnitX());
+  const Vec3 near = 0.004 * aside - 0.006 * normal, far = 0.03 * aside;
+  const std::vector<Vec3> targets = {far, near};
+  pointAt(hand, {Vec3::Zero(), normal});
+  seek(hand, targets);
+  REQUIRE(hand.target);
+  CHECK(*hand.target == near);
+  CHECK(workPoint(hand) == near);
+  CHECK((poseOf(hand).position - (near + hand.style.hover * normal)).norm() < 1e-12);
+  press(hand);
+  CHECK((poseOf(hand).position - near).norm() < 1e-12);
+
+  // A hand that presses keeps its vessel, until it is drawn away.
+  pointAt(hand, {0.02 * aside, normal});
+  seek(hand, targets);
+  CHECK_FALSE(hand.target);
+  CHECK(depthOf(hand, normal) == doctest::Approx(hand.depth));
+  lift(hand);
+  seek(hand, targets);
+  CHECK(hand.target == far);
+  pointAt(hand, {0.1 * aside, normal});
+  seek(hand, targets);
+  CHECK_FALSE(hand.target);
+  CHECK(workPoint(hand) == hand.at.point);
+}
+
+TEST_CASE("an instrument that stops no bleeding seeks nothing") {
+  const std::vector<Vec3> targets = {Vec3(0.001, 0, 0)};
+  for (const char* name : {"scalpel", "hook", "baton", "scissors"}) {
+    SurfaceHand hand = takeUp(styleOf(name), Vec3::UnitX());
+    pointAt(hand, {Vec3::Zero(), Vec3::UnitY()});
+    seek(hand, targets);
+    CHECK_FALSE(hand.target);
+  }
+}

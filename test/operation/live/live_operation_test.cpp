@@ -77,7 +77,7 @@ TEST_CASE(
   CHECK(live.state.particles == 12 * 8 * 12);
   CHECK(live.state.tips[0].below == doctest::Approx(top.y()).epsilon(0.05));
   CHECK(live.state.touching[0] == 0);
-  CHECK(live.state.times.stages.size() == 10);
+  CHECK(live.state.times.stages.size() == 11);
   CHECK(live.state.times.worst >= live.state.times.median);
   live.operation.setTool(0, {{live.box.centre(), kAway.rotation}, true});
   live.frames(3);

@@ -1,4 +1,4 @@
-#include "operation/live/loose_blood.h"
+#include "operation/blood/loose_blood.h"
 
 #include <algorithm>
 

@@ -1,23 +1,24 @@
 #define GL_GLEXT_PROTOTYPES
-#include "inventor/blood/blood_texture.h"
+#include "inventor/blood/tissue_texture.h"
 
 #include <GL/glext.h>
 
 namespace resect {
 
-void BloodTexture::bind(const std::shared_ptr<const BloodMap>& map, GLuint program) {
-  const GLint low = glGetUniformLocation(program, "bloodLow");
+void TissueTexture::bind(const std::shared_ptr<const TissueMap>& map, GLuint program) {
+  const auto at = [&](const char* what) {
+    return glGetUniformLocation(program, (name + what).c_str());
+  };
+  const GLint low = at("Low"), perMetre = at("PerMetre");
   if (low < 0) return;  // another material
-  const GLint perMetre = glGetUniformLocation(program, "bloodPerMetre"),
-              sampler = glGetUniformLocation(program, "bloodMap");
-  glUniform1i(sampler, kBloodUnit);
+  glUniform1i(at("Map"), unit);
   if (!map) {
     glUniform3f(perMetre, 0, 0, 0);
     return;
   }
-  GLint unit = 0;
-  glGetIntegerv(GL_ACTIVE_TEXTURE, &unit);
-  glActiveTexture(GLenum(GL_TEXTURE0 + kBloodUnit));
+  GLint active = 0;
+  glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  glActiveTexture(GLenum(GL_TEXTURE0 + unit));
   if (texture == 0) glGenTextures(1, &texture);
   glBindTexture(GL_TEXTURE_3D, texture);
   if (sent != map) {
@@ -33,7 +34,7 @@ void BloodTexture::bind(const std::shared_ptr<const BloodMap>& map, GLuint progr
     glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
     sent = map;
   }
-  glActiveTexture(GLenum(unit));
+  glActiveTexture(GLenum(active));
   // The middles of texels lie half a texel from the texture's sides.
   const Vec3f size = map->spacing * map->dims.cast<float>(),
               corner = map->low - Vec3f::Constant(0.5f * map->spacing);
@@ -41,7 +42,7 @@ void BloodTexture::bind(const std::shared_ptr<const BloodMap>& map, GLuint progr
   glUniform3f(perMetre, 1 / size.x(), 1 / size.y(), 1 / size.z());
 }
 
-void BloodTexture::free() const {
+void TissueTexture::free() const {
   if (texture) glDeleteTextures(1, &texture);
 }
 

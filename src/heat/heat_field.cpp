@@ -1,0 +1,235 @@
+#include "heat/heat_field.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/elementary.h"
+#include "base/error.h"
+
+namespace resect {
+namespace {
+
+constexpr double kBoils = 100;                  // C
+constexpr double kCoagulates = 42;              // C: below it takes an hour
+constexpr double kSteam = 2.26e6 * 1060 * 0.7;  // J/m^3: latent heat of the water in liver, 70 %
+constexpr double kChars = 150;                  // C, and
+constexpr double kCharTime = 100;               // K s: above it until all is charred (estimate)
+constexpr double kWarm = 0.01;                  // K: warmer spots warm those beside them
+constexpr double kUnchanged = 0.005;            // K and a share: below both a spot is forgotten
+constexpr double kLongestStep = 0.25;  // s; steps of h^2 / (6 k / rho c), 2.7 s, would be unstable
+
+constexpr double kBoltzmannOverPlanck = 2.0837e10;       // 1/(K s)
+constexpr double kEnthalpy = 2.768e5, kEntropy = 553.5;  // J/mol; J/(mol K): Jacques et al. 1991
+constexpr double kGas = 8.314, kKelvin = 273.15;         // J/(mol K); K
+
+std::array<Vec3i, 3> forward() { return {Vec3i(1, 0, 0), Vec3i(0, 1, 0), Vec3i(0, 0, 1)}; }
+
+}  // namespace
+
+double coagulationRate(double temperature) {
+  const double kelvin = temperature + kKelvin;
+  return kBoltzmannOverPlanck * kelvin * math::exp(kEntropy / kGas - kEnthalpy / (kGas * kelvin));
+}
+
+HeatField::HeatField(const Aabb& box) {
+  lattice_.spacing = Vec3::Constant(kSpacing);
+  lattice_.origin = box.min;
+  for (int a = 0; a < 3; ++a) lattice_.dims[a] = int(std::ceil(box.size()[a] / kSpacing)) + 1;
+}
+
+void HeatField::requireSound() const {
+  std::int64_t last = -1;
+  for (const HeatedSpot& s : spots_) {
+    if (s.index <= last || s.index >= lattice_.cellCount() || !std::isfinite(s.temperature))
+      throw error("the state has heat where the organ is not; give it as it was saved");
+    last = s.index;
+  }
+}
+
+const HeatedSpot* HeatField::find(std::int64_t index) const {
+  const auto at = std::ranges::lower_bound(spots_, index, {}, &HeatedSpot::index);
+  return at != spots_.end() && at->index == index ? &*at : nullptr;
+}
+
+template <typename Value>
+double HeatField::between(const Vec3& place, double elsewhere, Value value) const {
+  if (spots_.empty()) return elsewhere;
+  const Vec3 at = lattice_.toCellSpace(place);
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vec3i cell;
+    double weight = 1;
+    for (int a = 0; a < 3; ++a) {
+      const double low = std::floor(at[a]);
+      const bool high = corner >> a & 1;
+      cell[a] = int(low) + high;
+      weight *= high ? at[a] - low : 1 - (at[a] - low);
+    }
+    const HeatedSpot* spot = lattice_.contains(cell) ? find(lattice_.index(cell)) : nullptr;
+    sum += weight * (spot ? value(*spot) : elsewhere);
+  }
+  return sum;
+}
+
+double HeatField::temperature(const Vec3& place) const {
+  return between(place, kBodyTemperature, [](const HeatedSpot& s) { return s.temperature; });
+}
+double HeatField::coagulated(const Vec3& place) const {
+  return between(place, 0, [](const HeatedSpot& s) { return s.coagulated; });
+}
+double HeatField::charred(const Vec3& place) const {
+  return between(place, 0, [](const HeatedSpot& s) { return s.charred; });
+}
+
+double HeatField::energy() const {
+  double sum = 0;
+  for (const HeatedSpot& s : spots_)
+    sum += kHeatCapacity * (s.temperature - kBodyTemperature) + kSteam * (1 - s.water);
+  return sum * lattice_.cellVolume();
+}
+
+// Makes spots of added_, at 37 C, unless they exist.
+void HeatField::insert() {
+  std::ranges::sort(added_);
+  added_.erase(std::unique(added_.begin(), added_.end()), added_.end());
+  const std::size_t before = spots_.size();
+  for (const std::int64_t index : added_) {
+    const auto end = spots_.begin() + std::ptrdiff_t(before);
+    const auto at = std::ranges::lower_bound(spots_.begin(), end, index, {}, &HeatedSpot::index);
+    if (at == end || at->index != index) spots_.push_back({.index = index});
+  }
+  std::inplace_merge(spots_.begin(), spots_.begin() + std::ptrdiff_t(before), spots_.end(),
+                     [](const HeatedSpot& a, const HeatedSpot& b) { return a.index < b.index; });
+  added_.clear();
+}
+
+// Heats the tissue in the ball, or if there is none, the nearest place of the lattice.
+void HeatField::add(const HeatSource& source, double duration,
+                    const std::function<bool(const Vec3&)>& isTissue) {
+  if (!(source.power > 0) || !source.place.allFinite()) return;
+  Aabb box;
+  box.grow(source.place);
+  std::vector<std::int64_t> heated;
+  visitCellsIn(lattice_, box.padded(source.radius), [&](const Vec3i& cell) {
+    const Vec3 centre = lattice_.centre(cell);
+    if ((centre - source.place).norm() <= source.radius && isTissue(centre))
+      heated.push_back(lattice_.index(cell));
+  });
+  if (heated.empty()) {
+    const Vec3 near = lattice_.toCellSpace(source.place);
+    const Vec3i cell(int(std::lround(near.x())), int(std::lround(near.y())),
+                     int(std::lround(near.z())));
+    if (!lattice_.contains(cell) || !isTissue(lattice_.centre(cell))) return;
+    heated.push_back(lattice_.index(cell));
+  }
+  added_ = heated;
+  insert();
+  const double rise =
+      source.power * duration / (double(heated.size()) * lattice_.cellVolume() * kHeatCapacity);
+  for (const std::int64_t index : heated)
+    std::ranges::lower_bound(spots_, index, {}, &HeatedSpot::index)->temperature += rise;
+}
+
+// Spots beside warm ones become spots too.
+void HeatField::spread(const std::function<bool(const Vec3&)>& isTissue) {
+  for (const HeatedSpot& s : spots_) {
+    if (s.temperature < kBodyTemperature + kWarm) continue;
+    const Vec3i cell = lattice_.cell(s.index);
+    for (const Vec3i& step : forward())
+      for (const Vec3i& beside : {Vec3i(cell + step), Vec3i(cell - step)}) {
+        if (!lattice_.contains(beside)) continue;
+        const std::int64_t index = lattice_.index(beside);
+        if (!find(index) && isTissue(lattice_.centre(beside))) added_.push_back(index);
+      }
+  }
+  insert();
+}
+
+void HeatField::conduct(double duration) {
+  flux_.assign(spots_.size(), 0);
+  const double conductance = kConductivity * kSpacing;  // between two spots, W/K
+  for (const Vec3i& step : forward()) {
+    const std::int64_t stride = lattice_.index(step) - lattice_.index(Vec3i::Zero());
+    std::size_t other = 0;  // runs along with i
+    for (std::size_t i = 0; i < spots_.size(); ++i) {
+      const std::int64_t wanted = spots_[i].index + stride;
+      while (other < spots_.size() && spots_[other].index < wanted) ++other;
+      if (other == spots_.size()) break;
+      if (spots_[other].index != wanted ||
+          !lattice_.contains(lattice_.cell(spots_[i].index) + step))
+        continue;
+      const double flow = conductance * (spots_[other].temperature - spots_[i].temperature);
+      flux_[i] += flow;
+      flux_[other] -= flow;
+    }
+  }
+  const double volume = lattice_.cellVolume();
+  for (std::size_t i = 0; i < spots_.size(); ++i) {
+    HeatedSpot& s = spots_[i];
+    const double perfused = kPerfusion * kBloodCapacity * (1 - s.coagulated) * volume;  // W/K
+    s.temperature += duration * (flux_[i] - perfused * (s.temperature - kBodyTemperature)) /
+                     (kHeatCapacity * volume);
+  }
+}
+
+void HeatField::keepIn(const std::function<bool(const Vec3&)>& isTissue) {
+  std::erase_if(spots_, [&](const HeatedSpot& s) {
+    return !isTissue(lattice_.centre(lattice_.cell(s.index)));
+  });
+}
+
+void HeatField::step(std::span<const HeatSource> sources, double duration,
+                     const std::function<bool(const Vec3&)>& isTissue) {
+  changed_ = false;
+  const bool warm = std::ranges::any_of(
+      spots_, [](const HeatedSpot& s) { return s.temperature >= kBodyTemperature + kWarm; });
+  if (!warm && sources.empty()) return;
+  const int steps = std::max(1, int(std::ceil(duration / kLongestStep)));
+  const double dt = duration / steps;
+  for (int k = 0; k < steps && dt > 0; ++k) {
+    for (const HeatSource& source : sources) add(source, dt, isTissue);
+    spread(isTissue);
+    conduct(dt);
+    for (HeatedSpot& s : spots_) {
+      if (s.temperature > kBoils && s.water > 0) {
+        const double steam = std::min(s.water, (s.temperature - kBoils) * kHeatCapacity / kSteam);
+        s.water -= steam;
+        s.temperature -= steam * kSteam / kHeatCapacity;
+      }
+      if (s.temperature < kCoagulates) continue;
+      const double before = s.coagulated + s.charred;
+      s.coagulated += (1 - s.coagulated) * (1 - math::exp(-coagulationRate(s.temperature) * dt));
+      if (s.temperature > kChars)
+        s.charred = std::min(1.0, s.charred + (s.temperature - kChars) * dt / kCharTime);
+      changed_ |= s.coagulated + s.charred > before + 1e-4;
+    }
+  }
+  if (sources.empty()) forget();  // what heats slowly would else be forgotten in each frame
+}
+
+// Drops spots that are cool and unchanged, unless they are beside a warm one.
+void HeatField::forget() {
+  const auto warm = [&](const Vec3i& cell) {
+    const HeatedSpot* s = lattice_.contains(cell) ? find(lattice_.index(cell)) : nullptr;
+    return s && s->temperature >= kBodyTemperature + kWarm;
+  };
+  std::vector<std::int64_t>& idle = added_;
+  idle.clear();
+  for (const HeatedSpot& s : spots_) {
+    if (std::abs(s.temperature - kBodyTemperature) >= kWarm || s.coagulated >= kUnchanged ||
+        s.water < 1)
+      continue;
+    const Vec3i cell = lattice_.cell(s.index);
+    const auto steps = forward();
+    if (std::ranges::none_of(
+            steps, [&](const Vec3i& step) { return warm(cell + step) || warm(cell - step); }))
+      idle.push_back(s.index);
+  }
+  if (idle.empty()) return;
+  std::erase_if(spots_,
+                [&](const HeatedSpot& s) { return std::ranges::binary_search(idle, s.index); });
+  idle.clear();
+}
+
+}  // namespace resect

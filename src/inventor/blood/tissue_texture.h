@@ -1,0 +1,27 @@
+// A map of an organ's tissue as a texture for shaders (data/shaders/blood.glsl).
+#pragma once
+
+#include <GL/gl.h>
+
+#include <memory>
+#include <string>
+
+#include "surface/tissue_map.h"
+
+namespace resect {
+
+inline constexpr int kBloodUnit = 6, kHeatUnit = 8;  // texture units
+
+struct TissueTexture {
+  std::string name;  // the shader's uniforms are nameMap, nameLow and namePerMetre
+  int unit = 0;
+  GLuint texture = 0;
+  std::shared_ptr<const TissueMap> sent;  // the map in the texture
+
+  // Binds the texture, and tells `program` where the map lies. map: null if it shows nothing. The
+  // program must be in use.
+  void bind(const std::shared_ptr<const TissueMap>& map, GLuint program);
+  void free() const;
+};
+
+}  // namespace resect

@@ -1,0 +1,25 @@
+// The vessels of an organ as textures for shaders (data/shaders/vessels.glsl).
+#pragma once
+
+#include <GL/gl.h>
+
+#include <memory>
+
+#include "surface/vessel_picture.h"
+
+namespace resect {
+
+inline constexpr int kVesselBinsUnit = 9, kVesselListUnit = 10;  // texture units
+
+struct VesselTexture {
+  GLuint textures[2] = {};  // bins and entries
+  float rows[2] = {1, 1};   // of these textures
+  std::shared_ptr<const VesselPicture> sent;
+
+  // Binds the textures, and tells `program` where the vessels lie. picture: null if there are none.
+  // The program must be in use.
+  void bind(const std::shared_ptr<const VesselPicture>& picture, GLuint program);
+  void free() const;
+};
+
+}  // namespace resect

@@ -1,0 +1,47 @@
+#include "organ/picture/picture_heat.h"
+
+#include <algorithm>
+
+namespace resect {
+namespace {
+
+std::uint8_t toByte(double share) {
+  return std::uint8_t(std::clamp(255 * share + 0.5, 0.0, 255.0));
+}
+
+}  // namespace
+
+std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
+  const HeatField& heat = organ.organ.heat;
+  if (heat.empty()) return nullptr;
+  const Lattice& lattice = heat.lattice();
+  Vec3i low = lattice.dims, high = Vec3i::Constant(-1);
+  for (const HeatedSpot& s : heat.spots()) {
+    const Vec3i cell = lattice.cell(s.index);
+    low = low.cwiseMin(cell);
+    high = high.cwiseMax(cell);
+  }
+  low -= Vec3i::Ones(), high += Vec3i::Ones();
+  auto map = std::make_shared<TissueMap>();
+  map->low = lattice.centre(low).cast<float>();
+  map->spacing = float(HeatField::kSpacing);
+  map->dims = high - low + Vec3i::Ones();
+  map->texels.assign(2 * std::size_t(map->dims.prod()), 0);
+  const Lattice& cells = organ.organ.rest.lattice;
+  for (const HeatedSpot& s : heat.spots()) {
+    const Vec3i at = lattice.cell(s.index) - low;
+    const std::size_t texel =
+        std::size_t((at.z() * map->dims.y() + at.y()) * map->dims.x() + at.x());
+    map->texels[2 * texel] = toByte(s.coagulated);
+    map->texels[2 * texel + 1] = toByte(s.charred);
+    const Vec3 rest = lattice.centre(lattice.cell(s.index));
+    const Vec3 cell = cells.toCellSpace(rest).array().round();
+    const Vec3i near = cell.cast<int>();
+    if (cells.contains(near) && organ.tissue->solid(cells.index(near)))
+      map->box.grow(Vec3(rest + organ.tissue->displacement(cells.index(near))));
+  }
+  if (!map->box.empty()) map->box = map->box.padded(2 * cells.spacing.x());
+  return map;
+}
+
+}  // namespace resect

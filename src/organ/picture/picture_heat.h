@@ -1,0 +1,15 @@
+// What heat has done to an organ, as viewers draw it.
+#pragma once
+
+#include <memory>
+
+#include "organ/operated_organ.h"
+#include "surface/tissue_map.h"
+
+namespace resect {
+
+// Coagulated and charred shares round the heated spots; null if nothing has changed there. Cost:
+// the box round these spots.
+std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ);
+
+}  // namespace resect

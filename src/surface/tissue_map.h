@@ -1,0 +1,25 @@
+// Two values at each place of an organ's tissue at rest, as bytes for viewers: how thick blood lies
+// on it, or what heat has done to it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/aabb.h"
+
+namespace resect {
+
+struct TissueMap {
+  static constexpr float kDeepest = 2e-3f;  // m of blood that 255 stands for; more counts as this
+
+  // Texel (0, 0, 0) is at `low`, the next ones `spacing` apart, x fastest; m. Two bytes each. Of
+  // blood: liquid and clotted; places without skin have the mean of the skin beside them. Of heat:
+  // coagulated and charred, 255 for wholly.
+  Vec3f low = Vec3f::Zero();
+  float spacing = 1;
+  Vec3i dims = Vec3i::Zero();
+  std::vector<std::uint8_t> texels;
+  Aabb box;  // round all that the map shows, world, m
+};
+
+}  // namespace resect

@@ -1,0 +1,14 @@
+// Working part of an ultrasonic aspirator: it breaks up and draws off soft tissue at its tip, and
+// leaves vessels of more than 1 mm, whose walls are tough.
+#pragma once
+
+#include "tools/working_part.h"
+
+namespace resect {
+
+class AspiratorPart : public WorkingPart {
+ public:
+  void act(const Touch& touch, std::vector<TissueEdit>& edits) const override;
+};
+
+}  // namespace resect

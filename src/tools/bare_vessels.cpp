@@ -1,0 +1,27 @@
+#include "tools/bare_vessels.h"
+
+#include <cmath>
+
+#include "tools/rest_place.h"
+
+namespace resect {
+
+void divideBareVessels(const Touch& touch, const SweptBlade& sweep,
+                       std::vector<TissueEdit>& edits) {
+  if (sweep.empty()) return;
+  const Organ& organ = touch.organ;
+  const Lattice& lattice = organ.rest.lattice;
+  for (const std::int32_t i : organ.vessels.bared) {
+    const VesselSegment& s = organ.map->anatomy.segments[std::size_t(i)];
+    const auto at = crossing(sweep, presentPlace(organ, touch.tissue, s.start),
+                             presentPlace(organ, touch.tissue, s.end));
+    if (!at) continue;
+    const Vec3 place = lattice.toCellSpace(s.at(at->share)).array().round();
+    const Vec3i cell = place.cast<int>();
+    const bool inTissue =
+        lattice.contains(cell) && organ.alive[std::size_t(lattice.index(cell))] != 0;
+    if (!inTissue) edits.push_back(touch.edit(DivideVessel{i, at->share}));
+  }
+}
+
+}  // namespace resect

@@ -1,0 +1,185 @@
+// Instruments that stop bleeding or avoid it, on a block of still tissue with one vein.
+#include <doctest/doctest.h>
+
+#include "anatomy/small_vessels.h"
+#include "simulation/simulation.h"
+#include "support/block_organ.h"
+#include "support/test_tools.h"
+
+using namespace resect;
+
+namespace {
+
+constexpr double kSide = 0.005;  // m
+constexpr double kHeight = 0.0151, kDepth = 0.0301;
+
+// As in bleeding_test.cpp: 60 x 30 x 60 mm; the vein runs along x.
+Simulation block(std::vector<std::unique_ptr<Tool>> tools, double radius = 0.002) {
+  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
+  cells.lattice.origin = Vec3::Constant(0.5 * kSide);
+  Organ organ = makeOrgan(std::move(cells), {});
+  organ.map = makeVesselMap(test::straightVessel(
+      VesselKind::PortalVein, Vec3(-0.02, kHeight, kDepth), Vec3(0.05, kHeight, kDepth), radius));
+  return Simulation(std::move(organ), std::move(tools));
+}
+
+template <typename... Tools>
+std::vector<std::unique_ptr<Tool>> list(Tools... tools) {
+  std::vector<std::unique_ptr<Tool>> all;
+  (all.push_back(std::move(tools)), ...);
+  return all;
+}
+
+// A small instrument with its tip at the origin and its handle upwards.
+std::unique_ptr<Tool> instrument(const char* kind, bool jaws = false) {
+  return test::describedTool(kind, boxMesh({{-0.001, -0.001, 0}, {0.001, 0.001, 0.06}}),
+                             [&](ToolModel& m) {
+                               if (!jaws) return;
+                               m.jaws.pivot = Vec3(0, 0, 0.03);
+                               m.jaws.opening = 0.4;
+                             });
+}
+
+const Eigen::Quaterniond kUpright(Eigen::AngleAxisd(-1.5707963267948966, Vec3::UnitX()));
+
+ToolInput at(const Vec3& place, double squeeze = 0) { return {{place, kUpright}, true, squeeze}; }
+ToolInput away() { return {{Vec3(1, 1, 1), kUpright}, false}; }
+
+StepReport step(Simulation& simulation, std::vector<ToolInput> tools,
+                std::vector<TissueEdit> edits = {}) {
+  FrameInput input;
+  input.tools = std::move(tools);
+  input.edits = std::move(edits);
+  return simulation.step(input);
+}
+
+TissueEdit cutAcross() { return {0, -1, Incision{test::acrossX(0.0321, 0.01, 0.05)}}; }
+
+// Draws the aspirator down to the vein and along z through the block, at x.
+void groove(Simulation& simulation, std::size_t tool, double x) {
+  std::vector<ToolInput> inputs(simulation.tools().size(), away());
+  for (double y = 0.029; y > 0.006; y -= 0.003)
+    for (double z = 0.0; z < 0.061; z += 0.002) {
+      inputs[tool] = at({x, y, z});
+      step(simulation, inputs);
+    }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "an aspirator leaves a vein of 4 mm bare, which then is clipped and divided without loss") {
+  auto scissors = test::describedTool(
+      "scissors", boxMesh({{-0.001, -0.001, 0}, {0.001, 0.001, 0.08}}), [](ToolModel& m) {
+        m.edge = {{0, 0, 0}, {0, 0, 0.025}};
+        m.jaws.pivot = Vec3(0, 0, 0.03);
+        m.jaws.opening = 0.6;
+      });
+  Simulation simulation =
+      block(list(instrument("aspirator"), instrument("clip_applier", true), std::move(scissors)));
+  groove(simulation, 0, 0.0175);
+  groove(simulation, 0, 0.0225);
+  const Organ& organ = simulation.organ();
+  CHECK(organ.removed > 50);
+  CHECK(organ.vessels.injuries.empty());
+  REQUIRE(organ.vessels.bared == std::vector<std::int32_t>{0});
+
+  // Clips on both sides, close to the groove's walls; each press sets one.
+  for (const double x : {0.0165, 0.0235}) {
+    const Vec3 place(x, kHeight, kDepth);
+    for (const double squeeze : {0.0, 0.5, 1.0, 1.0})
+      step(simulation, {away(), at(place, squeeze), away()});
+    step(simulation, {away(), away(), away()});
+  }
+  REQUIRE(organ.vessels.clips.size() == 2);
+  CHECK(organ.vessels.clips[0].share < (0.02 + 0.02) / 0.07);
+  CHECK(organ.vessels.clips[1].share > (0.02 + 0.02) / 0.07);
+
+  // The scissors close across it, from above.
+  const Vec3 tip(0.02, kHeight - 0.008, kDepth);
+  for (double squeeze = 0; squeeze < 1.01; squeeze += 0.1)
+    step(simulation, {away(), away(), at(tip, std::min(squeeze, 1.0))});
+  REQUIRE(organ.vessels.injuries.size() == 1);
+  CHECK(organ.vessels.injuries[0].severed());
+  StepReport report;
+  for (int i = 0; i < 60; ++i) report = step(simulation, {away(), away(), away()});
+  CHECK(report.blood.ends.empty());
+}
+
+TEST_CASE("an aspirator takes thin vessels with the tissue") {
+  Simulation simulation = block(list(instrument("aspirator")), 0.0004);
+  groove(simulation, 0, 0.0225);
+  CHECK(simulation.organ().vessels.bared.empty());
+  REQUIRE(simulation.organ().vessels.injuries.size() == 1);
+  CHECK(simulation.organ().vessels.injuries[0].severed());
+}
+
+TEST_CASE("a clip goes to the end that bleeds most within reach") {
+  Simulation simulation = block(list(instrument("clip_applier", true)));
+  StepReport report = step(simulation, {away()}, {cutAcross()});
+  for (int i = 0; i < 5; ++i) report = step(simulation, {away()});
+  REQUIRE(report.blood.ends.size() == 1);
+  const Vec3 near = Vec3(0.0321, kHeight, kDepth) + Vec3(0.003, 0.002, -0.003);
+  for (const double squeeze : {0.0, 0.5, 1.0, 1.0, 0.5, 0.0})
+    report = step(simulation, {at(near, squeeze)});
+  const VesselState& vessels = simulation.organ().vessels;
+  REQUIRE(vessels.clips.size() == 1);
+  CHECK(vessels.clipped(vessels.injuries[0], VesselEnd::Root));
+  report = step(simulation, {away()});
+  CHECK(report.blood.ends.empty());
+}
+
+TEST_CASE("bipolar forceps seal a cut vein while their tips are closed, and only then") {
+  Simulation simulation = block(list(instrument("bipolar", true)));
+  StepReport report = step(simulation, {away()}, {cutAcross()});
+  const Vec3 place(0.0321, kHeight, kDepth);
+  for (int i = 0; i < 120; ++i) report = step(simulation, {at(place, 0.5)});
+  CHECK(simulation.organ().heat.empty());
+  REQUIRE(report.blood.ends.size() == 1);
+  for (int i = 0; i < 300; ++i) report = step(simulation, {at(place, 1)});
+  CHECK(report.blood.ends.empty());
+  CHECK(simulation.organ().vessels.injuries[0].sealed == 3);
+  CHECK(simulation.organ().heat.coagulated(place) > 0.9);
+}
+
+TEST_CASE("a clamp shuts the inflow at the hilum, until it is opened there") {
+  Simulation simulation = block(list(instrument("inflow_clamp", true)));
+  const Vec3 hilum(-0.01, kHeight, kDepth), elsewhere(0.05, 0.2, kDepth);
+  const auto squeeze = [&](const Vec3& place, std::initializer_list<double> squeezes) {
+    for (const double s : squeezes) step(simulation, {at(place, s)});
+    return simulation.organ().vessels.inflowClamped;
+  };
+  CHECK_FALSE(squeeze(elsewhere, {0, 0.6, 1}));
+  CHECK_FALSE(squeeze(hilum, {0, 0}));
+  CHECK(squeeze(hilum, {0, 0.6, 1, 1, 1}));
+  CHECK(simulation.organ().vessels.clampedTime == doctest::Approx(3.0 / 60));
+  CHECK(squeeze(elsewhere, {1, 0.3}));
+  CHECK(squeeze(hilum, {0.3, 1}));
+  CHECK_FALSE(squeeze(hilum, {1, 0.4}));
+}
+
+TEST_CASE("a swab slows a cut vein under it while it is pressed, and takes up blood") {
+  Simulation simulation = block(list(instrument("gauze")));
+  StepReport report = step(simulation, {away()}, {cutAcross()});
+  for (int i = 0; i < 60; ++i) report = step(simulation, {away()});
+  const double before = report.blood.rate;
+  for (int i = 0; i < 60; ++i) report = step(simulation, {at({0.0321, 0.031, kDepth})});
+  CHECK(report.blood.rate < before);
+  CHECK(report.blood.ledger.absorbed > 0);
+  const Picolitres absorbed = report.blood.ledger.absorbed;
+  for (int i = 0; i < 60; ++i) report = step(simulation, {away()});
+  CHECK(report.blood.ledger.absorbed == absorbed);
+  CHECK(report.blood.ledger.bled == report.blood.ledger.found());
+}
+
+TEST_CASE("a pencil coagulates where it cuts") {
+  auto pencil = test::describedTool(
+      "pencil", boxMesh({{-0.0003, -0.002, 0}, {0.0003, 0.002, 0.06}}), [](ToolModel& m) {
+        m.edge = {{0, -0.002, 0}, {0, -0.002, 0.02}};
+      });
+  Simulation simulation = block(list(std::move(pencil)));
+  for (double z = 0.005; z < 0.05; z += 0.0001) step(simulation, {at({0.0321, 0.022, z})});
+  CHECK(simulation.organ().severed.count() > 0);
+  CHECK(simulation.organ().heat.coagulated(Vec3(0.0321, 0.0235, 0.03)) > 0.5);
+  CHECK(simulation.organ().heat.coagulated(Vec3(0.045, 0.0235, 0.03)) == 0);
+}
