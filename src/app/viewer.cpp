@@ -9,6 +9,7 @@
 #include <QPaintEvent>
 #include <QPainter>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/stage_clock.h"
@@ -17,9 +18,11 @@
 namespace resect {
 namespace {
 
-constexpr double kStillSeconds = 0.25;  // after this the picture is drawn antialiased
-constexpr int kStrips = 10;             // of a smooth picture, one a tick
-constexpr int kPicturesPerStrip = 6;    // while something moves
+constexpr double kStillSeconds = 0.1;  // after this the picture is drawn antialiased
+constexpr double kSlowSeconds = 0.25;  // at least, from one drawing of slow damage to the next
+constexpr int kStrips = 10;            // of a smooth picture, one a tick
+constexpr std::uint32_t kAllStrips = (1u << kStrips) - 1;
+constexpr int kPicturesPerStrip = 6;  // while something moves
 
 int inventorKey(int key) {
   if (key >= Qt::Key_A && key <= Qt::Key_Z) return SoKeyboardEvent::A + (key - Qt::Key_A);
@@ -79,6 +82,7 @@ void Viewer::waitForNext() {
 
 void Viewer::show(OperatingSession* session) {
   session_ = session;
+  damage_ = {};
   damage_.everything = true;
   session ? waitForNext() : timer_.stop();
   image_ = {};
@@ -104,6 +108,7 @@ void Viewer::tick() {
   if (!session_) return;
   const double looked = steadySeconds();
   damage_.add(session_->update());
+  takeSlowDamage();
   const double still = double(still_.elapsed()) * 1e-3;
   if (!isVisible() || window()->isMinimized()) {
     // Damage is drawn when the window is visible again.
@@ -111,16 +116,51 @@ void Viewer::tick() {
     drawChanges(looked);
     still_.restart();
     // While tissue moves, still parts behind it are drawn smooth strip by strip.
-    if (behind_ < kStrips && ++sinceStrip_ >= kPicturesPerStrip) {
-      drawStrip(behind_++);
+    if (behind_ != 0 && ++sinceStrip_ >= kPicturesPerStrip) {
+      drawNextStrip(behind_);
       sinceStrip_ = 0;
     }
-  } else if (still > kStillSeconds && strip_ < kStrips) {
-    session_->room().holdShadows(false);
-    drawStrip(strip_++);
-    if (strip_ == kStrips) behind_ = kStrips;
+  } else if (still > kStillSeconds && rough_ != 0) {
+    drawNextStrip(rough_);
+    behind_ &= rough_;
+    // Shadows of what moves slowly are drawn once for all strips.
+    session_->room().holdShadows(rough_ != 0);
   }
   if (ticked) ticked();
+}
+
+void Viewer::drawNextStrip(std::uint32_t& strips) {
+  const int strip = std::countr_zero(strips);
+  strips &= strips - 1;
+  drawStrip(strip);
+}
+
+// Slow damage makes its strips rough: they are drawn again, one a tick, at full resolution.
+void Viewer::takeSlowDamage() {
+  if (damage_.slow.empty() || image_.isNull()) return;
+  if (!picture_.processorDraws()) {
+    damage_.boxes.push_back(std::exchange(damage_.slow, {}));
+    return;
+  }
+  const double now = double(clock_.nsecsElapsed()) * 1e-9;
+  if (rough_ != 0 || behind_ != 0 || now - slowDrawn_ < kSlowSeconds) return;
+  slowDrawn_ = now;
+  const Damage slow{false, {std::exchange(damage_.slow, {})}, {}};
+  const std::uint32_t strips = stripsOf(pixelsOf(slow, *session_->room().camera(), viewport()));
+  rough_ |= strips;
+  behind_ |= strips;
+  session_->room().holdShadows(false);
+}
+
+// The strips that have any of these pixels.
+std::uint32_t Viewer::stripsOf(std::span<const PixelRect> parts) const {
+  const int height = pictureSize().height();
+  std::uint32_t strips = 0;
+  for (const PixelRect& part : parts)
+    for (int i = 0; i < kStrips; ++i)
+      if (part.bottom < height * (i + 1) / kStrips && part.top > height * i / kStrips)
+        strips |= 1u << i;
+  return strips;
 }
 
 void Viewer::drawChanges(double looked) {
@@ -132,9 +172,19 @@ void Viewer::drawChanges(double looked) {
   const QRegion changed = fetch(picture_.draw(session_->root(), *session_->room().camera(), damage_,
                                               viewport().getWindowSize()));
   pace_.pictureIsDrawn();
-  strip_ = picture_.processorDraws() ? 0 : kStrips;
-  if (whole) behind_ = strip_, sinceStrip_ = 0;
+  if (!picture_.processorDraws()) {
+    rough_ = behind_ = 0;
+  } else if (whole) {
+    rough_ = behind_ = kAllStrips;
+    sinceStrip_ = 0;
+  } else {
+    damage_.add({false, damage_.shadows, {}});
+    rough_ |= stripsOf(pixelsOf(damage_, *session_->room().camera(), viewport()));
+  }
+  const Aabb slow = whole ? Aabb() : damage_.slow;
   damage_ = {};
+  damage_.slow = slow;
+  session_->room().holdShadows(false);
   repaint(changed);
   pace_.pictureShown();
   const double end = double(clock_.nsecsElapsed()) * 1e-9;
@@ -175,13 +225,31 @@ void Viewer::paintEvent(QPaintEvent* event) {
   if (shown.width() < width() || shown.height() < height())
     painter.fillRect(event->rect(), QColor(13, 15, 18));
   painter.drawImage(QPointF(0, 0), image_);
+  if (session_ || waiting_.isEmpty()) return;
+  QFont large = font();
+  large.setPointSizeF(2.4 * font().pointSizeF());
+  painter.setFont(large);
+  painter.setPen(QColor(222, 228, 230));
+  QRect line(0, height() / 2 - 2 * QFontMetrics(large).height(), width(),
+             QFontMetrics(large).height());
+  painter.drawText(line, Qt::AlignCenter, QStringLiteral("Resect"));
+  painter.setFont(font());
+  painter.drawText(QRect(20, height() / 2, width() - 40, height() / 2),
+                   Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, waiting_);
+}
+
+void Viewer::sayWaiting(const QString& what) {
+  if (what == waiting_) return;
+  waiting_ = what;
+  if (!session_) update();
 }
 
 RgbImage Viewer::grabPicture(bool smooth) {
   if (smooth && session_) {
     drawChanges(steadySeconds());
     session_->room().holdShadows(false);
-    for (strip_ = 0; strip_ < kStrips; ++strip_) drawStrip(strip_);
+    for (rough_ = kAllStrips; rough_ != 0;) drawNextStrip(rough_);
+    behind_ = 0;
   }
   const QImage image = image_.convertToFormat(QImage::Format_RGB888);
   RgbImage result{image.width(), image.height(), {}};

@@ -36,6 +36,8 @@ class Viewer : public QWidget {
 
   // Shows this session; nullptr: nothing. The session must exist as long as it is shown.
   void show(OperatingSession* session);
+  // While no session is shown: says what is being waited for.
+  void sayWaiting(const QString& what);
   void setFpsLimit(double framesPerSecond);
 
   double aspect() const { return double(width()) / std::max(1, height()); }
@@ -45,6 +47,8 @@ class Viewer : public QWidget {
   };
   Drawing drawing() const;
   Pace& pace() { return pace_; }
+  // Whether all of the picture is at full resolution, with antialiased edges.
+  bool whole() const { return rough_ == 0 && !image_.isNull(); }
   // The picture as it is shown. If `smooth`, it is first drawn again with antialiased edges.
   RgbImage grabPicture(bool smooth);
 
@@ -71,6 +75,9 @@ class Viewer : public QWidget {
   bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
   void drawChanges(double looked);  // `looked`: when the changes were taken, steadySeconds()
   void drawStrip(int strip);
+  void drawNextStrip(std::uint32_t& strips);
+  void takeSlowDamage();
+  std::uint32_t stripsOf(std::span<const PixelRect> parts) const;
   QSize pictureSize() const;
   QRegion fetch(std::span<const PixelRect> parts);
 
@@ -81,9 +88,12 @@ class Viewer : public QWidget {
   LivePicture picture_;
   QImage image_;  // what is on the screen
   Damage damage_;
-  int strip_ = 0;       // number of the antialiased picture's next strip
-  int behind_ = 0;      // number of the next strip of still parts, drawn while tissue moves
-  int sinceStrip_ = 0;  // pictures drawn since the last strip
+  // Sets of strips of the picture: bit i is strip i, counted from below.
+  std::uint32_t rough_ = 0;   // not antialiased yet
+  std::uint32_t behind_ = 0;  // those that are antialiased while something moves
+  int sinceStrip_ = 0;        // pictures drawn since the last strip
+  double slowDrawn_ = 0;      // when slow damage was taken last, s
+  QString waiting_;           // what is said in place of a picture
   Qt::MouseButtons down_;
   // For each of the last pictures: when it was finished, and how long it took, s.
   std::vector<std::pair<double, double>> drawn_;

@@ -17,6 +17,7 @@ constexpr int kScalpel = 0, kHook = 1, kScissors = 3;
 
 struct Bench : test::OperatingBench {
   explicit Bench(double spacing = 0.012) : OperatingBench(true, spacing) {
+    session->viewAll(1.6);
     session->operation().waitFor(40);  // the liver has sunk
     session->update();
   }

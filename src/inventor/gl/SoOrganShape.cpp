@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "base/stage_clock.h"
 #include "inventor/blood/tissue_texture.h"
 #include "inventor/blood/vessel_texture.h"
 
@@ -147,6 +149,7 @@ void SoOrganShape::update(const SurfaceUpdate& update) {
   // A removed brick leaves holes in place of its triangles, and its vertices are unused.
   growChanged(vertices, changed[kTrianglesPart]);
   const std::size_t end = surface_.points.size(), triangleEnd = surface_.triangles.size();
+  noteSpeed(update);
   apply(update, surface_);
   // New elements are sent whole, including those in no range.
   if (end < surface_.points.size()) {
@@ -163,6 +166,29 @@ void SoOrganShape::update(const SurfaceUpdate& update) {
   for (const Range& r : changed[kTrianglesPart]) blocks_.trianglesChanged(r.begin, r.end);
   growChanged(vertices, changed[kTrianglesPart]);
   revision = revision.getValue() + 1;
+}
+
+// Before the update is applied. Blood that spreads is slow.
+void SoOrganShape::noteSpeed(const SurfaceUpdate& update) {
+  constexpr std::size_t kStep = 64;  // vertices
+  if (update.everything || !update.newVertices.empty() || !update.newTriangles.empty()) {
+    speed_ = std::numeric_limits<double>::infinity();
+    return moved_.clear();
+  }
+  const double now = steadySeconds();
+  moved_.resize(surface_.points.size() / kStep + 1, now);
+  std::size_t next = 0;  // of the update's points
+  for (const IndexRange& r : update.movedVertices) {
+    const auto first = std::size_t(r.first), count = std::size_t(r.count);
+    const std::size_t told = update.points.size() - std::min(next, update.points.size());
+    const std::size_t end = std::min(first + std::min(count, told), surface_.points.size());
+    for (std::size_t v = first; v < end; v += kStep) {
+      const double seconds = std::max(now - std::exchange(moved_[v / kStep], now), 1e-3);
+      const Vec3f way = update.points[next + v - first] - surface_.points[v];
+      speed_ = std::max(speed_, double(way.norm()) / seconds);
+    }
+    next += count;
+  }
 }
 
 void SoOrganShape::refreshBlocks() { blocks_.refresh(surface_.points, surface_.triangles); }

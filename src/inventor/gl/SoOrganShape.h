@@ -65,6 +65,10 @@ class SoOrganShape : public SoShape {
   // A box, in object space, m, round everything that changed since the last call of this function.
   // It contains the changed parts at their former and at their present positions.
   Aabb takeChanged();
+  // The highest speed of a vertex among those that update() moved since the last call of this
+  // function, m/s. A vertex's speed is the way that an update moves it, divided by the time since
+  // the update before it. If the surface changed in another way: infinite.
+  double takeSpeed() { return std::exchange(speed_, 0.0); }
 
   // The first point, in object space, where a ray meets the present surface; none if there is no
   // such point.
@@ -95,6 +99,7 @@ class SoOrganShape : public SoShape {
   static void merge(std::vector<Range>& ranges);
   void takeFields();
   void refreshBlocks();
+  void noteSpeed(const SurfaceUpdate& update);
   void growChanged(const std::vector<Range>& vertices, const std::vector<Range>& triangles);
   std::vector<TriangleBlocks::Run> seen(SoState* state);
   void upload(ContextBuffers& buffers);
@@ -107,6 +112,9 @@ class SoOrganShape : public SoShape {
   std::int64_t drawnTriangles_ = 0;
   TriangleBlocks blocks_;
   TriangleBlocks::Box changed_ = TriangleBlocks::emptyBox();
+  double speed_ = 0;  // m/s, see takeSpeed()
+  std::vector<double>
+      moved_;  // per 64 vertices: when the first of them moved last, steady clock, s
   bool fieldsAreTaken_ = true;
 };
 

@@ -72,6 +72,27 @@ void CameraMoves::zoom(double factor) {
   place(*camera_, target + distance * away.normalized(), target);
 }
 
+void CameraMoves::zoomAt(const Vec3& point, double factor) {
+  const Vec3 position = toVec(camera_->position.getValue()), target = pointOfInterest();
+  const double distance = (target - position).norm();
+  const double share = std::clamp(distance * factor, 0.05, 10.0) / distance;
+  place(*camera_, point + share * (position - point), point + share * (target - point));
+}
+
+void CameraMoves::zoomToPointer(const SbVec2s& at, const SbViewportRegion& viewport,
+                                double factor) {
+  constexpr double kFar = 2;  // distances to the point of interest: the room behind the field
+  const Vec3 position = toVec(camera_->position.getValue());
+  const double distance = camera_->focalDistance.getValue();
+  const std::optional<Vec3> seen = pointUnder ? pointUnder(at, viewport) : std::nullopt;
+  if (seen && (*seen - position).norm() < kFar * distance) return zoomAt(*seen, factor);
+  const SbVec2s size = viewport.getViewportSizePixels();
+  const double metres = metresPerPixel(viewport);
+  zoomAt(pointOfInterest() + (at[0] - 0.5 * size[0]) * metres * axisOf(*camera_, {1, 0, 0}) +
+             (at[1] - 0.5 * size[1]) * metres * axisOf(*camera_, {0, 1, 0}),
+         factor);
+}
+
 void CameraMoves::lookAt(const Vec3& point) {
   place(*camera_, toVec(camera_->position.getValue()), point);
 }
@@ -89,13 +110,9 @@ bool CameraMoves::handle(const SoEvent& event, const SbViewportRegion& viewport)
     const int button = mouse.getButton();
     const bool down = mouse.getState() == SoButtonEvent::DOWN;
     if (button == SoMouseButtonEvent::BUTTON4 || button == SoMouseButtonEvent::BUTTON5) {
-      const double before = camera_->focalDistance.getValue();
-      if (down) zoom(button == SoMouseButtonEvent::BUTTON4 ? kZoomPerStep : 1 / kZoomPerStep);
-      // What is under the pointer stays there.
-      const SbVec2s at = event.getPosition(), size = viewport.getViewportSizePixels();
-      const double gained =
-          metresPerPixel(viewport) * (1 - before / camera_->focalDistance.getValue());
-      if (down) pan((at[0] - 0.5 * size[0]) * gained, (at[1] - 0.5 * size[1]) * gained);
+      if (down)
+        zoomToPointer(event.getPosition(), viewport,
+                      button == SoMouseButtonEvent::BUTTON4 ? kZoomPerStep : 1 / kZoomPerStep);
       return true;
     }
     if (!down) {

@@ -11,6 +11,9 @@
 #include <Inventor/SbVec2s.h>
 #include <Inventor/SbViewVolume.h>
 
+#include <functional>
+#include <optional>
+
 #include "base/vec.h"
 
 class SbViewportRegion;
@@ -40,12 +43,20 @@ class CameraMoves {
   // Multiplies the camera's distance from the point of interest by `factor`. The new distance is
   // kept within 0.05 to 10 m.
   void zoom(double factor);
+  // Brings the camera nearer to a point by `factor`, in a straight line: the point stays where it
+  // is in the picture. The distance to the point of interest is limited as by zoom().
+  void zoomAt(const Vec3& point, double factor);
   // Turns the camera towards a point, which becomes the point of interest.
   void lookAt(const Vec3& point);
   Vec3 pointOfInterest() const;
 
+  // Gives the point that is seen at a pixel, which the wheel zooms to. If it is not set, or gives
+  // none, the wheel zooms to a point that is as far as the point of interest.
+  std::function<std::optional<Vec3>(const SbVec2s& pixel, const SbViewportRegion&)> pointUnder;
+
  private:
   double metresPerPixel(const SbViewportRegion& viewport) const;
+  void zoomToPointer(const SbVec2s& at, const SbViewportRegion& viewport, double factor);
   enum class Drag { None, Orbit, Pan };
   SoPerspectiveCamera* camera_;
   Drag drag_ = Drag::None;

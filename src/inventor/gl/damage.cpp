@@ -56,6 +56,7 @@ void Damage::add(const Damage& other) {
   everything = everything || other.everything;
   boxes.insert(boxes.end(), other.boxes.begin(), other.boxes.end());
   shadows.insert(shadows.end(), other.shadows.begin(), other.shadows.end());
+  slow.grow(other.slow);
 }
 
 void addWithShadow(Damage& damage, const Aabb& box, const Vec3& lamp, const Aabb& organ) {

@@ -9,6 +9,7 @@
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoLineSet.h>
 #include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoText3.h>
 #include <Inventor/nodes/SoTransform.h>
 #include <Inventor/nodes/SoTranslation.h>
@@ -32,11 +33,12 @@ float toDragger(float iso) { return iso / 100 * kLength / kHandle; }
 }  // namespace
 
 IsoDragger::IsoDragger(SoSeparator* parent, const Vec3& foot) : parent_(parent), foot_(foot) {
-  root_ = new SoSeparator;
-  root_->renderCaching = SoSeparator::OFF;
-  auto* place = new SoTransform;
-  place->translation.setValue(float(foot.x()), float(foot.y()), float(foot.z()));
-  root_->addChild(place);
+  root_ = new SoSwitch;
+  root_->whichChild = 0;
+  auto* scale = new SoSeparator;
+  scale->renderCaching = SoSeparator::OFF;
+  root_->addChild(scale);
+  scale->addChild(place_ = new SoTransform);
 
   auto* ruler = new SoSeparator;
   auto* colour = new SoBaseColor;
@@ -59,7 +61,7 @@ IsoDragger::IsoDragger(SoSeparator* parent, const Vec3& foot) : parent_(parent),
   ruler->addChild(style);
   ruler->addChild(points);
   ruler->addChild(lines);
-  root_->addChild(ruler);
+  scale->addChild(ruler);
 
   auto* label = new SoSeparator;
   auto* above = new SoTranslation;
@@ -80,22 +82,32 @@ IsoDragger::IsoDragger(SoSeparator* parent, const Vec3& foot) : parent_(parent),
   label->addChild(facing);
   for (SoNode* node : std::initializer_list<SoNode*>{font, flat, ink, text_})
     facing->addChild(node);
-  root_->addChild(label);
+  scale->addChild(label);
 
   auto* upright = new SoTransform;
   upright->rotation.setValue(SbVec3f(0, 0, 1), float(std::numbers::pi / 2));
   upright->scaleFactor.setValue(kHandle, kHandle, kHandle);
   dragger_ = new SoTranslate1Dragger;
   dragger_->addValueChangedCallback(dragged, this);
-  root_->addChild(upright);
-  root_->addChild(dragger_);
+  scale->addChild(upright);
+  scale->addChild(dragger_);
   parent_->addChild(root_);
+  moveTo(foot);
   write();
 }
 
 IsoDragger::~IsoDragger() {
   dragger_->removeValueChangedCallback(dragged, this);
   parent_->removeChild(root_);
+}
+
+void IsoDragger::show(bool shown) { root_->whichChild = shown ? 0 : SO_SWITCH_NONE; }
+
+bool IsoDragger::shown() const { return root_->whichChild.getValue() == 0; }
+
+void IsoDragger::moveTo(const Vec3& foot) {
+  foot_ = foot;
+  place_->translation.setValue(float(foot.x()), float(foot.y()), float(foot.z()));
 }
 
 Vec3 IsoDragger::handle() const { return foot_ + Vec3(0, value_ / 100 * kLength, 0); }

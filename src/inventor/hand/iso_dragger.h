@@ -8,7 +8,9 @@
 
 class SoDragger;
 class SoSeparator;
+class SoSwitch;
 class SoText3;
+class SoTransform;
 class SoTranslate1Dragger;
 
 namespace resect {
@@ -25,6 +27,10 @@ class IsoDragger {
   // Moves the dragger without calling `changed`. The value is clamped to [kMinIso, kMaxIso].
   void setValue(float iso);
   Vec3 handle() const;  // middle of the dragger, world, m
+  // Hides the scale, so that it can neither be seen nor dragged, or shows it again.
+  void show(bool shown);
+  bool shown() const;
+  void moveTo(const Vec3& foot);  // as `foot` of the constructor
 
   std::function<void(float)> changed;  // called with the new value when a person moved the dragger
 
@@ -33,7 +39,8 @@ class IsoDragger {
   void write();
 
   SoSeparator* parent_;
-  SoSeparator* root_;
+  SoSwitch* root_;
+  SoTransform* place_;
   SoTranslate1Dragger* dragger_;
   SoText3* text_;
   Vec3 foot_;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "geometry/moved_box.h"
@@ -18,6 +19,8 @@
 
 namespace resect {
 namespace {
+
+constexpr double kSlow = 0.0015;  // m/s: tissue that moves slower may be drawn a little later
 
 std::vector<ToolModel> modelsOf(const Simulation& simulation) {
   std::vector<ToolModel> models;
@@ -61,9 +64,24 @@ Vec3 positionOf(const SoPerspectiveCamera* camera) {
   return {p[0], p[1], p[2]};
 }
 
-// At the far left corner of the table, where it hides nothing.
-Vec3 isoFoot(const Aabb& organ) {
-  return {organ.min.x() - 0.06, 0.0, organ.min.z() + 0.25 * organ.size().z()};
+// Unit.
+Vec3 towards(const SoPerspectiveCamera* camera) {
+  SbVec3f back;
+  camera->orientation.getValue().multVec(SbVec3f(0, 0, 1), back);
+  return {back[0], back[1], back[2]};
+}
+
+// Beside the organ, at the left of a camera in this direction, where it hides nothing. It goes
+// round the organ in steps.
+Vec3 scaleFoot(const Aabb& organ, const Vec3& towardsCamera) {
+  constexpr double kStep = std::numbers::pi / 18;
+  const double turn = kStep * std::round(std::atan2(towardsCamera.x(), towardsCamera.z()) / kStep);
+  const Vec3 away(-std::sin(turn), 0, -std::cos(turn));
+  const Vec3 left = Vec3::UnitY().cross(away), half = 0.5 * organ.size();
+  const auto reach = [&](const Vec3& way) { return way.cwiseAbs().dot(half); };
+  Vec3 foot = organ.centre() + (reach(left) + 0.06) * left + 0.5 * reach(away) * away;
+  foot.y() = 0;
+  return foot;
 }
 
 Aabb boxOfOrgans(const Simulation& simulation) {
@@ -84,7 +102,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       view_(scenario, *simulation, aspect),
       tools_(view_.room(), restsOf(scenario)),
       camera_(view_.room().camera()),
-      iso_(view_.room().aids(), isoFoot(organBox_)),
+      iso_(view_.room().aids(), scaleFoot(organBox_, towardsCamera(RoomView::Surgeon))),
       marker_(view_.room().aids()),
       aim_(view_.room().aids()),
       bleeding_(view_.room().aids()),
@@ -106,8 +124,32 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
   };
   iso_.setValue(scenario.organs[0].source.settings.iso);
   iso_.changed = [this](float iso) { setIso(iso); };
+  camera_.pointUnder = [this](const SbVec2s& pixel, const SbViewportRegion& viewport) {
+    const auto under = pointUnder(pixel, viewport);
+    return under ? std::optional(under->point) : std::nullopt;
+  };
   toolsChanged();
+  measureField();
   look(RoomView::Surgeon, aspect);
+}
+
+// The silhouette is the sum of the triangles that face the surgeon; where the surface lies behind
+// itself it counts twice.
+void OperatingSession::measureField() {
+  const Vec3 direction = towardsCamera(RoomView::Surgeon);
+  for (int o = 0; o < room().organCount(); ++o) {
+    const SurfaceCopy surface = room().organ(o)->snapshot().first;
+    for (const Triangle& t : surface.triangles) {
+      const Vec3 a = surface.points[std::size_t(t[0])].cast<double>(),
+                 b = surface.points[std::size_t(t[1])].cast<double>(),
+                 c = surface.points[std::size_t(t[2])].cast<double>();
+      const double area = 0.5 * (b - a).cross(c - a).dot(direction);
+      if (area <= 0) continue;
+      fieldArea_ += area;
+      fieldMiddle_ += area / 3 * (a + b + c);
+    }
+  }
+  if (fieldArea_ > 0) fieldMiddle_ /= fieldArea_;
 }
 
 Vec3 OperatingSession::lampPosition() const {
@@ -193,6 +235,7 @@ bool OperatingSession::handle(const SoEvent& event, const SbViewportRegion& view
   if (events_.getGrabber()) damage_.everything = true;
   if (events_.isHandled()) return true;
   if (camera_.handle(event, viewport)) {
+    placeScale();
     tools_.aimAgain();
     damage_.everything = true;
     return true;
@@ -262,13 +305,20 @@ Damage OperatingSession::update() {
     followBareVessels();
     showBleeding();
     Aabb changed;
-    for (int o = 0; o < room().organCount(); ++o) changed.grow(room().organ(o)->takeChanged());
+    double speed = 0;  // m/s
+    for (int o = 0; o < room().organCount(); ++o) {
+      changed.grow(room().organ(o)->takeChanged());
+      speed = std::max(speed, room().organ(o)->takeSpeed());
+    }
     const bool everything = std::ranges::any_of(updates, &SurfaceUpdate::everything);
     if (everything) damage_.everything = true;
     if (everything) room().changedIn({});
     if (!everything && !changed.empty()) {
       room().changedIn(changed);
-      addWithShadow(damage_, changed, lampPosition(), organBox_);
+      if (speed < kSlow)
+        damage_.slow.grow(changed);
+      else
+        addWithShadow(damage_, changed, lampPosition(), organBox_);
     }
     bool turned = false;
     for (int i = 0; i < tools_.toolCount(); ++i)
@@ -313,30 +363,42 @@ void OperatingSession::follow(const ViewMotion& motion) {
   camera_.pan(motion.move.x(), motion.move.y());
   camera_.zoom(std::exp(motion.move.z() / std::max(distance, 0.05)));
   camera_.orbit(motion.turn.y(), -motion.turn.x());
+  placeScale();
   damage_.everything = true;
 }
 
 void OperatingSession::look(RoomView view, double aspect) {
-  // The surgeon's view includes the tool box.
-  if (view == RoomView::Surgeon)
-    room().frame(view, allThereIs(), aspect);
-  else
+  constexpr double kShare = 0.5;  // of the picture
+  if (view != RoomView::Surgeon)
     room().look(view, organBox_, aspect);
+  else if (scenario_.mode == OperationMode::Thesis || fieldArea_ <= 0)
+    room().frame(view, allThereIs(towardsCamera(view)), aspect);
+  else
+    room().closeUp(view, fieldMiddle_, fieldArea_, kShare, aspect);
+  placeScale();
   tools_.aimAgain();
   damage_.everything = true;
 }
 
 void OperatingSession::viewAll(double aspect) {
-  room().viewAll(allThereIs(), aspect);
+  room().viewAll(allThereIs(towards(room().camera())), aspect);
   damage_.everything = true;
 }
 
-// Bounds of the organ, the tool box and the iso scale.
-Aabb OperatingSession::allThereIs() const {
+void OperatingSession::placeScale() { iso_.moveTo(scaleFoot(organBox_, towards(room().camera()))); }
+
+void OperatingSession::showScale(bool shown) {
+  if (shown == iso_.shown()) return;
+  iso_.show(shown);
+  damage_.everything = true;
+}
+
+// Bounds of the organs, the tool box and, unless it is hidden, the scale of the iso level.
+Aabb OperatingSession::allThereIs(const Vec3& towardsCamera) const {
   Aabb all = organBox_;
   for (std::size_t i = 0; i < toolModels_.size(); ++i)
     for (const Vec3& p : toolModels_[i].mesh.points) all.grow(scenario_.tools[i].rest * p);
-  all.grow(Vec3(isoFoot(organBox_) - Vec3(0.01, 0, 0)));
+  if (iso_.shown()) all.grow(Vec3(scaleFoot(organBox_, towardsCamera) - Vec3(0.01, 0, 0)));
   return all;
 }
 

@@ -69,13 +69,16 @@ class OperatingSession {
 
   // Moves and turns the tool in hand. If there is none, moves the camera.
   void follow(const ViewMotion& motion);
-  // Places the camera for one of the fixed views of the room.
+  // Places the camera for one of the fixed views of the room. The surgeon's view is a close-up: the
+  // organs fill about half of the picture. In thesis mode it includes the tool box and the scale.
   void look(RoomView view, double aspect);
   // Moves the camera, without turning it, so that organs, tool box and iso scale are in the
   // picture.
   void viewAll(double aspect);
-  // Stops the motions, puts all tools back to their rest poses, and shows the surgeon's view. That
-  // view includes all organs and the tool box.
+  // Shows the scale of the iso level, or hides it. It stands at the left of the organs wherever the
+  // camera is.
+  void showScale(bool shown);
+  // Stops the motions, puts all tools back to their rest poses, and shows the surgeon's view.
   void bringEverythingBack(double aspect);
   // The point that is seen at a pixel (PointedSurface::under()).
   std::optional<SurfacePoint> pointUnder(const SbVec2s& pixel,
@@ -98,7 +101,9 @@ class OperatingSession {
   const Discretization& cells() const { return cells_; }
 
  private:
-  Aabb allThereIs() const;
+  Aabb allThereIs(const Vec3& towardsCamera) const;
+  void placeScale();
+  void measureField();
   void toolsChanged();
   void setTools();
   void followHand();
@@ -116,6 +121,10 @@ class OperatingSession {
   std::vector<ToolModel> toolModels_;
   Discretization cells_;
   Aabb organBox_;
+  // Seen from the surgeon before the operation: middle of the organs' silhouette, world, m, and its
+  // area, m^2.
+  Vec3 fieldMiddle_ = Vec3::Zero();
+  double fieldArea_ = 0;
   mutable OperationView view_;
   ToolHandling tools_;
   CameraMoves camera_;

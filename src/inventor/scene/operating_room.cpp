@@ -158,6 +158,7 @@ OperatingRoom::OperatingRoom() {
   toolbox_ = uncachedSeparator();
   toolbox_->addChild(toolboxPose_ = new SoTransform);
   tools_ = uncachedSeparator();
+  toolShadows_ = uncachedSeparator();
   tissue_ = uncachedSeparator();
   auto* unpickable = new SoPickStyle;
   unpickable->style = SoPickStyle::UNPICKABLE;
@@ -168,7 +169,7 @@ OperatingRoom::OperatingRoom() {
   organHints_ = organ.hints;
   organs_ = {organ.shape};
   for (SoNode* node : {toolbox_, tissue_}) casters_->addChild(node);
-  shadows_->movers = tools_;
+  shadows_->movers = toolShadows_;
 
   root_->addChild(withMaterial(RoomMaterial::Liver, {tissue_}));
   steel_ = makeMaterial(RoomMaterial::Steel);
@@ -226,6 +227,10 @@ int OperatingRoom::addTool(SoNode* model) {
   body->addChild(model);
   tool->addChild(body);
   tools_->addChild(tool);
+  SoSeparator* shadow = uncachedSeparator();
+  shadow->addChild(new SoTransform);
+  shadow->addChild(model);
+  toolShadows_->addChild(shadow);
   jaws_.emplace_back();
   const int number = tools_->getNumChildren() - 1;
   tool->addChild(makePickProxy(model));
@@ -296,7 +301,22 @@ Aabb OperatingRoom::toolBounds(int tool) const {
   return {Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])};
 }
 
-void OperatingRoom::changedIn(const Aabb& box) { shadows_->changedIn(box); }
+void OperatingRoom::changedIn(const Aabb& box) {
+  moveToolShadows();
+  shadows_->changedIn(box);
+}
+
+// A manipulator moves the tool's transform by itself.
+void OperatingRoom::moveToolShadows() {
+  for (int i = 0; i < toolCount(); ++i) {
+    const Pose pose = getPose(*toolTransform(i));
+    auto* shadow = static_cast<SoTransform*>(
+        static_cast<SoSeparator*>(toolShadows_->getChild(i))->getChild(0));
+    const Pose before = getPose(*shadow);
+    if (pose.position != before.position || pose.rotation.coeffs() != before.rotation.coeffs())
+      setPose(shadow, pose);
+  }
+}
 
 void OperatingRoom::setShadowResolution(int texels) {
   if (shadows_->resolution.getValue() != texels) shadows_->resolution = texels;
@@ -310,7 +330,10 @@ void OperatingRoom::addListener(SoEventCallback* listener) {
 
 void OperatingRoom::removeListener(SoEventCallback* listener) { root_->removeChild(listener); }
 
-void OperatingRoom::setToolPose(int tool, const Pose& pose) { setPose(toolTransform(tool), pose); }
+void OperatingRoom::setToolPose(int tool, const Pose& pose) {
+  setPose(toolTransform(tool), pose);
+  moveToolShadows();
+}
 
 void OperatingRoom::setOrgan(const TriangleMesh& mesh, const Vec3f& colour) {
   setOrganColour(colour);

@@ -47,6 +47,9 @@ enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
 
 constexpr const char* kRoomViewNames = "surgeon, assistant, top or laparoscope";
 
+// Direction from what is looked at to the camera of a view, unit.
+Vec3 towardsCamera(RoomView view);
+
 // The view of that name, if there is one.
 std::optional<RoomView> roomView(std::string_view name);
 
@@ -146,11 +149,15 @@ class OperatingRoom {
   // As look(), but with the box in the middle, and with the camera as near as the box's corners
   // allow.
   void frame(RoomView view, const Aabb& box, double aspect);
+  // Aims the camera at `centre` (world, m) and places it where an object of that silhouette, m^2,
+  // seen from the view, fills `share` of a picture.
+  void closeUp(RoomView view, const Vec3& centre, double silhouette, double share, double aspect);
   // Moves the camera so that all of the box is in a picture. The camera's direction stays.
   void viewAll(const Aabb& box, double aspect);
 
  private:
   void requireTool(int tool) const;
+  void moveToolShadows();
   void place(RoomView view, const Vec3& target, double distance);
 
   SoSeparator* root_;
@@ -165,6 +172,8 @@ class OperatingRoom {
   SoSeparator* toolbox_;
   SoTransform* toolboxPose_;
   SoSeparator* tools_;
+  // Per tool: its transform and its model, without a manipulator, which casts no shadow.
+  SoSeparator* toolShadows_;
   std::vector<std::vector<ToolNodes::Jaw>> jaws_;  // by tool
   SoSeparator* tissue_;
   SoTransform* organPose_;

@@ -59,6 +59,8 @@ double distanceToFit(const Aabb& box, const ViewAxes& axes, double heightAngle, 
 
 }  // namespace
 
+Vec3 towardsCamera(RoomView view) { return direction(view).towards.normalized(); }
+
 std::optional<RoomView> roomView(std::string_view name) {
   if (name == "surgeon") return RoomView::Surgeon;
   if (name == "assistant") return RoomView::Assistant;
@@ -87,6 +89,17 @@ void OperatingRoom::frame(RoomView view, const Aabb& box, double aspect) {
   const Vec3 back = from.towards.normalized(), right = Vec3::UnitY().cross(back).normalized();
   place(view, box.centre(),
         distanceToFit(box, {right, back.cross(right), back}, from.heightAngle, aspect));
+}
+
+void OperatingRoom::closeUp(RoomView view, const Vec3& centre, double silhouette, double share,
+                            double aspect) {
+  requireAspect(aspect);
+  require(silhouette > 0 && share > 0,
+          "a silhouette of {} m^2 cannot fill {} of a picture; give two numbers above 0",
+          silhouette, share);
+  const double narrow = std::tan(0.5 * direction(view).heightAngle);
+  const double wide = narrow * std::max(aspect, 1 / aspect);
+  place(view, centre, std::sqrt(silhouette / (4 * share * narrow * wide)));
 }
 
 void OperatingRoom::viewAll(const Aabb& box, double aspect) {
