@@ -20,26 +20,18 @@
 #include "io/scenario/scenario_file.h"
 
 namespace resect {
-namespace {
 
-QString titleOf(const std::string& scenario) {
-  return "<p>" +
-         shownInHtml(readScenario(dataFolder() / "scenarios" / (scenario + ".toml")).title) +
-         "</p>";
+// An entry of a menu.
+QAction* MainWindow::add(QMenu* menu, const QString& text, const QKeySequence& key,
+                         const QString& tip, const std::function<void()>& act) {
+  QAction* action = menu->addAction(text);
+  action->setShortcut(key);
+  action->setToolTip(tip);
+  connect(action, &QAction::triggered, this, act);
+  return action;
 }
 
-}  // namespace
-
 void MainWindow::makeMenus() {
-  const auto add = [this](QMenu* menu, const char* text, const QKeySequence& key,
-                          const QString& tip, auto&& act) {
-    QAction* action = menu->addAction(text);
-    action->setShortcut(key);
-    action->setToolTip(tip);
-    connect(action, &QAction::triggered, this, act);
-    return action;
-  };
-
   QMenu* file = menuBar()->addMenu("&File");
   add(file, "&Open organ, scene, scenario or operation ...", QKeySequence::Open,
       "A mesh, particles, a saved scene or a scenario; a file can also be dropped on the window",
@@ -53,7 +45,7 @@ void MainWindow::makeMenus() {
       });
   for (const std::string_view organ : kBuiltInOrgans) {
     const std::string name(organ);
-    add(file, ("Built-in &" + name).c_str(), {},
+    add(file, QString::fromStdString("Built-in &" + name), {},
         QString::fromStdString("The " + name + " that comes with Resect, whole"), [this, name] {
           Scenario scenario = options_.scenario;
           keepFirstOrgan(scenario);
@@ -63,11 +55,7 @@ void MainWindow::makeMenus() {
           load(scenario);
         });
   }
-  QMenu* scenarios = file->addMenu("S&cenario");
-  for (const std::string& name : shippedNames("scenarios", ".toml"))
-    add(scenarios, name.c_str(), {}, titleOf(name), [this, name] {
-      openFile(QString::fromStdString((dataFolder() / "scenarios" / (name + ".toml")).string()));
-    });
+  makeScenarioMenu(file);
   recent_ = file->addMenu("&Recent files");
   fillRecent();
   recordings_ = file->addMenu("Recorded op&erations");
@@ -83,9 +71,10 @@ void MainWindow::makeMenus() {
                              8000);
   });
   connect(recordings_, &QMenu::aboutToShow, this, [this] { listRecordings(); });
-  add(file, "Begin &again", QKeySequence("Ctrl+N"),
-      "The same scenario from its start, as another operation, with the settings of the organ's "
-      "panel; what was done so far stays in its recording",
+  add(file, "Begin the operation &again", QKeySequence("Ctrl+N"),
+      "The same organ, whole, with the settings of the laboratory's panel; the view stays, and "
+      "what "
+      "was done so far stays in its recording",
       [this] { organ_->beginAgain(); });
   file->addSeparator();
   add(file, "&Save operation", QKeySequence::Save,
@@ -100,7 +89,7 @@ void MainWindow::makeMenus() {
       "The whole room as an Inventor file, for this program and others", [this] { saveScene(); });
   add(file, "Save &picture ...", QKeySequence("Ctrl+P"),
       "The picture as it is seen, with smooth edges", [this] { savePicture(); });
-  add(file, "Record &video: start or stop", QKeySequence("Ctrl+R"),
+  add(file, "Record a &film: start or stop", QKeySequence("Ctrl+R"),
       "A film of what is seen, until this is chosen again; needs ffmpeg",
       [this] { toggleVideo(); });
   file->addSeparator();
@@ -124,40 +113,10 @@ void MainWindow::makeMenus() {
 
   makeTimelineMenu();
 
-  QMenu* view = menuBar()->addMenu("&View");
-  const std::pair<const char*, RoomView> views[] = {{"&Surgeon", RoomView::Surgeon},
-                                                    {"&Assistant", RoomView::Assistant},
-                                                    {"&Top", RoomView::Top},
-                                                    {"&Laparoscope", RoomView::Laparoscope}};
-  int number = 1;
-  for (const auto& [name, which] : views)
-    add(view, name, QKeySequence(QString("Ctrl+%1").arg(number++)), "Looks from there",
-        [this, which = which] { look(which); });
-  view->addSeparator();
-  add(view, "&Home", QKeySequence("H"), "The surgeon's view of organ and instruments",
-      [this] { look(RoomView::Surgeon); });
-  add(view, "&View all", QKeySequence("A"), "Organ, instruments and scale, from this side",
-      [this] { viewAll(); });
-  add(view, "Look at a &point: click it", QKeySequence("L"),
-      "The camera turns round the point that is clicked next", [this] {
-        lookingAt_ = true;
-        viewer_->setCursor(Qt::CrossCursor);
-        statusBar()->showMessage("Click what you want to look at");
-      });
-  add(view, "&Bring view and instruments back", QKeySequence(Qt::Key_Space),
-      "Instruments into the tray, the surgeon's view", [this] { bringEverythingBack(); });
-  view->addSeparator();
-  for (QDockWidget* dock : findChildren<QDockWidget*>()) {
-    dock->toggleViewAction()->setToolTip("Shows or hides this panel");
-    view->addAction(dock->toggleViewAction());
-  }
-  dark_ = view->addAction("&Dark");
-  dark_->setToolTip("Dark colours; kept for the next start");
-  dark_->setCheckable(true);
-  add(view, "&Full screen", QKeySequence("F11"), "And back again",
-      [this] { isFullScreen() ? showNormal() : showFullScreen(); });
+  makeViewMenu();
 
-  QMenu* instruments = menuBar()->addMenu("&Instruments");
+  QMenu* instruments = instrumentMenu_ = menuBar()->addMenu("&Instruments");
+  instruments->addSeparator();
   const auto precise = [this](ToolHandling::Hold how) {
     if (session_ && session_->tools().held() >= 0)
       session_->tools().hold(session_->tools().held(), how);

@@ -23,6 +23,7 @@
 
 #include "app/say.h"
 #include "app/viewer.h"
+#include "app/widgets/banner.h"
 #include "app/widgets/controls_overlay.h"
 #include "app/widgets/instruments_panel.h"
 #include "app/widgets/panels.h"
@@ -38,7 +39,6 @@ namespace resect {
 namespace {
 
 constexpr qint64 kPanelInterval = 150;  // ms between updates of the panels
-constexpr int kTallWindow = 900;        // pixels: in a lower one forces and timing share one place
 
 const char* nameOf(ToolHandling::Hold how) {
   switch (how) {
@@ -56,49 +56,10 @@ const char* nameOf(ToolHandling::Hold how) {
   return "";
 }
 
-// "Wheel: 10 mm deep" of the guided tool in hand, as a line of its own.
-QString depthOf(const ToolHandling& tools) {
-  return QString("\nWheel: %1 mm deep").arg(std::lround(1e3 * tools.depth(tools.held())));
-}
-
-// What can be done next with the instrument in hand.
-QString sentenceOf(const ToolHandling& tools, const QString& name) {
-  switch (tools.how()) {
-    case ToolHandling::Hold::None:
-      return "Take an instrument: click it, or press its number.";
-    case ToolHandling::Hold::Direct:
-      return name + " in hand: drag, wheel, Shift turns.";
-    case ToolHandling::Hold::Guided:
-      if (tools.pressing()) return name + " at work; F leaves it there." + depthOf(tools);
-      return name + ": press and draw." + depthOf(tools);
-    case ToolHandling::Hold::HandleBox:
-      return name + " in a handle box: middle click to turn.";
-    case ToolHandling::Hold::Trackball:
-      return name + " in a trackball: middle click to move.";
-  }
-  return {};
-}
-
-// The first tool in hand in the motions being played; -1 for none.
-int playedTool(const LiveState& state) {
-  const auto at = std::ranges::find_if(state.played, &ToolInput::inHand);
-  return at == state.played.end() ? -1 : int(at - state.played.begin());
-}
-
 // Whether the event is the press of a button or key.
 bool isPress(const SoEvent& event) {
   return event.isOfType(SoButtonEvent::getClassTypeId()) &&
          static_cast<const SoButtonEvent&>(event).getState() == SoButtonEvent::DOWN;
-}
-
-// The tool in hand or left at work on which the force is largest; -1 for none.
-int workingTool(const LiveState& state) {
-  int strongest = -1;
-  for (std::size_t i = 0; i < state.inHand.size(); ++i)
-    if (state.inHand[i] &&
-        (strongest < 0 || state.forces[i] > state.forces[std::size_t(strongest)]))
-      strongest = int(i);
-  return strongest;
 }
 
 }  // namespace
@@ -112,16 +73,8 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
   viewer_->before = [this](const SoEvent& event, const SbViewportRegion& viewport) {
     return viewerEvent(event, viewport);
   };
-  setCentralWidget(viewer_);
 
-  complaint_ = new QPushButton(this);
-  complaint_->setStyleSheet(
-      "QPushButton { background: #7a2a22; color: white; border: 0; border-radius: 6px; "
-      "padding: 8px 14px; text-align: left; }");
-  complaint_->setToolTip("Click to close");
-  complaint_->setFocusPolicy(Qt::TabFocus);
-  complaint_->hide();
-  connect(complaint_, &QPushButton::clicked, complaint_, &QWidget::hide);
+  complaint_ = new Banner(this);
   overlay_ = new ControlsOverlay(viewer_);
   progress_ = new QProgressBar(this);
   progress_->setMaximumWidth(220);
@@ -156,10 +109,6 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
     setTheme(on);
     QSettings().setValue("dark", on);
   });
-  if (options.overlay && !settings.value("controls_seen").toBool()) {
-    overlay_->show();
-    settings.setValue("controls_seen", true);
-  }
   if (options.reports) listenToScript();
   if (options.operation.empty())
     load(options.scenario);
@@ -170,74 +119,6 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
 MainWindow::~MainWindow() {
   viewer_->show(nullptr);
   viewer_->ticked = {};
-}
-
-void MainWindow::makeDocks() {
-  const auto dock = [&](const char* title, QWidget* content) {
-    auto* widget = new QDockWidget(title, this);
-    widget->setObjectName(title);
-    widget->setWidget(content);
-    addDockWidget(Qt::RightDockWidgetArea, widget);
-  };
-  instruments_ = new InstrumentsPanel;
-  organ_ = new OrganPanel;
-  removed_ = new RemovedPanel;
-  force_ = new ForcePanel;
-  timing_ = new TimingPanel;
-  timeline_ = new TimelinePanel;
-  dock("Instruments", instruments_);
-  dock("Organ", organ_);
-  dock("Removed", removed_);
-  dock("Force", force_);
-  auto* stages = new QScrollArea;  // may be higher than the window
-  stages->setFrameShape(QFrame::NoFrame);
-  stages->setWidgetResizable(true);
-  stages->setFocusPolicy(Qt::NoFocus);
-  stages->setWidget(timing_);
-  dock("Timing", stages);
-  auto* below = new QDockWidget("Timeline", this);
-  below->setObjectName("Timeline");
-  below->setWidget(timeline_);
-  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-  addDockWidget(Qt::BottomDockWidgetArea, below);
-  auto* force = static_cast<QDockWidget*>(force_->parentWidget());
-  force->hide();  // until tissue moves and exerts forces
-  if (options_.height < kTallWindow)
-    tabifyDockWidget(force, static_cast<QDockWidget*>(stages->parentWidget()));
-  // Fixed width from the start, so that the picture does not shift when numbers appear.
-  QList<QDockWidget*> docks = findChildren<QDockWidget*>();
-  docks.removeOne(below);
-  resizeDocks(docks, QList<int>(docks.size(), 32 * fontMetrics().averageCharWidth()),
-              Qt::Horizontal);
-  // In lines of text.
-  QList<int> heights;
-  for (const int lines : {9, 14, 9, 6, 19}) heights.push_back(lines * fontMetrics().height());
-  resizeDocks(docks, heights, Qt::Vertical);
-  instruments_->chosen = [this](int tool) {
-    if (!session_) return;
-    if (tool == session_->tools().held())
-      session_->tools().putBack(tool);
-    else
-      session_->tools().take(tool);
-    viewer_->setFocus();
-  };
-  organ_->isoChanged = [this](float iso) {
-    if (!session_) return;
-    session_->setIso(iso);
-  };
-  organ_->rebuild = [this](std::optional<double> spacing, int refine, bool elastic) {
-    if (!session_) return;
-    Scenario scenario = session_->scenario();
-    // The files from which an opened operation was made need not be here; its recording has all.
-    if (!madeFrom_.empty() && !spacing && refine == scenario.organs[0].source.settings.refine &&
-        elastic == scenario.organs[0].tissue.elastic)
-      return openOperation(QString::fromStdString(madeFrom_), true);
-    if (spacing) setSpacing(scenario, session_->cells().lattice.spacing.x(), *spacing);
-    for (ScenarioOrgan& organ : scenario.organs) organ.source.settings.refine = refine;
-    if (elastic != scenario.organs[0].tissue.elastic)
-      elastic ? makeElastic(scenario) : makeStill(scenario);
-    if (load(scenario)) keepsView_ = true;
-  };
 }
 
 void MainWindow::tick() {
@@ -256,38 +137,39 @@ void MainWindow::tick() {
       if (tools.isLeft(i)) names += " " + session_->toolModels()[std::size_t(i)].name;
     if (options_.reports) say("left{}", names.empty() ? " nothing" : names);
   }
-  instruments_->show(heldSaid_, tools.left(), sentenceOf(tools, heldName("")));
+  instruments_->show(heldSaid_, tools.left());
   const LiveState& state = session_->state();
   if (options_.reports && state.removed != removedSaid_) {
     removedSaid_ = state.removed;
     say("removed {}", removedSaid_);
   }
-  for (const std::string& fault : state.faults)
-    if (fault != faultSaid_) complain(faultSaid_ = fault);
+  constexpr qint64 kFaultShown = 10000;  // ms
+  for (const std::string& fault : state.faults) {
+    faultSeen_ = now;
+    if (fault != faultSaid_)
+      complain(faultSaid_ = fault,
+               [this] { return QDateTime::currentMSecsSinceEpoch() - faultSeen_ < kFaultShown; });
+  }
+  if (now - faultSeen_ > kFaultShown) faultSaid_.clear();
   if (const std::string failure = recorder_ ? recorder_->failure() : ""; failure != recorderSaid_) {
     recorderSaid_ = failure;
-    if (!failure.empty()) complain(failure + "; the operation goes on unrecorded");
+    if (!failure.empty())
+      complain(failure + "; the operation goes on unrecorded",
+               [this] { return recorder_ && !recorder_->failure().empty(); });
   }
+  if (complaint_->leaves() && options_.reports) say("error gone");
   film(now);
+  if (options_.reports && !pictureSaid_ && viewer_->showsPicture()) {
+    pictureSaid_ = true;
+    say("picture");
+  }
   if (options_.reports && playingSaid_ && !session_->playing()) say("played");
   playingSaid_ = session_->playing();
   if (options_.reports) reportMoment();
   if (options_.reports) reportPace();
   if (now - panelsShown_ < kPanelInterval) return;
   panelsShown_ = now;
-  organ_->follow(state);
-  organ_->setIso(session_->iso().value());
-  removed_->follow(state);
-  if (movesSaid_ != state.moves) {
-    movesSaid_ = state.moves;
-    force_->parentWidget()->setVisible(state.moves);
-    if (state.moves)
-      force_->parentWidget()->raise();  // above the timing, where they share one place
-  }
-  if (state.moves)
-    force_->follow(state, session_->playing() ? playedTool(state) : workingTool(state));
-  timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
-  timeline_->follow(state, session_->showing(), session_->answered());
+  followPanels(state, now);
   if (state.timeline && strokesNoted_ != state.timeline->strokeCount()) noteRecording();
   if (!options_.reports || state.frame == 0) return;
   // After the layout of the panels is final.
@@ -309,6 +191,7 @@ QString MainWindow::heldName(const char* none) const {
 
 bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewport) {
   if (overlay_->isVisible() && isPress(event)) overlay_->hide();
+  complaint_->userWentOn();
   // Out of the past, not the instrument into the tool box.
   if (session_ && session_->showing() && !timeline_->atEnd() && isPress(event) &&
       event.isOfType(SoKeyboardEvent::getClassTypeId()) &&
@@ -356,19 +239,15 @@ void MainWindow::bringEverythingBack() {
   if (options_.reports) reportPlaces();
 }
 
-void MainWindow::complain(const std::string& sentence) {
+void MainWindow::complain(const std::string& sentence, std::function<bool()> holds) {
   if (options_.reports) say("error {}", sentence);
-  complaint_->setText(shown(sentence, kLongestSentence));
-  complaint_->show();
+  complaint_->say(shown(sentence, kLongestSentence), std::move(holds));
   placeOverlays();
 }
 
 void MainWindow::placeOverlays() {
   overlay_->setGeometry(viewer_->rect());
-  complaint_->setMaximumWidth(viewer_->width() - 40);
-  complaint_->adjustSize();
-  complaint_->move(viewer_->mapTo(this, QPoint(20, 14)));
-  complaint_->raise();
+  complaint_->place({viewer_->mapTo(this, QPoint(0, 0)), viewer_->size()});
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

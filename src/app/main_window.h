@@ -13,6 +13,7 @@
 #include "record/recorder.h"
 
 class QAction;
+class QDockWidget;
 class QLabel;
 class QMenu;
 class QProgressBar;
@@ -20,9 +21,12 @@ class QPushButton;
 
 namespace resect {
 
+class Banner;
 class ControlsOverlay;
 class ForcePanel;
+class HintBar;
 class InstrumentsPanel;
+class OperationPanel;
 class OrganPanel;
 class RemovedPanel;
 class TimelinePanel;
@@ -35,8 +39,9 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   bool load(const Scenario& scenario);  // false: the user keeps the present operation
-  // Shows a sentence over the picture until the user clicks it or another sentence replaces it.
-  void complain(const std::string& sentence);
+  // Shows a sentence over the picture until the user clicks it, another sentence replaces it, or
+  // holds() is false. Without holds(): until the user has gone on for some seconds.
+  void complain(const std::string& sentence, std::function<bool()> holds = {});
   // Plays the scenario's motions up to the scenario time `until`, s. Begins where the last call
   // ended, or at the start of the motions if they are over or were stopped.
   void play(double until);
@@ -51,8 +56,18 @@ class MainWindow : public QMainWindow {
  private:
   static constexpr double kVideoRate = 25;  // pictures per second
 
+  QAction* add(QMenu* menu, const QString& text, const QKeySequence& key, const QString& tip,
+               const std::function<void()>& act);
   void makeMenus();
+  void makeScenarioMenu(QMenu* file);
+  void makeViewMenu();
+  void listInstruments();
   void makeDocks();
+  void beginAgain(std::optional<double> spacing, int refine, bool elastic);
+  void showLaboratory(bool shown);
+  void arrangePanels();
+  QString nextStep() const;
+  void followPanels(const LiveState& state, qint64 now);
   bool begin(OrganLoader::Result result);  // false: it cannot be shown; the user was told
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
   // anew: the operation starts again from its beginning, without what was done.
@@ -65,7 +80,7 @@ class MainWindow : public QMainWindow {
   void listRecordings();
   void makeTimelineMenu();
   void compareBranches();
-  void showProgress(double share);
+  void showProgress(double share, const QString& what);
   void loadDefault();
   void cancelLoading();
   void tick();
@@ -87,8 +102,11 @@ class MainWindow : public QMainWindow {
   QString heldName(const char* none) const;
   void look(RoomView view);
   void viewAll();
+  void zoom(double factor);
+  void switchThesis(bool on);
   void bringEverythingBack();
   void reportPlaces();
+  void reportCutText();
   void reportPace();
   void reportMoment();
   void resizePicture(const std::string& text);
@@ -106,13 +124,19 @@ class MainWindow : public QMainWindow {
   SpaceMouse spaceMouse_;
   Viewer* viewer_;
   ControlsOverlay* overlay_;
-  QPushButton* complaint_;
+  Banner* complaint_;
   QProgressBar* progress_;
   QPushButton* cancel_;
   QLabel *recording_, *notRecorded_;
   QMenu *recent_, *recordings_;
   QAction *undo_, *redo_, *recordingOn_;
-  QAction* dark_;
+  QAction *dark_, *laboratory_, *scale_, *thesis_;
+  HintBar* hint_;
+  OperationPanel* operation_;
+  QList<QDockWidget*> traineePanels_, laboratoryPanels_;
+  std::optional<bool> laboratoryChosen_;  // whether the user wants it; none: not chosen yet
+  QMenu* instrumentMenu_;
+  std::vector<QAction*> instrumentActions_;
   InstrumentsPanel* instruments_;
   OrganPanel* organ_;
   RemovedPanel* removed_;
@@ -130,13 +154,16 @@ class MainWindow : public QMainWindow {
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::vector<std::uint8_t> leftSaid_;  // per tool, as ToolHandling::left()
   std::string script_, faultSaid_, recorderSaid_;
+  qint64 faultSeen_ = 0;           // when the operation had a fault last, ms since 1970
   std::string operationFile_;      // file where the user saved the operation; empty: none yet
   std::string madeFrom_;           // recording that the operation was opened from; empty: none
   std::size_t strokesBefore_ = 0;  // strokes that the operation had when it was opened
   std::optional<std::size_t> strokesNoted_;  // number of strokes at the last noteRecording()
   bool lookingAt_ = false;  // the next click chooses the point that the camera looks at
-  bool readySaid_ = false;
-  bool playingSaid_ = false, showingSaid_ = false, movesSaid_ = false;
+  bool readySaid_ = false, pictureSaid_ = false;
+  bool playingSaid_ = false, showingSaid_ = false;
+  bool waitingSaid_ = false;
+  qint64 slowSince_ = 0;  // when the simulation became too slow, ms since 1970; 0: it is not
   Moment momentSaid_;
   std::shared_ptr<const Ledger> ledgerSaid_;
   bool keepsView_ = false;  // the same organ is being loaded again: the camera stays

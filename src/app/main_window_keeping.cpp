@@ -25,8 +25,12 @@ void MainWindow::toggleVideo() {
     return;
   }
   if (!session_) return;
+  if (!haveFfmpeg())
+    return complain(
+        "A film needs the program ffmpeg, which is not installed: install the package ffmpeg, then "
+        "press Ctrl+R again. Ctrl+P saves a single picture, `resect run --frames` writes many.");
   const QString file =
-      QFileDialog::getSaveFileName(this, "Record video", "operation.mp4", "MPEG-4 (*.mp4)");
+      QFileDialog::getSaveFileName(this, "Record film", "operation.mp4", "MPEG-4 (*.mp4)");
   if (file.isEmpty()) return;
   try {
     checkWritten(file.toStdString());

@@ -11,14 +11,18 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
+#include <QTimer>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
+#include "app/widgets/banner.h"
 #include "app/widgets/controls_overlay.h"
 #include "app/widgets/instruments_panel.h"
+#include "app/widgets/operation_panel.h"
 #include "app/widgets/panels.h"
 #include "app/widgets/timeline_panel.h"
 #include "base/error.h"
@@ -41,7 +45,12 @@ QString whenOf(const QString& name) {
 
 }  // namespace
 
-void MainWindow::showProgress(double share) {
+// what: what is being prepared; said in place of the first picture too.
+void MainWindow::showProgress(double share, const QString& what) {
+  statusBar()->showMessage(what);
+  if (options_.reports && !session_ && share < 0) say("waiting for {}", what.toStdString());
+  viewer_->sayWaiting(share < 0 ? what
+                                : QString("%1 %2 %").arg(what).arg(std::lround(100 * share)));
   progress_->setRange(0, share < 0 ? 0 : 1000);
   progress_->setValue(int(1000 * share));
   progress_->show();
@@ -53,10 +62,10 @@ bool MainWindow::load(const Scenario& scenario) {
   operations_.cancel();
   keepsView_ = false;
   if (session_) complaint_->hide();
-  showProgress(-1);
-  statusBar()->showMessage("Preparing the organ ...");
+  const QString what = "Preparing: " + namesOf(scenario.organs);
+  showProgress(-1, what);
   loader_.load(
-      scenario, [this](double share) { showProgress(share); },
+      scenario, [this, what](double share) { showProgress(share, what); },
       [this](OrganLoader::Result result) { begin(std::move(result)); });
   return true;
 }
@@ -66,12 +75,12 @@ void MainWindow::openOperation(const QString& file, bool anew) {
   loader_.cancel();
   keepsView_ = anew;
   if (session_) complaint_->hide();
-  showProgress(-1);
-  statusBar()->showMessage(anew ? "Beginning again ..." : "Opening the operation ...");
+  const QString what = anew ? "Beginning again ..." : "Opening the operation ...";
+  showProgress(-1, what);
   operations_.load(
       {file.toStdString(), anew, QSettings().value("record", true).toBool(),
        std::size_t(options_.historyMemory) << 20},
-      [this](double share) { showProgress(share); },
+      [this, what](double share) { showProgress(share, what); },
       [this, file, anew](OrganLoader::Result result) {
         const std::filesystem::path path = file.toStdString();
         if (!begin(std::move(result))) {
@@ -131,6 +140,9 @@ bool MainWindow::begin(OrganLoader::Result result) {
     auto session = std::make_unique<OperatingSession>(
         result.scenario, std::move(result.simulation), viewer_->aspect(),
         recorder ? watchOf(recorder) : OperationWatch(), std::move(result.history));
+    // The thesis's way of working has the laboratory, unless the user has chosen.
+    session->showScale(laboratoryChosen_.value_or(result.scenario.mode == OperationMode::Thesis));
+    session->look(RoomView::Surgeon, viewer_->aspect());
     if (places) {
       const int tools = std::min(int(places->tools.size()), session->tools().toolCount());
       for (int i = 0; i < tools; ++i) session->tools().setPose(i, places->tools[std::size_t(i)]);
@@ -167,11 +179,17 @@ bool MainWindow::begin(OrganLoader::Result result) {
   uploadedSaid_ = 0;
   removed_->clear();
   instruments_->setTools(session_->toolModels());
+  listInstruments();
   notRecorded_->setVisible(!recorder_);
   std::vector<QString> tools;
   for (const ToolModel& tool : session_->toolModels()) tools.push_back(shown(tool.name));
   timeline_->begin(tools, session_->scenario().frameRate);
   force_->begin(tools);
+  operation_->begin(session_->scenario(), tools);
+  const bool thesis = session_->scenario().mode == OperationMode::Thesis;
+  thesis_->setChecked(thesis);
+  laboratory_->setChecked(laboratoryChosen_.value_or(thesis));
+  QTimer::singleShot(0, this, [this] { arrangePanels(); });
   const ScenarioOrgan& organ = session_->scenario().organs[0];
   QString notes;
   for (const std::string& note : result.notes) notes += shown(note, kLongestSentence) + "\n";

@@ -2,8 +2,11 @@
 #include <Inventor/SbViewportRegion.h>
 #include <unistd.h>
 
+#include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QLabel>
 #include <QSocketNotifier>
+#include <QTabBar>
 #include <sstream>
 
 #include "app/main_window.h"
@@ -84,7 +87,30 @@ void MainWindow::reportPlaces() {
   const auto [start, end] = timeline_->barEnds();
   say("place timeline-start {} {}", int(start.x() * ratio), int(start.y() * ratio));
   say("place timeline-end {} {}", int(end.x() * ratio), int(end.y() * ratio));
+  reportCutText();
   say("places");
+}
+
+// Reports labels and buttons whose text does not fit.
+void MainWindow::reportCutText() {
+  const auto cut = [](const QString& text) { say("cut text {}", text.toStdString()); };
+  for (const QLabel* label : findChildren<QLabel*>()) {
+    if (!label->isVisible() || label->text().isEmpty()) continue;
+    if (label->sizePolicy().horizontalPolicy() == QSizePolicy::Ignored) continue;  // it elides
+    const int needed =
+        label->wordWrap() ? label->minimumSizeHint().width() : label->sizeHint().width();
+    const int high =
+        label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
+    if (label->width() < needed || label->height() < high) cut(label->text());
+  }
+  for (const QAbstractButton* button : findChildren<QAbstractButton*>())
+    if (button->isVisible() && !button->text().isEmpty() &&
+        button->width() < button->minimumSizeHint().width())
+      cut(button->text());
+  for (const QTabBar* tabs : findChildren<QTabBar*>())
+    for (int i = 0; tabs->isVisible() && i < tabs->count(); ++i)
+      if (!tabs->rect().contains(tabs->tabRect(i)) || tabs->elideMode() != Qt::ElideNone)
+        cut(tabs->tabText(i));
 }
 
 // Reports the moment that is shown, and that the operation goes on.

@@ -22,7 +22,11 @@ constexpr double kStillSeconds = 0.1;  // after this the picture is drawn antial
 constexpr double kSlowSeconds = 0.25;  // at least, from one drawing of slow damage to the next
 constexpr int kStrips = 10;            // of a smooth picture, one a tick
 constexpr std::uint32_t kAllStrips = (1u << kStrips) - 1;
-constexpr int kPicturesPerStrip = 6;  // while something moves
+constexpr int kPicturesPerStrip = 6;   // while something moves,
+constexpr double kStripSeconds = 0.1;  // or after this time
+// After this without input the hand rests: what moves by itself is drawn at full resolution,
+// however long that takes. Then the window rests for this share of that time.
+constexpr double kHandRests = 0.4, kPause = 0.5;
 
 int inventorKey(int key) {
   if (key >= Qt::Key_A && key <= Qt::Key_Z) return SoKeyboardEvent::A + (key - Qt::Key_A);
@@ -75,7 +79,7 @@ void Viewer::setFpsLimit(double fps) { interval_ = 1 / fps; }
 
 // The timer counts whole milliseconds; the error is compensated in the next wait.
 void Viewer::waitForNext() {
-  const double now = double(clock_.nsecsElapsed()) * 1e-9;
+  const double now = seconds();
   due_ = std::max(due_ + interval_, now);
   timer_.start(std::max(1, int(std::lround(1e3 * (due_ - now)))));
 }
@@ -96,7 +100,7 @@ SbViewportRegion Viewer::viewport() const {
 }
 
 Viewer::Drawing Viewer::drawing() const {
-  const double now = double(clock_.nsecsElapsed()) * 1e-9;
+  const double now = seconds();
   Drawing recent;
   for (const auto& [when, seconds] : drawn_)
     if (now - when < 1.0) ++recent.perSecond, recent.seconds += seconds;
@@ -113,18 +117,26 @@ void Viewer::tick() {
   if (!isVisible() || window()->isMinimized()) {
     // Damage is drawn when the window is visible again.
   } else if (!damage_.empty() || image_.size() != pictureSize()) {
-    drawChanges(looked);
     still_.restart();
+    const double now = seconds();
+    const bool rests = now - lastInput_ > kHandRests && !session_->playing();
+    if (!rests || now >= pauseEnds_) {
+      picture_.setSharp(rests);
+      drawChanges(looked);
+      pauseEnds_ = seconds() + kPause * (seconds() - now);
+    }
     // While tissue moves, still parts behind it are drawn smooth strip by strip.
-    if (behind_ != 0 && ++sinceStrip_ >= kPicturesPerStrip) {
+    const bool due = ++sinceStrip_ >= kPicturesPerStrip || seconds() > stripDrawn_ + kStripSeconds;
+    if (behind_ != 0 && due) {
       drawNextStrip(behind_);
       sinceStrip_ = 0;
+      stripDrawn_ = seconds();
     }
   } else if (still > kStillSeconds && rough_ != 0) {
+    // Shadows of what moves slowly are drawn once for all strips.
+    session_->room().holdShadows(!std::exchange(shadowsDue_, false));
     drawNextStrip(rough_);
     behind_ &= rough_;
-    // Shadows of what moves slowly are drawn once for all strips.
-    session_->room().holdShadows(rough_ != 0);
   }
   if (ticked) ticked();
 }
@@ -142,14 +154,14 @@ void Viewer::takeSlowDamage() {
     damage_.boxes.push_back(std::exchange(damage_.slow, {}));
     return;
   }
-  const double now = double(clock_.nsecsElapsed()) * 1e-9;
+  const double now = seconds();
   if (rough_ != 0 || behind_ != 0 || now - slowDrawn_ < kSlowSeconds) return;
   slowDrawn_ = now;
   const Damage slow{false, {std::exchange(damage_.slow, {})}, {}};
   const std::uint32_t strips = stripsOf(pixelsOf(slow, *session_->room().camera(), viewport()));
   rough_ |= strips;
   behind_ |= strips;
-  session_->room().holdShadows(false);
+  shadowsDue_ = true;
 }
 
 // The strips that have any of these pixels.
@@ -164,7 +176,7 @@ std::uint32_t Viewer::stripsOf(std::span<const PixelRect> parts) const {
 }
 
 void Viewer::drawChanges(double looked) {
-  const double begin = double(clock_.nsecsElapsed()) * 1e-9;
+  const double begin = seconds();
   const bool whole = damage_.everything || image_.size() != pictureSize();
   pace_.pictureBegins(looked, session_->state().lastRemoval);
   session_->room().setShadowResolution(picture_.processorDraws() ? 512 : 1024);
@@ -184,10 +196,10 @@ void Viewer::drawChanges(double looked) {
   const Aabb slow = whole ? Aabb() : damage_.slow;
   damage_ = {};
   damage_.slow = slow;
-  session_->room().holdShadows(false);
+  shadowsDue_ = true;
   repaint(changed);
   pace_.pictureShown();
-  const double end = double(clock_.nsecsElapsed()) * 1e-9;
+  const double end = seconds();
   drawn_.push_back({end, end - begin});
   if (drawn_.size() > 240) drawn_.erase(drawn_.begin(), drawn_.begin() + 120);
 }
@@ -270,6 +282,7 @@ bool Viewer::send(SoEvent& event, const QInputEvent& from, const QPointF& at) {
   event.setShiftDown(modifiers.testFlag(Qt::ShiftModifier));
   event.setCtrlDown(modifiers.testFlag(Qt::ControlModifier));
   event.setAltDown(modifiers.testFlag(Qt::AltModifier));
+  lastInput_ = seconds();
   if (before && before(event, region)) return true;
   const bool used = session_->handle(event, region);
   if (used && session_->pending()) pace_.inputCame(steadySecondsOf(from.timestamp()));

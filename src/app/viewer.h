@@ -47,8 +47,7 @@ class Viewer : public QWidget {
   };
   Drawing drawing() const;
   Pace& pace() { return pace_; }
-  // Whether all of the picture is at full resolution, with antialiased edges.
-  bool whole() const { return rough_ == 0 && !image_.isNull(); }
+  bool showsPicture() const { return !image_.isNull(); }
   // The picture as it is shown. If `smooth`, it is first drawn again with antialiased edges.
   RgbImage grabPicture(bool smooth);
 
@@ -74,6 +73,7 @@ class Viewer : public QWidget {
   void key(QKeyEvent* event, bool down);
   bool send(SoEvent& event, const QInputEvent& from, const QPointF& at);
   void drawChanges(double looked);  // `looked`: when the changes were taken, steadySeconds()
+  double seconds() const { return double(clock_.nsecsElapsed()) * 1e-9; }
   void drawStrip(int strip);
   void drawNextStrip(std::uint32_t& strips);
   void takeSlowDamage();
@@ -92,7 +92,11 @@ class Viewer : public QWidget {
   std::uint32_t rough_ = 0;   // not antialiased yet
   std::uint32_t behind_ = 0;  // those that are antialiased while something moves
   int sinceStrip_ = 0;        // pictures drawn since the last strip
+  bool shadowsDue_ = false;   // the next strip draws what has changed of the shadows
   double slowDrawn_ = 0;      // when slow damage was taken last, s
+  double stripDrawn_ = 0;     // when the last strip was drawn while something moved, s
+  double lastInput_ = 0;      // s
+  double pauseEnds_ = 0;      // before this, no sharp picture of what moves is begun, s
   QString waiting_;           // what is said in place of a picture
   Qt::MouseButtons down_;
   // For each of the last pictures: when it was finished, and how long it took, s.

@@ -48,9 +48,9 @@ class FirstMinute(ScreenTest):
     def incision(self, window):
         x, y = window.places["organ"]
         self.take(window, "1", "Scalpel")
-        self.draw((x - 40, y - 60), (x - 20, y - 20), button_down=False, steps=10)
+        self.draw((x - 80, y - 120), (x - 40, y - 40), button_down=False, steps=10)
         self.assertEqual(self.cut(window), 0)  # hovering cuts nothing
-        self.draw((x - 20, y - 20), (x + 10, y + 90))
+        self.draw((x - 40, y - 40), (x + 20, y + 180))
         self.screen.do("mouseup", 1)
 
     def test_an_incision_within_a_minute(self):
@@ -81,12 +81,12 @@ class FirstMinute(ScreenTest):
         window = self.opened()
         x, y = window.places["organ"]
         self.take(window, "2", "Hook")
-        self.draw((x + 90, y + 55), (x + 125, y + 55))
+        self.draw((x + 170, y + 110), (x + 230, y + 110))
         self.screen.key("f")
         self.screen.do("mouseup", 1)
         window.wait("left Hook")
         self.take(window, "1", "Scalpel")
-        self.draw((x + 40, y + 10), (x + 60, y + 110))
+        self.draw((x + 60, y + 10), (x + 90, y + 170))
         self.screen.do("mouseup", 1)
         self.assertGreater(self.cut(window), 4)
         self.screen.picture("hook_and_scalpel")

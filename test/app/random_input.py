@@ -15,7 +15,7 @@ KEYS = ("1", "2", "3", "4", "Escape", "space", "h", "l", "d", "s", "f", "b", "t"
         "Next", "shift+Left", "shift+Up", "shift+Prior", "ctrl+1", "ctrl+2", "ctrl+3", "ctrl+4", "F1", "F11", "Tab",
         "ctrl+o", "ctrl+s", "ctrl+e", "ctrl+p", "ctrl+r", "5", "9", "x")
 MENUS = {"alt+f": 7, "alt+v": 16, "alt+i": 3, "alt+h": 1}  # entries that may be chosen, below the first: not Quit
-DIALOGS = {"Open", "Open organ", "Save surface", "Save scene", "Save picture", "Record video", "About Resect"}
+DIALOGS = {"Open", "Open organ", "Save surface", "Save scene", "Save picture", "Record film", "About Resect"}
 SCENARIOS = [Path(__file__).resolve().parents[2] / "data/scenarios" / f"{name}.toml"
              for name in ("cut-120", "cut-950", "perforate-120", "press", "no-such")]
 

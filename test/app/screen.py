@@ -150,7 +150,7 @@ class Window:
         environment = {**screen.environment, "QT_SCALE_FACTOR": scale, **(environment or {})}
         self.complaints = screen.folder / "complaints.txt"
         with self.complaints.open("a") as complaints:
-            self.process = subprocess.Popen([program, "window", "--reports", "--no-help", *args], env=environment,
+            self.process = subprocess.Popen([program, "window", "--reports", *args], env=environment,
                                             cwd=screen.folder, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                             stderr=complaints, text=True)
         self.lines, self.places, self.said = queue.Queue(), {}, []

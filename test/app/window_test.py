@@ -214,7 +214,7 @@ class AtTheWindow(ScreenTest):
         screen, file = self.screen, FOLDER / "film.mp4"
         window = self.opened()
         screen.key("ctrl+r")
-        screen.focus("^Record video$")
+        screen.focus("^Record film$")
         screen.key("ctrl+a")
         screen.type(file)
         screen.key("Return")

@@ -56,14 +56,14 @@ def make_figure(program, screen, folder, name, scenario, during):
 
 
 def make_window(program, folder):
-    screen = Screen(folder, 1240, 900)  # no larger than the window
+    screen = Screen(folder, 1240, 800)  # no larger than the window
     try:
-        window = Window(program, screen, ANIMATED, "--size", "1240x900")
+        window = Window(program, screen, "--size", "1240x800")
         try:
             window.wait("ready", 300)
-            window.tell("play 4.2")
+            window.tell("play 5.6")
             window.wait("played", 120)
-            time.sleep(9)  # until it is smooth, and the plot shows what was removed
+            time.sleep(4)  # the wound bleeds
             screen.picture("window")
         finally:
             window.quit()

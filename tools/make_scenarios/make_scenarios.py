@@ -11,9 +11,9 @@ from pathlib import Path
 
 FRAME_RATE = 60
 SIZES = {  # name: (spacing in mm, what people are told)
-    "120": (24.6, "120 particles, as in the thesis"),
-    "950": (11.96, "950 particles, as in the thesis"),
-    "": (5.0, "cells of 5 mm"),
+    "120": (24.6, " (120 particles, as in the thesis)"),
+    "950": (11.96, " (950 particles, as in the thesis)"),
+    "": (5.0, ""),
 }
 
 
@@ -184,7 +184,8 @@ def incise():
                  (0.04, 0.047), (0.05, 0.036), (0.058, 0.028)):
         path.to(x, y, z, speed=0.05)
     path.to(x, 0.14, 0.12, speed=0.3).to(0.05, 0.24, 0.14, speed=0.3)
-    return [("scalpel", path), ("hook", None), ("baton", None)]
+    return [("scalpel", path), *((name, None) for name in (
+        "hook", "baton", "scissors", "suction", "clip_applier", "bipolar"))]
 
 
 # The portal branch of 2.7 mm that `bleed` cuts, once the liver has sagged: in its middle (-0.017, 0.028, 0.044), 21 mm
@@ -414,14 +415,14 @@ def scenario(title, description, spacing_mm, tools, view, tail=0.4, duration=Non
 
 def all_scenarios():
     kinds = {
-        "cut": (cut, "Scalpel drawn through the liver", "A groove over the dome, from the far side to the surgeon"),
-        "perforate": (perforate, "Liver perforated with the baton", "Three holes from the dome to the table"),
-        "deform": (deform, "Liver hollowed out with the hook", "The dome is raked away, pass by pass"),
+        "cut": (cut, "Cut across the dome", "The scalpel draws a groove over the dome, from the far side to the surgeon"),
+        "perforate": (perforate, "Three holes through the liver", "The baton is driven from the dome to the table, three times"),
+        "deform": (deform, "Hollow out the dome", "The hook rakes the dome away, pass by pass"),
     }
     for kind, (make, title, description) in kinds.items():
         for size, (spacing_mm, told) in SIZES.items():
             name = kind + ("-" + size if size else "")
-            yield name, scenario(f"{title}, {told}", description, spacing_mm, make(spacing_mm / 1000), "surgeon")
+            yield name, scenario(title + told, description, spacing_mm, make(spacing_mm / 1000), "surgeon")
     yield "resect-segment", scenario(
         "Left lateral part of the liver taken off", "A scalpel path that parts the liver completely, in three strokes",
         3.0, resect_segment(0.003), "surgeon", tail=0.8)
@@ -429,7 +430,7 @@ def all_scenarios():
                            press(), ligaments(ASIDE), x=ASIDE)
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, lift(),
                           ligaments(ASIDE), x=ASIDE)
-    yield "incise", elastic("An incision over the dome", "The blade is drawn towards the surgeon; the wound bleeds",
+    yield "incise", elastic("An incision over the dome", "The scalpel is drawn over the dome, towards the surgeon; the wound bleeds",
                             8.0, incise(), ligaments(ASIDE), x=ASIDE, organ='vessels = "built-in"\n',
                             close_up="[[-0.13, 0.05, -0.05], [-0.05, 0.1, 0.06]]")
     yield "incise-under-traction", elastic(

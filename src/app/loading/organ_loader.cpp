@@ -45,16 +45,13 @@ TissueSetup besideDrawing(TissueSetup setup) {
   return setup;
 }
 
-Scenario withAllInstruments(Scenario scenario) {
+Scenario withInstruments(Scenario scenario) {
+  const bool any = !scenario.tools.empty();
   const bool bleeds = std::ranges::any_of(
       scenario.organs, [](const ScenarioOrgan& organ) { return !organ.source.vessels.empty(); });
   for (const ToolKind& kind : toolKinds()) {
-    if (kind.stopsBleeding && !bleeds) continue;
-    const std::string name(kind.name);
-    const bool there = std::any_of(
-        scenario.tools.begin(), scenario.tools.end(),
-        [&](const ScenarioTool& tool) { return std::filesystem::path(tool.model).stem() == name; });
-    if (!there) scenario.tools.push_back({name, {}, {}, {}});
+    if (any || (kind.stopsBleeding && !bleeds)) continue;
+    scenario.tools.push_back({std::string(kind.name), {}, {}, {}});
   }
   for (std::size_t i = 0; i < scenario.tools.size(); ++i)
     scenario.tools[i].rest = toolBoxPlace(int(i));
@@ -148,7 +145,7 @@ void OrganLoader::load(const Scenario& scenario, std::function<void(double)> pro
   progress_ = std::move(progress);
   done_ = std::move(done);
   job_ = std::make_unique<Job>();
-  job_->scenario = withAllInstruments(scenario);
+  job_->scenario = withInstruments(scenario);
   job_->wanted = job_->scenario;
   for (ScenarioOrgan& organ : job_->wanted.organs) organ.tissue = besideDrawing(organ.tissue);
   next_ = 0;

@@ -20,9 +20,10 @@
 
 namespace resect {
 
-// Adds the shipped instruments that the scenario lacks; they come after the scenario's own. Sets
-// the rest pose of every instrument to its place in the tool box.
-Scenario withAllInstruments(Scenario scenario);
+// Gives a scenario without instruments all that come with Resect and are of use in it; a scenario
+// that has some keeps its own list. Sets the rest pose of every instrument to its place in the tool
+// box.
+Scenario withInstruments(Scenario scenario);
 
 // Returns the setup with half of the processor's threads for the tissue, so that the rest is left
 // for drawing. If the setup already has a number of threads, it is unchanged.

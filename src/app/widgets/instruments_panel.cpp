@@ -1,6 +1,5 @@
 #include "app/widgets/instruments_panel.h"
 
-#include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -10,11 +9,6 @@ namespace resect {
 
 InstrumentsPanel::InstrumentsPanel(QWidget* parent) : QWidget(parent) {
   layout_ = new QVBoxLayout(this);
-  how_ = new QLabel(this);
-  how_->setTextFormat(Qt::PlainText);
-  how_->setWordWrap(true);
-  how_->setMinimumHeight(3 * fontMetrics().height() + 6);
-  layout_->addWidget(how_);
   layout_->addStretch();
 }
 
@@ -41,13 +35,12 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
   }
 }
 
-void InstrumentsPanel::show(int held, const std::vector<std::uint8_t>& left, const QString& how) {
+void InstrumentsPanel::show(int held, const std::vector<std::uint8_t>& left) {
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     buttons_[i]->setChecked(int(i) == held);
     const QString text = left[i] ? names_[i] + "   (left at work)" : names_[i];
     if (buttons_[i]->text() != text) buttons_[i]->setText(text);
   }
-  if (how_->text() != how) how_->setText(how);
 }
 
 }  // namespace resect

@@ -8,7 +8,6 @@
 
 #include "tools/tool.h"
 
-class QLabel;
 class QToolButton;
 class QVBoxLayout;
 
@@ -21,12 +20,10 @@ class InstrumentsPanel : public QWidget {
   explicit InstrumentsPanel(QWidget* parent = nullptr);
   void setTools(const std::vector<ToolModel>& tools);
   // held: number of the tool in hand, -1: none. left: per tool; 1: it was left holding or pressing.
-  // how: a sentence on what can be done.
-  void show(int held, const std::vector<std::uint8_t>& left, const QString& how);
+  void show(int held, const std::vector<std::uint8_t>& left);
   std::function<void(int tool)> chosen;  // a tool's button was clicked
  private:
   QVBoxLayout* layout_;
-  QLabel* how_;
   std::vector<QToolButton*> buttons_;
   std::vector<QString> names_;
 };

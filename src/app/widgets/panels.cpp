@@ -148,9 +148,8 @@ OrganPanel::Settings OrganPanel::settings() const {
 
 // Settings apply only when the organ is rebuilt: the button shows that changes are pending.
 void OrganPanel::sayWhatWaits() {
-  const bool waiting = settings() != running_;
-  again_->setText(waiting ? "Begin again to apply" : "Begin again");
-  again_->setStyleSheet(waiting ? "font-weight: bold" : "");
+  again_->setText(waiting() ? "Begin again to apply" : "Begin again");
+  again_->setStyleSheet(waiting() ? "font-weight: bold" : "");
 }
 
 void OrganPanel::beginAgain() {

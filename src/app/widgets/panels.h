@@ -35,6 +35,8 @@ class OrganPanel : public QWidget {
   void setOrgans(const std::vector<ScenarioOrgan>& organs, double spacing, const QString& notes);
   void follow(const LiveState& state);
   void setIso(float iso);
+  // Whether the panel shows settings that the operation does not have: they wait for beginAgain().
+  bool waiting() const { return settings() != running_; }
   // Calls rebuild(), so that the organs are made anew, uncut, with the panel's settings.
   void beginAgain();
   std::function<void(float)> isoChanged;

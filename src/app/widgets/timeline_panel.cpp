@@ -128,6 +128,7 @@ class TimelineBar : public QWidget {
       if (s.tool >= 0 && std::size_t(s.tool) < panel_.tools_.size())
         text += ", " + panel_.tools_[std::size_t(s.tool)];
       text += QString(": %1 s").arg(double(s.to - s.from) / panel_.frameRate_, 0, 'f', 1);
+      if (!panel_.laboratory_) continue;
       if (s.removed > 0)
         text += QString(", %L1 %2 removed")
                     .arg(s.removed)
@@ -197,11 +198,17 @@ TimelinePanel::TimelinePanel(QWidget* parent) : QWidget(parent) {
   row->addWidget(memory_);
   row->addWidget(branches_);
   row->addWidget(compare_);
+  memory_->hide();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 2, 0, 0);
   column->setSpacing(2);
   column->addWidget(bar_);
   column->addLayout(row);
+}
+
+void TimelinePanel::setLaboratory(bool shown) {
+  laboratory_ = shown;
+  memory_->setVisible(shown);
 }
 
 void TimelinePanel::begin(const std::vector<QString>& tools, double frameRate) {

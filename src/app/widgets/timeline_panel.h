@@ -33,6 +33,8 @@ class TimelinePanel : public QWidget {
   void toEnd();
   bool atEnd() const { return frame_ >= end_ && asked_ < 0; }
   void togglePlayback();
+  // Whether developers' figures are shown too: memory, particles and bonds.
+  void setLaboratory(bool shown);
   // The branch that is shown.
   std::int64_t branch() const { return branch_; }
   double frameRate() const { return frameRate_; }
@@ -59,7 +61,7 @@ class TimelinePanel : public QWidget {
   double frameRate_ = 60;
   std::int64_t branch_ = 0, frame_ = 0, end_ = 0;
   std::int64_t asked_ = -1;  // frame that was requested and is not reached yet; -1: none
-  bool showing_ = false;
+  bool showing_ = false, laboratory_ = false;
   double speed_ = 0;
   TimelineBar* bar_;
   QLabel *time_, *hint_, *memory_;

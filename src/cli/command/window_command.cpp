@@ -21,7 +21,7 @@ struct Options {
   std::string scenario, organ, size = "1280x800";
   double fpsLimit = 60;
   int threads = 0, history = 512;
-  bool thesis = false, noHelp = false, light = false, dark = false, reports = false;
+  bool thesis = false, light = false, dark = false, reports = false;
 };
 
 void window(const Options& options, const OrganOptions& organOptions) {
@@ -48,7 +48,6 @@ void window(const Options& options, const OrganOptions& organOptions) {
   if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;
   window.historyMemory = options.history;
-  window.overlay = !options.noHelp;
   if (options.light || options.dark) window.dark = options.dark;
   window.reports = options.reports;
   if (const int status = showWindow(window); status != 0)
@@ -79,12 +78,11 @@ void addWindowCommand(CLI::App& app) {
                    "Memory for showing earlier moments of the operation, MB")
       ->check(CLI::Range(16, 1 << 20))
       ->capture_default_str();
-  command->add_option("--size", options->size, "Width and height of the window")
+  command->add_option("--size", options->size, "Width and height of the window, pixels")
       ->capture_default_str();
   command->add_flag(
       "--thesis", options->thesis,
       "As the original system: tissue is still, instruments take out what they touch");
-  command->add_flag("--no-help", options->noHelp, "Do not show the controls at the first start");
   auto* light = command->add_flag("--light", options->light, "Light colours");
   command->add_flag("--dark", options->dark, "Dark colours; neither: as chosen last")
       ->excludes(light);

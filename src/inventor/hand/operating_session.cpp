@@ -385,6 +385,12 @@ void OperatingSession::viewAll(double aspect) {
   damage_.everything = true;
 }
 
+void OperatingSession::zoom(double factor) {
+  camera_.zoom(factor);
+  tools_.aimAgain();
+  damage_.everything = true;
+}
+
 void OperatingSession::placeScale() { iso_.moveTo(scaleFoot(organBox_, towards(room().camera()))); }
 
 void OperatingSession::showScale(bool shown) {

@@ -75,6 +75,8 @@ class OperatingSession {
   // Moves the camera, without turning it, so that organs, tool box and iso scale are in the
   // picture.
   void viewAll(double aspect);
+  // Multiplies the camera's distance from its point of interest.
+  void zoom(double factor);
   // Shows the scale of the iso level, or hides it. It stands at the left of the organs wherever the
   // camera is.
   void showScale(bool shown);

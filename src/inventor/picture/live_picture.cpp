@@ -93,6 +93,7 @@ LivePicture::~LivePicture() = default;
 bool LivePicture::processorDraws() const { return context_->processorDraws; }
 void LivePicture::setProcessorDraws(bool draws) { context_->processorDraws = draws; }
 void LivePicture::setLongestPicture(double seconds) { longest_ = seconds; }
+void LivePicture::setSharp(bool sharp) { sharp_ = sharp; }
 void LivePicture::forget() {
   context_->gl.makeCurrent();
   context_->shown.free();
@@ -137,7 +138,7 @@ void LivePicture::drawParts(SoNode* scene, const Buffer& buffer, std::span<const
 
 bool LivePicture::shadowsAreDue(const Damage& damage) const {
   const bool nothingElse = !damage.everything && damage.boxes.empty();
-  if (!context_->processorDraws || nothingElse) return true;
+  if (!context_->processorDraws || nothingElse || sharp_) return true;
   const double left = std::max(longest_ - plain_, 1e-4);
   const double interval = std::clamp<double>(std::ceil((shadowed_ - plain_) / left),
                                              kShortestInterval, kLongestInterval);
@@ -166,7 +167,7 @@ std::span<const PixelRect> LivePicture::draw(SoNode* scene, const SoPerspectiveC
   parts_ = pixelsOf(now, camera, SbViewportRegion(size));
   if (parts_.empty()) return parts_;
   const double begin = steadySeconds();
-  const bool sharp = double(area(parts_)) < kMostSharp * width * height;
+  const bool sharp = sharp_ || double(area(parts_)) < kMostSharp * width * height;
   if (sharp || scale_ == 1) {
     drawParts(scene, c.shown, parts_);
   } else {

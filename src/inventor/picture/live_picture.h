@@ -37,6 +37,7 @@ class LivePicture {
   bool processorDraws() const;             // whether OpenGL renders in software
   void setProcessorDraws(bool draws);      // for tests: the result of processorDraws()
   void setLongestPicture(double seconds);  // a longer drawing time reduces the resolution
+  void setSharp(bool sharp);  // sharp: the resolution is never reduced, and no shadow is late
 
   // Whether draw(), if it is called with this damage, will draw the changed soft shadows too. If
   // not, the shadow maps need no update before.
@@ -75,7 +76,8 @@ class LivePicture {
   Damage late_;  // changes of soft shadows that have not been drawn yet
   std::vector<PixelRect> parts_;
   std::vector<std::uint32_t> rows_;  // work space of read()
-  int sinceShadows_ = 0;             // pictures since the last one with new shadows
+  bool sharp_ = false;
+  int sinceShadows_ = 0;  // pictures since the last one with new shadows
   // Moving averages of the drawing times without and with new shadows, s.
   double plain_ = 0, shadowed_ = 0;
 };

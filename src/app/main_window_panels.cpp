@@ -1,0 +1,255 @@
+// What surrounds the picture in the main window: the line that says what to do, the panels of the
+// operation, and those of the laboratory.
+#include <QAction>
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QTabBar>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/main_window.h"
+#include "app/say.h"
+#include "app/smooth_cells.h"
+#include "app/viewer.h"
+#include "app/widgets/hint_bar.h"
+#include "app/widgets/instruments_panel.h"
+#include "app/widgets/operation_panel.h"
+#include "app/widgets/panels.h"
+#include "app/widgets/timeline_panel.h"
+
+namespace resect {
+namespace {
+
+constexpr int kTallWindow = 1000;  // pixels: in a lower one the laboratory's panels share one place
+constexpr int kPanelLetters = 33;  // width of the panels
+
+// A panel that may be higher than its place.
+QScrollArea* scrolling(QWidget* content) {
+  class Area : public QScrollArea {
+   public:
+    QSize sizeHint() const override {
+      const QSize content = widget()->sizeHint();
+      return {kPanelLetters * fontMetrics().averageCharWidth(), content.height()};
+    }
+    QSize minimumSizeHint() const override {
+      return {kPanelLetters * fontMetrics().averageCharWidth(), 3 * fontMetrics().height()};
+    }
+  };
+  auto* area = new Area;
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidget(content);
+  return area;
+}
+
+// How an instrument that follows the surface works while the left button is down.
+QString useOf(const std::string& kind) {
+  constexpr std::pair<const char*, const char*> kUses[] = {
+      {"scalpel", "press the left button and draw: it cuts"},
+      {"hook", "press the left button and draw: it catches and pulls"},
+      {"baton", "hold the left button down: it pushes"},
+      {"scissors", "hold the left button down: they close"},
+      {"suction", "hold the left button down: it draws off blood"},
+      {"clip_applier", "hold the left button down: it closes a vessel"},
+      {"bipolar", "hold the left button down: they seal what is between the tips"}};
+  const auto* use = std::ranges::find(kUses, kind, [](const auto& one) { return one.first; });
+  return use == std::end(kUses) ? "hold the left button down: it works" : use->second;
+}
+
+// The first tool in hand in the motions being played; -1 for none.
+int playedTool(const LiveState& state) {
+  const auto at = std::ranges::find_if(state.played, &ToolInput::inHand);
+  return at == state.played.end() ? -1 : int(at - state.played.begin());
+}
+
+// The tool in hand or left at work on which the force is largest; -1 for none.
+int workingTool(const LiveState& state) {
+  int strongest = -1;
+  for (std::size_t i = 0; i < state.inHand.size(); ++i)
+    if (state.inHand[i] &&
+        (strongest < 0 || state.forces[i] > state.forces[std::size_t(strongest)]))
+      strongest = int(i);
+  return strongest;
+}
+
+}  // namespace
+
+void MainWindow::makeDocks() {
+  hint_ = new HintBar;
+  hint_->say("One moment ...");
+  auto* middle = new QWidget(this);
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(hint_);
+  column->addWidget(viewer_, 1);
+  setCentralWidget(middle);
+
+  const auto dock = [&](const char* title, QWidget* content) {
+    auto* made = new QDockWidget(title, this);
+    made->setObjectName(title);
+    made->setWidget(scrolling(content));
+    addDockWidget(Qt::RightDockWidgetArea, made);
+    return made;
+  };
+  operation_ = new OperationPanel;
+  instruments_ = new InstrumentsPanel;
+  organ_ = new OrganPanel;
+  removed_ = new RemovedPanel;
+  force_ = new ForcePanel;
+  timing_ = new TimingPanel;
+  timeline_ = new TimelinePanel;
+  auto* curves = new QWidget;
+  auto* both = new QVBoxLayout(curves);
+  both->setContentsMargins(0, 0, 0, 0);
+  both->addWidget(removed_, 1);
+  both->addWidget(force_, 1);
+  traineePanels_ = {dock("Operation", operation_), dock("Instruments", instruments_)};
+  laboratoryPanels_ = {dock("Organ", organ_), dock("Curves", curves), dock("Timing", timing_)};
+  // In a low window they share one place.
+  const bool tall = options_.height >= kTallWindow;
+  if (!tall) tabifyDockWidget(laboratoryPanels_[0], laboratoryPanels_[1]);
+  tabifyDockWidget(laboratoryPanels_[1], laboratoryPanels_[2]);
+  for (QDockWidget* panel : laboratoryPanels_) panel->hide();
+  auto* below = new QDockWidget("Timeline", this);
+  below->setObjectName("Timeline");
+  below->setWidget(timeline_);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  addDockWidget(Qt::BottomDockWidgetArea, below);
+  // Fixed width from the start, so that the picture does not shift when numbers appear.
+  resizeDocks(traineePanels_, QList<int>(2, kPanelLetters * fontMetrics().averageCharWidth()),
+              Qt::Horizontal);
+  instruments_->chosen = [this](int tool) {
+    if (!session_) return;
+    if (tool == session_->tools().held())
+      session_->tools().putBack(tool);
+    else
+      session_->tools().take(tool);
+    viewer_->setFocus();
+  };
+  organ_->isoChanged = [this](float iso) {
+    if (session_) session_->setIso(iso);
+  };
+  organ_->rebuild = [this](std::optional<double> spacing, int refine, bool elastic) {
+    beginAgain(spacing, refine, elastic);
+  };
+  hint_->accepted = [this](int millimetres) {
+    if (!session_) return;
+    const ScenarioOrgan& organ = session_->scenario().organs[0];
+    beginAgain(1e-3 * millimetres, organ.source.settings.refine, organ.tissue.elastic);
+  };
+}
+
+// The same scenario from its start. spacing: side of the cells, m; none: as it is.
+void MainWindow::beginAgain(std::optional<double> spacing, int refine, bool elastic) {
+  if (!session_) return;
+  Scenario scenario = session_->scenario();
+  // The files from which an opened operation was made need not be here; its recording has all.
+  if (!madeFrom_.empty() && !spacing && refine == scenario.organs[0].source.settings.refine &&
+      elastic == scenario.organs[0].tissue.elastic)
+    return openOperation(QString::fromStdString(madeFrom_), true);
+  if (spacing) setSpacing(scenario, session_->cells().lattice.spacing.x(), *spacing);
+  for (ScenarioOrgan& organ : scenario.organs) organ.source.settings.refine = refine;
+  if (elastic != scenario.organs[0].tissue.elastic)
+    elastic ? makeElastic(scenario) : makeStill(scenario);
+  if (load(scenario)) keepsView_ = true;
+}
+
+// Shows the panels and the scale of the laboratory, or hides them.
+void MainWindow::showLaboratory(bool shown) {
+  for (QDockWidget* panel : laboratoryPanels_) panel->setVisible(shown);
+  if (shown)
+    for (const int front : {1, 0}) laboratoryPanels_[front]->raise();
+  QTimer::singleShot(0, this, [this] { arrangePanels(); });
+  scale_->setChecked(shown);
+  timeline_->setLaboratory(shown);
+  if (options_.reports) say("laboratory {}", shown ? "shown" : "hidden");
+}
+
+// Heights for what the panels show; the last one gets what is left. Called once they are laid out.
+void MainWindow::arrangePanels() {
+  const int told = session_ && !session_->scenario().description.empty() ? 8 : 0;
+  const int operation = 9 + told, organ = 19;  // lines
+  const int line = fontMetrics().height();
+  QList<QDockWidget*> panels = traineePanels_;
+  QList<int> heights{operation * line, instruments_->sizeHint().height() + 2 * line};
+  if (laboratory_->isChecked()) {
+    panels << laboratoryPanels_[0];
+    heights << organ * line;
+  }
+  int others = 3 * line;  // menu, status
+  for (const int height : heights) others += height;
+  heights.back() += std::max(0, height() - others);
+  resizeDocks(panels, heights, Qt::Vertical);
+  for (QTabBar* tabs : findChildren<QTabBar*>()) {
+    tabs->setElideMode(Qt::ElideNone);
+    tabs->setUsesScrollButtons(false);
+  }
+}
+
+// What can be done next, in a sentence.
+QString MainWindow::nextStep() const {
+  const ToolHandling& tools = session_->tools();
+  if (session_->playing()) return "The scenario shows how; take an instrument to do it yourself.";
+  if (session_->showing() && !timeline_->atEnd())
+    return "This is an earlier moment: work on from here, or press End to go back.";
+  const QString name = heldName("");
+  const QString depth =
+      tools.how() == ToolHandling::Hold::Guided
+          ? QString(" %1 mm deep (wheel).").arg(std::lround(1e3 * tools.depth(tools.held())))
+          : QString();
+  switch (tools.how()) {
+    case ToolHandling::Hold::None:
+      return "Take an instrument: press its number, or click it in the list. F1 shows all "
+             "controls.";
+    case ToolHandling::Hold::Direct:
+      return name +
+             ": drag moves it, the wheel brings it nearer, Shift turns it; Escape puts it back.";
+    case ToolHandling::Hold::Guided:
+      if (tools.pressing()) return name + " at work; F leaves it there." + depth;
+      return name + ": " + useOf(session_->toolModels()[std::size_t(tools.held())].kind) + "," +
+             depth;
+    case ToolHandling::Hold::HandleBox:
+      return name + " in a handle box: drag it to move it; middle click to turn it.";
+    case ToolHandling::Hold::Trackball:
+      return name + " in a trackball: drag it to turn it; middle click to move it.";
+  }
+  return {};
+}
+
+void MainWindow::followPanels(const LiveState& state, qint64 now) {
+  const int felt = session_->playing() ? playedTool(state) : workingTool(state);
+  operation_->follow(state, felt);
+  timeline_->follow(state, session_->showing(), session_->answered());
+  hint_->say(nextStep());
+  // A slow second may have other causes, such as a program that starts.
+  constexpr qint64 kLong = 2000;  // ms
+  const double cell = session_->cells().lattice.spacing.x();
+  const int wanted = smoothCells(state, session_->scenario().frameRate, cell);
+  if (wanted == 0) slowSince_ = 0;
+  if (wanted > 0 && slowSince_ == 0) slowSince_ = now;
+  const int offered = slowSince_ > 0 && now - slowSince_ > kLong ? wanted : 0;
+  if (offered != hint_->offered() && (offered == 0 || hint_->offered() == 0)) {
+    hint_->offerCells(offered);
+    if (options_.reports && offered > 0) {
+      const QPoint at = hint_->buttonPlace() * devicePixelRatioF();
+      say("place smooth {} {}", at.x(), at.y());
+      say("slow: cells of {} mm offered", offered);
+    }
+  }
+  organ_->follow(state);
+  if (options_.reports && organ_->waiting() != waitingSaid_) {
+    waitingSaid_ = organ_->waiting();
+    say("settings {}", waitingSaid_ ? "wait" : "are in force");
+  }
+  organ_->setIso(session_->iso().value());
+  removed_->follow(state);
+  force_->follow(state, felt);
+  timing_->follow(state, viewer_->drawing(), session_->scenario().frameRate);
+}
+
+}  // namespace resect

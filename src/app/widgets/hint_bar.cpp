@@ -1,0 +1,67 @@
+#include "app/widgets/hint_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <algorithm>
+
+namespace resect {
+
+HintBar::HintBar(QWidget* parent)
+    : QWidget(parent), sentence_(new QLabel(this)), mend_(new QPushButton(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(10, 4, 10, 4);
+  row->addWidget(sentence_, 1);
+  row->addWidget(mend_);
+  sentence_->setTextFormat(Qt::PlainText);
+  sentence_->setWordWrap(true);
+  QFont large = sentence_->font();
+  large.setPointSizeF(1.15 * large.pointSizeF());
+  sentence_->setFont(large);
+  sentence_->setAccessibleName("What to do next");
+  mend_->setFocusPolicy(Qt::TabFocus);
+  mend_->setToolTip(
+      "The simulation is slower than real time. Larger cells are faster; the operation begins "
+      "again, and what was done stays in File > Recorded operations");
+  mend_->hide();
+  connect(mend_, &QPushButton::clicked, this, [this] {
+    if (accepted && offered_ > 0) accepted(offered_);
+  });
+}
+
+void HintBar::say(const QString& sentence) {
+  if (sentence_->text() == sentence) return;
+  sentence_->setText(sentence);
+  keepHeight();
+}
+
+void HintBar::offerCells(int millimetres) {
+  if (millimetres == offered_) return;
+  offered_ = millimetres;
+  mend_->setText(QString("Make it smooth: cells of %1 mm").arg(millimetres));
+  mend_->setVisible(millimetres > 0);
+  keepHeight();
+}
+
+QPoint HintBar::buttonPlace() const {
+  return mend_->mapToGlobal(QPoint(mend_->width() / 2, mend_->height() / 2));
+}
+
+void HintBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  lines_ = 1;
+  keepHeight();
+}
+
+// As high as the longest sentence so far needed at this width: the picture below does not jump.
+void HintBar::keepHeight() {
+  const QMargins margins = layout()->contentsMargins();
+  const int beside = mend_->isHidden() ? 0 : mend_->sizeHint().width() + layout()->spacing();
+  const int width = this->width() - margins.left() - margins.right() - beside;
+  if (width <= 0) return;
+  const int line = std::max(1, sentence_->fontMetrics().lineSpacing());
+  lines_ = std::max(lines_, (sentence_->heightForWidth(width) + line - 1) / line);
+  sentence_->setMinimumHeight(std::max(lines_ * line, mend_->sizeHint().height()));
+}
+
+}  // namespace resect

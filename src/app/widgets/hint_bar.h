@@ -1,0 +1,34 @@
+// One line over the picture that says what to do next, and a button that mends slow settings.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+class QLabel;
+class QPushButton;
+
+namespace resect {
+
+class HintBar : public QWidget {
+ public:
+  explicit HintBar(QWidget* parent = nullptr);
+  void say(const QString& sentence);
+  // Offers to begin again with cells of this side, mm; 0: nothing is offered.
+  void offerCells(int millimetres);
+  int offered() const { return offered_; }
+  QPoint buttonPlace() const;  // of the offer, in pixels of the screen
+
+  std::function<void(int millimetres)> accepted;  // the offer's button was pressed
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void keepHeight();
+
+  QLabel* sentence_;
+  QPushButton* mend_;
+  int offered_ = 0, lines_ = 1;
+};
+
+}  // namespace resect

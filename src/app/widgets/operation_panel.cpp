@@ -1,0 +1,109 @@
+#include "app/widgets/operation_panel.h"
+
+#include <QFormLayout>
+#include <QLabel>
+#include <algorithm>
+#include <cmath>
+
+#include "app/say.h"
+#include "app/widgets/timeline_panel.h"
+
+namespace resect {
+namespace {
+
+QString millilitres(double volume) { return QString("%1 ml").arg(volume * 1e6, 0, 'f', 1); }
+
+// The narrowest margin of a labelled structure: "4.2 mm, tumour".
+QString narrowestMargin(const Ledger& ledger) {
+  const LabelLedger* nearest = nullptr;
+  for (const OrganLedger& organ : ledger.organs)
+    for (const LabelLedger& label : organ.labels)
+      if (label.margin && std::isfinite(*label.margin) &&
+          (!nearest || *label.margin < *nearest->margin))
+        nearest = &label;
+  if (!nearest) return {};
+  return QString("%1 mm, %2").arg(*nearest->margin * 1e3, 0, 'f', 1).arg(shown(nearest->name));
+}
+
+}  // namespace
+
+OperationPanel::OperationPanel(QWidget* parent)
+    : QWidget(parent), form_(new QFormLayout(this)), title_(new QLabel), task_(new QLabel) {
+  form_->setVerticalSpacing(3);
+  form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  for (QLabel* label : {title_, task_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    form_->addRow(label);
+  }
+  title_->setAccessibleName("Title of the operation");
+  task_->setAccessibleName("Task");
+  QFont bold = title_->font();
+  bold.setBold(true);
+  title_->setFont(bold);
+  time_ = addRow("Time", "Since the operation began");
+  blood_ = addRow("Blood lost", "All blood that has left the vessels");
+  bleeding_ = addRow("Bleeding", "Blood that leaves the vessels at present");
+  removed_ = addRow("Removed", "Tissue taken out");
+  pieces_ = addRow("Cut off", "Pieces that hang together with the organ no more");
+  cut_ = addRow("Incisions", "Area of all cuts");
+  margin_ = addRow("Margin", "Least distance of a structure from a cut");
+  force_ = addRow("Force", "What the hand feels on the instrument");
+  most_ = addRow("Most", "The largest force so far, and the instrument that met it");
+}
+
+OperationPanel::Row OperationPanel::addRow(const char* name, const char* tip) {
+  const Row row{new QLabel(name, this), new QLabel(this)};
+  row.name->setToolTip(tip);
+  row.value->setToolTip(tip);
+  row.value->setTextFormat(Qt::PlainText);
+  row.value->setWordWrap(true);
+  row.value->setAccessibleName(name);
+  form_->addRow(row.name, row.value);
+  set(row, {});
+  return row;
+}
+
+void OperationPanel::set(const Row& row, const QString& value) {
+  if (row.value->text() != value) row.value->setText(value);
+  if (form_->isRowVisible(row.value) == value.isEmpty())
+    form_->setRowVisible(row.value, !value.isEmpty());
+}
+
+void OperationPanel::begin(const Scenario& scenario, const std::vector<QString>& tools) {
+  tools_ = tools;
+  frameRate_ = scenario.frameRate;
+  title_->setText(shown(scenario.title, kLongestSentence));
+  title_->setVisible(!scenario.title.empty());
+  task_->setText(shown(scenario.description, kLongestSentence));
+  task_->setVisible(!scenario.description.empty());
+}
+
+void OperationPanel::follow(const LiveState& state, int held) {
+  set(time_, clockText(double(state.moment.frame) / frameRate_));
+  set(blood_, state.bleeds ? millilitres(state.bled) : QString());
+  set(bleeding_,
+      state.bleeds ? QString("%1 ml/min").arg(state.bleedingRate * 60e6, 0, 'f', 0) : QString());
+  set(removed_, millilitres(state.removedVolume));
+  const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
+  set(pieces_, pieces > 0 ? QString("%1 %2, %3")
+                                .arg(pieces)
+                                .arg(pieces == 1 ? "piece" : "pieces")
+                                .arg(millilitres(state.ledger->tissue().pieces.volume))
+                          : QString());
+  const double cut = state.ledger ? state.ledger->cut() : 0;
+  set(cut_, cut > 0 ? QString("%1 cm\u00b2").arg(cut * 1e4, 0, 'f', 1) : QString());
+  set(margin_, state.ledger ? narrowestMargin(*state.ledger) : QString());
+  const bool felt = held >= 0 && std::size_t(held) < state.forces.size();
+  set(force_, state.moves
+                  ? QString("%1 N").arg(felt ? state.forces[std::size_t(held)] : 0, 0, 'f', 2)
+                  : QString());
+  const auto most = std::ranges::max_element(state.peakForces);
+  const bool met = state.moves && most != state.peakForces.end() && *most > 0;
+  const auto tool = std::size_t(most - state.peakForces.begin());
+  set(most_, met ? QString("%1 N").arg(*most, 0, 'f', 2) +
+                       (tool < tools_.size() ? ", " + tools_[tool] : QString())
+                 : QString());
+}
+
+}  // namespace resect

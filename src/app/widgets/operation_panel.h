@@ -1,0 +1,39 @@
+// The panel of the operation, in the words of the operating room: the task, time, blood lost,
+// tissue removed, and the force on the instrument in hand.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "operation/live/live_state.h"
+#include "operation/scenario.h"
+
+class QFormLayout;
+class QLabel;
+
+namespace resect {
+
+class OperationPanel : public QWidget {
+ public:
+  explicit OperationPanel(QWidget* parent = nullptr);
+  // For a new operation. tools: names of its instruments.
+  void begin(const Scenario& scenario, const std::vector<QString>& tools);
+  // held: number of the tool whose force is shown; -1: none.
+  void follow(const LiveState& state, int held);
+
+ private:
+  // A line with a name and a value, shown only while it has a value.
+  struct Row {
+    QLabel *name, *value;
+  };
+  Row addRow(const char* name, const char* tip);
+  void set(const Row& row, const QString& value);
+
+  QFormLayout* form_;
+  QLabel *title_, *task_;
+  Row time_, blood_, bleeding_, removed_, pieces_, cut_, margin_, force_, most_;
+  std::vector<QString> tools_;
+  double frameRate_ = 60;
+};
+
+}  // namespace resect
