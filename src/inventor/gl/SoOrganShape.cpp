@@ -119,10 +119,7 @@ void SoOrganShape::update(const SurfaceUpdate& update) {
                         const std::shared_ptr<const TissueMap>& given) {
     if (!given) return;
     for (const Aabb& box : {held ? held->box : Aabb(), given->box})
-      if (!box.empty()) {
-        changed_.low = changed_.low.cwiseMin(box.min.cast<float>());
-        changed_.high = changed_.high.cwiseMax(box.max.cast<float>());
-      }
+      if (!box.empty()) addChanged({box.min.cast<float>(), box.max.cast<float>()});
     held = given;
   };
   take(blood_, update.blood);
@@ -193,30 +190,43 @@ void SoOrganShape::noteSpeed(const SurfaceUpdate& update) {
 
 void SoOrganShape::refreshBlocks() { blocks_.refresh(surface_.points, surface_.triangles); }
 
-// Extends the changed box by the triangles that use these vertices, and by these triangles.
+// Many places become one.
+void SoOrganShape::addChanged(const TriangleBlocks::Box& box) {
+  constexpr std::size_t kMost = 24;
+  if (box.empty()) return;
+  if (changedPlaces_.size() < kMost) return changedPlaces_.push_back(box);
+  changedPlaces_.back().grow(box.low);
+  changedPlaces_.back().grow(box.high);
+}
+
+// Adds the triangles that use these vertices, and these triangles, to what has changed.
 void SoOrganShape::growChanged(const std::vector<Range>& vertices,
                                const std::vector<Range>& triangles) {
   const std::vector<Vec3f>& points = surface_.points;
   const std::vector<Triangle>& all = surface_.triangles;
   refreshBlocks();
-  const auto grow = [&](const TriangleBlocks::Box& box) {
-    changed_.low = changed_.low.cwiseMin(box.low);
-    changed_.high = changed_.high.cwiseMax(box.high);
-  };
   std::size_t count = 0;
   for (const Range& r : vertices)
     count += std::min(r.end, points.size()) - std::min(r.begin, points.size());
   if (count > points.size() / 2) {
-    grow(blocks_.box());
+    const std::size_t pairs = (blocks_.blockCount() + 1) / 2;
+    if (changedBlocks_.size() < pairs) changedBlocks_.resize(pairs, TriangleBlocks::emptyBox());
+    for (std::size_t b = 0; b < blocks_.blockCount(); ++b) {
+      if (blocks_.boxOf(b).empty()) continue;
+      changedBlocks_[b / 2].grow(blocks_.boxOf(b).low);
+      changedBlocks_[b / 2].grow(blocks_.boxOf(b).high);
+    }
   } else {
     for (const Range& r : vertices)
-      grow(blocks_.around(r.begin, std::min(r.end, points.size()), points, all));
+      addChanged(blocks_.around(r.begin, std::min(r.end, points.size()), points, all));
   }
+  TriangleBlocks::Box box = TriangleBlocks::emptyBox();
   for (const Range& r : triangles)
     for (std::size_t t = r.begin; t < std::min(r.end, all.size()); ++t)
       if (all[t][0] != all[t][1])
         for (const std::int32_t v : all[t])
-          if (std::size_t(v) < points.size()) changed_.grow(points[std::size_t(v)]);
+          if (std::size_t(v) < points.size()) box.grow(points[std::size_t(v)]);
+  addChanged(box);
 }
 
 std::optional<SurfacePoint> SoOrganShape::firstPointOn(const Ray& ray) {
@@ -231,11 +241,14 @@ std::pair<SurfaceCopy, TriangleBlocks> SoOrganShape::snapshot() {
   return {surface_, blocks_};
 }
 
-Aabb SoOrganShape::takeChanged() {
-  Aabb box;
-  if (!changed_.empty()) box = {changed_.low.cast<double>(), changed_.high.cast<double>()};
-  changed_ = TriangleBlocks::emptyBox();
-  return box;
+std::vector<Aabb> SoOrganShape::takeChanged() {
+  std::vector<Aabb> boxes;
+  for (std::vector<TriangleBlocks::Box>* all : {&changedPlaces_, &changedBlocks_}) {
+    for (const TriangleBlocks::Box& box : *all)
+      if (!box.empty()) boxes.push_back({box.low.cast<double>(), box.high.cast<double>()});
+    all->clear();
+  }
+  return boxes;
 }
 
 // The triangles that can lie within the view, or within the scissor box when there is one.

@@ -62,9 +62,9 @@ class SoOrganShape : public SoShape {
   // The context and the program must be current.
   void bindInside(std::uint32_t context, unsigned program);
 
-  // A box, in object space, m, round everything that changed since the last call of this function.
-  // It contains the changed parts at their former and at their present positions.
-  Aabb takeChanged();
+  // Boxes, in object space, m, round what has changed since the last call of this function.
+  // Together they contain the changed parts at their former and at their present positions.
+  std::vector<Aabb> takeChanged();
   // The highest speed of a vertex among those that update() moved since the last call of this
   // function, m/s. A vertex's speed is the way that an update moves it, divided by the time since
   // the update before it. If the surface changed in another way: infinite.
@@ -100,6 +100,7 @@ class SoOrganShape : public SoShape {
   void takeFields();
   void refreshBlocks();
   void noteSpeed(const SurfaceUpdate& update);
+  void addChanged(const TriangleBlocks::Box& box);
   void growChanged(const std::vector<Range>& vertices, const std::vector<Range>& triangles);
   std::vector<TriangleBlocks::Run> seen(SoState* state);
   void upload(ContextBuffers& buffers);
@@ -111,7 +112,8 @@ class SoOrganShape : public SoShape {
   std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;
   std::int64_t drawnTriangles_ = 0;
   TriangleBlocks blocks_;
-  TriangleBlocks::Box changed_ = TriangleBlocks::emptyBox();
+  // See takeChanged(): single places, and pairs of blocks where most of the surface has moved.
+  std::vector<TriangleBlocks::Box> changedPlaces_, changedBlocks_;
   double speed_ = 0;  // m/s, see takeSpeed()
   std::vector<double>
       moved_;  // per 64 vertices: when the first of them moved last, steady clock, s

@@ -48,6 +48,9 @@ class TriangleBlocks {
              std::span<const Triangle> triangles) const;
   // After refresh(): bounds of all triangles.
   Box box() const;
+  // After refresh(): bounds of the triangles of each block.
+  std::size_t blockCount() const { return blocks_.size(); }
+  const Box& boxOf(std::size_t block) const { return blocks_[block].box; }
   // After refresh(): runs, in ascending order. They include every triangle that has a point which
   // lies in all half spaces at once.
   std::vector<Run> within(const HalfSpaces& spaces) const;

@@ -305,9 +305,13 @@ Damage OperatingSession::update() {
     followBareVessels();
     showBleeding();
     Aabb changed;
+    std::vector<Aabb> parts;
     double speed = 0;  // m/s
     for (int o = 0; o < room().organCount(); ++o) {
-      changed.grow(room().organ(o)->takeChanged());
+      for (const Aabb& part : room().organ(o)->takeChanged()) {
+        parts.push_back(part);
+        changed.grow(part);
+      }
       speed = std::max(speed, room().organ(o)->takeSpeed());
     }
     const bool everything = std::ranges::any_of(updates, &SurfaceUpdate::everything);
@@ -318,7 +322,7 @@ Damage OperatingSession::update() {
       if (speed < kSlow)
         damage_.slow.grow(changed);
       else
-        addWithShadow(damage_, changed, lampPosition(), organBox_);
+        for (const Aabb& part : parts) addWithShadow(damage_, part, lampPosition(), organBox_);
     }
     bool turned = false;
     for (int i = 0; i < tools_.toolCount(); ++i)
