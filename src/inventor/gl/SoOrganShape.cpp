@@ -209,12 +209,12 @@ void SoOrganShape::growChanged(const std::vector<Range>& vertices,
   for (const Range& r : vertices)
     count += std::min(r.end, points.size()) - std::min(r.begin, points.size());
   if (count > points.size() / 2) {
-    const std::size_t pairs = (blocks_.blockCount() + 1) / 2;
-    if (changedBlocks_.size() < pairs) changedBlocks_.resize(pairs, TriangleBlocks::emptyBox());
+    if (changedBlocks_.size() < blocks_.blockCount())
+      changedBlocks_.resize(blocks_.blockCount(), TriangleBlocks::emptyBox());
     for (std::size_t b = 0; b < blocks_.blockCount(); ++b) {
       if (blocks_.boxOf(b).empty()) continue;
-      changedBlocks_[b / 2].grow(blocks_.boxOf(b).low);
-      changedBlocks_[b / 2].grow(blocks_.boxOf(b).high);
+      changedBlocks_[b].grow(blocks_.boxOf(b).low);
+      changedBlocks_[b].grow(blocks_.boxOf(b).high);
     }
   } else {
     for (const Range& r : vertices)

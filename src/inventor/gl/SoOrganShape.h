@@ -112,7 +112,7 @@ class SoOrganShape : public SoShape {
   std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;
   std::int64_t drawnTriangles_ = 0;
   TriangleBlocks blocks_;
-  // See takeChanged(): single places, and pairs of blocks where most of the surface has moved.
+  // See takeChanged(): single places, and all blocks where most of the surface has moved.
   std::vector<TriangleBlocks::Box> changedPlaces_, changedBlocks_;
   double speed_ = 0;  // m/s, see takeSpeed()
   std::vector<double>

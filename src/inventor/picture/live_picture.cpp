@@ -18,7 +18,7 @@ namespace resect {
 namespace {
 
 // Resolutions at which tiles of 16 pixels have whole sizes.
-constexpr double kScales[] = {1.0, 0.875, 0.75, 0.5, 0.375};
+constexpr double kScales[] = {1.0, 0.875, 0.75, 0.5, 0.375, 0.3125, 0.25};
 constexpr double kMostSharp =
     0.16;  // damaged fraction of the picture up to which resolution is never reduced
 constexpr int kSmoothSamples = 4;
