@@ -12,7 +12,7 @@ namespace {
 using Controls = std::vector<std::pair<const char*, const char*>>;
 
 const Controls kGuided = {
-    {"Click an instrument, or 1 2 3 4", "take scalpel, hook, baton or scissors"},
+    {"An instrument's number", "takes it; so does a click on it, or in the list"},
     {"Move the mouse", "it hovers over the organ; the arrow is the way its edge faces"},
     {"Press and draw", "it cuts, pulls or pushes until the button is released"},
     {"Wheel, page keys", "deeper or shallower; Shift + wheel: turn its edge"},
@@ -26,7 +26,7 @@ const Controls kThesis = {
     {"Drag an instrument", "move it across the view"},
     {"Wheel", "move it in depth; Shift: roll it"},
     {"Shift + drag", "turn it about its tip"},
-    {"1  2  3  4", "take scalpel, hook, baton or scissors"},
+    {"An instrument's number", "takes it"},
     {"C", "hold it down to close the scissors"},
     {"Arrow keys, page keys", "move in steps; with Shift: turn"},
     {"Click an instrument", "handle box, the precise way; middle click: trackball"},
@@ -34,13 +34,14 @@ const Controls kThesis = {
 };
 
 const Controls kAlways = {
-    {"Right drag, Ctrl + wheel", "look round, zoom; L, then a click: look there"},
+    {"Right drag, Ctrl + wheel", "look round, zoom to the pointer; L, then a click: look there"},
     {"Ctrl + 1 2 3 4", "surgeon, assistant, top, laparoscope"},
     {"Ctrl + Z", "takes the last stroke back; with Shift does it again"},
     {"Drag in the timeline", "shows any earlier moment; End: back to the end"},
     {"Ctrl + S, Ctrl + O", "save the operation; open one and go on"},
     {"P, Ctrl + N", "play the scenario's motions; begin again"},
-    {"Space", "brings view and instruments back"},
+    {"Space, A", "bring back view and instruments; show all there is"},
+    {"F2", "the laboratory: cells, surface, timing"},
 };
 
 }  // namespace
