@@ -19,7 +19,7 @@ FOREIGN = {
     r"(Qt\w*/|Q[A-Z])": {"app"},
     r"assimp/": {"formats"},
     r"toml\+\+/": {"io"},
-    r"nlohmann/": {"formats", "cli"},
+    r"nlohmann/": {"formats", "skills", "cli"},
     r"CLI/": {"cli"},
     r"(tbb|oneapi)/": {"base"},
 }

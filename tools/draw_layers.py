@@ -22,6 +22,7 @@ ABOUT = {
     "base": "ground", "geometry": "ground", "collision": "ground",
     "sph": "tissue", "isosurface": "tissue", "wound": "tissue", "surface": "tissue", "tissue": "tissue", "organ": "tissue",
     "tools": "operation", "simulation": "operation", "operation": "operation", "haptics": "operation",
+    "skills": "operation",
 }
 
 

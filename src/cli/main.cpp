@@ -74,6 +74,9 @@ int parseAndRun(int argc, char** argv) {
   resect::addReplayCommand(app);
   resect::addVerifyCommand(app);
   resect::addExportCommand(app);
+  resect::addTaskCommand(app);
+  resect::addReportCommand(app);
+  resect::addClassCommand(app);
   resect::addWindowCommand(app);
   refuseEmptyValues(app);
   const auto named = [&](CLI::App* command) { return command->get_name() == argv[1]; };

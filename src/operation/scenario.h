@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/pose.h"
+#include "operation/task/task.h"
 #include "simulation/simulation.h"
 #include "tissue/elastic/elastic_tissue.h"
 
@@ -181,6 +182,8 @@ struct Scenario {
   bool table = true, toolBox = true;  // whether the room has a table, and a tool box
   std::string view = "surgeon";       // name of the camera's view (docs/scenarios.md)
   std::optional<Aabb> closeUp;        // box that pictures show, world, m; empty: the organs
+  // What is to be done. A recording keeps it as text (RecordingFile::task()), not among the fields.
+  std::optional<Task> task;
 
   template <class Visitor>
   void visit(Visitor& v) {

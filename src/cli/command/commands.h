@@ -20,6 +20,9 @@ void addConvertCommand(CLI::App& app);
 void addReplayCommand(CLI::App& app);
 void addVerifyCommand(CLI::App& app);
 void addExportCommand(CLI::App& app);
+void addTaskCommand(CLI::App& app);
+void addReportCommand(CLI::App& app);
+void addClassCommand(CLI::App& app);
 void addWindowCommand(CLI::App& app);
 
 }  // namespace resect

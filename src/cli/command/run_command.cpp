@@ -24,6 +24,7 @@
 #include "io/output/run_files.h"
 #include "io/scenario/scenario_file.h"
 #include "io/scenario/scenario_files.h"
+#include "io/scenario/task_files.h"
 #include "operation/run.h"
 #include "organ/pieces.h"
 #include "record/recorder.h"
@@ -88,7 +89,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
   checkOptions(options);
   const ThreadLimit threads(options.threads);
 
-  Scenario scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
+  Scenario scenario = readScenario(findScenario(options.scenario));
   if (!options.pictures.view.empty()) {
     scenario.view = options.pictures.view;
     scenario.closeUp.reset();  // of the scenario's own view

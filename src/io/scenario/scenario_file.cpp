@@ -8,6 +8,7 @@
 #include "io/scenario/label_reader.h"
 #include "io/scenario/length.h"
 #include "io/scenario/region_reader.h"
+#include "io/scenario/task_reader.h"
 #include "io/scenario/toml_table.h"
 #include "operation/room.h"
 
@@ -204,6 +205,7 @@ Scenario toScenario(const TomlTable& t) {
   }
   for (const TomlTable& tool : t.tables("tool", kMostTools))
     scenario.tools.push_back(readScenarioTool(tool, int(scenario.tools.size())));
+  if (const auto task = t.table("task")) scenario.task = readTask(*task, scenario);
   t.refuseUnknownKeys();
   return scenario;
 }

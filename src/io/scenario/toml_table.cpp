@@ -213,6 +213,11 @@ bool TomlTable::isList(const std::string& key) const {
   return node && node->is_array();
 }
 
+bool TomlTable::isTable(const std::string& key) const {
+  const toml::node* node = find(key);
+  return node && node->is_table();
+}
+
 std::vector<std::string> TomlTable::texts(const std::string& key) const {
   std::vector<std::string> result;
   const toml::node* node = find(key);
@@ -297,6 +302,12 @@ std::vector<std::string> TomlTable::keys() const {
   std::vector<std::string> names;
   for (const auto& [key, node] : *table_) names.emplace_back(key.str());
   return names;
+}
+
+std::string TomlTable::asText() const {
+  std::ostringstream text;
+  text << toml::toml_formatter(*table_) << "\n";
+  return text.str();
 }
 
 void TomlTable::refuseUnknownKeys() const {

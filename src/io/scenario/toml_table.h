@@ -62,11 +62,13 @@ class TomlTable {
 
   std::optional<TomlTable> table(const std::string& key) const;
   bool isList(const std::string& key) const;
+  bool isTable(const std::string& key) const;
   // The tables of [[key]] or of key = [{...}, ...], at most `most`. A single table [key] gives a
   // list of one. Empty when missing.
   std::vector<TomlTable> tables(const std::string& key, std::size_t most = 1000) const;
 
   std::vector<std::string> keys() const;  // of this table, not of tables in it; sorted
+  std::string asText() const;             // this table as a TOML document, without comments
 
   // Throws Error if this table has a key that was not read. Does not look into tables inside this
   // one.

@@ -126,6 +126,7 @@ void RecordingFile::begin(const std::filesystem::path& path, const std::string& 
   keep("instruction_set", info.instructionSet);
   keep("frame_rate", fmt::format("{}", info.frameRate));
   keep("fields", joined(info.fields));
+  if (setup.scenario.task) keep("task", setup.scenario.task->text);
   const SetupBytes bytes = toBytes(setup);
   Statement(db, "INSERT INTO scenario VALUES (?, ?, ?, ?)")
       .bind(0, std::string_view(setup.scenario.name))
@@ -241,6 +242,11 @@ RecordedSetup RecordingFile::setup() {
     bytes.cells.emplace_back(reinterpret_cast<const char*>(cells.data()), cells.size());
   }
   return setupFromBytes(bytes);
+}
+
+std::string RecordingFile::task() {
+  Statement task(database_, "SELECT value FROM meta WHERE key = 'task'");
+  return task.step() ? task.text(0) : "";
 }
 
 Statement& RecordingFile::prepared(const std::string& sql) {

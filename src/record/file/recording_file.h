@@ -111,6 +111,8 @@ class RecordingFile {
   const RecordingInfo& info() const { return info_; }
   const std::string& name() const { return database_.name(); }
   RecordedSetup setup();
+  // The text of the scenario's task (Task::text); empty if it had none.
+  std::string task();
 
   // Replaces the stored name of the program that recorded (for tests).
   void setProgram(const std::string& program);

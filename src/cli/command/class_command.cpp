@@ -1,0 +1,128 @@
+// resect class: the recordings of a class in a folder, scored: who passed what, learning curves.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "base/error.h"
+#include "cli/command/commands.h"
+#include "cli/command_output.h"
+#include "cli/progress_bar.h"
+#include "io/atomic_file.h"
+#include "io/output/run_files.h"
+#include "record/file/recording_file.h"
+#include "skills/attempt/read_attempt.h"
+#include "skills/class/class_page.h"
+
+namespace resect {
+namespace {
+
+struct Options {
+  std::string folder, output;
+  bool names = false, graded = false;
+  LearningTest test;
+};
+
+TaskCourse& courseOfTask(ClassBook& book, const Attempt& attempt) {
+  const auto at = std::ranges::find(book.tasks, attempt.scenario, &TaskCourse::scenario);
+  if (at != book.tasks.end()) return *at;
+  return book.tasks.emplace_back(TaskCourse{attempt.scenario, attempt.title, {}});
+}
+
+LearnerCourse& courseOfLearner(TaskCourse& task, const std::string& learner) {
+  const auto at = std::ranges::find(task.learners, learner, &LearnerCourse::learner);
+  if (at != task.learners.end()) return *at;
+  return task.learners.emplace_back(LearnerCourse{learner, {}});
+}
+
+void add(ClassBook& book, const ClassFile& file, bool gradeAll, bool names) {
+  AttemptOptions attemptOptions;
+  attemptOptions.learner = file.learner;
+  Attempt attempt = readAttempt(file.path, attemptOptions, progressBar(file.path.string()));
+  if (!attempt.task) throw error("{}: was recorded without a task", file.path.string());
+  LearnerCourse& course = courseOfLearner(courseOfTask(book, attempt), file.learner);
+  const bool familiar = course.attempts.empty() && attempt.task->familiarisation && !gradeAll;
+  course.attempts.push_back(classAttempt(score(std::move(attempt), {}, !familiar)));
+  if (!names) course.attempts.back().file.clear();  // it may hold the learner's name
+}
+
+void printSummary(const ClassBook& book) {
+  for (const TaskCourse& task : book.tasks) {
+    printLine(stdout, "{}: {}", task.scenario, task.title);
+    for (const LearnerCourse& course : task.learners) {
+      const std::vector<bool> passed = passes(course);
+      printLine(stdout, "  {:<20} {} attempts, {} of {} graded ones passed", course.learner,
+                course.attempts.size(), std::ranges::count(passed, true), passed.size());
+    }
+  }
+}
+
+void classTable(const Options& options) {
+  const std::string extension = std::filesystem::path(options.output).extension().string();
+  if (!options.output.empty() && extension != ".html" && extension != ".csv")
+    throw usageError("--output is \"{}\"; give a name that ends in .html or .csv", options.output);
+  learningCusum({}, options.test);  // refuses settings that are wrong
+  std::vector<ClassFile> files = classFiles(options.folder);
+  std::vector<std::filesystem::path> inputs;
+  for (const ClassFile& file : files)
+    for (const auto& part : filesOfRecording(file.path)) inputs.push_back(part);
+  checkOutputs({{{"--output", options.output}}}, inputs);
+  if (!options.names) usePseudonyms(files);
+
+  ClassBook book;
+  book.name = std::filesystem::weakly_canonical(options.folder).filename().string();
+  for (const ClassFile& file : files) {
+    try {
+      add(book, file, options.graded, options.names);
+    } catch (const Error& e) {
+      printLine(stderr, "note: {}", shownSentence(e.what()));
+      book.refused.push_back(options.names ? e.what() : "A recording of " + file.learner + ".");
+    }
+  }
+  if (book.tasks.empty())
+    throw error("{}: holds no recording that could be scored; record attempts at a task",
+                options.folder);
+  if (extension == ".html")
+    writeFileAtomically(options.output,
+                        [&](std::ostream& out) { out << classPage(book, options.test); });
+  if (extension == ".csv")
+    writeFileAtomically(options.output, [&](std::ostream& out) {
+      CsvWriter csv(out);
+      writeClassRows(csv, book, options.test);
+    });
+  printSummary(book);
+}
+
+}  // namespace
+
+void addClassCommand(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("class", "Score the recordings of a class: who passed what");
+  command
+      ->add_option("FOLDER", options->folder,
+                   "Folder of recordings: a sub-folder for each learner, or names as anna-2.resect")
+      ->required();
+  command->add_option("-o,--output", options->output, "Page (.html) or table (.csv)");
+  command->add_flag("--names", options->names, "Show the learners' names instead of pseudonyms");
+  command->add_flag("--graded", options->graded, "Grade first attempts too");
+  command
+      ->add_option("--inadequate", options->test.inadequate,
+                   "LC-CUSUM: failure rate of a learner who is not competent")
+      ->capture_default_str();
+  command
+      ->add_option("--adequate", options->test.adequate,
+                   "LC-CUSUM: failure rate of one who is competent")
+      ->capture_default_str();
+  command
+      ->add_option("--signal", options->test.signal, "LC-CUSUM: where the curve shows competence")
+      ->capture_default_str();
+  command->footer("Example:\n  resect class autumn -o autumn.html");
+  command->callback([options] { classTable(*options); });
+}
+
+}  // namespace resect

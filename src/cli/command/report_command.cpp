@@ -1,0 +1,185 @@
+// resect report: scores attempts at a task, and writes the debrief.
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "base/state/field_hashes.h"
+#include "cli/command/commands.h"
+#include "cli/command_output.h"
+#include "cli/process/standard_streams.h"
+#include "cli/progress_bar.h"
+#include "cli/shared_options.h"
+#include "io/atomic_file.h"
+#include "io/output/output_target.h"
+#include "io/output/run_files.h"
+#include "io/scenario/scenario_file.h"
+#include "io/scenario/task_files.h"
+#include "io/whole_file.h"
+#include "skills/attempt/read_attempt.h"
+#include "skills/exchange/xapi.h"
+#include "skills/report/debrief.h"
+#include "skills/report/report_json.h"
+#include "skills/score/findings.h"
+#include "skills/score/verdict.h"
+
+namespace resect {
+namespace {
+
+struct Options {
+  std::vector<std::string> files;
+  std::string output, json, csv, samples, xapi, task, level, learner;
+  std::vector<std::string> references;
+  int threads = 0;
+  bool graded = false;
+};
+
+std::optional<TaskLevel> levelOf(const Options& options) {
+  if (options.level.empty()) return {};
+  const auto level = taskLevel(options.level);
+  if (!level) throw usageError("--level is \"{}\"; use easy, medium or hard", options.level);
+  return level;
+}
+
+std::vector<std::filesystem::path> inputsOf(const Options& options) {
+  std::vector<std::filesystem::path> inputs;
+  const auto add = [&](const std::string& file) {
+    for (const auto& part : filesOfRecording(file)) inputs.push_back(part);
+  };
+  for (const std::string& file : options.files) add(file);
+  for (const std::string& file : options.references) add(file);
+  return inputs;
+}
+
+AttemptOptions attemptOptions(const Options& options) {
+  AttemptOptions attempt;
+  attempt.learner = options.learner;
+  if (options.task.empty()) return attempt;
+  const Scenario scenario = readScenario(findScenario(options.task));
+  if (!scenario.task) throw error("{}: has no task; name a scenario that has one", scenario.file);
+  attempt.task = scenario.task;
+  return attempt;
+}
+
+Scored scoredFile(const std::string& file, const Options& options, bool graded) {
+  Attempt attempt = readAttempt(file, attemptOptions(options), progressBar(file));
+  if (!attempt.task)
+    throw error(
+        "{}: was recorded without a task, so there is nothing to score it by; name one by --task",
+        file);
+  return score(std::move(attempt), levelOf(options), graded);
+}
+
+void writeCsv(const std::string& file, const std::function<void(CsvWriter&)>& rows) {
+  writeFileAtomically(file, [&](std::ostream& out) {
+    CsvWriter csv(out);
+    rows(csv);
+  });
+}
+
+// The time of an attempt is that at which its recording was last written.
+XapiContext xapiContext(const Options& options, const Scored& scored) {
+  XapiContext context;
+  if (!options.learner.empty()) context.actor = options.learner;
+  const auto written = std::filesystem::last_write_time(scored.attempt.file);
+  context.time = std::chrono::time_point_cast<std::chrono::system_clock::duration>(
+      std::chrono::file_clock::to_sys(written));
+  const std::string bytes = readWholeFile(scored.attempt.file);
+  context.identity = fmt::format("{:016x}", fastHash(bytes.data(), bytes.size()));
+  return context;
+}
+
+void writeXapi(const Options& options, const Scored& scored) {
+  writeJson(options.xapi, xapiStatements(scored, xapiContext(options, scored)));
+}
+
+void printSummary(std::FILE* to, const Scored& s) {
+  printLine(to, "{}: {}", s.attempt.file, s.attempt.title);
+  printLine(to, "  {}{}, score {:.0f} %: {}", s.verdict.passed ? "passed" : "failed",
+            s.verdict.graded ? "" : " (familiarisation, not graded)", 100 * s.verdict.score,
+            s.verdict.reason);
+  for (const Deduction& d : s.verdict.deductions)
+    printLine(to, "  {:>7}  {}", d.time ? timeText(*d.time) : "", d.fact);
+}
+
+void report(const Options& options) {
+  const ThreadLimit threads(options.threads);
+  checkOutputs({{{"--output", options.output},
+                 {"--json", options.json},
+                 {"--csv", options.csv},
+                 {"--samples", options.samples},
+                 {"--xapi", options.xapi}}},
+               inputsOf(options));
+  std::vector<Scored> attempts;
+  for (const std::string& file : options.files) {
+    const bool first = attempts.empty() && !options.graded;
+    Scored one = scoredFile(file, options, true);
+    one.verdict.graded = !(first && one.attempt.task->familiarisation);
+    attempts.push_back(std::move(one));
+  }
+  std::vector<Scored> references;
+  for (const std::string& file : options.references)
+    references.push_back(scoredFile(file, options, true));
+
+  if (!options.csv.empty())
+    writeCsv(options.csv, [&](CsvWriter& csv) { writeAttemptRows(csv, attempts); });
+  if (!options.samples.empty())
+    writeCsv(options.samples,
+             [&](CsvWriter& csv) { writeSampleRows(csv, attempts.back().attempt); });
+  if (!options.json.empty()) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Scored& one : attempts) all.push_back(toJson(one));
+    writeJson(options.json, all);
+  }
+  if (!options.xapi.empty()) writeXapi(options, attempts.back());
+  if (!options.output.empty()) {
+    Debrief debrief{attempts, references, {}, {}};
+    for (const std::string& band : attempts.back().attempt.task->published)
+      debrief.studies.push_back(readPublishedStudy(band));
+    const std::string page = debriefPage(debrief);
+    writeFileAtomically(options.output, [&](std::ostream& out) { out << page; });
+  }
+  if (isStandardOutput(options.json)) return;
+  std::FILE* text = placeForText({options.output, options.csv, options.samples, options.xapi});
+  for (const Scored& one : attempts) printSummary(text, one);
+}
+
+}  // namespace
+
+void addReportCommand(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("report", "Score recorded attempts at a task: the debrief");
+  command
+      ->add_option("FILE", options->files,
+                   "Recordings (.resect) of one learner, the oldest first; the report is about the "
+                   "last one")
+      ->required();
+  command->add_option("-o,--output", options->output, "HTML page of the debrief (.html)");
+  command->add_option("--json", options->json, "JSON file; - for standard output");
+  command->add_option("--csv", options->csv, "CSV file with a row for each attempt");
+  command->add_option("--samples", options->samples,
+                      "CSV file with a row for each frame and instrument of the last attempt");
+  command->add_option("--xapi", options->xapi,
+                      "File for xAPI 1.0.3 statements about the last attempt (.json)");
+  command->add_option("--task", options->task,
+                      "Scenario whose task to score by, instead of the recording's own");
+  command->add_option("--level", options->level, "easy, medium or hard, instead of the task's own");
+  command->add_option("--learner", options->learner, "Pseudonym of the learner");
+  command->add_option("--reference", options->references, "Recordings to compare with");
+  command->add_flag("--graded", options->graded,
+                    "Grade the first attempt too, where the task takes it for familiarisation");
+  addThreadsOption(*command, options->threads);
+  command->footer(
+      "Examples:\n  resect run control-bleeding --record mine.resect\n"
+      "  resect report mine.resect -o report.html");
+  command->callback([options] { report(*options); });
+}
+
+}  // namespace resect

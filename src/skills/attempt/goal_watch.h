@@ -1,0 +1,36 @@
+// Follows how near the instruments come to a goal: its targets, its line, its plane.
+#pragma once
+
+#include <vector>
+
+#include "operation/scenario.h"
+#include "simulation/simulation.h"
+#include "skills/attempt/attempt.h"
+#include "skills/attempt/goal_places.h"
+
+namespace resect {
+
+class GoalWatch {
+ public:
+  // simulation: before the operation. Throws Error if the organ lacks what the goal names.
+  GoalWatch(const TaskGoal& goal, const Scenario& scenario, const Simulation& simulation);
+  // To be called after each step, when the frame's ToolMoments are in the attempt.
+  void add(const Simulation& simulation, Attempt& attempt);
+
+ private:
+  bool counts(const InstrumentRecord& instrument) const;
+  void addDistances(const std::vector<TissuePoint>& now, Attempt& attempt) const;
+  void addWork(const Simulation& simulation, const std::vector<TissuePoint>& now,
+               Attempt& attempt) const;
+
+  const TaskGoal goal_;
+  std::size_t organ_ = 0;
+  std::vector<TissuePoint> points_;  // of targets and plane; of a line: every few millimetres
+  std::vector<double> along_;        // per point of a line: m from its beginning, at rest
+  bool begun_ = false;               // an instrument has worked
+};
+
+// Index of the organ that a goal is about.
+std::size_t goalOrgan(const TaskGoal& goal, const Scenario& scenario);
+
+}  // namespace resect

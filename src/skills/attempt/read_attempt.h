@@ -1,0 +1,28 @@
+// Makes an attempt from a recording, by playing it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "base/progress.h"
+#include "record/replay.h"
+#include "skills/attempt/attempt.h"
+
+namespace resect {
+
+struct AttemptOptions {
+  std::optional<Task> task;  // to score by, instead of the recording's own
+  std::string learner;       // pseudonym
+  // Called at the start, and after each frame: a picture may be drawn.
+  std::function<void(const Scenario&, Simulation&, double time)> watch;
+};
+
+// Plays the course that leads to the moment of the recording (RecordingFile::moment()). Throws
+// Error if the file is no recording or is damaged, if it holds no frames, or if its organs lack
+// what the task names. Cost: as long as the recorded run took to compute.
+Attempt readAttempt(const std::filesystem::path& path, const AttemptOptions& options = {},
+                    const Progress& progress = {});
+
+}  // namespace resect

@@ -1,0 +1,128 @@
+#include "skills/attempt/vessel_watch.h"
+
+#include <algorithm>
+
+namespace resect {
+namespace {
+
+bool clippedUpstream(const Organ& organ, std::int32_t segment, double reach) {
+  const std::vector<VesselSegment>& segments = organ.map->anatomy.segments;
+  for (segment = segments[std::size_t(segment)].parent; segment >= 0 && reach > 0;) {
+    if (organ.vessels.clipped(segment)) return true;
+    reach -= segments[std::size_t(segment)].length();
+    segment = segments[std::size_t(segment)].parent;
+  }
+  return false;
+}
+
+// Whether a clip sits on a segment that `segment` feeds.
+bool clippedDownstream(const Organ& organ, std::int32_t segment, double reach) {
+  const std::vector<VesselSegment>& segments = organ.map->anatomy.segments;
+  return std::ranges::any_of(organ.vessels.clips, [&](const VesselClip& clip) {
+    double way = 0;
+    std::int32_t at = clip.segment;
+    while (at > segment && way < reach) {  // a segment comes after those that feed it
+      way += segments[std::size_t(at)].length();
+      at = segments[std::size_t(at)].parent;
+    }
+    return at == segment && clip.segment != segment;
+  });
+}
+
+bool allClosed(const Organ& organ, const VesselInjury& injury) {
+  return isClosed(organ, injury, VesselEnd::Root) &&
+         (!injury.severed() || isClosed(organ, injury, VesselEnd::Far));
+}
+
+// The tool that cuts in this frame: of several the one that made the last cut.
+int cuttingTool(const StepReport& report) {
+  int tool = -1;
+  const auto look = [&](const std::vector<TissueEdit>& edits) {
+    for (const TissueEdit& edit : edits)
+      if (edit.tool >= 0 && (std::holds_alternative<Incision>(edit.what) ||
+                             std::holds_alternative<RemoveCell>(edit.what)))
+        tool = edit.tool;
+  };
+  look(report.edits), look(report.caused);
+  return tool;
+}
+
+}  // namespace
+
+bool isClosed(const Organ& organ, const VesselInjury& injury, VesselEnd end, double reach) {
+  if (injury.isSealed(end) || organ.vessels.clipped(injury, end)) return true;
+  return end == VesselEnd::Root ? clippedUpstream(organ, injury.segment, reach)
+                                : clippedDownstream(organ, injury.segment, reach);
+}
+
+void VesselWatch::addClips(const Simulation& simulation, Attempt& attempt) {
+  clips_.resize(simulation.organs().size(), 0);
+  for (std::size_t o = 0; o < clips_.size(); ++o) {
+    const Organ& organ = simulation.organs()[o].organ;
+    const std::vector<VesselClip>& clips = organ.vessels.clips;
+    if (clips.size() <= clips_[o]) continue;
+    // They are kept in the order of the segments: find those that are not known yet.
+    for (const VesselClip& clip : clips) {
+      const Vec3 place = organ.map->anatomy.segments[std::size_t(clip.segment)].at(clip.share);
+      const bool known = std::ranges::any_of(attempt.clips, [&](const ClipPlaced& c) {
+        return c.organ == std::int32_t(o) && c.segment == clip.segment && c.place == place;
+      });
+      if (!known)
+        attempt.clips.push_back({simulation.time(), std::int32_t(o), clip.segment, place});
+    }
+    clips_[o] = clips.size();
+  }
+}
+
+void VesselWatch::addCuts(const Simulation& simulation, const StepReport& report,
+                          Attempt& attempt) {
+  for (const CutVessel& cut : report.vessels) {
+    const auto known = std::ranges::any_of(attempt.vessels, [&](const VesselStory& s) {
+      return s.organ == cut.organ && s.segment == cut.segment;
+    });
+    const Organ& organ = simulation.organs()[std::size_t(cut.organ)].organ;
+    const VesselInjury* injury = organ.vessels.injury(cut.segment);
+    if (known || !injury) continue;
+    const VesselSegment& s = organ.map->anatomy.segments[std::size_t(cut.segment)];
+    VesselStory story;
+    story.organ = cut.organ, story.segment = cut.segment;
+    story.kind = s.kind, story.diameter = 2 * s.radius;
+    story.place = s.at(0.5 * (injury->from + injury->to));
+    story.cut = simulation.time();
+    story.tool = cuttingTool(report);
+    story.clippedRoot = isClosed(organ, *injury, VesselEnd::Root);
+    story.clippedFar = isClosed(organ, *injury, VesselEnd::Far);
+    attempt.vessels.push_back(story);
+  }
+}
+
+void VesselWatch::add(const Simulation& simulation, const StepReport& report, Attempt& attempt) {
+  if (!simulation.blood().any()) return;
+  addClips(simulation, attempt);
+  addCuts(simulation, report, attempt);
+  bool occluded = false;
+  for (VesselStory& story : attempt.vessels) {
+    const Organ& organ = simulation.organs()[std::size_t(story.organ)].organ;
+    const VesselInjury* injury = organ.vessels.injury(story.segment);
+    if (!injury) continue;
+    story.severed = injury->severed();
+    if (!allClosed(organ, *injury))
+      story.closed.reset();
+    else if (!story.closed)
+      story.closed = simulation.time();
+  }
+  for (const OperatedOrgan& o : simulation.organs())
+    occluded = occluded || o.organ.vessels.inflowClamped;
+  if (occluded) attempt.inflowOccluded += attempt.interval;
+  if (occluded && !occluded_) ++attempt.inflowCycles;
+  occluded_ = occluded;
+}
+
+void VesselWatch::finish(const Simulation& simulation, Attempt& attempt) const {
+  for (VesselStory& story : attempt.vessels)
+    if (const VesselInjury* injury =
+            simulation.organs()[std::size_t(story.organ)].organ.vessels.injury(story.segment))
+      story.bled = injury->bled;
+}
+
+}  // namespace resect

@@ -1,0 +1,32 @@
+// Statements of the Experience API (xAPI 1.0.3) about an attempt, for a learning record store.
+#pragma once
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "skills/score/verdict.h"
+
+namespace resect {
+
+struct XapiContext {
+  // The actor's account. The name is a pseudonym; the home page says whose pseudonyms they are.
+  std::string actor = "learner";
+  std::string home = "https://resect.invalid/learners";
+  // Tasks have the IRI activities + name of the scenario.
+  std::string activities = "https://resect.invalid/tasks/";
+  std::chrono::system_clock::time_point time;  // of the attempt's end
+  std::string identity;  // that tells this attempt from others, such as the digest of its recording
+};
+
+// "attempted", "completed" if the goal was reached, and "passed" or "failed" if the attempt is
+// graded. The ids of the statements follow from identity, actor and verb alone: a store that is
+// given the same attempt twice keeps it once.
+nlohmann::ordered_json xapiStatements(const Scored& scored, const XapiContext& context);
+
+// "PT12.35S".
+std::string isoDuration(double seconds);
+// "2022-03-04T05:06:07.890Z".
+std::string isoTime(std::chrono::system_clock::time_point time);
+
+}  // namespace resect

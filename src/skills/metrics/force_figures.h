@@ -1,0 +1,23 @@
+// Figures of the force on an instrument (Horeman et al. 2012, 10.1109/TOH.2011.60).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "skills/metrics/track.h"
+
+namespace resect {
+
+struct ForceFigures {
+  double peak = 0;       // N
+  double p95 = 0;        // N: of the forces above 0, the value that 95 % do not exceed
+  double mean = 0;       // N: of the forces above 0
+  double deviation = 0;  // N: standard deviation of these
+};
+// force: sizes of the force, N, at equal intervals. All 0 if there is none above 0.
+ForceFigures forceFigures(std::span<const double> force);
+
+// Stretches in which the force was above the limit, N.
+std::vector<SampleRange> forceErrors(std::span<const double> force, double limit);
+
+}  // namespace resect

@@ -1,0 +1,27 @@
+// Learning curves of a learner's attempts at a task.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace resect {
+
+// Cumulative sum of the differences from a target: S_i = S_(i-1) + (x_i - target). A curve that
+// turns shows when a learner passes the target.
+std::vector<double> cusum(std::span<const double> values, double target);
+
+// LC-CUSUM, a test whether a trainee has become competent (Biau, Williams, Schlup, Nizard and
+// Porcher 2008, Br J Surg 95:925): S_i = max(0, S_(i-1) + W_i), where W_i is ln((1 - adequate) / (1
+// - inadequate)) after a success and ln(adequate / inadequate) after a failure.
+struct LearningTest {
+  double inadequate = 0.3;  // failure rate of a learner who is not competent; a setting
+  double adequate = 0.1;    // failure rate of one who is, less than `inadequate`; a setting
+  double signal = 1.25;     // S at which competence is shown; a setting
+};
+std::vector<double> learningCusum(const std::vector<bool>& passed, const LearningTest& test = {});
+// The first attempt, from 0, at which the curve reaches the signal.
+std::optional<std::size_t> competentAt(std::span<const double> curve,
+                                       const LearningTest& test = {});
+
+}  // namespace resect

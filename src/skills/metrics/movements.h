@@ -1,0 +1,29 @@
+// Movements: stretches of a track in which the instrument moves. PerkTutor's rule (its
+// PythonMetrics): a change between rest and motion counts only if it lasts.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "skills/metrics/track.h"
+
+namespace resect {
+
+struct MovementRule {
+  double threshold = 0.05;  // m/s, or rad/s for rotations
+  double leastTime = 0.2;   // s: a shorter change of state is ignored
+};
+// For rotational actions; PerkTutor publishes no constant for angular speed: a setting of ours.
+inline constexpr double kRotationThreshold = 0.5;  // rad/s
+
+// Ranges of samples in which the speed was above the threshold, after changes of state that lasted
+// no longer than leastTime were ignored. The state before the first sample is rest.
+std::vector<SampleRange> movements(std::span<const double> speed, double interval,
+                                   const MovementRule& rule = {});
+
+// 100 (path length / distance of the ends - 1) of all movements together, their lengths and their
+// distances added up, %. Nothing if there is no movement or if the distances are 0.
+std::optional<double> pathInefficiency(const Track& track, std::span<const SampleRange> movements);
+
+}  // namespace resect

@@ -1,0 +1,19 @@
+// The spectrum of a speed profile.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace resect {
+
+// Magnitudes of the discrete Fourier transform of the values, padded with zeros to `size`, a power
+// of two: from frequency 0 to the highest one, size / 2 + 1 numbers. Computed by kissfft, which
+// Eigen contains.
+std::vector<double> magnitudes(std::span<const double> values, std::size_t size);
+
+// Frequency, Hz, below which 95 % of the power of the speed's variation lies: its mean is taken
+// away first. Nothing if the speed does not vary. interval: s between values.
+std::optional<double> frequency95(std::span<const double> speed, double interval);
+
+}  // namespace resect

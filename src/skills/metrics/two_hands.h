@@ -1,0 +1,14 @@
+// How two hands work together: the correlation of the speeds of two tips (after Hofstad et al.
+// 2013, 10.1007/s00464-012-2524-9).
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace resect {
+
+// Pearson's correlation, -1 to 1. Nothing if fewer than 2 values are given or one does not vary.
+// Both must have the same number of values.
+std::optional<double> correlation(std::span<const double> a, std::span<const double> b);
+
+}  // namespace resect

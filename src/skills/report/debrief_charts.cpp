@@ -1,0 +1,143 @@
+#include "skills/report/debrief_charts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "skills/report/chart.h"
+#include "skills/report/html.h"
+#include "skills/score/findings.h"
+
+namespace resect {
+namespace {
+
+std::vector<ChartMark> marksOf(const Verdict& verdict) {
+  std::vector<ChartMark> marks;
+  for (std::size_t i = 0; i < verdict.deductions.size(); ++i)
+    if (verdict.deductions[i].time)
+      marks.push_back({*verdict.deductions[i].time, fmt::format("{}", i + 1)});
+  std::ranges::stable_sort(marks, {}, &ChartMark::time);
+  return marks;
+}
+
+TimeChart forceChart(const Attempt& attempt) {
+  TimeChart chart{"Force", "N", attempt.duration(), {}, {}, {}};
+  if (attempt.task) chart.limit = attempt.task->forceLimit;
+  for (std::size_t t = 0; t < attempt.instruments.size(); ++t) {
+    const InstrumentRecord& one = attempt.instruments[t];
+    if (!std::ranges::any_of(one.moments, &ToolMoment::inHand)) continue;
+    ChartCurve curve{one.name, chartColour(t), {}};
+    for (std::size_t f = 0; f < attempt.time.size(); ++f)
+      curve.points.emplace_back(attempt.time[f], one.moments[f].inHand ? one.moments[f].force : 0);
+    chart.curves.push_back(std::move(curve));
+  }
+  return chart;
+}
+
+TimeChart bloodChart(const Attempt& attempt) {
+  TimeChart chart{"Blood lost", "ml", attempt.duration(), {{"", "#b3362b", {}}}, {}, {}};
+  for (std::size_t f = 0; f < attempt.bled.size(); ++f)
+    chart.curves[0].points.emplace_back(attempt.time[f], 1e6 * attempt.bled[f]);
+  return chart;
+}
+
+TimeChart rateChart(const Attempt& attempt) {
+  TimeChart chart{"Bleeding", "ml/min", attempt.duration(), {{"", "#8a5a00", {}}}, {}, {}};
+  for (std::size_t f = 0; f < attempt.bled.size(); ++f)
+    chart.curves[0].points.emplace_back(attempt.time[f], 60e6 * bleedingRate(attempt, f));
+  return chart;
+}
+
+TimeChart tissueChart(const Attempt& attempt) {
+  TimeChart chart{"Tissue", "ml", attempt.duration(), {}, {}, {}};
+  chart.curves = {{"in pieces that came off", "#2166a5", {}}, {"destroyed", "#b3362b", {}}};
+  for (const TissueMoment& m : attempt.tissue) {
+    chart.curves[0].points.emplace_back(m.time, 1e6 * m.pieces);
+    chart.curves[1].points.emplace_back(m.time, 1e6 * m.removed);
+  }
+  return chart;
+}
+
+TimeChart cutChart(const Attempt& attempt) {
+  TimeChart chart{"Area cut", "cm2", attempt.duration(), {{"", "#1f7a4d", {}}}, {}, {}};
+  for (const TissueMoment& m : attempt.tissue)
+    chart.curves[0].points.emplace_back(m.time, 1e4 * m.cut);
+  return chart;
+}
+
+bool changes(const TimeChart& chart) {
+  return std::ranges::any_of(chart.curves, [](const ChartCurve& curve) {
+    return std::ranges::any_of(curve.points, [](const auto& p) { return p.y() > 0; });
+  });
+}
+
+// What happened besides, as lines with their times.
+std::string happenings(const Attempt& attempt) {
+  struct Line {
+    double time;
+    std::string text;
+  };
+  std::vector<Line> lines;
+  for (const ClipPlaced& clip : attempt.clips) lines.push_back({clip.time, "a clip was placed"});
+  for (const VesselStory& v : attempt.vessels)
+    if (v.diameter >= kNotableVessel)
+      lines.push_back(
+          {v.cut, fmt::format("{} of {:.1f} mm cut, {}", nameOf(v.kind), 1e3 * v.diameter,
+                              v.clippedRoot ? "clipped before" : "not clipped")});
+  if (const auto work = workOf(attempt)) {
+    lines.push_back({attempt.time[work->first], "first contact"});
+    lines.push_back({attempt.time[work->last], "last contact"});
+  }
+  std::ranges::stable_sort(lines, {}, &Line::time);
+  std::vector<std::string> items;
+  for (const Line& one : lines)
+    items.push_back(fmt::format("<time>{}</time> {}", timeText(one.time), htmlText(one.text)));
+  return htmlList(items);
+}
+
+}  // namespace
+
+std::string timelines(const Scored& scored) {
+  const Attempt& attempt = scored.attempt;
+  std::vector<TimeChart> charts;
+  if (attempt.tissueMoves) charts.push_back(forceChart(attempt));
+  if (attempt.bleeds) charts.push_back(bloodChart(attempt)), charts.push_back(rateChart(attempt));
+  charts.push_back(tissueChart(attempt));
+  charts.push_back(cutChart(attempt));
+  std::string html;
+  for (TimeChart& chart : charts) {
+    if (!changes(chart)) continue;
+    chart.marks = marksOf(scored.verdict);
+    html += "<figure>" + toSvg(chart) + "</figure>\n";
+  }
+  return html + happenings(attempt);
+}
+
+std::string pathViews(const Attempt& attempt) {
+  PathView views[] = {{"From the surgeon: right, up", 0, 1, false, {}, {}, 0},
+                      {"From above: right, towards the surgeon", 0, 2, true, {}, {}, 0},
+                      {"From the right: towards the surgeon, up", 2, 1, false, {}, {}, 0}};
+  std::string html = "<div class=\"row\">\n";
+  std::string names;
+  for (PathView& view : views) {
+    const auto seen = [&](const Vec3& p) { return Eigen::Vector2d(p[view.across], p[view.up]); };
+    for (const Vec3& place : attempt.goal.places) view.places.push_back(seen(place));
+    const bool targets = attempt.task && attempt.task->goal.kind == TaskGoal::Kind::Touch;
+    view.radius = targets ? attempt.task->goal.radius : 0;
+    for (std::size_t t = 0; t < attempt.instruments.size(); ++t)
+      for (const Track& track : tracksOf(attempt, attempt.instruments[t])) {
+        ChartCurve curve{attempt.instruments[t].name, chartColour(t), {}};
+        for (const Vec3& tip : track.tip) curve.points.push_back(seen(tip));
+        view.curves.push_back(std::move(curve));
+      }
+    html += htmlFigure(toSvg(view), view.title);
+  }
+  for (std::size_t t = 0; t < attempt.instruments.size(); ++t)
+    if (!tracksOf(attempt, attempt.instruments[t]).empty())
+      names += fmt::format("<span style=\"color:{}\">&#9644; {}</span> ", chartColour(t),
+                           htmlText(attempt.instruments[t].name));
+  const char* green = attempt.goal.places.empty() ? "" : "Green: the task's places.";
+  return html + "</div>\n<p class=\"quiet\">" + names + green + "</p>\n";
+}
+
+}  // namespace resect

@@ -1,0 +1,13 @@
+// The charts of a debrief: force, blood and tissue over time, and the paths of the tips.
+#pragma once
+
+#include <string>
+
+#include "skills/score/verdict.h"
+
+namespace resect {
+
+std::string timelines(const Scored& scored);
+std::string pathViews(const Attempt& attempt);
+
+}  // namespace resect

@@ -1,0 +1,191 @@
+#include "skills/report/debrief_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "operation/task/measure.h"
+#include "skills/report/html.h"
+#include "skills/score/findings.h"
+
+namespace resect {
+namespace {
+
+HtmlCell number(const std::string& text, const char* style = "number") {
+  return {htmlText(text), style};
+}
+HtmlCell text(std::string_view plain) { return {htmlText(plain)}; }
+
+std::string valueText(const Scored& scored, std::string_view measure,
+                      std::string_view instrument = "") {
+  const auto value = valueOf(scored.measures, measure, instrument);
+  return value ? numberText(*value) : "";
+}
+
+// Mean of a measure over the references.
+std::string referenceText(std::span<const Scored> references, std::string_view measure) {
+  double sum = 0;
+  int count = 0;
+  for (const Scored& one : references)
+    if (const auto value = valueOf(one.measures, measure)) sum += *value, ++count;
+  return count > 0 ? numberText(sum / count) : "";
+}
+
+const Check* checkOf(const Verdict& verdict, std::string_view measure) {
+  const auto at = std::ranges::find(verdict.checks, measure, &Check::measure);
+  return at == verdict.checks.end() ? nullptr : &*at;
+}
+
+std::vector<std::string> instrumentsIn(const Scored& scored) {
+  std::vector<std::string> names;
+  for (const Measured& m : scored.measures)
+    if (!m.instrument.empty() && std::ranges::count(names, m.instrument) == 0)
+      names.push_back(m.instrument);
+  return names;
+}
+
+std::string wholeTable(const Debrief& debrief) {
+  const Scored& last = debrief.attempts.back();
+  const Scored* before =
+      debrief.attempts.size() > 1 ? &debrief.attempts[debrief.attempts.size() - 2] : nullptr;
+  HtmlTable table;
+  table.head = {text("measure"), number("this attempt"), text("unit"), text("wanted")};
+  if (before) table.head.push_back(number("attempt before"));
+  if (!debrief.references.empty()) table.head.push_back(number("reference"));
+  for (const MeasureKind& kind : measureKinds()) {
+    const std::string value = valueText(last, kind.id);
+    if (value.empty()) continue;
+    const Check* check = checkOf(last.verdict, kind.id);
+    const char* style = !check ? "number" : check->kept ? "number kept" : "number missed";
+    std::vector<HtmlCell> row{text(kind.title), number(value, style), text(kind.unit),
+                              text(check ? limitText(*check) : "")};
+    if (before) row.push_back(number(valueText(*before, kind.id)));
+    if (!debrief.references.empty())
+      row.push_back(number(referenceText(debrief.references, kind.id)));
+    table.rows.push_back(std::move(row));
+  }
+  return toHtml(table);
+}
+
+std::string instrumentTable(const Scored& scored) {
+  const std::vector<std::string> names = instrumentsIn(scored);
+  if (names.size() < 2) return "";
+  HtmlTable table;
+  table.head = {text("by instrument")};
+  for (const std::string& name : names) table.head.push_back(number(name));
+  table.head.push_back(text("unit"));
+  for (const MeasureKind& kind : measureKinds()) {
+    if (kind.of == MeasureKind::Of::Whole) continue;
+    std::vector<HtmlCell> row{text(kind.title)};
+    bool any = false;
+    for (const std::string& name : names) {
+      row.push_back(number(valueText(scored, kind.id, name)));
+      any = any || !row.back().html.empty();
+    }
+    row.push_back(text(kind.unit));
+    if (any) table.rows.push_back(std::move(row));
+  }
+  return toHtml(table);
+}
+
+}  // namespace
+
+std::string figureTable(const Debrief& debrief) {
+  return wholeTable(debrief) + instrumentTable(debrief.attempts.back());
+}
+
+std::string studyTable(const Debrief& debrief) {
+  const Scored& last = debrief.attempts.back();
+  std::string html;
+  for (const PublishedStudy& study : debrief.studies) {
+    HtmlTable table;
+    table.head = {text("published"), number("this attempt"), text("group"), number("mean"),
+                  number("deviation")};
+    for (const PublishedBand& band : study.bands)
+      for (const PublishedBand::Group& group : band.groups)
+        table.rows.push_back({text(findMeasure(band.measure)->title),
+                              number(valueText(last, band.measure)), text(group.name),
+                              number(measureText(band.measure, group.mean)),
+                              number(group.deviation > 0 ? numberText(group.deviation) : "")});
+    html +=
+        fmt::format("<p class=\"quiet\">{}: {} <a href=\"{}\">{}</a></p>\n", htmlText(study.study),
+                    htmlText(study.about), htmlText(study.source), htmlText(study.source)) +
+        toHtml(table);
+  }
+  return html;
+}
+
+std::string vesselSection(const Attempt& attempt) {
+  HtmlTable table;
+  table.head = {text("vessel"), number("mm"),           number("cut at"), text("clipped before"),
+                text("cut"),    number("closed after"), number("ml lost")};
+  int thin = 0;
+  double thinBled = 0;
+  for (const VesselStory& v : attempt.vessels) {
+    if (v.diameter < kNotableVessel) {
+      ++thin;
+      thinBled += v.bled;
+      continue;
+    }
+    table.rows.push_back({text(nameOf(v.kind)),
+                          number(fmt::format("{:.1f}", 1e3 * v.diameter)),
+                          number(timeText(v.cut)),
+                          {v.clippedRoot ? "yes" : "no", v.clippedRoot ? "kept" : "missed"},
+                          text(v.severed ? "through" : "in part"),
+                          number(v.closed ? fmt::format("{:.1f} s", *v.closed - v.cut) : "open"),
+                          number(fmt::format("{:.1f}", 1e6 * v.bled))});
+  }
+  if (attempt.vessels.empty()) return "";
+  std::string html = table.rows.empty() ? std::string() : toHtml(table);
+  if (thin > 0)
+    html += fmt::format(
+        "<p>{} vessels thinner than {:g} mm were cut besides; they lost {:.1f} "
+        "ml.</p>\n",
+        thin, 1e3 * kNotableVessel, 1e6 * thinBled);
+  return htmlSection("Vessels that were cut", html);
+}
+
+std::string ledgerTable(const Attempt& attempt) {
+  HtmlTable table;
+  table.head = {text("what"), number("amount"), text("unit")};
+  const auto row = [&](std::string_view what, double amount, const char* unit) {
+    table.rows.push_back({text(what), number(numberText(amount)), text(unit)});
+  };
+  if (!attempt.tissue.empty()) {
+    const TissueMoment &start = attempt.tissue.front(), &end = attempt.tissue.back();
+    row("tissue before", 1e6 * (start.body + start.pieces + start.removed), "ml");
+    row("what remains of the organs", 1e6 * end.body, "ml");
+    row("pieces that came off", 1e6 * end.pieces, "ml");
+    row("destroyed", 1e6 * end.removed, "ml");
+    row("area cut", 1e4 * end.cut, "cm2");
+  }
+  for (const Specimen& piece : attempt.specimens) row("a piece of", 1e6 * piece.volume, "ml");
+  if (attempt.targetBefore > 0) row("target before", 1e6 * attempt.targetBefore, "ml");
+  if (attempt.bleeds && !attempt.bled.empty()) row("blood lost", 1e6 * attempt.bled.back(), "ml");
+  return toHtml(table);
+}
+
+std::string historySection(const Debrief& debrief) {
+  if (debrief.attempts.size() < 2) return "";
+  HtmlTable table;
+  table.head = {number("attempt"), text("result"),    number("score"),
+                number("time, s"), number("path, m"), text("reason")};
+  for (std::size_t i = 0; i < debrief.attempts.size(); ++i) {
+    const Scored& one = debrief.attempts[i];
+    const Verdict& v = one.verdict;
+    table.rows.push_back({number(fmt::format("{}", i + 1)),
+                          {!v.graded  ? "not graded"
+                           : v.passed ? "passed"
+                                      : "not passed",
+                           !v.graded  ? "quiet"
+                           : v.passed ? "kept"
+                                      : "missed"},
+                          number(fmt::format("{:.0f} %", 100 * v.score)),
+                          number(valueText(one, "time_s")),
+                          number(valueText(one, "path_length_m")),
+                          text(v.reason)});
+  }
+  return htmlSection("All attempts", toHtml(table));
+}
+
+}  // namespace resect

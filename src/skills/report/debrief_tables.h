@@ -1,0 +1,20 @@
+// The tables of a debrief.
+#pragma once
+
+#include <string>
+
+#include "skills/report/debrief.h"
+
+namespace resect {
+
+// All measures beside what was wanted, the attempt before, and the reference.
+std::string figureTable(const Debrief& debrief);
+// What was published about measures of this attempt, with its source; empty if nothing was.
+std::string studyTable(const Debrief& debrief);
+// A section about the vessels that were cut; empty if none was.
+std::string vesselSection(const Attempt& attempt);
+std::string ledgerTable(const Attempt& attempt);
+// A section about all attempts; empty if there is one only.
+std::string historySection(const Debrief& debrief);
+
+}  // namespace resect

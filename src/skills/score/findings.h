@@ -1,0 +1,27 @@
+// What a debrief says about an attempt: for each thing that was not as wanted one fact that the
+// recording shows, with its time, one open question, and what to try next; and what was good.
+#pragma once
+
+#include <vector>
+
+#include "skills/score/verdict.h"
+
+namespace resect {
+
+// The weightiest first: the goal, then vessels and blood, margin, force, path and time.
+std::vector<Deduction> findings(const Attempt& attempt, const GoalResult& goal,
+                                const std::vector<Check>& checks);
+
+std::vector<std::string> praise(const Attempt& attempt, const GoalResult& goal,
+                                const std::vector<Check>& checks);
+
+// "path length 1.25 m"; with few digits, for people.
+std::string measureText(std::string_view measure, double value);
+// The number alone, as in measureText().
+std::string numberText(double value);
+// "at most 3 N", "at least 10 mm", "30 to 40 ml".
+std::string limitText(const Check& check);
+// "1:05.3", minutes and seconds.
+std::string timeText(double seconds);
+
+}  // namespace resect

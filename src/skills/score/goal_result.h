@@ -1,0 +1,27 @@
+// Whether an attempt reached its goal, and how well: pure functions of the attempt.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "skills/score/measures.h"
+
+namespace resect {
+
+struct GoalResult {
+  bool reached = false;
+  std::string sentence;            // what was reached or missed, for people
+  std::optional<double> time;      // s: when the goal was reached, or where it was missed
+  std::vector<Measured> measures;  // that only this goal has
+};
+
+// A line counts as followed if this share of it was.
+inline constexpr double kLineFollowed = 0.9;
+
+// attempt.task must be given.
+GoalResult goalResult(const Attempt& attempt);
+
+// One sentence that says what the goal is.
+std::string goalSentence(const Task& task);
+
+}  // namespace resect

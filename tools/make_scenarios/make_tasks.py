@@ -1,0 +1,375 @@
+#!/usr/bin/env python3
+"""Writes the tasks that come with Resect: python3 make_tasks.py FOLDER [--check] [--operator NAME].
+
+Each is a scenario whose instruments do the task as a good operator does: the reference run. With --operator the same
+tasks are done by another scripted operator, for tests: hurried (fast, leaves steps out), clumsy (shaky, too deep),
+reckless (leaves out what keeps it safe).
+For tests of smoothness touch-and-hold has one more, tremor: the good one with a trembling hand.
+"""
+import argparse
+import math
+import random
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from make_scenarios import ASIDE, FRAME_RATE, VESSEL, Path3, cut_branch, elastic, incise_under_traction, ligaments, resect_segment_elastic, stop_bleeding  # noqa: E402
+
+OPERATORS = ("good", "hurried", "clumsy", "reckless")
+
+
+def quicker(path, factor, start=0.9):
+    """The same way, all after `start` in a part of the time."""
+    path.keys = [(round(start + max(0, time - start) * factor if time > start else time, 5), *rest)
+                 for time, *rest in path.keys]
+    path.time = path.keys[-1][0]
+    return path
+
+
+def sampled(path, rate=FRAME_RATE):
+    """The keys of the path, and places between them: a list of (time, tip, squeeze, edge)."""
+    keys = []
+    for before, after in zip(path.keys, path.keys[1:]):
+        steps = max(1, round((after[0] - before[0]) * rate))
+        for i in range(steps):
+            share = i / steps
+            tip = tuple(a + share * (b - a) for a, b in zip(before[1], after[1]))
+            keys.append((round(before[0] + share * (after[0] - before[0]), 5), tip,
+                         before[2] + share * (after[2] - before[2]), before[3]))
+    return keys + [path.keys[-1]]
+
+
+def smooth(path, rate=30):
+    """The same way, each straight part of it with the speed of a calm hand: a bell, at rest at both ends."""
+    keys = []
+    for before, after in zip(path.keys, path.keys[1:]):
+        moves = math.dist(before[1], after[1]) > 1e-6
+        steps = max(1, round((after[0] - before[0]) * rate)) if moves else 1
+        for i in range(steps):
+            t = i / steps
+            share = t ** 3 * (10 - 15 * t + 6 * t * t)  # minimum jerk
+            tip = tuple(round(a + share * (b - a), 5) for a, b in zip(before[1], after[1]))
+            keys.append((round(before[0] + t * (after[0] - before[0]), 5), tip, before[2] + t * (after[2] - before[2]),
+                         before[3]))
+    path.keys = keys + [path.keys[-1]]
+    return path
+
+
+def shaken(path, size, frequency, seed):
+    """The path with a shaking hand: waves of about this size, m, and frequency, Hz, along each axis."""
+    dice = random.Random(seed)
+    waves = [[(frequency * dice.uniform(0.8, 1.2), dice.uniform(0, 2 * math.pi)) for _ in range(3)] for _ in range(3)]
+    keys = []
+    for time, tip, squeeze, edge in sampled(path):
+        shift = [size / 1.7 * sum(math.sin(2 * math.pi * f * time + phase) for f, phase in waves[a]) for a in range(3)]
+        keys.append((time, tuple(x + d for x, d in zip(tip, shift)), squeeze, edge))
+    path.keys = keys
+    return path
+
+
+def tremble(path, seed=1):
+    """A tremor of 8 Hz and 0.3 mm."""
+    return shaken(path, 0.0003, 8, seed)
+
+
+def task(teaches, goal, limits, levels=None, instruments=(), steps=(), bands=(), background="", force_limit=None,
+         source=None, level="medium"):
+    """The table [task] as text."""
+    quoted = lambda words: "[" + ", ".join(f'"{word}"' for word in words) + "]"
+    number = lambda v: v if isinstance(v, str) else f"{v:g}"
+    table = lambda name, values: [f"[{name}]", *(f"{key} = {number(value)}" for key, value in values.items()), ""]
+    lines = ["[task]", f'teaches = "{teaches}"', f'level = "{level}"', f"instruments = {quoted(instruments)}"]
+    lines += ["steps = [", *(f'  "{step}",' for step in steps), "]"]
+    if background:
+        lines.append(f'background = "{background}"')
+    if bands:
+        lines.append(f"published = {quoted(bands)}")
+    if force_limit:
+        lines += [f"force_limit = {force_limit:g}", f'force_limit_source = "{source}"']
+    lines += ["", *table("task.goal", goal), *table("task.limits", limits)]
+    for name, values in (levels or {}).items():
+        lines += table(f"task.levels.{name}", values)
+    return "\n".join(lines).rstrip("\n") + "\n"
+
+
+def places(*points, depth=None):
+    deep = "" if depth is None else f", depth = {depth:g}"
+    return "[\n" + "".join(f"  {{ place = [{x:g}, {y:g}, {z:g}]{deep} }},\n" for x, y, z in points) + "]"
+
+
+# Of the box of the liver at rest; and where these are once the liver has sagged, m.
+TARGETS = ((0.35, 0.95, 0.45), (0.6, 0.75, 0.6), (0.75, 0.5, 0.45), (0.2, 0.75, 0.7))
+TARGETS_SAGGED = ((-0.112, 0.0885, 0.0056), (-0.0487, 0.0771, 0.0416), (-0.0198, 0.051, -0.0026), (-0.1339, 0.0444, 0.0423))
+
+
+def touch_and_hold(operator):
+    """The baton touches four targets on the liver one after the other, and holds each."""
+    good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
+    path = Path3(handle=(0, 0.8, 0.6), edge=(0, 0.6, -0.8), speed=0.25 if hurried else 0.12)
+    path.wait(0.9)
+    press = 0.025 if reckless else 0.012 if clumsy else 0.001
+    hold = 0.4 if hurried else 1.3
+    path.to(-0.07, 0.22, 0.15)
+    for x, y, z in TARGETS_SAGGED:
+        path.to(x, y + 0.03, z + 0.02).to(x, y - press, z, speed=0.25 if reckless else 0.06)
+        path.wait(hold)
+        path.to(x, y - press, z).to(x, y + 0.03, z + 0.02)
+    path.to(-0.07, 0.22, 0.15)
+    smooth(path)
+    if clumsy:
+        shaken(path, 0.005, 1.3, 3)
+    if operator == "tremor":
+        tremble(path)
+    return [("scalpel", None), ("hook", None), ("baton", path)]
+
+
+def touch_and_hold_scenario(operator):
+    goal = {"kind": '"touch"', "places": places(*TARGETS, depth=0), "radius": '"8mm"', "hold": 1, "with": '"baton"'}
+    text = task("Camera and depth: to find a place in space, touch it gently, and rest there.", goal,
+                {"force_peak_n": 1.5, "total_time_s": 25, "path_length_m": 1.6},
+                {"easy": {"total_time_s": 45, "force_peak_n": 3}, "hard": {"total_time_s": 18, "force_peak_n": 1}},
+                ["baton"],
+                ["Bring the tip over the first target.", "Touch it, and stay for a second.",
+                 "Go on to the next one, in order."],
+                force_limit=1.5, source="setting of the task: no limit is published for the liver")
+    return elastic("Touch and hold", "Four targets on the liver are touched one after the other and held", 10.0,
+                   touch_and_hold(operator), ligaments(ASIDE),
+                   organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\n", duration=None) + "\n" + text
+
+
+def two_hands(operator):
+    """The hook pulls the left lobe aside and holds it, while the scalpel follows a line over it."""
+    good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
+    (_, scalpel), (_, hook), (_, baton) = incise_under_traction()
+    scalpel.keys = scalpel.keys[:-7 if hurried else -4]  # hurried: not to the end
+    scalpel.time = scalpel.keys[-1][0]
+    x, y, z = scalpel.keys[-1][1]
+    scalpel.to(x, y + 0.08, z, speed=0.2).to(0.05, 0.24, 0.16, speed=0.4)
+    if hurried:  # and before the hook holds
+        scalpel.keys = [(round(0.9 + 0.45 * (time - 2.2), 5), *rest) for time, *rest in scalpel.keys]
+    if clumsy:
+        shaken(scalpel, 0.006, 1.1, 5)
+        shaken(hook, 0.003, 1.3, 6)
+    if reckless:  # alone, beside the line, and too deep
+        scalpel.keys = [(time, (x + 0.014, y - (0.012 if y < 0.04 else 0), z), *rest)
+                        for time, (x, y, z), *rest in scalpel.keys]
+        hook = None
+    return [("scalpel", scalpel), ("hook", hook), ("baton", baton)]
+
+
+def two_hands_scenario(operator):
+    line = places(*((0.795, 0.45, z) for z in (0.48, 0.56, 0.64, 0.72, 0.78, 0.83)), depth=0)
+    goal = {"kind": '"follow"', "places": line, "radius": '"6mm"', "with": '"scalpel"', "hold_with": '"hook"'}
+    text = task("Two hands: one holds tissue under tension, the other follows a line.", goal,
+                {"off_line_mm": 3, "off_line_most_mm": 8, "held_pct": 80, "force_peak_n": 4, "total_time_s": 15},
+                {"easy": {"off_line_mm": 5, "off_line_most_mm": 12, "total_time_s": 30}, "hard": {"off_line_mm": 2}},
+                ["scalpel", "hook"],
+                ["Catch the lobe beside the line with the hook, and pull a little.",
+                 "Draw the scalpel along the line while the hook holds."], force_limit=4,
+                source="setting of the task: no limit is published for the liver")
+    return elastic("Two hands", "The hook holds the left lobe, the scalpel follows a line over it", 8.0,
+                   two_hands(operator), ligaments(-0.035),
+                   organ="position = [-0.035, 0, 0]  # so that the lobe does not come to lie on the tray\n",
+                   close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]") + "\n" + text
+
+
+def control_bleeding(operator):
+    """A stroke cuts a branch of the portal vein; suction, clip and bipolar forceps stop the bleeding."""
+    good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
+    tools = dict(stop_bleeding())
+    bipolar = tools["bipolar"]
+    bipolar.keys = bipolar.keys[:2]
+    bipolar.time = bipolar.keys[-1][0]
+    for x, y in ((-0.034, 0.044), (-0.026, 0.036), (-0.018, 0.027), (-0.010, 0.023), (-0.002, 0.020), (0.006, 0.018),
+                 (0.014, 0.018), (0.022, 0.018)):
+        bipolar.to(x, y + 0.012, VESSEL[2], speed=0.12).to(x, y, VESSEL[2], speed=0.12).snip(0.15)
+    for x, y in ((0.022, 0.030), (0.006, 0.031), (-0.010, 0.039), (-0.027, 0.049), (-0.043, 0.058), (-0.051, 0.066)):
+        bipolar.to(x, y + 0.008, VESSEL[2], speed=0.15).to(x, y, VESSEL[2], speed=0.15).snip(0.15)
+    bipolar.to(-0.01, 0.2, 0.2, speed=0.4)
+    suction = tools["suction"]
+    suction.keys = suction.keys[:5]
+    suction.keys[-1] = (round(bipolar.time, 5), *suction.keys[-1][1:])
+    if hurried:  # the clip, and nothing after it
+        tools["bipolar"] = None
+        tools["suction"].keys = tools["suction"].keys[:4]
+    if clumsy:  # the clip comes late
+        for name in ("suction", "clip_applier", "bipolar"):
+            tools[name].keys = [(round(time + 6, 5), *rest) for time, *rest in tools[name].keys]
+            shaken(tools[name], 0.006, 1.2, 7)
+    if reckless:  # cuts again, and leaves
+        again = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.2)
+        again.wait(tools["scalpel"].time + 0.2)
+        cut_branch(again)
+        tools["scalpel"].keys += [(t, (x, y - 0.004, z + 0.008), *rest) for t, (x, y, z), *rest in again.keys]
+        tools.update(suction=None, clip_applier=None, bipolar=None)
+    return list(tools.items())
+
+
+def control_bleeding_scenario(operator):
+    goal = {"kind": '"stop-bleeding"', "rate_ml_min": 10, "hold": 1}
+    text = task("Control of a bleeding vessel: clear the wound, close the vessel, then what is left.", goal,
+                {"blood_loss_ml": 60, "vessels_open": 0, "bleeding_s": 18, "total_time_s": 30},
+                {"easy": {"blood_loss_ml": 100, "bleeding_s": 40, "total_time_s": 60}, "hard": {"blood_loss_ml": 45}},
+                ["scalpel", "suction", "clip_applier", "bipolar"],
+                ["Cut across the branch.", "Suck the blood away to see where it comes from.",
+                 "Close the branch with a clip.", "Seal what still bleeds with the bipolar forceps."],
+                bands=("lefor-2022",))
+    return elastic("Control of a bleeding vessel", "A branch of the portal vein is cut, and the bleeding is stopped",
+                   8.0, control_bleeding(operator), ligaments(ASIDE),
+                   organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\nvessels = \"built-in\"\n",
+                   duration=22 if operator in ("hurried", "reckless") else None,
+                   close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]") + "\n" + text
+
+
+# A branch of a hepatic vein of 2.1 mm that runs 10 mm under the skin: its middle and its direction at rest, m; and the
+# normal of the skin above it.
+BRANCH, ALONG, OUT = (-0.024, 0.046, 0.045), (0.55, 0.12, 0.83), (0.56, 0.74, 0.37)
+ACROSS = (0.83, 0.0, -0.55)
+
+
+def at_branch(along=0.0, out=0.0, across=0.0):
+    return tuple(b + along * a + out * o + across * c for b, a, o, c in zip(BRANCH, ALONG, OUT, ACROSS))
+
+
+def clip_and_divide(operator):
+    """Two clips close the branch on either side, and the scalpel cuts between them."""
+    good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
+    clip = Path3(handle=OUT, edge=(-ALONG[0], -ALONG[1], -ALONG[2]), speed=0.1)
+    clip.wait(0.5)
+    sides = (-0.0045,) if hurried else () if reckless else (-0.0045, 0.0045)
+    clip.to(*at_branch(out=0.1))
+    for side in sides:
+        clip.to(*at_branch(side, 0.03)).to(*at_branch(side + (0.012 if clumsy else 0), 0.001), speed=0.03).snip()
+        clip.to(*at_branch(side, 0.04))
+    clip.to(*at_branch(out=0.12))
+    scalpel = Path3(handle=OUT, edge=ACROSS, speed=0.12)
+    scalpel.wait(clip.time if sides else 0.5)
+    scalpel.to(*at_branch(out=0.1, across=-0.03)).to(*at_branch(out=0.02, across=-0.02))
+    deep = -0.006 if reckless else -0.003
+    for across in (-0.016, -0.008, 0.0, 0.008, 0.016):
+        scalpel.to(*at_branch(out=deep, across=across), speed=0.2 if reckless else 0.03)
+    scalpel.to(*at_branch(out=0.02, across=0.02)).to(*at_branch(out=0.1, across=0.03))
+    if clumsy:
+        shaken(clip, 0.003, 1.5, 11)
+        shaken(scalpel, 0.003, 1.2, 12)
+    return [("scalpel", scalpel), ("clip_applier", clip if sides else None)]
+
+
+def clip_and_divide_scenario(operator):
+    place = f"[{{ place = [{BRANCH[0]:g}, {BRANCH[1]:g}, {BRANCH[2]:g}], frame = \"world\" }}]"
+    goal = {"kind": '"divide"', "places": place, "vessel": '"hepatic-vein"', "thinnest": '"2mm"'}
+    text = task("Clip and divide: a vessel is closed on both sides before it is cut between the clips.", goal,
+                {"vessels_unsealed": 0, "clips": "{ least = 2, most = 2 }", "blood_loss_ml": 15, "path_length_m": 1.2, "total_time_s": 20},
+                {"easy": {"clips": "{ least = 2, most = 4 }", "blood_loss_ml": 30, "total_time_s": 60}, "hard": {"total_time_s": 14}},
+                ["scalpel", "clip_applier"],
+                ["Find the vein, and close it with a clip on the side of the heart.",
+                 "Close it with a second clip a centimetre away.", "Cut between the two clips."])
+    return elastic("Clip and divide", "A branch of a hepatic vein is clipped twice and cut between the clips", 6.0,
+                   clip_and_divide(operator), "", duration=None,
+                   organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\nvessels = \"built-in\"\n",
+                   close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]").replace(
+                       'model = "elastic"', 'model = "still"  # so that the applier gets to the vessel', 1).replace(
+                       'view = "surgeon"', 'view = "surgeon"\nmode = "operation"', 1) + "\n" + text
+
+
+# Of the left lateral section: the plane at rest, m, before the liver is moved aside.
+PLANE_X = 0.055
+
+
+def left_lateral(operator):
+    """The scalpel parts the left lateral section along a plane; the hook lifts it away."""
+    good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
+    tools = dict(resect_segment_elastic())
+    if hurried:  # there and back once, and away
+        scalpel = Path3(handle=(0, 1, 0.05), edge=(0, -0.05, 1), speed=0.25)
+        scalpel.wait(0.9)
+        scalpel.to(PLANE_X, 0.2, -0.12, speed=0.4).to(PLANE_X, 0.02, -0.12, speed=0.4).to(PLANE_X, 0.02, 0.1, speed=0.3)
+        scalpel.to(PLANE_X, 0.2, 0.13, speed=0.4)
+        tools.update(scalpel=scalpel, hook=None)
+    if clumsy:
+        shaken(tools["scalpel"], 0.007, 0.7, 13)
+    if reckless:  # too far in the middle of the organ
+        tools["scalpel"].keys = [(t, (x - 0.035, y, z), *rest) for t, (x, y, z), *rest in tools["scalpel"].keys]
+        tools["hook"] = None
+    return list(tools.items())
+
+
+def left_lateral_scenario(operator):
+    place = f"[{{ place = [{PLANE_X + ASIDE:g}, 0.03, 0], frame = \"world\" }}]"
+    goal = {"kind": '"transect"', "places": place, "normal": "[1, 0, 0]", "radius": '"20mm"', "with": '"scalpel"'}
+    text = task("Left lateral sectionectomy: to keep a plane through the whole organ. The inflow counts as closed: it "
+                "does not bleed.",
+                goal, {"specimen_ml": "{ least = 30, most = 140 }", "off_plane_mm": 8, "removed_ml": 6,
+                       "force_peak_n": 6, "total_time_s": 30},
+                {"easy": {"off_plane_mm": 15, "total_time_s": 90}, "hard": {"off_plane_mm": 6}},
+                ["scalpel", "hook"],
+                ["Mark the plane left of the ligament.", "Cut from the upper margin to the lower one.",
+                 "Pull the section aside with the hook, cut the strands that are left, and lift it away."],
+                bands=("takayama", "lefor-2022"), force_limit=6,
+                source="setting of the task: no limit is published for the liver")
+    return elastic("Left lateral sectionectomy", "The left lateral section is parted along a plane and lifted away",
+                   8.0, left_lateral(operator), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE) + "\n" + text
+
+
+# A tumour near the tip of the left lobe, at rest, m, before the liver is moved aside.
+TUMOUR, TUMOUR_RADIUS = (0.088, 0.024, 0.01), 0.008
+
+
+def wedge(operator):
+    """The scalpel cuts the tip of the left lobe off from both sides, a centimetre from the tumour; the hook lifts it away."""
+    good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
+    tools = dict(resect_segment_elastic())
+    aside = 0.004 if not reckless else 0.026
+    for path in (tools["scalpel"], tools["hook"]):
+        path.keys = [(t, (x + aside, y, z), *rest) for t, (x, y, z), *rest in path.keys]
+    if hurried:  # one side only, and away
+        tools["scalpel"].keys = tools["scalpel"].keys[:3]
+        quicker(tools["scalpel"].to(0.05, 0.24, 0.16, speed=0.6), 0.7)
+        tools["hook"] = None
+    if clumsy:
+        shaken(tools["scalpel"], 0.016, 0.6, 17)
+    return list(tools.items())
+
+
+def wedge_scenario(operator):
+    x, y, z = TUMOUR
+    label = (f"[[organ.label]]\nlabel = 1\nname = \"tumour\"\ncentre = [{x + ASIDE:g}, {y:g}, {z:g}]\n"
+             f"radius = {TUMOUR_RADIUS:g}\n\n")
+    goal = {"kind": '"resect"', "structure": '"tumour"', "margin": '"10mm"'}
+    text = task("Wedge resection: a tumour is taken out in one piece with a margin on all sides.", goal,
+                {"specimen_ml": 110, "removed_ml": 5, "force_peak_n": 6, "total_time_s": 25},
+                {"easy": {"specimen_ml": 150, "total_time_s": 60}, "hard": {"specimen_ml": 80}},
+                ["scalpel", "hook"],
+                ["Mark a margin of a centimetre round the tumour.", "Cut one side of the wedge, then the other.",
+                 "Take the specimen off and look at its margin."], bands=("lefor-2022",), force_limit=6,
+                source="setting of the task: no limit is published for the liver")
+    text = elastic("Wedge resection of a tumour", "A marked tumour is taken out of the left lobe with a margin", 6.0,
+                   wedge(operator), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE) + "\n" + text
+    return text.replace("[tissue]\n", label + "[tissue]\n", 1)
+
+
+TASKS = {"touch-and-hold": touch_and_hold_scenario, "two-hands": two_hands_scenario,
+         "control-bleeding": control_bleeding_scenario, "clip-and-divide": clip_and_divide_scenario,
+         "wedge-resection": wedge_scenario, "left-lateral": left_lateral_scenario}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if a file is not as written here")
+    parser.add_argument("--operator", choices=OPERATORS, default="good")
+    options = parser.parse_args()
+    stale = []
+    for name, make in TASKS.items():
+        file, text = options.folder / f"{name}.toml", make(options.operator)
+        if not options.check:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text)
+        elif not file.exists() or file.read_text() != text:
+            stale.append(str(file))
+    if stale:
+        sys.exit("not what tools/make_scenarios/make_tasks.py writes: " + ", ".join(stale))
+
+
+if __name__ == "__main__":
+    main()
