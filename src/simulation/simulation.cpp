@@ -5,7 +5,6 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "organ/heat/heat_organ.h"
 #include "tools/contacts.h"
 
 namespace resect {
@@ -328,26 +327,6 @@ void Simulation::updateSurface(const FrameInput& input) {
 }
 
 // Blood leaves cut vessels and tissue, and runs.
-// Warms and coagulates tissue. What it does to vessels and materials counts from this frame's blood
-// and the next frame's tissue.
-void Simulation::heatTissue(const FrameInput& input) {
-  work_.applied.assign(work_.edits.begin(), work_.edits.end());
-  work_.applied.insert(work_.applied.end(), work_.caused.begin(), work_.caused.end());
-  for (std::size_t o = 0; o < organs_.size(); ++o) {
-    work_.heat.clear();
-    for (const TissueEdit& edit : work_.applied)
-      if (const auto* heat = std::get_if<Heat>(&edit.what); heat && edit.organ == std::int32_t(o))
-        work_.heat.push_back({heat->place, heat->radius, heat->power});
-    if (work_.heat.empty() && organs_[o].organ.heat.empty()) continue;
-    heatOrgan(organs_[o], work_.heat, input.duration, !work_.removedCells[o].empty());
-  }
-}
-
-void Simulation::flowBlood(const FrameInput& input, StepReport& report) {
-  if (!blood_.any()) return;
-  blood_.step(organs_, work_.applied, input.duration, time_ + input.duration, table_, report.blood);
-}
-
 // Updates time and frame, and reports faults.
 void Simulation::measure(const FrameInput& input, StepReport& report) {
   if (input.iso && !(*input.iso >= kMinIso && *input.iso <= kMaxIso))

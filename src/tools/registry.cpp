@@ -6,17 +6,17 @@
 #include <string>
 
 #include "base/error.h"
-#include "tools/aspirator_part.h"
-#include "tools/bipolar_part.h"
-#include "tools/blade_part.h"
-#include "tools/clip_part.h"
-#include "tools/gauze_part.h"
-#include "tools/hook_part.h"
-#include "tools/inflow_clamp_part.h"
-#include "tools/jaws_part.h"
-#include "tools/pencil_part.h"
-#include "tools/remover.h"
-#include "tools/suction_part.h"
+#include "tools/parts/aspirator_part.h"
+#include "tools/parts/bipolar_part.h"
+#include "tools/parts/blade_part.h"
+#include "tools/parts/clip_part.h"
+#include "tools/parts/gauze_part.h"
+#include "tools/parts/hook_part.h"
+#include "tools/parts/inflow_clamp_part.h"
+#include "tools/parts/jaws_part.h"
+#include "tools/parts/pencil_part.h"
+#include "tools/parts/remover.h"
+#include "tools/parts/suction_part.h"
 
 namespace resect {
 namespace {

@@ -56,6 +56,19 @@ class Path3:
             self.keys.append((round(self.time, 5), self.keys[-1][1], self.squeeze, self.edge))
         return self
 
+    def hold_until(self, time):
+        """Stays where it is, as it is."""
+        self.time = time
+        self.keys.append((round(self.time, 5), self.keys[-1][1], self.squeeze, self.edge))
+        return self
+
+    def jaws(self, squeeze, seconds=0.3):
+        """Closes or opens the jaws where they are."""
+        self.squeeze = squeeze
+        self.wait(seconds)
+        self.keys.append((round(self.time, 5), self.keys[-1][1], self.squeeze, self.edge))
+        return self
+
     def text(self):
         vector = lambda v: "[" + ", ".join(f"{x:.4f}".rstrip("0").rstrip(".") for x in v) + "]"
         turn = lambda edge: f"{{ handle = {vector(self.handle)}, edge = {vector(edge)} }}"
@@ -247,6 +260,82 @@ def stop_bleeding():
     suction.to(x + 0.025, y + 0.005, z + 0.03)
     return [("scalpel", scalpel), ("hook", None), ("baton", None), ("suction", suction), ("clip_applier", clip),
             ("bipolar", bipolar)]
+
+
+# Skin of the sagged lobe at z = 0.044, x to y, m; and vessels that the groove of `transect` bares: middle, direction,
+# length in mm.
+SKIN = ((-0.05, 0.078), (-0.04, 0.0682), (-0.03, 0.0562), (-0.02, 0.0479), (-0.01, 0.0432), (0.0, 0.040), (0.01, 0.035))
+BARED = (
+    ((-0.0251, 0.0295, 0.0455), (0.24, 0.05, 0.97), 6.8),
+    ((-0.0138, 0.0205, 0.0447), (0.58, -0.36, 0.73), 9.8),
+    ((-0.0179, 0.0273, 0.0439), (0.69, 0.07, 0.72), 6.9),
+)
+
+
+def skin(x):
+    for (a, low), (b, high) in zip(SKIN, SKIN[1:]):
+        if a <= x <= b:
+            return low + (high - low) * (x - a) / (b - a)
+    raise ValueError(x)
+
+
+def transect():
+    """A part of a left lateral sectionectomy: inflow clamped, capsule scored, parenchyma aspirated over 6 cm^2, three
+    vessels clipped and divided, what bleeds coagulated, the inflow opened again, the field sucked dry."""
+    z = VESSEL[2]
+    clamp = Path3(handle=(0.75, 0.66, 0.1), edge=(0.66, -0.75, 0), speed=0.25)
+    clamp.wait(0.6)
+    clamp.to(0.12, 0.15, 0.03).to(0.042, 0.022, 0.012).jaws(1.0)
+    pencil = Path3(handle=(0.5, 0.86, 0.1), edge=(0.86, -0.5, 0), speed=0.2)
+    pencil.wait(1.2)
+    pencil.to(-0.06, 0.2, z).to(-0.036, skin(-0.036) + 0.01, z)
+    for i in range(8):
+        x = -0.034 + 0.0045 * i
+        pencil.to(x, skin(x) - 0.003, z, speed=0.02)
+    pencil.to(0.01, 0.12, z, speed=0.3).to(0.03, 0.2, 0.1, speed=0.3)
+    aspirator = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.3)
+    aspirator.wait(pencil.time - 1)
+    aspirator.to(0.0, 0.2, 0.12).to(-0.032, skin(-0.032) + 0.02, z)
+    for layer, depth in enumerate((0.003, 0.008, 0.013, 0.018, 0.022)):
+        way = [-0.032 + 0.03 * i / 8 for i in range(9)]
+        for x in reversed(way) if layer % 2 else way:
+            aspirator.to(x, skin(x) - depth, z, speed=0.035)
+    aspirator.to(0.0, 0.12, z, speed=0.3).to(0.03, 0.2, 0.12, speed=0.3)
+    clip = Path3(handle=(0.1, 0.95, 0.3), edge=(0, -0.3, 0.95), speed=0.3)
+    clip.wait(aspirator.time - 0.8)
+    clip.to(0.03, 0.18, 0.1)
+    for middle, along, length in BARED:
+        for side in (-1, 1):
+            x, y, z_ = (m + side * a * (0.0005 * length - 0.0008) for m, a in zip(middle, along))
+            clip.to(x, y + 0.03, z_, speed=0.25).to(x, y, z_, speed=0.15).jaws(1.0, 0.2).jaws(0.0, 0.2)
+            clip.to(x, y + 0.03, z_, speed=0.15)
+    clip.to(0.03, 0.18, 0.1)
+    scissors = Path3(handle=(0, 0.95, 0.3), edge=(1, 0, 0), speed=0.3)
+    scissors.wait(clip.time - 0.6)
+    scissors.to(-0.02, 0.18, 0.1)
+    for (x, y, z_), _, _ in BARED:
+        scissors.to(x, y + 0.034, z_, speed=0.25).to(x, y - 0.006, z_, speed=0.1).jaws(1.0).jaws(0.0)
+        scissors.to(x, y + 0.034, z_, speed=0.15)
+    scissors.to(-0.02, 0.18, 0.1)
+    bipolar = Path3(handle=(0.1, 0.95, 0.3), edge=(0, -0.3, 0.95), speed=0.3)
+    bipolar.wait(scissors.time - 0.6)
+    bipolar.to(0.03, 0.18, 0.1)
+    for i in range(6):
+        x = -0.034 + 0.0064 * i
+        for depth in (0.021, 0.012):
+            bipolar.to(x, skin(x) - depth, z, speed=0.1).grasp(1.0)
+    bipolar.to(0.03, 0.18, 0.1)
+    clamp.hold_until(bipolar.time)
+    clamp.jaws(0.0).to(0.12, 0.15, 0.03)
+    suction = Path3(handle=(-0.3, 0.9, 0.3), edge=(0, -0.3, 0.9), speed=0.3)
+    suction.wait(bipolar.time - 0.8)
+    suction.to(-0.03, 0.18, 0.1)
+    for x in (-0.034, -0.02, -0.006, -0.02):
+        suction.to(x, skin(x) - 0.012, z, speed=0.03)
+    suction.wait(1.0)
+    suction.to(-0.02, skin(-0.02) - 0.012, z)
+    return [("scalpel", None), ("inflow_clamp", clamp), ("pencil", pencil), ("aspirator", aspirator),
+            ("clip_applier", clip), ("scissors", scissors), ("bipolar", bipolar), ("suction", suction)]
 
 
 def incise_under_traction():
@@ -445,6 +534,10 @@ def all_scenarios():
     yield "stop-bleeding", elastic(
         "Bleeding is stopped", "Suction clears the wound, a clip closes the vessel, bipolar forceps seal the rest", 8.0,
         stop_bleeding(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
+    yield "transect", elastic(
+        "Part of a left lateral sectionectomy", "The inflow is clamped, the aspirator bares the vessels, they are "
+        "clipped and divided, forceps dry the field", 8.0, transect(), ligaments(ASIDE), organ=bleeds,
+        close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
                           snip(), ligaments(ASIDE), x=ASIDE)
     yield "resect-segment-elastic", elastic(

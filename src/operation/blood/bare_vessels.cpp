@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/elementary.h"
 #include "organ/picture/picture_vessels.h"
 #include "tools/rest_place.h"
 
@@ -22,7 +23,7 @@ void addPrism(TriangleMesh& mesh, const Vec3& a, const Vec3& b, const Vec3& u, c
   for (const Vec3& end : {a, b})
     for (int i = 0; i < sides; ++i) {
       const double angle = 2 * std::numbers::pi * (i + 0.5) / sides;
-      mesh.points.push_back(end + std::cos(angle) * u + std::sin(angle) * v);
+      mesh.points.push_back(end + math::cos(angle) * u + math::sin(angle) * v);
     }
   for (int i = 0; i < sides; ++i) {
     const std::int32_t here = first + i, next = first + (i + 1) % sides;

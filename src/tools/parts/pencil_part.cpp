@@ -1,6 +1,6 @@
-#include "tools/pencil_part.h"
+#include "tools/parts/pencil_part.h"
 
-#include "tools/blade_part.h"
+#include "tools/parts/blade_part.h"
 #include "tools/rest_place.h"
 #include "tools/tool.h"
 

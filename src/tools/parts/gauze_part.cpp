@@ -1,4 +1,4 @@
-#include "tools/gauze_part.h"
+#include "tools/parts/gauze_part.h"
 
 #include <numbers>
 

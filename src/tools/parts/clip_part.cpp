@@ -1,4 +1,4 @@
-#include "tools/clip_part.h"
+#include "tools/parts/clip_part.h"
 
 #include <algorithm>
 #include <cmath>

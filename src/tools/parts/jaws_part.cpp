@@ -1,7 +1,7 @@
-#include "tools/jaws_part.h"
+#include "tools/parts/jaws_part.h"
 
 #include "geometry/rotation.h"
-#include "tools/bare_vessels.h"
+#include "tools/parts/bare_vessels.h"
 #include "tools/tool.h"
 
 namespace resect {

@@ -1,6 +1,6 @@
-#include "tools/blade_part.h"
+#include "tools/parts/blade_part.h"
 
-#include "tools/bare_vessels.h"
+#include "tools/parts/bare_vessels.h"
 #include "tools/tool.h"
 
 namespace resect {

@@ -1,4 +1,4 @@
-#include "tools/inflow_clamp_part.h"
+#include "tools/parts/inflow_clamp_part.h"
 
 #include <algorithm>
 

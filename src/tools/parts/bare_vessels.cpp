@@ -1,4 +1,4 @@
-#include "tools/bare_vessels.h"
+#include "tools/parts/bare_vessels.h"
 
 #include <cmath>
 

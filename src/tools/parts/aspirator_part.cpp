@@ -1,4 +1,4 @@
-#include "tools/aspirator_part.h"
+#include "tools/parts/aspirator_part.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "tools/suction_part.h"
+#include "tools/parts/suction_part.h"
 
 #include "tools/tool.h"
 

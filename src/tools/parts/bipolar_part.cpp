@@ -1,4 +1,4 @@
-#include "tools/bipolar_part.h"
+#include "tools/parts/bipolar_part.h"
 
 #include "tools/rest_place.h"
 #include "tools/tool.h"

@@ -1,4 +1,4 @@
-#include "tools/hook_part.h"
+#include "tools/parts/hook_part.h"
 
 #include <algorithm>
 #include <cmath>

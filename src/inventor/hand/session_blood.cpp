@@ -1,0 +1,62 @@
+// What a session shows of blood and vessels.
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "inventor/gl/vectors.h"
+#include "inventor/hand/operating_session.h"
+
+namespace resect {
+
+// Draws the puddles and drops, and what lay where they were.
+void OperatingSession::followLooseBlood() {
+  if (!state_.loose && !loose_) return;
+  for (const auto* blood : {loose_.get(), state_.loose.get()}) {
+    if (!blood) continue;
+    if (!blood->poolBox.empty()) damage_.boxes.push_back(blood->poolBox);
+    Aabb drops;
+    for (const Vec3f& drop : blood->drops) drops.grow(drop.cast<double>());
+    if (!drops.empty()) damage_.boxes.push_back(drops.padded(0.004));
+  }
+  loose_ = state_.loose;
+  room().setLooseBlood(loose_.get());
+}
+
+// Draws bare vessels and clips anew if they have changed visibly.
+void OperatingSession::followBareVessels() {
+  constexpr double kSeen = 0.2e-3;  // m
+  const auto same = [](const TriangleMesh& a, const TriangleMesh& b) {
+    return std::ranges::equal(a.points, b.points, [](const Vec3& p, const Vec3& q) {
+      return (p - q).squaredNorm() < kSeen * kSeen;
+    });
+  };
+  const BareVessels *now = state_.bare.get(), *before = bare_.get();
+  if (!now && !before) return;
+  if (now && before && std::ranges::equal(now->tubes, before->tubes, same) &&
+      same(now->sealed, before->sealed) && same(now->clips, before->clips))
+    return;
+  for (const BareVessels* vessels : {before, now})
+    if (vessels && !vessels->box.empty()) damage_.boxes.push_back(vessels->box);
+  bare_ = state_.bare;
+  room().setBareVessels(bare_.get());
+}
+
+// Marks what bleeds for an instrument that can stop it, and guides the hand there.
+void OperatingSession::showBleeding() {
+  const int held = tools_.held();
+  const bool stops =
+      marksBleeding_ && tools_.surfaceHand() && tools_.surfaceHand()->style.seeks > 0;
+  std::vector<Vec3> targets;
+  if (stops)
+    for (const BleedingEnd& end : state_.bleedingEnds)
+      if (end.flow >= BleedingMarks::kLeastFlow) targets.push_back(end.place);
+  const Vec3 eye = toVec(room().camera()->position.getValue());
+  damage_.boxes.push_back(
+      stops && held >= 0
+          ? bleeding_.show(state_.bleedingEnds, (eye - organBox_.centre()).normalized())
+          : bleeding_.hide());
+  tools_.setTargets(std::move(targets));
+}
+
+}  // namespace resect
