@@ -21,6 +21,7 @@ FOREIGN = {
     r"toml\+\+/": {"io"},
     r"nlohmann/": {"formats", "skills", "cli"},
     r"CLI/": {"cli"},
+    r"curl/": {"cli"},
     r"(tbb|oneapi)/": {"base"},
 }
 

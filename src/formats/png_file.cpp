@@ -14,11 +14,11 @@ void checkPngFile(const std::filesystem::path& path) {
     throw usageError("cannot write a picture as {}; give a name that ends in .png", path.string());
 }
 
-void writePng(const std::filesystem::path& path, const RgbImage& image) {
+std::string pngBytes(const RgbImage& image) {
   require(image.width > 0 && image.height > 0 &&
               image.pixels.size() == std::size_t(3) * image.width * image.height,
-          "{}: a picture of {} x {} pixels with {} bytes is none; give three bytes a pixel",
-          path.string(), image.width, image.height, image.pixels.size());
+          "a picture of {} x {} pixels with {} bytes is none; give three bytes a pixel",
+          image.width, image.height, image.pixels.size());
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   header.width = image.width;
@@ -26,11 +26,17 @@ void writePng(const std::filesystem::path& path, const RgbImage& image) {
   header.format = PNG_FORMAT_RGB;
   header.flags = PNG_IMAGE_FLAG_FAST;
 
-  std::vector<char> bytes(PNG_IMAGE_PNG_SIZE_MAX(header));
+  std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(header), '\0');
   png_alloc_size_t size = bytes.size();
   if (!png_image_write_to_memory(&header, bytes.data(), &size, 0, image.pixels.data(), 0, nullptr))
-    throw error("{}: cannot encode the picture: {}", path.string(), header.message);
-  writeFileAtomically(path, [&](std::ostream& out) { out.write(bytes.data(), size); });
+    throw error("cannot encode a picture: {}", header.message);
+  bytes.resize(size);
+  return bytes;
+}
+
+void writePng(const std::filesystem::path& path, const RgbImage& image) {
+  const std::string bytes = pngBytes(image);
+  writeFileAtomically(path, [&](std::ostream& out) { out << bytes; });
 }
 
 RgbImage readPng(const std::filesystem::path& path) {

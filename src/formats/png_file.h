@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace resect {
@@ -19,6 +20,9 @@ struct RgbImage {
 // io/output/output_target.h). Throws a usage Error unless the name ends in .png; a device or pipe
 // may also have a name without extension.
 void checkPngFile(const std::filesystem::path& path);
+
+// A PNG file's bytes, 8 bits per channel, sRGB. Width and height must be positive.
+std::string pngBytes(const RgbImage& image);
 
 // Writes 8 bits per channel, sRGB. Width and height must be positive. Throws Error if the file
 // cannot be written; a file that existed under that name is then unchanged.

@@ -4,6 +4,7 @@ RESECT_ALL_TASKS=1 lets all operators do all tasks (five minutes); without it, t
 """
 import csv
 import html.parser
+import http.server
 import json
 import os
 import pathlib
@@ -12,6 +13,7 @@ import shutil
 import sqlite3
 import subprocess
 import sys
+import threading
 import unittest
 
 PROGRAM, FOLDER = None, None
@@ -142,20 +144,42 @@ class Skills(unittest.TestCase):
         again = self.score(recording, "--threads", "1")
         self.assertEqual(one, again)
 
+    def test_figures_of_a_path_stay_what_they_are(self):
+        """They depend on the keys of the task alone: a change here is a change of a definition."""
+        golden = json.loads((ROOT / "test" / "skills" / "clip_and_divide_figures.json").read_text())
+        whole = self.attempt("clip-and-divide", "good")[1]["measures"]["whole"]
+        self.assertEqual({name: whole[name] for name in golden}, golden)
+
     def test_the_debrief_is_one_page_that_asks_for_nothing(self):
         page = FOLDER / "report.html"
         good, bad = self.attempt("clip-and-divide", "good")[0], self.attempt("clip-and-divide", "reckless")[0]
         report = resect("report", good, bad, "-o", page, "--reference", good)
+        self.assertEqual(report.stderr, "")
         self.assertEqual(report.returncode, 0, report.stderr)
         text = page.read_text()
         parsed = Page(text)
         self.assertEqual(parsed.open, [])
         self.assertEqual([a for a in parsed.asked if not a.startswith("data:")], [])
         self.assertNotIn("script", parsed.tags)
+        self.assertGreater(parsed.tags.count("img"), 0)  # of the moments to which it points
         self.assertLess(len(text), 5_000_000)
         self.assertFalse("{{" in text)
         for words in ("Not passed", "What to change", "cut without a clip on either side", "All attempts", "reference"):
             self.assertTrue(words in text, words)
+
+    def test_foreign_text_stays_text(self):
+        text = make_tasks.clip_and_divide_scenario("good").replace(
+            'title = "Clip and divide"', 'title = "<script>alert(1)</script> & \\u202e"')
+        folder = FOLDER / "foreign"
+        folder.mkdir()
+        (folder / "foreign.toml").write_text(text)
+        recording, page = folder / "foreign.resect", folder / "foreign.html"
+        resect("run", folder / "foreign.toml", "--record", recording)
+        report = resect("report", recording, "-o", page, "--no-pictures", "--learner", '"><img src=x>')
+        self.assertEqual(report.returncode, 0, report.stderr)
+        parsed = Page(page.read_text())
+        self.assertFalse({"script", "img"} & set(parsed.tags))
+        self.assertTrue("\\u202e" in page.read_text())
 
     def test_tables_and_statements(self):
         recording, score = self.attempt("clip-and-divide", "good")
@@ -178,6 +202,47 @@ class Skills(unittest.TestCase):
         again = FOLDER / "again.json"
         resect("report", recording, "--graded", "--xapi", again, "--learner", "L-17")
         self.assertEqual([s["id"] for s in json.loads(again.read_text())], [s["id"] for s in statements])
+
+    def test_statements_are_sent_to_a_store(self):
+        class Store(http.server.BaseHTTPRequestHandler):
+            asked, answer = [], 200
+
+            def do_POST(self):
+                body = self.rfile.read(int(self.headers["Content-Length"]))
+                Store.asked.append((self.path, dict(self.headers), json.loads(body)))
+                self.send_response(Store.answer)
+                self.end_headers()
+                self.wfile.write(b"a word from the store" if Store.answer >= 400 else b"[]")
+
+            def log_message(self, *words):
+                pass
+
+        server = http.server.HTTPServer(("127.0.0.1", 0), Store)
+        thread = threading.Thread(target=server.serve_forever)
+        thread.start()
+        try:
+            recording = self.attempt("clip-and-divide", "good")[0]
+            url = f"http://127.0.0.1:{server.server_port}/xapi/"
+            command = ["report", recording, "--graded", "--learner", "L-17", "--lrs", url]
+            key = {**os.environ, "RESECT_LRS_KEY": "key:secret"}
+            sent = resect(*command, env=key)
+            self.assertEqual(sent.returncode, 0, sent.stderr)
+            path, headers, statements = Store.asked[0]
+            self.assertEqual((path, headers["X-Experience-API-Version"]), ("/xapi/statements", "1.0.3"))
+            self.assertEqual(headers["Authorization"], "Basic a2V5OnNlY3JldA==")
+            self.assertEqual(len(statements), 3)
+            Store.answer = 409
+            self.assertIn("already", resect(*command).stderr)
+            Store.answer = 401
+            file = FOLDER / "kept.json"
+            self.assertRegex(self.refused(1, *command, "--xapi", file), "401: a word from the store.*RESECT_LRS_KEY")
+            self.assertEqual(len(json.loads(file.read_text())), 3)  # nothing is lost
+        finally:
+            server.shutdown()
+            thread.join()
+            server.server_close()
+        self.assertIn("cannot be reached", self.refused(1, *command))
+        self.assertIn("--lrs", self.refused(2, "report", recording, "--lrs", "file:///etc/passwd"))
 
     def test_a_class(self):
         folder = FOLDER / "class"

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <ostream>
@@ -13,6 +14,8 @@
 #include "base/state/field_hashes.h"
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
+#include "cli/debrief/key_pictures.h"
+#include "cli/debrief/record_store.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
@@ -34,10 +37,10 @@ namespace {
 
 struct Options {
   std::vector<std::string> files;
-  std::string output, json, csv, samples, xapi, task, level, learner;
+  std::string output, json, csv, samples, xapi, lrs, task, level, learner;
   std::vector<std::string> references;
   int threads = 0;
-  bool graded = false;
+  bool graded = false, plain = false;
 };
 
 std::optional<TaskLevel> levelOf(const Options& options) {
@@ -95,8 +98,25 @@ XapiContext xapiContext(const Options& options, const Scored& scored) {
   return context;
 }
 
-void writeXapi(const Options& options, const Scored& scored) {
-  writeJson(options.xapi, xapiStatements(scored, xapiContext(options, scored)));
+// Sent last, so that nothing is lost if the store does not answer.
+void send(const Options& options, const nlohmann::ordered_json& statements) {
+  const char* key = std::getenv("RESECT_LRS_KEY");
+  const bool taken = sendStatements(options.lrs, statements.dump(), key ? key : "");
+  printLine(stderr, "{}: {}", options.lrs,
+            taken ? "took the statements" : "had the statements already");
+}
+
+// Of the moments to which the deductions point. A machine that cannot draw is no reason to do
+// without the debrief.
+std::vector<std::string> picturesOf(const Scored& scored) {
+  std::vector<std::optional<double>> times;
+  for (const Deduction& d : scored.verdict.deductions) times.push_back(d.time);
+  try {
+    return keyPictures(scored.attempt.file, times, progressBar("pictures"));
+  } catch (const Error& e) {
+    printLine(stderr, "note: no pictures: {}", shownSentence(e.what()));
+    return {};
+  }
 }
 
 void printSummary(std::FILE* to, const Scored& s) {
@@ -137,17 +157,22 @@ void report(const Options& options) {
     for (const Scored& one : attempts) all.push_back(toJson(one));
     writeJson(options.json, all);
   }
-  if (!options.xapi.empty()) writeXapi(options, attempts.back());
+  const nlohmann::ordered_json statements =
+      xapiStatements(attempts.back(), xapiContext(options, attempts.back()));
+  if (!options.xapi.empty()) writeJson(options.xapi, statements);
   if (!options.output.empty()) {
     Debrief debrief{attempts, references, {}, {}};
     for (const std::string& band : attempts.back().attempt.task->published)
       debrief.studies.push_back(readPublishedStudy(band));
+    if (!options.plain) debrief.pictures = picturesOf(attempts.back());
     const std::string page = debriefPage(debrief);
     writeFileAtomically(options.output, [&](std::ostream& out) { out << page; });
   }
-  if (isStandardOutput(options.json)) return;
-  std::FILE* text = placeForText({options.output, options.csv, options.samples, options.xapi});
-  for (const Scored& one : attempts) printSummary(text, one);
+  if (!isStandardOutput(options.json)) {
+    std::FILE* text = placeForText({options.output, options.csv, options.samples, options.xapi});
+    for (const Scored& one : attempts) printSummary(text, one);
+  }
+  if (!options.lrs.empty()) send(options, statements);
 }
 
 }  // namespace
@@ -168,11 +193,16 @@ void addReportCommand(CLI::App& app) {
                       "CSV file with a row for each frame and instrument of the last attempt");
   command->add_option("--xapi", options->xapi,
                       "File for xAPI 1.0.3 statements about the last attempt (.json)");
+  command->add_option("--lrs", options->lrs,
+                      "Learning record store to send these statements to: the URL of its xAPI "
+                      "endpoint; the environment's RESECT_LRS_KEY has \"key:secret\"");
   command->add_option("--task", options->task,
                       "Scenario whose task to score by, instead of the recording's own");
   command->add_option("--level", options->level, "easy, medium or hard, instead of the task's own");
   command->add_option("--learner", options->learner, "Pseudonym of the learner");
   command->add_option("--reference", options->references, "Recordings to compare with");
+  command->add_flag("--no-pictures", options->plain,
+                    "Leave out the pictures of the moments to which the debrief points");
   command->add_flag("--graded", options->graded,
                     "Grade the first attempt too, where the task takes it for familiarisation");
   addThreadsOption(*command, options->threads);

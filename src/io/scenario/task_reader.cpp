@@ -215,6 +215,10 @@ Task readTask(const TomlTable& t, const Scenario& scenario) {
   }
   if (const auto band = t.table("band")) readBands(*band, task);
   task.published = t.texts("published");
+  // Names of shipped files: a recording from outside must not name others.
+  for (const std::string& name : task.published)
+    if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789-") != name.npos)
+      t.complain("published", "names \"" + name + "\"; give names of files in data/bands");
   readPass(t, task);
   t.refuseUnknownKeys();
   return task;

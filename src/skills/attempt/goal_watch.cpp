@@ -10,15 +10,20 @@
 namespace resect {
 namespace {
 
-constexpr double kLineStep = 0.003;  // m between the points of a line that are followed
+constexpr double kLineStep = 0.003;    // m between the points of a line that are followed
+constexpr int kMostLinePoints = 2000;  // of a longer line they are farther apart
 
 // The points of a line through `corners`, on the surface where the corners lie on it.
 std::vector<TissuePoint> denseLine(const std::vector<TaskPlace>& places, const Organ& organ) {
   const std::vector<TissuePoint> corners = goalPlaces(places, organ);
+  double length = 0;
+  for (std::size_t i = 1; i < corners.size(); ++i)
+    length += (corners[i].rest - corners[i - 1].rest).norm();
+  const double step = std::max(kLineStep, length / kMostLinePoints);
   std::vector<TaskPlace> dense;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec3 a = corners[i].rest, b = corners[std::min(i + 1, corners.size() - 1)].rest;
-    const int steps = i + 1 < corners.size() ? 1 + int((b - a).norm() / kLineStep) : 1;
+    const int steps = i + 1 < corners.size() ? 1 + int((b - a).norm() / step) : 1;
     for (int k = 0; k < steps; ++k) {
       TaskPlace place;
       place.place = a + double(k) / steps * (b - a);

@@ -109,7 +109,8 @@ std::string legend(const TimeChart& chart) {
 }  // namespace
 
 std::string chartColour(std::size_t number) {
-  constexpr std::array kColours{"#2166a5", "#b3362b", "#1f7a4d", "#8a5a00", "#6b3fa0", "#00767a"};
+  // No green: the places of tasks are green.
+  constexpr std::array kColours{"#2166a5", "#8a5a00", "#6b3fa0", "#b3362b", "#00767a", "#444c55"};
   return kColours[number % kColours.size()];
 }
 
@@ -122,7 +123,9 @@ std::string toSvg(const TimeChart& chart) {
   };
   constexpr const char* kGrid = "stroke=\"#d7dde3\" stroke-width=\"1\"";
   std::string svg = opened(kWidth, kHeight, chart.title);
-  const double stepY = roundStep(span.high - span.low, 3), stepX = roundStep(duration, 8);
+  const double stepY = roundStep(span.high - span.low, 3);
+  // Attempts, which have no unit, are counted.
+  const double stepX = std::max(roundStep(duration, 8), chart.across.empty() ? 1.0 : 0.0);
   for (double v = std::ceil(span.low / stepY) * stepY; v <= span.high; v += stepY)
     svg += line(kLeft, y(v), kWidth - kRight, y(v), kGrid) +
            label(kLeft - 5, y(v) + 4, "end", fmt::format("{:.3g}", std::abs(v) < 1e-9 ? 0 : v));
@@ -155,7 +158,10 @@ std::string toSvg(const PathView& view) {
   Eigen::AlignedBox2d box;
   for (const ChartCurve& curve : view.curves)
     for (const Eigen::Vector2d& p : curve.points) box.extend(p);
-  for (const Eigen::Vector2d& p : view.places) box.extend(p);
+  for (const Eigen::Vector2d& p : view.places) {
+    box.extend(Eigen::Vector2d(p.array() - view.radius));
+    box.extend(Eigen::Vector2d(p.array() + view.radius));
+  }
   std::string svg = opened(kSide, kSide, view.title);
   svg +=
       "<rect x=\"0.5\" y=\"0.5\" width=\"299\" height=\"299\" fill=\"none\" "

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "operation/task/measure.h"
 #include "skills/report/debrief_charts.h"
 #include "skills/report/debrief_tables.h"
@@ -55,7 +57,8 @@ std::string changes(const Debrief& debrief, const Verdict& verdict) {
 std::string method(const Scored& scored) {
   const Attempt& attempt = scored.attempt;
   std::vector<std::string> lines{
-      htmlText(fmt::format("Recording {}, made by {}{}.", attempt.file, attempt.program,
+      htmlText(fmt::format("Recording {}, made by {}{}.",
+                           std::filesystem::path(attempt.file).filename().string(), attempt.program,
                            attempt.complete ? "" : "; it was cut short")),
       htmlText(
           fmt::format("Movements: faster than 50 mm/s for more than 0.2 s (PerkTutor). Idle: "

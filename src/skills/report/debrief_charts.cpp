@@ -108,7 +108,7 @@ std::string timelines(const Scored& scored) {
   for (TimeChart& chart : charts) {
     if (!changes(chart)) continue;
     chart.marks = marksOf(scored.verdict);
-    html += "<figure>" + toSvg(chart) + "</figure>\n";
+    html += "<figure class=\"wide\">" + toSvg(chart) + "</figure>\n";
   }
   return html + happenings(attempt);
 }

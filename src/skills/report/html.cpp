@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/text/shown_text.h"
 #include "io/data_folder.h"
 #include "io/whole_file.h"
 
@@ -12,7 +13,7 @@ namespace resect {
 
 std::string htmlText(std::string_view text) {
   std::string safe;
-  for (const char c : text) {
+  for (const char c : shownText(text, kLongestShownPath)) {
     switch (c) {
       case '&':
         safe += "&amp;";

@@ -9,7 +9,8 @@
 
 namespace resect {
 
-// The text with & < > " ' as entities, so that it is text wherever it stands, in attributes too.
+// The text as one line that can be shown (base/text/shown_text.h), with & < > " ' as entities, so
+// that it is text wherever it stands, in attributes too.
 std::string htmlText(std::string_view text);
 
 // Fills the places {{name}} of a template in data/report with the values, which are HTML already.

@@ -1,12 +1,21 @@
 #include "skills/score/bands.h"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/error.h"
 #include "io/data_folder.h"
 #include "operation/task/measure.h"
 
 namespace resect {
 
 PublishedStudy readPublishedStudy(const std::string& name) {
-  const TomlTable t = TomlTable::readFile(findDataFile(name, "bands", ".toml"));
+  const auto known = shippedNames("bands", ".toml");
+  if (std::ranges::count(known, name) == 0)
+    throw error("there is no published band \"{}\"; those that come with Resect are: {}", name,
+                fmt::join(known, ", "));
+  const TomlTable t = TomlTable::readFile(dataFolder() / "bands" / (name + ".toml"));
   PublishedStudy study{name, t.text("study"), t.text("source"), t.text("about"), {}};
   for (const TomlTable& one : t.tables("band")) {
     PublishedBand band;

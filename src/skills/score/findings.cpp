@@ -167,10 +167,10 @@ std::vector<Deduction> vesselFindings(const Attempt& attempt) {
   for (const VesselStory* v : cut) {
     const std::string since = v->closed ? fmt::format("closed {:.1f} s later", *v->closed - v->cut)
                                         : std::string("still open at the end");
-    found.push_back(
-        {"vessels_unsealed", v->cut,
-         fmt::format("{} cut unclipped, {:.0f} ml lost, {}.", vesselText(*v), 1e6 * v->bled, since),
-         advice.question, advice.next});
+    found.push_back({"vessels_unsealed", v->cut,
+                     capitalised(fmt::format("{} cut unclipped, {} ml lost, {}.", vesselText(*v),
+                                             bloodText(v->bled), since)),
+                     advice.question, advice.next});
   }
   return found;
 }

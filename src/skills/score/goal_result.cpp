@@ -34,10 +34,8 @@ GoalResult touchResult(const Attempt& attempt, const TaskGoal& goal) {
   if (held > 0) result.measures.push_back({"drift_mm", "", 1e3 * drift});
   result.sentence = result.reached
                         ? fmt::format("All {} targets were touched and held.", targets)
-                        : fmt::format(
-                              "{} of {} targets were touched and held for {:g} s; the next "
-                              "one was not.",
-                              held, targets, goal.hold);
+                        : fmt::format("{} of {} targets were touched and held for {:g} s.", held,
+                                      targets, goal.hold);
   return result;
 }
 

@@ -1,0 +1,18 @@
+// Sends statements to a learning record store (xAPI 1.0.3) over the network.
+//
+// The only code of Resect that uses the network. It is called only if the user gives a URL.
+#pragma once
+
+#include <string>
+
+namespace resect {
+
+// url: of the store's xAPI endpoint, http or https, such as "https://lrs.example.org/xapi". body:
+// a JSON array of statements. credentials: "key:secret" for HTTP Basic authentication; empty for
+// none. Returns whether the store took the statements now; false: it had them already (409). Throws
+// Error if the URL is wrong, the store cannot be reached within 20 s, or it answers anything else
+// than success.
+bool sendStatements(const std::string& url, const std::string& body,
+                    const std::string& credentials);
+
+}  // namespace resect
