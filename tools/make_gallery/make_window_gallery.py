@@ -50,7 +50,7 @@ def make_figure(program, screen, folder, name, scenario, during):
     finally:
         window.quit()
     target = ROOT / "docs" / "gallery" / "window" / f"{name}.png"
-    subprocess.run(["convert", *(folder / f"{part}.png" for part in ("before", "during", "after")), "-crop", "640x360+60+175",
+    subprocess.run(["convert", *(folder / f"{part}.png" for part in ("before", "during", "after")), "-crop", "832x468+0+125",
                     "+repage", "-resize", "426x240", "+append", "-colors", "200", f"PNG8:{target}"], check=True)
     print(target.relative_to(ROOT), target.stat().st_size // 1024, "KB", flush=True)
 
