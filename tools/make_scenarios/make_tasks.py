@@ -143,12 +143,13 @@ def two_hands(operator):
     (_, scalpel), (_, hook), (_, baton) = incise_under_traction()
     scalpel.keys = scalpel.keys[:-7 if hurried else -4]  # hurried: not to the end
     scalpel.time = scalpel.keys[-1][0]
+    scalpel.keys = [(t, (x - 0.003, y, z), *rest) for t, (x, y, z), *rest in scalpel.keys]
     x, y, z = scalpel.keys[-1][1]
     scalpel.to(x, y + 0.08, z, speed=0.2).to(0.05, 0.24, 0.16, speed=0.4)
     if hurried:  # and before the hook holds
         scalpel.keys = [(round(0.9 + 0.45 * (time - 2.2), 5), *rest) for time, *rest in scalpel.keys]
     if clumsy:
-        shaken(scalpel, 0.006, 1.1, 5)
+        shaken(scalpel, 0.016, 0.9, 5)
         shaken(hook, 0.003, 1.3, 6)
     if reckless:  # alone, beside the line, and too deep
         scalpel.keys = [(time, (x + 0.014, y - (0.012 if y < 0.04 else 0), z), *rest)
