@@ -39,7 +39,7 @@ class Scenarios(unittest.TestCase):
             first, second = run(name, "--threads", 1), run(name, "--threads", 2)
             self.assertEqual(first["state_hash"], second["state_hash"], name)
             self.assertTrue(first["surface"]["closed"] and first["surface"]["oriented"], name)
-            self.assertEqual(first["removed"] > 0, name in STILL, name)
+            self.assertEqual(first["removed"] > 0, name in STILL or name == "transect", name)
             self.assertEqual(first["faults"], [], name)
             self.assertEqual(first["state_hash"], golden[name], f"{name}: the operation has come out otherwise; "
                              "if that was meant, look at its pictures and write the new state down here")
@@ -105,8 +105,9 @@ class Scenarios(unittest.TestCase):
 
     def test_the_ledger_closes_in_every_scenario_and_what_is_printed_is_what_was_reckoned(self):
         for name in STILL | ELASTIC:
-            summary = run(name)
-            printed = resect("run", name).stdout
+            file = FOLDER / "summary.json"
+            printed = resect("run", name, "--json", file).stdout
+            summary = json.loads(file.read_text())
             whole = {"particles": 0, "tissue_ml": 0, "mass_g": 0}
             sums = dict.fromkeys(("before", "body", "pieces", "debris", "removed"), 0)
             sums = {part: dict(whole) for part in sums}

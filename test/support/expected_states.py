@@ -17,7 +17,7 @@ STILL = {
 ELASTIC = {
     "press": "6be638f603e8c86c",
     "lift": "462218c7b5e6737e",
-    "incise": "4f86876980b6a3fa",
+    "incise": "2e6bf457e151b8d9",
     "incise-under-traction": "32952fa3556d0da3",
     "snip": "4f29a6872b4524b7",
     "resect-segment-elastic": "f55fff773c2c46c1",
@@ -26,4 +26,5 @@ ELASTIC = {
     "drop": "0ea40c3808831b7b",
     "bleed": "672a207be9d1dc11",
     "stop-bleeding": "2fc9688e4fc9f373",
+    "transect": "3699baf5e996c3c1",
 }
