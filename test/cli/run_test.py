@@ -31,13 +31,12 @@ def run(scenario, *args):
 
 
 class Scenarios(unittest.TestCase):
-    def test_every_scenario_gives_the_same_state_twice_and_a_closed_surface(self):
+    def test_every_scenario_gives_the_same_state_and_a_closed_surface(self):
         names = [line.split()[0] for line in resect("run", "--list").stdout.splitlines()]
         golden = STILL | ELASTIC
         self.assertEqual(sorted(names), sorted(golden))
         for name in names:
-            first, second = run(name, "--threads", 1), run(name, "--threads", 2)
-            self.assertEqual(first["state_hash"], second["state_hash"], name)
+            first = run(name, "--threads", 1)  # at two threads: the test of the ledger
             self.assertTrue(first["surface"]["closed"] and first["surface"]["oriented"], name)
             self.assertEqual(first["removed"] > 0, name in STILL or name == "transect", name)
             self.assertEqual(first["faults"], [], name)
@@ -106,8 +105,9 @@ class Scenarios(unittest.TestCase):
     def test_the_ledger_closes_in_every_scenario_and_what_is_printed_is_what_was_reckoned(self):
         for name in STILL | ELASTIC:
             file = FOLDER / "summary.json"
-            printed = resect("run", name, "--json", file).stdout
+            printed = resect("run", name, "--threads", 2, "--json", file).stdout
             summary = json.loads(file.read_text())
+            self.assertEqual(summary["state_hash"], (STILL | ELASTIC)[name], name)
             whole = {"particles": 0, "tissue_ml": 0, "mass_g": 0}
             sums = dict.fromkeys(("before", "body", "pieces", "debris", "removed"), 0)
             sums = {part: dict(whole) for part in sums}
