@@ -108,6 +108,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base) {
     t.bumps += 0.04 * tan_ * at.fine.yzw;
   }
   vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x);
+  blood *= 1.0 - 0.93 * smoothstep(0.3, 0.8, heat.x);  // it has boiled away
   if (blood.x + blood.y > 0.0) {
     t.albedo = underBlood(t.albedo, blood);
     float covered = smoothstep(0.06, 0.5, blood.x), clot = smoothstep(0.05, 0.3, blood.y - blood.x);

@@ -24,7 +24,7 @@ ELASTIC = {
     "liver-and-gallbladder": "2b2d52520195873a",
     "hang": "636585395a1a15c7",
     "drop": "0ea40c3808831b7b",
-    "bleed": "672a207be9d1dc11",
-    "stop-bleeding": "2fc9688e4fc9f373",
-    "transect": "3699baf5e996c3c1",
+    "bleed": "a8b53e5ec0f030d9",
+    "stop-bleeding": "0b8b38e9fb316ad2",
+    "transect": "683a3f44ad08ba37",
 }

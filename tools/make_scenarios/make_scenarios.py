@@ -223,12 +223,21 @@ def cut_branch(path):
     path.to(0.05, 0.12, z, speed=0.3).to(0.05, 0.24, 0.14, speed=0.4)
 
 
+INSTRUMENTS = ("scalpel", "hook", "baton", "scissors", "suction", "clip_applier", "bipolar", "gauze", "inflow_clamp",
+               "pencil", "aspirator")
+
+
+def all_instruments(**paths):
+    """Every instrument, in the order of their keys, those without a path on the table."""
+    return [(name, paths.get(name)) for name in INSTRUMENTS]
+
+
 def bleed():
     """The scalpel cuts a portal branch of 3 mm; nobody stops the bleeding."""
     path = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
     path.wait(0.9)
     cut_branch(path)
-    return [("scalpel", path), ("hook", None), ("baton", None)]
+    return all_instruments(scalpel=path)
 
 
 def stop_bleeding():
@@ -258,8 +267,7 @@ def stop_bleeding():
     suction.to(x + 0.025, y + 0.005, z + 0.03, speed=0.02)
     suction.wait(0.5)
     suction.to(x + 0.025, y + 0.005, z + 0.03)
-    return [("scalpel", scalpel), ("hook", None), ("baton", None), ("suction", suction), ("clip_applier", clip),
-            ("bipolar", bipolar)]
+    return all_instruments(scalpel=scalpel, suction=suction, clip_applier=clip, bipolar=bipolar)
 
 
 # Skin of the sagged lobe at z = 0.044, x to y, m; and vessels that the groove of `transect` bares: middle, direction,
@@ -342,8 +350,8 @@ def transect():
         suction.to(x, skin(x) - 0.012, z, speed=0.03)
     suction.wait(1.0)
     suction.to(-0.02, skin(-0.02) - 0.012, z)
-    return [("scalpel", None), ("inflow_clamp", clamp), ("pencil", pencil), ("aspirator", aspirator),
-            ("clip_applier", clip), ("scissors", scissors), ("bipolar", bipolar), ("suction", suction)]
+    return all_instruments(inflow_clamp=clamp, pencil=pencil, aspirator=aspirator, clip_applier=clip,
+                           scissors=scissors, bipolar=bipolar, suction=suction)
 
 
 def incise_under_traction():

@@ -1,10 +1,13 @@
 // The hand that guides a tool over the organ's surface.
+#include <Inventor/SbViewVolume.h>
 #include <Inventor/SbViewportRegion.h>
 #include <Inventor/actions/SoHandleEventAction.h>
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <Inventor/nodes/SoEventCallback.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
 
 #include "base/error.h"
+#include "inventor/gl/camera_moves.h"
 #include "inventor/hand/tool_handling.h"
 
 namespace resect {
@@ -50,7 +53,7 @@ void ToolHandling::takeUpHeld() {
   hand_.depth = depths_[std::size_t(held_)];
   if (!viewport_ || !isIn(pointer_, *viewport_)) return;
   if (const auto at = pointed_.under(pointer_, *viewport_)) pointAt(hand_, *at);
-  seek(hand_, targets_);
+  seekUnder(pointer_, *viewport_);
 }
 
 void ToolHandling::aim(const SbVec2s& pixel, const SbViewportRegion& viewport) {
@@ -59,8 +62,25 @@ void ToolHandling::aim(const SbVec2s& pixel, const SbViewportRegion& viewport) {
   const auto at = pressing() ? pointed_.along(pixel, viewport) : pointed_.under(pixel, viewport);
   if (!at) return;
   pointAt(hand_, *at);
-  seek(hand_, targets_);
+  seekUnder(pixel, viewport);
   notify();
+}
+
+// The hand may go to the target that is seen nearest to the pointer.
+void ToolHandling::seekUnder(const SbVec2s& pixel, const SbViewportRegion& viewport) {
+  const SbViewVolume volume = viewVolumeOf(*room_.camera(), viewport);
+  const SbVec2s size = viewport.getViewportSizePixels();
+  const Vec3* nearest = nullptr;
+  float least = 0;
+  for (const Vec3& target : targets_) {
+    SbVec3f screen;
+    volume.projectToScreen(SbVec3f(float(target.x()), float(target.y()), float(target.z())),
+                           screen);
+    const float x = screen[0] * float(size[0]) - float(pixel[0]),
+                y = screen[1] * float(size[1]) - float(pixel[1]), off = x * x + y * y;
+    if (!nearest || off < least) least = off, nearest = &target;
+  }
+  seek(hand_, nearest ? std::span(nearest, 1) : std::span<const Vec3>());
 }
 
 void ToolHandling::setTargets(std::vector<Vec3> targets) {
@@ -68,7 +88,7 @@ void ToolHandling::setTargets(std::vector<Vec3> targets) {
   targets_ = std::move(targets);
   if (!surfaceHand() || hand_.pressing) return;
   const auto before = hand_.target;
-  seek(hand_, targets_);
+  if (viewport_) seekUnder(pointer_, *viewport_);
   const bool same =
       before ? hand_.target && (*before - *hand_.target).norm() < kSeen : !hand_.target;
   if (same)

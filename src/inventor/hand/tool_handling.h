@@ -128,6 +128,7 @@ class ToolHandling {
   static void heard(void* self, SoEventCallback* node);
   void takeUpHeld();
   void aim(const SbVec2s& pixel, const SbViewportRegion& viewport);
+  void seekUnder(const SbVec2s& pixel, const SbViewportRegion& viewport);
   void startPress();
   void endPress();
   void guidedButton(SoEventCallback& node, bool down);

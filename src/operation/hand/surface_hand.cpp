@@ -15,7 +15,7 @@ constexpr double kDescent = 1.5;     // m of depth per m of way, of such an edge
 constexpr double kStart = 0.002;     // m of way that show the direction of a stroke; then it enters
 constexpr double kStraight = 0.006;  // m of way in which a stroke may still choose its direction
 constexpr double kStill = 1e-6;      // m
-constexpr double kSeeks = 0.012;     // m: a hand that stops bleeding finds a vessel this near
+constexpr double kSeeks = 0.018;     // m: a hand that stops bleeding finds a vessel this near
 
 // A unit vector at right angles to `up`, as near to `wanted` as possible.
 Vec3 alongSurface(const Vec3& wanted, const Vec3& up) {

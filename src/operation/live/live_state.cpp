@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tools/rest_place.h"
+
 namespace resect {
 
 namespace {
@@ -19,6 +21,15 @@ void noteBlood(LiveState& state, const Simulation& simulation, const StepReport&
   state.loose = looseBlood(simulation.blood());
   state.bare = bareVessels(simulation);
   state.bleedingEnds = report.blood.ends;
+  // Where the vessel ends, in the tissue: there a hand that stops bleeding works.
+  for (BleedingEnd& end : state.bleedingEnds) {
+    const OperatedOrgan& o = simulation.organs()[std::size_t(end.organ)];
+    const VesselInjury* injury = o.organ.vessels.injury(end.segment);
+    if (!injury) continue;
+    const VesselSegment& s = o.organ.map->anatomy.segments[std::size_t(end.segment)];
+    end.place = presentPlace(o.organ, *o.tissue,
+                             s.at(end.end == VesselEnd::Root ? injury->from : injury->to));
+  }
 }
 
 }  // namespace

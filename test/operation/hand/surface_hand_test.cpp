@@ -133,7 +133,7 @@ TEST_CASE("a hand that stops bleeding goes to the vessel near the pointer, and w
   CHECK((poseOf(hand).position - near).norm() < 1e-12);
 
   // A hand that presses keeps its vessel, until it is drawn away.
-  pointAt(hand, {0.02 * aside, normal});
+  pointAt(hand, {0.03 * aside, normal});
   seek(hand, targets);
   CHECK_FALSE(hand.target);
   CHECK(depthOf(hand, normal) == doctest::Approx(hand.depth));
