@@ -2,7 +2,7 @@
 nose cone, a thick grip, the tube that brings water to the flue, and the beginnings of the suction
 hose and the cable. Millimetres."""
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
 from loft import circle, close_end, close_start, loft
 from surface import Surface
@@ -143,16 +143,12 @@ Ultrasonic aspirator. Lengths in metres, in the frame of aspirator.iv: the middl
 the hollow tip at the origin, the handle towards +Z. The mouth lies in the plane z = 0.
 """
     entries = [
-        ("name", "Ultrasonic aspirator", ""),
-        ("kind", "aspirator", ""),
-        ("model", "aspirator.iv", ""),
-        (
-            "description",
+        *instrument_entries(
+            "Ultrasonic aspirator",
+            "aspirator",
             "Ultrasonic aspirator; breaks up and draws off parenchyma and leaves vessels standing",
-            "",
+            "Middle of the mouth of the hollow tip (m).",
         ),
-        ("tip", (0.0, 0.0, 0.0), "Middle of the mouth of the hollow tip (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
         (
             "contact_radius",
             0.0012,

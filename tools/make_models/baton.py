@@ -6,7 +6,7 @@ their normals point inwards; here the two middle points of these strips are exch
 them outwards and moves nothing.
 """
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import HEADER, Material, comment, number, numbers
 from vector import cross, subtract, unit
 
@@ -62,16 +62,12 @@ Baton. Lengths in metres, in the frame of baton.iv after its Scale and Translati
 the square tip at the origin, the handle towards +Z.
 """
     entries = [
-        ("name", "Baton", ""),
-        ("kind", "baton", ""),
-        ("model", "baton.iv", ""),
-        (
-            "description",
+        *instrument_entries(
+            "Baton",
+            "baton",
             "Tapered square bar of the original simulator; pushes tissue with its tip",
-            "",
+            "Middle of the square tip (m).",
         ),
-        ("tip", (0.0, 0.0, 0.0), "Middle of the square tip (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
         (
             "contact_radius",
             TIP_MIDDLE[0] * SCALE,

@@ -1,9 +1,9 @@
 """Bipolar forceps: tweezers with insulated arms, bare tips and a plug with two pins. Millimetres.
 The two arms are one shape, turned by half a turn about the Z axis."""
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
-from jaws import both_opened, half_turned, middle
+from jaws import both_opened, half_turned, jaw_entries, middle
 from loft import circle, close_end, close_start, loft, through
 from outline import arcs
 from surface import Surface
@@ -152,15 +152,19 @@ Bipolar forceps. Lengths in metres, in the frame of bipolar.iv: the closed tips 
 handle towards +Z; the arms move in the Y-Z plane.
 """
     entries = [
-        ("name", "Bipolar forceps", ""),
-        ("kind", "bipolar", ""),
-        ("model", "bipolar.iv", ""),
-        ("description", "Insulated forceps; coagulate what lies between their bare tips", ""),
-        ("tip", (0.0, 0.0, 0.0), "Where the tips meet (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
-        ("jaw_pivot", (0.0, 0.0, 0.001 * PIVOT), "Where the arms bend, inside the plug (m)."),
-        ("jaw_axis", (1.0, 0.0, 0.0), "Unit vector of the line that the arms turn about."),
-        ("jaw_opening", OPENING, "Angle between the arms when wide open (rad)."),
+        *instrument_entries(
+            "Bipolar forceps",
+            "bipolar",
+            "Insulated forceps; coagulate what lies between their bare tips",
+            "Where the tips meet (m).",
+        ),
+        *jaw_entries(
+            PIVOT,
+            OPENING,
+            at="Where the arms bend, inside the plug (m).",
+            along="Unit vector of the line that the arms turn about.",
+            between="Angle between the arms when wide open (rad).",
+        ),
     ]
     materials = {
         "JawUpper": BLUE,

@@ -4,9 +4,9 @@ turned by half a turn about the Z axis."""
 
 import math
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
-from jaws import both_opened, finger_ring, half_turned, middle, screw
+from jaws import both_opened, finger_ring, half_turned, jaw_entries, middle, screw
 from loft import circle, close_end, close_start, loft, through
 from surface import Surface
 from vector import add, dot, scale, subtract, unit
@@ -185,19 +185,13 @@ Clip applier. Lengths in metres, in the frame of clip_applier.iv: where the ends
 the origin, the handle towards +Z; the jaws move in the Y-Z plane.
 """
     entries = [
-        ("name", "Clip applier", ""),
-        ("kind", "clip_applier", ""),
-        ("model", "clip_applier.iv", ""),
-        (
-            "description",
+        *instrument_entries(
+            "Clip applier",
+            "clip_applier",
             "Clip applier with a titanium clip; closes a vessel that lies between its jaws",
-            "",
+            "Where the ends of the jaws meet (m).",
         ),
-        ("tip", (0.0, 0.0, 0.0), "Where the ends of the jaws meet (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
-        ("jaw_pivot", (0.0, 0.0, 0.001 * PIVOT), "The screw that the jaws turn about (m)."),
-        ("jaw_axis", (1.0, 0.0, 0.0), "Unit vector along the screw."),
-        ("jaw_opening", OPENING, "Angle between the jaws when wide open (rad)."),
+        *jaw_entries(PIVOT, OPENING),
     ]
     materials = {
         "JawUpper": STEEL,

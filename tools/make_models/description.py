@@ -15,6 +15,19 @@ def description_text(opening, entries):
     return text
 
 
+def instrument_entries(name, kind, sentence, tip):
+    """The entries that every instrument has: its name, kind, model and sentence; where its tip is, at
+    the origin (`tip` says what lies there), and that its handle points along +Z."""
+    return [
+        ("name", name, ""),
+        ("kind", kind, ""),
+        ("model", f"{kind}.iv", ""),
+        ("description", sentence, ""),
+        ("tip", (0.0, 0.0, 0.0), tip),
+        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
+    ]
+
+
 def _value(value):
     if isinstance(value, str):
         return f'"{value}"'

@@ -6,7 +6,7 @@ turned by half a turn about the Z axis."""
 
 import math
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
 from jaws import finger_ring, half_turned, screw
 from loft import close_end, close_start, loft, through
@@ -176,16 +176,12 @@ Gauze swab in ring forceps. Lengths in metres, in the frame of gauze.iv: the mid
 underside at the origin, the handle towards +Z.
 """
     entries = [
-        ("name", "Gauze swab", ""),
-        ("kind", "gauze", ""),
-        ("model", "gauze.iv", ""),
-        (
-            "description",
+        *instrument_entries(
+            "Gauze swab",
+            "gauze",
             "Folded gauze swab in ring forceps; dabs up blood and presses on a bleeding surface",
-            "",
+            "Middle of the swab's underside (m).",
         ),
-        ("tip", (0.0, 0.0, 0.0), "Middle of the swab's underside (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
         (
             "contact_radius",
             0.0005 * SIDE,

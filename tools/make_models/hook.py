@@ -3,7 +3,7 @@ fingers. Millimetres."""
 
 import math
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
 from loft import circle, close_end, close_start, loft, through
 from surface import Surface
@@ -192,12 +192,12 @@ origin to the point, which looks back to the hand.
 """
     apex, _ = point_rings()
     entries = [
-        ("name", "Hook", ""),
-        ("kind", "hook", ""),
-        ("model", "hook.iv", ""),
-        ("description", "Blunt hook with a bend of 10 mm radius; catches and pulls tissue", ""),
-        ("tip", (0.0, 0.0, 0.0), "Foremost point of the bend, on its outside (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
+        *instrument_entries(
+            "Hook",
+            "hook",
+            "Blunt hook with a bend of 10 mm radius; catches and pulls tissue",
+            "Foremost point of the bend, on its outside (m).",
+        ),
         ("point", tuple(0.001 * x for x in apex), "The rounded point in which the hook ends (m)."),
         (
             "hook",

@@ -2,9 +2,9 @@
 Fogarty's), a screw, shanks with a ratchet and finger rings. Millimetres. The two halves are one
 shape, turned by half a turn about the Z axis."""
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
-from jaws import both_opened, finger_ring, half_turned, screw
+from jaws import both_opened, finger_ring, half_turned, jaw_entries, screw
 from outline import arcs
 from shanks import bar_section, ratchet, skin
 from surface import Surface
@@ -129,19 +129,13 @@ Inflow clamp. Lengths in metres, in the frame of inflow_clamp.iv: where the ends
 the origin, the handle towards +Z; the jaws move in the Y-Z plane.
 """
     entries = [
-        ("name", "Inflow clamp", ""),
-        ("kind", "inflow_clamp", ""),
-        ("model", "inflow_clamp.iv", ""),
-        (
-            "description",
+        *instrument_entries(
+            "Inflow clamp",
+            "inflow_clamp",
             "Vascular clamp with soft jaws; shuts off the inflow of the liver at its hilum",
-            "",
+            "Where the ends of the jaws meet (m).",
         ),
-        ("tip", (0.0, 0.0, 0.0), "Where the ends of the jaws meet (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
-        ("jaw_pivot", (0.0, 0.0, 0.001 * PIVOT), "The screw that the jaws turn about (m)."),
-        ("jaw_axis", (1.0, 0.0, 0.0), "Unit vector along the screw."),
-        ("jaw_opening", OPENING, "Angle between the jaws when wide open (rad)."),
+        *jaw_entries(PIVOT, OPENING),
     ]
     materials = {
         "JawUpper": STEEL,

@@ -27,6 +27,22 @@ def opened(angle, pivot):
     )
 
 
+def jaw_entries(
+    pivot,
+    opening,
+    at="The screw that the jaws turn about (m).",
+    along="Unit vector along the screw.",
+    between="Angle between the jaws when wide open (rad).",
+):
+    """The entries of the description that tell how two jaws turn; `pivot` as in opened(), `opening`
+    in rad."""
+    return [
+        ("jaw_pivot", (0.0, 0.0, 0.001 * pivot), at),
+        ("jaw_axis", (1.0, 0.0, 0.0), along),
+        ("jaw_opening", opening, between),
+    ]
+
+
 def both_opened(opening, pivot, parts):
     """{part: transform} of the wide open jaws: those whose names begin with JawUpper turn one way,
     those with JawLower the other."""

@@ -4,7 +4,7 @@ Millimetres."""
 
 import math
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
 from jaws import middle
 from loft import close_end, close_start, loft, through
@@ -190,16 +190,12 @@ origin, the handle towards +Z, the cutting edge towards -Y; the blade lies in th
 flats face +X and -X.
 """
     entries = [
-        ("name", "Electrosurgical pencil", ""),
-        ("kind", "pencil", ""),
-        ("model", "pencil.iv", ""),
-        (
-            "description",
+        *instrument_entries(
+            "Electrosurgical pencil",
+            "pencil",
             "Monopolar pencil with a blade electrode; cuts and coagulates with its edge",
-            "",
+            "Foremost point of the blade's round end (m).",
         ),
-        ("tip", (0.0, 0.0, 0.0), "Foremost point of the blade's round end (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
         (
             "edge",
             cutting_edge(),

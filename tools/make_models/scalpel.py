@@ -9,7 +9,7 @@ cutting edge), 10 at the top (the blade's back), and between them on the right s
 
 import math
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
 from loft import close_end, close_start, loft, smoothstep, through
 from surface import Surface
@@ -243,12 +243,12 @@ Scalpel. Lengths in metres, in the frame of scalpel.iv: the tip at the origin, t
 +Z, the cutting edge towards -Y; the blade lies in the Y-Z plane, so its flats face +X and -X.
 """
     entries = [
-        ("name", "Scalpel", ""),
-        ("kind", "scalpel", ""),
-        ("model", "scalpel.iv", ""),
-        ("description", "No. 22 blade on a No. 4 handle; cuts with the belly of the blade", ""),
-        ("tip", (0.0, 0.0, 0.0), "Point of the blade (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
+        *instrument_entries(
+            "Scalpel",
+            "scalpel",
+            "No. 22 blade on a No. 4 handle; cuts with the belly of the blade",
+            "Point of the blade (m).",
+        ),
         (
             "edge",
             cutting_edge(),

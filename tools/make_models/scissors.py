@@ -1,9 +1,9 @@
 """Dissecting scissors: two slim blades that turn about a screw, long shanks, two finger rings.
 Millimetres. The two halves are one shape, turned by half a turn about the Z axis."""
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
-from jaws import both_opened, finger_ring, half_turned, middle, screw
+from jaws import both_opened, finger_ring, half_turned, jaw_entries, middle, screw
 from loft import close_end, close_start, loft, through
 from surface import Surface
 
@@ -131,16 +131,19 @@ towards +Z; the blades move in the Y-Z plane.
     steps = 6
     edge = [(0.0, 0.0, 0.001 * EDGE * k / steps) for k in range(steps + 1)]
     entries = [
-        ("name", "Scissors", ""),
-        ("kind", "scissors", ""),
-        ("model", "scissors.iv", ""),
-        ("description", "Dissecting scissors; part what is between the blades as they close", ""),
-        ("tip", (0.0, 0.0, 0.0), "Where the points meet (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
+        *instrument_entries(
+            "Scissors",
+            "scissors",
+            "Dissecting scissors; part what is between the blades as they close",
+            "Where the points meet (m).",
+        ),
         ("edge", edge, "Where both edges lie when closed, from the tip to the heel (m)."),
-        ("jaw_pivot", (0.0, 0.0, 0.001 * PIVOT), "The screw that the blades turn about (m)."),
-        ("jaw_axis", (1.0, 0.0, 0.0), "Unit vector along the screw."),
-        ("jaw_opening", OPENING, "Angle between the edges when wide open (rad)."),
+        *jaw_entries(
+            PIVOT,
+            OPENING,
+            at="The screw that the blades turn about (m).",
+            between="Angle between the edges when wide open (rad).",
+        ),
     ]
     before = both_opened(OPENING, PIVOT, ("JawUpper", "JawLower"))
     materials = {part: STEEL for part in ("JawUpper", "JawLower", "Screw")}

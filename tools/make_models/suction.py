@@ -6,7 +6,7 @@ Every ring has SIDES points: 0 towards +x, SIDES / 4 towards +y, where the thumb
 
 import math
 
-from description import description_text
+from description import description_text, instrument_entries
 from inventor import Material, model_text
 from loft import circle, close_end, close_start, loft, through
 from surface import Surface
@@ -223,16 +223,12 @@ the handle towards +Z. The mouth lies in the plane z = 0; behind the bend the tu
 at y = {offset:.4f}.
 """
     entries = [
-        ("name", "Suction tube", ""),
-        ("kind", "suction", ""),
-        ("model", "suction.iv", ""),
-        (
-            "description",
+        *instrument_entries(
+            "Suction tube",
+            "suction",
             "Tube with a rounded head and side holes; draws off the blood at its mouth",
-            "",
+            "Middle of the mouth (m).",
         ),
-        ("tip", (0.0, 0.0, 0.0), "Middle of the mouth (m)."),
-        ("axis", (0.0, 0.0, 1.0), "Unit vector from the tip to the handle."),
         (
             "contact_radius",
             0.001 * max(radius for _, radius in HEAD),
