@@ -117,11 +117,9 @@ void HeatField::add(const HeatSource& source, double duration,
       heated.push_back(lattice_.index(cell));
   });
   if (heated.empty()) {
-    const Vec3 near = lattice_.toCellSpace(source.place);
-    const Vec3i cell(int(std::lround(near.x())), int(std::lround(near.y())),
-                     int(std::lround(near.z())));
-    if (!lattice_.contains(cell) || !isTissue(lattice_.centre(cell))) return;
-    heated.push_back(lattice_.index(cell));
+    const auto cell = lattice_.cellAt(source.place);
+    if (!cell || !isTissue(lattice_.centre(*cell))) return;
+    heated.push_back(lattice_.index(*cell));
   }
   added_ = heated;
   insert();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "base/state/state_visitor.h"
 #include "base/vec.h"
@@ -43,6 +44,16 @@ struct Lattice {
   }
   // Cell coordinates of a point: (0, 0, 0) at the centre of the first cell.
   Vec3 toCellSpace(const Vec3& p) const { return (p - origin).cwiseQuotient(spacing); }
+  // The cell that a point lies in; none outside the lattice.
+  std::optional<Vec3i> cellAt(const Vec3& p) const {
+    const Vec3 at = toCellSpace(p);
+    Vec3i cell;
+    for (int a = 0; a < 3; ++a) {
+      if (!(at[a] >= -0.5 && at[a] < dims[a] - 0.5)) return {};
+      cell[a] = int(std::floor(at[a] + 0.5));
+    }
+    return cell;
+  }
   CellOrder order() const { return {0, dims.x(), std::int64_t(dims.x()) * dims.y()}; }
 
   // The box that all cells together fill.

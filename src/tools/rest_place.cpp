@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "organ/vertex_labels.h"
+
 namespace resect {
 
 std::optional<Vec3> restPlace(const Organ& organ, const TissueModel& tissue, const Vec3& world) {
@@ -25,19 +27,10 @@ std::optional<Vec3> restPlace(const Organ& organ, const TissueModel& tissue, con
 
 Vec3 presentPlace(const Organ& organ, const TissueModel& tissue, const Vec3& rest) {
   const Lattice& lattice = organ.rest.lattice;
-  Aabb box;
-  box.grow(rest);
-  std::int64_t best = -1;
-  double least = 0;
-  visitCellsIn(lattice, box.padded(3 * lattice.spacing.x()), [&](const Vec3i& at) {
-    const std::int64_t cell = lattice.index(at);
-    if (!organ.alive[std::size_t(cell)]) return;
-    const double d = (lattice.centre(at) - rest).squaredNorm();
-    if (best < 0 || d < least) least = d, best = cell;
-  });
-  if (best < 0) return rest;
-  const Vec3 centre = lattice.centre(lattice.cell(best));
-  return centre + tissue.displacement(best) + tissue.deformation(best) * (rest - centre);
+  const std::int64_t cell = nearestParticle(lattice, organ.alive, rest);
+  if (cell < 0) return rest;
+  const Vec3 centre = lattice.centre(lattice.cell(cell));
+  return centre + tissue.displacement(cell) + tissue.deformation(cell) * (rest - centre);
 }
 
 }  // namespace resect

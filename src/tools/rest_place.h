@@ -11,8 +11,8 @@ namespace resect {
 // From the nearest particle within two cells of the place; none if there is no such particle.
 std::optional<Vec3> restPlace(const Organ& organ, const TissueModel& tissue, const Vec3& world);
 
-// Where a place at rest is now, by the particle that was nearest to it within three cells; if there
-// is none, where it was at rest.
+// Where a place at rest is now, by the particle that was nearest to it; if there is none near it,
+// where it was at rest.
 Vec3 presentPlace(const Organ& organ, const TissueModel& tissue, const Vec3& rest);
 
 }  // namespace resect

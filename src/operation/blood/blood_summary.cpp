@@ -45,9 +45,8 @@ std::vector<BareVesselSummary> bareVesselsOf(const OperatedOrgan& operated) {
     const VesselSegment& s = organ.map->anatomy.segments[std::size_t(i)];
     int first = -1, last = -1;
     for (int k = 0; k < kPlaces; ++k) {
-      const Vec3 at = lattice.toCellSpace(s.at((k + 0.5) / kPlaces)).array().round();
-      const Vec3i cell = at.cast<int>();
-      if (lattice.contains(cell) && organ.alive[std::size_t(lattice.index(cell))]) continue;
+      const auto cell = lattice.cellAt(s.at((k + 0.5) / kPlaces));
+      if (cell && organ.alive[std::size_t(lattice.index(*cell))]) continue;
       if (first < 0) first = k;
       last = k;
     }

@@ -1,8 +1,6 @@
 #include "organ/heat/heat_organ.h"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <vector>
 
 namespace resect {
@@ -10,13 +8,6 @@ namespace {
 
 constexpr double kBareVessel = 0.0015;  // m: tissue round a bare vessel that is heated with it
 constexpr double kHot = 45;  // C: cooler tissue does not coagulate in an operation's time
-
-std::optional<std::int64_t> cellAt(const Lattice& lattice, const Vec3& place) {
-  const Vec3 at = lattice.toCellSpace(place);
-  const Vec3i cell(int(std::lround(at.x())), int(std::lround(at.y())), int(std::lround(at.z())));
-  if (!lattice.contains(cell)) return {};
-  return lattice.index(cell);
-}
 
 bool onBareVessel(const Organ& organ, const Vec3& place) {
   return std::ranges::any_of(organ.vessels.bared, [&](std::int32_t i) {
@@ -29,11 +20,12 @@ bool onBareVessel(const Organ& organ, const Vec3& place) {
 
 // Skin cells have tissue as long as the particle that they belong to.
 bool isTissue(const Organ& organ, const Vec3& place) {
-  const auto cell = cellAt(organ.rest.lattice, place);
-  if (!cell) return false;
-  if (organ.alive[std::size_t(*cell)]) return true;
-  if (organ.rest.value[std::size_t(*cell)] > 0 &&
-      organ.alive[std::size_t(ownerCell(organ.rest, *cell))])
+  const auto at = organ.rest.lattice.cellAt(place);
+  if (!at) return false;
+  const std::int64_t cell = organ.rest.lattice.index(*at);
+  if (organ.alive[std::size_t(cell)]) return true;
+  if (organ.rest.value[std::size_t(cell)] > 0 &&
+      organ.alive[std::size_t(ownerCell(organ.rest, cell))])
     return true;
   return onBareVessel(organ, place);
 }
@@ -54,13 +46,14 @@ double coagulatedShare(const Organ& organ, std::int64_t cell) {
 void stiffen(OperatedOrgan& to) {
   constexpr double kHalf = 0.5;
   Organ& organ = to.organ;
+  const Lattice& heat = organ.heat.lattice();
   std::vector<std::int64_t> cells;
   for (const HeatedSpot& s : organ.heat.spots()) {
     if (s.coagulated < kHalf) continue;
-    const Lattice& heat = organ.heat.lattice();
-    if (const auto cell = cellAt(organ.rest.lattice, heat.centre(heat.cell(s.index))))
-      if (organ.alive[std::size_t(*cell)] && !organ.fields.coagulated[*cell])
-        cells.push_back(*cell);
+    const auto at = organ.rest.lattice.cellAt(heat.centre(heat.cell(s.index)));
+    if (!at) continue;
+    const std::int64_t cell = organ.rest.lattice.index(*at);
+    if (organ.alive[std::size_t(cell)] && !organ.fields.coagulated[cell]) cells.push_back(cell);
   }
   std::ranges::sort(cells);
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());

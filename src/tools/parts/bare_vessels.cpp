@@ -1,7 +1,5 @@
 #include "tools/parts/bare_vessels.h"
 
-#include <cmath>
-
 #include "tools/rest_place.h"
 
 namespace resect {
@@ -16,10 +14,8 @@ void divideBareVessels(const Touch& touch, const SweptBlade& sweep,
     const auto at = crossing(sweep, presentPlace(organ, touch.tissue, s.start),
                              presentPlace(organ, touch.tissue, s.end));
     if (!at) continue;
-    const Vec3 place = lattice.toCellSpace(s.at(at->share)).array().round();
-    const Vec3i cell = place.cast<int>();
-    const bool inTissue =
-        lattice.contains(cell) && organ.alive[std::size_t(lattice.index(cell))] != 0;
+    const auto cell = lattice.cellAt(s.at(at->share));
+    const bool inTissue = cell && organ.alive[std::size_t(lattice.index(*cell))] != 0;
     if (!inTissue) edits.push_back(touch.edit(DivideVessel{i, at->share}));
   }
 }
