@@ -18,8 +18,8 @@ struct TissueMap {
   Vec3f low = Vec3f::Zero();
   float spacing = 1;
   Vec3i dims = Vec3i::Zero();
-  std::vector<std::uint8_t> texels;
-  Aabb box;  // round all that the map shows, world, m
+  std::vector<std::uint8_t> texels;  // none: there is nothing to show
+  Aabb box;                          // round all that the map shows, world, m
 };
 
 }  // namespace resect

@@ -126,6 +126,13 @@ TEST_CASE("a vessel is not seen through the capsule") {
   CHECK(difference(scene.draw(vein(0, 0, 0.006), nullptr, 0), plain).pixels == 0);
 }
 
+TEST_CASE("tissue is no longer pale after its coagulation was taken back") {
+  CutBall scene;
+  const RgbImage live = scene.draw(nullptr, std::make_shared<TissueMap>());
+  CHECK(difference(scene.draw(nullptr, heated(255, 0)), live).pixels > 500);
+  CHECK(scene.draw(nullptr, std::make_shared<TissueMap>()).pixels == live.pixels);
+}
+
 TEST_CASE("coagulated tissue is pale and less red, charred tissue is black") {
   CutBall scene;
   for (const float share : {0.0f, 1.0f}) {

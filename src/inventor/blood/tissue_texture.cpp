@@ -12,7 +12,7 @@ void TissueTexture::bind(const std::shared_ptr<const TissueMap>& map, GLuint pro
   const GLint low = at("Low"), perMetre = at("PerMetre");
   if (low < 0) return;  // another material
   glUniform1i(at("Map"), unit);
-  if (!map) {
+  if (!map || map->texels.empty()) {
     glUniform3f(perMetre, 0, 0, 0);
     return;
   }

@@ -13,7 +13,8 @@ std::uint8_t toByte(double share) {
 
 std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
   const HeatField& heat = organ.organ.heat;
-  if (heat.empty()) return nullptr;
+  auto map = std::make_shared<TissueMap>();
+  if (heat.empty()) return map;
   const Lattice& lattice = heat.lattice();
   Vec3i low = lattice.dims, high = Vec3i::Constant(-1);
   for (const HeatedSpot& s : heat.spots()) {
@@ -22,7 +23,6 @@ std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
     high = high.cwiseMax(cell);
   }
   low -= Vec3i::Ones(), high += Vec3i::Ones();
-  auto map = std::make_shared<TissueMap>();
   map->low = lattice.centre(low).cast<float>();
   map->spacing = float(HeatField::kSpacing);
   map->dims = high - low + Vec3i::Ones();
@@ -35,10 +35,9 @@ std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
     map->texels[2 * texel] = toByte(s.coagulated);
     map->texels[2 * texel + 1] = toByte(s.charred);
     const Vec3 rest = lattice.centre(lattice.cell(s.index));
-    const Vec3 cell = cells.toCellSpace(rest).array().round();
-    const Vec3i near = cell.cast<int>();
-    if (cells.contains(near) && organ.tissue->solid(cells.index(near)))
-      map->box.grow(Vec3(rest + organ.tissue->displacement(cells.index(near))));
+    const auto cell = cells.cellAt(rest);
+    if (cell && organ.tissue->solid(cells.index(*cell)))
+      map->box.grow(Vec3(rest + organ.tissue->displacement(cells.index(*cell))));
   }
   if (!map->box.empty()) map->box = map->box.padded(2 * cells.spacing.x());
   return map;

@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// Coagulated and charred shares round the heated spots; null if nothing has changed there. Cost:
-// the box round these spots.
+// Coagulated and charred shares round the heated spots; without texels if there are none. Cost: the
+// box round these spots.
 std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ);
 
 }  // namespace resect
