@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/rest_place.h"
+#include "operation/blood/bleeding_ends.h"
 
 namespace resect {
 
@@ -20,16 +20,7 @@ void noteBlood(LiveState& state, const Simulation& simulation, const StepReport&
   state.bleedingRate += share * (report.blood.rate - state.bleedingRate);
   state.loose = looseBlood(simulation.blood());
   state.bare = bareVessels(simulation);
-  state.bleedingEnds = report.blood.ends;
-  // Where the vessel ends, in the tissue: there a hand that stops bleeding works.
-  for (BleedingEnd& end : state.bleedingEnds) {
-    const OperatedOrgan& o = simulation.organs()[std::size_t(end.organ)];
-    const VesselInjury* injury = o.organ.vessels.injury(end.segment);
-    if (!injury) continue;
-    const VesselSegment& s = o.organ.map->anatomy.segments[std::size_t(end.segment)];
-    end.place = presentPlace(o.organ, *o.tissue,
-                             s.at(end.end == VesselEnd::Root ? injury->from : injury->to));
-  }
+  state.bleedingEnds = bleedingEnds(simulation);
 }
 
 }  // namespace
@@ -101,6 +92,7 @@ void noteMoment(LiveState& state, const Simulation& simulation, double before,
   report.time = simulation.time();
   report.toolForce.assign(simulation.tools().size(), Vec3::Zero());
   report.contacts.resize(simulation.tools().size() * simulation.organs().size());
+  for (const BleedingEnd& end : bleedingEnds(simulation)) report.blood.rate += end.flow;
   state.lastTouch.clear();
   noteStep(state, simulation, report, before, peaks);
 }

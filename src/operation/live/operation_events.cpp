@@ -8,15 +8,25 @@ namespace resect {
 
 namespace {
 
-// Whether a tool has cut in this step; a blade may cut between particles and touch none.
-bool cuts(const StepReport& report, std::int32_t tool) {
-  const auto isCut = [&](const TissueEdit& edit) {
-    return edit.tool == tool && std::holds_alternative<Incision>(edit.what);
-  };
-  return std::ranges::any_of(report.edits, isCut) || std::ranges::any_of(report.caused, isCut);
+// A blade may cut between particles and touch none, and a clip or heat may reach a vessel in a
+// wound.
+bool changesOrgan(const TissueEdit& edit) {
+  return !std::holds_alternative<Release>(edit.what) &&
+         !std::holds_alternative<Suction>(edit.what) && !std::holds_alternative<Press>(edit.what);
 }
 
 }  // namespace
+
+bool worksOnOrgan(const StepReport& report, const Simulation& simulation, std::size_t tool) {
+  if (tool < report.toolForce.size() && report.toolForce[tool].squaredNorm() > 0) return true;
+  const std::size_t organs = simulation.organs().size();
+  for (std::size_t o = 0; o < organs; ++o)
+    if (!report.contacts[tool * organs + o].cells.empty()) return true;
+  const auto byTool = [&](const TissueEdit& edit) {
+    return edit.tool == std::int32_t(tool) && changesOrgan(edit);
+  };
+  return std::ranges::any_of(report.edits, byTool) || std::ranges::any_of(report.caused, byTool);
+}
 
 std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation& simulation,
                                      EventMemory& memory) {
@@ -25,15 +35,12 @@ std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation&
     events.push_back(
         {0, simulation.frame(), simulation.time(), tool, -1, kind, amount, std::move(text)});
   };
-  const std::size_t tools = simulation.tools().size(), organs = simulation.organs().size();
+  const std::size_t tools = simulation.tools().size();
   memory.touching.resize(tools, 0), memory.inHand.resize(tools, 0);
   for (std::size_t t = 0; t < tools; ++t) {
     const bool inHand = simulation.tools()[t].inHand;
     if (inHand != bool(memory.inHand[t])) note(inHand ? "take" : "put_back", std::int64_t(t), 0);
-    bool touching = t < report.toolForce.size() && report.toolForce[t].squaredNorm() > 0;
-    for (std::size_t o = 0; o < organs; ++o)
-      touching |= !report.contacts[t * organs + o].cells.empty();
-    touching |= cuts(report, std::int32_t(t));
+    const bool touching = worksOnOrgan(report, simulation, t);
     if (touching != bool(memory.touching[t]))
       note(touching ? "touch" : "release", std::int64_t(t), 0);
     memory.inHand[t] = inHand, memory.touching[t] = touching;

@@ -19,6 +19,11 @@ struct OperationEvent {
   std::string text;   // fault: the sentence
 };
 
+// Whether a tool worked on an organ in the step that `report` describes: it touched or pushed
+// tissue, cut it, or changed tissue or vessels by another edit. Taking blood away alone does not
+// count.
+bool worksOnOrgan(const StepReport& report, const Simulation& simulation, std::size_t tool);
+
 // What eventsOf() must know about the step before: one flag per tool. Empty lists mean that no tool
 // was in hand, and that none touched an organ.
 struct EventMemory {

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "io/scenario/task_reader.h"
 #include "operation/ledger/ledger.h"
+#include "operation/live/operation_events.h"
 #include "record/course.h"
 #include "skills/attempt/goal_watch.h"
 #include "skills/attempt/vessel_watch.h"
@@ -77,17 +78,9 @@ class AttemptReader {
     now.inHand = state.inHand;
     now.force = t < report.toolForce.size() ? report.toolForce[t].norm() : 0;
     now.squeeze = state.way.to.squeeze, now.pedal = state.way.to.pedal;
-    const std::size_t organs = simulation.organs().size();
-    now.works = now.force > 0;
-    for (std::size_t o = 0; o < organs; ++o) {
-      now.works = now.works || !report.contacts[t * organs + o].cells.empty();
-      now.grips = now.grips || simulation.organs()[o].tissue->gripped(std::int32_t(t)) > 0;
-    }
-    const auto cuts = [&](const TissueEdit& edit) {
-      return edit.tool == int(t) && std::holds_alternative<Incision>(edit.what);
-    };
-    now.works = now.inHand && (now.works || std::ranges::any_of(report.edits, cuts) ||
-                               std::ranges::any_of(report.caused, cuts));
+    now.works = now.inHand && worksOnOrgan(report, simulation, t);
+    for (const OperatedOrgan& organ : simulation.organs())
+      now.grips = now.grips || organ.tissue->gripped(std::int32_t(t)) > 0;
     return now;
   }
 
