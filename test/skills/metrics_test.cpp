@@ -91,11 +91,16 @@ TEST_CASE("a quarter of a circle is longer than the distance of its ends by pi /
   }
   const std::vector<SampleRange> all{{0, 1000}};
   const double ratio = 0.5 * std::numbers::pi / std::sqrt(2.0);
-  CHECK(*pathInefficiency(track, all) == doctest::Approx(100 * (ratio - 1)).epsilon(1e-4));
+  const auto inefficiency = [&](std::span<const SampleRange> movements) {
+    Ways ways;
+    addWays(ways, track, movements);
+    return pathInefficiency(ways);
+  };
+  CHECK(*inefficiency(all) == doctest::Approx(100 * (ratio - 1)).epsilon(1e-4));
   track.tip.push_back(track.tip.front());  // back to the start: undefined
   const std::vector<SampleRange> round{{0, track.tip.size() - 1}};
-  CHECK(!pathInefficiency(track, round));
-  CHECK(!pathInefficiency(track, {}));
+  CHECK(!inefficiency(round));
+  CHECK(!inefficiency({}));
 }
 
 TEST_CASE("a change between rest and motion counts if it lasts more than 0.2 s") {

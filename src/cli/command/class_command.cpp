@@ -90,10 +90,7 @@ void classTable(const Options& options) {
     writeFileAtomically(options.output,
                         [&](std::ostream& out) { out << classPage(book, options.test); });
   if (extension == ".csv")
-    writeFileAtomically(options.output, [&](std::ostream& out) {
-      CsvWriter csv(out);
-      writeClassRows(csv, book, options.test);
-    });
+    writeCsvFile(options.output, [&](CsvWriter& csv) { writeClassRows(csv, book, options.test); });
   printSummary(book);
 }
 

@@ -79,13 +79,6 @@ Scored scoredFile(const std::string& file, const Options& options, bool graded) 
   return score(std::move(attempt), levelOf(options), graded);
 }
 
-void writeCsv(const std::string& file, const std::function<void(CsvWriter&)>& rows) {
-  writeFileAtomically(file, [&](std::ostream& out) {
-    CsvWriter csv(out);
-    rows(csv);
-  });
-}
-
 // The time of an attempt is that at which its recording was last written.
 XapiContext xapiContext(const Options& options, const Scored& scored) {
   XapiContext context;
@@ -148,17 +141,18 @@ void report(const Options& options) {
     references.push_back(scoredFile(file, options, true));
 
   if (!options.csv.empty())
-    writeCsv(options.csv, [&](CsvWriter& csv) { writeAttemptRows(csv, attempts); });
+    writeCsvFile(options.csv, [&](CsvWriter& csv) { writeAttemptRows(csv, attempts); });
   if (!options.samples.empty())
-    writeCsv(options.samples,
-             [&](CsvWriter& csv) { writeSampleRows(csv, attempts.back().attempt); });
+    writeCsvFile(options.samples,
+                 [&](CsvWriter& csv) { writeSampleRows(csv, attempts.back().attempt); });
   if (!options.json.empty()) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Scored& one : attempts) all.push_back(toJson(one));
     writeJson(options.json, all);
   }
-  const nlohmann::ordered_json statements =
-      xapiStatements(attempts.back(), xapiContext(options, attempts.back()));
+  nlohmann::ordered_json statements;
+  if (!options.xapi.empty() || !options.lrs.empty())
+    statements = xapiStatements(attempts.back(), xapiContext(options, attempts.back()));
   if (!options.xapi.empty()) writeJson(options.xapi, statements);
   if (!options.output.empty()) {
     Debrief debrief{attempts, references, {}, {}};

@@ -1,5 +1,7 @@
 #include "formats/export/csv_file.h"
 
+#include "io/atomic_file.h"
+
 namespace resect {
 
 CsvWriter& CsvWriter::raw(std::string_view text) {
@@ -22,6 +24,13 @@ CsvWriter& CsvWriter::cell(std::string_view text) {
 void CsvWriter::end() {
   out_ << "\r\n";
   first_ = true;
+}
+
+void writeCsvFile(const std::filesystem::path& path, const std::function<void(CsvWriter&)>& rows) {
+  writeFileAtomically(path, [&](std::ostream& out) {
+    CsvWriter csv(out);
+    rows(csv);
+  });
 }
 
 }  // namespace resect

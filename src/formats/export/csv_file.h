@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <concepts>
+#include <filesystem>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -36,5 +38,8 @@ class CsvWriter {
   std::ostream& out_;
   bool first_ = true;  // the next cell is the first of its row
 };
+
+// Writes a file of these rows, whole or not at all. Throws Error if it cannot be written.
+void writeCsvFile(const std::filesystem::path& path, const std::function<void(CsvWriter&)>& rows);
 
 }  // namespace resect

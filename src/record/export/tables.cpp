@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/text/printed_time.h"
-#include "io/atomic_file.h"
 
 namespace resect {
 namespace {
@@ -157,10 +156,7 @@ std::span<const RecordingTable> recordingTables() {
 std::int64_t exportTable(Replay& replay, const ExportedPart& part, const RecordingTable& table,
                          const std::filesystem::path& path, const Progress& progress) {
   std::int64_t rows = 0;
-  writeFileAtomically(path, [&](std::ostream& out) {
-    CsvWriter csv(out);
-    rows = table.write(replay, part, csv, progress);
-  });
+  writeCsvFile(path, [&](CsvWriter& csv) { rows = table.write(replay, part, csv, progress); });
   return rows;
 }
 

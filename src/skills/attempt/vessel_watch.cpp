@@ -61,8 +61,10 @@ void VesselWatch::addClips(const Simulation& simulation, Attempt& attempt) {
     const Organ& organ = simulation.organs()[o].organ;
     const std::vector<VesselClip>& clips = organ.vessels.clips;
     if (clips.size() <= clips_[o]) continue;
-    // They are kept in the order of the segments: find those that are not known yet.
+    // They are kept in the order of the segments: find those that are not known yet. Heat closes
+    // vessels too, but places no clip.
     for (const VesselClip& clip : clips) {
+      if (clip.byHeat) continue;
       const Vec3 place = organ.map->anatomy.segments[std::size_t(clip.segment)].at(clip.share);
       const bool known = std::ranges::any_of(attempt.clips, [&](const ClipPlaced& c) {
         return c.organ == std::int32_t(o) && c.segment == clip.segment && c.place == place;

@@ -28,14 +28,16 @@ std::vector<SampleRange> movements(std::span<const double> speed, double interva
   return ranges;
 }
 
-std::optional<double> pathInefficiency(const Track& track, std::span<const SampleRange> movements) {
-  double length = 0, distance = 0;
+void addWays(Ways& ways, const Track& track, std::span<const SampleRange> movements) {
   for (const SampleRange& range : movements) {
-    length += pathLength(std::span(track.tip).subspan(range.first, range.count()));
-    distance += (track.tip[range.last] - track.tip[range.first]).norm();
+    ways.length += pathLength(std::span(track.tip).subspan(range.first, range.count()));
+    ways.distance += (track.tip[range.last] - track.tip[range.first]).norm();
   }
-  if (!(distance > 0)) return {};
-  return 100 * (length / distance - 1);
+}
+
+std::optional<double> pathInefficiency(const Ways& ways) {
+  if (!(ways.distance > 0)) return {};
+  return 100 * (ways.length / ways.distance - 1);
 }
 
 }  // namespace resect

@@ -22,8 +22,12 @@ inline constexpr double kRotationThreshold = 0.5;  // rad/s
 std::vector<SampleRange> movements(std::span<const double> speed, double interval,
                                    const MovementRule& rule = {});
 
-// 100 (path length / distance of the ends - 1) of all movements together, their lengths and their
-// distances added up, %. Nothing if there is no movement or if the distances are 0.
-std::optional<double> pathInefficiency(const Track& track, std::span<const SampleRange> movements);
+// Path length and distance of the ends of movements, m, added up.
+struct Ways {
+  double length = 0, distance = 0;
+};
+void addWays(Ways& ways, const Track& track, std::span<const SampleRange> movements);
+// 100 (length / distance - 1), %; nothing if the distance is 0.
+std::optional<double> pathInefficiency(const Ways& ways);
 
 }  // namespace resect

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "blood/bleeding.h"
 
 namespace resect {
 namespace {
@@ -143,7 +144,7 @@ GoalResult stopResult(const Attempt& attempt, const TaskGoal& goal) {
           : fmt::format(
                 "It still bled at {:.0f} ml/min at the end (grade {} of 4); less than "
                 "{:g} ml/min for {:g} s is wanted.",
-                rate, vibeGrade(rate / 60e6), 60e6 * goal.rate, goal.hold);
+                rate, bleedingGrade(rate / 60e6), 60e6 * goal.rate, goal.hold);
   return result;
 }
 

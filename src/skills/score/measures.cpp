@@ -34,7 +34,7 @@ struct Motion {
   bool inHand = false;
   double path = 0, depth = 0, rotation = 0, idle = 0;
   int movements = 0, turns = 0;
-  double length = 0, distance = 0;  // of movements
+  Ways ways;
   TimedMean sparc, ldlj, frequency;
 
   void add(const Track& track) {
@@ -48,11 +48,10 @@ struct Motion {
     movements += int(moves.size());
     turns += int(
         resect::movements(angularSpeeds(track), track.interval, {kRotationThreshold, 0.2}).size());
+    addWays(ways, track, moves);
     for (const SampleRange& m : moves) {
       const auto profile = std::span(speed).subspan(m.first, m.count());
       const double duration = track.interval * double(m.count());
-      length += pathLength(std::span(track.tip).subspan(m.first, m.count()));
-      distance += (track.tip[m.last] - track.tip[m.first]).norm();
       sparc.add(spectralArcLength(profile, track.interval), duration);
       ldlj.add(logDimensionlessJerk(profile, track.interval), duration);
       frequency.add(frequency95(profile, track.interval), duration);
@@ -79,7 +78,7 @@ class Sheet {
 void putMotion(Sheet& sheet, const Motion& m) {
   if (!m.inHand) return;
   sheet.put("path_length_m", m.path);
-  if (m.distance > 0) sheet.put("path_inefficiency_pct", 100 * (m.length / m.distance - 1));
+  sheet.put("path_inefficiency_pct", pathInefficiency(m.ways));
   sheet.put("movements", m.movements);
   sheet.put("rotation_deg", kDegrees * m.rotation);
   sheet.put("rotational_actions", m.turns);
@@ -188,7 +187,7 @@ void putBlood(Sheet& sheet, const Attempt& attempt) {
   const double rate = bleedingRate(attempt, attempt.bled.size() - 1);
   sheet.put("blood_loss_ml", 1e6 * attempt.bled.back());
   sheet.put("blood_rate_ml_min", 60e6 * rate);
-  sheet.put("blood_grade", vibeGrade(rate));
+  sheet.put("blood_grade", bleedingGrade(rate));
   putVessels(sheet, attempt);
   sheet.put("inflow_occluded_s", attempt.inflowOccluded);
   sheet.put("inflow_cycles", attempt.inflowCycles);
@@ -211,8 +210,6 @@ void putTissue(Sheet& sheet, const Attempt& attempt, std::optional<double> workT
 }
 
 }  // namespace
-
-int vibeGrade(double rate) { return bleedingGrade(rate); }
 
 std::vector<Measured> measuresOf(const Attempt& attempt) {
   std::vector<Measured> all;

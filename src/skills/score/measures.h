@@ -27,8 +27,4 @@ std::vector<Measured> measuresOf(const Attempt& attempt);
 std::optional<double> valueOf(std::span<const Measured> all, std::string_view measure,
                               std::string_view instrument = "");
 
-// Grade of bleeding by its rate, m^3/s: 0 to 4, at 1, 5, 10 and 50 ml/min (VIBe; Lewis et al. 2017,
-// 10.1186/s12893-020-00874-w). Surgeons differ by one grade.
-int vibeGrade(double rate);
-
 }  // namespace resect
