@@ -10,6 +10,7 @@
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
+#include "inventor/hand/tool_keys.h"
 #include "io/data_folder.h"
 #include "io/scenario/scenario_file.h"
 
@@ -56,6 +57,15 @@ void MainWindow::makeViewMenu() {
   scale_->setToolTip("Its arrow sets how much of each cell counts as tissue");
   connect(scale_, &QAction::toggled, this, [this](bool on) {
     if (session_) session_->showScale(on);
+  });
+  marks_ = view->addAction("Mark what b&leeds");
+  marks_->setCheckable(true);
+  marks_->setChecked(true);
+  marks_->setToolTip(
+      "While an instrument is in hand that stops bleeding: rings round the ends of vessels that "
+      "bleed, to which it is guided");
+  connect(marks_, &QAction::toggled, this, [this](bool on) {
+    if (session_) session_->setBleedingMarks(on);
   });
   thesis_ = view->addAction("Thesis &mode");
   thesis_->setCheckable(true);
@@ -116,7 +126,9 @@ void MainWindow::listInstruments() {
   QAction* first = instrumentMenu_->actions().value(0);
   for (int i = 0; i < session_->tools().toolCount(); ++i) {
     const ToolModel& tool = session_->toolModels()[std::size_t(i)];
-    auto* action = new QAction(QString("&%1  %2").arg(i + 1).arg(shown(tool.name)), this);
+    auto* action = new QAction(
+        QString("&%1  %2").arg(QString::fromStdString(keyOfTool(std::size_t(i))), shown(tool.name)),
+        this);
     action->setToolTip("<p>" + shownInHtml(tool.description) + "</p>");
     connect(action, &QAction::triggered, this, [this, i] {
       if (session_) session_->tools().take(i);

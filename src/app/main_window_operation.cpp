@@ -141,6 +141,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
         result.scenario, std::move(result.simulation), viewer_->aspect(),
         recorder ? watchOf(recorder) : OperationWatch(), std::move(result.history));
     // The thesis's way of working has the laboratory, unless the user has chosen.
+    session->setBleedingMarks(marks_->isChecked());
     session->showScale(laboratoryChosen_.value_or(result.scenario.mode == OperationMode::Thesis));
     session->look(RoomView::Surgeon, viewer_->aspect());
     if (places) {

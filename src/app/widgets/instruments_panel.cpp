@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "app/say.h"
+#include "inventor/hand/tool_keys.h"
 
 namespace resect {
 
@@ -18,11 +19,11 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
   names_.clear();
   for (std::size_t i = 0; i < tools.size(); ++i) {
     auto* button = new QToolButton(this);
-    names_.push_back(QString("%1   %2").arg(i + 1).arg(shown(tools[i].name)));
+    const QString key = QString::fromStdString(keyOfTool(i));
+    names_.push_back(QString("%1   %2").arg(key, shown(tools[i].name)));
     button->setText(names_.back());
     button->setToolTip(QString("<p>%1<br>Key %2 takes it in hand; Escape puts it back.</p>")
-                           .arg(shownInHtml(tools[i].description))
-                           .arg(i + 1));
+                           .arg(shownInHtml(tools[i].description), key));
     button->setAccessibleName(shown(tools[i].name));
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);

@@ -82,8 +82,10 @@ void OperationPanel::begin(const Scenario& scenario, const std::vector<QString>&
 void OperationPanel::follow(const LiveState& state, int held) {
   set(time_, clockText(double(state.moment.frame) / frameRate_));
   set(blood_, state.bleeds ? millilitres(state.bled) : QString());
-  set(bleeding_,
-      state.bleeds ? QString("%1 ml/min").arg(state.bleedingRate * 60e6, 0, 'f', 0) : QString());
+  set(bleeding_, state.bleeds ? QString("%1 ml/min, grade %2")
+                                    .arg(state.bleedingRate * 60e6, 0, 'f', 0)
+                                    .arg(bleedingGrade(state.bleedingRate))
+                              : QString());
   set(removed_, millilitres(state.removedVolume));
   const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
   set(pieces_, pieces > 0 ? QString("%1 %2, %3")

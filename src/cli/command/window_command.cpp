@@ -11,6 +11,7 @@
 #include "cli/picture_writer.h"
 #include "io/data_folder.h"
 #include "io/scenario/scenario_file.h"
+#include "io/scenario/task_files.h"
 
 namespace resect {
 namespace {
@@ -37,7 +38,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
   if (options.scenario.empty() && options.organ.empty() && !options.thesis)
     window.scenario = readScenario(findDataFile(kFirstScenario, "scenarios", ".toml"));
   else if (!options.scenario.empty() && window.operation.empty())
-    window.scenario = readScenario(findDataFile(options.scenario, "scenarios", ".toml"));
+    window.scenario = readScenario(findScenario(options.scenario));
   else if (options.thesis) {
     window.scenario.organs[0].source.spacing = 0.005;
   } else {

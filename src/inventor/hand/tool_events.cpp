@@ -14,6 +14,7 @@
 
 #include "inventor/gl/vectors.h"
 #include "inventor/hand/tool_handling.h"
+#include "inventor/hand/tool_keys.h"
 
 namespace resect {
 namespace {
@@ -22,14 +23,6 @@ constexpr int kClickPixels = 4;                           // a press that moves 
 constexpr double kWheelStep = 0.005;                      // m
 constexpr double kKeyStep = 0.002;                        // m
 constexpr double kTurnPerPixel = 0.006, kKeyTurn = 0.05;  // rad
-
-// The tools have the keys of a keyboard's upper row: 1 to 9, 0 and minus. -1: another key.
-int toolOfKey(int key) {
-  if (key >= SoKeyboardEvent::NUMBER_1 && key <= SoKeyboardEvent::NUMBER_9)
-    return key - SoKeyboardEvent::NUMBER_1;
-  if (key == SoKeyboardEvent::NUMBER_0) return 9;
-  return key == SoKeyboardEvent::MINUS ? 10 : -1;
-}
 
 }  // namespace
 
