@@ -552,7 +552,7 @@ def all_scenarios():
         stop_bleeding(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "transect", elastic(
         "Part of a left lateral sectionectomy", "The inflow is clamped, the aspirator bares the vessels, they are "
-        "clipped and divided, forceps dry the field", 8.0, transect(), ligaments(ASIDE), organ=bleeds,
+        "clipped and divided, forceps coagulate what bleeds", 8.0, transect(), ligaments(ASIDE), organ=bleeds,
         close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
                           snip(), ligaments(ASIDE), x=ASIDE)
