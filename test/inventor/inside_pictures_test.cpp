@@ -130,7 +130,7 @@ TEST_CASE("tissue is no longer pale after its coagulation was taken back") {
   CutBall scene;
   const RgbImage live = scene.draw(nullptr, std::make_shared<TissueMap>());
   CHECK(difference(scene.draw(nullptr, heated(255, 0)), live).pixels > 500);
-  CHECK(scene.draw(nullptr, std::make_shared<TissueMap>()).pixels == live.pixels);
+  CHECK(difference(scene.draw(nullptr, std::make_shared<TissueMap>()), live).pixels == 0);
 }
 
 TEST_CASE("coagulated tissue is pale and less red, charred tissue is black") {
