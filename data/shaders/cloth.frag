@@ -35,12 +35,17 @@ void main() {
   vec3 grey = vec3(dot(dye, vec3(0.2126, 0.7152, 0.0722)));
   dye = dye.b > dye.g ? 0.32 * mix(grey, dye, 0.50) : 0.46 * mix(grey, dye, 0.66);
   vec3 albedo = dye * (1.0 + 0.22 * weave + 0.05 * creases.x);
-  // Blood soaks into the cloth, and stands on it where it is deep.
-  float depth = 5.0 * texture2D(pool, point.xz + 0.5 + 0.0045 * vec2(noise2(point.xz * 160.0).x, noise2(point.zx * 160.0 + 7.0).x)).r * step(-0.01, point.y) * step(point.y, 0.01);
-  float edge = 0.10 * (1.0 + 0.6 * creases.x + 0.4 * folds.x);
-  float soaked = smoothstep(edge, 2.5 * edge, depth), deep = smoothstep(0.5, 1.6, depth);
-  albedo = mix(albedo, mix(vec3(0.070, 0.0040, 0.0045), vec3(0.032, 0.0014, 0.0018), smoothstep(0.2, 1.5, depth)), 0.97 * soaked);
-  n = normalize(mix(n, vec3(0.0, 1.0, 0.0), 0.85 * deep));
+  // Blood soaks into the cloth, which draws its border out along the threads, and stands on it where
+  // it is deep: dark and glossy, with a rounded border.
+  float depth = 0.0;
+  if (abs(point.y) < 0.01) {
+    vec2 drawn = 0.006 * vec2(noise2(point.xz * 38.0).x, noise2(point.zx * 38.0 + 7.0).x) +
+                 0.0012 * vec2(noise2(point.xz * 190.0).x, noise2(point.zx * 190.0 + 7.0).x);
+    depth = 5.0 * texture2D(pool, point.xz + 0.5 + drawn).r;
+  }
+  float soaked = smoothstep(0.02, 0.35, depth), deep = smoothstep(0.25, 0.90, depth);
+  albedo = mix(albedo * exp(-2.0 * soaked * vec3(0.5, 1.6, 1.6)), vec3(0.030, 0.0013, 0.0016), smoothstep(0.25, 0.9, soaked));
+  n = normalize(mix(n, vec3(0.0, 1.0, 0.0), 0.92 * deep));
   float open = around.tableOpen;
   // Light that has touched the organ comes back red.
   vec3 bounce = open * (1.0 - open) * vec3(0.10, 0.015, 0.01);
@@ -50,9 +55,9 @@ void main() {
   float x = 1.0 - max(dot(n, v), 0.0);
   vec3 color = albedo * diffuse + 0.04 * x * x * x * diffuse * open;  // lint at grazing sight
   if (deep > 0.0) {
-    float shine = 0.010 * dot(e0, vec3(0.333)) * around.tableLit * glossLobe(n, l0, v, 0.10) +
-                  0.012 * dot(e1, vec3(0.333)) * open * glossLobe(n, l1, v, 0.10);
-    color += deep * (vec3(1.0, 0.985, 0.95) * shine + min(fresnel(0.028, max(dot(n, v), 0.0)), 0.2) * vec3(0.11, 0.12, 0.13) * open);
+    float facing = max(dot(n, v), 0.0);
+    vec3 shine = mirrored(point, reflect(-v, n), 0.03) * min(fresnel(0.028, facing), 0.35);
+    color += deep * mix(0.35, 1.0, around.tableLit) * open * shine;
   }
   gl_FragColor = vec4(picture(color, eyePosition), 1.0);
 }

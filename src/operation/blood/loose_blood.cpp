@@ -7,13 +7,22 @@ namespace resect {
 std::shared_ptr<const LooseBlood> looseBlood(const Bleeding& blood) {
   if (blood.table().wet().empty() && blood.drops().empty()) return {};
   auto loose = std::make_shared<LooseBlood>();
-  loose->pool.assign(std::size_t(kTableCells) * kTableCells, 0);
+  // A patch is as deep as its neighbours make it, so that puddles have slopes for borders, not
+  // steps.
+  std::vector<float> depth(std::size_t(kTableCells) * kTableCells, 0.0f);
   for (const TablePatch& patch : blood.table().wet()) {
-    const double depth = toCubicMetres(patch.volume) / (kTableCell * kTableCell);
-    loose->pool[std::size_t(patch.number)] =
-        std::uint8_t(std::clamp(255 * depth / LooseBlood::kDeepest + 0.5, 1.0, 255.0));
+    const auto deep = float(toCubicMetres(patch.volume) / (kTableCell * kTableCell));
+    const int x = patch.number % kTableCells, z = patch.number / kTableCells;
+    for (int j = std::max(z - 1, 0); j <= std::min(z + 1, kTableCells - 1); ++j)
+      for (int i = std::max(x - 1, 0); i <= std::min(x + 1, kTableCells - 1); ++i)
+        depth[std::size_t(j * kTableCells + i)] +=
+            deep * (i == x ? 0.5f : 0.25f) * (j == z ? 0.5f : 0.25f);
     loose->poolBox.grow(BloodTable::middleOf(patch.number));
   }
+  loose->pool.resize(depth.size());
+  std::ranges::transform(depth, loose->pool.begin(), [](float d) {
+    return std::uint8_t(std::min(255 * d / float(LooseBlood::kDeepest) + 0.5f, 255.0f));
+  });
   if (!loose->poolBox.empty()) loose->poolBox = loose->poolBox.padded(2 * kTableCell);
   for (const BloodDrop& drop : blood.drops()) loose->drops.push_back(drop.place.cast<float>());
   return loose;

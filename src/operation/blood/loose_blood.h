@@ -12,9 +12,10 @@ namespace resect {
 struct LooseBlood {
   static constexpr double kDeepest = 5e-3;  // m: what the byte 255 stands for
 
-  std::vector<std::uint8_t> pool;  // depth on the table: kTableCells x kTableCells, x fastest
-  Aabb poolBox;                    // round the puddles, world, m
-  std::vector<Vec3f> drops;        // world, m
+  // Depth on the table, smoothed over neighbours: kTableCells x kTableCells, x fastest.
+  std::vector<std::uint8_t> pool;
+  Aabb poolBox;              // round the puddles, world, m
+  std::vector<Vec3f> drops;  // world, m
 };
 
 // Null if there is none.

@@ -2,42 +2,14 @@
 
 #include <doctest/doctest.h>
 
-#include "anatomy/small_vessels.h"
+#include "operation/blood/bleeding_block.h"
 #include "operation/live/operation_events.h"
-#include "support/block_organ.h"
-#include "support/test_tools.h"
 
 using namespace resect;
-
-namespace {
-
-const Vec3 kCut(0.0321, 0.0151, 0.0301);  // where the vein is cut
-
-// A block of 60 x 30 x 60 mm of still tissue with a vein of 4 mm along x, and an instrument far
-// away.
-Simulation block() {
-  Discretization cells = test::fullBlock({12, 6, 12});
-  cells.lattice.origin = Vec3::Constant(0.0025);
-  Organ organ = makeOrgan(std::move(cells), {});
-  organ.map =
-      makeVesselMap(test::straightVessel(VesselKind::PortalVein, Vec3(-0.02, kCut.y(), kCut.z()),
-                                         Vec3(0.05, kCut.y(), kCut.z()), 0.002));
-  std::vector<std::unique_ptr<Tool>> tools;
-  tools.push_back(test::boxTool({{-0.001, -0.001, 0}, {0.001, 0.001, 0.06}}, "bipolar", ""));
-  return Simulation(std::move(organ), std::move(tools));
-}
-
-StepReport step(Simulation& simulation, std::vector<TissueEdit> edits = {}) {
-  FrameInput input;
-  input.tools = {{{Vec3(1, 1, 1), Eigen::Quaterniond::Identity()}, true}};
-  input.edits = std::move(edits);
-  return simulation.step(input);
-}
-
-}  // namespace
+using test::kCut, test::step;
 
 TEST_CASE("the ends that bleed are those of the report, at the vessel's end, after a restore too") {
-  Simulation simulation = block(), other = block();
+  Simulation simulation = test::bleedingBlock(), other = test::bleedingBlock();
   CHECK(bleedingEnds(simulation).empty());
   step(simulation, {{0, -1, Incision{test::acrossX(kCut.x(), 0.01, 0.05)}}});
   StepReport report;
@@ -54,7 +26,7 @@ TEST_CASE("the ends that bleed are those of the report, at the vessel's end, aft
 }
 
 TEST_CASE("heat and clips are work on an organ, without any contact; taking blood is none") {
-  Simulation simulation = block();
+  Simulation simulation = test::bleedingBlock();
   const auto works = [&](TissueEdit edit) {
     return worksOnOrgan(step(simulation, {std::move(edit)}), simulation, 0);
   };
