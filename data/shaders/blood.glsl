@@ -7,6 +7,19 @@ uniform sampler3D heatMap;    // coagulated and charred
 uniform vec3 heatLow;         // of the map, at rest, m
 uniform vec3 heatPerMetre;    // 0: nothing was heated
 
+uniform sampler3D structureMap;     // tumour, and any other structure
+uniform vec3 structureLow;          // of the map, at rest, m
+uniform vec3 structurePerMetre;     // 0: there is none
+
+// How much of the tissue is tumour (x) and another structure (y), 0 to 1; from cell to cell it goes
+// over slowly.
+vec2 structureAt(vec3 rest) {
+  if (structurePerMetre.x == 0.0) return vec2(0.0);
+  vec3 at = (rest - structureLow) * structurePerMetre;
+  if (any(lessThan(at, vec3(0.0))) || any(greaterThan(at, vec3(1.0)))) return vec2(0.0);
+  return texture3D(structureMap, at).ra;
+}
+
 // How much heat has coagulated (x) and charred (y) tissue, 0 to 1.
 vec2 heatAt(vec3 rest) {
   if (heatPerMetre.x == 0.0) return vec2(0.0);

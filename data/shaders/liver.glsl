@@ -80,6 +80,15 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base) {
     vec3 rough = 0.02 * at.middle.yzw + 0.055 * at.fine.yzw + 0.045 * grain.yzw;
     t.bumps = mix(t.bumps, rough, border);
     t.wet = mix(t.wet, 0.8, border);
+    // Tumours are pale, firm and mottled, with a redder margin; the border has the noise of the tissue.
+    float rough_ = 0.10 * at.middle.x + 0.05 * at.fine.x;
+    vec2 structure = structureAt(p) + rough_;
+    float tumour = border * smoothstep(0.44, 0.52, structure.x), inner = smoothstep(0.5, 0.8, structure.x);
+    vec3 pale_ = mix(vec3(0.27, 0.120, 0.085), vec3(0.36, 0.245, 0.170), inner);
+    t.albedo = mix(t.albedo, pale_ * (1.0 + 0.30 * at.middle.x + 0.25 * at.broad.x + 0.12 * grain.x), 0.9 * tumour);
+    t.albedo = mix(t.albedo, vec3(0.20, 0.17, 0.060) * (1.0 + 0.15 * at.middle.x), 0.85 * border * smoothstep(0.44, 0.52, structure.y));
+    t.bumps = mix(t.bumps, 0.7 * t.bumps, tumour);
+    t.wet = mix(t.wet, 0.6, tumour);
     Vessel vessel = vesselAt(p);
     float soft = max(0.6 * wide, 0.00003);
     float wall = border * (1.0 - smoothstep(vessel.wall - soft, vessel.wall + soft, vessel.off));
@@ -93,6 +102,10 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base) {
       t.bumps = mix(t.bumps, 0.8 * vessel.out_, lumen);
       t.wet = mix(t.wet, 1.0, wall);
     }
+  }
+  if (border < 1.0) {  // a tumour below the capsule shines through
+    float below = smoothstep(0.25, 0.85, structureAt(p).x + 0.10 * at.broad.x + 0.06 * at.middle.x);
+    t.albedo = mix(t.albedo, vec3(0.22, 0.115, 0.085), 0.5 * (1.0 - border) * below);
   }
   t.albedo = mix(t.albedo, vec3(0.25, 0.120, 0.090), 0.36 * pale);
   t.albedo = mix(t.albedo, vec3(0.030, 0.0025, 0.003), 0.9 * max(-share, 0.0));  // blood in a rim

@@ -17,9 +17,10 @@
 #include "io/plain_mesh.h"
 #include "io/scenario/length.h"
 #include "io/scenario/scenario_file.h"
-#include "io/vessels_file.h"
+#include "io/structures.h"
 #include "operation/frame_estimate.h"
 #include "operation/room.h"
+#include "operation/setting_ranges.h"
 #include "organ/cell_labels.h"
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
@@ -29,12 +30,6 @@
 
 namespace resect {
 namespace {
-
-// A box as text, for messages about regions.
-std::string boxText(const Aabb& box) {
-  return fmt::format("[[{:.3f}, {:.3f}, {:.3f}], [{:.3f}, {:.3f}, {:.3f}]] m", box.min.x(),
-                     box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z());
-}
 
 // The surface of an organ that comes along: made once by tools/make_organs, since its formula takes
 // 0.7 s.
@@ -107,42 +102,35 @@ auto doubting(const OrganSource& source, const Aabb& organ, const Make& make) {
   }
 }
 
-// Adds the source's landmarks and labels to those of the cells.
-void label(Discretization& cells, const OrganSource& source) {
-  cells.landmarks.insert(cells.landmarks.end(), source.landmarks.begin(), source.landmarks.end());
-  RegionPlacer place(cells);
-  for (const OrganLabel& one : source.labels) {
-    if (markCells(cells, one.label, place(one.region)) == 0)
-      throw error(
-          "label {}{} marks no particle of the organ; move or enlarge its region (the organ at "
-          "rest "
-          "fills {})",
-          one.label, one.name.empty() ? "" : " (" + one.name + ")", boxText(particleBox(cells)));
-    if (!one.name.empty()) cells.nameLabel(one.label, one.name);
-  }
-  if (!source.labels.empty()) labelSkin(cells);
-}
+// Tumours are about three times as stiff as the liver round them: medians of 20.2 kPa (malignant
+// lesions, 10.1186/s43055-020-00186-2) and 6.6 kPa (liver, 10.1177/8756479317733713), both by shear
+// waves.
+constexpr double kTumourStiffness = 3;
 
-// Per label with particles: the index of its material, 0 for the organ's own.
-std::array<std::uint8_t, 256> materialNumbers(const TissueSetup& setup,
-                                              const Discretization& cells) {
-  std::array<std::uint8_t, 256> number{};
-  if (setup.materials.empty()) return number;
+// The setup's materials, and that of tumours for which it has none.
+std::vector<LabelMaterial> materialsOf(const TissueSetup& setup, const Discretization& cells) {
   const auto particles = labelledParticles(cells);
-  for (std::size_t i = 0; i < setup.materials.size(); ++i) {
-    const int label = setup.materials[i].label;
-    if (particles[std::size_t(label)] == 0) {
-      std::string known;
-      for (int other = 1; other < 256; ++other)
-        if (particles[std::size_t(other)] > 0)
-          known +=
-              fmt::format("{}{} ({})", known.empty() ? "" : ", ", other, cells.labelName(other));
-      throw error("there is a material for label {}, which no particle of the organ has; {}", label,
-                  known.empty() ? "mark cells by [[organ.label]]" : "labels are " + known);
-    }
-    number[std::size_t(label)] = std::uint8_t(i + 1);
+  for (const LabelMaterial& one : setup.materials) {
+    if (particles[std::size_t(one.label)] > 0) continue;
+    std::string known;
+    for (int other = 1; other < 256; ++other)
+      if (particles[std::size_t(other)] > 0)
+        known += fmt::format("{}{} ({})", known.empty() ? "" : ", ", other, cells.labelName(other));
+    throw error("there is a material for label {}, which no particle of the organ has; {}",
+                one.label, known.empty() ? "mark cells by [[organ.label]]" : "labels are " + known);
   }
-  return number;
+  std::vector<LabelMaterial> materials = setup.materials;
+  for (int label = 1; label < 256; ++label) {
+    if (particles[std::size_t(label)] == 0 ||
+        structureKind(cells.labelName(label)) != StructureKind::Tumour ||
+        std::ranges::find(materials, label, &LabelMaterial::label) != materials.end())
+      continue;
+    LabelMaterial tumour{label, setup.material};
+    tumour.material.name = cells.labelName(label);
+    tumour.material.young = std::min(kTumourStiffness * tumour.material.young, ranges::kYoung.high);
+    materials.push_back(std::move(tumour));
+  }
+  return materials;
 }
 
 }  // namespace
@@ -211,8 +199,10 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
                          const Progress& progress, std::vector<std::string>* notes,
                          std::optional<Pose>* place) {
   requireSound(source);
+  std::optional<Pose> own;
+  if (!place) place = &own;
   Discretization cells = sourceCells(source, readModel, progress, notes, place);
-  doubting(source, particleBox(cells), [&] { label(cells, source); });
+  doubting(source, particleBox(cells), [&] { addLabels(cells, source, *place, readModel); });
   return cells;
 }
 
@@ -241,13 +231,16 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
 
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ) {
   requireSound(setup);
-  const std::array<std::uint8_t, 256> materialOfLabel = materialNumbers(setup, organ.rest);
+  const std::vector<LabelMaterial> materials = materialsOf(setup, organ.rest);
   if (!setup.elastic) return std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
   TissueCells cells{organ.rest.lattice, organ.rest.inside, {setup.material}, {}};
-  for (const LabelMaterial& one : setup.materials) cells.materials.push_back(one.material);
-  if (!setup.materials.empty())
-    for (const std::uint8_t label : organ.rest.label)
-      cells.material.push_back(materialOfLabel[label]);
+  std::array<std::uint8_t, 256> numbers{};  // of the materials, by label
+  for (const LabelMaterial& one : materials) {
+    numbers[std::size_t(one.label)] = std::uint8_t(cells.materials.size());
+    cells.materials.push_back(one.material);
+  }
+  if (!materials.empty())
+    for (const std::uint8_t label : organ.rest.label) cells.material.push_back(numbers[label]);
   auto tissue = std::make_unique<ElasticTissue>(cells, setup.settings);
   RegionPlacer place(organ.rest);
   for (std::size_t i = 0; i < setup.attachments.size(); ++i) {
@@ -261,30 +254,6 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
   }
   return tissue;
 }
-
-namespace {
-
-// The organ's vessels where it lies; null if it has none.
-std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
-                                           const std::optional<Pose>& place,
-                                           std::vector<std::string>* notes) {
-  if (source.vessels.empty()) return {};
-  if (!place)
-    throw error(
-        "organ \"{}\" is a file of particles, which has no place for vessels; leave out vessels",
-        source.name);
-  if (isVesselsFile(source)) return makeVesselMap(transformed(readVessels(source.vessels), *place));
-  if (!hasVessels(source)) {
-    if (notes)
-      notes->push_back(
-          "the vessels are those of another organ and were left out: it does not bleed");
-    return {};
-  }
-  return makeVesselMap(
-      transformed(readVessels(dataFolder() / "organs" / (source.file + ".vessels")), *place));
-}
-
-}  // namespace
 
 std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress, std::vector<std::string>* notes) {
@@ -308,7 +277,7 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
     Organ organ =
         makeOrgan(loadCells(source, readModel, progress ? share : Progress(), notes, &place),
                   source.settings);
-    organ.map = vesselsOf(source, place, notes);
+    organ.map = vesselsOf(source, place, readModel, notes);
     std::unique_ptr<TissueModel> tissue = doubting(source, particleBox(organ.rest), [&] {
       return makeTissue(scenario.organs[i].tissue, organ);
     });

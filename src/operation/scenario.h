@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "anatomy/structure_kind.h"
 #include "geometry/pose.h"
 #include "operation/task/task.h"
 #include "simulation/simulation.h"
@@ -26,6 +27,17 @@ struct OrganLabel {
   void visit(Visitor& v) {
     v("label", label), v("name", name), v("region", region);
   }
+};
+
+// A structure of the organ that is given by a model file in the coordinates of the organ's file: a
+// vessel, whose centre lines are taken, or another structure, whose inside gets a label.
+struct BroughtStructure {
+  StructureKind kind = StructureKind::Tumour;
+  int label = 0;     // 1 to 255; 0 for vessels
+  std::string name;  // of the label
+  std::string file;
+  std::string part;  // names of parts, one a line; "": all
+  double unit = 1;   // metres per unit of the file
 };
 
 // Where an organ comes from, how it is placed, and the size of its cells.
@@ -52,6 +64,8 @@ struct OrganSource {
   // overlap, the last one counts.
   std::vector<Landmark> landmarks;
   std::vector<OrganLabel> labels;
+  // Not kept in recordings, which hold the cells and vessels that were made.
+  std::vector<BroughtStructure> structures;
 
   template <class Visitor>
   void visit(Visitor& v) {

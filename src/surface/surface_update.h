@@ -35,11 +35,13 @@ struct SurfaceUpdate {
   std::vector<Triangle> triangles;  // indices of vertices of the whole surface; {0, 0, 0}: unused
 
   std::shared_ptr<const TissueMap> blood, heat;  // on and in the organ, if they have changed
-  std::shared_ptr<const VesselPicture> vessels;  // in the organ, with the whole surface
+  // In the organ, with the whole surface.
+  std::shared_ptr<const TissueMap> structures;
+  std::shared_ptr<const VesselPicture> vessels;
 
   bool empty() const {
     return !everything && newVertices.empty() && movedVertices.empty() && newTriangles.empty() &&
-           !blood && !heat && !vessels;
+           !blood && !heat && !structures && !vessels;
   }
 };
 

@@ -1,5 +1,5 @@
 // Two values at each place of an organ's tissue at rest, as bytes for viewers: how thick blood lies
-// on it, or what heat has done to it.
+// on it, what heat has done to it, or which structure it belongs to.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@ struct TissueMap {
 
   // Texel (0, 0, 0) is at `low`, the next ones `spacing` apart, x fastest; m. Two bytes each. Of
   // blood: liquid and clotted; places without skin have the mean of the skin beside them. Of heat:
-  // coagulated and charred, 255 for wholly.
+  // coagulated and charred, 255 for wholly. Of structures: tumour, and any other structure.
   Vec3f low = Vec3f::Zero();
-  float spacing = 1;
+  Vec3f spacing = Vec3f::Ones();
   Vec3i dims = Vec3i::Zero();
   std::vector<std::uint8_t> texels;  // none: there is nothing to show
   Aabb box;                          // round all that the map shows, world, m

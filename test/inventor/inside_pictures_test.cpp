@@ -9,6 +9,9 @@
 #include "inventor/gl/SoOrganShape.h"
 #include "inventor/picture/offscreen_view.h"
 #include "inventor/scene/operating_room.h"
+#include "organ/cell_labels.h"
+#include "organ/discretize.h"
+#include "organ/picture/picture_structures.h"
 #include "organ/picture/picture_vessels.h"
 
 using namespace resect;
@@ -22,6 +25,7 @@ struct CutBall {
   OperatingRoom room;
   OffscreenView view{kWidth, kHeight};
   TriangleMesh ball = sphereMesh({0, 0.07, 0}, 0.07, 32);
+  std::shared_ptr<const TissueMap> structures;
 
   CutBall() {
     const Aabb box{{-0.15, 0, -0.15}, {0.15, 0.14, 0.15}};
@@ -40,6 +44,7 @@ struct CutBall {
         wholeSurface(points, normals, std::vector<float>(points.size(), share), ball.triangles);
     update.vessels = std::move(vessels);
     update.heat = std::move(heat);
+    update.structures = structures;
     room.organ()->update(update);
     return view.render(room.root());
   }
@@ -81,7 +86,7 @@ std::array<double, 3> meanOf(const RgbImage& image, int x, int y, int half) {
 std::shared_ptr<const TissueMap> heated(std::uint8_t coagulated, std::uint8_t charred) {
   auto map = std::make_shared<TissueMap>();
   map->low = Vec3f(-0.1f, -0.02f, -0.1f);
-  map->spacing = 0.02f;
+  map->spacing = Vec3f::Constant(0.02f);
   map->dims = Vec3i(12, 12, 12);
   for (int i = 0; i < map->dims.prod(); ++i)
     map->texels.insert(map->texels.end(), {coagulated, charred});
@@ -145,4 +150,33 @@ TEST_CASE("coagulated tissue is pale and less red, charred tissue is black") {
     CHECK(pale[1] > 1.2 * live[1]);
     CHECK(black[0] < 0.5 * live[0]);
   }
+}
+
+TEST_CASE("a tumour is seen on a cut face where it lies, and shines through the capsule") {
+  // The ball as cells of 5 mm; at its top, 2 cm to the right, there is a tumour of 12 mm.
+  Discretization cells =
+      discretize(sphereMesh({0, 0.07, 0}, 0.07, 32),
+                 latticeForSpacing({{-0.07, 0, -0.07}, {0.07, 0.14, 0.07}}, 0.005));
+  Region tumour;
+  tumour.shape = Region::Shape::Ball;
+  tumour.centre = Vec3(0.02, 0.135, 0);
+  tumour.radius = 0.012;
+  REQUIRE(markCells(cells, 3, tumour) > 20);
+  cells.nameLabel(3, "tumour");
+  labelSkin(cells);
+  CutBall scene;
+  const RgbImage cut = scene.draw(nullptr, nullptr), whole = scene.draw(nullptr, nullptr, 0);
+  scene.structures = pictureStructures(makeOrgan(std::move(cells), {}));
+  const RgbImage cutThrough = scene.draw(nullptr, nullptr);
+  const Spot onCut = difference(cutThrough, cut),
+             onCapsule = difference(scene.draw(nullptr, nullptr, 0), whole);
+  const double middle = kWidth / 2.0;
+  REQUIRE(onCut.pixels > 30);
+  CHECK(onCut.x > middle + 5);
+  CHECK(std::abs(onCut.y - kHeight / 2.0) < 12);
+  CHECK(onCapsule.pixels > 10);
+  CHECK(onCapsule.x > middle + 5);
+  const auto pale = meanOf(cutThrough, int(onCut.x), int(onCut.y), 3),
+             tissue = meanOf(cut, int(onCut.x), int(onCut.y), 3);
+  CHECK(pale[1] > 1.5 * tissue[1]);
 }

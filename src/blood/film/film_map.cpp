@@ -19,7 +19,7 @@ std::shared_ptr<const TissueMap> filmMap(const BloodFilm& film, const OperatedOr
   auto map = std::make_shared<TissueMap>();
   const SkinCells& skin = film.skin();
   const Lattice& lattice = skin.lattice();
-  map->spacing = float(lattice.spacing.x());
+  map->spacing = lattice.spacing.cast<float>();
   map->low = (lattice.origin - lattice.spacing).cast<float>();
   map->dims = lattice.dims + Vec3i::Constant(2);
   const std::size_t count = skin.numbers().count();

@@ -22,6 +22,7 @@
 #include "io/output/run_files.h"
 #include "io/plain_mesh.h"
 #include "io/scenario/length.h"
+#include "io/structures.h"
 #include "io/vessels_file.h"
 #include "organ/builtin/builtin_liver.h"
 
@@ -30,6 +31,7 @@ namespace {
 
 struct Options {
   std::string organ, unit = "m", out, meshes;
+  std::vector<std::string> structures;  // KIND=FILE
   std::vector<double> hilum, cava;
   int terminals = 1000, seed = 1;
   bool json = false, flows = false;
@@ -61,13 +63,35 @@ struct Grown {
   Anatomy anatomy;
 };
 
+// The centre lines of vessels in model files.
+Anatomy broughtVessels(const Options& options, double metres) {
+  OrganSource source;
+  for (const std::string& one : options.structures) {
+    const std::size_t sign = one.find('=');
+    const std::string word = one.substr(0, sign);
+    const auto kind = structureKind(word);
+    if (sign == std::string::npos || !kind || wordOf(*kind) != word || !vesselKind(*kind))
+      throw usageError(
+          "--structure is \"{}\"; give a kind of vessel and its file, such as "
+          "portal-vein=portal.obj",
+          one);
+    source.structures.push_back({*kind, 0, "", one.substr(sign + 1), "", metres});
+  }
+  return vesselsOf(source, Pose(), modelReader(), nullptr)->anatomy;
+}
+
 Grown anatomyOf(const Options& options) {
   if (options.organ.empty()) {
+    if (!options.structures.empty())
+      throw usageError("--structure needs the organ that the vessels belong to; add --organ FILE");
     const std::filesystem::path folder = dataFolder() / "organs";
     return {merged(readPlainMesh(folder / "liver.ply")), readVessels(folder / "liver.vessels")};
   }
-  VesselGrowth growth;
   const double metres = parseUnit(options.unit, "--unit");
+  if (!options.structures.empty())
+    return {prepareOrganMesh(modelReader()(options.organ), {"", false, metres}).mesh,
+            broughtVessels(options, metres)};
+  VesselGrowth growth;
   growth.hilum = placeFrom(options.hilum, "--hilum", metres);
   growth.cava = placeFrom(options.cava, "--cava", metres);
   growth.terminals = options.terminals;
@@ -186,7 +210,7 @@ void anatomy(const Options& options) {
 void addAnatomyCommand(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("anatomy", "Show the liver's vessels, or grow vessels into an organ");
+      app.add_subcommand("anatomy", "Show the liver's vessels, or grow or find those of an organ");
   command->add_option("--organ", options->organ,
                       "Model file of a closed organ to grow vessels into");
   command->add_option("--unit", options->unit, "Unit of that file: mm, cm, m, in")
@@ -194,6 +218,9 @@ void addAnatomyCommand(CLI::App& app) {
   command->add_option("--hilum", options->hilum, "Where portal vein, artery and duct enter: x y z")
       ->expected(3);
   command->add_option("--cava", options->cava, "Where the hepatic veins leave: x y z")->expected(3);
+  command->add_option("--structure", options->structures,
+                      "Instead of growing: KIND=FILE, a model file of vessels, whose centre lines "
+                      "are taken; may be given for each kind");
   command->add_option("--terminals", options->terminals, "Ends of each tree, 30 to 5000")
       ->capture_default_str();
   command->add_option("--seed", options->seed, "Another seed gives other vessels")
@@ -207,7 +234,8 @@ void addAnatomyCommand(CLI::App& app) {
   command->footer(
       "Examples:\n  resect anatomy --meshes trees && resect render trees/*.ply -o trees.png\n"
       "  resect anatomy --organ my_liver.stl --unit mm --hilum 35 -20 10 --cava 35 42 -16 -o "
-      "my.vessels");
+      "my.vessels\n"
+      "  resect anatomy --organ my_liver.stl --structure portal-vein=portal.stl -o my.vessels");
   command->callback([options] { anatomy(*options); });
 }
 

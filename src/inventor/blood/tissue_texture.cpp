@@ -36,8 +36,8 @@ void TissueTexture::bind(const std::shared_ptr<const TissueMap>& map, GLuint pro
   }
   glActiveTexture(GLenum(active));
   // The middles of texels lie half a texel from the texture's sides.
-  const Vec3f size = map->spacing * map->dims.cast<float>(),
-              corner = map->low - Vec3f::Constant(0.5f * map->spacing);
+  const Vec3f size = map->spacing.cwiseProduct(map->dims.cast<float>()),
+              corner = map->low - 0.5f * map->spacing;
   glUniform3f(low, corner.x(), corner.y(), corner.z());
   glUniform3f(perMetre, 1 / size.x(), 1 / size.y(), 1 / size.z());
 }

@@ -10,7 +10,7 @@
 
 namespace resect {
 
-inline constexpr int kBloodUnit = 6, kHeatUnit = 8;  // texture units
+inline constexpr int kBloodUnit = 6, kHeatUnit = 8, kStructureUnit = 11;  // texture units
 
 struct TissueTexture {
   std::string name;  // the shader's uniforms are nameMap, nameLow and namePerMetre

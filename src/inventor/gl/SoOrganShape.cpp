@@ -41,12 +41,13 @@ struct SoOrganShape::ContextBuffers {
   std::size_t capacity[kBufferCount] = {};  // elements
   std::vector<Range> unsent[kPartCount];    // may overlap
 
-  TissueTexture blood{"blood", kBloodUnit}, heat{"heat", kHeatUnit};
+  TissueTexture blood{"blood", kBloodUnit}, heat{"heat", kHeatUnit},
+      structures{"structure", kStructureUnit};
   VesselTexture vessels;
 
   void free() const {
     glDeleteBuffers(kBufferCount, names);
-    blood.free(), heat.free(), vessels.free();
+    blood.free(), heat.free(), structures.free(), vessels.free();
   }
 };
 
@@ -124,6 +125,7 @@ void SoOrganShape::update(const SurfaceUpdate& update) {
   };
   take(blood_, update.blood);
   take(heat_, update.heat);
+  take(structures_, update.structures);
   if (update.vessels) vessels_ = update.vessels;
   const auto rangesOf = [](const std::vector<IndexRange>& ranges) {
     std::vector<Range> result;
@@ -307,6 +309,7 @@ void SoOrganShape::bindInside(std::uint32_t context, unsigned program) {
   ContextBuffers& buffers = contexts_[context];
   buffers.blood.bind(blood_, program);
   buffers.heat.bind(heat_, program);
+  buffers.structures.bind(structures_, program);
   buffers.vessels.bind(vessels_, program);
 }
 

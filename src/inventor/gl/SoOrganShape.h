@@ -106,7 +106,7 @@ class SoOrganShape : public SoShape {
   void upload(ContextBuffers& buffers);
 
   SurfaceCopy surface_;
-  std::shared_ptr<const TissueMap> blood_, heat_;
+  std::shared_ptr<const TissueMap> blood_, heat_, structures_;
   std::shared_ptr<const VesselPicture> vessels_;
   PerContext<ContextBuffers> contexts_;
   std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;

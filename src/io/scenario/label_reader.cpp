@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "io/model.h"
+#include "io/scenario/length.h"
 #include "io/scenario/region_reader.h"
 
 namespace resect {
@@ -11,21 +13,67 @@ namespace {
 
 constexpr int kLastLabel = 255;
 
+// The first number from 1 that no label has.
+int freeLabel(const TomlTable& t, const OrganSource& organ) {
+  const auto taken = [&](int label) {
+    return std::ranges::find(organ.labels, label, &OrganLabel::label) != organ.labels.end() ||
+           std::ranges::find(organ.structures, label, &BroughtStructure::label) !=
+               organ.structures.end();
+  };
+  for (int label = 1; label <= kLastLabel; ++label)
+    if (!taken(label)) return label;
+  t.complain("kind",
+             fmt::format("would be label {}; an organ has at most {}", kLastLabel + 1, kLastLabel));
+}
+
+// "tumour", "tumour 2", ...
+std::string freeName(const OrganSource& organ, std::string_view word) {
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::find(organ.labels, name, &OrganLabel::name) != organ.labels.end() ||
+           std::ranges::find(organ.structures, name, &BroughtStructure::name) !=
+               organ.structures.end();
+  };
+  std::string name(word);
+  for (int number = 2; taken(name); ++number) name = fmt::format("{} {}", word, number);
+  return name;
+}
+
+void addStructure(const TomlTable& t, StructureKind kind, OrganSource& organ) {
+  const bool vessel = vesselKind(kind).has_value();
+  const int label = vessel ? 0 : freeLabel(t, organ);
+  const std::string name = vessel ? "" : freeName(organ, wordOf(kind));
+  if (vessel || t.has("file")) {
+    BroughtStructure one{kind, label, name, t.text("file"), "", organ.unit};
+    one.part = partLines(t.isList("part") ? t.texts("part") : partNames(t.text("part", "")));
+    if (t.has("unit")) one.unit = parseUnit(t.text("unit"), "unit");
+    organ.structures.push_back(std::move(one));
+  } else {
+    organ.labels.push_back({label, name, readRegion(t)});
+  }
+  t.refuseUnknownKeys();
+}
+
 }  // namespace
 
-std::vector<OrganLabel> readLabels(const TomlTable& organ) {
-  std::vector<OrganLabel> labels;
-  for (const TomlTable& t : organ.tables("label")) {
-    OrganLabel label{t.integer("label", 1, kLastLabel), t.text("name", ""), readRegion(t)};
-    for (const OrganLabel& before : labels)
+void readLabels(const TomlTable& t, OrganSource& organ) {
+  for (const TomlTable& one : t.tables("label")) {
+    OrganLabel label{one.integer("label", 1, kLastLabel), one.text("name", ""), readRegion(one)};
+    for (const OrganLabel& before : organ.labels)
       if (before.label == label.label && !label.name.empty() && !before.name.empty() &&
           before.name != label.name)
-        t.complain("name", "is \"" + label.name + "\", and label " + std::to_string(label.label) +
-                               " was \"" + before.name + "\" before; a label has one name");
-    t.refuseUnknownKeys();
-    labels.push_back(std::move(label));
+        one.complain("name", "is \"" + label.name + "\", and label " + std::to_string(label.label) +
+                                 " was \"" + before.name + "\" before; a label has one name");
+    one.refuseUnknownKeys();
+    organ.labels.push_back(std::move(label));
   }
-  return labels;
+  for (const TomlTable& one : t.tables("tumour")) addStructure(one, StructureKind::Tumour, organ);
+  for (const TomlTable& one : t.tables("structure")) {
+    const std::string word = one.text("kind");
+    const auto kind = structureKind(word);
+    if (!kind || wordOf(*kind) != word || kind == StructureKind::Parenchyma)
+      one.complain("kind", "is \"" + word + "\"; use one of " + structureWords());
+    addStructure(one, *kind, organ);
+  }
 }
 
 namespace {

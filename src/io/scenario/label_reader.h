@@ -1,5 +1,6 @@
-// Reads the labels of an organ and their materials from a scenario: [[organ.label]] and
-// [[tissue.material]] in docs/scenarios.md.
+// Reads the labels and structures of an organ and the labels' materials from a scenario:
+// [[organ.label]], [[organ.tumour]], [[organ.structure]] and [[tissue.material]] in
+// docs/scenarios.md.
 #pragma once
 
 #include "io/scenario/toml_table.h"
@@ -7,9 +8,11 @@
 
 namespace resect {
 
-// All [[label]] entries of an organ's table. Several entries may have the same number, but they
-// must not give it different names; else Error is thrown.
-std::vector<OrganLabel> readLabels(const TomlTable& organ);
+// Reads all [[label]], [[tumour]] and [[structure]] entries of an organ's table into `organ`, whose
+// unit must have been read. Several labels may have the same number, but they must not give it
+// different names; else Error is thrown. Tumours and structures get numbers that are free, and
+// names by their kind: "tumour", "tumour 2".
+void readLabels(const TomlTable& t, OrganSource& organ);
 
 // Reads the keys of a material. One that is missing gets its value from `defaults`. tear_stretch,
 // the older name of tear_energy, gives the energy of energyOfStretch() (tissue/material.h) and a

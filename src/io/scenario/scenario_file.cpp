@@ -51,7 +51,7 @@ OrganSource readOrgan(const TomlTable& t) {
                               "that has them: " +
                               organsWithVessels());
   organ.landmarks = readLandmarks(t);
-  organ.labels = readLabels(t);
+  readLabels(t, organ);
   return organ;
 }
 
@@ -226,6 +226,7 @@ Scenario readScenario(const std::filesystem::path& path) {
   for (ScenarioOrgan& organ : scenario.organs) {
     if (!isBuiltIn(organ.source)) organ.source.file = resolved(organ.source.file, path);
     if (isVesselsFile(organ.source)) organ.source.vessels = resolved(organ.source.vessels, path);
+    for (BroughtStructure& one : organ.source.structures) one.file = resolved(one.file, path);
   }
   for (ScenarioTool& tool : scenario.tools) tool.model = resolved(tool.model, path);
   return scenario;

@@ -19,6 +19,7 @@ std::vector<std::filesystem::path> filesRead(const Scenario& scenario) {
   for (const ScenarioOrgan& organ : scenario.organs) {
     if (!isBuiltIn(organ.source)) files.emplace_back(organ.source.file);
     if (isVesselsFile(organ.source)) files.emplace_back(organ.source.vessels);
+    for (const BroughtStructure& one : organ.source.structures) files.emplace_back(one.file);
   }
   for (const ScenarioTool& tool : scenario.tools) {
     files.push_back(findDataFile(tool.model, "tools", ".toml"));

@@ -6,6 +6,7 @@
 
 #include "blood/film/film_map.h"
 #include "organ/picture/picture_heat.h"
+#include "organ/picture/picture_structures.h"
 #include "organ/picture/picture_vessels.h"
 
 namespace resect {
@@ -16,6 +17,7 @@ void SurfacePublisher::follow(const PresentSurface& surface) {
     update_.heat = pictureHeat(*surface.operated);
     heated_ = surface.organ.heat.changed();
   }
+  if (update_.everything) update_.structures = pictureStructures(surface.organ);
   if (!surface.film) return;
   if (!vessels_) vessels_ = pictureVessels(surface.organ.map->anatomy);
   if (update_.everything) update_.vessels = vessels_;

@@ -24,7 +24,7 @@ std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ) {
   }
   low -= Vec3i::Ones(), high += Vec3i::Ones();
   map->low = lattice.centre(low).cast<float>();
-  map->spacing = float(HeatField::kSpacing);
+  map->spacing = Vec3f::Constant(float(HeatField::kSpacing));
   map->dims = high - low + Vec3i::Ones();
   map->texels.assign(2 * std::size_t(map->dims.prod()), 0);
   const Lattice& cells = organ.organ.rest.lattice;

@@ -1,0 +1,144 @@
+#include "io/structures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "anatomy/thinning/centre_lines.h"
+#include "base/error.h"
+#include "collision/signed_distance.h"
+#include "io/data_folder.h"
+#include "io/organ_mesh.h"
+#include "io/vessels_file.h"
+#include "organ/cell_labels.h"
+#include "organ/region_placer.h"
+
+namespace resect {
+namespace {
+
+constexpr double kVesselCell = 0.4e-3;  // m: of the lattice in which centre lines are found
+
+// The closed surface of a structure in the room. Open ends of vessels are closed.
+TriangleMesh placedSurface(const BroughtStructure& one, const std::optional<Pose>& place,
+                           const ModelReader& readModel) {
+  if (!place)
+    throw error(
+        "{}: the organ is a file of particles, which tells no place for other files; leave this "
+        "structure out, or take a model file for the organ",
+        one.file);
+  const bool openEnds = vesselKind(one.kind).has_value();
+  return transformed(prepareOrganMesh(readModel(one.file), {one.part, openEnds, one.unit}).mesh,
+                     *place);
+}
+
+// Labels the particles inside the surface; returns their number.
+std::int64_t markInside(Discretization& cells, int label, const TriangleMesh& surface) {
+  const double cell = cells.lattice.spacing.minCoeff();
+  const SignedDistance distance(surface, cell, 0.5 * cell);
+  cells.label.resize(std::size_t(cells.lattice.cellCount()), 0);
+  std::int64_t marked = 0;
+  visitCellsIn(cells.lattice, distance.box(), [&](const Vec3i& at) {
+    const auto i = std::size_t(cells.lattice.index(at));
+    if (!cells.inside[i] || distance(cells.lattice.centre(at)).distance > 0) return;
+    cells.label[i] = std::uint8_t(label);
+    ++marked;
+  });
+  return marked;
+}
+
+void requireMarked(std::int64_t particles, const Discretization& cells, const std::string& what,
+                   const std::string& advice) {
+  if (particles == 0)
+    throw error("{} marks no particle of the organ; {} (the organ at rest fills {})", what, advice,
+                boxText(particleBox(cells)));
+}
+
+// Appends a tree, whose parents count from its own first segment.
+void append(std::vector<VesselSegment>& all, std::vector<VesselSegment> tree) {
+  const auto offset = std::int32_t(all.size());
+  for (VesselSegment& s : tree) {
+    if (s.parent >= 0) s.parent += offset;
+    all.push_back(s);
+  }
+}
+
+// The vessels of the source's own file or of the built-in organ, in the room.
+Anatomy ownVessels(const OrganSource& source, const Pose& place, std::vector<std::string>* notes) {
+  if (source.vessels.empty()) return {};
+  if (isVesselsFile(source)) return transformed(readVessels(source.vessels), place);
+  if (hasVessels(source))
+    return transformed(readVessels(dataFolder() / "organs" / (source.file + ".vessels")), place);
+  if (notes)
+    notes->push_back("the vessels are those of another organ and were left out: it does not bleed");
+  return {};
+}
+
+}  // namespace
+
+std::string boxText(const Aabb& box) {
+  return fmt::format("[[{:.3f}, {:.3f}, {:.3f}], [{:.3f}, {:.3f}, {:.3f}]] m", box.min.x(),
+                     box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z());
+}
+
+void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,
+               const ModelReader& readModel) {
+  cells.landmarks.insert(cells.landmarks.end(), source.landmarks.begin(), source.landmarks.end());
+  RegionPlacer placer(cells);
+  for (const OrganLabel& one : source.labels) {
+    requireMarked(
+        markCells(cells, one.label, placer(one.region)), cells,
+        fmt::format("label {}{}", one.label, one.name.empty() ? "" : " (" + one.name + ")"),
+        "move or enlarge its region");
+    if (!one.name.empty()) cells.nameLabel(one.label, one.name);
+  }
+  for (const BroughtStructure& one : source.structures) {
+    if (one.label == 0) continue;
+    const TriangleMesh surface = placedSurface(one, place, readModel);
+    requireMarked(
+        markInside(cells, one.label, surface), cells,
+        fmt::format("{}: the {} fills {} and", one.file, one.name, boxText(bounds(surface))),
+        "check its unit, and whether it was made in the organ's coordinates");
+    cells.nameLabel(one.label, one.name);
+  }
+  if (!source.labels.empty() || !source.structures.empty()) labelSkin(cells);
+}
+
+std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
+                                           const std::optional<Pose>& place,
+                                           const ModelReader& readModel,
+                                           std::vector<std::string>* notes) {
+  if (!source.vessels.empty() && !place)
+    throw error(
+        "organ \"{}\" is a file of particles, which has no place for vessels; leave out vessels",
+        source.name);
+  std::array<std::vector<VesselSegment>, kVesselKinds> kinds;
+  for (const BroughtStructure& one : source.structures) {
+    const auto kind = vesselKind(one.kind);
+    if (!kind) continue;
+    std::vector<VesselSegment> tree =
+        centreLines(solidShape(placedSurface(one, place, readModel), kVesselCell), *kind);
+    if (tree.empty())
+      throw error("{}: no vessel is as wide as {:g} mm; check its unit, or draw its vessels wider",
+                  one.file, 4e3 * kVesselCell);
+    append(kinds[std::size_t(*kind)], std::move(tree));
+  }
+  const Anatomy own = place ? ownVessels(source, *place, notes) : Anatomy();
+  std::vector<VesselSegment> all;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    if (kinds[k].empty()) {
+      const VesselRange range = own.ranges[k];
+      for (VesselSegment s :
+           std::span(own.segments).subspan(std::size_t(range.first), std::size_t(range.count))) {
+        if (s.parent >= 0) s.parent -= range.first;
+        kinds[k].push_back(s);
+      }
+    }
+    append(all, std::move(kinds[k]));
+  }
+  if (all.empty()) return {};
+  return makeVesselMap(makeAnatomy(std::move(all)));
+}
+
+}  // namespace resect

@@ -1,0 +1,32 @@
+// Structures inside an organ: labels of its cells, and its vessels, from regions and files that a
+// scenario names.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "anatomy/vessel_map.h"
+#include "io/operation_setup.h"
+
+namespace resect {
+
+// Adds the source's landmarks, labels and structures to the cells. place: of the organ's file in
+// the room; empty for a file of particles. Throws Error if one of them marks no particle, or if a
+// structure's file is needed and has no place.
+void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,
+               const ModelReader& readModel);
+
+// The organ's vessels where it lies: those of the source's file of vessels, or of the built-in
+// organ, and the centre lines of vessels that the source brings as model files. A kind that is
+// brought replaces that kind. Null if there are none. `notes` gets sentences for people.
+std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
+                                           const std::optional<Pose>& place,
+                                           const ModelReader& readModel,
+                                           std::vector<std::string>* notes);
+
+// A box as text, for messages about regions.
+std::string boxText(const Aabb& box);
+
+}  // namespace resect
