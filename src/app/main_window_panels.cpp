@@ -58,7 +58,8 @@ QString useOf(const std::string& kind) {
       {"bipolar", "hold the left button down: they seal what is between the tips"},
       {"gauze", "hold the left button down: it presses, and soaks up blood"},
       {"inflow_clamp", "hold the left button down beside the liver: it shuts the inflow"},
-      {"pencil", "press the left button and draw: it cuts, and seals what it cuts slowly"},
+      {"pencil",
+       "press the left button and draw: it cuts, and seals what it cuts slowly; P coagulates only"},
       {"aspirator", "press the left button and draw: it takes tissue and leaves vessels"}};
   const auto* use = std::ranges::find(kUses, kind, [](const auto& one) { return one.first; });
   return use == std::end(kUses) ? "hold the left button down: it works" : use->second;

@@ -183,3 +183,20 @@ TEST_CASE("a pencil coagulates where it cuts") {
   CHECK(simulation.organ().heat.coagulated(Vec3(0.0321, 0.0235, 0.03)) > 0.5);
   CHECK(simulation.organ().heat.coagulated(Vec3(0.045, 0.0235, 0.03)) == 0);
 }
+
+TEST_CASE("with its pedal pressed a pencil coagulates the surface and cuts nothing") {
+  auto pencil = test::describedTool(
+      "pencil", boxMesh({{-0.0003, -0.002, 0}, {0.0003, 0.002, 0.06}}), [](ToolModel& m) {
+        m.edge = {{0, -0.002, 0}, {0, -0.002, 0.02}};
+      });
+  Simulation simulation = block(list(std::move(pencil)));
+  for (double z = 0.02; z < 0.04; z += 0.0001) {
+    ToolInput input = at({0.0321, 0.029, z});
+    input.pedal = 1;
+    step(simulation, {input});
+  }
+  CHECK(simulation.organ().severed.count() == 0);
+  CHECK(simulation.organ().removed == 0);
+  CHECK(simulation.organ().heat.coagulated(Vec3(0.0321, 0.028, 0.03)) > 0.5);
+  CHECK(simulation.organ().heat.coagulated(Vec3(0.0321, 0.015, 0.03)) == 0);
+}

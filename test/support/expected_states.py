@@ -27,4 +27,6 @@ ELASTIC = {
     "bleed": "a8b53e5ec0f030d9",
     "stop-bleeding": "0b8b38e9fb316ad2",
     "transect": "683a3f44ad08ba37",
+    "pringle": "94248d2f17f75dd2",
+    "cautery": "6001466ba2c3af3d",
 }

@@ -51,6 +51,9 @@ shown incise 44
 shown incise-under-traction 64
 shown bleed 80
 shown stop-bleeding 105
+shown transect 465
+shown pringle 110
+shown cautery 205
 shown snip 70
 shown resect-segment-elastic 124
 shown liver-and-gallbladder 34

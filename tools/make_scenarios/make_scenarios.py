@@ -18,10 +18,11 @@ SIZES = {  # name: (spacing in mm, what people are told)
 
 
 class Path3:
-    """Keys of one tool: time, tip, how far its jaws are squeezed, and where handle and edge point."""
+    """Keys of one tool: time, tip, how far its jaws are squeezed, and where handle and edge point; its pedal is pressed
+    all the time or never."""
 
-    def __init__(self, handle, edge, speed):
-        self.handle, self.edge, self.speed = handle, edge, speed
+    def __init__(self, handle, edge, speed, pedal=0):
+        self.handle, self.edge, self.speed, self.pedal = handle, edge, speed, pedal
         self.keys = []
         self.time = 0.0
         self.squeeze = 0.0
@@ -73,8 +74,9 @@ class Path3:
         vector = lambda v: "[" + ", ".join(f"{x:.4f}".rstrip("0").rstrip(".") for x in v) + "]"
         turn = lambda edge: f"{{ handle = {vector(self.handle)}, edge = {vector(edge)} }}"
         jaws = lambda squeeze: f", squeeze = {squeeze:g}" if squeeze else ""
+        pedal = f", pedal = {self.pedal:g}" if self.pedal else ""
         rows = [
-            f"  {{ time = {t:.7g}, position = {vector(p)}, rotation = {turn(edge)}{jaws(s)} }},"
+            f"  {{ time = {t:.7g}, position = {vector(p)}, rotation = {turn(edge)}{jaws(s)}{pedal} }},"
             for t, p, s, edge in self.keys
         ]
         return "keys = [\n" + "\n".join(rows) + "\n]\n"
@@ -354,6 +356,47 @@ def transect():
                            scissors=scissors, bipolar=bipolar, suction=suction)
 
 
+def pringle():
+    """The same cut as `bleed`; a clamp closes the inflow for eight seconds, and opens it again."""
+    scalpel = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
+    scalpel.wait(0.9)
+    cut_branch(scalpel)
+    clamp = Path3(handle=(0.75, 0.66, 0.1), edge=(0.66, -0.75, 0), speed=0.25)
+    clamp.wait(scalpel.time)
+    clamp.to(0.12, 0.15, 0.03).to(0.042, 0.022, 0.012).jaws(1.0)
+    clamp.hold_until(clamp.time + 8)
+    clamp.jaws(0.0).to(0.12, 0.15, 0.03)
+    return all_instruments(scalpel=scalpel, inflow_clamp=clamp)
+
+
+# Ends of the small arteries that bleed on the raw surface of `cautery`.
+OOZING = (
+    (-0.0226, 0.0415, 0.0375), (-0.0201, 0.0333, 0.0426), (-0.0188, 0.0317, 0.0516), (-0.0074, 0.0343, 0.0476),
+    (-0.0022, 0.0370, 0.0315), (0.0016, 0.0268, 0.0522), (0.0057, 0.0284, 0.0307),
+)
+
+
+def cautery():
+    """The aspirator takes a shallow patch of the lobe away; the pencil, its pedal pressed, coagulates what bleeds."""
+    z = VESSEL[2]
+    aspirator = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.3)
+    aspirator.wait(0.9)
+    aspirator.to(0.0, 0.2, 0.12)
+    for depth in (0.002, 0.006):
+        for dz in (-0.009, 0.0, 0.009):
+            for i in range(5):
+                aspirator.to(-0.022 + 0.006 * i, skin(-0.022 + 0.006 * i) - depth, z + dz, speed=0.06)
+    aspirator.to(0.0, 0.12, z, speed=0.3).to(0.03, 0.2, 0.12, speed=0.3)
+    pencil = Path3(handle=(0.3, 0.9, 0.3), edge=(0.9, -0.3, 0), speed=0.2, pedal=1)
+    pencil.wait(aspirator.time - 0.5)
+    pencil.to(-0.04, 0.2, z)
+    for x, y, z_ in OOZING:
+        pencil.to(x, y + 0.015, z_).to(x, y, z_, speed=0.1).hold_until(pencil.time + 1.2)
+        pencil.to(x, y + 0.015, z_)
+    pencil.to(0.01, 0.12, z, speed=0.3).to(0.03, 0.2, 0.1, speed=0.3)
+    return all_instruments(aspirator=aspirator, pencil=pencil)
+
+
 def incise_under_traction():
     """The hook pulls the left lobe aside, the scalpel is drawn over it across the pull, and the wound opens."""
     caught, pulled, opened = (0.051, 0.022, 0.03), (0.061, 0.029, 0.03), (0.067, 0.033, 0.03)
@@ -554,6 +597,12 @@ def all_scenarios():
         "Part of a left lateral sectionectomy", "The inflow is clamped, the aspirator bares the vessels, they are "
         "clipped and divided, forceps coagulate what bleeds", 8.0, transect(), ligaments(ASIDE), organ=bleeds,
         close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
+    yield "pringle", elastic(
+        "The inflow is clamped", "A cut bleeds; a clamp on the portal pedicle stops what flows in, until it is opened", 8.0,
+        pringle(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
+    yield "cautery", elastic(
+        "A raw surface is coagulated", "Where the aspirator took tissue away small arteries bleed; the pencil seals them", 8.0,
+        cautery(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
                           snip(), ligaments(ASIDE), x=ASIDE)
     yield "resect-segment-elastic", elastic(

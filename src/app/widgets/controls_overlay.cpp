@@ -28,6 +28,7 @@ const Controls kThesis = {
     {"Shift + drag", "turn it about its tip"},
     {"An instrument's number", "takes it"},
     {"C", "hold it down to close the scissors"},
+    {"P", "hold it down to press the pedal: the pencil coagulates and does not cut"},
     {"Arrow keys, page keys", "move in steps; with Shift: turn"},
     {"Click an instrument", "handle box, the precise way; middle click: trackball"},
     {"Click elsewhere / Escape", "let go / back into the tool box"},

@@ -189,7 +189,8 @@ void OperatingSession::setTools() {
     const bool held = i == tools_.held();
     const bool guided = held && tools_.how() == ToolHandling::Hold::Guided;
     const bool works = held ? !guided || tools_.pressing() : tools_.isLeft(i);
-    const ToolInput input{tools_.wanted(i), works, held && !tools_.squeezing() ? 0.0 : 1.0};
+    const ToolInput input{tools_.wanted(i), works, held && !tools_.squeezing() ? 0.0 : 1.0,
+                          held && tools_.pedalling() ? 1.0 : 0.0};
     if (guided && works)
       operation_.setTool(i, input, HandMotion{tools_.pressedFrom(), kFastest});
     else

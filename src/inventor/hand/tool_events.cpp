@@ -156,8 +156,9 @@ void ToolHandling::mouseMoved(SoEventCallback& node) {
 void ToolHandling::key(SoEventCallback& node) {
   const auto* event = static_cast<const SoKeyboardEvent*>(node.getEvent());
   const int key = event->getKey();
-  if (key == SoKeyboardEvent::C && !event->wasCtrlDown() && held_ >= 0) {
-    squeezing_ = event->getState() == SoButtonEvent::DOWN;
+  const bool closes = key == SoKeyboardEvent::C, steps = key == SoKeyboardEvent::P;
+  if ((closes || steps) && !event->wasCtrlDown() && held_ >= 0) {
+    (closes ? squeezing_ : pedalling_) = event->getState() == SoButtonEvent::DOWN;
     notify();
     node.setHandled();
     return;

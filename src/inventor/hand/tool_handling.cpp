@@ -97,7 +97,7 @@ void ToolHandling::hold(int tool, Hold how) {
   endPress();
   held_ = tool;
   how_ = how;
-  squeezing_ = false;
+  squeezing_ = pedalling_ = false;
   if (tool >= 0) left_[std::size_t(tool)] = 0;
   if (how == Hold::HandleBox || how == Hold::Trackball) attach(tool, how);
   if (how == Hold::Guided) takeUpHeld();

@@ -10,7 +10,7 @@
 // A tool can also be held directly. Dragging the tool moves it in the plane of the view; the wheel
 // moves it in depth. With Shift, dragging or the wheel turns the tool about its tip. The arrow keys
 // do the same as dragging, the page keys the same as the wheel. Keys 1 to 9 take a tool, Escape
-// puts the tool in hand back, and its jaws close while C is held down.
+// puts the tool in hand back; its jaws close while C is held down, its pedal is pressed while P is.
 //
 // If guide() was called, a tool that is taken follows the organ's surface instead
 // (operation/hand/surface_hand.h): it hovers over the point under the pointer, and works while the
@@ -58,9 +58,10 @@ class ToolHandling {
   ToolHandling& operator=(const ToolHandling&) = delete;
 
   int toolCount() const { return int(rests_.size()); }
-  int held() const { return held_; }  // number of the tool in hand; -1: none
-  Hold how() const { return how_; }   // how it is held
-  bool squeezing() const;             // whether the hand closes its jaws
+  int held() const { return held_; }             // number of the tool in hand; -1: none
+  Hold how() const { return how_; }              // how it is held
+  bool squeezing() const;                        // whether the hand closes its jaws
+  bool pedalling() const { return pedalling_; }  // whether the foot presses the pedal
   bool pressing() const { return how_ == Hold::Guided && hand_.pressing; }
   // Whether the tool was left holding or pressing; for all tools, 1: it was.
   bool isLeft(int tool) const { return left_[std::size_t(tool)] != 0; }
@@ -118,7 +119,8 @@ class ToolHandling {
   // go through the table. Poses from a manipulator and rest poses are not corrected.
   std::function<Pose(int tool, const Pose&)> constrain;
 
-  // Called after a tool was taken, let go or moved, and when its jaws begin or cease to close.
+  // Called after a tool was taken, let go or moved, when its jaws begin or cease to close,
+  // and when the pedal goes down or up.
   std::function<void()> changed;
   // Called when the mouse button with which a tool was moved, or pressed, is released.
   std::function<void()> released;
@@ -156,6 +158,7 @@ class ToolHandling {
   int held_ = -1;
   Hold how_ = Hold::None;
   bool squeezing_ = false;          // the key is down that closes jaws
+  bool pedalling_ = false;          // the key is down that presses the pedal
   std::vector<std::uint8_t> left_;  // per tool; 1: left holding or pressing
   Hold precise_ = Hold::HandleBox;  // the manipulator that the next left click brings
   SbVec3f place_;                   // the manipulator's translation before it last set a scale

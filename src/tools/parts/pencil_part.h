@@ -1,5 +1,6 @@
 // Working part of a monopolar pencil: its electrode cuts by heat, almost without force, and seals
-// the thin vessels that it cuts.
+// the thin vessels that it cuts. While its pedal is pressed it cuts nothing: sparks from its tip
+// coagulate the surface.
 #pragma once
 
 #include "tools/working_part.h"
