@@ -28,11 +28,22 @@ vec2 heatAt(vec3 rest) {
   return texture3D(heatMap, at).ra;
 }
 
-// Thickness of liquid (x) and clotted (y) blood, mm. The map is that of cells, so its borders are
-// broken up by noise: `rough`, -1 to 1.
-vec2 bloodAt(vec3 rest, float rough) {
+// Thickness of liquid (x) and clotted (y) blood, mm. The map is that of cells, far wider than what
+// runs over a slope: thin blood gathers in rivulets there, and its borders are broken up by noise
+// (`rough`, -1 to 1). n: normal; upright surfaces have the longest rivulets.
+vec2 bloodAt(vec3 rest, float rough, vec3 n) {
   if (bloodPerMetre.x == 0.0) return vec2(0.0);
   vec2 thick = 2.0 * texture3D(bloodMap, (rest - bloodLow) * bloodPerMetre).ra;
+  if (thick.x + thick.y == 0.0) return thick;
+  vec3 down = vec3(0.0, -1.0, 0.0) + n * n.y;
+  float steep = length(down);
+  down /= max(steep, 1e-3);
+  // Stretched along the slope, about the organ's middle: so it hardly bends with the normal.
+  vec3 across = rest - bloodLow - 0.5 / bloodPerMetre;
+  across -= 0.86 * dot(across, down) * down;
+  float stream = noise(across * 170.0).x + 0.5 * noise(across * 430.0).x;
+  float thin = (1.0 - smoothstep(0.10, 0.60, thick.x)) * smoothstep(0.15, 0.5, steep);
+  thick.x *= mix(1.0, smoothstep(-0.75, 0.45, stream) * 1.5, thin);
   vec2 least = vec2(0.018 * (1.0 + 0.7 * rough));
   return thick * smoothstep(least, 3.0 * least, thick);
 }

@@ -59,8 +59,8 @@ vec3 parenchymaColour(Patterns at, vec4 grain, vec3 p) {
   return vesselBin > 0.0 ? inside : withCurves(inside, at, p);
 }
 
-// share: as cutOrRim() gives it; base: of the capsule.
-Tissue tissueAt(vec3 p, float wide, float share, vec3 base) {
+// share: as cutOrRim() gives it; base: of the capsule; n: unit normal.
+Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
   Patterns at = patternsAt(p, wide);
   // The edge of a cut wanders a little; the capsule there is a thin pale line.
   float wandering = share + 0.08 * at.middle.x * step(0.02, share);
@@ -120,7 +120,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base) {
     t.wet *= 1.0 - 0.75 * tan_;
     t.bumps += 0.04 * tan_ * at.fine.yzw;
   }
-  vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x);
+  vec2 blood = bloodAt(p, at.middle.x + 0.5 * at.fine.x, n);
   blood *= 1.0 - 0.93 * smoothstep(0.3, 0.8, heat.x);  // it has boiled away
   if (blood.x + blood.y > 0.0) {
     t.albedo = underBlood(t.albedo, blood);
@@ -137,7 +137,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base) {
 // side; bend: curvature, 1/m; share: as cutOrRim() gives it; eyePosition: in eye space; baseColor:
 // of the capsule, as on a screen.
 vec3 liver(vec3 p, float wide, vec3 n0, float bend, float share, vec3 eyePosition, vec3 baseColor) {
-  Tissue t = tissueAt(p, wide, share, fromScreen(baseColor));
+  Tissue t = tissueAt(p, wide, share, fromScreen(baseColor), n0);
   vec3 slope = t.bumps - dot(t.bumps, n0) * n0, waves = t.waves - dot(t.waves, n0) * n0;
   vec3 flatEye = normalize(gl_NormalMatrix * n0);
   vec3 film = toWorld(normalize(gl_NormalMatrix * (n0 - waves))), flat_ = toWorld(flatEye);
