@@ -77,6 +77,7 @@ int parseAndRun(int argc, char** argv) {
   resect::addTaskCommand(app);
   resect::addReportCommand(app);
   resect::addClassCommand(app);
+  resect::addHistoryCommand(app);
   resect::addWindowCommand(app);
   refuseEmptyValues(app);
   const auto named = [&](CLI::App* command) { return command->get_name() == argv[1]; };

@@ -92,7 +92,7 @@ class Skills(unittest.TestCase):
         self.assertEqual(best["deductions"], [])
         for operator, reason in reasons.items():
             score = self.attempt(task, operator)[1]
-            self.assertFalse(score["passed"])
+            self.assertFalse(score["passed"], f"{task}, {operator}")
             self.assertLess(score["score"], best["score"])
             facts = " ".join(d["fact"] for d in score["deductions"])
             self.assertRegex(facts.lower(), reason.lower(), operator)
@@ -264,8 +264,34 @@ class Skills(unittest.TestCase):
             self.assertFalse("anna" in text)
             self.assertTrue("learner 1" in text)
         self.assertEqual(Page(page.read_text()).open, [])
+        history = folder / "scores.sqlite"
+        first = resect("class", folder, "--history", history)
+        for recording in folder.glob("anna/*.resect"):
+            recording.touch()  # the same bytes are not played again
+        again = resect("class", folder, "--history", history)
+        self.assertEqual((first.returncode, again.returncode), (0, 0), again.stderr)
+        self.assertEqual(first.stdout, again.stdout)
         named = resect("class", folder, "-o", table, "--names")
         self.assertIn("anna", table.read_text(), named.stderr)
+
+    def test_a_history_is_kept_exported_and_deleted(self):
+        history, table = FOLDER / "history.sqlite", FOLDER / "history.csv"
+        for operator, learner in (("good", "L-17"), ("reckless", "L-17"), ("good", "L-18")):
+            recording = self.attempt("clip-and-divide", operator)[0]
+            for _ in range(2):  # twice the same
+                kept = resect("report", recording, "--graded", "--learner", learner, "--history", history)
+                self.assertEqual(kept.returncode, 0, kept.stderr)
+        shown = resect("history", history, "--csv", table)
+        self.assertEqual((shown.returncode, shown.stdout.count("\n")), (0, 3), shown.stderr)
+        rows = list(csv.DictReader(table.read_text().splitlines()))
+        self.assertEqual([r["learner"] for r in rows], ["L-17", "L-17", "L-18"])
+        self.assertEqual(sorted(r["passed"] for r in rows), ["no", "yes", "yes"])
+        self.assertIn("2 attempts", resect("history", history, "--learner", "L-17", "--delete").stdout)
+        self.assertFalse(b"L-17" in history.read_bytes())
+        self.assertEqual(resect("history", history).stdout.count("\n"), 1)
+        self.refused(2, "history", history, "--delete")
+        self.refused(1, "history", FOLDER / "none.sqlite")
+        self.assertIn("another kind", self.refused(1, "history", self.attempt("clip-and-divide", "good")[0]))
 
     def test_tasks_are_listed_and_checked(self):
         listed = json.loads(resect("task", "list", "--json").stdout)

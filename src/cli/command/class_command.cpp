@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 
 #include "base/error.h"
@@ -17,20 +18,21 @@
 #include "record/file/recording_file.h"
 #include "skills/attempt/read_attempt.h"
 #include "skills/class/class_page.h"
+#include "skills/class/history.h"
 
 namespace resect {
 namespace {
 
 struct Options {
-  std::string folder, output;
+  std::string folder, output, history;
   bool names = false, graded = false;
   LearningTest test;
 };
 
-TaskCourse& courseOfTask(ClassBook& book, const Attempt& attempt) {
-  const auto at = std::ranges::find(book.tasks, attempt.scenario, &TaskCourse::scenario);
+TaskCourse& courseOfTask(ClassBook& book, const HistoryEntry& entry) {
+  const auto at = std::ranges::find(book.tasks, entry.scenario, &TaskCourse::scenario);
   if (at != book.tasks.end()) return *at;
-  return book.tasks.emplace_back(TaskCourse{attempt.scenario, attempt.title, {}});
+  return book.tasks.emplace_back(TaskCourse{entry.scenario, entry.title, {}});
 }
 
 LearnerCourse& courseOfLearner(TaskCourse& task, const std::string& learner) {
@@ -39,15 +41,27 @@ LearnerCourse& courseOfLearner(TaskCourse& task, const std::string& learner) {
   return task.learners.emplace_back(LearnerCourse{learner, {}});
 }
 
-void add(ClassBook& book, const ClassFile& file, bool gradeAll, bool names) {
-  AttemptOptions attemptOptions;
-  attemptOptions.learner = file.learner;
-  Attempt attempt = readAttempt(file.path, attemptOptions, progressBar(file.path.string()));
+// The score of a recording: from the history if it is there, else made now and kept there.
+HistoryEntry scoreOf(const ClassFile& file, History* history) {
+  const std::string key = scoreKey(file.path, {}, {});
+  if (history)
+    if (auto known = history->find(key, file.name)) return *known;
+  AttemptOptions options;
+  options.learner = file.name;
+  Attempt attempt = readAttempt(file.path, options, progressBar(file.path.string()));
   if (!attempt.task) throw error("{}: was recorded without a task", file.path.string());
-  LearnerCourse& course = courseOfLearner(courseOfTask(book, attempt), file.learner);
-  const bool familiar = course.attempts.empty() && attempt.task->familiarisation && !gradeAll;
-  course.attempts.push_back(classAttempt(score(std::move(attempt), {}, !familiar)));
-  if (!names) course.attempts.back().file.clear();  // it may hold the learner's name
+  HistoryEntry entry = historyEntry(score(std::move(attempt)), key);
+  if (history) history->keep(entry);
+  return entry;
+}
+
+void add(ClassBook& book, const ClassFile& file, const Options& options, History* history) {
+  const HistoryEntry entry = scoreOf(file, history);
+  LearnerCourse& course = courseOfLearner(courseOfTask(book, entry), file.learner);
+  const bool first = course.attempts.empty();
+  course.attempts.push_back(entry.attempt);
+  course.attempts.back().graded = !(first && entry.familiarisation && !options.graded);
+  if (!options.names) course.attempts.back().file.clear();  // it may hold the learner's name
 }
 
 void printSummary(const ClassBook& book) {
@@ -73,11 +87,13 @@ void classTable(const Options& options) {
   checkOutputs({{{"--output", options.output}}}, inputs);
   if (!options.names) usePseudonyms(files);
 
+  std::optional<History> history;
+  if (!options.history.empty()) history.emplace(options.history);
   ClassBook book;
   book.name = std::filesystem::weakly_canonical(options.folder).filename().string();
   for (const ClassFile& file : files) {
     try {
-      add(book, file, options.graded, options.names);
+      add(book, file, options, history ? &*history : nullptr);
     } catch (const Error& e) {
       printLine(stderr, "note: {}", shownSentence(e.what()));
       book.refused.push_back(options.names ? e.what() : "A recording of " + file.learner + ".");
@@ -105,6 +121,9 @@ void addClassCommand(CLI::App& app) {
                    "Folder of recordings: a sub-folder for each learner, or names as anna-2.resect")
       ->required();
   command->add_option("-o,--output", options->output, "Page (.html) or table (.csv)");
+  command->add_option("--history", options->history,
+                      "SQLite file that keeps the scores, with the learners' names: a recording is "
+                      "then scored only once");
   command->add_flag("--names", options->names, "Show the learners' names instead of pseudonyms");
   command->add_flag("--graded", options->graded, "Grade first attempts too");
   command

@@ -23,6 +23,7 @@ void addExportCommand(CLI::App& app);
 void addTaskCommand(CLI::App& app);
 void addReportCommand(CLI::App& app);
 void addClassCommand(CLI::App& app);
+void addHistoryCommand(CLI::App& app);
 void addWindowCommand(CLI::App& app);
 
 }  // namespace resect

@@ -26,6 +26,7 @@
 #include "io/scenario/task_files.h"
 #include "io/whole_file.h"
 #include "skills/attempt/read_attempt.h"
+#include "skills/class/history.h"
 #include "skills/exchange/xapi.h"
 #include "skills/report/debrief.h"
 #include "skills/report/report_json.h"
@@ -37,7 +38,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> files;
-  std::string output, json, csv, samples, xapi, lrs, task, level, learner;
+  std::string output, json, csv, samples, xapi, lrs, history, task, level, learner;
   std::vector<std::string> references;
   int threads = 0;
   bool graded = false, plain = false;
@@ -77,6 +78,13 @@ Scored scoredFile(const std::string& file, const Options& options, bool graded) 
         "{}: was recorded without a task, so there is nothing to score it by; name one by --task",
         file);
   return score(std::move(attempt), levelOf(options), graded);
+}
+
+void keepHistory(const Options& options, const std::vector<Scored>& attempts) {
+  History history(options.history);
+  const std::optional<Task> task = attemptOptions(options).task;
+  for (const Scored& one : attempts)
+    history.keep(historyEntry(one, scoreKey(one.attempt.file, task, levelOf(options))));
 }
 
 // The time of an attempt is that at which its recording was last written.
@@ -140,6 +148,7 @@ void report(const Options& options) {
   for (const std::string& file : options.references)
     references.push_back(scoredFile(file, options, true));
 
+  if (!options.history.empty()) keepHistory(options, attempts);
   if (!options.csv.empty())
     writeCsvFile(options.csv, [&](CsvWriter& csv) { writeAttemptRows(csv, attempts); });
   if (!options.samples.empty())
@@ -187,6 +196,8 @@ void addReportCommand(CLI::App& app) {
                       "CSV file with a row for each frame and instrument of the last attempt");
   command->add_option("--xapi", options->xapi,
                       "File for xAPI 1.0.3 statements about the last attempt (.json)");
+  command->add_option("--history", options->history,
+                      "SQLite file that keeps the scores of the learner; see resect history");
   command->add_option("--lrs", options->lrs,
                       "Learning record store to send these statements to: the URL of its xAPI "
                       "endpoint; the environment's RESECT_LRS_KEY has \"key:secret\"");

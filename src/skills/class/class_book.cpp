@@ -70,8 +70,9 @@ std::vector<ClassFile> classFiles(const std::filesystem::path& folder) {
   for (auto at = std::filesystem::recursive_directory_iterator(folder, ec);
        at != std::filesystem::recursive_directory_iterator(); at.increment(ec)) {
     if (ec) throw error("{}: cannot be read ({})", folder.string(), ec.message());
-    if (at->path().extension() == ".resect" && at->is_regular_file(ec))
-      files.push_back({at->path(), learnerOf(at->path(), folder)});
+    if (at->path().extension() != ".resect" || !at->is_regular_file(ec)) continue;
+    const std::string name = learnerOf(at->path(), folder);
+    files.push_back({at->path(), name, name});
   }
   if (files.empty())
     throw error("{}: holds no recordings (.resect); copy the learners' recordings into it",

@@ -42,7 +42,8 @@ struct ClassBook {
 // up to its last number ("anna-2.resect").
 struct ClassFile {
   std::filesystem::path path;
-  std::string learner;
+  std::string learner;  // for output
+  std::string name;     // of the learner
 };
 // All recordings in the folder and its sub-folders, by learner and then in the order of their
 // names, in which numbers count as numbers (2 before 10). Throws Error if there is no such folder,
