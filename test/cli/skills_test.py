@@ -127,8 +127,9 @@ class Skills(unittest.TestCase):
                                            "reckless": "with the tissue held: 0 %"})
             self.check_ranks("control-bleeding", {"hurried": "still bled", "clumsy": "Blood lost",
                                                   "reckless": "Blood lost"})
-            self.check_ranks("wedge-resection", {"hurried": "left behind", "clumsy": ".", "reckless": "smallest margin"})
-            self.check_ranks("left-lateral", {"hurried": "No part came off", "clumsy": "distance from the plane",
+            self.check_ranks("wedge-resection", {"hurried": "3.0 of 3.0 ml were left behind", "clumsy": "left behind",
+                                                "reckless": "1.0 of 3.0 ml were left behind"})
+            self.check_ranks("left-lateral", {"hurried": "No part came off", "clumsy": "No part came off",
                                               "reckless": "distance from the plane"})
 
     def test_a_tremor_changes_smoothness_and_not_the_verdict_on_the_path(self):

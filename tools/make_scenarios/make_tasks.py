@@ -288,7 +288,7 @@ def left_lateral(operator):
         scalpel.to(PLANE_X, 0.2, 0.13, speed=0.4)
         tools.update(scalpel=scalpel, hook=None)
     if clumsy:
-        shaken(tools["scalpel"], 0.007, 0.7, 13)
+        shaken(tools["scalpel"], 0.03, 0.7, 13)
     if reckless:  # too far in the middle of the organ
         tools["scalpel"].keys = [(t, (x - 0.035, y, z), *rest) for t, (x, y, z), *rest in tools["scalpel"].keys]
         tools["hook"] = None
