@@ -42,7 +42,7 @@ LearnerCourse& courseOfLearner(TaskCourse& task, const std::string& learner) {
 }
 
 // The score of a recording: from the history if it is there, else made now and kept there.
-HistoryEntry scoreOf(const ClassFile& file, History* history) {
+HistoryEntry scoreOf(const ClassFile& file, LearnerHistory* history) {
   const std::string key = scoreKey(file.path, {}, {});
   if (history)
     if (auto known = history->find(key, file.name)) return *known;
@@ -55,7 +55,7 @@ HistoryEntry scoreOf(const ClassFile& file, History* history) {
   return entry;
 }
 
-void add(ClassBook& book, const ClassFile& file, const Options& options, History* history) {
+void add(ClassBook& book, const ClassFile& file, const Options& options, LearnerHistory* history) {
   const HistoryEntry entry = scoreOf(file, history);
   LearnerCourse& course = courseOfLearner(courseOfTask(book, entry), file.learner);
   const bool first = course.attempts.empty();
@@ -87,7 +87,7 @@ void classTable(const Options& options) {
   checkOutputs({{{"--output", options.output}}}, inputs);
   if (!options.names) usePseudonyms(files);
 
-  std::optional<History> history;
+  std::optional<LearnerHistory> history;
   if (!options.history.empty()) history.emplace(options.history);
   ClassBook book;
   book.name = std::filesystem::weakly_canonical(options.folder).filename().string();

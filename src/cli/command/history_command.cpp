@@ -54,7 +54,7 @@ void history(const Options& options) {
   if (options.remove && options.learner.empty())
     throw usageError("--delete needs --learner: the one whose attempts are to be deleted");
   checkOutputs({{{"--csv", options.csv}}}, std::vector<std::filesystem::path>{options.file});
-  History history(options.file);
+  LearnerHistory history(options.file);
   const std::vector<HistoryEntry> entries = history.entries(options.learner);
   if (!options.csv.empty())
     writeCsvFile(options.csv, [&](CsvWriter& csv) { writeRows(csv, entries); });

@@ -81,7 +81,7 @@ Scored scoredFile(const std::string& file, const Options& options, bool graded) 
 }
 
 void keepHistory(const Options& options, const std::vector<Scored>& attempts) {
-  History history(options.history);
+  LearnerHistory history(options.history);
   const std::optional<Task> task = attemptOptions(options).task;
   for (const Scored& one : attempts)
     history.keep(historyEntry(one, scoreKey(one.attempt.file, task, levelOf(options))));

@@ -98,6 +98,21 @@ TissuePoint presentPoint(const TissuePoint& point, const OperatedOrgan& organ) {
   return now;
 }
 
+std::optional<VesselPlace> vesselNear(const Organ& organ, const Vec3& rest) {
+  constexpr double kThinnest = 0.002, kFarthest = 0.03;  // m
+  std::optional<VesselPlace> best;
+  double least = kFarthest;
+  if (!organ.map) return best;
+  for (const VesselSegment& segment : organ.map->anatomy.segments) {
+    const Vec3 middle = segment.at(0.5);
+    const double distance = (middle - rest).norm();
+    if (2 * segment.radius < kThinnest || distance >= least) continue;
+    least = distance;
+    best = VesselPlace{middle, segment.kind, 2 * segment.radius};
+  }
+  return best;
+}
+
 int labelNamed(const Organ& organ, const std::string& name) {
   const auto at = std::ranges::find(organ.rest.labelNames, name);
   return at == organ.rest.labelNames.end() ? 0 : int(at - organ.rest.labelNames.begin());

@@ -1,6 +1,7 @@
 // The places of a goal in an organ, and where they are while its tissue moves.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "operation/task/task.h"
@@ -27,6 +28,16 @@ TissuePoint presentPoint(const TissuePoint& point, const OperatedOrgan& organ);
 
 // Throws Error if the organ lacks what the goal names: its landmarks, its structure, its vessels.
 void requireFits(const TaskGoal& goal, const OperatedOrgan& organ);
+
+// A vessel that a task can name.
+struct VesselPlace {
+  Vec3 place = Vec3::Zero();  // of its middle, at rest, m
+  VesselKind kind = VesselKind::PortalVein;
+  double diameter = 0;  // m
+};
+// The vessel of 2 mm and more that is nearest to a point of the organ at rest, within 3 cm; none if
+// there is none.
+std::optional<VesselPlace> vesselNear(const Organ& organ, const Vec3& rest);
 
 // The structure's label in the organ; 0 if it has none of that name.
 int labelNamed(const Organ& organ, const std::string& name);

@@ -79,26 +79,25 @@ bool GoalWatch::counts(const InstrumentRecord& instrument) const {
   return goal_.with.empty() || instrument.model == goal_.with;
 }
 
-void GoalWatch::addDistances(const std::vector<TissuePoint>& now, Attempt& attempt) const {
-  attempt.goal.distance.resize(now.size());
-  for (std::size_t t = 0; t < now.size(); ++t) {
+void GoalWatch::addDistances(Attempt& attempt) const {
+  attempt.goal.distance.resize(present_.size());
+  for (std::size_t t = 0; t < present_.size(); ++t) {
     float nearest = std::numeric_limits<float>::infinity();
     for (const InstrumentRecord& one : attempt.instruments)
       if (const ToolMoment& m = one.moments.back(); m.inHand && counts(one))
-        nearest = std::min(nearest, float((m.tip - now[t].rest).norm()));
+        nearest = std::min(nearest, float((m.tip - present_[t].rest).norm()));
     attempt.goal.distance[t].push_back(nearest);
   }
 }
 
-void GoalWatch::addWork(const Simulation& simulation, const std::vector<TissuePoint>& now,
-                        Attempt& attempt) const {
+void GoalWatch::addWork(const Simulation& simulation, Attempt& attempt) const {
   const OperatedOrgan& organ = simulation.organs()[organ_];
   for (const InstrumentRecord& one : attempt.instruments) {
     const ToolMoment& m = one.moments.back();
     if (!m.inHand || !m.works || !counts(one) || one.model == goal_.holdWith) continue;
     WorkMoment work{attempt.time.size() - 1, 0, 0};
     if (goal_.kind == TaskGoal::Kind::Follow) {
-      const LinePlace place = placeOn(now, along_, m, one.axis);
+      const LinePlace place = placeOn(present_, along_, m, one.axis);
       work.along = place.along, work.off = place.off;
     } else {
       // A plane is one of the tissue at rest.
@@ -113,9 +112,9 @@ void GoalWatch::addWork(const Simulation& simulation, const std::vector<TissuePo
 void GoalWatch::add(const Simulation& simulation, Attempt& attempt) {
   using enum TaskGoal::Kind;
   if (points_.empty() && goal_.kind != Resect) return;
-  std::vector<TissuePoint> now;
+  present_.clear();
   for (const TissuePoint& point : points_)
-    now.push_back(presentPoint(point, simulation.organs()[organ_]));
+    present_.push_back(presentPoint(point, simulation.organs()[organ_]));
   if (attempt.goal.restPlaces.empty())
     for (const TissuePoint& point : points_) attempt.goal.restPlaces.push_back(point.rest);
   attempt.goal.lineLength = along_.empty() ? 0 : along_.back();
@@ -123,14 +122,20 @@ void GoalWatch::add(const Simulation& simulation, Attempt& attempt) {
                                          [](const auto& one) { return one.moments.back().works; });
   if (!begun_ || attempt.goal.places.empty()) {
     attempt.goal.places.clear();
-    for (const TissuePoint& point : now) attempt.goal.places.push_back(point.rest);
+    for (const TissuePoint& point : present_) attempt.goal.places.push_back(point.rest);
   }
-  if (goal_.kind == Touch) addDistances(now, attempt);
-  if (goal_.kind == Follow || goal_.kind == Transect) addWork(simulation, now, attempt);
+  if (goal_.kind == Touch) addDistances(attempt);
+  if (goal_.kind == Follow || goal_.kind == Transect) addWork(simulation, attempt);
   if (goal_.holdWith.empty()) return;
   attempt.goal.held.push_back(std::ranges::any_of(attempt.instruments, [&](const auto& one) {
     return one.model == goal_.holdWith && one.moments.back().grips;
   }));
+}
+
+void GoalWatch::rewind(std::size_t frames, Attempt& attempt) const {
+  for (std::vector<float>& distance : attempt.goal.distance) distance.resize(frames);
+  std::erase_if(attempt.goal.work, [&](const WorkMoment& w) { return w.frame >= frames; });
+  if (attempt.goal.held.size() > frames) attempt.goal.held.resize(frames);
 }
 
 }  // namespace resect

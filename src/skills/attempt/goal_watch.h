@@ -16,18 +16,24 @@ class GoalWatch {
   GoalWatch(const TaskGoal& goal, const Scenario& scenario, const Simulation& simulation);
   // To be called after each step, when the frame's ToolMoments are in the attempt.
   void add(const Simulation& simulation, Attempt& attempt);
+  // Forgets all but the first `frames` frames.
+  void rewind(std::size_t frames, Attempt& attempt) const;
+
+  // Targets, plane, or the points of a line every few millimetres, where they are in the world
+  // after the last frame; empty before the first one.
+  const std::vector<TissuePoint>& present() const { return present_; }
 
  private:
   bool counts(const InstrumentRecord& instrument) const;
-  void addDistances(const std::vector<TissuePoint>& now, Attempt& attempt) const;
-  void addWork(const Simulation& simulation, const std::vector<TissuePoint>& now,
-               Attempt& attempt) const;
+  void addDistances(Attempt& attempt) const;
+  void addWork(const Simulation& simulation, Attempt& attempt) const;
 
   const TaskGoal goal_;
   std::size_t organ_ = 0;
-  std::vector<TissuePoint> points_;  // of targets and plane; of a line: every few millimetres
-  std::vector<double> along_;        // per point of a line: m from its beginning, at rest
-  bool begun_ = false;               // an instrument has worked
+  std::vector<TissuePoint> points_;   // of targets and plane; of a line: every few millimetres
+  std::vector<TissuePoint> present_;  // the same, in the world
+  std::vector<double> along_;         // per point of a line: m from its beginning, at rest
+  bool begun_ = false;                // an instrument has worked
 };
 
 // Index of the organ that a goal is about.

@@ -85,7 +85,7 @@ HistoryEntry historyEntry(const Scored& scored, std::string key) {
           classAttempt(scored)};
 }
 
-History::History(const std::filesystem::path& path) : database_(path, path.string()) {
+LearnerHistory::LearnerHistory(const std::filesystem::path& path) : database_(path, path.string()) {
   const std::int64_t application = database_.number("PRAGMA application_id");
   const std::int64_t tables = database_.number("SELECT count(*) FROM sqlite_master");
   if (application != kApplication && tables > 0)
@@ -98,7 +98,7 @@ History::History(const std::filesystem::path& path) : database_(path, path.strin
       kApplication));
 }
 
-void History::keep(const HistoryEntry& entry) {
+void LearnerHistory::keep(const HistoryEntry& entry) {
   Statement(database_, "INSERT OR REPLACE INTO attempt VALUES (?, ?, ?, ?, ?, ?, ?)")
       .bind(0, std::string_view(entry.key))
       .bind(1, std::string_view(entry.learner))
@@ -111,14 +111,15 @@ void History::keep(const HistoryEntry& entry) {
       .run();
 }
 
-std::optional<HistoryEntry> History::find(const std::string& key, const std::string& learner) {
+std::optional<HistoryEntry> LearnerHistory::find(const std::string& key,
+                                                 const std::string& learner) {
   Statement row(database_, "SELECT * FROM attempt WHERE key = ? AND learner = ?");
   row.bind(0, std::string_view(key)).bind(1, std::string_view(learner));
   if (!row.step()) return {};
   return entryOf(row, database_.name());
 }
 
-std::vector<HistoryEntry> History::entries(const std::string& learner) {
+std::vector<HistoryEntry> LearnerHistory::entries(const std::string& learner) {
   Statement row(database_,
                 "SELECT * FROM attempt WHERE ?1 = '' OR learner = ?1 "
                 "ORDER BY learner, scenario, written, key");
@@ -128,7 +129,7 @@ std::vector<HistoryEntry> History::entries(const std::string& learner) {
   return all;
 }
 
-std::int64_t History::remove(const std::string& learner) {
+std::int64_t LearnerHistory::remove(const std::string& learner) {
   Statement(database_, "DELETE FROM attempt WHERE learner = ?")
       .bind(0, std::string_view(learner))
       .run();

@@ -34,11 +34,11 @@ std::string scoreKey(const std::filesystem::path& recording, const std::optional
 std::int64_t writtenAt(const std::filesystem::path& recording);
 HistoryEntry historyEntry(const Scored& scored, std::string key);
 
-class History {
+class LearnerHistory {
  public:
   // Opens or creates the file. Throws Error if it is something else than a history, or cannot be
   // written.
-  explicit History(const std::filesystem::path& path);
+  explicit LearnerHistory(const std::filesystem::path& path);
 
   // Replaces the entry with the same key and learner.
   void keep(const HistoryEntry& entry);

@@ -1,0 +1,108 @@
+#include "skills/attempt/attempt_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "operation/live/operation_events.h"
+
+namespace resect {
+
+AttemptReader::AttemptReader(Attempt& attempt, const Scenario& scenario,
+                             const Simulation& simulation)
+    : attempt_(attempt),
+      books_(scenario, simulation),
+      second_(std::max<std::int64_t>(1, std::llround(scenario.frameRate))) {
+  attempt_.interval = 1 / scenario.frameRate;
+  attempt_.bleeds = simulation.blood().any();
+  attempt_.tissueMoves = simulation.moves();
+  for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
+    const ToolModel& model = simulation.tools()[t].tool->model;
+    attempt_.instruments.push_back({model.name,
+                                    std::filesystem::path(scenario.tools[t].model).stem().string(),
+                                    model.axis.normalized(),
+                                    {}});
+  }
+  if (attempt_.task) goal_.emplace(attempt_.task->goal, scenario, simulation);
+  if (attempt_.task && attempt_.task->goal.kind == TaskGoal::Kind::Resect) {
+    targetOrgan_ = goalOrgan(attempt_.task->goal, scenario);
+    targetLabel_ =
+        labelNamed(simulation.organs()[targetOrgan_].organ, attempt_.task->goal.structure);
+  }
+  takeLedger(simulation);
+}
+
+void AttemptReader::add(const Simulation& simulation, const StepReport& report) {
+  attempt_.time.push_back(simulation.time());
+  for (std::size_t t = 0; t < attempt_.instruments.size(); ++t)
+    attempt_.instruments[t].moments.push_back(momentOf(simulation, report, t));
+  if (attempt_.bleeds) attempt_.bled.push_back(toCubicMetres(report.blood.ledger.bled));
+  attempt_.torn += report.torn;
+  vessels_.add(simulation, report, attempt_);
+  if (goal_) goal_->add(simulation, attempt_);
+  if (simulation.frame() % second_ == 0) takeLedger(simulation);
+}
+
+void AttemptReader::finish(const Simulation& simulation) {
+  if (attempt_.tissue.back().time != simulation.time()) takeLedger(simulation);
+  vessels_.finish(simulation, attempt_);
+}
+
+void AttemptReader::rewind(std::size_t frames) {
+  if (frames >= attempt_.time.size()) return;
+  attempt_.time.resize(frames);
+  const double end = attempt_.duration();
+  for (InstrumentRecord& one : attempt_.instruments) one.moments.resize(frames);
+  if (attempt_.bleeds) attempt_.bled.resize(frames);
+  std::erase_if(attempt_.vessels, [&](const VesselStory& v) { return v.cut > end; });
+  std::erase_if(attempt_.clips, [&](const ClipPlaced& clip) { return clip.time > end; });
+  std::erase_if(attempt_.tissue, [&](const TissueMoment& m) { return m.time > end; });
+  vessels_ = {};
+  ++attempt_.undos;
+  if (goal_) goal_->rewind(frames, attempt_);
+}
+
+ToolMoment AttemptReader::momentOf(const Simulation& simulation, const StepReport& report,
+                                   std::size_t t) const {
+  const ToolState& state = simulation.tools()[t];
+  ToolMoment now;
+  now.tip = state.pose() * state.tool->model.tip;
+  now.turn = state.pose().rotation;
+  now.inHand = state.inHand;
+  now.force = t < report.toolForce.size() ? report.toolForce[t].norm() : 0;
+  now.squeeze = state.way.to.squeeze, now.pedal = state.way.to.pedal;
+  now.works = now.inHand && worksOnOrgan(report, simulation, t);
+  for (const OperatedOrgan& organ : simulation.organs())
+    now.grips = now.grips || organ.tissue->gripped(std::int32_t(t)) > 0;
+  return now;
+}
+
+// The account of the tissue, and the pieces that are off by now.
+void AttemptReader::takeLedger(const Simulation& simulation) {
+  const Ledger ledger = books_.ledgerOf(simulation);
+  const TissueSplit all = ledger.tissue();
+  attempt_.tissue.push_back({simulation.time(), all.body.volume, all.pieces.volume,
+                             all.removed.volume + all.debris.volume, ledger.cut()});
+  attempt_.specimens.clear();
+  attempt_.margin.reset();
+  for (std::size_t o = 0; o < ledger.organs.size(); ++o) addSpecimens(ledger.organs[o], o);
+  std::ranges::stable_sort(attempt_.specimens, std::greater<>(), &Specimen::volume);
+}
+
+void AttemptReader::addSpecimens(const OrganLedger& organ, std::size_t number) {
+  const bool isTarget = targetLabel_ > 0 && number == targetOrgan_;
+  for (std::size_t p = 1; p < organ.parts.size(); ++p) {
+    Specimen piece{std::int32_t(number), organ.parts[p].tissue.volume, organ.parts[p].tissue.mass,
+                   0};
+    for (const PartLedger::Share& share : organ.parts[p].labels)
+      if (isTarget && share.label == targetLabel_) piece.target = share.tissue.volume;
+    attempt_.specimens.push_back(piece);
+  }
+  for (const LabelLedger& label : organ.labels) {
+    if (!isTarget || label.label != targetLabel_) continue;
+    attempt_.targetBefore = label.tissue.before.volume;
+    if (label.margin && std::isfinite(*label.margin)) attempt_.margin = label.margin;
+  }
+}
+
+}  // namespace resect
