@@ -310,6 +310,34 @@ std::string TomlTable::asText() const {
   return text.str();
 }
 
+namespace {
+
+// Tables under headers of their own, as a person writes them.
+void writeOut(toml::table& table) {
+  table.is_inline(false);
+  for (auto&& [key, node] : table)
+    if (auto* inner = node.as_table(); inner && inner->size() > 4) writeOut(*inner);
+}
+
+}  // namespace
+
+TomlTable TomlTable::with(const std::string& path, const std::string& value) const {
+  const auto copy = std::make_shared<toml::table>(*table_);
+  const std::size_t dot = path.rfind('.');
+  const std::string key = dot == std::string::npos ? path : path.substr(dot + 1);
+  toml::table* parent = copy.get();
+  if (dot != std::string::npos) parent = toml::at_path(*copy, path.substr(0, dot)).as_table();
+  if (!parent) throw error("{}: has no {} that could be changed", file_, path);
+  if (value.empty()) {
+    parent->erase(key);
+    return {copy, copy.get(), file_, path_};
+  }
+  const TomlTable given = parse("value = " + value + "\n", path);
+  given.table_->get("value")->visit([&](const auto& node) { parent->insert_or_assign(key, node); });
+  if (auto* table = parent->get(key)->as_table()) writeOut(*table);
+  return {copy, copy.get(), file_, path_};
+}
+
 void TomlTable::refuseUnknownKeys() const {
   for (const auto& [key, node] : *table_) {
     if (asked_->count(std::string(key.str()))) continue;

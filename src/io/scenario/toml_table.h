@@ -70,6 +70,11 @@ class TomlTable {
   std::vector<std::string> keys() const;  // of this table, not of tables in it; sorted
   std::string asText() const;             // this table as a TOML document, without comments
 
+  // A copy of this table in which the key at `path`, such as "level" or "organ[0].spacing", has the
+  // value that `value` is in TOML; without value: lacks the key. Throws Error if there is no such
+  // path, or the value is none.
+  TomlTable with(const std::string& path, const std::string& value) const;
+
   // Throws Error if this table has a key that was not read. Does not look into tables inside this
   // one.
   void refuseUnknownKeys() const;

@@ -167,14 +167,19 @@ bool LiveOperation::take(std::vector<SurfaceUpdate>& updates, LiveState& state) 
   return true;
 }
 
-SurfaceTracker::Compact LiveOperation::surface() {
+void LiveOperation::look(const std::function<void(const Simulation&)>& read) {
   std::unique_lock lock(mutex_);
   ++readers_;
   newFrame_.wait(lock, [&] { return !stepping_; });
-  SurfaceTracker::Compact surface = simulation_->surface();
+  read(*simulation_);
   --readers_;
   lock.unlock();
   wake_.notify_all();
+}
+
+SurfaceTracker::Compact LiveOperation::surface() {
+  SurfaceTracker::Compact surface;
+  look([&](const Simulation& simulation) { surface = simulation.surface(); });
   return surface;
 }
 

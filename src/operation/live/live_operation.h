@@ -110,6 +110,9 @@ class LiveOperation {
   // The present surface of all organs, for saving. If a frame is being computed, or a request is
   // being answered, waits until that ends.
   SurfaceTracker::Compact surface();
+  // Calls `read` with the simulation between two frames. Waits as surface() does, and the next
+  // frame waits for it.
+  void look(const std::function<void(const Simulation&)>& read);
   // For tests: waitFor() waits until this frame is done, waitForAnswer() until all requests are
   // done.
   void waitFor(std::int64_t frame);

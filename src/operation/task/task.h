@@ -78,7 +78,7 @@ struct Task {
   TaskGoal goal;
   TaskLevel level = TaskLevel::Medium;   // unless another one is asked for
   std::vector<std::string> instruments;  // models that may be in hand; empty: all
-  bool guidance = true;                  // target and next step may be shown; no viewer does yet
+  bool guidance = true;                  // target and next step may be shown
   bool familiarisation = true;           // the first attempt is not graded
   bool undo = true;                      // work may be taken back
   double forceLimit = 3;                 // N: above it, a force counts as an error

@@ -1,0 +1,122 @@
+// Exercises that are written are the exercises that are read.
+#include "io/scenario/task_writer.h"
+
+#include <doctest/doctest.h>
+
+#include "base/error.h"
+#include "io/data_folder.h"
+#include "io/scenario/scenario_file.h"
+#include "io/scenario/task_reader.h"
+#include "support/sentence.h"
+#include "support/temporary_folder.h"
+
+using namespace resect;
+
+namespace {
+
+Scenario shipped(const std::string& name) {
+  return readScenario(dataFolder() / "tasks" / (name + ".toml"));
+}
+
+Scenario writtenAndRead(const Scenario& scenario, const std::filesystem::path& file) {
+  std::ofstream(file) << exerciseText(scenario);
+  return readScenario(file);
+}
+
+void checkSame(const TaskGoal& a, const TaskGoal& b) {
+  CHECK(a.kind == b.kind);
+  CHECK(a.structure == b.structure);
+  CHECK(a.with == b.with);
+  CHECK(a.holdWith == b.holdWith);
+  CHECK(a.vessel == b.vessel);
+  CHECK(a.radius == doctest::Approx(b.radius));
+  CHECK(a.hold == doctest::Approx(b.hold));
+  CHECK(a.margin == doctest::Approx(b.margin));
+  CHECK(a.rate == doctest::Approx(b.rate));
+  CHECK(a.thinnest == doctest::Approx(b.thinnest));
+  CHECK((a.normal - b.normal).norm() < 1e-5);
+  REQUIRE(a.places.size() == b.places.size());
+  for (std::size_t i = 0; i < a.places.size(); ++i) {
+    CHECK((a.places[i].place - b.places[i].place).norm() < 1e-5);
+    CHECK(a.places[i].depth == b.places[i].depth);
+    CHECK(a.places[i].inWorld == b.places[i].inWorld);
+    CHECK(a.places[i].landmark == b.places[i].landmark);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("each shipped task is the same after it was written and read") {
+  const test::TemporaryFolder folder;
+  for (const std::string& name : shippedNames("tasks", ".toml")) {
+    CAPTURE(name);
+    const Scenario before = shipped(name);
+    const Scenario after = writtenAndRead(before, folder / (name + ".toml"));
+    REQUIRE(after.task.has_value());
+    checkSame(after.task->goal, before.task->goal);
+    CHECK(after.task->teaches == before.task->teaches);
+    CHECK(after.task->steps == before.task->steps);
+    CHECK(after.task->instruments == before.task->instruments);
+    CHECK(after.task->undo == before.task->undo);
+    REQUIRE(after.task->limits.size() == before.task->limits.size());
+    for (const TaskLimit& limit : before.task->limits) {
+      const auto at = std::ranges::find(after.task->limits, limit.measure, &TaskLimit::measure);
+      REQUIRE(at != after.task->limits.end());
+      CHECK(at->most == limit.most);
+      CHECK(at->least == limit.least);
+    }
+    CHECK(after.title == before.title);
+    CHECK(after.tools.size() == before.tools.size());
+    const OrganSource &a = after.organs[0].source, &b = before.organs[0].source;
+    CHECK(a.spacing == b.spacing);
+    CHECK(a.vessels == b.vessels);
+    CHECK((a.pose.position - b.pose.position).norm() < 1e-12);
+    REQUIRE(a.labels.size() == b.labels.size());
+    for (std::size_t i = 0; i < a.labels.size(); ++i) {
+      CHECK(a.labels[i].name == b.labels[i].name);
+      CHECK((a.labels[i].region.centre - b.labels[i].region.centre).norm() < 1e-6);
+      CHECK(a.labels[i].region.radius == doctest::Approx(b.labels[i].region.radius));
+    }
+  }
+}
+
+TEST_CASE(
+    "what is unusual is written too: quotation marks, other cells, a tumour, a file of its own") {
+  const test::TemporaryFolder folder;
+  Scenario scenario = readScenario(dataFolder() / "scenarios" / "incise.toml");
+  scenario.title = "The \"last\" one\\two";
+  scenario.organs[0].source.spacing = 0.012;
+  OrganLabel tumour{3, "tumour", {}};
+  tumour.region.shape = Region::Shape::Ball;
+  tumour.region.frame = Region::Frame::Organ;
+  tumour.region.centre = {0.5, 0.5, 0.25};
+  tumour.region.radius = 0.01;
+  scenario.organs[0].source.labels.push_back(tumour);
+  scenario.task.emplace();
+  scenario.task->teaches = "Nothing.";
+  scenario.task->goal.kind = TaskGoal::Kind::Resect;
+  scenario.task->goal.structure = "tumour";
+  const Scenario after = writtenAndRead(scenario, folder / "own.toml");
+  CHECK(after.title == scenario.title);
+  CHECK(after.organs[0].source.spacing == 0.012);
+  REQUIRE(after.organs[0].source.labels.size() == 1);
+  CHECK(after.organs[0].source.labels[0].region.frame == Region::Frame::Organ);
+  CHECK(after.organs[0].source.labels[0].label == 3);
+  CHECK(after.organs[0].tissue.elastic == scenario.organs[0].tissue.elastic);
+  CHECK(after.task->goal.structure == "tumour");
+
+  scenario.file = folder / "none.toml";
+  CHECK(test::sentenceOf([&] { exerciseText(scenario); }).find("no such file") !=
+        std::string::npos);
+}
+
+TEST_CASE("a task at another level keeps the level in its text") {
+  const Scenario scenario = shipped("touch-and-hold");
+  const Task hard = atLevel(*scenario.task, TaskLevel::Hard);
+  CHECK(hard.level == TaskLevel::Hard);
+  const Task again = parseTask(hard.text, "its text", scenario);
+  CHECK(again.level == TaskLevel::Hard);
+  checkSame(again.goal, scenario.task->goal);
+  CHECK(limitsAt(again, again.level)[0].most !=
+        limitsAt(*scenario.task, TaskLevel::Medium)[0].most);
+}
