@@ -1,15 +1,18 @@
 // The menus of the main window and their shortcuts.
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
 #include <QFileDialog>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
 #include <QStatusBar>
 
+#include "app/exercise/exercises_page.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -33,6 +36,9 @@ QAction* MainWindow::add(QMenu* menu, const QString& text, const QKeySequence& k
 
 void MainWindow::makeMenus() {
   QMenu* file = menuBar()->addMenu("&File");
+  add(file, "E&xercises ...", QKeySequence("Ctrl+T"),
+      "Exercises with a goal and a result, and what this learner has reached",
+      [this] { showExercises(); });
   add(file, "&Open organ, scene, scenario or operation ...", QKeySequence::Open,
       "A mesh, particles, a saved scene or a scenario; a file can also be dropped on the window",
       [this] {
@@ -143,7 +149,10 @@ void MainWindow::makeMenus() {
 
   instruments->addSeparator();
   add(instruments, "&Play the scenario's motions", QKeySequence("P"),
-      "Until they end, or an instrument is taken", [this] { play(1e9); });
+      "Until they end, or an instrument is taken", [this] {
+        if (!exercising()) return play(1e9);
+        statusBar()->showMessage("In an exercise the ghost shows how it is done", 5000);
+      });
 
   QMenu* help = menuBar()->addMenu("&Help");
   add(help, "&Controls", QKeySequence("F1"), "What mouse and keys do", [this] {
@@ -165,12 +174,13 @@ void MainWindow::makeMenus() {
 }
 
 // Keys go to the picture. Panels get them only if focused by Tab or by clicking into a number
-// field; Escape returns the focus. Space in a field brings the view back; on a button focused by
-// Tab it presses the button, as usual.
+// field; Escape returns the focus. Space in a number's field brings the view back; on a button
+// focused by Tab it presses the button, as usual.
 bool MainWindow::eventFilter(QObject* object, QEvent* event) {
   const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   const auto* widget = key ? qobject_cast<QWidget*>(object) : nullptr;
   if (!widget || widget == viewer_ || QApplication::activePopupWidget()) return false;
+  if (exercises_->isAncestorOf(widget)) return false;
   if (widget->window() != this && !qobject_cast<QDockWidget*>(widget->window())) return false;
   const int code = static_cast<QKeyEvent*>(event)->key();
   if (code == Qt::Key_Escape && event->type() == QEvent::KeyPress) {
@@ -179,7 +189,9 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
     return true;
   }
   if (code == Qt::Key_Space && event->type() == QEvent::ShortcutOverride) {
-    event->setAccepted(qobject_cast<const QAbstractButton*>(widget) != nullptr);
+    event->setAccepted(qobject_cast<const QAbstractButton*>(widget) ||
+                       (qobject_cast<const QLineEdit*>(widget) &&
+                        !qobject_cast<const QAbstractSpinBox*>(widget->parentWidget())));
     return true;
   }
   return false;

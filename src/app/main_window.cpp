@@ -12,6 +12,7 @@
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMenuBar>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
@@ -21,6 +22,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/exercise/exercise_panel.h"
+#include "app/exercise/exercises_page.h"
 #include "app/say.h"
 #include "app/viewer.h"
 #include "app/widgets/banner.h"
@@ -99,6 +102,7 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
     if (session_) session_->follow(motionOf(axes, seconds));
   };
   makeDocks();
+  makeExercises();
   makeMenus();
   qApp->installEventFilter(this);
   resize(options.width, options.height);
@@ -114,6 +118,7 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
     load(options.scenario);
   else
     openOperation(QString::fromStdString(options.operation));
+  if (options.exercises) showExercises();
 }
 
 MainWindow::~MainWindow() {
@@ -170,6 +175,7 @@ void MainWindow::tick() {
   if (now - panelsShown_ < kPanelInterval) return;
   panelsShown_ = now;
   followPanels(state, now);
+  followExercise(state);
   if (state.timeline && strokesNoted_ != state.timeline->strokeCount()) noteRecording();
   if (!options_.reports || state.frame == 0) return;
   // After the layout of the panels is final.
@@ -199,10 +205,16 @@ bool MainWindow::viewerEvent(const SoEvent& event, const SbViewportRegion& viewp
     timeline_->toEnd();
     return true;
   }
-  if (!lookingAt_ || !session_ || !event.isOfType(SoMouseButtonEvent::getClassTypeId()))
+  if ((!lookingAt_ && !marking_) || !session_ ||
+      !event.isOfType(SoMouseButtonEvent::getClassTypeId()))
     return false;
   const auto& mouse = static_cast<const SoMouseButtonEvent&>(event);
   if (mouse.getState() != SoButtonEvent::DOWN) return false;
+  if (marking_) {
+    if (mouse.getButton() != SoMouseButtonEvent::BUTTON1) return false;
+    markPlace(event.getPosition(), viewport);
+    return true;
+  }
   lookingAt_ = false;
   viewer_->unsetCursor();
   statusBar()->clearMessage();
@@ -246,6 +258,8 @@ void MainWindow::complain(const std::string& sentence, std::function<bool()> hol
 }
 
 void MainWindow::placeOverlays() {
+  const int top = menuBar()->height();
+  exercises_->setGeometry(0, top, width(), height() - top);
   overlay_->setGeometry(viewer_->rect());
   complaint_->place({viewer_->mapTo(this, QPoint(0, 0)), viewer_->size()});
 }

@@ -4,6 +4,8 @@
 #include <QMainWindow>
 #include <memory>
 
+#include "app/exercise/attempt_scorer.h"
+#include "app/exercise/exercise_list.h"
 #include "app/loading/operation_loader.h"
 #include "app/loading/organ_loader.h"
 #include "app/space_mouse.h"
@@ -11,6 +13,8 @@
 #include "formats/video.h"
 #include "inventor/hand/operating_session.h"
 #include "record/recorder.h"
+#include "skills/attempt/goal_places.h"
+#include "skills/live/live_attempt.h"
 
 class QAction;
 class QDockWidget;
@@ -23,15 +27,26 @@ namespace resect {
 
 class Banner;
 class ControlsOverlay;
+class ExercisePanel;
+class ExercisesPage;
 class ForcePanel;
 class HintBar;
 class InstrumentsPanel;
 class OperationPanel;
 class OrganPanel;
+class TaskMakerPanel;
 class RemovedPanel;
 class TimelinePanel;
 class TimingPanel;
 class Viewer;
+
+// A place that a teacher has marked on the organ.
+struct MadeMark {
+  Vec3 rest, seen;                    // of the organ at rest; in the world, m
+  Vec3 normal;                        // of the surface there, unit
+  std::optional<VesselPlace> vessel;  // that is to be divided there
+  Vec3 view = Vec3::UnitZ();          // direction of the camera then, unit
+};
 
 class MainWindow : public QMainWindow {
  public:
@@ -105,7 +120,38 @@ class MainWindow : public QMainWindow {
   void zoom(double factor);
   void switchThesis(bool on);
   void bringEverythingBack();
+  void makeExercises();
+  void showExercises();
+  void hideExercises();
+  void startExercise(const Exercise& exercise, TaskLevel level);
+  void beginExercise();
+  void followExercise(const LiveState& state);
+  void guideHand(const AttemptProgress& progress);
+  void endExercise(const QString& why);
+  void showResult(const AttemptResult& result);
+  void replayFrom(double seconds);
+  void nextExercise();
+  void chooseAttemptsFolder();
+  void tabulateClass(bool names);
+  void openPage(const std::filesystem::path& page);
+  std::filesystem::path attemptsFolder() const;
+  std::string learner() const;
+  // Whether an exercise goes on; and whether it forbids to go back, which is then said.
+  bool exercising() const { return attempt_ && !attemptEnded_; }
+  bool refusesGoingBack();
+  void endExerciseUnscored();
+  void makeMaker();
+  void openMaker();
+  void closeMaker();
+  void setMadeMarks(std::vector<MadeMark> marks);
+  void markPlace(const SbVec2s& pixel, const SbViewportRegion& viewport);
+  TaskGoal goalMade() const;
+  Scenario exerciseMade();
+  void tryMade();
+  void saveMade();
+  bool isDraft() const;  // the exercise on the screen is one that is being made
   void reportPlaces();
+  void reportButtons(const QWidget* in);
   void reportCutText();
   void reportPace();
   void reportMoment();
@@ -143,6 +189,21 @@ class MainWindow : public QMainWindow {
   ForcePanel* force_;
   TimingPanel* timing_;
   TimelinePanel* timeline_;
+  ExercisesPage* exercises_;
+  ExercisePanel* exercise_;
+  QDockWidget* exerciseDock_;
+  AttemptScorer scorer_;
+  TaskMakerPanel* maker_;
+  QDockWidget* makerDock_;
+  Scenario made_;  // of which an exercise is made
+  std::vector<MadeMark> madeMarks_;
+  bool marking_ = false;                  // the next click marks a place
+  std::shared_ptr<LiveAttempt> attempt_;  // at the exercise that was begun last; null: none
+  bool attemptEnded_ = false;
+  bool asTest_ = false, startedAsTest_ = false;  // of this exercise; of the one being loaded
+  std::filesystem::path page_;                   // report of the last attempt
+  std::int64_t attemptBranch_ = 0;               // on which it ended
+  std::int64_t replayUntil_ = -1;                // frame where a replay stops; -1: none is played
   std::unique_ptr<VideoWriter> video_;
   QSize videoSize_;
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // times, ms since 1970
@@ -154,10 +215,12 @@ class MainWindow : public QMainWindow {
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::vector<std::uint8_t> leftSaid_;  // per tool, as ToolHandling::left()
   std::string script_, faultSaid_, recorderSaid_;
-  qint64 faultSeen_ = 0;           // when the operation had a fault last, ms since 1970
-  std::string operationFile_;      // file where the user saved the operation; empty: none yet
-  std::string madeFrom_;           // recording that the operation was opened from; empty: none
-  std::size_t strokesBefore_ = 0;  // strokes that the operation had when it was opened
+  qint64 faultSeen_ = 0;       // when the operation had a fault last, ms since 1970
+  std::string operationFile_;  // file where the user saved the operation; empty: none yet
+  std::string madeFrom_;       // recording that the operation was opened from; empty: none
+  static constexpr std::size_t kNoTarget = ~std::size_t(0);
+  std::size_t targetSaid_ = kNoTarget;       // number of the exercise's next target
+  std::size_t strokesBefore_ = 0;            // strokes that the operation had when it was opened
   std::optional<std::size_t> strokesNoted_;  // number of strokes at the last noteRecording()
   bool lookingAt_ = false;  // the next click chooses the point that the camera looks at
   bool readySaid_ = false, pictureSaid_ = false;

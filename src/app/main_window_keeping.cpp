@@ -74,7 +74,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 // Takes the last stroke back, or does it again.
 void MainWindow::undo(bool again) {
-  if (!session_) return;
+  if (!session_ || refusesGoingBack()) return;
   const LiveState& state = session_->state();
   const int strokes = again ? state.redoable : state.undoable;
   if (strokes == 0) {

@@ -65,7 +65,7 @@ bool MainWindow::load(const Scenario& scenario) {
   const QString what = "Preparing: " + namesOf(scenario.organs);
   showProgress(-1, what);
   loader_.load(
-      scenario, [this, what](double share) { showProgress(share, what); },
+      asExercise(scenario), [this, what](double share) { showProgress(share, what); },
       [this](OrganLoader::Result result) { begin(std::move(result)); });
   return true;
 }
@@ -137,9 +137,15 @@ bool MainWindow::begin(OrganLoader::Result result) {
     std::size_t strokes = 0;
     for (std::size_t b = 0; goesOn && b < result.history->courses().size(); ++b)
       strokes += result.history->courses()[b].strokes.strokes().size();
-    auto session = std::make_unique<OperatingSession>(
-        result.scenario, std::move(result.simulation), viewer_->aspect(),
-        recorder ? watchOf(recorder) : OperationWatch(), std::move(result.history));
+    OperationWatch watch = recorder ? watchOf(recorder) : OperationWatch();
+    std::shared_ptr<LiveAttempt> attempt;
+    if (result.scenario.task && !goesOn) {
+      attempt = std::make_shared<LiveAttempt>(result.scenario, *result.simulation);
+      watch = attempt->watch(std::move(watch));
+    }
+    auto session = std::make_unique<OperatingSession>(result.scenario, std::move(result.simulation),
+                                                      viewer_->aspect(), std::move(watch),
+                                                      std::move(result.history));
     // The thesis's way of working has the laboratory, unless the user has chosen.
     session->setBleedingMarks(marks_->isChecked());
     session->showScale(laboratoryChosen_.value_or(result.scenario.mode == OperationMode::Thesis));
@@ -159,6 +165,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
     viewer_->show(nullptr);
     noteRecording();  // of the operation that ends here
     session_ = std::move(session);
+    attempt_ = std::move(attempt);
     session_->operation().setHistoryMemory(std::size_t(options_.historyMemory) << 20);
     recorder_ = std::move(recorder);
     madeFrom_ = result.recording;
@@ -187,6 +194,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
   timeline_->begin(tools, session_->scenario().frameRate);
   force_->begin(tools);
   operation_->begin(session_->scenario(), tools);
+  beginExercise();
   const bool thesis = session_->scenario().mode == OperationMode::Thesis;
   thesis_->setChecked(thesis);
   laboratory_->setChecked(laboratoryChosen_.value_or(thesis));
@@ -205,7 +213,8 @@ bool MainWindow::begin(OrganLoader::Result result) {
 
 // A recorder of the coming operation; null if none is wanted, or none can be made, which is said.
 std::shared_ptr<Recorder> MainWindow::record(const OrganLoader::Result& result) {
-  if (!QSettings().value("record", true).toBool()) return nullptr;
+  // An exercise is scored from its recording.
+  if (!result.scenario.task && !QSettings().value("record", true).toBool()) return nullptr;
   try {
     return recordSession(result.scenario, *result.simulation);
   } catch (const std::exception& e) {

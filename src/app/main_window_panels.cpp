@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/exercise/exercise_panel.h"
+#include "app/exercise/task_maker_panel.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/smooth_cells.h"
@@ -24,20 +26,25 @@ namespace {
 
 constexpr int kTallWindow = 1000;  // pixels: in a lower one the laboratory's panels share one place
 constexpr int kPanelLetters = 33;  // width of the panels
+constexpr int kWideLetters = 44;   // of those of exercises, which have sentences
 
 // A panel that may be higher than its place.
-QScrollArea* scrolling(QWidget* content) {
+QScrollArea* scrolling(QWidget* content, int letters) {
   class Area : public QScrollArea {
    public:
+    explicit Area(int letters) : letters_(letters) {}
     QSize sizeHint() const override {
       const QSize content = widget()->sizeHint();
-      return {kPanelLetters * fontMetrics().averageCharWidth(), content.height()};
+      return {letters_ * fontMetrics().averageCharWidth(), content.height()};
     }
     QSize minimumSizeHint() const override {
-      return {kPanelLetters * fontMetrics().averageCharWidth(), 3 * fontMetrics().height()};
+      return {letters_ * fontMetrics().averageCharWidth(), 3 * fontMetrics().height()};
     }
+
+   private:
+    int letters_;
   };
-  auto* area = new Area;
+  auto* area = new Area(letters);
   area->setFrameShape(QFrame::NoFrame);
   area->setWidgetResizable(true);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -94,13 +101,14 @@ void MainWindow::makeDocks() {
   column->addWidget(viewer_, 1);
   setCentralWidget(middle);
 
-  const auto dock = [&](const char* title, QWidget* content) {
+  const auto dock = [&](const char* title, QWidget* content, int letters = kPanelLetters) {
     auto* made = new QDockWidget(title, this);
     made->setObjectName(title);
-    made->setWidget(scrolling(content));
+    made->setWidget(scrolling(content, letters));
     addDockWidget(Qt::RightDockWidgetArea, made);
     return made;
   };
+  exercise_ = new ExercisePanel;
   operation_ = new OperationPanel;
   instruments_ = new InstrumentsPanel;
   organ_ = new OrganPanel;
@@ -113,6 +121,11 @@ void MainWindow::makeDocks() {
   both->setContentsMargins(0, 0, 0, 0);
   both->addWidget(removed_, 1);
   both->addWidget(force_, 1);
+  exerciseDock_ = dock("Exercise", exercise_, kWideLetters);
+  maker_ = new TaskMakerPanel;
+  makerDock_ = dock("Make an exercise", maker_, kWideLetters);
+  tabifyDockWidget(makerDock_, exerciseDock_);
+  for (QDockWidget* hidden : {exerciseDock_, makerDock_}) hidden->hide();
   traineePanels_ = {dock("Operation", operation_), dock("Instruments", instruments_)};
   laboratoryPanels_ = {dock("Organ", organ_), dock("Curves", curves), dock("Timing", timing_)};
   // In a low window they share one place.
@@ -142,6 +155,7 @@ void MainWindow::makeDocks() {
   organ_->rebuild = [this](std::optional<double> spacing, int refine, bool elastic) {
     beginAgain(spacing, refine, elastic);
   };
+  hint_->exercisesWanted = [this] { showExercises(); };
   hint_->accepted = [this](int millimetres) {
     if (!session_) return;
     const ScenarioOrgan& organ = session_->scenario().organs[0];
@@ -182,14 +196,19 @@ void MainWindow::arrangePanels() {
   const int line = fontMetrics().height();
   QList<QDockWidget*> panels = traineePanels_;
   QList<int> heights{operation * line, instruments_->sizeHint().height() + 2 * line};
+  const bool wide = attempt_ || !makerDock_->isHidden();
+  if (wide) panels[0] = attempt_ ? exerciseDock_ : makerDock_;
+  if (attempt_) exerciseDock_->raise();
   if (laboratory_->isChecked()) {
     panels << laboratoryPanels_[0];
     heights << organ * line;
   }
   int others = 3 * line;  // menu, status
   for (const int height : heights) others += height;
-  heights.back() += std::max(0, height() - others);
+  (wide ? heights.front() : heights.back()) += std::max(0, height() - others);
   resizeDocks(panels, heights, Qt::Vertical);
+  const int letters = wide ? kWideLetters : kPanelLetters;
+  resizeDocks({panels.front()}, {letters * fontMetrics().averageCharWidth()}, Qt::Horizontal);
   for (QTabBar* tabs : findChildren<QTabBar*>()) {
     tabs->setElideMode(Qt::ElideNone);
     tabs->setUsesScrollButtons(false);
@@ -198,6 +217,9 @@ void MainWindow::arrangePanels() {
 
 // What can be done next, in a sentence.
 QString MainWindow::nextStep() const {
+  if (marking_) return "Click on the organ to mark a place; right drag turns the view.";
+  if (attempt_ && attemptEnded_ && session_->showing())
+    return "The exercise is over: click a point in the list to see that moment again.";
   const ToolHandling& tools = session_->tools();
   if (session_->playing()) return "The scenario shows how; take an instrument to do it yourself.";
   if (session_->showing() && !timeline_->atEnd())
@@ -230,7 +252,8 @@ void MainWindow::followPanels(const LiveState& state, qint64 now) {
   const int felt = session_->playing() ? playedTool(state) : workingTool(state);
   operation_->follow(state, felt);
   timeline_->follow(state, session_->showing(), session_->answered());
-  hint_->say(nextStep());
+  const QString step = exercising() ? exercise_->nextStep() : QString();
+  hint_->say(step.isEmpty() ? nextStep() : step + "   " + nextStep());
   // A slow second may have other causes, such as a program that starts.
   constexpr qint64 kLong = 2000;  // ms
   const double cell = session_->cells().lattice.spacing.x();

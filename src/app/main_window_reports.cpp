@@ -4,11 +4,14 @@
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSocketNotifier>
 #include <QTabBar>
 #include <sstream>
 
+#include "app/exercise/exercise_panel.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -20,8 +23,8 @@
 namespace resect {
 
 // Commands of scripts, which bypass the file dialogs: "open FILE", "save-scene FILE", "save-surface
-// FILE", "save-picture FILE", "save-operation FILE"; and the picture's size: "picture-size WIDTH
-// HEIGHT".
+// FILE", "save-picture FILE", "save-operation FILE"; the picture's size: "picture-size WIDTH
+// HEIGHT"; and where things are: "places".
 void MainWindow::listenToScript() {
   auto* lines = new QSocketNotifier(0, QSocketNotifier::Read, this);
   connect(lines, &QSocketNotifier::activated, this, [this, lines] {
@@ -47,6 +50,7 @@ void MainWindow::listenToScript() {
         if (what == "save-picture") writePng(file, viewer_->grabPicture(true));
         if (what.starts_with("save")) say("written {}", file);
         if (what == "picture-size") resizePicture(file);
+        if (what == "places") reportPlaces();
         if (what == "play") play(file.empty() ? 1e9 : std::stod(file));
       } catch (const std::exception& e) {
         complain(e.what());
@@ -78,6 +82,13 @@ void MainWindow::reportPlaces() {
     place(session_->toolModels()[std::size_t(i)].name, session_->middleOfTool(i));
   place("iso", session_->iso().handle());
   place("organ", session_->cells().lattice.box().centre());
+  if (exercising()) {
+    const std::vector<Vec3> targets = attempt_->progress().places;
+    constexpr std::size_t kMost = 20;  // a line has hundreds of points
+    for (std::size_t i = 0; i < std::min(kMost, targets.size()); ++i)
+      place("target-" + std::to_string(i + 1), targets[i]);
+    reportButtons(exercise_);
+  }
   for (const QAbstractSpinBox* field : findChildren<QAbstractSpinBox*>()) {
     if (!field->isVisible()) continue;
     const QPoint global = field->mapToGlobal(QPoint(field->width() / 4, field->height() / 2));
@@ -89,6 +100,23 @@ void MainWindow::reportPlaces() {
   say("place timeline-end {} {}", int(end.x() * ratio), int(end.y() * ratio));
   reportCutText();
   say("places");
+}
+
+// Reports the middles of the buttons and fields in a widget, by their names.
+void MainWindow::reportButtons(const QWidget* in) {
+  const double ratio = devicePixelRatioF();
+  for (const QWidget* one : in->findChildren<QWidget*>()) {
+    const auto* button = qobject_cast<const QAbstractButton*>(one);
+    const QString name = !one->accessibleName().isEmpty() ? one->accessibleName()
+                         : button                         ? button->text()
+                                                          : QString();
+    const bool used = button || qobject_cast<const QComboBox*>(one) ||
+                      qobject_cast<const QLineEdit*>(one) ||
+                      qobject_cast<const QAbstractSpinBox*>(one);
+    if (!used || name.isEmpty() || !one->isVisible() || one->visibleRegion().isEmpty()) continue;
+    const QPoint at = one->mapToGlobal(one->visibleRegion().boundingRect().center());
+    say("place {} {} {}", name.toStdString(), int(at.x() * ratio), int(at.y() * ratio));
+  }
 }
 
 // Reports labels and buttons whose text does not fit.

@@ -13,9 +13,11 @@ namespace resect {
 
 void MainWindow::makeTimelineMenu() {
   timeline_->wanted = [this](Moment moment) {
-    if (session_) session_->show(moment);
+    replayUntil_ = -1;
+    if (session_ && !refusesGoingBack()) session_->show(moment);
   };
   timeline_->playback = [this](double speed) {
+    replayUntil_ = -1;
     if (session_) session_->setPlayback(speed, timeline_->branch());
   };
   timeline_->goOn = [this] {

@@ -10,9 +10,10 @@ namespace resect {
 void writeJson(const std::string& target, const nlohmann::ordered_json& json) {
   const std::string text =
       json.dump(2, ' ', true, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  if (target == "-")
+  if (target == "-") {
     std::fputs(text.c_str(), stdout);
-  else
+    std::fflush(stdout);  // whoever waits for it need not wait for what the command does besides
+  } else
     writeFileAtomically(target, [&](std::ostream& out) { out << text; });
 }
 

@@ -8,9 +8,18 @@
 namespace resect {
 
 HintBar::HintBar(QWidget* parent)
-    : QWidget(parent), sentence_(new QLabel(this)), mend_(new QPushButton(this)) {
+    : QWidget(parent),
+      exercises_(new QPushButton("Exercises", this)),
+      sentence_(new QLabel(this)),
+      mend_(new QPushButton(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(10, 4, 10, 4);
+  exercises_->setFocusPolicy(Qt::TabFocus);
+  exercises_->setToolTip("Exercises with a goal and a result (Ctrl+T)");
+  connect(exercises_, &QPushButton::clicked, this, [this] {
+    if (exercisesWanted) exercisesWanted();
+  });
+  row->addWidget(exercises_);
   row->addWidget(sentence_, 1);
   row->addWidget(mend_);
   sentence_->setTextFormat(Qt::PlainText);
@@ -56,12 +65,14 @@ void HintBar::resizeEvent(QResizeEvent* event) {
 // As high as the longest sentence so far needed at this width: the picture below does not jump.
 void HintBar::keepHeight() {
   const QMargins margins = layout()->contentsMargins();
-  const int beside = mend_->isHidden() ? 0 : mend_->sizeHint().width() + layout()->spacing();
+  int beside = 0;
+  for (const QPushButton* button : {exercises_, mend_})
+    if (!button->isHidden()) beside += button->sizeHint().width() + layout()->spacing();
   const int width = this->width() - margins.left() - margins.right() - beside;
   if (width <= 0) return;
   const int line = std::max(1, sentence_->fontMetrics().lineSpacing());
   lines_ = std::max(lines_, (sentence_->heightForWidth(width) + line - 1) / line);
-  sentence_->setMinimumHeight(std::max(lines_ * line, mend_->sizeHint().height()));
+  sentence_->setMinimumHeight(std::max(lines_ * line, exercises_->sizeHint().height()));
 }
 
 }  // namespace resect

@@ -1,4 +1,5 @@
-// One line over the picture that says what to do next, and a button that mends slow settings.
+// One line over the picture that says what to do next, a button for the exercises, and one that
+// mends slow settings.
 #pragma once
 
 #include <QWidget>
@@ -19,6 +20,7 @@ class HintBar : public QWidget {
   QPoint buttonPlace() const;  // of the offer, in pixels of the screen
 
   std::function<void(int millimetres)> accepted;  // the offer's button was pressed
+  std::function<void()> exercisesWanted;
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -26,6 +28,7 @@ class HintBar : public QWidget {
  private:
   void keepHeight();
 
+  QPushButton* exercises_;
   QLabel* sentence_;
   QPushButton* mend_;
   int offered_ = 0, lines_ = 1;

@@ -101,6 +101,13 @@ class TimelineBar : public QWidget {
       const double x = xOf(course->branch.from), y = track.bottom() + 2;
       painter.drawPolygon(QPolygonF({{x, y}, {x - 4, y + 7}, {x + 4, y + 7}}));
     }
+    for (const TimelinePanel::Mark& mark : panel_.marks_) {
+      const QRectF disc(xOf(mark.frame) - 8, track.center().y() - 8, 16, 16);
+      painter.setPen(QPen(Qt::white, 1));
+      painter.setBrush(QColor(179, 54, 43));
+      painter.drawEllipse(disc);
+      painter.drawText(disc, Qt::AlignCenter, mark.number);
+    }
     const double x = xOf(panel_.asked_ >= 0 ? panel_.asked_ : panel_.frame_);
     painter.setPen(QPen(palette().color(QPalette::WindowText), 2));
     painter.drawLine(QPointF(x, 0), QPointF(x, track.bottom() + 4));
@@ -117,6 +124,9 @@ class TimelineBar : public QWidget {
     for (const Timeline::Course* course : panel_.branchesBeside())
       if (std::abs(double(course->branch.from - frame)) < 2 * near)
         text += "\nBranch " + shown(course->branch.name) + " begins here";
+    for (const TimelinePanel::Mark& mark : panel_.marks_)
+      if (std::abs(double(mark.frame - frame)) < 3 * near)
+        text += "\n" + mark.number + ": " + mark.text;
     int number = 0;
     const auto strokes = panel_.timeline_->courses.empty()
                              ? std::vector<Stroke>()
@@ -211,7 +221,13 @@ void TimelinePanel::setLaboratory(bool shown) {
   memory_->setVisible(shown);
 }
 
+void TimelinePanel::setMarks(std::vector<Mark> marks) {
+  marks_ = std::move(marks);
+  bar_->update();
+}
+
 void TimelinePanel::begin(const std::vector<QString>& tools, double frameRate) {
+  marks_.clear();
   timeline_ = std::make_shared<Timeline>();
   tools_ = tools;
   frameRate_ = frameRate;

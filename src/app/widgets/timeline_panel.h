@@ -20,7 +20,13 @@ class TimelineBar;
 class TimelinePanel : public QWidget {
  public:
   explicit TimelinePanel(QWidget* parent = nullptr);
-  // For a new operation. tools: names of its instruments.
+  // A numbered mark, and what it stands for.
+  struct Mark {
+    std::int64_t frame = 0;
+    QString number, text;
+  };
+  void setMarks(std::vector<Mark> marks);
+  // For a new operation, without marks. tools: names of its instruments.
   void begin(const std::vector<QString>& tools, double frameRate);
   // showing: a moment of the history is shown or was requested. answered: all requests are done.
   void follow(const LiveState& state, bool showing, bool answered);
@@ -58,6 +64,7 @@ class TimelinePanel : public QWidget {
 
   std::shared_ptr<const Timeline> timeline_ = std::make_shared<Timeline>();
   std::vector<QString> tools_;
+  std::vector<Mark> marks_;
   double frameRate_ = 60;
   std::int64_t branch_ = 0, frame_ = 0, end_ = 0;
   std::int64_t asked_ = -1;  // frame that was requested and is not reached yet; -1: none

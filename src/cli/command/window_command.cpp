@@ -22,7 +22,7 @@ struct Options {
   std::string scenario, organ, size = "1280x800";
   double fpsLimit = 60;
   int threads = 0, history = 512;
-  bool thesis = false, light = false, dark = false, reports = false;
+  bool thesis = false, light = false, dark = false, reports = false, exercises = false;
 };
 
 void window(const Options& options, const OrganOptions& organOptions) {
@@ -51,6 +51,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
   window.historyMemory = options.history;
   if (options.light || options.dark) window.dark = options.dark;
   window.reports = options.reports;
+  window.exercises = options.exercises;
   if (const int status = showWindow(window); status != 0)
     throw error("the window ended with status {}", status);
 }
@@ -87,6 +88,7 @@ void addWindowCommand(CLI::App& app) {
   auto* light = command->add_flag("--light", options->light, "Light colours");
   command->add_flag("--dark", options->dark, "Dark colours; neither: as chosen last")
       ->excludes(light);
+  command->add_flag("--exercises", options->exercises, "Begin with the list of exercises");
   command->add_flag("--reports", options->reports,
                     "Say on standard output what happens and where things are, for scripts");
   command->footer(
@@ -94,6 +96,7 @@ void addWindowCommand(CLI::App& app) {
       "  resect window\n"
       "  resect window --organ my_liver.stl --unit mm --spacing 6mm\n"
       "  resect window cut-950\n"
+      "  resect window --exercises\n"
       "  resect window operation.resect");
   command->callback([options, organ] { window(*options, *organ); });
 }

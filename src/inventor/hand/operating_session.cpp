@@ -106,6 +106,8 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       marker_(view_.room().aids()),
       aim_(view_.room().aids()),
       bleeding_(view_.room().aids()),
+      guideMarks_(view_.room().aids()),
+      ghosts_(view_.room().aids(), scenario_, toolModels_),
       events_(SbViewportRegion(640, 480)),
       ledger_(scenario, *simulation),
       operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch),
@@ -255,6 +257,7 @@ Damage OperatingSession::update() {
     followLooseBlood();
     followBareVessels();
     showBleeding();
+    showGuide();
     Aabb changed;
     std::vector<Aabb> parts;
     double speed = 0;  // m/s

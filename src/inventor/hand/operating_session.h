@@ -15,6 +15,8 @@
 #include "inventor/gl/damage.h"
 #include "inventor/hand/aim_marker.h"
 #include "inventor/hand/bleeding_marks.h"
+#include "inventor/hand/ghost_tools.h"
+#include "inventor/hand/guide_marks.h"
 #include "inventor/hand/iso_dragger.h"
 #include "inventor/hand/six_axes.h"
 #include "inventor/hand/tip_marker.h"
@@ -62,6 +64,12 @@ class OperatingSession {
   // Whether the places that bleed are marked while an instrument is in hand that stops bleeding,
   // and whether it is guided to them. At first: yes.
   void setBleedingMarks(bool marks) { marksBleeding_ = marks; }
+  // Draws the guidance of a task, or none; and the instruments of the scenario's motions as ghosts.
+  void setGuide(std::optional<Guide> guide) { guide_ = std::move(guide); }
+  void setGhosts(bool shown) { showsGhosts_ = shown; }
+  bool hasGhosts() const { return ghosts_.any(); }
+  // How far the instrument in hand is from what guides it (distanceFrom()), m; none without either.
+  std::optional<double> guideDistance() const;
   void setIso(float iso);                                      // also calls goOn()
   bool answered() const { return asked_ == state_.answered; }  // all requests are done
   // Whether a moment of the history is shown, or has been requested.
@@ -112,6 +120,7 @@ class OperatingSession {
   void followLooseBlood();
   void followBareVessels();
   void showBleeding();
+  void showGuide();
   void followMotion();
   void followMoment();
   void leave();
@@ -134,6 +143,8 @@ class OperatingSession {
   TipMarker marker_;
   AimMarker aim_;
   BleedingMarks bleeding_;
+  GuideMarks guideMarks_;
+  GhostTools ghosts_;
   SoHandleEventAction events_;
   Damage damage_{true, {}, {}};
   std::vector<Aabb> toolBoxes_;  // per tool: its bounding box when it last moved, world, m
@@ -150,6 +161,8 @@ class OperatingSession {
   bool following_ = false;                   // the tools are being put where the operation has them
   bool playing_ = false;
   bool marksBleeding_ = true;
+  std::optional<Guide> guide_;
+  bool showsGhosts_ = false;
   std::int64_t played_ = 0, playUntil_ = 0;  // scenario frames: where play() begins and ends
   LiveState state_;
   LedgerWatch ledger_;  // moved into operation_ when that is made

@@ -1,4 +1,4 @@
-// What a session shows of blood and vessels.
+// What a session shows of blood and vessels, and to guide the hand.
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 
 #include <algorithm>
@@ -57,6 +57,30 @@ void OperatingSession::showBleeding() {
           ? bleeding_.show(state_.bleedingEnds, (eye - organBox_.centre()).normalized())
           : bleeding_.hide());
   tools_.setTargets(std::move(targets));
+}
+
+std::optional<double> OperatingSession::guideDistance() const {
+  constexpr double kShaft = 0.1;  // m, of an instrument from its tip
+  const int held = tools_.held();
+  if (!guide_ || held < 0) return {};
+  const Pose pose = tools_.pose(held);
+  const ToolModel& model = toolModels_[std::size_t(held)];
+  return distanceFrom(*guide_, {pose * model.tip, pose * (model.tip + kShaft * model.axis)});
+}
+
+// Draws the guidance, coloured by what the instrument in hand does, and the ghosts.
+void OperatingSession::showGuide() {
+  if (guide_) {
+    const auto distance = guideDistance();
+    const Vec3 eye = toVec(room().camera()->position.getValue());
+    damage_.boxes.push_back(
+        guideMarks_.show(*guide_, distance ? keepingOf(*guide_, *distance) : Keeping::Far,
+                         (eye - organBox_.centre()).normalized()));
+  } else {
+    damage_.boxes.push_back(guideMarks_.hide());
+  }
+  damage_.boxes.push_back(showsGhosts_ && !state_.showing ? ghosts_.show(state_.time)
+                                                          : ghosts_.hide());
 }
 
 }  // namespace resect

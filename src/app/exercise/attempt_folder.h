@@ -1,0 +1,34 @@
+// The folder of attempts: a sub-folder of recordings and reports for each learner, and the history
+// of their scores. `resect class` reads such a folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "skills/class/history.h"
+
+namespace resect {
+
+// Where attempts are kept unless another folder was chosen: beside the window's recordings.
+std::filesystem::path usualAttemptsFolder();
+
+// The name as that of a folder: without characters that a file system might refuse; "learner" if
+// nothing is left.
+std::string learnerName(const std::string& text);
+
+// Names of the sub-folders, in order.
+std::vector<std::string> learnersIn(const std::filesystem::path& folder);
+
+// A name for the learner's next recording of the exercise: "touch-and-hold-3.resect". Makes the
+// folder; throws Error if that fails.
+std::filesystem::path newAttempt(const std::filesystem::path& folder, const std::string& learner,
+                                 const std::string& exercise);
+
+std::filesystem::path historyIn(const std::filesystem::path& folder);
+
+// The learner's scored attempts at all exercises; none if there is no history yet.
+std::vector<HistoryEntry> attemptsOf(const std::filesystem::path& folder,
+                                     const std::string& learner);
+
+}  // namespace resect

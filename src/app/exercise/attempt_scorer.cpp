@@ -1,0 +1,87 @@
+#include "app/exercise/attempt_scorer.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace resect {
+namespace {
+
+QString named(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+}  // namespace
+
+std::optional<AttemptResult> readResult(const QByteArray& json) {
+  const QJsonArray all = QJsonDocument::fromJson(json).array();
+  if (all.isEmpty()) return {};
+  const QJsonObject last = all.last().toObject();
+  AttemptResult result;
+  result.passed = last["passed"].toBool();
+  result.graded = last["graded"].toBool();
+  result.reason = last["reason"].toString();
+  result.score = last["score"].toDouble();
+  for (const QJsonValue& one : last["good"].toArray()) result.good << one.toString();
+  for (const QJsonValue& one : last["deductions"].toArray()) {
+    const QJsonObject d = one.toObject();
+    Evidence evidence{{}, d["fact"].toString(), d["question"].toString(), d["next"].toString()};
+    if (d["time_s"].isDouble()) evidence.time = d["time_s"].toDouble();
+    result.evidence.push_back(evidence);
+  }
+  return result;
+}
+
+void AttemptScorer::cancel() {
+  if (!process_) return;
+  process_->disconnect();
+  process_->kill();
+  process_->waitForFinished(2000);
+  process_.reset();
+}
+
+void AttemptScorer::start(const QStringList& arguments, std::function<void()> written,
+                          std::function<void(QString)> failed) {
+  QObject::connect(
+      process_.get(), &QProcess::finished, process_.get(),
+      [process = process_.get(), written, failed](int status, QProcess::ExitStatus how) {
+        if (how == QProcess::NormalExit && status == 0) return written();
+        const QString said = process->readAllStandardError().trimmed();
+        failed(said.isEmpty() ? "The attempt could not be scored." : said);
+      });
+  process_->start(QCoreApplication::applicationFilePath(), arguments);
+}
+
+void AttemptScorer::score(const Attempt& attempt, std::function<void(AttemptResult)> done,
+                          std::function<void()> written, std::function<void(QString)> failed) {
+  cancel();
+  process_ = std::make_unique<QProcess>();
+  auto got = std::make_shared<QByteArray>();
+  auto told = std::make_shared<bool>(false);
+  QObject::connect(process_.get(), &QProcess::readyReadStandardOutput, process_.get(),
+                   [process = process_.get(), got, told, done] {
+                     got->append(process->readAllStandardOutput());
+                     const auto result = *told ? std::nullopt : readResult(*got);
+                     if (!result) return;
+                     *told = true;
+                     done(*result);
+                   });
+  QStringList arguments{"report",    named(attempt.recording),
+                        "--json",    "-",
+                        "-o",        named(attempt.page),
+                        "--history", named(attempt.history),
+                        "--learner", QString::fromStdString(attempt.learner)};
+  if (attempt.graded) arguments << "--graded";
+  start(arguments, std::move(written), std::move(failed));
+}
+
+void AttemptScorer::tabulate(const std::filesystem::path& folder, const std::filesystem::path& page,
+                             const std::filesystem::path& history, bool names,
+                             std::function<void()> written, std::function<void(QString)> failed) {
+  cancel();
+  process_ = std::make_unique<QProcess>();
+  QStringList arguments{"class", named(folder), "-o", named(page), "--history", named(history)};
+  if (names) arguments << "--names";
+  start(arguments, std::move(written), std::move(failed));
+}
+
+}  // namespace resect

@@ -1,0 +1,59 @@
+// The panel of the exercise that goes on: goal, next step, limits; and its result at the end.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "app/exercise/attempt_scorer.h"
+#include "inventor/hand/guide_marks.h"
+#include "operation/live/live_state.h"
+#include "operation/task/task.h"
+#include "skills/live/live_attempt.h"
+
+class QCheckBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QVBoxLayout;
+
+namespace resect {
+
+class ExercisePanel : public QWidget {
+ public:
+  explicit ExercisePanel(QWidget* parent = nullptr);
+
+  // An attempt begins. guided: guidance may be shown; ghosts: the exercise has a reference run.
+  void begin(const QString& title, const Task& task, bool guided, bool ghosts);
+  // keeping, distance: of the instrument in hand; none: it has nothing to keep to.
+  void follow(const LiveState& state, double seconds, const AttemptProgress& progress,
+              std::optional<double> distance, Keeping keeping);
+  bool guidance() const;
+  bool ghosts() const;
+  QString nextStep() const;  // empty: it is not to be shown
+
+  // The attempt is over: why, and that it is being scored.
+  void showEnd(const QString& why);
+  void showResult(const AttemptResult& result);
+  void showPage();  // the report can be opened
+  void showFailure(const QString& sentence);
+
+  std::function<void()> finished, restarted, nextWanted, pageWanted, exercisesWanted;
+  std::function<void(double seconds)> evidenceChosen;
+
+ private:
+  QLabel* addLine(const char* name);
+  void clearResult();
+  void addResult(QWidget* widget);
+  void addEvidence(const Evidence& one, const QString& number);
+
+  QVBoxLayout *column_, *results_;
+  QLabel *title_, *goal_, *next_, *time_, *blood_, *force_, *distance_, *end_;
+  QCheckBox *guidance_, *ghosts_;
+  QPushButton *finish_, *nextExercise_, *page_;
+  QProgressBar* scoring_;
+  std::vector<QWidget*> result_;
+  Task task_;
+};
+
+}  // namespace resect

@@ -1,0 +1,56 @@
+// The exercises as cards over the whole window: what each teaches, the learner's best result, and a
+// button that starts it.
+#pragma once
+
+#include <QHash>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "app/exercise/exercise_list.h"
+#include "skills/class/history.h"
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QScrollArea;
+
+namespace resect {
+
+class ExercisesPage : public QWidget {
+ public:
+  explicit ExercisesPage(QWidget* parent);
+
+  // What the cards show. done: the learner's attempts.
+  void show(const std::vector<Exercise>& exercises, const std::vector<HistoryEntry>& done,
+            const QStringList& learners, const QString& learner, const QString& folder);
+  QString learner() const;
+  bool asTest() const;
+  // Says that something is being made; empty: nothing is.
+  void say(const QString& sentence);
+
+  std::function<void(const Exercise&, TaskLevel)> started;
+  std::function<void()> learnerChosen, closed, folderWanted, addWanted, makeWanted;
+  std::function<void(bool names)> classWanted;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QWidget* makeCard(const Exercise& exercise, const std::vector<HistoryEntry>& done);
+  void placeCards();
+
+  QComboBox* learner_;
+  QCheckBox* test_;
+  QLabel *folder_, *said_;
+  QScrollArea* scroll_;
+  QWidget* inside_;
+  QGridLayout* grid_;
+  std::vector<QWidget*> cards_;
+  QHash<QString, int> levels_;  // chosen, by file of the exercise
+  int columns_ = 0;
+};
+
+}  // namespace resect

@@ -1,0 +1,223 @@
+#include "app/exercise/task_maker_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/say.h"
+
+namespace resect {
+namespace {
+
+using Kind = TaskGoal::Kind;
+
+struct KindWords {
+  Kind kind;
+  const char *words, *advice;
+};
+constexpr KindWords kKinds[] = {
+    {Kind::Touch, "Touch targets", "Click each target on the organ, in order."},
+    {Kind::Follow, "Cut along a line", "Click the corners of the line, from one end to the other."},
+    {Kind::Resect, "Take out a structure", "Click on the organ above the middle of the tumour."},
+    {Kind::StopBleeding, "Stop a bleeding", "There is nothing to mark: the learner makes the cut."},
+    {Kind::Divide, "Divide a vessel", "Click on the organ above the vessel."},
+    {Kind::Transect, "Cut along a plane",
+     "Turn the view so that you look along the plane; then click two points that it goes through."},
+};
+
+constexpr const char* kNew = "a new tumour";
+
+}  // namespace
+
+QDoubleSpinBox* TaskMakerPanel::number(const char* name, const char* tip, double least, double most,
+                                       double value, const char* unit, int digits) {
+  auto* field = new QDoubleSpinBox(this);
+  field->setRange(least, most);
+  field->setDecimals(digits);
+  field->setValue(value);
+  field->setSuffix(QString(" ") + unit);
+  field->setToolTip(tip);
+  field->setAccessibleName(name);
+  if (least == 0) field->setSpecialValueText("no limit");
+  form_->addRow(name, field);
+  return field;
+}
+
+TaskMakerPanel::TaskMakerPanel(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
+  form_->setVerticalSpacing(4);
+  form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  title_ = new QLineEdit("My exercise", this);
+  title_->setAccessibleName("Title");
+  form_->addRow("Title", title_);
+  teaches_ = new QLineEdit("What the learner is to learn.", this);
+  teaches_->setAccessibleName("Teaches");
+  form_->addRow("Teaches", teaches_);
+  kind_ = new QComboBox(this);
+  kind_->setAccessibleName("Goal");
+  for (const KindWords& one : kKinds) kind_->addItem(one.words, int(one.kind));
+  form_->addRow("Goal", kind_);
+  structure_ = new QComboBox(this);
+  structure_->setAccessibleName("Structure");
+  form_->addRow("Structure", structure_);
+  advice_ = new QLabel(this);
+  advice_->setTextFormat(Qt::PlainText);
+  advice_->setWordWrap(true);
+  form_->addRow(advice_);
+  auto* marks = new QHBoxLayout;
+  mark_ = new QPushButton("Mark places", this);
+  mark_->setCheckable(true);
+  mark_->setToolTip("While this is pressed, a click on the organ marks a place");
+  remove_ = new QPushButton("Remove last", this);
+  remove_->setToolTip("Takes the mark away that was made last");
+  marks->addWidget(mark_);
+  marks->addWidget(remove_);
+  form_->addRow(marks);
+  within_ = number("Within", "How near is near enough", 1, 50, 8, "mm", 0);
+  hold_ = number("Hold for", "So long each target is held, or nothing bleeds", 0.1, 60, 1, "s", 1);
+  size_ = number("Radius", "Of the tumour", 3, 40, 10, "mm", 0);
+  depth_ = number("Depth", "Of the tumour's middle under the surface", 1, 60, 12, "mm", 0);
+  margin_ = number("Margin", "Least distance of the cuts from the tumour", 0.1, 50, 10, "mm", 0);
+  time_ = number("Time", "Most time in all", 0, 3600, 60, "s", 0);
+  blood_ = number("Blood", "Most blood lost", 0, 5000, 0, "ml", 0);
+  force_ = number("Force", "Largest force on the tissue", 0, 50, 0, "N", 1);
+  guidance_ = new QCheckBox("Guidance in the picture", this);
+  guidance_->setChecked(true);
+  form_->addRow(guidance_);
+  undo_ = new QCheckBox("Work may be taken back", this);
+  undo_->setChecked(true);
+  form_->addRow(undo_);
+  form_->addRow(new QLabel("Instruments", this));
+  instruments_ = new QWidget(this);
+  new QGridLayout(instruments_);
+  instruments_->layout()->setContentsMargins(0, 0, 0, 0);
+  form_->addRow(instruments_);
+  auto* buttons = new QHBoxLayout;
+  const auto button = [&](const char* text, const char* tip, auto act) {
+    auto* made = new QPushButton(text, this);
+    made->setToolTip(tip);
+    connect(made, &QPushButton::clicked, this, act);
+    buttons->addWidget(made);
+    return made;
+  };
+  try_ = button("Try it", "Begins the exercise as a learner would", [this] { tried(); });
+  save_ = button("Save ...", "As a file to be sent (.toml)", [this] { saved(); });
+  auto* close = button("Close", "Gives up what has not been saved", [this] { closed(); });
+  close->setAccessibleName("Close the maker");
+  form_->addRow(buttons);
+  connect(mark_, &QPushButton::clicked, this, [this](bool on) { markingWanted(on); });
+  connect(remove_, &QPushButton::clicked, this, [this] { lastMarkRemoved(); });
+  connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
+    goalChanged();
+    showFields();
+  });
+  connect(structure_, &QComboBox::currentIndexChanged, this, [this] {
+    goalChanged();
+    showFields();
+  });
+}
+
+void TaskMakerPanel::begin(const std::vector<std::string>& instruments,
+                           const std::vector<std::string>& structures, bool vessels) {
+  vessels_ = vessels;
+  for (QCheckBox* box : boxes_) delete box;
+  boxes_.clear();
+  auto* grid = static_cast<QGridLayout*>(instruments_->layout());
+  for (const std::string& model : instruments) {
+    auto* box = new QCheckBox(shown(model), instruments_);
+    box->setProperty("model", QString::fromStdString(model));
+    box->setChecked(true);
+    grid->addWidget(box, int(boxes_.size()) / 2, int(boxes_.size()) % 2);
+    boxes_.push_back(box);
+  }
+  structure_->clear();
+  structure_->addItem(kNew);
+  for (const std::string& name : structures) structure_->addItem(QString::fromStdString(name));
+  showFields();
+}
+
+Kind TaskMakerPanel::kind() const { return Kind(kind_->currentData().toInt()); }
+bool TaskMakerPanel::marksStructure() const { return structure_->currentIndex() <= 0; }
+double TaskMakerPanel::structureRadius() const { return 1e-3 * size_->value(); }
+double TaskMakerPanel::structureDepth() const { return 1e-3 * depth_->value(); }
+std::string TaskMakerPanel::title() const { return title_->text().trimmed().toStdString(); }
+
+std::pair<std::size_t, std::size_t> TaskMakerPanel::placesWanted() const {
+  switch (kind()) {
+    case Kind::Touch:
+      return {1, 50};
+    case Kind::Follow:
+      return {2, 50};
+    case Kind::Resect:
+      return marksStructure() ? std::pair<std::size_t, std::size_t>{1, 1}
+                              : std::pair<std::size_t, std::size_t>{0, 0};
+    case Kind::StopBleeding:
+      return {0, 0};
+    case Kind::Divide:
+      return {1, 1};
+    case Kind::Transect:
+      return {2, 2};
+  }
+  return {0, 0};
+}
+
+void TaskMakerPanel::setMarks(std::size_t marks, bool marking) {
+  marks_ = marks;
+  mark_->setChecked(marking);
+  showFields();
+}
+
+// Only what the goal takes.
+void TaskMakerPanel::showFields() {
+  const Kind now = kind();
+  const auto [least, most] = placesWanted();
+  const bool bleeds = now == Kind::StopBleeding || now == Kind::Divide;
+  const bool lacks = bleeds && !vessels_;
+  const auto words = std::ranges::find(kKinds, now, &KindWords::kind);
+  advice_->setText(lacks ? QString("This organ has no vessels: open one that has them first.")
+                         : QString(words->advice) +
+                               (most > 0 ? QString(" Marked: %1.").arg(marks_) : ""));
+  form_->setRowVisible(structure_, now == Kind::Resect && structure_->count() > 1);
+  form_->setRowVisible(within_, now == Kind::Touch || now == Kind::Follow || now == Kind::Transect);
+  form_->setRowVisible(hold_, now == Kind::Touch || now == Kind::StopBleeding);
+  const bool fresh = now == Kind::Resect && marksStructure();
+  form_->setRowVisible(size_, fresh);
+  form_->setRowVisible(depth_, fresh);
+  form_->setRowVisible(margin_, now == Kind::Resect);
+  form_->setRowVisible(blood_, vessels_);
+  mark_->setEnabled(most > 0 && !lacks);
+  remove_->setEnabled(marks_ > 0);
+  for (QPushButton* one : {try_, save_}) one->setEnabled(!lacks && marks_ >= least);
+}
+
+Task TaskMakerPanel::task() const {
+  Task task;
+  task.teaches = teaches_->text().trimmed().toStdString();
+  if (task.teaches.empty()) task.teaches = "An exercise.";
+  task.guidance = guidance_->isChecked();
+  task.undo = undo_->isChecked();
+  task.goal.kind = kind();
+  task.goal.radius = 1e-3 * within_->value();
+  task.goal.hold = hold_->value();
+  task.goal.margin = 1e-3 * margin_->value();
+  task.goal.structure = marksStructure() ? "tumour" : structure_->currentText().toStdString();
+  for (const QCheckBox* box : boxes_)
+    if (box->isChecked())
+      task.instruments.push_back(box->property("model").toString().toStdString());
+  const auto limit = [&](const char* measure, const QDoubleSpinBox* field) {
+    if (field->value() > 0) task.limits.push_back({measure, {}, field->value()});
+  };
+  limit("total_time_s", time_);
+  if (vessels_) limit("blood_loss_ml", blood_);
+  limit("force_peak_n", force_);
+  if (force_->value() > 0) task.forceLimit = force_->value();
+  return task;
+}
+
+}  // namespace resect
