@@ -22,6 +22,7 @@ for name in "$@"; do
 done
 
 tools/install_packages.sh
+tools/install_packages.sh packages_python.txt
 
 summary=""
 for build in "${builds[@]}"; do

@@ -9,7 +9,7 @@ if ! command -v clang-format >/dev/null; then
   exit 77
 fi
 folders=()
-for folder in src devices test examples bench tools; do if [[ -d $folder ]]; then folders+=("$folder"); fi; done
+for folder in src devices test examples bench tools python; do if [[ -d $folder ]]; then folders+=("$folder"); fi; done
 mapfile -t files < <(find "${folders[@]}" -name '*.h' -o -name '*.cpp' -o -name '*.inl' ! -name builtin_liver_shape.inl | sort)
 
 if [[ ${1:-} == --fix ]]; then
