@@ -1,0 +1,78 @@
+"""Environment steps per second: python3 -m resect.bench
+
+Protocol of newton#4141: random actions, cutting on, the mean of 500 steps after 100; here with a reset whenever an
+episode is over; the surface follows every step. A step is a decision of 0.1 s. Beside steps per second stand those per
+second of processor time: what a core does that no other work shares. --quick takes a tenth of the steps.
+"""
+
+import argparse
+import os
+import time
+
+import numpy as np
+
+from resect.envs import Incise, Reach, Retract, VectorEnv
+from resect.envs.scene import TISSUES
+
+#: Figures that others published, on other machines and without cutting (newton#4141, 2026-09).
+PUBLISHED = [("PhysX, one RTX 5090, no cutting", 18622), ("Newton, one RTX 5090, no cutting", 11808)]
+KINDS = {"Incise": Incise, "Reach": Reach, "Retract": Retract}
+
+
+def steps_per_second(make, count, backend, warm, measured, seed=0):
+    """Mean over all environments together: steps per second, and per second of processor time."""
+    envs = VectorEnv(make, count, backend)
+    try:
+        envs.action_space.seed(seed)
+        envs.reset(seed=seed)
+        for _ in range(warm):
+            envs.step(envs.action_space.sample())
+        begin, worked = time.perf_counter(), envs.processor_time()
+        for _ in range(measured):
+            envs.step(envs.action_space.sample())
+        took, worked = time.perf_counter() - begin, envs.processor_time() - worked
+        return count * measured / took, count * measured / worked
+    finally:
+        envs.close()
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="python3 -m resect.bench", description=__doc__.split("\n\n")[0],
+                                     epilog="\n".join(__doc__.split("\n\n")[1:]))
+    parser.add_argument("--env", default="Incise", choices=sorted(KINDS))
+    parser.add_argument("--envs", default="1,2,4,8,16", help="numbers of environments, as 1,2,4")
+    parser.add_argument("--particles", default="300,1000,3000")
+    parser.add_argument("--tissue", default="plain,liver", help="plain, liver, or both")
+    parser.add_argument("--backend", default="processes", help="processes, threads, here, or several")
+    parser.add_argument("--observation", default="state")
+    parser.add_argument("--quick", action="store_true", help="50 steps after 10")
+    parser.add_argument("--csv", help="file for the table")
+    given = parser.parse_args()
+    numbers = [int(n) for n in given.envs.split(",")]
+    warm, measured = (10, 50) if given.quick else (100, 500)
+    cores = len(os.sched_getaffinity(0))
+    print(f"{given.env}, observation {given.observation}, mean of {measured} steps after {warm}, random actions, "
+          f"{cores} cores, load of the machine {os.getloadavg()[0]:.1f}")
+    rows = [("env", "observation", "tissue", "particles", "backend", "envs", "steps_per_s", "steps_per_processor_s",
+             "load")]
+    for tissue in given.tissue.split(","):
+        if tissue not in TISSUES:
+            parser.error(f"tissue is {tissue}; use plain or liver")
+        for particles in map(int, given.particles.split(",")):
+            for backend in given.backend.split(","):
+                for count in numbers:
+                    load = os.getloadavg()[0]
+                    make = lambda: KINDS[given.env](observation=given.observation, particles=particles, tissue=tissue)
+                    rate, share = steps_per_second(make, count, backend, warm, measured)
+                    rows.append((given.env, given.observation, tissue, particles, backend, count, f"{rate:.1f}",
+                                 f"{share:.1f}", f"{load:.1f}"))
+                    print(f"  {tissue:5}  {particles:5} particles  {count:2} {backend:9}  {rate:7.0f} steps/s, "
+                          f"{share:5.0f} per second of a core", flush=True)
+    for name, rate in PUBLISHED:
+        print(f"  published: {name}: {rate} steps/s")
+    if given.csv:
+        np.savetxt(given.csv, np.array(rows), fmt="%s", delimiter=",")
+
+
+if __name__ == "__main__":
+    main()
