@@ -78,6 +78,7 @@ int parseAndRun(int argc, char** argv) {
   resect::addReportCommand(app);
   resect::addClassCommand(app);
   resect::addHistoryCommand(app);
+  resect::addSweepCommand(app);
   resect::addWindowCommand(app);
   refuseEmptyValues(app);
   const auto named = [&](CLI::App* command) { return command->get_name() == argv[1]; };

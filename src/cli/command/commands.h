@@ -13,6 +13,7 @@ void addLiverCommand(CLI::App& app);
 void addAnatomyCommand(CLI::App& app);
 void addDiscretizeCommand(CLI::App& app);
 void addSurfaceCommand(CLI::App& app);
+void addSweepCommand(CLI::App& app);
 void addRunCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);

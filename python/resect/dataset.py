@@ -1,0 +1,212 @@
+"""Data sets of demonstrations: HDF5 in the layout of robomimic, with a card that says what is in it.
+
+    python3 -m resect.dataset cuts --env Incise --demos 100 --observation state,rgb,depth,labels
+
+writes the folder cuts with demos.hdf5 and README.md; --pictures adds each picture as a file. Every demonstration keeps
+the state at which it begins and the digest of the state at its end: replay() proves that its actions lead there.
+"""
+
+import argparse
+import json
+import pathlib
+
+import numpy as np
+
+import resect
+from resect import envs
+
+KINDS = {kind.__name__: kind for kind in (envs.Reach, envs.Retract, envs.Incise, envs.ResectTumour)}
+
+#: What each array is: shape of one entry, unit.
+MEANINGS = {
+    "state": "the observation `state` of the environment (docs/how-to/python.md)",
+    "points": "places of 256 particles, m, and 1 where the particle is left",
+    "contact": "per instrument: force in N (3), particles met, particles held",
+    "rgb": "colours, sRGB, top row first",
+    "depth": "depth along the camera's axis, m, 10 where nothing is",
+    "labels": "0 nothing, 1 table, 16 + instrument, 256 (organ + 1) + structure",
+    "poses": "per instrument: x y z in m, quaternion x y z w, squeeze, pedal, in hand",
+    "forces": "per instrument: mean force of the tissue on it in the decision before, N",
+}
+
+
+def _h5py():
+    try:
+        import h5py
+        return h5py
+    except ImportError:
+        raise resect.Error("data sets are written by h5py, which is not installed; on Debian: apt install python3-h5py"
+                           ) from None
+
+
+def _seen(env, observation):
+    """What an environment observes, with poses and forces, as a dictionary."""
+    seen = dict(observation) if isinstance(observation, dict) else {env.observation[0]: observation}
+    seen["poses"] = env.simulation.tools().astype(np.float32)
+    seen["forces"] = env.simulation.tool_force().astype(np.float32)
+    return seen
+
+
+def demonstrate(env, seed, act):
+    """One episode as arrays: obs, next_obs (dictionaries), actions, rewards, dones; and the states that prove it."""
+    observation, info = env.reset(seed=seed)
+    seen, actions, rewards, dones = [_seen(env, observation)], [], [], []
+    start = env.simulation.save()
+    while not dones or not dones[-1]:
+        action = np.asarray(act(env), np.float32)
+        observation, reward, terminated, truncated, info = env.step(action)
+        seen.append(_seen(env, observation))
+        actions.append(action), rewards.append(reward), dones.append(terminated or truncated)
+    stacked = {name: np.stack([s[name] for s in seen]) for name in seen[0]}
+    return {"obs": {n: a[:-1] for n, a in stacked.items()}, "next_obs": {n: a[1:] for n, a in stacked.items()},
+            "actions": np.stack(actions), "rewards": np.array(rewards, np.float32),
+            "dones": np.array(dones, np.uint8), "start": np.frombuffer(start, np.uint8),
+            "hash": f"{env.simulation.state_hash:016x}", "success": bool(info.get("is_success", False)), "seed": seed}
+
+
+def _write_demo(group, demo):
+    for kind in ("obs", "next_obs"):
+        for name, array in demo[kind].items():
+            packed = {"compression": "gzip", "compression_opts": 4} if array.ndim > 3 or array[0].size > 64 else {}
+            group.create_dataset(f"{kind}/{name}", data=array, **packed)
+    for name in ("actions", "rewards", "dones"):
+        group.create_dataset(name, data=demo[name])
+    # robomimic's name for what the simulator needs to be set to a moment; here the observation "state" stands for it.
+    group.create_dataset("states", data=demo["obs"].get("state", demo["obs"]["poses"].reshape(len(demo["actions"]), -1)))
+    group.create_dataset("start_state", data=demo["start"], compression="gzip")
+    group.attrs.update(num_samples=len(demo["actions"]), end_state_hash=demo["hash"], success=demo["success"],
+                       seed=demo["seed"])
+
+
+def write_demos(folder, kind, demos, seed=0, observation=("state",), options=None, act=None, progress=None):
+    """Writes FOLDER/demos.hdf5 and FOLDER/README.md. act: function of the environment that returns an action; without
+    it the scripted operator. Returns the number of demonstrations that reached the goal."""
+    h5py = _h5py()
+    if kind not in KINDS:
+        raise resect.Error(f"there is no environment \"{kind}\"; use {', '.join(KINDS)}")
+    if demos < 1:
+        raise resect.Error(f"{demos} demonstrations were asked for; give 1 or more")
+    folder = pathlib.Path(folder)
+    if folder.exists() and any(folder.iterdir()):
+        raise resect.Error(f"{folder}: is there and not empty; name another folder")
+    options = dict(options or {})
+    env = KINDS[kind](observation=tuple(observation), **options)
+    folder.mkdir(parents=True, exist_ok=True)
+    unfinished = folder / "demos.hdf5.tmp"
+    reached = total = 0
+    with h5py.File(unfinished, "w") as file:
+        data = file.create_group("data")
+        for number in range(demos):
+            demo = demonstrate(env, seed + number, act or (lambda e: e.scripted_action()))
+            _write_demo(data.create_group(f"demo_{number}"), demo)
+            reached, total = reached + demo["success"], total + len(demo["actions"])
+            if progress:
+                progress(number + 1, demos)
+        data.attrs["total"] = total
+        data.attrs["env_args"] = json.dumps({"env_name": kind, "type": 2, "env_kwargs":
+                                             {"observation": list(observation), **options},
+                                             "program": f"resect {resect.__version__}"})
+        names = np.array([f"demo_{n}".encode() for n in range(demos)])
+        held_back = np.arange(demos) % 10 == 9
+        file.create_dataset("mask/train", data=names[~held_back])
+        file.create_dataset("mask/valid", data=names[held_back])
+        card = _card(file, kind, env, options, seed, reached)
+    (folder / "README.md").write_text(card, encoding="utf-8")
+    unfinished.rename(folder / "demos.hdf5")
+    return reached
+
+
+def _card(file, kind, env, options, seed, reached):
+    demos = [k for k in file["data"]]
+    first = file["data/demo_0"]
+    lines = [f"# {len(demos)} demonstrations of {kind}", "", type(env).__doc__.strip().split("\n\n")[0], "",
+             f"Made by resect {resect.__version__}. A decision lasts 0.1 s. {file['data'].attrs['total']} decisions; "
+             f"{reached} of {len(demos)} demonstrations reach the goal. Seeds {seed} to {seed + len(demos) - 1}. "
+             f"{env.organ.particles} particles, {env.organ.spacing * 1e3:.3g} mm apart"
+             + (f"; options {json.dumps(options)}" if options else "") + ".", "",
+             "| array | of one decision | what it is |", "|---|---|---|"]
+    for name, array in first["obs"].items():
+        shape = "x".join(map(str, array.shape[1:])) or "1"
+        lines.append(f"| `data/demo_N/obs/{name}`, `next_obs/{name}` | {shape} {array.dtype} | {MEANINGS[name]} |")
+    lines += [f"| `actions` | {first['actions'].shape[1]} float32 | per instrument {', '.join(envs.ACTION)}, -1 to 1 |",
+              "| `rewards`, `dones` | 1 | as the environment documents them; 1 at the end |",
+              "| `states` | | the observation `state`, for programs that ask for robomimic's `states` |",
+              "| `start_state` | bytes | `Simulation.save()` at the beginning; attribute `end_state_hash`: the digest at "
+              "the end |", "",
+              "`mask/train` and `mask/valid` list nine tenths and one tenth of the demonstrations.", "",
+              "## Limits", "",
+              "The organ is a formula fitted to one liver; the operator is a program that knows the scene, not a surgeon. "
+              "Not for decisions about patients.", "",
+              "## Proof", "",
+              "`resect.dataset.replay(FOLDER, N)` takes the actions of a demonstration from its first state and compares "
+              "the state at the end bit for bit.", ""]
+    return "\n".join(lines)
+
+
+def replay(folder, number):
+    """Whether the actions of a demonstration lead from its first state to the state at its end, bit for bit."""
+    with _h5py().File(pathlib.Path(folder) / "demos.hdf5") as file:
+        args = json.loads(file["data"].attrs["env_args"])
+        demo = file[f"data/demo_{number}"]
+        env = KINDS[args["env_name"]](**{**args["env_kwargs"], "observation": "state"})
+        env.reset(seed=int(demo.attrs["seed"]))
+        if env.simulation.save() != demo["start_state"][:].tobytes():
+            return False
+        for action in demo["actions"][:]:
+            env.step(action)
+        return f"{env.simulation.state_hash:016x}" == demo.attrs["end_state_hash"]
+
+
+def export_pictures(folder):
+    """Writes the pictures of FOLDER/demos.hdf5 as files below FOLDER/pictures: rgb as .png, depth and labels as .npy,
+    poses and forces as .csv, a folder per demonstration. Returns the number of files."""
+    folder, written = pathlib.Path(folder), 0
+    with _h5py().File(folder / "demos.hdf5") as file:
+        for name, demo in file["data"].items():
+            target = folder / "pictures" / name
+            target.mkdir(parents=True, exist_ok=True)
+            for kind in ("rgb", "depth", "labels"):
+                for number, picture in enumerate(demo[f"obs/{kind}"] if kind in demo["obs"] else ()):
+                    path = target / f"{kind}_{number:04}"
+                    if kind == "rgb":
+                        resect.write_png(f"{path}.png", picture)
+                    else:
+                        np.save(path, picture)
+                    written += 1
+            for kind, columns in (("poses", resect.TOOL_COLUMNS), ("forces", ("fx", "fy", "fz"))):
+                values = demo[f"obs/{kind}"][:]
+                header = ",".join(f"{c}.{tool}" for tool in range(values.shape[1]) for c in columns)
+                np.savetxt(target / f"{kind}.csv", values.reshape(len(values), -1), "%.6g", ",", header=header, comments="")
+                written += 1
+    return written
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="python3 -m resect.dataset", description=__doc__.split("\n\n")[0])
+    parser.add_argument("folder", help="folder that is made")
+    parser.add_argument("--env", default="Incise", choices=sorted(KINDS))
+    parser.add_argument("--demos", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=0, help="of the first demonstration")
+    parser.add_argument("--observation", default="state", help="as state,rgb,depth,labels")
+    parser.add_argument("--particles", type=int, default=1000)
+    parser.add_argument("--tissue", default="plain")
+    parser.add_argument("--picture", default="64x64", help="size in pixels")
+    parser.add_argument("--pictures", action="store_true", help="write each picture as a file too")
+    given = parser.parse_args()
+    try:
+        size = tuple(int(n) for n in given.picture.split("x"))
+    except ValueError:
+        parser.error(f"--picture is {given.picture}; give width x height, as 64x64")
+    tell = lambda done, count: print(f"{done} of {count}", end="\r" if done < count else "\n", flush=True)
+    reached = write_demos(given.folder, given.env, given.demos, given.seed, given.observation.split(","),
+                          {"particles": given.particles, "tissue": given.tissue, "picture": list(size)}, progress=tell)
+    print(f"{given.folder}/demos.hdf5: {given.demos} demonstrations, {reached} reach the goal")
+    if given.pictures:
+        print(f"{given.folder}/pictures: {export_pictures(given.folder)} files")
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except resect.Error as error:
+        raise SystemExit(f"resect: error: {error}")
