@@ -28,3 +28,7 @@ TOOL_COLUMNS = ("x", "y", "z", "qx", "qy", "qz", "qw", "squeeze", "pedal", "in_h
 __all__ = ["Camera", "Edit", "Error", "Organ", "OrganState", "Recording", "Report", "Scenario", "Simulation",
            "TOOL_COLUMNS", "Verification", "__version__", "data_folder", "scenario_names", "score", "set_threads",
            "task_names", "verify", "write_png"]
+
+for _name in __all__:
+    if isinstance(globals()[_name], type):
+        globals()[_name].__module__ = "resect"  # where people find it

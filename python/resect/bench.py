@@ -19,8 +19,17 @@ PUBLISHED = [("PhysX, one RTX 5090, no cutting", 18622), ("Newton, one RTX 5090,
 KINDS = {"Incise": Incise, "Reach": Reach, "Retract": Retract}
 
 
+def scripted(kind):
+    """The environment with its scripted operator, whatever the action."""
+    class Scripted(kind):
+        def step(self, action):
+            return super().step(self.scripted_action())
+    return Scripted
+
+
 def steps_per_second(make, count, backend, warm, measured, seed=0):
-    """Mean over all environments together: steps per second, and per second of processor time."""
+    """Mean over all environments together: steps per second, steps per second of processor time, and the share of
+    steps in which tissue was cut."""
     envs = VectorEnv(make, count, backend)
     try:
         envs.action_space.seed(seed)
@@ -28,10 +37,11 @@ def steps_per_second(make, count, backend, warm, measured, seed=0):
         for _ in range(warm):
             envs.step(envs.action_space.sample())
         begin, worked = time.perf_counter(), envs.processor_time()
+        cut = 0
         for _ in range(measured):
-            envs.step(envs.action_space.sample())
+            cut += sum(info["severed"] > 0 for info in envs.step(envs.action_space.sample())[4])
         took, worked = time.perf_counter() - begin, envs.processor_time() - worked
-        return count * measured / took, count * measured / worked
+        return count * measured / took, count * measured / worked, cut / (count * measured)
     finally:
         envs.close()
 
@@ -45,16 +55,18 @@ def main():
     parser.add_argument("--tissue", default="plain,liver", help="plain, liver, or both")
     parser.add_argument("--backend", default="processes", help="processes, threads, here, or several")
     parser.add_argument("--observation", default="state")
+    parser.add_argument("--operator", default="random", choices=("random", "scripted"),
+                        help="random actions, or the scripted operator, who cuts almost always")
     parser.add_argument("--quick", action="store_true", help="50 steps after 10")
     parser.add_argument("--csv", help="file for the table")
     given = parser.parse_args()
     numbers = [int(n) for n in given.envs.split(",")]
     warm, measured = (10, 50) if given.quick else (100, 500)
     cores = len(os.sched_getaffinity(0))
-    print(f"{given.env}, observation {given.observation}, mean of {measured} steps after {warm}, random actions, "
+    print(f"{given.env}, observation {given.observation}, mean of {measured} steps after {warm}, {given.operator} actions, "
           f"{cores} cores, load of the machine {os.getloadavg()[0]:.1f}")
     rows = [("env", "observation", "tissue", "particles", "backend", "envs", "steps_per_s", "steps_per_processor_s",
-             "load")]
+             "share_that_cuts", "load")]
     for tissue in given.tissue.split(","):
         if tissue not in TISSUES:
             parser.error(f"tissue is {tissue}; use plain or liver")
@@ -62,12 +74,13 @@ def main():
             for backend in given.backend.split(","):
                 for count in numbers:
                     load = os.getloadavg()[0]
-                    make = lambda: KINDS[given.env](observation=given.observation, particles=particles, tissue=tissue)
-                    rate, share = steps_per_second(make, count, backend, warm, measured)
+                    kind = KINDS[given.env] if given.operator == "random" else scripted(KINDS[given.env])
+                    make = lambda: kind(observation=given.observation, particles=particles, tissue=tissue)
+                    rate, share, cut = steps_per_second(make, count, backend, warm, measured)
                     rows.append((given.env, given.observation, tissue, particles, backend, count, f"{rate:.1f}",
-                                 f"{share:.1f}", f"{load:.1f}"))
+                                 f"{share:.1f}", f"{cut:.3f}", f"{load:.1f}"))
                     print(f"  {tissue:5}  {particles:5} particles  {count:2} {backend:9}  {rate:7.0f} steps/s, "
-                          f"{share:5.0f} per second of a core", flush=True)
+                          f"{share:5.0f} per second of a core, {cut:4.0%} cut", flush=True)
     for name, rate in PUBLISHED:
         print(f"  published: {name}: {rate} steps/s")
     if given.csv:

@@ -1,4 +1,5 @@
 """The package: scenarios, organs, steps, states, arrays, recordings, errors."""
+import ast
 import gc
 import pathlib
 import sys
@@ -199,6 +200,30 @@ class Organs(unittest.TestCase):
         again = resect.Organ.from_file("gallbladder", 0.004)
         self.assertGreater(organ.particles, 300)
         self.assertAlmostEqual(organ.volume_ml, again.volume_ml, delta=1)
+
+
+class Stubs(unittest.TestCase):
+    def test_the_stubs_name_what_the_module_has(self):
+        stub = ast.parse((pathlib.Path(resect.__file__).parent / "_core.pyi").read_text())
+
+        def named(body):
+            names = set()
+            for node in body:
+                if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+                    names.add(node.name)
+                elif isinstance(node, ast.AnnAssign):
+                    names.add(node.target.id)
+            return {n for n in names if not n.startswith("__")}
+
+        def public(thing):
+            return {n for n in vars(thing) if not n.startswith("_")}
+
+        self.assertEqual(named(stub.body), public(resect._core))
+        for node in stub.body:
+            if isinstance(node, ast.ClassDef) and node.name != "Error":
+                kind = getattr(resect._core, node.name)
+                self.assertEqual(named(node.body), public(kind), node.name)
+        self.assertEqual(set(resect.__all__) - {"TOOL_COLUMNS", "__version__"}, public(resect._core))
 
 
 class Errors(unittest.TestCase):

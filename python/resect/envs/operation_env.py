@@ -123,7 +123,7 @@ class OperationEnv(Env):
         reward, terminated, info = self.judge(self._report)
         truncated = not terminated and self._steps >= self.max_steps
         self._over = terminated or truncated
-        return self._observe(), float(reward), bool(terminated), bool(truncated), {**self.info(), **info}
+        return self._observe(), float(reward), bool(terminated), bool(truncated), {**self.info(), "severed": self._report.severed, **info}
 
     def render(self):
         return self.camera().rgb() if self.render_mode == "rgb_array" else None
