@@ -1,6 +1,9 @@
 """The environments: Gymnasium's interface, goals that can be reached, many at once."""
+import csv
 import os
 import signal
+import subprocess
+import sys
 import unittest
 
 import numpy as np
@@ -131,6 +134,15 @@ class Many(unittest.TestCase):
             with self.assertRaisesRegex(resect.Error, "environment 1 of 2 failed"):
                 many.step(np.zeros((2, 8), np.float32))
                 many.step(np.zeros((2, 8), np.float32))
+
+    def test_the_bench_writes_a_table(self):
+        subprocess.run([sys.executable, "-m", "resect.bench", "--quick", "--envs", "2", "--particles", "300", "--tissue",
+                        "plain", "--operator", "scripted", "--csv", "bench.csv"], check=True, capture_output=True, timeout=200)
+        with open("bench.csv") as file:
+            row, = csv.DictReader(file)
+        self.assertEqual((row["env"], row["envs"], row["particles"]), ("Incise", "2", "300"))
+        self.assertGreater(float(row["steps_per_s"]), 0)
+        self.assertGreater(float(row["share_that_cuts"]), 0.2)
 
     def test_a_wrong_setting_is_one_sentence(self):
         with self.assertRaisesRegex(resect.Error, "plain or liver"):

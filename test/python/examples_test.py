@@ -95,6 +95,16 @@ class DataSets(unittest.TestCase):
         card = pathlib.Path("reach/README.md").read_text()
         self.assertIn("3 of 3 demonstrations reach the goal", card)
 
+    def test_the_command_makes_a_folder(self):
+        command = [sys.executable, "-m", "resect.dataset", "made", "--env", "Retract", "--demos", "1", "--particles", "300"]
+        done = subprocess.run([*command, "--pictures"], capture_output=True, text=True, timeout=100)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        made = {str(p.relative_to("made")) for p in pathlib.Path("made").rglob("*") if p.is_file()}
+        self.assertEqual(made, {"README.md", "demos.hdf5", "pictures/demo_0/poses.csv", "pictures/demo_0/forces.csv"})
+        done = subprocess.run(command, capture_output=True, text=True, timeout=100)
+        self.assertEqual((done.returncode, done.stderr),
+                         (1, "resect: error: made: is there and not empty; name another folder\n"))
+
     def test_mistakes_are_one_sentence(self):
         pathlib.Path("full").mkdir()
         pathlib.Path("full/x").touch()

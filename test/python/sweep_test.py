@@ -141,6 +141,14 @@ class Tables(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"^resect: error: .* has no package resect;[^\n]*\n$")
 
+    def test_a_table_that_is_read_is_not_written(self):
+        pathlib.Path("own.csv").write_text("tissue.young\n3000\n")
+        pathlib.Path("own.toml").write_text('rows = "own.csv"\nscenario = "press"\n')
+        done = sweep("own.toml")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("is read by the sweep", done.stderr)
+        self.assertEqual(pathlib.Path("own.csv").read_text(), "tissue.young\n3000\n")
+
     def test_a_row_that_cannot_be_run_says_why_and_is_tried_again(self):
         write("bad.toml", '[vary]\n"tissue.young" = [2000, -1, 5000]\n')
         done = sweep("bad.toml", "-o", "bad.csv", "--workers", "1")

@@ -140,7 +140,7 @@ def main(arguments=None):
         raise resect.Error(f"--workers is {given.workers}; give 1 or more")
     plan = read_plan(given.plan)
     output = pathlib.Path(given.output or pathlib.Path(given.plan).with_suffix(".csv")).absolute()
-    check_target(output)
+    check_target(output, plan.files)
     if given.verify is not None:
         return verify(plan, output, given.verify)
     if given.collect:

@@ -23,7 +23,7 @@ class Plan:
     name: str  # of the scenario, for people
     keys: tuple
     rows: tuple
-    outputs: tuple  # names of extra results
+    files: tuple  # that were read
 
     def text(self, number):
         """The scenario of a row as TOML."""
@@ -104,9 +104,9 @@ def read_plan(path):
     """Reads SWEEP.toml; raises resect.Error with one sentence if anything in it is wrong."""
     path = pathlib.Path(path)
     given = _read_toml(path)
-    unknown = set(given) - {"scenario", "fixed", "vary", "random", "rows", "outputs"}
+    unknown = set(given) - {"scenario", "fixed", "vary", "random", "rows"}
     if unknown:
-        raise resect.Error(f"{path}: unknown key {sorted(unknown)[0]}; use scenario, fixed, vary, random, rows, outputs")
+        raise resect.Error(f"{path}: unknown key {sorted(unknown)[0]}; use scenario, fixed, vary, random, rows")
     if not isinstance(given.get("scenario"), str):
         raise resect.Error(f"{path}: give scenario, the name of a scenario or a file")
     for name in ("fixed", "vary", "random"):
@@ -115,18 +115,20 @@ def read_plan(path):
     source = _scenario_path(given["scenario"], path.parent)
     scenario = changed(_with_paths(_read_toml(source), source.parent), given.get("fixed", {}), f"{path}: [fixed]")
 
+    files = [path, source]
     vary = given.get("vary", {})
     for key, values in vary.items():
         if not isinstance(values, list) or not values:
             raise resect.Error(f"{path}: [vary] {key} must be a list of values")
     rows = [dict(zip(vary, values)) for values in itertools.product(*vary.values())]
     if "rows" in given:
-        rows = [{**a, **b} for a in _rows_of_file(path.parent / str(given["rows"])) for b in rows]
+        files.append(path.parent / str(given["rows"]))
+        rows = [{**a, **b} for a in _rows_of_file(files[-1]) for b in rows]
     if "random" in given:
         rows = [{**a, **b} for a in rows for b in _random_rows(given["random"], path)]
     if not 0 < len(rows) <= MOST_ROWS:
         raise resect.Error(f"{path}: describes {len(rows)} operations; give 1 to {MOST_ROWS}")
-    plan = Plan(scenario, given["scenario"], tuple(rows[0]), tuple(rows), tuple(given.get("outputs", ())))
+    plan = Plan(scenario, given["scenario"], tuple(rows[0]), tuple(rows), tuple(files))
     for number in (0, len(rows) - 1):  # a mistake is told before the first operation, not in every row
         resect.Scenario.parse(plan.text(number), f"{path}: row {number}")
     return plan

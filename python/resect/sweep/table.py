@@ -37,13 +37,15 @@ def write_table(path, plan, results):
         new.unlink(missing_ok=True)
 
 
-def check_target(path):
-    """Raises resect.Error if the table could not be written to this path at the end."""
+def check_target(path, inputs):
+    """Raises resect.Error if the table could not be written to this path at the end, or if it is one of the inputs."""
     path = pathlib.Path(path)
     if path.suffix not in (".csv", ".parquet"):
         raise resect.Error(f"{path}: a table is written as .csv or .parquet")
     if path.suffix == ".parquet":
         _pyarrow()
+    if path.exists() and any(path.samefile(p) for p in inputs):
+        raise resect.Error(f"{path}: is read by the sweep; name another table by --output")
     if not path.parent.is_dir() or not os.access(path.parent, os.W_OK):
         raise resect.Error(f"{path}: the folder {path.parent} is not there or cannot be written")
 
