@@ -18,7 +18,7 @@ for frame in range(scenario.frame_count):
 
 peak = int(np.argmax(forces))
 print(f"{simulation.organ().particles} particles, {scenario.frame_count} frames")
-print(f"at most {forces[peak]:.2f} N, at {times[peak]:.2f} s; tissue pressed down by {1e3 * max(depths):.1f} mm")
+print(f"at most {forces[peak]:.2f} N, at {times[peak]:.2f} s; tissue sinks by {1e3 * max(depths):.1f} mm")
 assert forces[peak] > 1
 
 import matplotlib  # noqa: E402
@@ -28,7 +28,7 @@ from matplotlib import pyplot  # noqa: E402
 
 figure, axis = pyplot.subplots(figsize=(7, 3), layout="constrained")
 axis.plot(times, forces, color="#b3362b", label="force on the baton, N")
-axis.plot(times, 100 * np.array(depths), color="#2b5fb3", label="greatest depth, cm")
+axis.plot(times, 100 * np.array(depths), color="#2b5fb3", label="how far tissue has sunk at most, cm")
 axis.set_xlabel("s")
 axis.legend(frameon=False)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "force.svg")

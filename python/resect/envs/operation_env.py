@@ -108,6 +108,7 @@ class OperationEnv(Env):
         self._rows[:, :7] = poses
         self._rows[:, 7:9] = 0
         self._rows[:, 9] = 1
+        self.simulation.step(self._rows, 0.0)  # takes the instruments in hand; nothing moves
         self._steps, self._over, self._report = 0, False, None
         return self._observe(), self.info()
 

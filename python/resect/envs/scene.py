@@ -17,6 +17,7 @@ mode = "operation"
 frame_rate = 10
 duration = 60
 view = "{view}"
+close_up = [[-0.12, 0, -0.11], [0.12, 0.13, 0.11]]
 [room]
 tool_box = false
 [organ]
