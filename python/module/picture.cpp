@@ -3,6 +3,9 @@
 
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <pybind11/stl.h>
+#include <unistd.h>
+
+#include <thread>
 
 #include "arrays.h"
 #include "base/error.h"
@@ -21,6 +24,21 @@ namespace {
 constexpr std::uint16_t kTable = 1, kFirstTool = 16, kFirstOrgan = 256;
 constexpr double kTableHalfX = 0.45, kTableHalfZ = 0.3;  // m, data/tools/table.iv
 
+// Inventor is used by one thread only, and a drawing context is of no use to a process that was
+// forked later.
+void requireDrawingThread() {
+  static const std::thread::id thread = std::this_thread::get_id();
+  static const pid_t process = ::getpid();
+  if (process != ::getpid())
+    throw usageError(
+        "this process was forked from one that had drawn pictures; start it afresh, with "
+        "context=\"spawn\"");
+  if (thread != std::this_thread::get_id())
+    throw usageError(
+        "pictures are drawn by one thread of a process, the one that made the first camera; draw "
+        "there, or use processes");
+}
+
 class View {
  public:
   View(py::object simulation, int width, int height, const std::string& view, int samples)
@@ -29,6 +47,7 @@ class View {
         width_(width),
         height_(height),
         samples_(samples) {
+    requireDrawingThread();
     if (std::min(width, height) < 16 || std::max(width, height) > 8192)
       throw usageError("a picture of {} x {} pixels is refused; choose 16 to 8192 each way", width,
                        height);
@@ -42,6 +61,7 @@ class View {
 
   // Top row first.
   py::array rgb() {
+    requireDrawingThread();
     if (!picture_) picture_.emplace(width_, height_, samples_);
     view_->follow(*session_.simulation);
     RgbImage image = view_->draw(*picture_);

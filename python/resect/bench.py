@@ -15,7 +15,8 @@ from resect.envs import Incise, Reach, Retract, VectorEnv
 from resect.envs.scene import TISSUES
 
 #: Figures that others published, on other machines and without cutting (newton#4141, 2026-09).
-PUBLISHED = [("PhysX, one RTX 5090, no cutting", 18622), ("Newton, one RTX 5090, no cutting", 11808)]
+PUBLISHED = [("PhysX, 1024 environments on one RTX 5090, no cutting", 18622),
+             ("Newton, 4096 environments on one RTX 5090, no cutting", 11808)]
 KINDS = {"Incise": Incise, "Reach": Reach, "Retract": Retract}
 
 

@@ -1,6 +1,7 @@
 """The package: scenarios, organs, steps, states, arrays, recordings, errors."""
 import ast
 import gc
+import os
 import pathlib
 import sys
 import threading
@@ -101,13 +102,25 @@ class Simulations(unittest.TestCase):
 
     def test_one_simulation_in_two_threads_is_an_error(self):
         simulation = resect.Simulation(resect.Scenario("press"))
-        thread = threading.Thread(target=simulation.step, kwargs={"duration": 1.0})
+        caught = threading.Event()
+
+        def steps():
+            while not caught.is_set():
+                try:
+                    simulation.step(duration=0.2)
+                except resect.Error:  # the other one was first
+                    pass
+
+        thread = threading.Thread(target=steps)
         thread.start()
-        time.sleep(0.02)
-        with self.assertRaisesRegex(resect.Error, "another thread"):
-            while thread.is_alive():
-                simulation.save()
-        thread.join()
+        try:
+            with self.assertRaisesRegex(resect.Error, "another thread"):
+                end = time.monotonic() + 60
+                while time.monotonic() < end:
+                    simulation.save()
+        finally:
+            caught.set()
+            thread.join()
 
     def test_edits_remove_cut_and_label(self):
         simulation = soft_box()
@@ -337,6 +350,28 @@ class Pictures(unittest.TestCase):
         self.assertTrue((world[:, 1] > -0.001).all() and (world[:, 1] < 0.043).all())
         right = world[labels[v, u] == 258]
         self.assertGreater(right[:, 0].min(), 0.0)
+
+    def test_another_thread_and_a_forked_process_are_told_that_they_cannot_draw(self):
+        said = []
+
+        def draw():
+            try:
+                resect.Camera(self.simulation)
+            except resect.Error as e:
+                said.append(str(e))
+
+        thread = threading.Thread(target=draw)
+        thread.start()
+        thread.join()
+        self.assertIn("one thread", said[0])
+        here, there = os.pipe()
+        child = os.fork()
+        if not child:
+            draw()
+            os.write(there, said[-1].encode())
+            os._exit(0)
+        os.waitpid(child, 0)
+        self.assertIn(b"forked", os.read(here, 1000))
 
     def test_colours_and_labels_come_from_one_camera(self):
         rgb = self.camera.rgb().astype(int)
