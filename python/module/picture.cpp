@@ -41,7 +41,8 @@ void requireDrawingThread() {
 
 class View {
  public:
-  View(py::object simulation, int width, int height, const std::string& view, int samples)
+  View(py::object simulation, int width, int height, const std::string& view, int samples,
+       int shadows)
       : owner_(std::move(simulation)),
         session_(owner_.cast<Session&>()),
         width_(width),
@@ -56,7 +57,10 @@ class View {
       scenario.view = view;
       scenario.closeUp.reset();
     }
+    require(shadows >= 64 && shadows <= 4096,
+            "shadows of {} texels were asked for; give 64 to 4096", shadows);
     view_.emplace(scenario, *session_.simulation, double(width) / height);
+    view_->room().setShadowResolution(shadows);
   }
 
   // Top row first.
@@ -146,11 +150,11 @@ void bindPicture(py::module_& m) {
       "Pictures of a simulation without a window. To be used by one thread only, the one that "
       "made the first camera of the process.")
       .def(
-          py::init<py::object, int, int, const std::string&, int>(), py::arg("simulation"),
+          py::init<py::object, int, int, const std::string&, int, int>(), py::arg("simulation"),
           py::arg("width") = 128, py::arg("height") = 128, py::arg("view") = "",
-          py::arg("samples") = 1,
+          py::arg("samples") = 1, py::arg("shadows") = 256,
           "view: surgeon, assistant, top or laparoscope; empty: that of the scenario. samples: per "
-          "pixel.")
+          "pixel. shadows: texels along each side of the maps of shadows; fewer are faster.")
       .def("rgb", &View::rgb, "[height, width, 3] uint8, sRGB, top row first.")
       .def("depth_and_labels", &View::depthAndLabels,
            "Depth along the camera's axis, [height, width] float32, m, infinite where nothing is; "

@@ -263,6 +263,7 @@ class Errors(unittest.TestCase):
                 (lambda: resect.Organ.from_cells(np.full((2, 2, 2), 9), 0.01), "0 to 1"),
                 (lambda: resect.Camera(simulation, 4, 4), "4 x 4"),
                 (lambda: resect.Camera(simulation, view="moon"), "moon"),
+                (lambda: resect.Camera(simulation, shadows=3), "64 to 4096"),
                 (lambda: resect.verify("nothing.resect"), "nothing.resect"),
                 (lambda: simulation.end_recording(), "record"),
         ]:
