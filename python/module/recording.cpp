@@ -8,6 +8,7 @@
 #include "io/scenario/scenario_file.h"
 #include "io/scenario/task_files.h"
 #include "record/replay.h"
+#include "session.h"
 #include "skills/attempt/read_attempt.h"
 #include "skills/report/report_json.h"
 #include "skills/score/verdict.h"
@@ -59,13 +60,16 @@ py::object scored(const std::string& file, const std::optional<std::string>& tas
   return py::module_::import("json").attr("loads")(text);
 }
 
-py::object nextFrame(Replay& replay) {
+// also: a session that is stepped by the same input, if given.
+py::object nextFrame(Replay& replay, Session* also) {
   FrameInput input;
   auto report = std::make_shared<StepReport>();
   bool more = false;
   {
     const py::gil_scoped_release free;
     more = replay.step(&input, report.get());
+    StepReport ignored;
+    if (more && also) also->step(input, ignored);
   }
   if (!more) return py::none();
   return py::make_tuple(rowsFrom(input.tools), input.duration, report);
@@ -127,8 +131,13 @@ void bindRecording(py::module_& m) {
       .def("go_to", &Replay::goTo, py::arg("branch"), py::arg("frame"),
            py::call_guard<py::gil_scoped_release>(),
            "To the end of a frame, from the nearest key state.")
-      .def("step", &nextFrame,
-           "Plays the next frame: (tools [n, 10], duration in s, Report), or None at the end.")
+      .def(
+          "simulation", [](Replay& r) { return std::make_unique<Session>(r.setup()); },
+          "The operation at its start, as a simulation of its own.",
+          py::call_guard<py::gil_scoped_release>())
+      .def("step", &nextFrame, py::arg("also") = py::none(),
+           "Plays the next frame: (tools [n, 10], duration in s, Report), or None at the end. "
+           "also: a simulation from simulation(), which gets the same input.")
       .def("samples", &samples, py::arg("branch") = 0,
            "Every instrument in hand in every frame: arrays frame [n], tool [n], tip [n, 3] m, "
            "force [n, 3] N.")

@@ -16,6 +16,11 @@ Session::Session(Scenario wanted, std::optional<Discretization> cells)
   kept_.resize(simulation->organs().size());
 }
 
+Session::Session(const RecordedSetup& setup)
+    : scenario(setup.scenario), simulation(std::make_unique<Simulation>(simulationOf(setup))) {
+  kept_.resize(simulation->organs().size());
+}
+
 Session::~Session() = default;
 
 void Session::makeSimulation(std::optional<Discretization> cells) {

@@ -10,6 +10,7 @@
 
 #include "operation/ledger/ledger.h"
 #include "operation/scenario.h"
+#include "record/recorded_setup.h"
 #include "record/recorder.h"
 #include "simulation/simulation.h"
 
@@ -20,6 +21,8 @@ class Session {
   // cells: if given, they take the place of the first organ's. Its labels, materials and
   // attachments are those of the scenario.
   Session(Scenario scenario, std::optional<Discretization> cells);
+  // The operation at its start, as a recording keeps it.
+  explicit Session(const RecordedSetup& setup);
   ~Session();
 
   // Computes one frame, and records it if a recording is at work. Throws Error if another thread is

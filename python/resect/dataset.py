@@ -7,6 +7,7 @@ the state at which it begins and the digest of the state at its end: replay() pr
 """
 
 import argparse
+import contextlib
 import json
 import pathlib
 
@@ -37,6 +38,22 @@ def _h5py():
     except ImportError:
         raise resect.Error("data sets are written by h5py, which is not installed; on Debian: apt install python3-h5py"
                            ) from None
+
+
+@contextlib.contextmanager
+def _new_file(folder):
+    """FOLDER/demos.hdf5, which is there when it is complete, or not at all."""
+    if folder.exists() and any(folder.iterdir()):
+        raise resect.Error(f"{folder}: is there and not empty; name another folder")
+    h5py = _h5py()
+    folder.mkdir(parents=True, exist_ok=True)
+    unfinished = folder / ".demos.hdf5.tmp"
+    try:
+        with h5py.File(unfinished, "w") as file:
+            yield file
+        unfinished.rename(folder / "demos.hdf5")
+    finally:
+        unfinished.unlink(missing_ok=True)
 
 
 def _seen(env, observation):
@@ -81,20 +98,14 @@ def _write_demo(group, demo):
 def write_demos(folder, kind, demos, seed=0, observation=("state",), options=None, act=None, progress=None):
     """Writes FOLDER/demos.hdf5 and FOLDER/README.md. act: function of the environment that returns an action; without
     it the scripted operator. Returns the number of demonstrations that reached the goal."""
-    h5py = _h5py()
     if kind not in KINDS:
         raise resect.Error(f"there is no environment \"{kind}\"; use {', '.join(KINDS)}")
     if demos < 1:
         raise resect.Error(f"{demos} demonstrations were asked for; give 1 or more")
-    folder = pathlib.Path(folder)
-    if folder.exists() and any(folder.iterdir()):
-        raise resect.Error(f"{folder}: is there and not empty; name another folder")
-    options = dict(options or {})
+    folder, options = pathlib.Path(folder), dict(options or {})
     env = KINDS[kind](observation=tuple(observation), **options)
-    folder.mkdir(parents=True, exist_ok=True)
-    unfinished = folder / "demos.hdf5.tmp"
     reached = total = 0
-    with h5py.File(unfinished, "w") as file:
+    with _new_file(folder) as file:
         data = file.create_group("data")
         for number in range(demos):
             demo = demonstrate(env, seed + number, act or (lambda e: e.scripted_action()))
@@ -112,7 +123,6 @@ def write_demos(folder, kind, demos, seed=0, observation=("state",), options=Non
         file.create_dataset("mask/valid", data=names[held_back])
         card = _card(file, kind, env, options, seed, reached)
     (folder / "README.md").write_text(card, encoding="utf-8")
-    unfinished.rename(folder / "demos.hdf5")
     return reached
 
 
@@ -141,6 +151,61 @@ def _card(file, kind, env, options, seed, reached):
               "`resect.dataset.replay(FOLDER, N)` takes the actions of a demonstration from its first state and compares "
               "the state at the end bit for bit.", ""]
     return "\n".join(lines)
+
+
+def _seen_of(simulation, camera, observation):
+    """What there is of an operation without a task: poses, forces, pictures."""
+    seen = {"poses": simulation.tools().astype(np.float32), "forces": simulation.tool_force().astype(np.float32)}
+    if "rgb" in observation:
+        seen["rgb"] = camera.rgb()
+    if {"depth", "labels"} & set(observation):
+        depth, labels = camera.depth_and_labels()
+        seen.update({"depth": np.minimum(depth, 10)} if "depth" in observation else {})
+        seen.update({"labels": labels} if "labels" in observation else {})
+    return seen
+
+
+def export_recordings(folder, files, rate=10.0, observation=("rgb", "depth", "labels"), picture=(64, 64)):
+    """Writes recordings, such as those of people in the window, as FOLDER/demos.hdf5 with a card, a demonstration each.
+
+    rate: moments per second. An action is the row of every instrument (resect.TOOL_COLUMNS) at the next moment; rewards
+    are 0, since a recording has none (resect.score() scores it). Of a recording with several branches the first counts.
+    """
+    folder = pathlib.Path(folder)
+    if not files or not 0 < rate <= 1000:
+        raise resect.Error("give one recording or more, and a rate above 0 and at most 1000 a second")
+    recordings = [resect.Recording(str(file)) for file in files]
+    lines = [f"# {len(files)} recorded operations", "", f"Made by resect {resect.__version__}, {rate:g} moments a second.",
+             "", "| demonstration | recording | scenario | moments | digest of the state at the end |", "|---|---|---|---|---|"]
+    with _new_file(folder) as file:
+        data = file.create_group("data")
+        for number, recording in enumerate(recordings):
+            simulation = recording.simulation()
+            start, camera = simulation.save(), None
+            if observation:
+                camera = resect.Camera(simulation, *picture)
+            seen, due = [_seen_of(simulation, camera, observation)], 1
+            while recording.step(simulation) is not None:
+                if simulation.time * rate >= due - 1e-9:
+                    seen.append(_seen_of(simulation, camera, observation))
+                    due = int(simulation.time * rate + 1e-9) + 1
+            if simulation.state_hash != recording.state_hash:
+                raise resect.Error(f"{files[number]}: playing it gives other bits than were recorded; see resect verify")
+            stacked = {name: np.stack([s[name] for s in seen]) for name in seen[0]}
+            count = len(seen) - 1
+            _write_demo(data.create_group(f"demo_{number}"), {
+                "obs": {n: a[:-1] for n, a in stacked.items()}, "next_obs": {n: a[1:] for n, a in stacked.items()},
+                "actions": stacked["poses"][1:].reshape(count, -1), "rewards": np.zeros(count, np.float32),
+                "dones": np.arange(1, count + 1) == count, "start": np.frombuffer(start, np.uint8),
+                "hash": f"{simulation.state_hash:016x}", "success": False, "seed": -1})
+            lines.append(f"| demo_{number} | {pathlib.Path(files[number]).name} | {recording.scenario.name} | {count} | "
+                         f"{simulation.state_hash:016x} |")
+        data.attrs["total"] = sum(int(demo.attrs["num_samples"]) for demo in data.values())
+        data.attrs["env_args"] = json.dumps({"env_name": "recording", "type": 2, "env_kwargs": {"rate": rate}})
+        lines += ["", "| array | of one moment | what it is |", "|---|---|---|"]
+        lines += [f"| `obs/{n}` | {'x'.join(map(str, a.shape[1:]))} {a.dtype} | {MEANINGS[n]} |"
+                  for n, a in data["demo_0/obs"].items()]
+    (folder / "README.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
 def replay(folder, number):
@@ -191,12 +256,21 @@ def main():
     parser.add_argument("--particles", type=int, default=1000)
     parser.add_argument("--tissue", default="plain")
     parser.add_argument("--picture", default="64x64", help="size in pixels")
+    parser.add_argument("--recordings", nargs="+", metavar="FILE", help="recordings to export, instead of demonstrations")
+    parser.add_argument("--rate", type=float, default=10, help="of recordings: moments per second")
     parser.add_argument("--pictures", action="store_true", help="write each picture as a file too")
     given = parser.parse_args()
     try:
         size = tuple(int(n) for n in given.picture.split("x"))
     except ValueError:
         parser.error(f"--picture is {given.picture}; give width x height, as 64x64")
+    if given.recordings:
+        wanted = [name for name in given.observation.split(",") if name in ("rgb", "depth", "labels")]
+        export_recordings(given.folder, given.recordings, given.rate, wanted, size)
+        print(f"{given.folder}/demos.hdf5: {len(given.recordings)} recordings")
+        if given.pictures:
+            print(f"{given.folder}/pictures: {export_pictures(given.folder)} files")
+        return
     tell = lambda done, count: print(f"{done} of {count}", end="\r" if done < count else "\n", flush=True)
     reached = write_demos(given.folder, given.env, given.demos, given.seed, given.observation.split(","),
                           {"particles": given.particles, "tissue": given.tissue, "picture": list(size)}, progress=tell)

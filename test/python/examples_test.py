@@ -95,6 +95,26 @@ class DataSets(unittest.TestCase):
         card = pathlib.Path("reach/README.md").read_text()
         self.assertIn("3 of 3 demonstrations reach the goal", card)
 
+    @unittest.skipUnless(draws(), "nothing can be drawn here")
+    def test_recordings_are_exported_with_pictures(self):
+        import h5py
+        scenario = resect.Scenario("snip")
+        simulation = resect.Simulation(scenario)
+        simulation.record("snip.resect")
+        for frame in range(90):
+            simulation.step(scenario.inputs(frame))
+        simulation.end_recording()
+        dataset.export_recordings("runs", ["snip.resect", "snip.resect"], rate=10, picture=(32, 24))
+        with h5py.File("runs/demos.hdf5") as file:
+            demo = file["data/demo_1"]
+            self.assertEqual(file["data"].attrs["total"], 2 * len(demo["actions"]))
+            self.assertEqual(len(demo["actions"]), round(10 * simulation.time))
+            self.assertEqual(demo.attrs["end_state_hash"], f"{simulation.state_hash:016x}")
+            self.assertEqual(demo["obs/rgb"].shape[1:], (24, 32, 3))
+            np.testing.assert_allclose(demo["next_obs/poses"][-1], simulation.tools(), atol=1e-6)
+            np.testing.assert_array_equal(demo["actions"][0], demo["next_obs/poses"][0].ravel())
+        self.assertIn("snip.resect", pathlib.Path("runs/README.md").read_text())
+
     def test_the_command_makes_a_folder(self):
         command = [sys.executable, "-m", "resect.dataset", "made", "--env", "Retract", "--demos", "1", "--particles", "300"]
         done = subprocess.run([*command, "--pictures"], capture_output=True, text=True, timeout=100)
