@@ -232,7 +232,6 @@ void MainWindow::endExercise(const QString& why) {
     if (!recorder_)
       throw error("This attempt could not be recorded, so it cannot be scored. Begin it again.");
     const std::string name = learner(), exercise = session_->scenario().name;
-    const std::vector<HistoryEntry> before = attemptsOf(attemptsFolder(), name);
     const std::filesystem::path recording = newAttempt(attemptsFolder(), name, exercise);
     page_ = recording;
     page_.replace_extension(".html");
@@ -240,10 +239,8 @@ void MainWindow::endExercise(const QString& why) {
     recorder_->saveAs(recording, {attemptBranch_, kEndOfBranch});
     session_->show(session_->state().moment);  // nothing happens any more
     exercise_->showEnd(why);
-    const bool again = std::ranges::any_of(
-        before, [&](const HistoryEntry& entry) { return entry.scenario == exercise; });
     scorer_.score(
-        {recording, page_, historyIn(attemptsFolder()), name, again || asTest_},
+        {recording, page_, historyIn(attemptsFolder()), name, asTest_},
         [this](const AttemptResult& result) { showResult(result); },
         [this] {
           exercise_->showPage();

@@ -162,6 +162,7 @@ class Skills(unittest.TestCase):
         self.assertEqual(parsed.open, [])
         self.assertEqual([a for a in parsed.asked if not a.startswith("data:")], [])
         self.assertNotIn("script", parsed.tags)
+        self.assertEqual(text.count('class="turn"'), 1)
         self.assertGreater(parsed.tags.count("img"), 0)  # of the moments to which it points
         self.assertLess(len(text), 5_000_000)
         self.assertFalse("{{" in text)
@@ -282,12 +283,24 @@ class Skills(unittest.TestCase):
             for _ in range(2):  # twice the same
                 kept = resect("report", recording, "--graded", "--learner", learner, "--history", history)
                 self.assertEqual(kept.returncode, 0, kept.stderr)
+        page, scored = FOLDER / "third.html", FOLDER / "third.json"
+        third = self.attempt("clip-and-divide", "hurried")[0]
+        known = resect("report", third, "--learner", "L-17", "--history", history, "-o", page, "--json", scored)
+        self.assertEqual(known.returncode, 0, known.stderr)
+        text = page.read_text()
+        for words in ("attempt before", "class, median", "The others of the class: 1 attempts, 1 passed."):
+            self.assertTrue(words in text, words)
+        listed = re.findall("<td class=\"number\">([1-9])</td><td class=\"(quiet|kept|missed)\">", text)
+        self.assertEqual([listed[0], listed[2]], [("1", "quiet"), ("3", "missed")])  # the first is to get familiar
+        self.assertTrue(json.loads(scored.read_text())[0]["graded"])  # this one is not the first
+        self.assertIn("1 attempts", resect("history", history, "--learner", "L-18", "--delete").stdout)
+        resect("report", self.attempt("clip-and-divide", "good")[0], "--learner", "L-18", "--history", history)
         shown = resect("history", history, "--csv", table)
-        self.assertEqual((shown.returncode, shown.stdout.count("\n")), (0, 3), shown.stderr)
+        self.assertEqual((shown.returncode, shown.stdout.count("\n")), (0, 4), shown.stderr)
         rows = list(csv.DictReader(table.read_text().splitlines()))
-        self.assertEqual([r["learner"] for r in rows], ["L-17", "L-17", "L-18"])
-        self.assertEqual(sorted(r["passed"] for r in rows), ["no", "yes", "yes"])
-        self.assertIn("2 attempts", resect("history", history, "--learner", "L-17", "--delete").stdout)
+        self.assertEqual([r["learner"] for r in rows], ["L-17", "L-17", "L-17", "L-18"])
+        self.assertEqual(sorted(r["passed"] for r in rows), ["no", "no", "yes", "yes"])
+        self.assertIn("3 attempts", resect("history", history, "--learner", "L-17", "--delete").stdout)
         self.assertFalse(b"L-17" in history.read_bytes())
         self.assertEqual(resect("history", history).stdout.count("\n"), 1)
         self.refused(2, "history", history, "--delete")

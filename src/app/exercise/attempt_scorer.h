@@ -34,7 +34,7 @@ class AttemptScorer {
   struct Attempt {
     std::filesystem::path recording, page, history;
     std::string learner;
-    bool graded = true;  // although it may be the learner's first
+    bool graded = true;  // even if it is the learner's first
   };
   // `done` gets the result as soon as there is one; `written` is called when the page is there.
   // `failed` gets the sentence of an error. A new call gives up the one before.

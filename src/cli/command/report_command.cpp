@@ -87,6 +87,29 @@ void keepHistory(const Options& options, const std::vector<Scored>& attempts) {
     history.keep(historyEntry(one, scoreKey(one.attempt.file, task, levelOf(options))));
 }
 
+// What the history tells of the attempts' task besides them: of this learner, and of the others.
+struct Known {
+  std::vector<ClassAttempt> earlier, others;
+};
+Known knownOf(const Options& options, const std::vector<Scored>& attempts) {
+  Known known;
+  if (options.history.empty()) return known;
+  const std::optional<Task> task = attemptOptions(options).task;
+  std::vector<std::string> reported;
+  for (const Scored& one : attempts)
+    reported.push_back(scoreKey(one.attempt.file, task, levelOf(options)));
+  const Attempt& last = attempts.back().attempt;
+  for (HistoryEntry& entry : LearnerHistory(options.history).entries()) {
+    if (entry.scenario != last.scenario) continue;
+    const bool own = entry.learner == last.learner;
+    if (own && std::ranges::count(reported, entry.key) > 0) continue;
+    (own ? known.earlier : known.others).push_back(std::move(entry.attempt));
+  }
+  if (!known.earlier.empty() && last.task->familiarisation && !options.graded)
+    known.earlier.front().graded = false;
+  return known;
+}
+
 // The time of an attempt is that at which its recording was last written.
 XapiContext xapiContext(const Options& options, const Scored& scored) {
   XapiContext context;
@@ -138,12 +161,10 @@ void report(const Options& options) {
                  {"--xapi", options.xapi}}},
                inputsOf(options));
   std::vector<Scored> attempts;
-  for (const std::string& file : options.files) {
-    const bool first = attempts.empty() && !options.graded;
-    Scored one = scoredFile(file, options, true);
-    one.verdict.graded = !(first && one.attempt.task->familiarisation);
-    attempts.push_back(std::move(one));
-  }
+  for (const std::string& file : options.files) attempts.push_back(scoredFile(file, options, true));
+  const Known known = knownOf(options, attempts);
+  if (known.earlier.empty() && !options.graded)
+    attempts.front().verdict.graded = !attempts.front().attempt.task->familiarisation;
   std::vector<Scored> references;
   for (const std::string& file : options.references)
     references.push_back(scoredFile(file, options, true));
@@ -164,7 +185,7 @@ void report(const Options& options) {
     statements = xapiStatements(attempts.back(), xapiContext(options, attempts.back()));
   if (!options.xapi.empty()) writeJson(options.xapi, statements);
   if (!options.output.empty()) {
-    Debrief debrief{attempts, references, {}, {}};
+    Debrief debrief{attempts, references, known.earlier, known.others};
     for (const std::string& band : attempts.back().attempt.task->published)
       debrief.studies.push_back(readPublishedStudy(band));
     if (!options.plain) debrief.pictures = picturesOf(attempts.back());

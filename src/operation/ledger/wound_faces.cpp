@@ -89,4 +89,20 @@ WoundFaces woundFaces(const Organ& organ, std::span<const Structure> structures)
   return faces;
 }
 
+std::vector<MarginPlace> marginPlaces(const Organ& organ, const Structure& structure,
+                                      double within) {
+  std::vector<MarginPlace> places;
+  for (std::int64_t brick = 0; brick < organ.field.brickCount(); ++brick) {
+    if (!organ.field.edited(brick) && !organ.severed.near(brick)) continue;
+    checkStop();
+    visitFaces(organ, brick, [&](const auto& corners, bool, double) {
+      const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
+      if (structure.boxDistance(middle) > within) return;
+      const double distance = structure.distance(middle, within);
+      if (distance < within) places.push_back({middle, distance});
+    });
+  }
+  return places;
+}
+
 }  // namespace resect

@@ -27,4 +27,13 @@ struct WoundFaces {
 // its corners from the structures.
 WoundFaces woundFaces(const Organ& organ, std::span<const Structure> structures);
 
+// A place of a cut or bared face, in the tissue at rest, and its distance from a structure, m.
+struct MarginPlace {
+  Vec3 place = Vec3::Zero();
+  double distance = 0;
+};
+// The middles of all such faces that are no farther than `within`, m, from the structure.
+std::vector<MarginPlace> marginPlaces(const Organ& organ, const Structure& structure,
+                                      double within);
+
 }  // namespace resect

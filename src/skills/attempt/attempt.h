@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "anatomy/anatomy.h"
+#include "operation/ledger/wound_faces.h"
 #include "operation/task/task.h"
 #include "skills/metrics/track.h"
 
@@ -108,6 +109,10 @@ struct Attempt {
   std::int64_t torn = 0;            // bonds
   double targetBefore = 0;          // m^3 of the goal's structure before the operation
   std::optional<double> margin;     // m, of the goal's structure; none if nothing was cut
+  // Where the cuts came near the goal's structure; and this: middle and reach, at rest, m.
+  std::vector<MarginPlace> margins;
+  Vec3 targetMiddle = Vec3::Zero();
+  double targetReach = 0;
   GoalTrace goal;
 
   double duration() const { return time.empty() ? 0 : time.back(); }

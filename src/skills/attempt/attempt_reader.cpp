@@ -48,6 +48,23 @@ void AttemptReader::finish(const Simulation& simulation) {
   vessels_.finish(simulation, attempt_);
 }
 
+void AttemptReader::measureMargins(const Simulation& simulation) {
+  if (targetLabel_ == 0 || !attempt_.margin) return;
+  const Organ& organ = simulation.organs()[targetOrgan_].organ;
+  const Lattice& lattice = organ.rest.lattice;
+  std::vector<Vec3> cells;
+  for (std::int64_t cell = 0; cell < lattice.cellCount(); ++cell)
+    if (organ.rest.inside[std::size_t(cell)] && organ.rest.labelOf(cell) == targetLabel_)
+      cells.push_back(lattice.centre(lattice.cell(cell)));
+  Vec3 middle = Vec3::Zero();
+  for (const Vec3& cell : cells) middle += cell / double(cells.size());
+  attempt_.targetMiddle = middle;
+  for (const Vec3& cell : cells)
+    attempt_.targetReach = std::max(attempt_.targetReach, (cell - middle).norm());
+  attempt_.margins =
+      marginPlaces(organ, Structure(organ.rest, targetLabel_), 2.5 * attempt_.task->goal.margin);
+}
+
 void AttemptReader::rewind(std::size_t frames) {
   if (frames >= attempt_.time.size()) return;
   attempt_.time.resize(frames);

@@ -23,6 +23,8 @@ class AttemptReader {
   void add(const Simulation& simulation, const StepReport& report);
   // Brings what is only counted once a second up to date.
   void finish(const Simulation& simulation);
+  // Measures where the cuts came near the goal's structure. Cost: up to a second.
+  void measureMargins(const Simulation& simulation);
   // Forgets all but the first `frames` frames: work was taken back. Torn bonds and the time of an
   // occluded inflow keep what was taken back.
   void rewind(std::size_t frames);

@@ -54,6 +54,7 @@ Attempt readAttempt(const std::filesystem::path& path, const AttemptOptions& opt
     }
   }
   reader.finish(simulation);
+  reader.measureMargins(simulation);
   return attempt;
 }
 

@@ -43,6 +43,21 @@ struct PathView {
 // 300 x 300, both axes to the same scale, with a bar for the scale.
 std::string toSvg(const PathView& view);
 
+// Curves and dots in space, which turn about the vertical by themselves, without a script: pictures
+// that style.css shows one after the other. On paper, and where motion is not wanted, the first
+// one.
+struct TurningView {
+  std::string title;
+  struct Curve {
+    std::string colour;
+    std::vector<Vec3> points;  // world, m
+  };
+  std::vector<Curve> curves, dots;
+  std::vector<Vec3> balls;  // middles, m
+  double radius = 0;        // of a ball, m
+};
+std::string toSvg(const TurningView& view);
+
 // Colours of instruments and curves, again and again.
 std::string chartColour(std::size_t number);
 

@@ -102,6 +102,7 @@ std::string debriefPage(const Debrief& debrief) {
                               {"changes", changes(debrief, last.verdict)},
                               {"timeline", timelines(last)},
                               {"paths", pathViews(last.attempt)},
+                              {"margin", marginSection(last.attempt)},
                               {"figures", figureTable(debrief)},
                               {"studies", studyTable(debrief)},
                               {"vessels", vesselSection(last.attempt)},

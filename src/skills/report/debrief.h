@@ -1,5 +1,5 @@
 // The debrief of an attempt as one HTML page that needs nothing else: no script, no network. It
-// fits a screen, a phone and paper.
+// fits a screen, a phone and paper; a browser prints it as PDF.
 #pragma once
 
 #include <functional>
@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "skills/class/class_book.h"
 #include "skills/score/bands.h"
 #include "skills/score/verdict.h"
 
@@ -16,9 +17,12 @@ namespace resect {
 struct Debrief {
   std::span<const Scored> attempts;    // of one learner, the oldest first; it is about the last one
   std::span<const Scored> references;  // to compare with
-  std::vector<PublishedStudy> studies;
+  // From a history of scores, at the same task: of the learner before these attempts, the oldest
+  // first; and of all other learners.
+  std::vector<ClassAttempt> earlier = {}, others = {};
+  std::vector<PublishedStudy> studies = {};
   // Per deduction of the last attempt: a PNG file's bytes, or empty.
-  std::vector<std::string> pictures;
+  std::vector<std::string> pictures = {};
 };
 
 // Throws Error if a template is missing.

@@ -136,8 +136,46 @@ std::string pathViews(const Attempt& attempt) {
     if (!tracksOf(attempt, attempt.instruments[t]).empty())
       names += fmt::format("<span style=\"color:{}\">&#9644; {}</span> ", chartColour(t),
                            htmlText(attempt.instruments[t].name));
+  TurningView turning{"The paths in space, turning", {}, {}, attempt.goal.places, 0};
+  if (attempt.task && attempt.task->goal.kind == TaskGoal::Kind::Touch)
+    turning.radius = attempt.task->goal.radius;
+  for (std::size_t t = 0; t < attempt.instruments.size(); ++t)
+    for (const Track& track : tracksOf(attempt, attempt.instruments[t]))
+      turning.curves.push_back({chartColour(t), track.tip});
+  const std::string figure =
+      turning.curves.empty()
+          ? ""
+          : htmlFigure(toSvg(turning), "In space; it turns, and stops under the pointer.");
   const char* green = attempt.goal.places.empty() ? "" : "Green: the task's places.";
-  return html + "</div>\n<p class=\"quiet\">" + names + green + "</p>\n";
+  return html + "</div>\n" + figure + "<p class=\"quiet\">" + names + green + "</p>\n";
+}
+
+std::string marginSection(const Attempt& attempt) {
+  if (attempt.margins.empty()) return "";
+  const double wanted = attempt.task->goal.margin;
+  TurningView view{"The cut round the structure, turning",
+                   {},
+                   {{"#b3362b", {}}, {"#d08a00", {}}, {"#2166a5", {}}},
+                   {attempt.targetMiddle},
+                   attempt.targetReach};
+  for (const MarginPlace& one : attempt.margins)
+    view.dots[one.distance < 0.5 * wanted ? 0
+              : one.distance < wanted     ? 1
+                                          : 2]
+        .points.push_back(one.place);
+  const std::string least =
+      attempt.margin ? fmt::format(" The smallest margin is {:.1f} mm.", 1e3 * *attempt.margin)
+                     : "";
+  return htmlSection(
+      "How near the cut came",
+      htmlFigure(toSvg(view),
+                 fmt::format("Each dot is a place of the cut, in the organ at rest; it turns, and "
+                             "stops under the pointer. Green: the {}.",
+                             attempt.task->goal.structure)) +
+          fmt::format("<p><span style=\"color:#b3362b\">&#9679;</span> nearer than {:g} mm "
+                      "<span style=\"color:#d08a00\">&#9679;</span> nearer than {:g} mm "
+                      "<span style=\"color:#2166a5\">&#9679;</span> as wanted.{}</p>\n",
+                      500 * wanted, 1e3 * wanted, least));
 }
 
 }  // namespace resect

@@ -9,5 +9,7 @@ namespace resect {
 
 std::string timelines(const Scored& scored);
 std::string pathViews(const Attempt& attempt);
+// A section about the margin round the goal's structure; empty if there is none.
+std::string marginSection(const Attempt& attempt);
 
 }  // namespace resect

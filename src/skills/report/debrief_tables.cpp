@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "operation/task/measure.h"
+#include "skills/report/chart.h"
 #include "skills/report/html.h"
 #include "skills/score/findings.h"
 
@@ -31,6 +32,25 @@ std::string referenceText(std::span<const Scored> references, std::string_view m
   return count > 0 ? numberText(sum / count) : "";
 }
 
+// Median of a measure over the attempts of the others.
+std::string classText(std::span<const ClassAttempt> others, std::string_view measure) {
+  std::vector<double> values;
+  for (const ClassAttempt& one : others)
+    if (const auto value = valueOf(one.measures, measure)) values.push_back(*value);
+  if (values.empty()) return "";
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return numberText(values.size() % 2 == 1 ? values[half]
+                                           : 0.5 * (values[half - 1] + values[half]));
+}
+
+// All of the learner's attempts, the oldest first.
+std::vector<ClassAttempt> ownAttempts(const Debrief& debrief) {
+  std::vector<ClassAttempt> all = debrief.earlier;
+  for (const Scored& one : debrief.attempts) all.push_back(classAttempt(one));
+  return all;
+}
+
 const Check* checkOf(const Verdict& verdict, std::string_view measure) {
   const auto at = std::ranges::find(verdict.checks, measure, &Check::measure);
   return at == verdict.checks.end() ? nullptr : &*at;
@@ -46,11 +66,12 @@ std::vector<std::string> instrumentsIn(const Scored& scored) {
 
 std::string wholeTable(const Debrief& debrief) {
   const Scored& last = debrief.attempts.back();
-  const Scored* before =
-      debrief.attempts.size() > 1 ? &debrief.attempts[debrief.attempts.size() - 2] : nullptr;
+  const std::vector<ClassAttempt> own = ownAttempts(debrief);
+  const ClassAttempt* before = own.size() > 1 ? &own[own.size() - 2] : nullptr;
   HtmlTable table;
   table.head = {text("measure"), number("this attempt"), text("unit"), text("wanted")};
   if (before) table.head.push_back(number("attempt before"));
+  if (!debrief.others.empty()) table.head.push_back(number("class, median"));
   if (!debrief.references.empty()) table.head.push_back(number("reference"));
   for (const MeasureKind& kind : measureKinds()) {
     const std::string value = valueText(last, kind.id);
@@ -59,7 +80,11 @@ std::string wholeTable(const Debrief& debrief) {
     const char* style = !check ? "number" : check->kept ? "number kept" : "number missed";
     std::vector<HtmlCell> row{text(kind.title), number(value, style), text(kind.unit),
                               text(check ? limitText(*check) : "")};
-    if (before) row.push_back(number(valueText(*before, kind.id)));
+    if (before) {
+      const auto then = valueOf(before->measures, kind.id);
+      row.push_back(number(then ? numberText(*then) : ""));
+    }
+    if (!debrief.others.empty()) row.push_back(number(classText(debrief.others, kind.id)));
     if (!debrief.references.empty())
       row.push_back(number(referenceText(debrief.references, kind.id)));
     table.rows.push_back(std::move(row));
@@ -166,26 +191,38 @@ std::string ledgerTable(const Attempt& attempt) {
 }
 
 std::string historySection(const Debrief& debrief) {
-  if (debrief.attempts.size() < 2) return "";
+  const std::vector<ClassAttempt> all = ownAttempts(debrief);
+  if (all.size() < 2) return "";
   HtmlTable table;
   table.head = {number("attempt"), text("result"),    number("score"),
                 number("time, s"), number("path, m"), text("reason")};
-  for (std::size_t i = 0; i < debrief.attempts.size(); ++i) {
-    const Scored& one = debrief.attempts[i];
-    const Verdict& v = one.verdict;
+  TimeChart chart{"Score", "%", double(all.size()), {{"", "#2166a5", {}}}, {}, {}, ""};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const ClassAttempt& one = all[i];
+    const auto figure = [&](const char* measure) {
+      const auto value = valueOf(one.measures, measure);
+      return number(value ? numberText(*value) : "");
+    };
     table.rows.push_back({number(fmt::format("{}", i + 1)),
-                          {!v.graded  ? "not graded"
-                           : v.passed ? "passed"
-                                      : "not passed",
-                           !v.graded  ? "quiet"
-                           : v.passed ? "kept"
-                                      : "missed"},
-                          number(fmt::format("{:.0f} %", 100 * v.score)),
-                          number(valueText(one, "time_s")),
-                          number(valueText(one, "path_length_m")),
-                          text(v.reason)});
+                          {!one.graded  ? "not graded"
+                           : one.passed ? "passed"
+                                        : "not passed",
+                           !one.graded  ? "quiet"
+                           : one.passed ? "kept"
+                                        : "missed"},
+                          number(fmt::format("{:.0f} %", 100 * one.score)),
+                          figure("time_s"),
+                          figure("path_length_m"),
+                          text(one.reason)});
+    chart.curves[0].points.emplace_back(double(i + 1), 100 * one.score);
   }
-  return htmlSection("All attempts", toHtml(table));
+  std::string html = "<figure class=\"wide\">" + toSvg(chart) + "</figure>\n" + toHtml(table);
+  if (!debrief.others.empty()) {
+    const auto passed = std::ranges::count(debrief.others, true, &ClassAttempt::passed);
+    html += fmt::format("<p class=\"quiet\">The others of the class: {} attempts, {} passed.</p>\n",
+                        debrief.others.size(), passed);
+  }
+  return htmlSection("All attempts", html);
 }
 
 }  // namespace resect

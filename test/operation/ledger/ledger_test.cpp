@@ -9,6 +9,7 @@
 
 #include "geometry/primitives.h"
 #include "operation/ledger/ledger_watch.h"
+#include "operation/ledger/wound_faces.h"
 #include "organ/cell_labels.h"
 #include "organ/discretize.h"
 #include "support/block_organ.h"
@@ -167,6 +168,16 @@ TEST_CASE("the margin of a ball within a ball is its distance from the plane of 
         CHECK(std::isinf(*ledgerOf(simulation).organs[0].labels[1].margin));
         test::cutAlong(simulation, {normal, offset});
         const double margin = *ledgerOf(simulation).organs[0].labels[1].margin;
+        const std::vector<MarginPlace> places =
+            marginPlaces(simulation.organ(), Structure(cells, 3), margin + 0.01);
+        REQUIRE(places.size() > 20);
+        double least = 1;
+        for (const MarginPlace& one : places) {
+          CHECK(std::abs(normal.dot(one.place) - offset) < spacing);
+          CHECK(std::abs(one.distance - (one.place.norm() - inner)) < 0.5 * spacing);
+          least = std::min(least, one.distance);
+        }
+        CHECK(std::abs(least - margin) < 0.25 * spacing);
         const double error = std::abs(margin - (offset - inner));
         worstCells = std::max(worstCells, error / spacing);
         // Of a face along the lattice, cells do not tell where it lies between them.
