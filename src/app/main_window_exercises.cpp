@@ -94,9 +94,7 @@ void MainWindow::makeExercises() {
   makeMaker();
 }
 
-// Attempts at an exercise that is being made stay beside it.
 std::filesystem::path MainWindow::attemptsFolder() const {
-  if (isDraft()) return std::filesystem::path(session_->scenario().file).parent_path();
   const std::string chosen = QSettings().value(kFolder).toString().toStdString();
   return chosen.empty() ? usualAttemptsFolder() : std::filesystem::path(chosen);
 }
@@ -232,7 +230,11 @@ void MainWindow::endExercise(const QString& why) {
     if (!recorder_)
       throw error("This attempt could not be recorded, so it cannot be scored. Begin it again.");
     const std::string name = learner(), exercise = session_->scenario().name;
-    const std::filesystem::path recording = newAttempt(attemptsFolder(), name, exercise);
+    // Attempts at an exercise that is being made stay beside it.
+    const std::filesystem::path folder =
+        isDraft() ? std::filesystem::path(session_->scenario().file).parent_path()
+                  : attemptsFolder();
+    const std::filesystem::path recording = newAttempt(folder, name, exercise);
     page_ = recording;
     page_.replace_extension(".html");
     attemptBranch_ = session_->state().moment.branch;
@@ -240,7 +242,7 @@ void MainWindow::endExercise(const QString& why) {
     session_->show(session_->state().moment);  // nothing happens any more
     exercise_->showEnd(why);
     scorer_.score(
-        {recording, page_, historyIn(attemptsFolder()), name, asTest_},
+        {recording, page_, historyIn(folder), name, asTest_},
         [this](const AttemptResult& result) { showResult(result); },
         [this] {
           exercise_->showPage();

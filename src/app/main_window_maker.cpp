@@ -69,7 +69,10 @@ void MainWindow::makeMaker() {
     on ? viewer_->setCursor(Qt::CrossCursor) : viewer_->unsetCursor();
     viewer_->setFocus();
   };
-  maker_->goalChanged = [this] { setMadeMarks({}); };
+  maker_->goalChanged = [this] {
+    marking_ = false;
+    setMadeMarks({});
+  };
   maker_->lastMarkRemoved = [this] {
     std::vector<MadeMark> marks = madeMarks_;
     if (!marks.empty()) marks.pop_back();

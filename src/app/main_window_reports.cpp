@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSocketNotifier>
@@ -12,6 +13,7 @@
 #include <sstream>
 
 #include "app/exercise/exercise_panel.h"
+#include "app/exercise/task_maker_panel.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -89,6 +91,7 @@ void MainWindow::reportPlaces() {
       place("target-" + std::to_string(i + 1), targets[i]);
     reportButtons(exercise_);
   }
+  if (!makerDock_->isHidden()) reportButtons(maker_);
   for (const QAbstractSpinBox* field : findChildren<QAbstractSpinBox*>()) {
     if (!field->isVisible()) continue;
     const QPoint global = field->mapToGlobal(QPoint(field->width() / 4, field->height() / 2));

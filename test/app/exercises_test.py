@@ -188,6 +188,7 @@ class Exercises(ScreenTest):
         self.screen.key("ctrl+t")
         self.cards(window)
         self.assertIn("Start Touch two", window.places)
+        self.assertEqual(list((FOLDER / "state").glob("**/drafts/*/touch-two-1.resect")) == [], False)
         self.screen.picture("7_cards_with_an_own_exercise")
 
 

@@ -98,6 +98,7 @@ TEST_CASE(
   scenario.task->goal.structure = "tumour";
   const Scenario after = writtenAndRead(scenario, folder / "own.toml");
   CHECK(after.title == scenario.title);
+  CHECK(test::bytesOf(folder / "own.toml").find("spacing = 0.012\n") != std::string::npos);
   CHECK(after.organs[0].source.spacing == 0.012);
   REQUIRE(after.organs[0].source.labels.size() == 1);
   CHECK(after.organs[0].source.labels[0].region.frame == Region::Frame::Organ);

@@ -165,7 +165,7 @@ std::string exerciseText(const Scenario& scenario) {
              }));
   t = t.with("task", taskValue(*scenario.task));
   return "# An exercise made in Resect's window; docs/scenarios.md explains the keys.\n" +
-         t.asText();
+         withShortNumbers(t.asText());
 }
 
 }  // namespace resect
