@@ -164,6 +164,7 @@ class Skills(unittest.TestCase):
         self.assertNotIn("script", parsed.tags)
         self.assertEqual(text.count('class="turn"'), 1)
         self.assertGreater(parsed.tags.count("img"), 0)  # of the moments to which it points
+        self.assertEqual(parsed.tags.count("video"), 1 if shutil.which("ffmpeg") else 0)
         self.assertLess(len(text), 5_000_000)
         self.assertFalse("{{" in text)
         for words in ("Not passed", "What to change", "cut without a clip on either side", "All attempts", "reference"):

@@ -132,11 +132,11 @@ void send(const Options& options, const nlohmann::ordered_json& statements) {
 
 // Of the moments to which the deductions point. A machine that cannot draw is no reason to do
 // without the debrief.
-std::vector<std::string> picturesOf(const Scored& scored) {
+KeyMoments momentsOf(const Scored& scored) {
   std::vector<std::optional<double>> times;
   for (const Deduction& d : scored.verdict.deductions) times.push_back(d.time);
   try {
-    return keyPictures(scored.attempt.file, times, progressBar("pictures"));
+    return keyMoments(scored.attempt.file, times, progressBar("pictures"));
   } catch (const Error& e) {
     printLine(stderr, "note: no pictures: {}", shownSentence(e.what()));
     return {};
@@ -188,7 +188,11 @@ void report(const Options& options) {
     Debrief debrief{attempts, references, known.earlier, known.others};
     for (const std::string& band : attempts.back().attempt.task->published)
       debrief.studies.push_back(readPublishedStudy(band));
-    if (!options.plain) debrief.pictures = picturesOf(attempts.back());
+    if (!options.plain) {
+      KeyMoments moments = momentsOf(attempts.back());
+      debrief.pictures = std::move(moments.pictures);
+      debrief.clip = std::move(moments.clip);
+    }
     const std::string page = debriefPage(debrief);
     writeFileAtomically(options.output, [&](std::ostream& out) { out << page; });
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "operation/task/measure.h"
 #include "skills/report/debrief_charts.h"
@@ -26,6 +27,15 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
+// An MP4 file as <video>, or nothing if there are no bytes.
+std::string htmlClip(const std::string& mp4, std::string_view about) {
+  if (mp4.empty()) return "";
+  return fmt::format(
+      "<video controls muted loop preload=\"metadata\" aria-label=\"{}\" "
+      "src=\"data:video/mp4;base64,{}\"></video>",
+      htmlText(about), base64(mp4));
+}
+
 std::string verdictWord(const Verdict& verdict) {
   const char* word = verdict.passed ? "Passed" : "Not passed";
   return verdict.graded ? word : fmt::format("Not graded: familiarisation ({})", word);
@@ -41,13 +51,15 @@ std::string goodThings(const Verdict& verdict) {
 std::string changes(const Debrief& debrief, const Verdict& verdict) {
   if (verdict.deductions.empty()) return "<p>Nothing: all was as wanted.</p>";
   std::string html;
+  std::string clip = debrief.clip;
   for (std::size_t i = 0; i < verdict.deductions.size(); ++i) {
     const Deduction& d = verdict.deductions[i];
     const std::string png = i < debrief.pictures.size() ? debrief.pictures[i] : "";
+    const std::string film = d.time ? htmlClip(std::exchange(clip, ""), d.fact) : "";
     html += filled("change.html", {{"number", fmt::format("{}", i + 1)},
                                    {"time", d.time ? timeText(*d.time) : ""},
                                    {"fact", htmlText(d.fact)},
-                                   {"picture", htmlPicture(png, d.fact)},
+                                   {"picture", htmlPicture(png, d.fact) + film},
                                    {"question", htmlText(d.question)},
                                    {"next", htmlText(d.next)}});
   }

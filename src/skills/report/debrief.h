@@ -23,6 +23,7 @@ struct Debrief {
   std::vector<PublishedStudy> studies = {};
   // Per deduction of the last attempt: a PNG file's bytes, or empty.
   std::vector<std::string> pictures = {};
+  std::string clip = {};  // bytes of an MP4 file of the first of these that has a time; or empty
 };
 
 // Throws Error if a template is missing.
