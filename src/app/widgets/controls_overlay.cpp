@@ -40,6 +40,7 @@ const Controls kAlways = {
     {"Ctrl + Z", "takes the last stroke back; with Shift does it again"},
     {"Drag in the timeline", "shows any earlier moment; End: back to the end"},
     {"Ctrl + S, Ctrl + O", "save the operation; open one and go on"},
+    {"Ctrl + T", "exercises with a goal, guidance and a result"},
     {"P, Ctrl + N", "play the scenario's motions; begin again"},
     {"Space, A", "bring back view and instruments; show all there is"},
     {"F2", "the laboratory: cells, surface, timing"},
