@@ -13,7 +13,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from make_scenarios import ASIDE, FRAME_RATE, VESSEL, Path3, cut_branch, elastic, incise_under_traction, ligaments, resect_segment_elastic, stop_bleeding  # noqa: E402
+from make_scenarios import ASIDE, FRAME_RATE, INSTRUMENTS, VESSEL, Path3, elastic, incise_under_traction, ligaments, resect_segment_elastic  # noqa: E402
 
 OPERATORS = ("good", "hurried", "clumsy", "reckless")
 
@@ -174,34 +174,54 @@ def two_hands_scenario(operator):
                    close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]") + "\n" + text
 
 
+# Where the branch and two thin arteries bleed after the stab of `control-bleeding`.
+STABBED, SEALED = (-0.0185, 0.0280, 0.0429), ((-0.0204, 0.0282, 0.0440), (-0.0003, 0.0355, 0.0441), (-0.0246, 0.0339, 0.0446))
+
+
+def stab(dy=0.0, dz=0.0, wait=0.9):
+    """A short cut down to the branch of the portal vein."""
+    path = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
+    path.wait(wait)
+    z = VESSEL[2] + dz
+    path.to(-0.05, 0.2, z).to(-0.034, 0.075, z)
+    for x, y in ((-0.030, 0.046), (-0.022, 0.030), (-0.015, 0.0245), (-0.010, 0.030)):
+        path.to(x, y + dy, z, speed=0.05)
+    return path.to(0.01, 0.1, z, speed=0.3).to(0.05, 0.24, 0.14, speed=0.4)
+
+
 def control_bleeding(operator):
-    """A stroke cuts a branch of the portal vein; suction, clip and bipolar forceps stop the bleeding."""
+    """A stab cuts a branch of the portal vein; suction, clip and bipolar forceps stop the bleeding."""
     good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
-    tools = dict(stop_bleeding())
-    bipolar = tools["bipolar"]
-    bipolar.keys = bipolar.keys[:2]
-    bipolar.time = bipolar.keys[-1][0]
-    for x, y in ((-0.034, 0.044), (-0.026, 0.036), (-0.018, 0.027), (-0.010, 0.023), (-0.002, 0.020), (0.006, 0.018),
-                 (0.014, 0.018), (0.022, 0.018)):
-        bipolar.to(x, y + 0.012, VESSEL[2], speed=0.12).to(x, y, VESSEL[2], speed=0.12).snip(0.15)
-    for x, y in ((0.022, 0.030), (0.006, 0.031), (-0.010, 0.039), (-0.027, 0.049), (-0.043, 0.058), (-0.051, 0.066)):
-        bipolar.to(x, y + 0.008, VESSEL[2], speed=0.15).to(x, y, VESSEL[2], speed=0.15).snip(0.15)
-    bipolar.to(-0.01, 0.2, 0.2, speed=0.4)
-    suction = tools["suction"]
-    suction.keys = suction.keys[:5]
-    suction.keys[-1] = (round(bipolar.time, 5), *suction.keys[-1][1:])
+    x, y, z = VESSEL
+    scalpel = stab()
+    suction = Path3(handle=(-0.5, 0.86, 0.1), edge=(0, -0.1, 0.86), speed=0.3)
+    suction.wait(scalpel.time - 1.0)
+    suction.to(-0.1, 0.2, 0.1).to(x - 0.008, y + 0.028, z, speed=0.3)
+    suction.wait(1.0)
+    suction.to(x - 0.008, y + 0.028, z).to(x - 0.03, y + 0.055, z + 0.012, speed=0.05)
+    clip = Path3(handle=(0.2, 0.9, 0.4), edge=(0, -0.4, 0.9), speed=0.2)
+    clip.wait(scalpel.time - 0.3)
+    above = (STABBED[0] + 0.004, STABBED[1] + 0.03, STABBED[2] + 0.01)
+    clip.to(x + 0.03, 0.15, z + 0.06).to(*above).to(*STABBED, speed=0.08).snip(0.2).to(*above)
+    clip.to(x + 0.05, 0.2, z + 0.1, speed=0.4)
+    bipolar = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.2)
+    bipolar.wait(clip.time - 0.5)
+    bipolar.to(x + 0.02, 0.15, z + 0.08)
+    for place in SEALED:
+        bipolar.to(place[0], place[1] + 0.012, place[2]).to(*place, speed=0.1).grasp(1.8)
+        bipolar.to(place[0], place[1] + 0.012, place[2])
+    bipolar.to(x + 0.02, 0.2, z + 0.12, speed=0.4)
+    tools = {name: None for name in INSTRUMENTS}
+    tools.update(scalpel=scalpel, suction=suction, clip_applier=clip, bipolar=bipolar)
     if hurried:  # the clip, and nothing after it
         tools["bipolar"] = None
-        tools["suction"].keys = tools["suction"].keys[:4]
     if clumsy:  # the clip comes late
         for name in ("suction", "clip_applier", "bipolar"):
             tools[name].keys = [(round(time + 6, 5), *rest) for time, *rest in tools[name].keys]
             shaken(tools[name], 0.006, 1.2, 7)
     if reckless:  # cuts again, and leaves
-        again = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.2)
-        again.wait(tools["scalpel"].time + 0.2)
-        cut_branch(again)
-        tools["scalpel"].keys += [(t, (x, y - 0.004, z + 0.008), *rest) for t, (x, y, z), *rest in again.keys]
+        again = stab(dy=-0.004, dz=0.008, wait=scalpel.time + 0.2)
+        scalpel.keys += again.keys
         tools.update(suction=None, clip_applier=None, bipolar=None)
     return list(tools.items())
 
@@ -209,10 +229,10 @@ def control_bleeding(operator):
 def control_bleeding_scenario(operator):
     goal = {"kind": '"stop-bleeding"', "rate_ml_min": 10, "hold": 1}
     text = task("Control of a bleeding vessel: clear the wound, close the vessel, then what is left.", goal,
-                {"blood_loss_ml": 60, "vessels_open": 0, "bleeding_s": 18, "total_time_s": 30},
-                {"easy": {"blood_loss_ml": 100, "bleeding_s": 40, "total_time_s": 60}, "hard": {"blood_loss_ml": 45}},
+                {"blood_loss_ml": 20, "vessels_open": 0, "bleeding_s": 18, "total_time_s": 30},
+                {"easy": {"blood_loss_ml": 40, "bleeding_s": 40, "total_time_s": 60}, "hard": {"blood_loss_ml": 12}},
                 ["scalpel", "suction", "clip_applier", "bipolar"],
-                ["Cut across the branch.", "Suck the blood away to see where it comes from.",
+                ["Cut down to the branch.", "Suck the blood away to see where it comes from.",
                  "Close the branch with a clip.", "Seal what still bleeds with the bipolar forceps."],
                 bands=("lefor-2022",))
     return elastic("Control of a bleeding vessel", "A branch of the portal vein is cut, and the bleeding is stopped",
