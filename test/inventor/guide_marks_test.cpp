@@ -1,5 +1,5 @@
 // Guidance: distances from what the hand is to keep to, and what is drawn.
-#include "inventor/hand/guide_marks.h"
+#include "inventor/hand/marks/guide_marks.h"
 
 #include <Inventor/nodes/SoSeparator.h>
 #include <doctest/doctest.h>
@@ -58,22 +58,23 @@ TEST_CASE("only what has changed is drawn again") {
   auto* parent = new SoSeparator;
   parent->ref();
   {
-    GuideMarks marks(parent);
+    LineMarks marks(parent, {});
     CHECK(parent->getNumChildren() == 1);
     Guide guide;
     guide.places = {Vec3(0, 0.1, 0)};
     const Vec3 eye = Vec3::UnitZ();
-    const Aabb first = marks.show(guide, Keeping::Far, eye);
+    const Aabb first = marks.show(guideLines(guide, Keeping::Far, eye));
     CHECK(first.size().x() == doctest::Approx(2 * (0.006 + 0.003)));
-    CHECK(marks.show(guide, Keeping::Far, eye).empty());
-    CHECK_FALSE(marks.show(guide, Keeping::Well, eye).empty());  // another colour
+    CHECK(marks.show(guideLines(guide, Keeping::Far, eye)).empty());
+    CHECK_FALSE(marks.show(guideLines(guide, Keeping::Well, eye)).empty());  // another colour
     guide.places[0].x() += 1e-4;
-    CHECK(marks.show(guide, Keeping::Well, eye).empty());
+    CHECK(marks.show(guideLines(guide, Keeping::Well, eye)).empty());
     guide.places[0].x() += 0.02;
-    CHECK(marks.show(guide, Keeping::Well, eye).size().x() > 0.03);  // where it was and is
+    CHECK(marks.show(guideLines(guide, Keeping::Well, eye)).size().x() >
+          0.03);  // where it was and is
     guide.next = 1;
-    CHECK_FALSE(marks.show(guide, Keeping::Well, eye).empty());
-    CHECK(marks.hide().empty());
+    CHECK_FALSE(marks.show(guideLines(guide, Keeping::Well, eye)).empty());
+    CHECK(marks.show({}).empty());
   }
   CHECK(parent->getNumChildren() == 0);
   parent->unref();

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/exercise/attempt_scorer.h"
-#include "inventor/hand/guide_marks.h"
+#include "inventor/hand/marks/guide_marks.h"
 #include "operation/live/live_state.h"
 #include "operation/task/task.h"
 #include "skills/live/live_attempt.h"

@@ -104,9 +104,9 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       camera_(view_.room().camera()),
       iso_(view_.room().aids(), scaleFoot(organBox_, towardsCamera(RoomView::Surgeon))),
       marker_(view_.room().aids()),
-      aim_(view_.room().aids()),
-      bleeding_(view_.room().aids()),
-      guideMarks_(view_.room().aids()),
+      aim_(view_.room().aids(), {2.5f, false, 0}),
+      bleeding_(view_.room().aids(), {}),
+      guideMarks_(view_.room().aids(), {}),
       ghosts_(view_.room().aids(), scenario_, toolModels_),
       events_(SbViewportRegion(640, 480)),
       ledger_(scenario, *simulation),
@@ -223,7 +223,8 @@ void OperatingSession::toolsChanged() {
       for (const Aabb& place : places) addWithShadow(damage_, place, lampPosition(), organBox_);
     shownSlices_[std::size_t(i)] = slices;
   }
-  damage_.boxes.push_back(aim_.show(playing_ ? nullptr : tools_.surfaceHand()));
+  const SurfaceHand* hand = playing_ ? nullptr : tools_.surfaceHand();
+  damage_.boxes.push_back(aim_.show(hand ? aimLines(*hand) : std::vector<MarkLine>()));
   if (tools_.held() < 0 || tools_.surfaceHand()) {
     marker_.hide();
     damage_.boxes.push_back(std::exchange(markerBox_, {}));

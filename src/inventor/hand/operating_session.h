@@ -13,11 +13,11 @@
 
 #include "inventor/gl/camera_moves.h"
 #include "inventor/gl/damage.h"
-#include "inventor/hand/aim_marker.h"
-#include "inventor/hand/bleeding_marks.h"
 #include "inventor/hand/ghost_tools.h"
-#include "inventor/hand/guide_marks.h"
 #include "inventor/hand/iso_dragger.h"
+#include "inventor/hand/marks/aim_marker.h"
+#include "inventor/hand/marks/bleeding_marks.h"
+#include "inventor/hand/marks/guide_marks.h"
 #include "inventor/hand/six_axes.h"
 #include "inventor/hand/tip_marker.h"
 #include "inventor/hand/tool_handling.h"
@@ -141,9 +141,7 @@ class OperatingSession {
   CameraMoves camera_;
   IsoDragger iso_;
   TipMarker marker_;
-  AimMarker aim_;
-  BleedingMarks bleeding_;
-  GuideMarks guideMarks_;
+  LineMarks aim_, bleeding_, guideMarks_;
   GhostTools ghosts_;
   SoHandleEventAction events_;
   Damage damage_{true, {}, {}};

@@ -50,12 +50,12 @@ void OperatingSession::showBleeding() {
   std::vector<Vec3> targets;
   if (stops)
     for (const BleedingEnd& end : state_.bleedingEnds)
-      if (end.flow >= BleedingMarks::kLeastFlow) targets.push_back(end.place);
+      if (end.flow >= kLeastMarkedFlow) targets.push_back(end.place);
   const Vec3 eye = toVec(room().camera()->position.getValue());
-  damage_.boxes.push_back(
+  damage_.boxes.push_back(bleeding_.show(
       stops && held >= 0
-          ? bleeding_.show(state_.bleedingEnds, (eye - organBox_.centre()).normalized())
-          : bleeding_.hide());
+          ? bleedingRings(state_.bleedingEnds, (eye - organBox_.centre()).normalized())
+          : std::vector<MarkLine>()));
   tools_.setTargets(std::move(targets));
 }
 
@@ -70,15 +70,14 @@ std::optional<double> OperatingSession::guideDistance() const {
 
 // Draws the guidance, coloured by what the instrument in hand does, and the ghosts.
 void OperatingSession::showGuide() {
+  std::vector<MarkLine> lines;
   if (guide_) {
     const auto distance = guideDistance();
     const Vec3 eye = toVec(room().camera()->position.getValue());
-    damage_.boxes.push_back(
-        guideMarks_.show(*guide_, distance ? keepingOf(*guide_, *distance) : Keeping::Far,
-                         (eye - organBox_.centre()).normalized()));
-  } else {
-    damage_.boxes.push_back(guideMarks_.hide());
+    lines = guideLines(*guide_, distance ? keepingOf(*guide_, *distance) : Keeping::Far,
+                       (eye - organBox_.centre()).normalized());
   }
+  damage_.boxes.push_back(guideMarks_.show(std::move(lines)));
   damage_.boxes.push_back(showsGhosts_ && !state_.showing ? ghosts_.show(state_.time)
                                                           : ghosts_.hide());
 }

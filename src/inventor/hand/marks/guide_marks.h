@@ -3,16 +3,9 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "geometry/aabb.h"
-
-class SoBaseColor;
-class SoCoordinate3;
-class SoLineSet;
-class SoSeparator;
-class SoSwitch;
+#include "inventor/hand/marks/line_marks.h"
 
 namespace resect {
 
@@ -46,32 +39,7 @@ std::optional<double> distanceFrom(const Guide& guide, const GuidedTip& tip);
 enum class Keeping { Far, Well, Near, Wrong };
 Keeping keepingOf(const Guide& guide, double distance);
 
-class GuideMarks {
- public:
-  explicit GuideMarks(SoSeparator* parent);
-  ~GuideMarks();
-  GuideMarks(const GuideMarks&) = delete;
-  GuideMarks& operator=(const GuideMarks&) = delete;
-
-  // towardsEye: unit; rings face it. Returns the box, world, m, of what has to be drawn again:
-  // empty if nothing changed visibly.
-  Aabb show(const Guide& guide, Keeping keeping, const Vec3& towardsEye);
-  Aabb hide();
-
- private:
-  struct Stroke {
-    Vec3f colour;
-    std::vector<Vec3> points;
-  };
-  static std::vector<Stroke> linesOf(const Guide& guide, Keeping keeping, const Vec3& towardsEye);
-
-  SoSeparator* parent_;
-  SoSwitch* root_;
-  SoBaseColor* colours_;
-  SoCoordinate3* corners_;
-  SoLineSet* lines_;
-  std::vector<Stroke> shown_;
-  Aabb box_;  // of what is shown
-};
+// towardsEye: unit; rings face it.
+std::vector<MarkLine> guideLines(const Guide& guide, Keeping keeping, const Vec3& towardsEye);
 
 }  // namespace resect

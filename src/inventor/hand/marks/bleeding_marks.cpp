@@ -1,0 +1,26 @@
+#include "inventor/hand/marks/bleeding_marks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace resect {
+namespace {
+
+constexpr double kSmallest = 0.0018, kLargest = 0.005;  // m
+constexpr double kFlowOfLargest = 1e-6;                 // m^3/s
+const Vec3f kColour(1.0f, 0.85f, 0.2f);  // is told from blood by colour-blind people too
+
+}  // namespace
+
+std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends, const Vec3& towardsEye) {
+  std::vector<MarkLine> rings;
+  for (const BleedingEnd& end : ends) {
+    if (end.flow < kLeastMarkedFlow) continue;
+    const double share = std::min(1.0, std::cbrt(end.flow / kFlowOfLargest));
+    const double radius = kSmallest + share * (kLargest - kSmallest);
+    rings.push_back({kColour, circle(end.place, radius, towardsEye)});
+  }
+  return rings;
+}
+
+}  // namespace resect

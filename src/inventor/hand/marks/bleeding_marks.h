@@ -1,0 +1,18 @@
+// Marks where vessels bleed, for a hand that is to stop it: a ring round each end, the larger the
+// more it bleeds.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "blood/bleeding.h"
+#include "inventor/hand/marks/line_marks.h"
+
+namespace resect {
+
+inline constexpr double kLeastMarkedFlow = 3e-9;  // m^3/s: ends that bleed less have no ring
+
+// towardsEye: unit; the rings face it.
+std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends, const Vec3& towardsEye);
+
+}  // namespace resect

@@ -1,0 +1,53 @@
+// Lines in the scene that tell the person something: unlit, in plain colours, never picked.
+#pragma once
+
+#include <vector>
+
+#include "geometry/aabb.h"
+
+class SoBaseColor;
+class SoCoordinate3;
+class SoLineSet;
+class SoSeparator;
+class SoSwitch;
+
+namespace resect {
+
+struct MarkLine {
+  Vec3f colour;              // as on a screen, 0 to 1
+  std::vector<Vec3> points;  // world, m
+};
+
+// A closed circle across `axis` (unit).
+std::vector<Vec3> circle(const Vec3& middle, double radius, const Vec3& axis);
+
+class LineMarks {
+ public:
+  struct Style {
+    float width = 2;            // pixels
+    bool throughTissue = true;  // also where tissue hides the lines
+    double seen = 0.5e-3;       // m: smaller motions are not shown
+  };
+  LineMarks(SoSeparator* parent, const Style& style);
+  ~LineMarks();
+  LineMarks(const LineMarks&) = delete;
+  LineMarks& operator=(const LineMarks&) = delete;
+
+  // Shows these lines instead of those before; an empty list hides them. Returns the box, world, m,
+  // of what has to be drawn again: empty if nothing changed visibly.
+  Aabb show(std::vector<MarkLine> lines);
+
+ private:
+  bool alike(const std::vector<MarkLine>& lines) const;
+
+  SoSeparator* parent_;
+  SoSwitch* root_;
+  SoBaseColor* colours_;
+  SoCoordinate3* corners_;
+  SoLineSet* lines_;
+  double seen_;
+  std::vector<MarkLine> shown_;
+  Aabb box_;  // of what is shown
+};
+
+}  // namespace resect
