@@ -13,7 +13,10 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from make_scenarios import ASIDE, FRAME_RATE, INSTRUMENTS, VESSEL, Path3, elastic, incise_under_traction, ligaments, resect_segment_elastic  # noqa: E402
+from bleeding import VESSEL, suck_at_vessel  # noqa: E402
+from paths import FRAME_RATE, Path3  # noqa: E402
+from scenario_text import ASIDE, INSTRUMENTS, elastic, ligaments  # noqa: E402
+from soft import incise_under_traction, resect_segment_elastic  # noqa: E402
 
 OPERATORS = ("good", "hurried", "clumsy", "reckless")
 
@@ -194,11 +197,7 @@ def control_bleeding(operator):
     good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
     x, y, z = VESSEL
     scalpel = stab()
-    suction = Path3(handle=(-0.5, 0.86, 0.1), edge=(0, -0.1, 0.86), speed=0.3)
-    suction.wait(scalpel.time - 1.0)
-    suction.to(-0.1, 0.2, 0.1).to(x - 0.008, y + 0.028, z, speed=0.3)
-    suction.wait(1.0)
-    suction.to(x - 0.008, y + 0.028, z).to(x - 0.03, y + 0.055, z + 0.012, speed=0.05)
+    suction = suck_at_vessel(scalpel.time - 1.0, 1.0)
     clip = Path3(handle=(0.2, 0.9, 0.4), edge=(0, -0.4, 0.9), speed=0.2)
     clip.wait(scalpel.time - 0.3)
     above = (STABBED[0] + 0.004, STABBED[1] + 0.03, STABBED[2] + 0.01)

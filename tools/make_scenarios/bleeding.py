@@ -1,0 +1,193 @@
+"""Motions in a liver that bleeds."""
+from paths import Path3
+from scenario_text import all_instruments
+
+# The portal branch of 2.7 mm that `bleed` cuts, once the liver has sagged: in its middle (-0.017, 0.028, 0.044), 21 mm
+# under the skin.
+VESSEL = (-0.017, 0.028, 0.044)
+
+
+# What bleeds most of the vessels that are cut with it, from the flank to the lobe's margin.
+BLEEDING = (
+    (-0.0434, 0.0594, 0.0450), (-0.0313, 0.0416, 0.0450), (-0.0197, 0.0276, 0.0440), (-0.0169, 0.0303, 0.0446),
+    (-0.0141, 0.0218, 0.0434), (-0.0181, 0.0246, 0.0440), (-0.0050, 0.0223, 0.0432), (-0.0040, 0.0302, 0.0439),
+    (0.0023, 0.0301, 0.0440), (0.0053, 0.0237, 0.0435), (0.0065, 0.0165, 0.0427), (0.0167, 0.0151, 0.0412),
+)
+
+
+def cut_branch(path):
+    """A stroke across the branch, in from the dome's flank and out where the lobe is thin."""
+    z = VESSEL[2]
+    path.to(-0.07, 0.2, z).to(-0.055, 0.1, z)
+    for x, y in ((-0.045, 0.056), (-0.030, 0.040), (-0.017, 0.0235), (-0.005, 0.018), (0.010, 0.014), (0.022, 0.016)):
+        path.to(x, y, z, speed=0.05)
+    path.to(0.05, 0.12, z, speed=0.3).to(0.05, 0.24, 0.14, speed=0.4)
+
+
+def bleed():
+    """The scalpel cuts a portal branch of 3 mm; nobody stops the bleeding."""
+    path = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
+    path.wait(0.9)
+    cut_branch(path)
+    return all_instruments(scalpel=path)
+
+
+def suck_at_vessel(begin, seconds):
+    """Suction that comes to the branch, takes blood away for a time, and stays above."""
+    x, y, z = VESSEL
+    suction = Path3(handle=(-0.5, 0.86, 0.1), edge=(0, -0.1, 0.86), speed=0.3)
+    suction.wait(begin)
+    suction.to(-0.1, 0.2, 0.1).to(x - 0.008, y + 0.028, z, speed=0.3)
+    suction.wait(seconds)
+    return suction.to(x - 0.008, y + 0.028, z).to(x - 0.03, y + 0.055, z + 0.012, speed=0.05)
+
+
+def stop_bleeding():
+    """The same cut; suction clears the wound, a clip closes the branch, and bipolar forceps seal what is left."""
+    scalpel = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
+    scalpel.wait(0.9)
+    cut_branch(scalpel)
+    x, y, z = VESSEL
+    suction = suck_at_vessel(scalpel.time - 1.0, 1.5)
+    clip = Path3(handle=(0.2, 0.9, 0.4), edge=(0, -0.4, 0.9), speed=0.15)
+    clip.wait(scalpel.time - 0.3)
+    clip.to(x + 0.05, 0.2, z + 0.1).to(x + 0.004, y + 0.045, z + 0.01).to(x, y + 0.004, z, speed=0.05).snip()
+    clip.to(x + 0.05, 0.2, z + 0.1, speed=0.3)
+    bipolar = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.15)
+    bipolar.wait(clip.time - 0.6)
+    bipolar.to(x + 0.02, 0.2, z + 0.12)
+    for place in BLEEDING:
+        bipolar.to(place[0], place[1] + 0.012, place[2], speed=0.15).to(*place, speed=0.1).grasp(1.0)
+        bipolar.to(place[0], place[1] + 0.012, place[2], speed=0.15)
+    bipolar.to(x + 0.02, 0.2, z + 0.12, speed=0.3)
+    suction.wait(bipolar.time - 1.5 - suction.time)
+    suction.to(x - 0.03, y + 0.055, z + 0.012).to(x + 0.010, y + 0.022, z + 0.015, speed=0.05)
+    suction.to(x + 0.025, y + 0.005, z + 0.03, speed=0.02)
+    suction.wait(0.5)
+    suction.to(x + 0.025, y + 0.005, z + 0.03)
+    return all_instruments(scalpel=scalpel, suction=suction, clip_applier=clip, bipolar=bipolar)
+
+
+# Skin of the sagged lobe at z = 0.044, x to y, m; and vessels that the groove of `transect` bares: middle, direction,
+# length in mm.
+SKIN = ((-0.05, 0.078), (-0.04, 0.0682), (-0.03, 0.0562), (-0.02, 0.0479), (-0.01, 0.0432), (0.0, 0.040), (0.01, 0.035))
+BARED = (
+    ((-0.0266, 0.0295, 0.0445), (-0.27, 0.11, 0.95), 4.7),
+    ((-0.0138, 0.0205, 0.0447), (0.58, -0.36, 0.73), 9.8),
+    ((-0.0179, 0.0273, 0.0439), (0.69, 0.07, 0.72), 6.9),
+)
+
+
+# Ends of thin vessels in the groove.
+OPENED = (
+    (-0.0345, 0.0374, 0.0455), (-0.0320, 0.0263, 0.0462), (-0.0272, 0.0299, 0.0465), (-0.0234, 0.0265, 0.0413),
+    (-0.0196, 0.0250, 0.0452), (-0.0173, 0.0196, 0.0463), (-0.0150, 0.0280, 0.0475), (-0.0100, 0.0310, 0.0460),
+    (-0.0060, 0.0190, 0.0430), (-0.0060, 0.0270, 0.0460), (-0.0110, 0.0150, 0.0454), (-0.0221, 0.0208, 0.0468),
+    (-0.0331, 0.0264, 0.0450),
+)
+
+
+def skin(x):
+    for (a, low), (b, high) in zip(SKIN, SKIN[1:]):
+        if a <= x <= b:
+            return low + (high - low) * (x - a) / (b - a)
+    raise ValueError(x)
+
+
+def transect():
+    """A part of a left lateral sectionectomy: inflow clamped, capsule scored, parenchyma aspirated over 6 cm^2, three
+    vessels clipped and divided, what bleeds coagulated, the inflow opened again, the field sucked dry."""
+    z = VESSEL[2]
+    clamp = Path3(handle=(0.75, 0.66, 0.1), edge=(0.66, -0.75, 0), speed=0.25)
+    clamp.wait(0.6)
+    clamp.to(0.12, 0.15, 0.03).to(0.042, 0.022, 0.012).jaws(1.0)
+    pencil = Path3(handle=(0.5, 0.86, 0.1), edge=(0.86, -0.5, 0), speed=0.2)
+    pencil.wait(1.2)
+    pencil.to(-0.06, 0.2, z).to(-0.036, skin(-0.036) + 0.01, z)
+    for i in range(8):
+        x = -0.034 + 0.0045 * i
+        pencil.to(x, skin(x) - 0.003, z, speed=0.02)
+    pencil.to(0.01, 0.12, z, speed=0.3).to(0.03, 0.2, 0.1, speed=0.3)
+    aspirator = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.3)
+    aspirator.wait(pencil.time - 1)
+    aspirator.to(0.0, 0.2, 0.12).to(-0.032, skin(-0.032) + 0.02, z)
+    for layer, depth in enumerate((0.003, 0.008, 0.013, 0.018, 0.022)):
+        way = [-0.032 + 0.03 * i / 8 for i in range(9)]
+        for x in reversed(way) if layer % 2 else way:
+            aspirator.to(x, skin(x) - depth, z, speed=0.035)
+    aspirator.to(0.0, 0.12, z, speed=0.3).to(0.03, 0.2, 0.12, speed=0.3)
+    clip = Path3(handle=(0.1, 0.95, 0.3), edge=(0, -0.3, 0.95), speed=0.3)
+    clip.wait(aspirator.time - 0.8)
+    clip.to(0.03, 0.18, 0.1)
+    for middle, along, length in BARED:
+        for side in (-1, 1):
+            x, y, z_ = (m + side * a * (0.0005 * length - 0.0008) for m, a in zip(middle, along))
+            clip.to(x, y + 0.03, z_, speed=0.25).to(x, y, z_, speed=0.15).jaws(1.0, 0.2).jaws(0.0, 0.2)
+            clip.to(x, y + 0.03, z_, speed=0.15)
+    clip.to(0.03, 0.18, 0.1)
+    scissors = Path3(handle=(0, 0.95, 0.3), edge=(1, 0, 0), speed=0.3)
+    scissors.wait(clip.time - 0.6)
+    scissors.to(-0.02, 0.18, 0.1)
+    for (x, y, z_), _, _ in BARED:
+        scissors.to(x, y + 0.034, z_, speed=0.25).to(x, y - 0.006, z_, speed=0.1).jaws(1.0).jaws(0.0)
+        scissors.to(x, y + 0.034, z_, speed=0.15)
+    scissors.to(-0.02, 0.18, 0.1)
+    bipolar = Path3(handle=(0.1, 0.95, 0.3), edge=(0, -0.3, 0.95), speed=0.3)
+    bipolar.wait(scissors.time - 0.6)
+    bipolar.to(0.03, 0.18, 0.1)
+    for place in OPENED:
+        bipolar.to(place[0], place[1] + 0.014, place[2], speed=0.2).to(*place, speed=0.12).grasp(0.9)
+        bipolar.to(place[0], place[1] + 0.014, place[2], speed=0.2)
+    bipolar.to(0.03, 0.18, 0.1)
+    clamp.hold_until(bipolar.time)
+    clamp.jaws(0.0).to(0.12, 0.15, 0.03)
+    suction = Path3(handle=(-0.3, 0.9, 0.3), edge=(0, -0.3, 0.9), speed=0.3)
+    suction.wait(bipolar.time - 0.8)
+    suction.to(-0.03, 0.18, 0.1)
+    for x in (-0.034, -0.02, -0.006, -0.02):
+        suction.to(x, skin(x) - 0.012, z, speed=0.03)
+    suction.wait(1.0)
+    suction.to(-0.02, skin(-0.02) - 0.012, z)
+    return all_instruments(inflow_clamp=clamp, pencil=pencil, aspirator=aspirator, clip_applier=clip,
+                           scissors=scissors, bipolar=bipolar, suction=suction)
+
+
+def pringle():
+    """The same cut as `bleed`; a clamp closes the inflow for eight seconds, and opens it again."""
+    scalpel = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
+    scalpel.wait(0.9)
+    cut_branch(scalpel)
+    clamp = Path3(handle=(0.75, 0.66, 0.1), edge=(0.66, -0.75, 0), speed=0.25)
+    clamp.wait(scalpel.time)
+    clamp.to(0.12, 0.15, 0.03).to(0.042, 0.022, 0.012).jaws(1.0)
+    clamp.hold_until(clamp.time + 8)
+    clamp.jaws(0.0).to(0.12, 0.15, 0.03)
+    return all_instruments(scalpel=scalpel, inflow_clamp=clamp)
+
+
+# Ends of the small arteries that bleed on the raw surface of `cautery`.
+OOZING = (
+    (-0.0226, 0.0415, 0.0375), (-0.0201, 0.0333, 0.0426), (-0.0188, 0.0317, 0.0516), (-0.0074, 0.0343, 0.0476),
+    (-0.0022, 0.0370, 0.0315), (0.0016, 0.0268, 0.0522), (0.0057, 0.0284, 0.0307),
+)
+
+
+def cautery():
+    """The aspirator takes a shallow patch of the lobe away; the pencil, its pedal pressed, coagulates what bleeds."""
+    z = VESSEL[2]
+    aspirator = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.3)
+    aspirator.wait(0.9)
+    aspirator.to(0.0, 0.2, 0.12)
+    for depth in (0.002, 0.006):
+        for dz in (-0.009, 0.0, 0.009):
+            for i in range(5):
+                aspirator.to(-0.022 + 0.006 * i, skin(-0.022 + 0.006 * i) - depth, z + dz, speed=0.06)
+    aspirator.to(0.0, 0.12, z, speed=0.3).to(0.03, 0.2, 0.12, speed=0.3)
+    pencil = Path3(handle=(0.3, 0.9, 0.3), edge=(0.9, -0.3, 0), speed=0.2, pedal=1)
+    pencil.wait(aspirator.time - 0.5)
+    pencil.to(-0.04, 0.2, z)
+    for x, y, z_ in OOZING:
+        pencil.to(x, y + 0.015, z_).to(x, y, z_, speed=0.1).hold_until(pencil.time + 1.2)
+        pencil.to(x, y + 0.015, z_)
+    pencil.to(0.01, 0.12, z, speed=0.3).to(0.03, 0.2, 0.1, speed=0.3)
+    return all_instruments(aspirator=aspirator, pencil=pencil)

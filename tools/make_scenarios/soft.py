@@ -1,0 +1,167 @@
+"""Motions in tissue that gives way: pressing, lifting, cutting, taking off."""
+from paths import Path3
+from scenario_text import scenario
+
+
+def press():
+    """The baton presses on the dome, stays, lets go, and presses again beside it."""
+    path = Path3(handle=(0, 0.95, 0.3), edge=(0, 0.3, -0.95), speed=0.08)
+    path.wait(0.9)
+    path.to(-0.03, 0.16, 0.01).to(-0.03, 0.06, 0.01, speed=0.06)
+    path.wait(0.5)
+    path.to(-0.03, 0.06, 0.01).to(-0.03, 0.16, 0.01, speed=0.15).to(0.03, 0.14, 0.02)
+    path.to(0.03, 0.05, 0.02, speed=0.06)
+    path.wait(0.3)
+    path.to(0.03, 0.05, 0.02).to(0.03, 0.2, 0.08, speed=0.2)
+    return [("scalpel", None), ("hook", None), ("baton", path)]
+
+
+def lift():
+    """The hook enters the front margin, pulls it up and out, holds it, and pulls until it slips."""
+    path = Path3(handle=(0, 0.75, 0.66), edge=(0, -0.66, 0.75), speed=0.1)
+    path.wait(0.9)
+    path.to(0.055, 0.12, 0.14).to(0.055, 0.022, 0.04)
+    path.wait(0.1)
+    path.to(0.055, 0.022, 0.04).to(0.055, 0.046, 0.056, speed=0.05)
+    path.wait(0.6)
+    path.to(0.055, 0.046, 0.056).to(0.055, 0.2, 0.14, speed=0.08)
+    path.to(0.1, 0.24, 0.2, speed=0.3)
+    return [("scalpel", None), ("hook", path), ("baton", None)]
+
+
+def incise():
+    """One long cut over the dome, towards the surgeon, some two centimetres deep."""
+    path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
+    path.wait(0.9)
+    x = -0.02  # the dome, once it has sagged, is 0.098 m high here and slopes down from z = 0.01 on
+    path.to(x, 0.2, -0.06).to(x, 0.12, -0.065)
+    for z, y in ((-0.05, 0.076), (-0.03, 0.079), (-0.01, 0.078), (0.01, 0.072), (0.02, 0.066), (0.03, 0.057),
+                 (0.04, 0.047), (0.05, 0.036), (0.058, 0.028)):
+        path.to(x, y, z, speed=0.05)
+    path.to(x, 0.14, 0.12, speed=0.3).to(0.05, 0.24, 0.14, speed=0.3)
+    return [("scalpel", path), *((name, None) for name in (
+        "hook", "baton", "scissors", "suction", "clip_applier", "bipolar"))]
+
+
+def incise_under_traction():
+    """The hook pulls the left lobe aside, the scalpel is drawn over it across the pull, and the wound opens."""
+    caught, pulled, opened = (0.051, 0.022, 0.03), (0.061, 0.029, 0.03), (0.067, 0.033, 0.03)
+    hook = Path3(handle=(0.8, 0.6, 0), edge=(0.6, -0.8, 0), speed=0.12)
+    hook.wait(0.6)
+    hook.to(0.125, 0.12, 0.03).to(*caught)
+    hook.wait(0.1)
+    hook.to(*caught).to(*pulled, speed=0.03)
+    # The lobe's top along the cut, after it has sagged: the blade's edge must reach out of the tissue, or it tunnels.
+    top = ((-0.005, 0.047), (0.005, 0.048), (0.015, 0.048), (0.025, 0.047), (0.035, 0.045), (0.045, 0.043),
+           (0.055, 0.041), (0.065, 0.038), (0.075, 0.033))
+    x, depth = 0.03, 0.018
+    scalpel = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.15)
+    scalpel.wait(2.2)
+    scalpel.to(x, 0.2, -0.03).to(x, top[0][1] + 0.03, top[0][0] - 0.01)
+    for z, y in top:
+        scalpel.to(x, y - depth, z, speed=0.05)
+    scalpel.to(x, 0.093, 0.135, speed=0.3).to(0.05, 0.24, 0.16, speed=0.4)
+    hook.wait(scalpel.time - 0.6 - hook.time)
+    hook.to(*pulled).to(*opened, speed=0.03)
+    hook.wait(1.2)
+    hook.to(*opened)
+    return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
+
+
+def snip():
+    """The scissors come from the front and cut into the left lobe, snip by snip."""
+    path = Path3(handle=(0, 0.42, 0.91), edge=(0, -0.91, 0.42), speed=0.1)
+    path.wait(0.9)
+    path.to(0.058, 0.09, 0.2, speed=0.2)
+    for i in range(5):
+        z = 0.078 - 0.014 * i
+        path.to(0.058, 0.012 + 0.0045 * i, z, speed=0.06).snip()
+    path.to(0.058, 0.09, 0.16, speed=0.15).to(0.1, 0.2, 0.2, speed=0.3)
+    return [("scalpel", None), ("hook", None), ("baton", None), ("scissors", path)]
+
+
+def resect_segment_elastic():
+    """The scalpel, held upright, cuts the left lateral part off from both sides; the hook pulls it aside, and the
+    scalpel cuts the strands that are left; the hook lifts the part away."""
+    x, there, back = 0.062, (0, -0.05, 1), (0, 0.05, -1)
+    scalpel = Path3(handle=(0, 1, 0.05), edge=there, speed=0.15)
+
+    def cut_off(x, speed):
+        """There, and back with the edge turned: where a cut leaves the tissue, the last of it gives way uncut."""
+        scalpel.to(x, 0.2, -0.12, speed=0.4).to(x, 0.001, -0.12, speed=0.4).to(x, 0.001, 0.13, speed=speed)
+        scalpel.turn(back).to(x, 0.001, 0.16, speed=0.1).to(x, 0.001, -0.06, speed=speed)
+        scalpel.turn(there).to(x, 0.14, -0.06, speed=0.4).to(0.05, 0.24, 0.14, speed=0.5)
+
+    scalpel.wait(0.9)
+    cut_off(x, 0.12)
+    caught, pulled, lifted = (0.075, 0.016, 0.02), (0.095, 0.03, 0.025), (0.14, 0.075, 0.04)
+    hook = Path3(handle=(0.45, 0.85, 0.27), edge=(0.85, -0.52, 0.1), speed=0.15)
+    hook.wait(scalpel.time + 0.2)
+    hook.to(0.17, 0.13, 0.03, speed=0.3).to(*caught)
+    hook.wait(0.1)
+    hook.to(*caught).to(*pulled, speed=0.06)
+    scalpel.wait(hook.time - scalpel.time)
+    scalpel.to(0.05, 0.24, 0.14)
+    cut_off(0.07, 0.15)
+    hook.wait(scalpel.time - hook.time - 1)
+    hook.to(*pulled).to(*lifted, speed=0.06)
+    hook.wait(0.6)
+    hook.to(*lifted)
+    return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
+
+
+def lift_gallbladder():
+    """The hook catches the fundus from the front, lifts it, holds it, lays it down and lets go."""
+    path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
+    caught, lifted = (-0.055, 0.079, 0.08), (-0.055, 0.09, 0.0825)
+    path.wait(0.8)
+    path.to(-0.055, 0.2, 0.19).to(*caught)
+    path.wait(0.1)
+    path.to(*caught).to(*lifted, speed=0.04)
+    path.wait(0.8)
+    path.to(*lifted).to(*caught, speed=0.04)
+    path.wait(0.2)
+    path.to(*caught)
+    return [("scalpel", None), ("hook", path), ("baton", None)]
+
+
+def liver_and_gallbladder():
+    """Two organs: the liver lies on its dome, held below; the gallbladder is on its bed above."""
+    turn = "{ axis = [0.1954, 0.1288, -0.9722], degrees = 180 }"
+    text = scenario("The gallbladder is lifted, and the liver follows",
+                    "The hook holds the gallbladder up by its fundus, lays it down and lets go", 6.0, lift_gallbladder(),
+                    "surgeon", thesis=False)
+    organs = f"""[[organ]]
+name = "liver"
+source = "liver"
+spacing = "6mm"
+rotation = {turn}  # on its dome, the fundus towards the surgeon
+position = [-0.07, 0, 0]  # clear of the tray
+settle = false
+
+[organ.tissue]
+model = "elastic"
+
+[[organ.tissue.attachment]]
+kind = "pin"
+box = [[-0.18, -0.01, -0.1], [0.04, 0.03, 0.1]]
+
+[[organ]]
+name = "gallbladder"
+source = "gallbladder"
+beside = "liver"
+spacing = "4mm"
+
+[organ.tissue]
+model = "elastic"
+young = 8000
+tear_energy = 1000
+density = 1020
+
+[[joint]]
+organs = ["gallbladder", "liver"]
+reach = "8mm"
+stiffness = 600
+"""
+    head, tools = text.split("[organ]\n", 1)
+    return head + organs + "\n" + tools[tools.index("[[tool]]"):]
