@@ -6,7 +6,7 @@
 #include <string>
 
 #include "organ/organ.h"
-#include "organ/skin.h"
+#include "organ/skin/skin.h"
 #include "tissue/tissue_model.h"
 
 namespace resect {

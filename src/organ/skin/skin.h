@@ -1,14 +1,14 @@
 // The surface of tissue that has moved. It is not meshed again: the vertices of the surface at rest
 // follow the particles round them.
 //
-// A vertex with rest position X follows up to eight particles: those among the eight cells whose
-// centres surround X. Its present position is x = sum w_i (x_i + F_i (X - X_i)). Here X_i, x_i and
-// F_i are the rest position, present position and deformation gradient of particle i. The weights
-// w_i are trilinear and are normalised over the particles that are left. If none of the eight cells
-// has a particle, the vertex follows the nearest particle within about two cells. Beside a wound
-// the surface tracker's bindings name the particles on the vertex's own side
-// (wound/vertex_binding.h). Normals are transformed by the cofactor matrix of the weighted mean of
-// the F_i. Cost: a few products per vertex and frame, and a search for each vertex that changed.
+// A vertex with rest position X follows up to eight particles (organ/skin/bind_vertex.h). Its
+// present position is x = sum w_i (x_i + F_i (X - X_i)). Here X_i, x_i and F_i are the rest
+// position, present position and deformation gradient of particle i, w_i its weight; the weights
+// add up to 1. F_i of a particle with few bonds, as at a thin margin, is the mean over it and the
+// particles bonded to it. Beside a wound the surface tracker's bindings name the particles on the
+// vertex's own side (wound/vertex_binding.h). Normals are transformed by the cofactor matrix of the
+// weighted mean of the F_i. Cost: a few products per vertex and frame, and a search for each vertex
+// that changed.
 #pragma once
 
 #include <array>
@@ -43,20 +43,22 @@ class SurfaceSkin {
     std::array<std::int32_t, 8> entry{};  // indices into cells_
     std::array<float, 8> weight{};        // 0: this entry and those after it are unused
   };
-  Binding bind(const Vec3f& vertex, const Lattice& lattice, const TissueModel& tissue);
+  void setBinding(std::size_t vertex, const VertexBinding& followed, const TissueModel& tissue);
+  bool markChanged(std::span<const std::int64_t> removed, const TissueModel& tissue);
   void findMotions(const Lattice& lattice, const TissueModel& tissue);
   ParticleMotion motionOf(const Binding& binding) const;
   void movePoints(std::span<const Vec3f> rest);
   std::int32_t entryOf(std::int64_t cell);
 
   std::vector<Binding> bindings_;
-  std::vector<std::int64_t> cells_;        // the particles that vertices follow
-  std::vector<std::int32_t> entryOfCell_;  // per lattice cell: index into cells_, or -1
-  std::vector<Vec3f> restOfCell_;          // rest positions of cells_, m
+  std::vector<std::int64_t> cells_;         // the particles that vertices follow
+  std::vector<std::int32_t> entryOfCell_;   // per lattice cell: index into cells_, or -1
+  std::vector<Vec3f> restOfCell_;           // rest positions of cells_, m
+  std::vector<std::uint32_t> bondsOfCell_;  // bonds of cells_ when their vertices were bound
   std::vector<CellPlacement> placements_;
   std::vector<ParticleMotion> motions_;
   std::vector<Vec3f> points_, normals_;
-  std::vector<std::uint8_t> changed_;  // per entry of cells_: 1 if that particle was removed
+  std::vector<std::uint8_t> changed_;  // per entry of cells_: 1 where its particle changed
 };
 
 }  // namespace resect

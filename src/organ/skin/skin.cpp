@@ -1,14 +1,21 @@
-#include "organ/skin.h"
+#include "organ/skin/skin.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/parallel.h"
+#include "organ/skin/bind_vertex.h"
+#include "tissue/stencil.h"
 
 namespace resect {
 namespace {
 
 constexpr std::size_t kGrain = 2048;  // vertices per block
+constexpr int kFewBonds = 13;         // a particle at an edge has so many; in a flat skin 17
+
+// Whether so few bonds determine a particle's gradient that it may err.
+bool isThin(std::uint32_t bonds) { return std::popcount(bonds) <= kFewBonds; }
 
 }  // namespace
 
@@ -21,60 +28,66 @@ std::int32_t SurfaceSkin::entryOf(std::int64_t cell) {
   return entry;
 }
 
-SurfaceSkin::Binding SurfaceSkin::bind(const Vec3f& vertex, const Lattice& lattice,
-                                       const TissueModel& tissue) {
-  Binding to;
-  const Vec3 at = lattice.toCellSpace(vertex.cast<double>());
-  struct Candidate {
-    Vec3i cell;
-    double weight;
-  };
-  std::array<Candidate, 8> candidates;
-  int count = 0;
-  const Vec3i low = at.array().floor().cast<int>();
-  const Vec3 f = at - low.cast<double>();
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3i cell = low + Vec3i(corner & 1, corner >> 1 & 1, corner >> 2);
-    if (!lattice.contains(cell) || !tissue.solid(lattice.index(cell))) continue;
-    double weight = 1;
-    for (int a = 0; a < 3; ++a) weight *= cell[a] > low[a] ? f[a] : 1 - f[a];
-    candidates[count++] = {cell, weight + 1e-6};
+// Particles that are gone are left out.
+void SurfaceSkin::setBinding(std::size_t v, const VertexBinding& followed,
+                             const TissueModel& tissue) {
+  Binding& to = bindings_[v];
+  to = {};
+  for (int k = 0, count = 0; k < followed.count; ++k) {
+    if (!tissue.solid(followed.cell[k])) continue;
+    to.entry[count] = entryOf(followed.cell[k]);
+    to.weight[count++] = followed.weight[k];
   }
-  if (count == 0) {
-    // A thin edge without neighbouring particles: the nearest one within two cells.
-    double nearest = 1e9;
-    for (int dz = -2; dz <= 3; ++dz)
-      for (int dy = -2; dy <= 3; ++dy)
-        for (int dx = -2; dx <= 3; ++dx) {
-          const Vec3i cell = low + Vec3i(dx, dy, dz);
-          if (!lattice.contains(cell) || !tissue.solid(lattice.index(cell))) continue;
-          const double distance = (at - cell.cast<double>()).squaredNorm();
-          if (distance >= nearest) continue;
-          nearest = distance;
-          candidates[0] = {cell, 1};
-          count = 1;
-        }
-    if (count == 0) return to;
-  }
-  double sum = 0;
-  for (int i = 0; i < count; ++i) sum += candidates[i].weight;
-  for (int i = 0; i < count; ++i) {
-    to.entry[i] = entryOf(lattice.index(candidates[i].cell));
-    to.weight[i] = float(candidates[i].weight / sum);
-  }
-  return to;
 }
 
+// Marks the entries of cells_ whose particles are gone or have lost or regained bonds.
+bool SurfaceSkin::markChanged(std::span<const std::int64_t> removed, const TissueModel& tissue) {
+  changed_.assign(cells_.size(), 0);
+  bool any = false;
+  const auto mark = [&](std::size_t entry) {
+    changed_[entry] = 1;
+    any = true;
+  };
+  for (const std::int64_t cell : removed)
+    if (const std::int32_t entry = entryOfCell_[cell]; entry >= 0) mark(std::size_t(entry));
+  for (std::size_t i = 0; i < bondsOfCell_.size(); ++i)
+    if (const std::uint32_t bonds = tissue.bonds(cells_[i]); bonds != bondsOfCell_[i]) {
+      bondsOfCell_[i] = bonds;
+      mark(i);
+    }
+  return any;
+}
+
+// What lies outside a particle with few bonds would follow each error of its gradient: it gets the
+// mean gradient of the particle and of those that it is bonded to.
 void SurfaceSkin::findMotions(const Lattice& lattice, const TissueModel& tissue) {
-  for (std::size_t i = restOfCell_.size(); i < cells_.size(); ++i)
+  const auto visitBonded = [&](std::size_t i, auto visit) {
+    const Vec3i cell = lattice.cell(cells_[i]);
+    for (int d = 0; d < kDirections; ++d)
+      if (bondsOfCell_[i] >> d & 1) visit(lattice.index(cell + offsetOf(d)));
+  };
+  const auto followed = cells_.size();
+  for (std::size_t i = bondsOfCell_.size(); i < followed; ++i)
+    bondsOfCell_.push_back(tissue.bonds(cells_[i]));
+  for (std::size_t i = 0; i < followed; ++i)
+    if (isThin(bondsOfCell_[i])) visitBonded(i, [&](std::int64_t other) { entryOf(other); });
+  for (std::size_t i = restOfCell_.size(); i < cells_.size(); ++i) {
     restOfCell_.push_back(lattice.centre(lattice.cell(cells_[i])).cast<float>());
+    if (i >= followed) bondsOfCell_.push_back(tissue.bonds(cells_[i]));
+  }
   placements_.resize(cells_.size());
   motions_.resize(
       std::max<std::size_t>(1, cells_.size()));  // vertices without particles use the first entry
   tissue.place(cells_, placements_);
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const auto& [displacement, gradient] = placements_[i];
-    motions_[i] = particleMotion(restOfCell_[i], displacement, gradient);
+    Eigen::Matrix3f gradient = placements_[i].gradient;
+    if (isThin(bondsOfCell_[i])) {
+      visitBonded(i, [&](std::int64_t other) {
+        gradient += placements_[std::size_t(entryOfCell_[std::size_t(other)])].gradient;
+      });
+      gradient /= float(1 + std::popcount(bondsOfCell_[i]));
+    }
+    motions_[i] = particleMotion(restOfCell_[i], placements_[i].displacement, gradient);
   }
 }
 
@@ -130,37 +143,32 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
   bindings_.resize(rest.size());
   points_.resize(rest.size());
 
-  if (!changedCells.empty()) {
-    changed_.assign(cells_.size(), 0);
-    for (const std::int64_t cell : changedCells)
-      if (entryOfCell_[cell] >= 0) changed_[entryOfCell_[cell]] = 1;
-    for (std::size_t v = 0; v < before; ++v)
-      for (std::size_t k = 0; k < 8; ++k)
-        if (bindings_[v].weight[k] > 0 && changed_[bindings_[v].entry[k]]) {
-          bindings_[v] = bind(rest[v], lattice, tissue);
-          break;
-        }
-  }
-  if (surface.changes().everything || before == 0) {
-    for (std::size_t v = 0; v < rest.size(); ++v) bindings_[v] = bind(rest[v], lattice, tissue);
+  const auto bind = [&](std::size_t v) {
+    setBinding(v, bindVertex(rest[v], lattice, tissue), tissue);
+  };
+  const bool everything = surface.changes().everything || before == 0;
+  const bool particlesChanged = markChanged(changedCells, tissue);
+  const bool anew = everything || particlesChanged || !surface.changes().vertices.empty();
+  if (everything) {
+    for (std::size_t v = 0; v < rest.size(); ++v) bind(v);
   } else {
+    if (particlesChanged) {
+      const auto isChanged = [&](const Binding& binding) {
+        for (std::size_t k = 0; k < 8 && binding.weight[k] > 0; ++k)
+          if (changed_[std::size_t(binding.entry[k])]) return true;
+        return false;
+      };
+      for (std::size_t v = 0; v < before; ++v)
+        if (isChanged(bindings_[v])) bind(v);
+    }
     for (const IndexRange& range : surface.changes().vertices)
-      for (std::int32_t v = range.first; v < range.first + range.count; ++v)
-        bindings_[v] = bind(rest[v], lattice, tissue);
+      for (std::int32_t v = range.first; v < range.first + range.count; ++v) bind(std::size_t(v));
   }
   // Beside a wound the tracker's bindings name the particles on a vertex's side.
-  if (surface.changes().everything || !surface.changes().vertices.empty())
+  if (anew)
     surface.visitBindings([&](std::int32_t first, std::span<const VertexBinding> bindings) {
-      for (std::size_t v = 0; v < bindings.size(); ++v) {
-        Binding& to = bindings_[std::size_t(first) + v];
-        if (bindings[v].count == 0) continue;
-        to = {};
-        for (int k = 0, count = 0; k < bindings[v].count; ++k) {
-          if (!tissue.solid(bindings[v].cell[k])) continue;
-          to.entry[count] = entryOf(bindings[v].cell[k]);
-          to.weight[count++] = bindings[v].weight[k];
-        }
-      }
+      for (std::size_t v = 0; v < bindings.size(); ++v)
+        if (bindings[v].count > 0) setBinding(std::size_t(first) + v, bindings[v], tissue);
     });
 
   findMotions(lattice, tissue);
@@ -171,6 +179,7 @@ void SurfaceSkin::follow(const SurfaceTracker& surface, const Lattice& lattice,
 std::size_t SurfaceSkin::bytes() const {
   return bindings_.capacity() * sizeof(Binding) + cells_.capacity() * sizeof(std::int64_t) +
          entryOfCell_.capacity() * sizeof(std::int32_t) +
+         bondsOfCell_.capacity() * sizeof(std::uint32_t) +
          (restOfCell_.capacity() + points_.capacity() + normals_.capacity()) * sizeof(Vec3f) +
          placements_.capacity() * sizeof(CellPlacement) +
          motions_.capacity() * sizeof(ParticleMotion) + changed_.capacity();
