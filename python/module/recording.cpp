@@ -1,6 +1,7 @@
 // Recordings: resect.Recording, resect.verify(), resect.score().
 
 #include <pybind11/stl.h>
+#include <nlohmann/json.hpp>
 
 #include "arrays.h"
 #include "base/error.h"

@@ -3,6 +3,7 @@
 #include "base/text/shown_text.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace resect {
 namespace {

@@ -1,7 +1,7 @@
 // The report of a benchmark, as JSON or as a text with a table.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 

@@ -1,6 +1,7 @@
 #include "cli/blood_report.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace resect {
 namespace {

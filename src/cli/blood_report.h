@@ -1,7 +1,7 @@
 // The blood of an operation, as JSON and as lines of text.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "operation/blood/blood_summary.h"

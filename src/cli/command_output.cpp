@@ -1,6 +1,7 @@
 #include "cli/command_output.h"
 
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "io/atomic_file.h"

@@ -1,7 +1,7 @@
 // The report of `resect bench --haptics`, as JSON or as a text with a table.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "haptics/bench/haptics_bench.h"

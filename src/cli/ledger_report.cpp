@@ -1,6 +1,7 @@
 #include "cli/ledger_report.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 

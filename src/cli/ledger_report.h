@@ -1,7 +1,7 @@
 // The ledger of an operation for people and for programs: where all tissue is.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "operation/ledger/ledger.h"

@@ -1,6 +1,5 @@
 #include "cli/organ_options.h"
 
-#include <CLI/CLI.hpp>
 #include <charconv>
 
 #include "base/error.h"
@@ -72,19 +71,19 @@ ModelReader modelReader() {
   };
 }
 
-std::shared_ptr<OrganOptions> addOrganOptions(CLI::App& command) {
+std::shared_ptr<OrganOptions> addOrganOptions(Command command) {
   auto options = std::make_shared<OrganOptions>();
   addPartOption(command, options->part);
-  command.add_option("--unit", options->unit,
-                     "What the model's numbers are: mm, cm, m, um, in, or metres per unit");
-  command.add_flag("--repair", options->repair,
-                   "Close the holes of an open mesh instead of refusing it");
-  auto* spacing =
-      command.add_option("--spacing", options->spacing, "Side of the cubic cells, as 5mm");
+  command.option("--unit", options->unit,
+                 "What the model's numbers are: mm, cm, m, um, in, or metres per unit");
+  command.flag("--repair", options->repair,
+               "Close the holes of an open mesh instead of refusing it");
+  const Option spacing =
+      command.option("--spacing", options->spacing, "Side of the cubic cells, as 5mm");
   command
-      .add_option("--dims", options->dims,
-                  "Samples over the bounding box, as the thesis has them: 20 or 20,20,20")
-      ->excludes(spacing);
+      .option("--dims", options->dims,
+              "Samples over the bounding box, as the thesis has them: 20 or 20,20,20")
+      .excludes(spacing);
   return options;
 }
 

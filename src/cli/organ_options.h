@@ -4,12 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "cli/command_line.h"
 #include "io/operation_setup.h"
 #include "operation/scenario.h"
-
-namespace CLI {
-class App;
-}
 
 namespace resect {
 
@@ -28,6 +25,6 @@ struct OrganOptions {
 ModelReader modelReader();
 
 // Adds --part, --unit, --repair, --spacing and --dims to a command.
-std::shared_ptr<OrganOptions> addOrganOptions(CLI::App& command);
+std::shared_ptr<OrganOptions> addOrganOptions(Command command);
 
 }  // namespace resect

@@ -1,7 +1,7 @@
 // Reports of a run as JSON, plot and text.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "base/error.h"
@@ -26,38 +25,36 @@ PictureSettings settingsOf(const PictureOptions& options, bool overwrite) {
   return {options.frames, options.video, options.size, options.rate, overwrite};
 }
 
-void addPictureOptions(CLI::App& command, PictureOptions& options) {
-  command.add_option("--frames", options.frames, "Folder for numbered pictures (PNG)");
-  command.add_option("--video", options.video,
-                     "Video to make of the pictures (.mp4; needs ffmpeg)");
-  command.add_option("--picture-rate", options.rate, "Pictures per simulated second")
-      ->check(CLI::Range(0.01, 1000.0))
-      ->capture_default_str();
-  command.add_option("--size", options.size, "Width and height of the pictures, pixels")
-      ->capture_default_str();
-  command.add_option("--view", options.view, fmt::format("Camera: {}", kRoomViewNames));
+void addPictureOptions(Command command, PictureOptions& options) {
+  command.option("--frames", options.frames, "Folder for numbered pictures (PNG)");
+  command.option("--video", options.video, "Video to make of the pictures (.mp4; needs ffmpeg)");
+  command.option("--picture-rate", options.rate, "Pictures per simulated second")
+      .range(0.01, 1000.0)
+      .showDefault();
+  command.option("--size", options.size, "Width and height of the pictures, pixels").showDefault();
+  command.option("--view", options.view, fmt::format("Camera: {}", kRoomViewNames));
 }
 
-void addThreadsOption(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Threads to use; 0 = all. The result is the same")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+void addThreadsOption(Command command, int& threads) {
+  command.option("--threads", threads, "Threads to use; 0 = all. The result is the same")
+      .range(0, 1024)
+      .showDefault();
 }
 
-void addPartOption(CLI::App& command, std::string& part) {
+void addPartOption(Command command, std::string& part) {
   command
-      .add_option_function<std::vector<std::string>>(
+      .option(
           "--part", [&part](const std::vector<std::string>& names) { part = partLines(names); },
           "Take only the part of that name; given several times, these parts, joined")
-      ->allow_extra_args(false);
+      .oneValueEach();
 }
 
-void addOverwriteOption(CLI::App& command, bool& overwrite, const std::string& numbered) {
-  command.add_flag("--overwrite", overwrite, "Remove " + numbered);
+void addOverwriteOption(Command command, bool& overwrite, const std::string& numbered) {
+  command.flag("--overwrite", overwrite, "Remove " + numbered);
 }
 
-void addRecordingOption(CLI::App& command, std::string& file) {
-  command.add_option("FILE", file, "Recording (.resect)")->required();
+void addRecordingOption(Command command, std::string& file) {
+  command.option("FILE", file, "Recording (.resect)").required();
 }
 
 void RecordedPart::check() const {
@@ -86,13 +83,13 @@ std::vector<CourseSpan> RecordedPart::of(RecordingFile& file, double frameRate) 
   return partOf(course, frameAt(from), frameAt(to));
 }
 
-void addPartOptions(CLI::App& command, RecordedPart& part) {
-  command.add_option("--from", part.from, "Where to begin, s")->capture_default_str();
-  command.add_option("--to", part.to, "Where to end, s; without it at the recording's end");
+void addPartOptions(Command command, RecordedPart& part) {
+  command.option("--from", part.from, "Where to begin, s").showDefault();
+  command.option("--to", part.to, "Where to end, s; without it at the recording's end");
   command
-      .add_option("--branch", part.branch,
-                  "Course of the operation, from its start; without it the one that was last")
-      ->check(CLI::NonNegativeNumber);
+      .option("--branch", part.branch,
+              "Course of the operation, from its start; without it the one that was last")
+      .notNegative();
 }
 
 }  // namespace resect

@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/command_line.h"
 #include "cli/picture_writer.h"
 #include "record/course.h"
-
-namespace CLI {
-class App;
-}
 
 namespace resect {
 
@@ -32,21 +29,21 @@ PictureSettings settingsOf(const PictureOptions& options, bool overwrite);
 
 // Adds --frames, --video, --picture-rate, --size and --view. The options must live as long as the
 // command.
-void addPictureOptions(CLI::App& command, PictureOptions& options);
+void addPictureOptions(Command command, PictureOptions& options);
 
 // Adds --threads, 0 to 1024.
-void addThreadsOption(CLI::App& command, int& threads);
+void addThreadsOption(Command command, int& threads);
 
 // Adds --part, which may be given several times; `part`: as OrganMeshOptions::part
 // (io/organ_mesh.h).
-void addPartOption(CLI::App& command, std::string& part);
+void addPartOption(Command command, std::string& part);
 
 // Adds --overwrite. numbered: says in the help what the option may remove, for example "the
 // numbered pictures of an earlier run from the folder of --frames".
-void addOverwriteOption(CLI::App& command, bool& overwrite, const std::string& numbered);
+void addOverwriteOption(Command command, bool& overwrite, const std::string& numbered);
 
 // Adds FILE, a recording to read.
-void addRecordingOption(CLI::App& command, std::string& file);
+void addRecordingOption(Command command, std::string& file);
 
 // A part of a recorded operation.
 struct RecordedPart {
@@ -61,6 +58,6 @@ struct RecordedPart {
 };
 
 // Adds --from, --to and --branch.
-void addPartOptions(CLI::App& command, RecordedPart& part);
+void addPartOptions(Command command, RecordedPart& part);
 
 }  // namespace resect

@@ -1,6 +1,7 @@
 #include "cli/thesis_profile.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // and their share of the time (appendix A of the thesis, 2004).
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "operation/bench.h"

@@ -2,8 +2,8 @@
 // meshes, a file.
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <memory>
 
@@ -207,36 +207,30 @@ void anatomy(const Options& options) {
 
 }  // namespace
 
-void addAnatomyCommand(CLI::App& app) {
+void addAnatomyCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("anatomy", "Show the liver's vessels, or grow or find those of an organ");
-  command->add_option("--organ", options->organ,
-                      "Model file of a closed organ to grow vessels into");
-  command->add_option("--unit", options->unit, "Unit of that file: mm, cm, m, in")
-      ->capture_default_str();
-  command->add_option("--hilum", options->hilum, "Where portal vein, artery and duct enter: x y z")
-      ->expected(3);
-  command->add_option("--cava", options->cava, "Where the hepatic veins leave: x y z")->expected(3);
-  command->add_option("--structure", options->structures,
-                      "Instead of growing: KIND=FILE, a model file of vessels, whose centre lines "
-                      "are taken; may be given for each kind");
-  command->add_option("--terminals", options->terminals, "Ends of each tree, 30 to 5000")
-      ->capture_default_str();
-  command->add_option("--seed", options->seed, "Another seed gives other vessels")
-      ->capture_default_str();
-  command->add_option("-o,--output", options->out, "File to write the vessels to (.vessels)");
-  command->add_option("--meshes", options->meshes,
-                      "Folder for a mesh of each kind of vessel (.ply)");
-  command->add_flag("--flows", options->flows,
-                    "What vessels of some diameters lose when they are cut");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->footer(
+  Command command =
+      app.subcommand("anatomy", "Show the liver's vessels, or grow or find those of an organ");
+  command.option("--organ", options->organ, "Model file of a closed organ to grow vessels into");
+  command.option("--unit", options->unit, "Unit of that file: mm, cm, m, in").showDefault();
+  command.option("--hilum", options->hilum, "Where portal vein, artery and duct enter: x y z")
+      .values(3);
+  command.option("--cava", options->cava, "Where the hepatic veins leave: x y z").values(3);
+  command.option("--structure", options->structures,
+                 "Instead of growing: KIND=FILE, a model file of vessels, whose centre lines "
+                 "are taken; may be given for each kind");
+  command.option("--terminals", options->terminals, "Ends of each tree, 30 to 5000").showDefault();
+  command.option("--seed", options->seed, "Another seed gives other vessels").showDefault();
+  command.option("-o,--output", options->out, "File to write the vessels to (.vessels)");
+  command.option("--meshes", options->meshes, "Folder for a mesh of each kind of vessel (.ply)");
+  command.flag("--flows", options->flows, "What vessels of some diameters lose when they are cut");
+  command.flag("--json", options->json, "Print JSON");
+  command.footer(
       "Examples:\n  resect anatomy --meshes trees && resect render trees/*.ply -o trees.png\n"
       "  resect anatomy --organ my_liver.stl --unit mm --hilum 35 -20 10 --cava 35 42 -16 -o "
       "my.vessels\n"
       "  resect anatomy --organ my_liver.stl --structure portal-vein=portal.stl -o my.vessels");
-  command->callback([options] { anatomy(*options); });
+  command.action([options] { anatomy(*options); });
 }
 
 }  // namespace resect

@@ -1,8 +1,8 @@
 // resect bench: speed of an operation on this machine, and the largest organ in real time.
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <thread>
 
@@ -128,56 +128,54 @@ void run(const Options& options, const OrganOptions& organOptions) {
 
 }  // namespace
 
-void addBenchCommand(CLI::App& app) {
+void addBenchCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.subcommand(
       "bench", "Say how fast an operation is here, and how large an organ keeps real time");
-  CLI::Option* scenario =
-      command
-          ->add_option("SCENARIO", options->scenario,
-                       "Scenario file, or the name of one that comes with Resect")
-          ->capture_default_str();
-  command->add_option(
+  const Option scenario = command
+                              .option("SCENARIO", options->scenario,
+                                      "Scenario file, or the name of one that comes with Resect")
+                              .showDefault();
+  command.option(
       "--organ", options->organ,
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
-  auto organ = addOrganOptions(*command);
-  addThreadsOption(*command, options->threads);
-  CLI::Option* once = command->add_flag(
+  auto organ = addOrganOptions(command);
+  addThreadsOption(command, options->threads);
+  const Option once = command.flag(
       "--once", options->once, "Measure the scenario as it is; do not look for the largest organ");
-  CLI::Option* thesis = command->add_flag(
-      "--thesis", options->thesis,
-      "As the original system: tissue is still, instruments take out what they touch");
-  CLI::Option* profile = command->add_flag(
+  const Option thesis =
+      command.flag("--thesis", options->thesis,
+                   "As the original system: tissue is still, instruments take out what they touch");
+  const Option profile = command.flag(
       "--profile", options->profile,
       "The stages by their time beside the profile in the original thesis (implies --once)");
-  CLI::Option* most =
-      command->add_option("--most", options->most, "Particles of the largest organ to try")
-          ->check(CLI::Range(100.0, 1e8))
-          ->capture_default_str();
-  CLI::Option* haptics = command->add_flag(
+  const Option most =
+      command.option("--most", options->most, "Particles of the largest organ to try")
+          .range(100.0, 1e8)
+          .showDefault();
+  const Option haptics = command.flag(
       "--haptics", options->haptics,
       "The force for a hand at 1 kHz: deadlines, jitter, noise, passivity; without SCENARIO of "
       "press and incise-under-traction");
-  for (CLI::Option* other : {once, thesis, profile, most}) haptics->excludes(other);
-  command->add_option("--seconds", options->seconds, "With --haptics: how long each run lasts")
-      ->check(CLI::Range(1.0, 3600.0))
-      ->capture_default_str()
-      ->needs(haptics);
+  for (const Option other : {once, thesis, profile, most}) haptics.excludes(other);
+  command.option("--seconds", options->seconds, "With --haptics: how long each run lasts")
+      .range(1.0, 3600.0)
+      .showDefault()
+      .needs(haptics);
   command
-      ->add_option("--device", options->device,
-                   "With --haptics: plug-in of a haptic device, or the name of one that comes with "
-                   "Resect")
-      ->capture_default_str()
-      ->needs(haptics);
-  command->add_option("--device-options", options->deviceOptions, "Text for the plug-in")
-      ->needs(haptics);
+      .option("--device", options->device,
+              "With --haptics: plug-in of a haptic device, or the name of one that comes with "
+              "Resect")
+      .showDefault()
+      .needs(haptics);
+  command.option("--device-options", options->deviceOptions, "Text for the plug-in").needs(haptics);
   command
-      ->add_option("--tool", options->tool,
-                   "With --haptics: the one instrument in a hand; without it each that the "
-                   "scenario moves")
-      ->needs(haptics);
-  command->add_option("--json", options->json, "JSON file for the figures; - for standard output");
-  command->footer(
+      .option("--tool", options->tool,
+              "With --haptics: the one instrument in a hand; without it each that the "
+              "scenario moves")
+      .needs(haptics);
+  command.option("--json", options->json, "JSON file for the figures; - for standard output");
+  command.footer(
       "The largest organ is found by trying: up to four more runs at other spacings.\n\n"
       "Examples:\n"
       "  resect bench\n"
@@ -186,9 +184,9 @@ void addBenchCommand(CLI::App& app) {
       "  resect bench cut --spacing 1.15mm --once --json cut.json\n"
       "  resect bench --haptics\n"
       "  resect bench press --haptics --device ./my_device.so --seconds 20");
-  command->callback([options, organ, scenario] {
+  command.action([options, organ, scenario] {
     if (options->haptics)
-      runHaptics(*options, *organ, scenario->count() > 0);
+      runHaptics(*options, *organ, scenario.given());
     else
       run(*options, *organ);
   });

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -112,33 +111,31 @@ void classTable(const Options& options) {
 
 }  // namespace
 
-void addClassCommand(CLI::App& app) {
+void addClassCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("class", "Score the recordings of a class: who passed what");
+  Command command = app.subcommand("class", "Score the recordings of a class: who passed what");
   command
-      ->add_option("FOLDER", options->folder,
-                   "Folder of recordings: a sub-folder for each learner, or names as anna-2.resect")
-      ->required();
-  command->add_option("-o,--output", options->output, "Page (.html) or table (.csv)");
-  command->add_option("--history", options->history,
-                      "SQLite file that keeps the scores, with the learners' names: a recording is "
-                      "then scored only once");
-  command->add_flag("--names", options->names, "Show the learners' names instead of pseudonyms");
-  command->add_flag("--graded", options->graded, "Grade first attempts too");
+      .option("FOLDER", options->folder,
+              "Folder of recordings: a sub-folder for each learner, or names as anna-2.resect")
+      .required();
+  command.option("-o,--output", options->output, "Page (.html) or table (.csv)");
+  command.option("--history", options->history,
+                 "SQLite file that keeps the scores, with the learners' names: a recording is "
+                 "then scored only once");
+  command.flag("--names", options->names, "Show the learners' names instead of pseudonyms");
+  command.flag("--graded", options->graded, "Grade first attempts too");
   command
-      ->add_option("--inadequate", options->test.inadequate,
-                   "LC-CUSUM: failure rate of a learner who is not competent")
-      ->capture_default_str();
+      .option("--inadequate", options->test.inadequate,
+              "LC-CUSUM: failure rate of a learner who is not competent")
+      .showDefault();
   command
-      ->add_option("--adequate", options->test.adequate,
-                   "LC-CUSUM: failure rate of one who is competent")
-      ->capture_default_str();
-  command
-      ->add_option("--signal", options->test.signal, "LC-CUSUM: where the curve shows competence")
-      ->capture_default_str();
-  command->footer("Example:\n  resect class autumn -o autumn.html");
-  command->callback([options] { classTable(*options); });
+      .option("--adequate", options->test.adequate,
+              "LC-CUSUM: failure rate of one who is competent")
+      .showDefault();
+  command.option("--signal", options->test.signal, "LC-CUSUM: where the curve shows competence")
+      .showDefault();
+  command.footer("Example:\n  resect class autumn -o autumn.html");
+  command.action([options] { classTable(*options); });
 }
 
 }  // namespace resect

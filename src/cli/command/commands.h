@@ -2,29 +2,27 @@
 // defines it.
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "cli/command_line.h"
 
 namespace resect {
 
-void addInfoCommand(CLI::App& app);
-void addLiverCommand(CLI::App& app);
-void addAnatomyCommand(CLI::App& app);
-void addDiscretizeCommand(CLI::App& app);
-void addSurfaceCommand(CLI::App& app);
-void addSweepCommand(CLI::App& app);
-void addRunCommand(CLI::App& app);
-void addBenchCommand(CLI::App& app);
-void addRenderCommand(CLI::App& app);
-void addConvertCommand(CLI::App& app);
-void addReplayCommand(CLI::App& app);
-void addVerifyCommand(CLI::App& app);
-void addExportCommand(CLI::App& app);
-void addTaskCommand(CLI::App& app);
-void addReportCommand(CLI::App& app);
-void addClassCommand(CLI::App& app);
-void addHistoryCommand(CLI::App& app);
-void addWindowCommand(CLI::App& app);
+void addInfoCommand(Command app);
+void addLiverCommand(Command app);
+void addAnatomyCommand(Command app);
+void addDiscretizeCommand(Command app);
+void addSurfaceCommand(Command app);
+void addSweepCommand(Command app);
+void addRunCommand(Command app);
+void addBenchCommand(Command app);
+void addRenderCommand(Command app);
+void addConvertCommand(Command app);
+void addReplayCommand(Command app);
+void addVerifyCommand(Command app);
+void addExportCommand(Command app);
+void addTaskCommand(Command app);
+void addReportCommand(Command app);
+void addClassCommand(Command app);
+void addHistoryCommand(Command app);
+void addWindowCommand(Command app);
 
 }  // namespace resect

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "base/error.h"
@@ -64,27 +64,26 @@ void convert(const Options& options) {
 
 }  // namespace
 
-void addConvertCommand(CLI::App& app) {
+void addConvertCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("convert", "Write a model in another format, in metres");
-  command->add_option("IN", options->in, ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk")
-      ->required();
-  command->add_option("OUT", options->out, ".obj .stl .ply .vtk .iv")->required();
-  addPartOption(*command, options->part);
+  Command command = app.subcommand("convert", "Write a model in another format, in metres");
+  command.option("IN", options->in, ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk").required();
+  command.option("OUT", options->out, ".obj .stl .ply .vtk .iv").required();
+  addPartOption(command, options->part);
   command
-      ->add_option("--unit", options->unit,
-                   "What IN's numbers are: mm, cm, m, inch or the metres in one unit")
-      ->capture_default_str();
-  command->add_flag("--repair", options->repair,
-                    "Make a closed body: close holes, turn what is inside out, drop specks");
-  command->add_flag("--json", options->json, "Print JSON");
-  command->footer(
+      .option("--unit", options->unit,
+              "What IN's numbers are: mm, cm, m, inch or the metres in one unit")
+      .showDefault();
+  command.flag("--repair", options->repair,
+               "Make a closed body: close holes, turn what is inside out, drop specks");
+  command.flag("--json", options->json, "Print JSON");
+  command.footer(
       "Examples:\n"
       "  resect convert liver.iv liver.stl\n"
       "  resect convert scan.stl liver.obj --unit mm --repair\n"
       "  resect convert liver.glb gallbladder.iv --part gallbladder\n"
       "  resect convert organ.obj organ.stl --part capsule --part bare_area");
-  command->callback([options] { convert(*options); });
+  command.action([options] { convert(*options); });
 }
 
 }  // namespace resect

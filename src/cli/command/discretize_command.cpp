@@ -1,9 +1,9 @@
 // resect discretize: mesh in, particles out, in the thesis's text format or with labels and origin.
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <resect/version.h>
-#include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "cli/command/commands.h"
@@ -21,31 +21,30 @@
 
 namespace resect {
 
-void addDiscretizeCommand(CLI::App& app) {
+void addDiscretizeCommand(Command app) {
   struct Options {
     std::string mesh, output;
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("discretize", "Turn a closed mesh into particles on a lattice");
+  Command command = app.subcommand("discretize", "Turn a closed mesh into particles on a lattice");
   command
-      ->add_option("MESH", options->mesh,
-                   "Model file, a built-in organ (" + builtInOrgans() +
-                       "), or a scenario (.toml) for its organ")
-      ->required();
+      .option("MESH", options->mesh,
+              "Model file, a built-in organ (" + builtInOrgans() +
+                  "), or a scenario (.toml) for its organ")
+      .required();
   command
-      ->add_option("-o,--output", options->output,
-                   "File of particles to write: .resect-cells, or .dis without labels")
-      ->required();
-  command->add_flag("--json", options->json, "Print JSON");
-  auto organ = addOrganOptions(*command);
-  command->footer(
+      .option("-o,--output", options->output,
+              "File of particles to write: .resect-cells, or .dis without labels")
+      .required();
+  command.flag("--json", options->json, "Print JSON");
+  auto organ = addOrganOptions(command);
+  command.footer(
       "Without --spacing and --dims: cubic cells of 5mm.\n"
       "Examples:\n  resect discretize liver.iv --spacing 5mm -o liver.dis\n  resect discretize "
       "liver.iv --dims 20 -o liver20.dis\n  resect discretize my_operation.toml -o "
       "labelled.resect-cells");
-  command->callback([options, organ] {
+  command.action([options, organ] {
     OrganSource source;
     std::vector<std::string> notes;
     std::vector<std::filesystem::path> inputs{options->mesh};

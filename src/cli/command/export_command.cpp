@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -143,33 +142,33 @@ std::string tableHelp() {
 
 }  // namespace
 
-void addExportCommand(CLI::App& app) {
+void addExportCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("export", "Write a recording for Blender, ParaView or a spreadsheet");
-  addRecordingOption(*command, options->file);
+  Command command =
+      app.subcommand("export", "Write a recording for Blender, ParaView or a spreadsheet");
+  addRecordingOption(command, options->file);
   command
-      ->add_option("-o,--output", options->out,
-                   "What to write: .glb, animated, for Blender and viewers of glTF; .vtp, a series "
-                   "of files and a .pvd for ParaView; .csv, a table")
-      ->required();
-  addPartOptions(*command, options->part);
+      .option("-o,--output", options->out,
+              "What to write: .glb, animated, for Blender and viewers of glTF; .vtp, a series "
+              "of files and a .pvd for ParaView; .csv, a table")
+      .required();
+  addPartOptions(command, options->part);
   command
-      ->add_option("--rate", options->rate,
-                   "Moments per second of the operation; without it 10, or every frame in a .csv")
-      ->check(CLI::Range(0.01, 1000.0));
-  command->add_option("--table", options->table, tableHelp());
-  addThreadsOption(*command, options->threads);
-  addOverwriteOption(*command, options->overwrite,
+      .option("--rate", options->rate,
+              "Moments per second of the operation; without it 10, or every frame in a .csv")
+      .range(0.01, 1000.0);
+  command.option("--table", options->table, tableHelp());
+  addThreadsOption(command, options->threads);
+  addOverwriteOption(command, options->overwrite,
                      "the numbered .vtp files of an earlier run, and their .pvd");
-  command->footer(
+  command.footer(
       "Examples:\n"
       "  resect run resect-segment-elastic --record cut.resect\n"
       "  resect export cut.resect -o cut.glb\n"
       "  resect export cut.resect -o series/cut.vtp --from 2 --to 6 --rate 30\n"
       "  resect export cut.resect -o forces.csv\n"
       "  resect export cut.resect -o events.csv --table events");
-  command->callback([options] { run(*options); });
+  command.action([options] { run(*options); });
 }
 
 }  // namespace resect

@@ -3,7 +3,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -71,21 +70,21 @@ void history(const Options& options) {
 
 }  // namespace
 
-void addHistoryCommand(CLI::App& app) {
+void addHistoryCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("history", "Show, export or delete what learners did");
+  Command command = app.subcommand("history", "Show, export or delete what learners did");
   command
-      ->add_option("FILE", options->file,
-                   "History (.sqlite) that report or class have kept with --history")
-      ->required();
-  command->add_option("--learner", options->learner, "Only this learner");
-  command->add_option("--csv", options->csv, "CSV file with a row for each attempt");
-  command->add_flag("--delete", options->remove, "Delete all attempts of --learner");
-  command->footer(
+      .option("FILE", options->file,
+              "History (.sqlite) that report or class have kept with --history")
+      .required();
+  command.option("--learner", options->learner, "Only this learner");
+  command.option("--csv", options->csv, "CSV file with a row for each attempt");
+  command.flag("--delete", options->remove, "Delete all attempts of --learner");
+  command.footer(
       "Examples:\n  resect report mine.resect --learner L-17 --history mine.sqlite\n"
       "  resect history mine.sqlite --csv mine.csv\n"
       "  resect history mine.sqlite --learner L-17 --delete");
-  command->callback([options] { history(*options); });
+  command.action([options] { history(*options); });
 }
 
 }  // namespace resect

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "base/error.h"
@@ -46,26 +46,26 @@ void info(const Options& options) {
 
 }  // namespace
 
-void addInfoCommand(CLI::App& app) {
+void addInfoCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("info", "Tell what a file holds and whether it is sound");
+  Command command = app.subcommand("info", "Tell what a file holds and whether it is sound");
   command
-      ->add_option("FILE", options->file,
-                   ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk; particles: .dis .resect-cells")
-      ->required();
-  addPartOption(*command, options->part);
+      .option("FILE", options->file,
+              ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk; particles: .dis .resect-cells")
+      .required();
+  addPartOption(command, options->part);
   command
-      ->add_option("--unit", options->unit,
-                   "What the file's numbers are: mm, cm, m, inch or the metres in one unit")
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "Print JSON");
-  command->footer(
+      .option("--unit", options->unit,
+              "What the file's numbers are: mm, cm, m, inch or the metres in one unit")
+      .showDefault();
+  command.flag("--json", options->json, "Print JSON");
+  command.footer(
       "Examples:\n"
       "  resect info liver.iv\n"
       "  resect info scan.stl --unit mm\n"
       "  resect info liver.glb --part gallbladder --json\n"
       "  resect info organ.obj --part capsule --part bare_area");
-  command->callback([options] { info(*options); });
+  command.action([options] { info(*options); });
 }
 
 }  // namespace resect

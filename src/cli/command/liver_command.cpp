@@ -1,8 +1,7 @@
 // resect liver: writes the built-in liver as a mesh.
 
 #include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "cli/command/commands.h"
@@ -16,20 +15,18 @@
 
 namespace resect {
 
-void addLiverCommand(CLI::App& app) {
+void addLiverCommand(Command app) {
   struct Options {
     std::string output, edge = "2.5mm";
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("liver", "Write the built-in human liver as a mesh");
-  command->add_option("-o,--output", options->output, "Mesh file: .obj .stl .ply .vtk .iv")
-      ->required();
-  command->add_option("--edge", options->edge, "Longest edge of a triangle, 0.5mm to 5mm")
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "Print JSON");
-  command->footer("Example:\n  resect liver -o liver.obj");
-  command->callback([options] {
+  Command command = app.subcommand("liver", "Write the built-in human liver as a mesh");
+  command.option("-o,--output", options->output, "Mesh file: .obj .stl .ply .vtk .iv").required();
+  command.option("--edge", options->edge, "Longest edge of a triangle, 0.5mm to 5mm").showDefault();
+  command.flag("--json", options->json, "Print JSON");
+  command.footer("Example:\n  resect liver -o liver.obj");
+  command.action([options] {
     const double edge = parseLength(options->edge, "--edge");
     if (!(edge >= 0.0005 && edge <= 0.005))
       throw usageError("--edge is {}; give a length from 0.5mm to 5mm", options->edge);

@@ -1,7 +1,7 @@
 // resect render: models as a picture.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -122,40 +122,36 @@ void render(const Options& options) {
 
 }  // namespace
 
-void addRenderCommand(CLI::App& app) {
+void addRenderCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("render", "A picture of models in the operating room");
+  Command command = app.subcommand("render", "A picture of models in the operating room");
   command
-      ->add_option(
-          "MESH", options->models,
-          "Models of one coordinate system; veins, arteries and gallbladders are coloured by "
-          "their files' names")
-      ->required();
-  command->add_option("-o,--output", options->out, "Picture to write (.png)")->required();
-  command->add_option("--size", options->size, "Width and height of the picture, pixels")
-      ->capture_default_str();
-  command->add_option("--view", options->view, fmt::format("Camera: {}", kRoomViewNames))
-      ->capture_default_str();
+      .option("MESH", options->models,
+              "Models of one coordinate system; veins, arteries and gallbladders are coloured by "
+              "their files' names")
+      .required();
+  command.option("-o,--output", options->out, "Picture to write (.png)").required();
+  command.option("--size", options->size, "Width and height of the picture, pixels").showDefault();
+  command.option("--view", options->view, fmt::format("Camera: {}", kRoomViewNames)).showDefault();
   command
-      ->add_option(
-          "--pose", options->pose,
-          "lie: as the body would come to rest on the table; stand: as in the file, on the "
-          "table; keep: where the file has it")
-      ->check(CLI::IsMember({"lie", "stand", "keep"}))
-      ->capture_default_str();
-  command->add_flag("--no-room,!--room", options->noRoom, "Without table, tool box and tools");
-  addPartOption(*command, options->part);
+      .option("--pose", options->pose,
+              "lie: as the body would come to rest on the table; stand: as in the file, on the "
+              "table; keep: where the file has it")
+      .oneOf({"lie", "stand", "keep"})
+      .showDefault();
+  command.flag("--no-room,!--room", options->noRoom, "Without table, tool box and tools");
+  addPartOption(command, options->part);
   command
-      ->add_option("--unit", options->unit,
-                   "What the models' numbers are: mm, cm, m, inch or the metres in one unit")
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "Print JSON");
-  command->footer(
+      .option("--unit", options->unit,
+              "What the models' numbers are: mm, cm, m, inch or the metres in one unit")
+      .showDefault();
+  command.flag("--json", options->json, "Print JSON");
+  command.footer(
       "Examples:\n"
       "  resect render liver.iv -o liver.png\n"
       "  resect render liver.obj gallbladder.obj portal_vein.obj -o anatomy.png --no-room\n"
       "  resect render scan.stl --unit mm --view top --size 1920x1080 -o scan.png");
-  command->callback([options] { render(*options); });
+  command.action([options] { render(*options); });
 }
 
 }  // namespace resect

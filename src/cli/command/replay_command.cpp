@@ -1,8 +1,8 @@
 // resect replay: plays a recording, or a part of it, and draws it.
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -139,20 +139,20 @@ void play(const Options& options) {
 
 }  // namespace
 
-void addReplayCommand(CLI::App& app) {
+void addReplayCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("replay", "Play a recorded operation, and draw it");
-  addRecordingOption(*command, options->file);
-  addPartOptions(*command, options->part);
-  addOverwriteOption(*command, options->overwrite,
+  Command command = app.subcommand("replay", "Play a recorded operation, and draw it");
+  addRecordingOption(command, options->file);
+  addPartOptions(command, options->part);
+  addOverwriteOption(command, options->overwrite,
                      "the numbered pictures of an earlier run from the folder of --frames");
-  command->add_flag("--events", options->events, "List what happened, line by line");
-  addPictureOptions(*command, options->pictures);
-  command->add_option("--json", options->json, "JSON file for the summary; - for standard output");
-  command->footer(
+  command.flag("--events", options->events, "List what happened, line by line");
+  addPictureOptions(command, options->pictures);
+  command.option("--json", options->json, "JSON file for the summary; - for standard output");
+  command.footer(
       "Examples:\n  resect replay press.resect --events\n"
       "  resect replay press.resect --from 1 --to 2 --frames pictures");
-  command->callback([options] { play(*options); });
+  command.action([options] { play(*options); });
 }
 
 }  // namespace resect

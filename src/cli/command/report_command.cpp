@@ -1,8 +1,8 @@
 // resect report: scores attempts at a task, and writes the debrief.
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -205,41 +205,40 @@ void report(const Options& options) {
 
 }  // namespace
 
-void addReportCommand(CLI::App& app) {
+void addReportCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("report", "Score recorded attempts at a task: the debrief");
+  Command command = app.subcommand("report", "Score recorded attempts at a task: the debrief");
   command
-      ->add_option("FILE", options->files,
-                   "Recordings (.resect) of one learner, the oldest first; the report is about the "
-                   "last one")
-      ->required();
-  command->add_option("-o,--output", options->output, "HTML page of the debrief (.html)");
-  command->add_option("--json", options->json, "JSON file; - for standard output");
-  command->add_option("--csv", options->csv, "CSV file with a row for each attempt");
-  command->add_option("--samples", options->samples,
-                      "CSV file with a row for each frame and instrument of the last attempt");
-  command->add_option("--xapi", options->xapi,
-                      "File for xAPI 1.0.3 statements about the last attempt (.json)");
-  command->add_option("--history", options->history,
-                      "SQLite file that keeps the scores of the learner; see resect history");
-  command->add_option("--lrs", options->lrs,
-                      "Learning record store to send these statements to: the URL of its xAPI "
-                      "endpoint; the environment's RESECT_LRS_KEY has \"key:secret\"");
-  command->add_option("--task", options->task,
-                      "Scenario whose task to score by, instead of the recording's own");
-  command->add_option("--level", options->level, "easy, medium or hard, instead of the task's own");
-  command->add_option("--learner", options->learner, "Pseudonym of the learner");
-  command->add_option("--reference", options->references, "Recordings to compare with");
-  command->add_flag("--no-pictures", options->plain,
-                    "Leave out the pictures of the moments to which the debrief points");
-  command->add_flag("--graded", options->graded,
-                    "Grade the first attempt too, where the task takes it for familiarisation");
-  addThreadsOption(*command, options->threads);
-  command->footer(
+      .option("FILE", options->files,
+              "Recordings (.resect) of one learner, the oldest first; the report is about the "
+              "last one")
+      .required();
+  command.option("-o,--output", options->output, "HTML page of the debrief (.html)");
+  command.option("--json", options->json, "JSON file; - for standard output");
+  command.option("--csv", options->csv, "CSV file with a row for each attempt");
+  command.option("--samples", options->samples,
+                 "CSV file with a row for each frame and instrument of the last attempt");
+  command.option("--xapi", options->xapi,
+                 "File for xAPI 1.0.3 statements about the last attempt (.json)");
+  command.option("--history", options->history,
+                 "SQLite file that keeps the scores of the learner; see resect history");
+  command.option("--lrs", options->lrs,
+                 "Learning record store to send these statements to: the URL of its xAPI "
+                 "endpoint; the environment's RESECT_LRS_KEY has \"key:secret\"");
+  command.option("--task", options->task,
+                 "Scenario whose task to score by, instead of the recording's own");
+  command.option("--level", options->level, "easy, medium or hard, instead of the task's own");
+  command.option("--learner", options->learner, "Pseudonym of the learner");
+  command.option("--reference", options->references, "Recordings to compare with");
+  command.flag("--no-pictures", options->plain,
+               "Leave out the pictures of the moments to which the debrief points");
+  command.flag("--graded", options->graded,
+               "Grade the first attempt too, where the task takes it for familiarisation");
+  addThreadsOption(command, options->threads);
+  command.footer(
       "Examples:\n  resect run control-bleeding --record mine.resect\n"
       "  resect report mine.resect -o report.html");
-  command->callback([options] { report(*options); });
+  command.action([options] { report(*options); });
 }
 
 }  // namespace resect

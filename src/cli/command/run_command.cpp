@@ -1,8 +1,8 @@
 // resect run: an operation from a scenario file, headless, with pictures, surfaces and a summary.
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <CLI/CLI.hpp>
 #include <optional>
 
 #include "base/error.h"
@@ -162,34 +162,33 @@ void run(const Options& options, const OrganOptions& organOptions) {
 
 }  // namespace
 
-void addRunCommand(CLI::App& app) {
+void addRunCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("run", "Run an operation headless and sum it up");
-  command->add_option("SCENARIO", options->scenario,
-                      "Scenario file, or the name of one that comes with Resect");
-  command->add_flag("--list", options->list, "List the scenarios that come with Resect");
-  command->add_flag(
-      "--thesis", options->thesis,
-      "As the original system: tissue is still, instruments take out what they touch");
-  command->add_option(
+  Command command = app.subcommand("run", "Run an operation headless and sum it up");
+  command.option("SCENARIO", options->scenario,
+                 "Scenario file, or the name of one that comes with Resect");
+  command.flag("--list", options->list, "List the scenarios that come with Resect");
+  command.flag("--thesis", options->thesis,
+               "As the original system: tissue is still, instruments take out what they touch");
+  command.option(
       "--organ", options->organ,
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
-  auto organ = addOrganOptions(*command);
-  addThreadsOption(*command, options->threads);
-  addPictureOptions(*command, options->pictures);
-  command->add_option("--surface", options->surface,
-                      "Mesh file for the surface at the end: .obj .stl .ply .vtk .iv");
-  command->add_option("--pieces", options->pieces,
-                      "Folder for a mesh of each separate piece at the end (.stl)");
+  auto organ = addOrganOptions(command);
+  addThreadsOption(command, options->threads);
+  addPictureOptions(command, options->pictures);
+  command.option("--surface", options->surface,
+                 "Mesh file for the surface at the end: .obj .stl .ply .vtk .iv");
+  command.option("--pieces", options->pieces,
+                 "Folder for a mesh of each separate piece at the end (.stl)");
   addOverwriteOption(
-      *command, options->overwrite,
+      command, options->overwrite,
       "the numbered files of an earlier run from the folders of --frames and --pieces");
-  command->add_option("--plot", options->plot,
-                      "Plot of the force on each instrument over time, where tissue moves (.svg)");
-  command->add_option("--record", options->record,
-                      "Recording of the operation (.resect), for replay and verify");
-  command->add_option("--json", options->json, "JSON file for the summary; - for standard output");
-  command->footer(
+  command.option("--plot", options->plot,
+                 "Plot of the force on each instrument over time, where tissue moves (.svg)");
+  command.option("--record", options->record,
+                 "Recording of the operation (.resect), for replay and verify");
+  command.option("--json", options->json, "JSON file for the summary; - for standard output");
+  command.footer(
       "Examples:\n"
       "  resect run --list\n"
       "  resect run resect-segment --frames pictures --pieces pieces\n"
@@ -197,7 +196,7 @@ void addRunCommand(CLI::App& app) {
       "  resect run lift --plot lift.svg\n"
       "  resect run press --record press.resect\n"
       "  resect run perforate --video perforate.mp4 --picture-rate 30");
-  command->callback([options, organ] { run(*options, *organ); });
+  command.action([options, organ] { run(*options, *organ); });
 }
 
 }  // namespace resect

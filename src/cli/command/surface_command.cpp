@@ -1,8 +1,7 @@
 // resect surface: particles in, iso-surface of their colour field out.
 
 #include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "cli/command/commands.h"
@@ -17,7 +16,7 @@
 
 namespace resect {
 
-void addSurfaceCommand(CLI::App& app) {
+void addSurfaceCommand(Command app) {
   struct Options {
     std::string input, output, unit = "m";
     float iso = 50;
@@ -25,22 +24,19 @@ void addSurfaceCommand(CLI::App& app) {
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("surface", "Write the surface of the organ in a file of particles");
-  command->add_option("FILE", options->input, "File of particles: .dis .resect-cells")->required();
-  command->add_option("-o,--output", options->output, "Mesh file: .obj .stl .ply .vtk .iv")
-      ->required();
-  command->add_option("--iso", options->iso, "Iso level of the colour field, 1 to 98")
-      ->capture_default_str();
-  command->add_option("--refine", options->refine, "Surface nodes per cell, 1 to 4")
-      ->capture_default_str();
+  Command command =
+      app.subcommand("surface", "Write the surface of the organ in a file of particles");
+  command.option("FILE", options->input, "File of particles: .dis .resect-cells").required();
+  command.option("-o,--output", options->output, "Mesh file: .obj .stl .ply .vtk .iv").required();
+  command.option("--iso", options->iso, "Iso level of the colour field, 1 to 98").showDefault();
+  command.option("--refine", options->refine, "Surface nodes per cell, 1 to 4").showDefault();
   command
-      ->add_option("--unit", options->unit,
-                   "What the file's numbers are: mm, cm, m, um, in, or metres per unit")
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "Print JSON");
-  command->footer("Example:\n  resect surface liver.dis --iso 50 --refine 2 -o surface.obj");
-  command->callback([options] {
+      .option("--unit", options->unit,
+              "What the file's numbers are: mm, cm, m, um, in, or metres per unit")
+      .showDefault();
+  command.flag("--json", options->json, "Print JSON");
+  command.footer("Example:\n  resect surface liver.dis --iso 50 --refine 2 -o surface.obj");
+  command.action([options] {
     checkWritableMeshFile(options->output);
     const std::filesystem::path input = options->input;
     checkOutputs({{{"--output", options->output}, {"--json", options->json ? "-" : ""}}},

@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -53,17 +52,15 @@ constexpr const char* kStart =
 
 }  // namespace
 
-void addSweepCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
+void addSweepCommand(Command app) {
+  const Command command = app.subcommand(
       "sweep", "Run many operations that differ in some settings: one table in, one table out");
-  command->set_help_flag();  // Python's own
-  command->prefix_command();
-  command->footer(
+  command.passOn(handOver);  // Python has the help too
+  command.footer(
       "Examples:\n"
       "  resect sweep stiffness.toml -o stiffness.csv\n"
       "  resect sweep stiffness.toml --dask tcp://host:8786\n"
       "  resect sweep stiffness.toml --verify 20");
-  command->callback([command] { handOver(command->remaining()); });
 }
 
 }  // namespace resect

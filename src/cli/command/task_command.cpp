@@ -1,8 +1,8 @@
 // resect task: the tasks that come with Resect, and the check of one's own.
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "base/error.h"
@@ -71,19 +71,19 @@ void check(const std::string& file) {
 
 }  // namespace
 
-void addTaskCommand(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("task", "List exercises, and check one of your own");
-  command->require_subcommand(1);
+void addTaskCommand(Command app) {
+  Command command = app.subcommand("task", "List exercises, and check one of your own");
+  command.requireSubcommand();
   auto json = std::make_shared<bool>(false);
-  CLI::App* lister = command->add_subcommand("list", "List the tasks that come with Resect");
-  lister->add_flag("--json", *json, "Print JSON");
-  lister->callback([json] { list(*json); });
+  Command lister = command.subcommand("list", "List the tasks that come with Resect");
+  lister.flag("--json", *json, "Print JSON");
+  lister.action([json] { list(*json); });
   auto file = std::make_shared<std::string>();
-  CLI::App* checker = command->add_subcommand("check", "Check a scenario with a task");
-  checker->add_option("FILE", *file, "Scenario file, or the name of a task that comes with Resect")
-      ->required();
-  checker->callback([file] { check(*file); });
-  command->footer("Examples:\n  resect task list\n  resect task check my_task.toml");
+  Command checker = command.subcommand("check", "Check a scenario with a task");
+  checker.option("FILE", *file, "Scenario file, or the name of a task that comes with Resect")
+      .required();
+  checker.action([file] { check(*file); });
+  command.footer("Examples:\n  resect task list\n  resect task check my_task.toml");
 }
 
 }  // namespace resect

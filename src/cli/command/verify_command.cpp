@@ -1,8 +1,7 @@
 // resect verify: plays a recording and compares every frame with what was recorded.
 
 #include <fmt/format.h>
-
-#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -14,22 +13,21 @@
 
 namespace resect {
 
-void addVerifyCommand(CLI::App& app) {
+void addVerifyCommand(Command app) {
   struct Options {
     std::string file;
     int threads = 0;
     bool json = false;
   };
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      app.add_subcommand("verify", "Play a recording and compare every frame with it");
-  addRecordingOption(*command, options->file);
-  addThreadsOption(*command, options->threads);
-  command->add_flag("--json", options->json, "Print JSON");
-  command->footer(
+  Command command = app.subcommand("verify", "Play a recording and compare every frame with it");
+  addRecordingOption(command, options->file);
+  addThreadsOption(command, options->threads);
+  command.flag("--json", options->json, "Print JSON");
+  command.footer(
       "Exit status 1 where a frame differs: the first one is named, with the stage of the step and "
       "the field.\nExample:\n  resect verify press.resect");
-  command->callback([options] {
+  command.action([options] {
     const ThreadLimit threads(options->threads);
     const Verification proof = verify(options->file, progressBar("verify"));
     if (proof.first)

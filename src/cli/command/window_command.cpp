@@ -1,5 +1,4 @@
 // resect window: interactive operation.
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 
@@ -58,47 +57,43 @@ void window(const Options& options, const OrganOptions& organOptions) {
 
 }  // namespace
 
-void addWindowCommand(CLI::App& app) {
+void addWindowCommand(Command app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("window", "Operate with mouse and keyboard");
-  command->add_option(
-      "SCENARIO", options->scenario,
-      "Organ and room of this scenario, or a recorded operation (*.resect) that goes "
-      "on; without it \"incise\", a soft liver on the table");
-  command->add_option(
+  Command command = app.subcommand("window", "Operate with mouse and keyboard");
+  command.option("SCENARIO", options->scenario,
+                 "Organ and room of this scenario, or a recorded operation (*.resect) that goes "
+                 "on; without it \"incise\", a soft liver on the table");
+  command.option(
       "--organ", options->organ,
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
-  auto organ = addOrganOptions(*command);
-  command->add_option("--threads", options->threads, "Threads to use; 0 = all")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
-  command->add_option("--fps-limit", options->fpsLimit, "Most pictures per second")
-      ->check(CLI::Range(1.0, 1000.0))
-      ->capture_default_str();
+  auto organ = addOrganOptions(command);
+  command.option("--threads", options->threads, "Threads to use; 0 = all")
+      .range(0, 1024)
+      .showDefault();
+  command.option("--fps-limit", options->fpsLimit, "Most pictures per second")
+      .range(1.0, 1000.0)
+      .showDefault();
   command
-      ->add_option("--history", options->history,
-                   "Memory for showing earlier moments of the operation, MB")
-      ->check(CLI::Range(16, 1 << 20))
-      ->capture_default_str();
-  command->add_option("--size", options->size, "Width and height of the window, pixels")
-      ->capture_default_str();
-  command->add_flag(
-      "--thesis", options->thesis,
-      "As the original system: tissue is still, instruments take out what they touch");
-  auto* light = command->add_flag("--light", options->light, "Light colours");
-  command->add_flag("--dark", options->dark, "Dark colours; neither: as chosen last")
-      ->excludes(light);
-  command->add_flag("--exercises", options->exercises, "Begin with the list of exercises");
-  command->add_flag("--reports", options->reports,
-                    "Say on standard output what happens and where things are, for scripts");
-  command->footer(
+      .option("--history", options->history,
+              "Memory for showing earlier moments of the operation, MB")
+      .range(16, 1 << 20)
+      .showDefault();
+  command.option("--size", options->size, "Width and height of the window, pixels").showDefault();
+  command.flag("--thesis", options->thesis,
+               "As the original system: tissue is still, instruments take out what they touch");
+  const Option light = command.flag("--light", options->light, "Light colours");
+  command.flag("--dark", options->dark, "Dark colours; neither: as chosen last").excludes(light);
+  command.flag("--exercises", options->exercises, "Begin with the list of exercises");
+  command.flag("--reports", options->reports,
+               "Say on standard output what happens and where things are, for scripts");
+  command.footer(
       "Examples:\n"
       "  resect window\n"
       "  resect window --organ my_liver.stl --unit mm --spacing 6mm\n"
       "  resect window cut-950\n"
       "  resect window --exercises\n"
       "  resect window operation.resect");
-  command->callback([options, organ] { window(*options, *organ); });
+  command.action([options, organ] { window(*options, *organ); });
 }
 
 }  // namespace resect

@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <resect/version.h>
+#include <nlohmann/json.hpp>
 
 #include "base/state/field_hashes.h"
 #include "skills/report/report_json.h"

@@ -1,7 +1,7 @@
 // A scored attempt as JSON and as rows of CSV.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <ostream>
 #include <span>
 

@@ -1,0 +1,63 @@
+// Commands and their options: a thin face on CLI11, whose headers take ten seconds to compile in
+// each file that includes them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace resect {
+
+// An option of a command, or a positional argument. Handles may be copied; each call changes the
+// option itself.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+
+  Option required() const;
+  Option showDefault() const;                                   // in the help: the value it has now
+  Option range(int least, int most) const;                      // both included
+  Option range(double least, double most) const;                // both included
+  Option notNegative() const;                                   // a number
+  Option oneOf(const std::vector<std::string>& choices) const;  // the value must be one of these
+  Option values(int count) const;       // takes so many values, one after the other
+  Option oneValueEach() const;          // takes one value each time that it is given
+  Option needs(Option other) const;     // only together with the other
+  Option excludes(Option other) const;  // not together with the other
+  bool given() const;                   // once the command line has been parsed
+
+ private:
+  CLI::Option* option_;
+};
+
+// A command, as "run" in `resect run`. Handles may be copied.
+class Command {
+ public:
+  explicit Command(CLI::App* command) : command_(command) {}
+
+  Command subcommand(const std::string& name, const std::string& help) const;
+  void requireSubcommand() const;  // one of those added
+  // name: "--x", "-x,--long", or "NAME" for a positional argument. `value` holds the default; it
+  // must live as long as the command. T: std::string, float, double, int, unsigned, std::int64_t,
+  // std::uint64_t, or a std::vector of std::string or double.
+  template <typename T>
+  Option option(const std::string& name, T& value, const std::string& help) const;
+  Option option(const std::string& name, std::function<void(std::vector<std::string>)> given,
+                const std::string& help) const;
+  // name as in option(); "--no-x,!--x" makes a pair.
+  Option flag(const std::string& name, bool& value, const std::string& help) const;
+  void footer(const std::string& text) const;  // of the help
+  // Takes all that follows on the command line as it is, --help too.
+  void passOn(std::function<void(const std::vector<std::string>&)> perform) const;
+  void action(std::function<void()> perform) const;  // what the command does
+
+ private:
+  CLI::App* command_;
+};
+
+}  // namespace resect
