@@ -67,7 +67,8 @@ QString useOf(const std::string& kind) {
       {"inflow_clamp", "hold the left button down beside the liver: it shuts the inflow"},
       {"pencil",
        "press the left button and draw: it cuts, and seals what it cuts slowly; P coagulates only"},
-      {"aspirator", "press the left button and draw: it takes tissue and leaves vessels"}};
+      {"aspirator", "press the left button and draw: it takes tissue and leaves vessels"},
+      {"forceps", "press the left button and draw: they grasp and pull"}};
   const auto* use = std::ranges::find(kUses, kind, [](const auto& one) { return one.first; });
   return use == std::end(kUses) ? "hold the left button down: it works" : use->second;
 }

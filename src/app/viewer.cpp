@@ -34,6 +34,8 @@ int inventorKey(int key) {
   switch (key) {
     case Qt::Key_Minus:
       return SoKeyboardEvent::MINUS;
+    case Qt::Key_Equal:
+      return SoKeyboardEvent::EQUAL;
     case Qt::Key_Escape:
       return SoKeyboardEvent::ESCAPE;
     case Qt::Key_Left:

@@ -11,6 +11,7 @@
 #include "tools/parts/blade_part.h"
 #include "tools/parts/clip_part.h"
 #include "tools/parts/gauze_part.h"
+#include "tools/parts/grasp_part.h"
 #include "tools/parts/hook_part.h"
 #include "tools/parts/inflow_clamp_part.h"
 #include "tools/parts/jaws_part.h"
@@ -26,7 +27,7 @@ std::unique_ptr<WorkingPart> make() {
   return std::make_unique<Part>();
 }
 
-constexpr std::array<PartKind, 11> kPartKinds = {{
+constexpr std::array<PartKind, 12> kPartKinds = {{
     {"blade", make<BladePart>},
     {"jaws", make<JawsPart>},
     {"hook", make<HookPart>},
@@ -38,6 +39,7 @@ constexpr std::array<PartKind, 11> kPartKinds = {{
     {"inflow_clamp", make<InflowClampPart>},
     {"pencil", make<PencilPart>},
     {"aspirator", make<AspiratorPart>},
+    {"grasp", make<GraspPart>},
 }};
 
 template <typename Kinds>
@@ -60,7 +62,7 @@ std::unique_ptr<WorkingPart> makePart(std::string_view name, const ToolModel& mo
 std::span<const PartKind> partKinds() { return kPartKinds; }
 
 std::span<const ToolKind> toolKinds() {
-  static const std::array<ToolKind, 11> kinds = {{
+  static const std::array<ToolKind, 12> kinds = {{
       {"scalpel", {"blade"}},
       {"hook", {"hook"}},
       {"baton", {}},  // blunt: only its shape pushes
@@ -72,6 +74,7 @@ std::span<const ToolKind> toolKinds() {
       {"inflow_clamp", {"inflow_clamp"}, true},
       {"pencil", {"pencil"}, true},
       {"aspirator", {"aspirator"}, true},
+      {"forceps", {"grasp"}},
   }};
   return kinds;
 }

@@ -19,7 +19,7 @@ import solid
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FOLDER = os.path.join(SOURCE, "data", "tools")
 INSTRUMENTS = ("scalpel", "hook", "baton", "scissors", "suction", "clip_applier", "bipolar", "gauze",
-               "inflow_clamp", "pencil", "aspirator")
+               "inflow_clamp", "pencil", "aspirator", "forceps")
 SHELLS = {
     "scalpel": 1,
     "hook": 1,
@@ -32,6 +32,7 @@ SHELLS = {
     "pencil": 7,
     "aspirator": 4,
     "bipolar": 5,
+    "forceps": 3,
     "table": 1,
     "toolbox": 2,
 }
@@ -261,7 +262,7 @@ class TheJaws(unittest.TestCase):
     """Of instruments that grip but do not cut; their models are read closed."""
 
     def test_meet_at_the_tip_and_nowhere_pass_each_other_in_front_of_the_pivot(self):
-        for name, until in (("clip_applier", 0.024), ("bipolar", 0.14), ("inflow_clamp", 0.034)):
+        for name, until in (("clip_applier", 0.024), ("bipolar", 0.14), ("forceps", 0.14), ("inflow_clamp", 0.034)):
             text = description(name)
             self.assertNotIn("edge", text)
             self.assertEqual((text["jaw_axis"], text["tip"]), ([1.0, 0.0, 0.0], [0.0, 0.0, 0.0]))
@@ -271,7 +272,7 @@ class TheJaws(unittest.TestCase):
                 self.assertGreater(min(front), 0.0)
 
     def test_open_about_as_wide_at_their_ends_as_real_ones(self):
-        for name, least, most in (("clip_applier", 0.007, 0.009), ("bipolar", 0.008, 0.012), ("inflow_clamp", 0.015, 0.020)):
+        for name, least, most in (("clip_applier", 0.007, 0.009), ("bipolar", 0.008, 0.012), ("forceps", 0.008, 0.012), ("inflow_clamp", 0.015, 0.020)):
             text = description(name)
             width = text["jaw_pivot"][2] * text["jaw_opening"]
             self.assertTrue(least < width < most, (name, width))

@@ -70,7 +70,7 @@ TEST_CASE("every shipped scenario, restored in another simulation, goes on with 
     for (std::int64_t frame = 0; frame < frames; ++frame) {
       if (frame % 10 == 0) {
         // Of long operations every third state is followed.
-        if (frame > 0 && (frames < 1500 || frame / 10 % 3 == 0)) {
+        if (frame > 0 && (frames < 600 || frame / 10 % 3 == 0)) {
           // The other one takes the ten frames that lie behind at one, two or three threads.
           const ThreadLimit limit(threads);
           threads = threads % 3 + 1;

@@ -131,7 +131,7 @@ TEST_CASE("a description may name working parts; one that there is not is refuse
   CHECK_THROWS_WITH(makeTool(model),
                     "there is no working part \"spoon\" (tool \"two in one\"); use one of: blade, "
                     "jaws, hook, remover, suction, clip, bipolar, "
-                    "gauze, inflow_clamp, pencil, aspirator");
+                    "gauze, inflow_clamp, pencil, aspirator, grasp");
 }
 
 TEST_CASE("the overlap is the tool's volume while it is inside, a half of it when half is") {

@@ -4,9 +4,9 @@ hose and the cable. Millimetres."""
 
 from description import description_text, instrument_entries
 from inventor import Material, model_text
-from loft import circle, close_end, close_start, loft
-from surface import Surface
-from tubing import tube
+from shapes.loft import circle, close_end, close_start, loft
+from shapes.surface import Surface
+from shapes.tubing import tube
 
 LENGTH = 186.0
 SIDES = 24

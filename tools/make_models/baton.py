@@ -8,7 +8,7 @@ them outwards and moves nothing.
 
 from description import description_text, instrument_entries
 from inventor import HEADER, Material, comment, number, numbers
-from vector import cross, subtract, unit
+from shapes.vector import cross, subtract, unit
 
 SCALE = 0.012  # metres per thesis unit: 0.18 m
 TIP_MIDDLE = (0.25, 0.25, 0.0)

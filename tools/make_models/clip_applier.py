@@ -6,10 +6,10 @@ import math
 
 from description import description_text, instrument_entries
 from inventor import Material, model_text
-from jaws import both_opened, finger_ring, half_turned, jaw_entries, middle, screw
-from loft import circle, close_end, close_start, loft, through
-from surface import Surface
-from vector import add, dot, scale, subtract, unit
+from shapes.jaws import both_opened, finger_ring, half_turned, jaw_entries, middle, screw
+from shapes.loft import circle, close_end, close_start, loft, through
+from shapes.surface import Surface
+from shapes.vector import add, dot, scale, subtract, unit
 
 LENGTH = 185.0
 PIVOT = 38.0  # z of the screw

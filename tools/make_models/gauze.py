@@ -8,11 +8,11 @@ import math
 
 from description import description_text, instrument_entries
 from inventor import Material, model_text
-from jaws import finger_ring, half_turned, screw
-from loft import close_end, close_start, loft, through
-from outline import rounded, square
-from shanks import bar_section, ratchet, skin
-from surface import Surface
+from shapes.jaws import finger_ring, half_turned, screw
+from shapes.loft import close_end, close_start, loft, through
+from shapes.outline import rounded, square
+from shapes.shanks import bar_section, ratchet, skin
+from shapes.surface import Surface
 
 SIDE = 32.0  # of the square swab
 THICKNESS = 10.0

@@ -5,8 +5,8 @@ import math
 
 from description import description_text, instrument_entries
 from inventor import Material, model_text
-from loft import circle, close_end, close_start, loft, through
-from surface import Surface
+from shapes.loft import circle, close_end, close_start, loft, through
+from shapes.surface import Surface
 
 LENGTH = 180.0
 SIDES = 16  # a multiple of 4: the outermost line of the bend is a line of vertices

@@ -4,10 +4,10 @@ shape, turned by half a turn about the Z axis."""
 
 from description import description_text, instrument_entries
 from inventor import Material, model_text
-from jaws import both_opened, finger_ring, half_turned, jaw_entries, screw
-from outline import arcs
-from shanks import bar_section, ratchet, skin
-from surface import Surface
+from shapes.jaws import both_opened, finger_ring, half_turned, jaw_entries, screw
+from shapes.outline import arcs
+from shapes.shanks import bar_section, ratchet, skin
+from shapes.surface import Surface
 
 LENGTH = 185.0
 PIVOT = 50.0  # z of the screw

@@ -3,8 +3,8 @@ every vertex."""
 
 import textwrap
 
-from normals import corner_normals
-from strips import make_strips
+from shapes.normals import corner_normals
+from shapes.strips import make_strips
 
 HEADER = "#Inventor V2.1 ascii\n"
 

@@ -12,6 +12,7 @@ import aspirator
 import baton
 import bipolar
 import clip_applier
+import forceps
 import gauze
 import hook
 import inflow_clamp
@@ -23,7 +24,7 @@ import table
 import toolbox
 
 INSTRUMENTS = (scalpel, hook, baton, scissors, suction, clip_applier, bipolar)
-INSTRUMENTS += (gauze, inflow_clamp, pencil, aspirator)
+INSTRUMENTS += (gauze, inflow_clamp, pencil, aspirator, forceps)
 ROOM = (table, toolbox)
 
 

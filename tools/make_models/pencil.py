@@ -6,11 +6,11 @@ import math
 
 from description import description_text, instrument_entries
 from inventor import Material, model_text
-from jaws import middle
-from loft import close_end, close_start, loft, through
-from outline import arcs
-from surface import Surface
-from tubing import tube
+from shapes.jaws import middle
+from shapes.loft import close_end, close_start, loft, through
+from shapes.outline import arcs
+from shapes.surface import Surface
+from shapes.tubing import tube
 
 BLADE_LENGTH = 18.0
 BLADE_HALF_WIDTH = 1.25  # y; the end is round, with this radius

@@ -11,8 +11,8 @@ import math
 
 from description import description_text, instrument_entries
 from inventor import Material, model_text
-from loft import close_end, close_start, loft, smoothstep, through
-from surface import Surface
+from shapes.loft import close_end, close_start, loft, smoothstep, through
+from shapes.surface import Surface
 
 LENGTH = 165.0
 MIDDLE = -3.0  # y of the handle's middle plane

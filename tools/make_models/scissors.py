@@ -3,9 +3,9 @@ Millimetres. The two halves are one shape, turned by half a turn about the Z axi
 
 from description import description_text, instrument_entries
 from inventor import Material, model_text
-from jaws import both_opened, finger_ring, half_turned, jaw_entries, middle, screw
-from loft import close_end, close_start, loft, through
-from surface import Surface
+from shapes.jaws import both_opened, finger_ring, half_turned, jaw_entries, middle, screw
+from shapes.loft import close_end, close_start, loft, through
+from shapes.surface import Surface
 
 LENGTH = 168.0
 PIVOT = 46.0  # z of the screw

@@ -8,9 +8,9 @@ import math
 
 from description import description_text, instrument_entries
 from inventor import Material, model_text
-from loft import circle, close_end, close_start, loft, through
-from surface import Surface
-from vector import add, scale, subtract, unit
+from shapes.loft import circle, close_end, close_start, loft, through
+from shapes.surface import Surface
+from shapes.vector import add, scale, subtract, unit
 
 LENGTH = 185.0
 SIDES = 16

@@ -4,9 +4,9 @@ darker cloth on top."""
 import math
 
 from inventor import Material, model_text
-from loft import close_end, loft, smoothstep, widen
-from outline import grid, rounded, square
-from surface import Surface
+from shapes.loft import close_end, loft, smoothstep, widen
+from shapes.outline import grid, rounded, square
+from shapes.surface import Surface
 
 HALF_WIDTH = 0.45
 HALF_DEPTH = 0.30

@@ -4,9 +4,9 @@ lanes for instruments."""
 import math
 
 from inventor import Material, model_text
-from loft import close_end, close_start, loft
-from outline import arcs, grid, square
-from surface import Surface
+from shapes.loft import close_end, close_start, loft
+from shapes.outline import arcs, grid, square
+from shapes.surface import Surface
 
 HALF_WIDTH = 0.150  # over the rim
 HALF_DEPTH = 0.110

@@ -44,6 +44,8 @@ def all_scenarios():
                            soft.press(), ligaments(ASIDE), x=ASIDE)
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, soft.lift(),
                           ligaments(ASIDE), x=ASIDE)
+    yield "grasp", elastic("Forceps lift the left lobe", "They seize it near its margin, lift it, lay it down and let go",
+                           8.0, soft.grasp(), ligaments(ASIDE), x=ASIDE)
     yield "incise", elastic("An incision over the dome", "The scalpel is drawn over the dome, towards the surgeon; the wound bleeds",
                             8.0, soft.incise(), ligaments(ASIDE), x=ASIDE, organ='vessels = "built-in"\n',
                             close_up="[[-0.13, 0.05, -0.05], [-0.05, 0.1, 0.06]]")

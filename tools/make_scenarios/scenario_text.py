@@ -5,7 +5,7 @@ from paths import FRAME_RATE
 
 ASIDE = -0.07  # m: where a sagging liver is clear of the tray
 INSTRUMENTS = ("scalpel", "hook", "baton", "scissors", "suction", "clip_applier", "bipolar", "gauze", "inflow_clamp",
-               "pencil", "aspirator")
+               "pencil", "aspirator", "forceps")
 
 
 def all_instruments(**paths):

@@ -29,6 +29,19 @@ def lift():
     return [("scalpel", None), ("hook", path), ("baton", None)]
 
 
+def grasp():
+    """The forceps seize the left lobe near its margin, lift it, hold it, lay it down and let go."""
+    path = Path3(handle=(0.2, 0.85, 0.5), edge=(0, -0.5, 0.85), speed=0.15)
+    seized, lifted = (0.078, 0.028, 0.02), (0.084, 0.044, 0.022)
+    path.wait(0.9)
+    path.to(0.07, 0.14, 0.1).to(*seized).jaws(1.0)
+    path.to(*lifted, speed=0.04)
+    path.wait(0.8)
+    path.to(*lifted).to(*seized, speed=0.04).jaws(0.0)
+    path.to(0.07, 0.14, 0.1).to(0.1, 0.2, 0.16, speed=0.3)
+    return [("scalpel", None), ("hook", None), ("baton", None), ("scissors", None), ("forceps", path)]
+
+
 def incise():
     """One long cut over the dome, towards the surgeon, some two centimetres deep."""
     path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
@@ -40,7 +53,7 @@ def incise():
         path.to(x, y, z, speed=0.05)
     path.to(x, 0.14, 0.12, speed=0.3).to(0.05, 0.24, 0.14, speed=0.3)
     return [("scalpel", path), *((name, None) for name in (
-        "hook", "baton", "scissors", "suction", "clip_applier", "bipolar"))]
+        "hook", "baton", "scissors", "suction", "clip_applier", "bipolar", "forceps"))]
 
 
 def incise_under_traction():

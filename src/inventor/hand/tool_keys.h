@@ -8,7 +8,7 @@ namespace resect {
 
 // Of tools 0, 1, ...: the upper row of a keyboard. Inventor's codes of these keys are their
 // characters.
-inline constexpr std::string_view kToolKeys = "1234567890-";
+inline constexpr std::string_view kToolKeys = "1234567890-=";
 
 // The number of the tool that a key takes; -1: another key.
 inline int toolOfKey(int key) {

@@ -3,7 +3,7 @@
 import math
 
 from inventor import numbers
-from loft import circle, close_end, close_start, loft
+from shapes.loft import circle, close_end, close_start, loft
 
 
 def middle(ring):

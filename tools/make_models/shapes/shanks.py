@@ -2,9 +2,9 @@
 cross at the screw, and a ratchet. Millimetres. `place` puts each point of the upper half where it
 belongs."""
 
-from jaws import middle
-from loft import close_end, close_start, loft, through
-from outline import arcs
+from shapes.jaws import middle
+from shapes.loft import close_end, close_start, loft, through
+from shapes.outline import arcs
 
 
 def bar_section(borders, z, roundness=0.7):

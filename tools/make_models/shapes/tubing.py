@@ -1,8 +1,8 @@
 """Hoses and cables: round tubes along a path in a plane x = constant. Millimetres."""
 
-from jaws import middle
-from loft import circle, close_end, close_start, loft
-from vector import add, scale, subtract, unit
+from shapes.jaws import middle
+from shapes.loft import circle, close_end, close_start, loft
+from shapes.vector import add, scale, subtract, unit
 
 
 def tube_rings(path, radii, sides):

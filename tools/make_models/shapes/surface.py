@@ -1,7 +1,7 @@
 """A triangle surface whose points are rounded and welded as they are added, so that what is written
 is what is closed."""
 
-from vector import cross, length, subtract
+from shapes.vector import cross, length, subtract
 
 
 class Surface:

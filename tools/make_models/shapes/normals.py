@@ -3,7 +3,7 @@ face."""
 
 import math
 
-from vector import add, dot, length, scale, subtract, unit
+from shapes.vector import add, dot, length, scale, subtract, unit
 
 
 def corner_normals(surface, crease_degrees=50.0, decimals=4):
