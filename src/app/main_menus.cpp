@@ -178,6 +178,13 @@ void MainWindow::makeMenus() {
 // focused by Tab it presses the button, as usual.
 bool MainWindow::eventFilter(QObject* object, QEvent* event) {
   const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  // With an instrument in hand that has a pedal, P is the pedal.
+  if (object == viewer_ && event->type() == QEvent::ShortcutOverride &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_P && session_ &&
+      session_->tools().hasPedal()) {
+    event->accept();
+    return true;
+  }
   const auto* widget = key ? qobject_cast<QWidget*>(object) : nullptr;
   if (!widget || widget == viewer_ || QApplication::activePopupWidget()) return false;
   if (exercises_->isAncestorOf(widget)) return false;

@@ -176,8 +176,9 @@ void MainWindow::tick() {
   panelsShown_ = now;
   followPanels(state, now);
   followExercise(state);
+  followClips(state);
   if (state.timeline && strokesNoted_ != state.timeline->strokeCount()) noteRecording();
-  if (!options_.reports || state.frame == 0) return;
+  if (!options_.reports || (state.frame == 0 && !waitsForHand_)) return;
   // After the layout of the panels is final.
   const QSize size = viewer_->size();
   if (size == lastSize_ && size != placesSize_) {

@@ -123,6 +123,7 @@ class MainWindow : public QMainWindow {
   void makeExercises();
   void showExercises();
   void hideExercises();
+  void followClips(const LiveState& state);
   void startExercise(const Exercise& exercise, TaskLevel level);
   void beginExercise();
   void followExercise(const LiveState& state);
@@ -200,6 +201,9 @@ class MainWindow : public QMainWindow {
   bool marking_ = false;                  // the next click marks a place
   std::shared_ptr<LiveAttempt> attempt_;  // at the exercise that was begun last; null: none
   bool attemptEnded_ = false;
+  bool waitsForHand_ = false;  // an exercise: its time starts when an instrument is taken
+  int clipsBefore_ = 0;        // on vessels, before the clip applier was closed
+  bool clipperClosed_ = false;
   bool asTest_ = false, startedAsTest_ = false;  // of this exercise; of the one being loaded
   std::filesystem::path page_;                   // report of the last attempt
   std::int64_t attemptBranch_ = 0;               // on which it ended

@@ -130,7 +130,7 @@ void MainWindow::showExercises() {
 
 void MainWindow::hideExercises() {
   exercises_->hide();
-  if (session_) session_->operation().setPaused(false);
+  if (session_) session_->operation().setPaused(waitsForHand_);
   viewer_->setFocus();
   if (options_.reports) say("exercises hidden");
 }
@@ -150,7 +150,8 @@ void MainWindow::startExercise(const Exercise& exercise, TaskLevel level) {
 // A new operation has begun; it is an exercise if its scenario has a task.
 void MainWindow::beginExercise() {
   scorer_.cancel();
-  if (exercises_->isVisible()) session_->operation().setPaused(true);
+  waitsForHand_ = attempt_ != nullptr;
+  if (exercises_->isVisible() || waitsForHand_) session_->operation().setPaused(true);
   attemptEnded_ = false;
   targetSaid_ = kNoTarget;
   replayUntil_ = -1;
@@ -176,7 +177,16 @@ void MainWindow::followExercise(const LiveState& state) {
     if (over || state.playback == 0) session_->setPlayback(over ? 0 : 1, attemptBranch_);
     if (over) replayUntil_ = -1;
   }
+  if (attemptEnded_ && attempt_ && !session_->showing() && session_->answered()) {
+    attemptEnded_ = false;
+    attempt_.reset();
+    statusBar()->showMessage("The exercise is over: what is done now does not count", 8000);
+  }
   if (!exercising()) return;
+  if (waitsForHand_ && (session_->tools().held() >= 0 || session_->playing())) {
+    waitsForHand_ = false;
+    session_->operation().setPaused(exercises_->isVisible());
+  }
   const Task& task = *session_->scenario().task;
   const AttemptProgress progress = attempt_->progress();
   guideHand(progress);
@@ -323,7 +333,9 @@ void MainWindow::tabulateClass(bool names) {
 
 void MainWindow::openPage(const std::filesystem::path& page) {
   if (options_.reports) return say("open {}", page.string());
-  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(page.string()))))
+  if (QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(page.string()))))
+    statusBar()->showMessage("The browser opens " + shown(page.string()), 15000);
+  else
     complain(page.string() + ": no browser could be started; open this file in one");
 }
 

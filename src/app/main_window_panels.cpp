@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QScrollArea>
+#include <QStatusBar>
 #include <QTabBar>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -60,10 +61,14 @@ QString useOf(const std::string& kind) {
       {"hook", "press the left button and draw: it catches and pulls"},
       {"baton", "hold the left button down: it pushes"},
       {"scissors", "hold the left button down: they close"},
-      {"suction", "hold the left button down: it draws off blood"},
-      {"clip_applier", "hold the left button down: it closes a vessel"},
-      {"bipolar", "hold the left button down: they seal what is between the tips"},
-      {"gauze", "hold the left button down: it presses, and soaks up blood"},
+      {"suction",
+       "point at blood or a yellow ring, which marks what bleeds; hold the left button down"},
+      {"clip_applier",
+       "point at a yellow ring, which marks what bleeds; press the left button: it clips"},
+      {"bipolar",
+       "point at a yellow ring, which marks what bleeds; hold the left button down 2 s: they seal"},
+      {"gauze",
+       "point at a yellow ring or a wound; hold the left button down: it presses, and soaks up"},
       {"inflow_clamp", "hold the left button down beside the liver: it shuts the inflow"},
       {"pencil",
        "press the left button and draw: it cuts, and seals what it cuts slowly; P coagulates only"},
@@ -228,7 +233,9 @@ QString MainWindow::nextStep() const {
   const QString name = heldName("");
   const QString depth =
       tools.how() == ToolHandling::Hold::Guided
-          ? QString(" %1 mm deep (wheel).").arg(std::lround(1e3 * tools.depth(tools.held())))
+          ? tools.surfaceHand() && tools.surfaceHand()->target
+                ? QString(" at the white ring.")
+                : QString(" %1 mm deep (wheel).").arg(std::lround(1e3 * tools.depth(tools.held())))
           : QString();
   switch (tools.how()) {
     case ToolHandling::Hold::None:
@@ -247,6 +254,27 @@ QString MainWindow::nextStep() const {
       return name + " in a trackball: drag it to turn it; middle click to move it.";
   }
   return {};
+}
+
+// Says what closing the clip applier has done.
+void MainWindow::followClips(const LiveState& state) {
+  constexpr double kClosed = 0.95;  // as of the clip's jaws (tools/parts/clip_part.cpp)
+  const int held = session_->tools().held();
+  const bool clipper =
+      held >= 0 && session_->toolModels()[std::size_t(held)].kind == "clip_applier";
+  const bool closed = clipper && std::size_t(held) < state.squeeze.size() &&
+                      state.squeeze[std::size_t(held)] >= kClosed;
+  if (closed && !clipperClosed_) {
+    const bool placed = state.clips > clipsBefore_;
+    statusBar()->showMessage(
+        placed ? "A clip was placed"
+               : "No clip was placed: there is no open vessel within 8 mm of the jaws; point at a "
+                 "yellow ring, or change the depth with the wheel",
+        8000);
+    if (options_.reports) say("clip {}", placed ? "placed" : "missed");
+  }
+  clipperClosed_ = closed;
+  if (!closed) clipsBefore_ = state.clips;
 }
 
 void MainWindow::followPanels(const LiveState& state, qint64 now) {

@@ -334,6 +334,7 @@ void Viewer::wheelEvent(QWheelEvent* event) {
 }
 
 void Viewer::key(QKeyEvent* event, bool down) {
+  if (!down && event->isAutoRepeat()) return;  // the key is still held down
   SoKeyboardEvent keyboard;
   keyboard.setKey(SoKeyboardEvent::Key(inventorKey(event->key())));
   keyboard.setState(down ? SoButtonEvent::DOWN : SoButtonEvent::UP);

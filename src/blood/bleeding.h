@@ -35,6 +35,7 @@ struct BleedingEnd {
   VesselEnd end = VesselEnd::Root;
   Vec3 place = Vec3::Zero();  // world, m
   double flow = 0;            // m^3/s
+  double radius = 0;          // of the vessel, m
 };
 
 struct BloodReport {

@@ -17,7 +17,7 @@ STILL = {
 ELASTIC = {
     "press": "679c236dbdd24d11",
     "lift": "a7cd23b67131bdc2",
-    "incise": "ebf4ee834ae55975",
+    "incise": "918922dc0119bf60",
     "incise-under-traction": "65b99e29fbb568cc",
     "snip": "fb66a26010bf501f",
     "resect-segment-elastic": "891540278388d7b8",

@@ -1,6 +1,6 @@
 """Motions in tissue that gives way: pressing, lifting, cutting, taking off."""
 from paths import Path3
-from scenario_text import scenario
+from scenario_text import all_instruments, scenario
 
 
 def press():
@@ -52,8 +52,7 @@ def incise():
                  (0.04, 0.047), (0.05, 0.036), (0.058, 0.028)):
         path.to(x, y, z, speed=0.05)
     path.to(x, 0.14, 0.12, speed=0.3).to(0.05, 0.24, 0.14, speed=0.3)
-    return [("scalpel", path), *((name, None) for name in (
-        "hook", "baton", "scissors", "suction", "clip_applier", "bipolar", "forceps"))]
+    return all_instruments(scalpel=path)
 
 
 def incise_under_traction():

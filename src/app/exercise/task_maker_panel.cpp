@@ -130,7 +130,9 @@ void TaskMakerPanel::begin(const std::vector<std::string>& instruments,
   boxes_.clear();
   auto* grid = static_cast<QGridLayout*>(instruments_->layout());
   for (const std::string& model : instruments) {
-    auto* box = new QCheckBox(shown(model), instruments_);
+    QString name = shown(model).replace('_', ' ');
+    if (!name.isEmpty()) name[0] = name[0].toUpper();
+    auto* box = new QCheckBox(name, instruments_);
     box->setProperty("model", QString::fromStdString(model));
     box->setChecked(true);
     grid->addWidget(box, int(boxes_.size()) / 2, int(boxes_.size()) % 2);

@@ -19,6 +19,7 @@ const Controls kGuided = {
     {"F while pressing", "leaves it at work there; take another one meanwhile"},
     {"Escape", "puts it back into the tool box"},
     {"D, B, T; S", "move it freely, by handle box, trackball; along the surface again"},
+    {"P, the pencil in hand", "hold it down to press the pedal: it coagulates and does not cut"},
 };
 
 // In the thesis's mode, where instruments do not follow the surface.
@@ -28,7 +29,6 @@ const Controls kThesis = {
     {"Shift + drag", "turn it about its tip"},
     {"An instrument's number", "takes it"},
     {"C", "hold it down to close the scissors"},
-    {"P", "hold it down to press the pedal: the pencil coagulates and does not cut"},
     {"Arrow keys, page keys", "move in steps; with Shift: turn"},
     {"Click an instrument", "handle box, the precise way; middle click: trackball"},
     {"Click elsewhere / Escape", "let go / back into the tool box"},

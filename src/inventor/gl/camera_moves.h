@@ -33,6 +33,7 @@ class CameraMoves {
   // Handles an event that nothing else has used. Returns true if the event belongs to a drag or to
   // the wheel, even if the camera did not move.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
+  bool dragging() const { return drag_ != Drag::None; }  // the camera
 
   // Moves the camera round the point of interest, so that the scene seems to turn to the right and
   // upwards by these angles, rad.

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "inventor/gl/camera_moves.h"
+#include "inventor/gl/vectors.h"
 #include "inventor/hand/tool_handling.h"
 
 namespace resect {
@@ -29,6 +30,10 @@ void ToolHandling::guide(std::span<const ToolModel> models) {
   models_ = models;
   depths_.clear();
   for (const ToolModel& model : models_) depths_.push_back(handStyleOf(model).depth);
+}
+
+bool ToolHandling::hasPedal() const {
+  return held_ >= 0 && !models_.empty() && models_[std::size_t(held_)].kind == "pencil";
 }
 
 bool ToolHandling::squeezing() const {
@@ -80,7 +85,10 @@ void ToolHandling::seekUnder(const SbVec2s& pixel, const SbViewportRegion& viewp
                 y = screen[1] * float(size[1]) - float(pixel[1]), off = x * x + y * y;
     if (!nearest || off < least) least = off, nearest = &target;
   }
-  seek(hand_, nearest ? std::span(nearest, 1) : std::span<const Vec3>());
+  if (!hand_.pointing) return;
+  const Vec3 eye = toVec(room_.camera()->position.getValue());
+  seek(hand_, nearest ? std::span(nearest, 1) : std::span<const Vec3>(),
+       (eye - hand_.at.point).normalized());
 }
 
 void ToolHandling::setTargets(std::vector<Vec3> targets) {

@@ -6,6 +6,7 @@
 
 #include "inventor/gl/vectors.h"
 #include "inventor/hand/operating_session.h"
+#include "tools/parts/clip_part.h"
 
 namespace resect {
 
@@ -45,17 +46,19 @@ void OperatingSession::followBareVessels() {
 // Marks what bleeds for an instrument that can stop it, and guides the hand there.
 void OperatingSession::showBleeding() {
   const int held = tools_.held();
-  const bool stops =
-      marksBleeding_ && tools_.surfaceHand() && tools_.surfaceHand()->style.seeks > 0;
-  std::vector<Vec3> targets;
-  if (stops)
+  const SurfaceHand* hand = marksBleeding_ && held >= 0 ? tools_.surfaceHand() : nullptr;
+  std::vector<BleedingEnd> ends;
+  if (hand && hand->style.seeks > 0) {
+    const bool clips = toolModels_[std::size_t(held)].kind == "clip_applier";
     for (const BleedingEnd& end : state_.bleedingEnds)
-      if (end.flow >= kLeastMarkedFlow) targets.push_back(end.place);
+      if (end.flow >= kLeastMarkedFlow && (!clips || holdsClip(end.radius))) ends.push_back(end);
+  }
+  std::vector<Vec3> targets;
+  for (const BleedingEnd& end : ends) targets.push_back(end.place);
   const Vec3 eye = toVec(room().camera()->position.getValue());
   damage_.boxes.push_back(bleeding_.show(
-      stops && held >= 0
-          ? bleedingRings(state_.bleedingEnds, (eye - organBox_.centre()).normalized())
-          : std::vector<MarkLine>()));
+      ends.empty() ? std::vector<MarkLine>()
+                   : bleedingRings(ends, hand->target, (eye - organBox_.centre()).normalized())));
   tools_.setTargets(std::move(targets));
 }
 

@@ -156,7 +156,7 @@ void ToolHandling::mouseMoved(SoEventCallback& node) {
 void ToolHandling::key(SoEventCallback& node) {
   const auto* event = static_cast<const SoKeyboardEvent*>(node.getEvent());
   const int key = event->getKey();
-  const bool closes = key == SoKeyboardEvent::C, steps = key == SoKeyboardEvent::P;
+  const bool closes = key == SoKeyboardEvent::C, steps = key == SoKeyboardEvent::P && hasPedal();
   if ((closes || steps) && !event->wasCtrlDown() && held_ >= 0) {
     (closes ? squeezing_ : pedalling_) = event->getState() == SoButtonEvent::DOWN;
     notify();

@@ -62,6 +62,7 @@ class ToolHandling {
   Hold how() const { return how_; }              // how it is held
   bool squeezing() const;                        // whether the hand closes its jaws
   bool pedalling() const { return pedalling_; }  // whether the foot presses the pedal
+  bool hasPedal() const;                         // whether the tool in hand has a pedal
   bool pressing() const { return how_ == Hold::Guided && hand_.pressing; }
   // Whether the tool was left holding or pressing; for all tools, 1: it was.
   bool isLeft(int tool) const { return left_[std::size_t(tool)] != 0; }

@@ -16,7 +16,7 @@ std::vector<BleedingEnd> bleedingEnds(const Simulation& simulation) {
         const VesselSegment& s = organ.map->anatomy.segments[std::size_t(injury.segment)];
         const Vec3 place = s.at(end == VesselEnd::Root ? injury.from : injury.to);
         ends.push_back({std::int32_t(o), injury.segment, end,
-                        presentPlace(organ, *operated.tissue, place), flow});
+                        presentPlace(organ, *operated.tissue, place), flow, s.radius});
       }
   }
   return ends;

@@ -51,6 +51,9 @@ HandStyle handStyleOf(const ToolModel& tool) {
     style.seeks = kSeeks;
   } else if (tool.kind == "aspirator") {
     style = {.upright = 0.8, .forward = -0.6, .hover = 0.006, .depth = 0.004};
+  } else if (tool.kind == "forceps") {
+    style = {.upright = 0.8, .forward = -0.6, .hover = 0.008, .depth = 0.002};
+    style.closesJaws = true;
   } else if (tool.jaws.opening > 0 && tool.edge.empty()) {
     // Clips and forceps reach into a wound of a scalpel's depth.
     style = {.upright = 0.8, .forward = -0.6, .hover = 0.010, .depth = 0.012};
@@ -119,19 +122,23 @@ void press(SurfaceHand& hand) {
 
 void lift(SurfaceHand& hand) { hand.pressing = false; }
 
-void seek(SurfaceHand& hand, std::span<const Vec3> targets) {
+void seek(SurfaceHand& hand, std::span<const Vec3> targets, const Vec3& towardsEye) {
   if (!hand.pointing) return;
+  // How far beside the target the hand points, as it is seen. A vessel may lie deep in the tissue.
+  const auto beside = [&](const Vec3& target) {
+    const Vec3 way = target - hand.at.point;
+    const double along = way.dot(towardsEye);
+    return std::abs(along) < hand.style.mostDepth ? (way - along * towardsEye).norm() : HUGE_VAL;
+  };
   if (hand.pressing) {
-    if (hand.target && (*hand.target - hand.at.point).norm() > hand.style.seeks)
-      hand.target.reset();
+    if (hand.target && !(beside(*hand.target) < hand.style.seeks)) hand.target.reset();
     return;
   }
   hand.target.reset();
   double least = hand.style.seeks;
-  for (const Vec3& target : targets) {
-    const double distance = (target - hand.at.point).norm();
-    if (distance < least) least = distance, hand.target = target;
-  }
+  for (const Vec3& target : targets)
+    if (const double distance = beside(target); distance < least)
+      least = distance, hand.target = target;
 }
 
 Vec3 workPoint(const SurfaceHand& hand) { return hand.target.value_or(hand.at.point); }
@@ -154,16 +161,34 @@ Vec3 wayIn(const SurfaceHand& hand, const Vec3& handle) {
                                                   : Vec3(-hand.up);
 }
 
+// The direction of a handle, turned up so far that a hand can hold it: on a steep flank it would
+// point below the horizon, and a long instrument into the table.
+Vec3 raised(const Vec3& handle) {
+  constexpr double kLeastUp = 0.4;  // 24 degrees above the horizon
+  if (handle.y() >= kLeastUp) return handle;
+  const Vec3 flat(handle.x(), 0, handle.z());
+  constexpr double kSmall = 1e-3;
+  if (flat.norm() < kSmall) return Vec3(0, 1, 0);
+  return std::sqrt(1 - kLeastUp * kLeastUp) * flat.normalized() + Vec3(0, kLeastUp, 0);
+}
+
 }  // namespace
 
 Pose poseOf(const SurfaceHand& hand) {
   require(hand.pointing, "the hand points at nothing; point at a surface first");
   const HandStyle& style = hand.style;
-  const Vec3 handle = (style.upright * hand.up + style.forward * hand.heading).normalized();
-  const Vec3 edge = (style.upright * hand.heading - style.forward * hand.up).normalized();
+  Vec3 handle = (style.upright * hand.up + style.forward * hand.heading).normalized();
+  Vec3 edge = (style.upright * hand.heading - style.forward * hand.up).normalized();
+  if (!style.entersSlowly) {  // a blade keeps its angle to the surface
+    handle = raised(handle);
+    edge = alongSurface(edge, handle);
+  }
   Mat3 axes;  // the tool's edge faces its -y, its handle its +z
   axes << -edge.cross(handle), -edge, handle;
   double depth = -style.hover;
+  // Hovering over the surface above the target.
+  if (!hand.pressing && hand.target)
+    depth -= std::max(0.0, (hand.at.point - *hand.target).dot(hand.up));
   if (hand.pressing && hand.target)
     depth = 0;
   else if (hand.pressing)

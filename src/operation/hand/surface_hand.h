@@ -27,7 +27,7 @@ struct HandStyle {
   bool entersSlowly = false;  // the tip goes down no farther than it goes on
   bool headsForWay = false;   // the first millimetres of a stroke set the heading
   bool closesJaws = false;    // pressing closes the jaws
-  double seeks = 0;           // m: from how far the tip goes to a target (seek())
+  double seeks = 0;           // m: how far beside a target the hand may point (seek())
 };
 // By the model's kind or else its geometry: a blade has an edge, scissors have jaws, a hook has a
 // bend.
@@ -55,9 +55,10 @@ void goDeeper(SurfaceHand& hand, double more);
 // Turns the heading about the normal, anticlockwise as seen from outside, rad.
 void turnHeading(SurfaceHand& hand, double angle);
 
-// Chooses the target nearest to the point at which the hand points, if one is within style.seeks. A
-// hand that presses keeps its target while it stays within that distance, and takes up no other.
-void seek(SurfaceHand& hand, std::span<const Vec3> targets);
+// Chooses the target that is seen nearest to the point at which the hand points, if it is seen
+// within style.seeks of it and lies at most style.mostDepth behind or before it. towardsEye: unit,
+// from that point. A hand that presses keeps its target while that holds, and takes up no other.
+void seek(SurfaceHand& hand, std::span<const Vec3> targets, const Vec3& towardsEye);
 // The point at which the instrument works: the target, or else the point on the surface.
 Vec3 workPoint(const SurfaceHand& hand);
 

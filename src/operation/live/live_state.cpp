@@ -21,6 +21,9 @@ void noteBlood(LiveState& state, const Simulation& simulation, const StepReport&
   state.loose = looseBlood(simulation.blood());
   state.bare = bareVessels(simulation);
   state.bleedingEnds = bleedingEnds(simulation);
+  state.clips = 0;
+  for (const OperatedOrgan& o : simulation.organs())
+    for (const VesselClip& clip : o.organ.vessels.clips) state.clips += clip.byHeat ? 0 : 1;
 }
 
 }  // namespace

@@ -44,6 +44,7 @@ struct LiveState {
   double bled = 0, bleedingRate = 0;        // so far, m^3; mean over about a second, m^3/s
   double bloodTime = 0;                     // of these, s
   std::vector<BleedingEnd> bleedingEnds;    // vessels' ends that bleed
+  int clips = 0;                            // on vessels
   std::shared_ptr<const LooseBlood> loose;  // on the table and in the air; null: none
   std::shared_ptr<const BareVessels> bare;  // null: none
   // The lists below have one element per tool.

@@ -15,7 +15,6 @@ constexpr double kReach = 0.008;    // m: how far from the jaws' middle a vessel
 constexpr double kBehind = 0.003;   // m: a clip sits this far behind the end of a cut vessel
 constexpr double kJaws = 0.004;     // m: half the length of the jaws
 constexpr double kBetween = 0.002;  // m: clips on one vessel are farther apart
-constexpr double kThinnest = 0.3e-3, kWidest = 3.5e-3;  // m: radii that clips hold
 
 // A place `way` metres from `share` of a segment towards the root, on the segment or on those
 // before.
@@ -48,7 +47,7 @@ void ClipPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
   double most = 0, best = 0;
   for (const std::int32_t i : near) {
     const VesselSegment& s = map.anatomy.segments[std::size_t(i)];
-    if (s.radius < kThinnest || s.radius > kWidest) continue;
+    if (!holdsClip(s.radius)) continue;
     if (const VesselInjury* injury = touch.organ.vessels.injury(i)) {
       for (const VesselEnd end : {VesselEnd::Root, VesselEnd::Far}) {
         const double share = end == VesselEnd::Root ? injury->from : injury->to;

@@ -5,6 +5,9 @@
 
 namespace resect {
 
+// Whether a clip holds on a vessel of this radius, m.
+inline bool holdsClip(double radius) { return radius >= 0.3e-3 && radius <= 3.5e-3; }
+
 class ClipPart : public WorkingPart {
  public:
   void act(const Touch& touch, std::vector<TissueEdit>& edits) const override;

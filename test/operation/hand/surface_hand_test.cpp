@@ -124,34 +124,75 @@ TEST_CASE("a hand that stops bleeding goes to the vessel near the pointer, and w
   const Vec3 near = 0.004 * aside - 0.006 * normal, far = 0.03 * aside;
   const std::vector<Vec3> targets = {far, near};
   pointAt(hand, {Vec3::Zero(), normal});
-  seek(hand, targets);
+  seek(hand, targets, normal);
   REQUIRE(hand.target);
   CHECK(*hand.target == near);
   CHECK(workPoint(hand) == near);
-  CHECK((poseOf(hand).position - (near + hand.style.hover * normal)).norm() < 1e-12);
+  CHECK((poseOf(hand).position - (near + (0.006 + hand.style.hover) * normal)).norm() < 1e-12);
   press(hand);
   CHECK((poseOf(hand).position - near).norm() < 1e-12);
 
   // A hand that presses keeps its vessel, until it is drawn away.
   pointAt(hand, {0.03 * aside, normal});
-  seek(hand, targets);
+  seek(hand, targets, normal);
   CHECK_FALSE(hand.target);
   CHECK(depthOf(hand, normal) == doctest::Approx(hand.depth));
   lift(hand);
-  seek(hand, targets);
+  seek(hand, targets, normal);
   CHECK(hand.target == far);
   pointAt(hand, {0.1 * aside, normal});
-  seek(hand, targets);
+  seek(hand, targets, normal);
   CHECK_FALSE(hand.target);
   CHECK(workPoint(hand) == hand.at.point);
 }
 
+TEST_CASE("a vessel deep under the point that is pointed at is reached along the line of sight") {
+  ToolModel clip;
+  clip.jaws.opening = 0.5;
+  const Vec3 normal = Vec3(-0.3, 1, 0.2).normalized(), eye = Vec3(0.4, 0.8, 0.5).normalized();
+  SurfaceHand hand = takeUp(handStyleOf(clip), Vec3::UnitX());
+  pointAt(hand, {Vec3(0.01, 0.02, 0.03), normal});
+  const Vec3 beside = eye.unitOrthogonal();
+  const auto seen = [&](double deep, double aside) {
+    const std::vector<Vec3> targets = {hand.at.point - deep * eye + aside * beside};
+    seek(hand, targets, eye);
+    return hand.target.has_value();
+  };
+  CHECK(seen(0.03, 0.002));
+  CHECK(seen(0.03, 0.015));
+  CHECK_FALSE(seen(0.03, 0.02));
+  CHECK_FALSE(seen(0.08, 0.002));
+}
+
+TEST_CASE("on a steep flank a long instrument reaches its vessel, its handle above the table") {
+  ToolModel clip;
+  clip.jaws.opening = 0.5;
+  for (const double flank : {0.0, 0.6, 1.2, 1.5}) {  // rad
+    for (const double round : {0.0, 2.0, 4.0}) {
+      CAPTURE(flank);
+      CAPTURE(round);
+      const Vec3 normal(std::sin(flank) * std::cos(round), std::cos(flank),
+                        std::sin(flank) * std::sin(round));
+      SurfaceHand hand = takeUp(handStyleOf(clip), -normal.unitOrthogonal());
+      pointAt(hand, {Vec3(0, 0.05, 0), normal});
+      const std::vector<Vec3> targets = {Vec3(0.002, 0.04, -0.003)};
+      seek(hand, targets, normal);
+      REQUIRE(hand.target);
+      press(hand);
+      const std::vector<Vec3> ends = {Vec3::Zero(), Vec3(0, 0, 0.25)};  // tip and handle
+      const Pose pose = poseAboveTable(hand, ends);
+      CHECK((pose.position - targets[0]).norm() < 1e-9);
+      CHECK((pose * ends[1]).y() > 0.1);
+    }
+  }
+}
+
 TEST_CASE("an instrument that stops no bleeding seeks nothing") {
   const std::vector<Vec3> targets = {Vec3(0.001, 0, 0)};
-  for (const char* name : {"scalpel", "hook", "baton", "scissors"}) {
+  for (const char* name : {"scalpel", "hook", "baton", "scissors", "forceps"}) {
     SurfaceHand hand = takeUp(styleOf(name), Vec3::UnitX());
     pointAt(hand, {Vec3::Zero(), Vec3::UnitY()});
-    seek(hand, targets);
+    seek(hand, targets, Vec3::UnitY());
     CHECK_FALSE(hand.target);
   }
 }

@@ -7,18 +7,22 @@ namespace resect {
 namespace {
 
 constexpr double kSmallest = 0.0018, kLargest = 0.005;  // m
+constexpr double kSame = 0.5e-3;                        // m
 constexpr double kFlowOfLargest = 1e-6;                 // m^3/s
 const Vec3f kColour(1.0f, 0.85f, 0.2f);  // is told from blood by colour-blind people too
+const Vec3f kChosen(1.0f, 1.0f, 1.0f);
 
 }  // namespace
 
-std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends, const Vec3& towardsEye) {
+std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends,
+                                    const std::optional<Vec3>& chosen, const Vec3& towardsEye) {
   std::vector<MarkLine> rings;
   for (const BleedingEnd& end : ends) {
-    if (end.flow < kLeastMarkedFlow) continue;
     const double share = std::min(1.0, std::cbrt(end.flow / kFlowOfLargest));
     const double radius = kSmallest + share * (kLargest - kSmallest);
-    rings.push_back({kColour, circle(end.place, radius, towardsEye)});
+    const bool goesThere = chosen && (end.place - *chosen).norm() < kSame;
+    rings.push_back({goesThere ? kChosen : kColour, circle(end.place, radius, towardsEye)});
+    if (goesThere) rings.push_back({kChosen, circle(end.place, 1.5 * radius, towardsEye)});
   }
   return rings;
 }

@@ -2,6 +2,7 @@
 // more it bleeds.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,7 +13,9 @@ namespace resect {
 
 inline constexpr double kLeastMarkedFlow = 3e-9;  // m^3/s: ends that bleed less have no ring
 
-// towardsEye: unit; the rings face it.
-std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends, const Vec3& towardsEye);
+// A ring for each end. chosen: the end at which the instrument in hand works when it is pressed;
+// its ring is white and double. towardsEye: unit; the rings face it.
+std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends,
+                                    const std::optional<Vec3>& chosen, const Vec3& towardsEye);
 
 }  // namespace resect
