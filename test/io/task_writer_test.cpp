@@ -33,6 +33,7 @@ void checkSame(const TaskGoal& a, const TaskGoal& b) {
   CHECK(a.hold == doctest::Approx(b.hold));
   CHECK(a.margin == doctest::Approx(b.margin));
   CHECK(a.rate == doctest::Approx(b.rate));
+  CHECK(a.from == doctest::Approx(b.from));
   CHECK(a.thinnest == doctest::Approx(b.thinnest));
   CHECK((a.normal - b.normal).norm() < 1e-5);
   REQUIRE(a.places.size() == b.places.size());
@@ -58,6 +59,7 @@ TEST_CASE("each shipped task is the same after it was written and read") {
     CHECK(after.task->steps == before.task->steps);
     CHECK(after.task->instruments == before.task->instruments);
     CHECK(after.task->undo == before.task->undo);
+    CHECK(after.task->forceLimit == before.task->forceLimit);
     REQUIRE(after.task->limits.size() == before.task->limits.size());
     for (const TaskLimit& limit : before.task->limits) {
       const auto at = std::ranges::find(after.task->limits, limit.measure, &TaskLimit::measure);
@@ -109,6 +111,23 @@ TEST_CASE(
   scenario.file = folder / "none.toml";
   CHECK(test::sentenceOf([&] { exerciseText(scenario); }).find("no such file") !=
         std::string::npos);
+}
+
+TEST_CASE("a bleeding that is to be stopped is one that bleeds: its two rates") {
+  const Scenario scenario = shipped("control-bleeding");
+  const auto with = [&](const std::string& rates) {
+    return parseTask("teaches = \"x\"\ngoal = {kind = \"stop-bleeding\"" + rates + "}", "a task",
+                     scenario);
+  };
+  CHECK(60e6 * with("").goal.rate == doctest::Approx(5));
+  CHECK(60e6 * with("").goal.from == doctest::Approx(20));
+  CHECK(60e6 * with(", rate_ml_min = 10").goal.from == doctest::Approx(40));
+  CHECK(60e6 * with(", from_ml_min = 100").goal.from == doctest::Approx(100));
+  CHECK(test::sentenceOf([&] {
+          with(", rate_ml_min = 10, from_ml_min = 8");
+        }).find("goal.from_ml_min") != std::string::npos);
+  CHECK(!with("").forceLimit);
+  CHECK(60e6 * scenario.task->goal.from >= 4 * 60e6 * scenario.task->goal.rate);
 }
 
 TEST_CASE("a task at another level keeps the level in its text") {

@@ -88,6 +88,10 @@ TEST_CASE("the next step follows what was done") {
   CHECK(next() == "Cut across the branch.");
   for (std::size_t f = 0; f < 50; ++f) attempt.bled[f] = 1e-7 * double(f);  // 1 ml/s
   CHECK(next() == "Stop the bleeding of 60 ml/min.");
+  goal.from = 100e-6 / 60;
+  CHECK(next() == "It does not bleed enough yet: 60 of 100 ml/min. Cut across the branch.");
+  for (std::size_t f = 0; f < 50; ++f) attempt.bled[f] = 1e-9;  // and even while it is dry
+  CHECK(next().starts_with("It does not bleed enough yet"));
 
   goal.kind = TaskGoal::Kind::Divide;
   CHECK(next().find("on the side of the heart") != std::string::npos);
@@ -103,7 +107,9 @@ TEST_CASE("the next step follows what was done") {
   attempt.goal.held.assign(50, 1);
   CHECK(next() == "Cut along the line, from one end to the other.");
   attempt.goal.work = {{10, 0, 0}, {11, 0.02, 0}, {12, 0.05, 0}};
-  CHECK(next() == "Go on along the line: 51 % done.");
+  CHECK(next() == "Go on along the line: 51 % done; missing: 51 to 100 mm.");
+  attempt.goal.work = {{10, 0, 0}, {11, 0.05, 0}, {12, 0.1, 0}, {13, 0.1, 0.021}};
+  CHECK(next().find("too far from the line") != std::string::npos);
 
   goal.kind = TaskGoal::Kind::Resect;
   goal.structure = "tumour";

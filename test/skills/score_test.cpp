@@ -26,7 +26,7 @@ Attempt attemptAt(TaskGoal::Kind kind) {
   for (int f = 1; f <= 100; ++f) {
     attempt.time.push_back(0.1 * f);
     ToolMoment now;
-    now.inHand = true;
+    now.inHand = now.taken = true;
     now.tip = {0.001 * f, 0, 0};
     now.works = f >= 20 && f < 80;
     now.force = f == 50 ? 4 : now.works ? 1 : 0;
@@ -82,19 +82,148 @@ TEST_CASE("targets are held in turn and for long enough") {
   CHECK(*valueOf(brief.measures, "targets_held") == 1);
 }
 
+TEST_CASE("evidence of a missed target is of that target, and not of the one before") {
+  const GoalResult brief = goalResult(touching({{10, 25}, {30, 39}}));
+  CHECK(*brief.time == doctest::Approx(3.1));
+  CHECK(brief.sentence.find("Target 2 was held for 0.9 s at most") != std::string::npos);
+
+  Attempt beside = touching({{10, 25}, {0, 0}, {0, 0}});
+  std::fill(beside.goal.distance[1].begin() + 40, beside.goal.distance[1].end(), 0.05f);
+  beside.goal.distance[1][60] = 0.012f;
+  const GoalResult near = goalResult(beside);
+  CHECK(*near.time == doctest::Approx(6.1));
+  CHECK(near.sentence.find("no nearer than 12 mm to target 2") != std::string::npos);
+
+  const GoalResult never = goalResult(touching({{10, 25}, {0, 0}}));  // held at 2 s
+  CHECK(*never.time > 3);
+  CHECK(never.sentence.find("Target 2 was not touched") != std::string::npos);
+}
+
+TEST_CASE("the score grows with what was done of the goal, and a pass is above it") {
+  const auto scoreOf = [](std::initializer_list<std::pair<int, int>> held) {
+    Attempt attempt = touching(held);
+    attempt.task->limits = {{"force_peak_n", {}, 5}, {"path_length_m", {}, 0.2}};
+    return score(attempt).verdict.score;
+  };
+  CHECK(scoreOf({{0, 0}, {0, 0}, {0, 0}, {0, 0}}) == 0);
+  CHECK(scoreOf({{0, 12}, {20, 32}, {0, 0}, {0, 0}}) == doctest::Approx(0.25));
+  CHECK(scoreOf({{0, 12}, {20, 32}, {40, 52}, {0, 0}}) == doctest::Approx(0.375));
+  CHECK(scoreOf({{0, 12}, {20, 32}, {40, 52}, {60, 72}}) == 1);
+
+  Attempt reckless = touching({{10, 25}});  // reached, and no limit was kept
+  reckless.task->limits = {{"force_peak_n", {}, 1}, {"path_length_m", {}, 0.01}};
+  CHECK(score(reckless).verdict.score == doctest::Approx(0.5));
+
+  // A vessel: a clip, another one, the cut.
+  Attempt divided = attemptAt(TaskGoal::Kind::Divide);
+  divided.goal.restPlaces = {Vec3::Zero()};
+  CHECK(goalResult(divided).done == 0);
+  divided.clips = {{1, 0, 0, {0.005, 0, 0}}, {1, 0, 0, {0.5, 0, 0}}};
+  CHECK(goalResult(divided).done == doctest::Approx(1.0 / 3));
+  divided.vessels = {vesselCut(3, false, false)};
+  CHECK(goalResult(divided).done == 0);
+  divided.vessels = {vesselCut(3, true, true)};
+  CHECK(goalResult(divided).done == 1);
+
+  Attempt parted = attemptAt(TaskGoal::Kind::Transect);
+  parted.task->goal.radius = 0.01;
+  parted.goal.work = {{30, 0, 0.001}, {50, 0, 0.02}};
+  CHECK(goalResult(parted).done == 0);
+  CHECK(*goalResult(parted).time == doctest::Approx(5.1));
+  parted.specimens = {{0, 60e-6, 0.06, 0}};
+  CHECK(goalResult(parted).done == doctest::Approx(0.75));
+}
+
+TEST_CASE("a time that ran out is the reason, and no fault besides") {
+  Attempt attempt = touching({{0, 12}, {0, 0}});
+  attempt.task->limits = {{"total_time_s", {}, 9.98}};
+  const Verdict late = score(attempt).verdict;
+  CHECK(about(late, "total_time_s") == nullptr);
+  CHECK(late.deductions.size() == 1);
+  CHECK(late.reason.find("The time of 9.98 s was up.") != std::string::npos);
+  CHECK(late.reason.find("Besides") == std::string::npos);
+
+  Attempt done = touching({{0, 12}});  // the goal was reached: then it is a fault
+  done.task->limits = {{"total_time_s", {}, 9.999}};
+  const Verdict slow = score(done).verdict;
+  REQUIRE(about(slow, "total_time_s"));
+  CHECK(slow.reason.find("was up") == std::string::npos);
+  CHECK(about(slow, "total_time_s")->next.find("timeline") != std::string::npos);
+  const Check near{"total_time_s", 45.0167, {}, 45, false, true, ""};
+  CHECK(valueText(near) == "45.0167");  // and not "45 s, wanted at most 45 s"
+  const Check far{"total_time_s", 60.0167, {}, 45, false, true, ""};
+  CHECK(valueText(far) == "60");
+}
+
+TEST_CASE("what was not reached is not praised, nor little of what was not done") {
+  Attempt attempt = bleeding(20);  // it never stops
+  attempt.task->limits = {{"bleeding_s", {}, 18},   {"blood_loss_ml", {}, 20},
+                          {"total_time_s", {}, 45}, {"path_length_m", {}, 1},
+                          {"force_peak_n", {}, 5},  {"seal_time_s", {}, 20}};
+  attempt.vessels = {vesselCut(4.2, false, false)};  // nor is it closed
+  const Scored scored = score(attempt);
+  CHECK(!valueOf(scored.measures, "bleeding_s"));
+  CHECK(!valueOf(scored.measures, "seal_time_s"));
+  REQUIRE(scored.verdict.good.size() == 1);
+  CHECK(scored.verdict.good[0].find("Largest force") == 0);
+  REQUIRE(about(scored.verdict, "seal_time_s"));
+  CHECK(about(scored.verdict, "seal_time_s")->fact.find("closed: never, wanted") !=
+        std::string::npos);
+
+  Attempt idle = attemptAt(TaskGoal::Kind::Follow);
+  for (ToolMoment& m : idle.instruments[0].moments) m.works = false, m.force = 0;
+  idle.task->limits = {{"force_peak_n", {}, 5}, {"off_line_mm", {}, 3}};
+  CHECK(score(idle).verdict.good.empty());
+}
+
+TEST_CASE("a force counts as an error above the limit of the level, if there is one") {
+  Attempt attempt = touching({{10, 25}});  // 1 N, and once 4 N
+  CHECK(!valueOf(score(attempt).measures, "force_errors"));
+  attempt.task->forceLimit = 0.5;
+  CHECK(*valueOf(score(attempt).measures, "force_errors") == 1);
+  CHECK(forceLimitOf(*attempt.task)->force == 0.5);
+  attempt.task->limits = {{"force_peak_n", {}, 0.5}};
+  attempt.task->levels[std::size_t(TaskLevel::Easy)] = {{"force_peak_n", {}, 5}};
+  const Scored easy = score(attempt, TaskLevel::Easy);
+  CHECK(*valueOf(easy.measures, "force_errors") == 0);
+  CHECK(forceLimitOf(*easy.attempt.task)->force == 5);
+  CHECK(forceLimitOf(*easy.attempt.task)->source == "limit of the task, easy");
+}
+
+TEST_CASE("the way of an instrument is that of the hand, also while it only hovers") {
+  Attempt attempt = touching({{10, 25}});
+  for (std::size_t f = 30; f < 100; ++f) attempt.instruments[0].moments[f].inHand = false;
+  const auto all = measuresOf(attempt);
+  CHECK(*valueOf(all, "path_length_m") == doctest::Approx(0.099));
+  for (std::size_t f = 50; f < 100; ++f) attempt.instruments[0].moments[f].taken = false;
+  CHECK(*valueOf(measuresOf(attempt), "path_length_m") == doctest::Approx(0.049));
+}
+
 TEST_CASE("a line is followed where work was near it, between frames too") {
   Attempt attempt = attemptAt(TaskGoal::Kind::Follow);
   attempt.goal.lineLength = 0.06;
   for (std::size_t f = 20; f < 80; f += 2)
     attempt.goal.work.push_back({f, 0.001 * double(f - 20), f == 50 ? 0.02 : 0.002});
   const GoalResult whole = goalResult(attempt);
-  CHECK(whole.reached);
   CHECK(*valueOf(whole.measures, "off_line_most_mm") == doctest::Approx(20));
   CHECK(*whole.time == doctest::Approx(5.1));
+  CHECK(!whole.reached);  // it went farther from the line than the goal says
+  CHECK(whole.done == doctest::Approx(0.006 / 0.02));
+  CHECK(whole.sentence.find("went 20 mm from the line; 6 mm is allowed") != std::string::npos);
+  CHECK(goalSentence(*attempt.task).find("no farther than 6 mm from it") != std::string::npos);
+  attempt.task->limits = {{"off_line_most_mm", {}, 15}};  // a check of its own
+  CHECK(goalResult(attempt).reached);
+  CHECK(goalSentence(*attempt.task).find("nowhere farther than 15 mm") != std::string::npos);
+  CHECK(!score(attempt).verdict.passed);
+  attempt.task->limits[0].most = 25;
+  CHECK(score(attempt).verdict.passed);
   attempt.goal.work.resize(15);
   const GoalResult half = goalResult(attempt);
   CHECK(!half.reached);
   CHECK(*valueOf(half.measures, "line_covered_pct") == doctest::Approx(48).epsilon(0.05));
+  CHECK(half.sentence.find("Not followed: 29 to 60 mm") != std::string::npos);
+  CHECK(half.done == doctest::Approx(0.48 / 0.9).epsilon(0.05));
+  CHECK(*half.time == doctest::Approx(4.9));  // where the work was nearest to what is missing
   attempt.task->goal.holdWith = "hook";
   attempt.goal.held.assign(100, 0);
   std::fill(attempt.goal.held.begin(), attempt.goal.held.begin() + 34, 1);
@@ -126,6 +255,17 @@ TEST_CASE("bleeding counts as stopped when it stays below the rate") {
   Attempt dry = bleeding(6);
   std::ranges::fill(dry.bled, 0.0);
   CHECK(!goalResult(dry).reached);  // nothing was stopped
+  CHECK(goalResult(bleeding(20)).done < 0.2);
+  CHECK(!valueOf(goalResult(bleeding(20)).measures, "bleeding_s"));
+
+  Attempt shallow = bleeding(6);  // 60 ml/min
+  shallow.task->goal.from = 100e-6 / 60;
+  const GoalResult little = goalResult(shallow);
+  CHECK(!little.reached);
+  CHECK(little.done == 0);
+  CHECK(little.sentence ==
+        "It bled at 60 ml/min at most; a bleeding of 100 ml/min or more was to be "
+        "stopped.");
 }
 
 TEST_CASE("a vessel is divided between two clips that were there before") {
@@ -150,7 +290,7 @@ TEST_CASE("an attempt passes by its goal, its limits and its rules") {
   CHECK(medium.verdict.good.size() == 3);
   const Scored hard = score(attempt, TaskLevel::Hard);
   CHECK(!hard.verdict.passed);
-  CHECK(hard.verdict.score == doctest::Approx(2.0 / 3));
+  CHECK(hard.verdict.score == doctest::Approx(0.75));  // the goal, and one of two limits
   const Deduction* force = about(hard.verdict, "force_peak_n");
   REQUIRE(force);
   CHECK(*force->time == doctest::Approx(5.0));
@@ -192,6 +332,20 @@ TEST_CASE("a vessel that was cut unclipped is told with its size, time and blood
   CHECK(*told->time == 4.2);
   CHECK(told->question.ends_with("?"));
   CHECK(*valueOf(scored.measures, "seal_time_s") == doctest::Approx(2.8));
+}
+
+TEST_CASE("of the blood the largest source is told, and called most of it only if it is") {
+  Attempt attempt = bleeding(9);  // 7 ml
+  attempt.task->limits = {{"blood_loss_ml", {}, 5}};
+  attempt.vessels = {vesselCut(4.2, false, false), vesselCut(4.5, false, false)};
+  attempt.vessels[0].bled = 2e-6, attempt.vessels[1].bled = 1e-6;
+  CHECK(about(score(attempt).verdict, "blood_loss_ml")
+            ->fact.find(
+                "The largest share of one vessel, 2.0 ml, came from the portal vein of 3.1 mm") !=
+        std::string::npos);
+  attempt.vessels[0].bled = 4e-6;
+  CHECK(about(score(attempt).verdict, "blood_loss_ml")->fact.find("Most of the blood, 4.0 ml") !=
+        std::string::npos);
 }
 
 TEST_CASE("times and numbers as people read them") {

@@ -226,7 +226,7 @@ def control_bleeding(operator):
 
 
 def control_bleeding_scenario(operator):
-    goal = {"kind": '"stop-bleeding"', "rate_ml_min": 10, "hold": 1}
+    goal = {"kind": '"stop-bleeding"', "rate_ml_min": 10, "from_ml_min": 60, "hold": 1}
     text = task("Control of a bleeding vessel: clear the wound, close the vessel, then what is left.", goal,
                 {"blood_loss_ml": 20, "vessels_open": 0, "bleeding_s": 18, "total_time_s": 30},
                 {"easy": {"blood_loss_ml": 40, "bleeding_s": 40, "total_time_s": 60}, "hard": {"blood_loss_ml": 12}},

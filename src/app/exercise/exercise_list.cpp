@@ -60,10 +60,4 @@ Scenario asExercise(Scenario scenario) {
   return scenario;
 }
 
-std::optional<double> mostOf(const Task& task, std::string_view measure) {
-  for (const TaskLimit& limit : limitsAt(task, task.level))
-    if (limit.measure == measure) return limit.most;
-  return {};
-}
-
 }  // namespace resect

@@ -26,7 +26,4 @@ void addExercise(const std::filesystem::path& file);
 // The scenario as an exercise: with those instruments only that its task allows.
 Scenario asExercise(Scenario scenario);
 
-// Text of the task's limit on a measure at its level, such as 25; none if there is none.
-std::optional<double> mostOf(const Task& task, std::string_view measure);
-
 }  // namespace resect

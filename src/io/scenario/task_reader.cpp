@@ -88,6 +88,19 @@ VesselKind readVessel(const TomlTable& t) {
   t.complain("vessel", "is \"" + word + "\"; use one of " + known);
 }
 
+void readRates(const TomlTable& t, TaskGoal& goal) {
+  constexpr double kMillilitreAMinute = 1e-6 / 60;  // m^3/s
+  const double rate = t.number("rate_ml_min", 0, 1000, 5);
+  const double from = t.number("from_ml_min", 0, 10'000, 4 * rate);
+  if (from < rate)
+    t.complain(
+        "from_ml_min",
+        fmt::format("is {:g}, and rate_ml_min is {:g}: so little counts as no bleeding; give "
+                    "more than that",
+                    from, rate));
+  goal.rate = kMillilitreAMinute * rate, goal.from = kMillilitreAMinute * from;
+}
+
 TaskGoal readGoal(const TomlTable& t, const Scenario& scenario) {
   using enum TaskGoal::Kind;
   TaskGoal goal;
@@ -111,7 +124,7 @@ TaskGoal readGoal(const TomlTable& t, const Scenario& scenario) {
   if (goal.kind == Touch || goal.kind == StopBleeding)
     goal.hold = t.number("hold", 0, 600, goal.hold);
   if (goal.kind == Resect) readStructure(t, source, goal);
-  if (goal.kind == StopBleeding) goal.rate = 1e-6 / 60 * t.number("rate_ml_min", 0, 1000, 5);
+  if (goal.kind == StopBleeding) readRates(t, goal);
   if (goal.kind == Transect) {
     goal.normal = t.vec3("normal");
     if (goal.normal.norm() < 1e-9) t.complain("normal", "has no length");
@@ -201,7 +214,7 @@ Task readTask(const TomlTable& t, const Scenario& scenario) {
   task.guidance = t.flag("guidance", task.guidance);
   task.familiarisation = t.flag("familiarisation", task.familiarisation);
   task.undo = t.flag("undo", task.undo);
-  task.forceLimit = t.number("force_limit", 0, 1000, task.forceLimit);
+  if (t.has("force_limit")) task.forceLimit = t.number("force_limit", 0, 1000);
   task.forceLimitSource = t.text("force_limit_source", task.forceLimitSource);
   const auto goal = t.table("goal");
   if (!goal) t.complain("goal", "is missing; give [task.goal] with its kind");

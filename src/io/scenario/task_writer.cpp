@@ -58,7 +58,9 @@ std::string goalText(const TaskGoal& goal) {
     out += fmt::format(", hold = {:g}", goal.hold);
   if (goal.kind == Kind::Resect)
     out += fmt::format(", structure = {}, margin = {:g}", quoted(goal.structure), goal.margin);
-  if (goal.kind == Kind::StopBleeding) out += fmt::format(", rate_ml_min = {:g}", 60e6 * goal.rate);
+  if (goal.kind == Kind::StopBleeding)
+    out +=
+        fmt::format(", rate_ml_min = {:g}, from_ml_min = {:g}", 60e6 * goal.rate, 60e6 * goal.from);
   if (goal.kind == Kind::Transect) out += ", normal = " + vector(goal.normal);
   if (goal.kind == Kind::Divide)
     out += fmt::format(", vessel = \"{}\", thinnest = {:g}", wordOf(goal.vessel), goal.thinnest);
@@ -101,8 +103,9 @@ std::string taskValue(const Task& task) {
   if (!task.instruments.empty()) out += ", instruments = " + listed(task.instruments, quoted);
   out += fmt::format(", guidance = {}, familiarisation = {}, undo = {}", task.guidance,
                      task.familiarisation, task.undo);
-  out += fmt::format(", force_limit = {:g}, force_limit_source = {}", task.forceLimit,
-                     quoted(task.forceLimitSource));
+  if (task.forceLimit)
+    out += fmt::format(", force_limit = {:g}, force_limit_source = {}", *task.forceLimit,
+                       quoted(task.forceLimitSource));
   out += ", limits = " + limitsText(task.limits);
   return "{" + out + "}";
 }

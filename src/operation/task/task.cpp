@@ -1,5 +1,7 @@
 #include "operation/task/task.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -44,6 +46,20 @@ std::vector<TaskLimit> limitsAt(const Task& task, TaskLevel level) {
       *at = own;
   }
   return limits;
+}
+
+std::optional<double> mostOf(const Task& task, std::string_view measure) {
+  for (const TaskLimit& limit : limitsAt(task, task.level))
+    if (limit.measure == measure) return limit.most;
+  return {};
+}
+
+std::optional<ForceLimit> forceLimitOf(const Task& task) {
+  const auto peak = mostOf(task, "force_peak_n");
+  if (peak && peak != task.forceLimit)
+    return ForceLimit{*peak, fmt::format("limit of the task, {}", wordOf(task.level))};
+  if (task.forceLimit) return ForceLimit{*task.forceLimit, task.forceLimitSource};
+  return {};
 }
 
 }  // namespace resect

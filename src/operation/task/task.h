@@ -42,6 +42,7 @@ struct TaskGoal {
   std::string structure;        // name of a label of the organ
   double margin = 0.01;         // m
   double rate = 5e-6 / 60;      // m^3/s: less than this counts as no bleeding
+  double from = 20e-6 / 60;     // m^3/s: it must have bled so fast before it can be stopped
   Vec3 normal = Vec3::UnitX();  // of the plane; unit, in the world
   VesselKind vessel = VesselKind::PortalVein;
   double thinnest = 0.002;  // m: least diameter of the vessel
@@ -81,7 +82,7 @@ struct Task {
   bool guidance = true;                  // target and next step may be shown
   bool familiarisation = true;           // the first attempt is not graded
   bool undo = true;                      // work may be taken back
-  double forceLimit = 3;                 // N: above it, a force counts as an error
+  std::optional<double> forceLimit;  // N: above it, a force counts as an error; see forceLimitOf()
   std::string forceLimitSource = "setting of the task";
   std::vector<TaskLimit> limits;                 // of all levels
   std::array<std::vector<TaskLimit>, 3> levels;  // per level: these replace those in `limits`
@@ -97,5 +98,15 @@ struct Task {
 
 // The limits that count at a level.
 std::vector<TaskLimit> limitsAt(const Task& task, TaskLevel level);
+// The most that a measure may be at the task's own level; none: it has no such limit.
+std::optional<double> mostOf(const Task& task, std::string_view measure);
+
+// The force above which a force counts as an error at the task's own level, and whose it is: the
+// most of `force_peak_n` there, or else the task's `force_limit`. None if it has neither.
+struct ForceLimit {
+  double force = 0;  // N
+  std::string source;
+};
+std::optional<ForceLimit> forceLimitOf(const Task& task);
 
 }  // namespace resect

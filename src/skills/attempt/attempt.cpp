@@ -9,12 +9,12 @@ std::vector<Track> tracksOf(const Attempt& attempt, const InstrumentRecord& inst
   std::vector<Track> tracks;
   bool before = false;
   for (const ToolMoment& now : instrument.moments) {
-    if (now.inHand && !before) tracks.push_back({attempt.interval, {}, {}, instrument.axis});
-    if (now.inHand) {
+    if (now.taken && !before) tracks.push_back({attempt.interval, {}, {}, instrument.axis});
+    if (now.taken) {
       tracks.back().tip.push_back(now.tip);
       tracks.back().turn.push_back(now.turn);
     }
-    before = now.inHand;
+    before = now.taken;
   }
   return tracks;
 }
@@ -39,6 +39,14 @@ double bleedingRate(const Attempt& attempt, std::size_t frame) {
   const double span =
       frame > second ? attempt.time[frame] - attempt.time[from] : attempt.time[frame];
   return span > 0 ? (attempt.bled[frame] - before) / span : 0;
+}
+
+std::optional<std::size_t> worstBleeding(const Attempt& attempt) {
+  std::optional<std::size_t> worst;
+  double most = 0;
+  for (std::size_t f = 0; f < attempt.bled.size(); ++f)
+    if (const double rate = bleedingRate(attempt, f); rate > most) most = rate, worst = f;
+  return worst;
 }
 
 }  // namespace resect

@@ -21,7 +21,9 @@ struct ToolMoment {
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
   double force = 0;  // N, of the tissue on the instrument
   double squeeze = 0, pedal = 0;
-  bool inHand = false;
+  bool inHand = false;  // and able to touch
+  // In hand, or carried over the organ by a hand that points at it: away from where it lies.
+  bool taken = false;
   bool works = false;  // it touches or cuts an organ
   bool grips = false;  // it holds tissue
 };
@@ -118,11 +120,13 @@ struct Attempt {
   double duration() const { return time.empty() ? 0 : time.back(); }
 };
 
-// The stretches in which an instrument was in hand.
+// The stretches in which an instrument was taken: its whole way, hovering included.
 std::vector<Track> tracksOf(const Attempt& attempt, const InstrumentRecord& instrument);
 // The first and the last frame in which any instrument was at work; nothing if none was.
 std::optional<SampleRange> workOf(const Attempt& attempt);
 // Rate of bleeding at the end of a frame, mean over the second before it, m^3/s.
 double bleedingRate(const Attempt& attempt, std::size_t frame);
+// The frame at whose end this rate was largest; nothing if nothing bled.
+std::optional<std::size_t> worstBleeding(const Attempt& attempt);
 
 }  // namespace resect

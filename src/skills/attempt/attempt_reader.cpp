@@ -4,9 +4,20 @@
 #include <cmath>
 #include <filesystem>
 
+#include "geometry/rotation.h"
 #include "operation/live/operation_events.h"
 
 namespace resect {
+namespace {
+
+// Whether an instrument lies where it belongs while nobody has it. The pose of one that a hand
+// carries over the organ without working is recorded like any other.
+bool lies(const Pose& pose, const Pose& rest) {
+  return (pose.position - rest.position).norm() < 1e-4 &&
+         angleBetween(pose.rotation, rest.rotation) < 1e-2;
+}
+
+}  // namespace
 
 AttemptReader::AttemptReader(Attempt& attempt, const Scenario& scenario,
                              const Simulation& simulation)
@@ -22,6 +33,7 @@ AttemptReader::AttemptReader(Attempt& attempt, const Scenario& scenario,
                                     std::filesystem::path(scenario.tools[t].model).stem().string(),
                                     model.axis.normalized(),
                                     {}});
+    rests_.push_back(scenario.tools[t].rest);
   }
   if (attempt_.task) goal_.emplace(attempt_.task->goal, scenario, simulation);
   if (attempt_.task && attempt_.task->goal.kind == TaskGoal::Kind::Resect) {
@@ -86,6 +98,7 @@ ToolMoment AttemptReader::momentOf(const Simulation& simulation, const StepRepor
   now.tip = state.pose() * state.tool->model.tip;
   now.turn = state.pose().rotation;
   now.inHand = state.inHand;
+  now.taken = state.inHand || !lies(state.pose(), rests_[t]);
   now.force = t < report.toolForce.size() ? report.toolForce[t].norm() : 0;
   now.squeeze = state.way.to.squeeze, now.pedal = state.way.to.pedal;
   now.works = now.inHand && worksOnOrgan(report, simulation, t);

@@ -38,6 +38,7 @@ class AttemptReader {
   void addSpecimens(const OrganLedger& organ, std::size_t number);
 
   Attempt& attempt_;
+  std::vector<Pose> rests_;  // of the instruments
   LedgerBooks books_;
   std::int64_t second_;  // frames
   VesselWatch vessels_;

@@ -97,8 +97,8 @@ std::string difficultyTable(const TaskCourse& task) {
 std::string settingsText(const LearningTest& test) {
   return fmt::format(
       "LC-CUSUM: inadequate failure rate {:g}, adequate {:g}, signal at {:g} "
-      "(settings). A first attempt that a task takes for familiarisation is not "
-      "graded.",
+      "(settings). A first attempt is for practice and does not count, where the task "
+      "says so.",
       test.inadequate, test.adequate, test.signal);
 }
 

@@ -27,7 +27,8 @@ Json toJson(const ClassAttempt& one) {
   for (const Measured& m : one.measures) json["measures"][m.measure] = m.value;
   json["checks"] = Json::array();
   for (const Check& c : one.checks)
-    json["checks"].push_back({{"measure", c.measure}, {"value", c.value}, {"kept", c.kept}});
+    json["checks"].push_back(
+        {{"measure", c.measure}, {"value", c.value ? Json(*c.value) : Json()}, {"kept", c.kept}});
   return json;
 }
 
@@ -41,7 +42,8 @@ ClassAttempt fromJson(const Json& json) {
       one.measures.push_back({name, "", value.get<double>()});
   for (const Json& c : json.at("checks")) {
     Check check;
-    check.measure = c.at("measure"), check.value = c.at("value"), check.kept = c.at("kept");
+    check.measure = c.at("measure"), check.kept = c.at("kept");
+    if (!c.at("value").is_null()) check.value = c.at("value").get<double>();
     one.checks.push_back(std::move(check));
   }
   return one;

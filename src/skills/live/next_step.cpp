@@ -17,11 +17,15 @@ std::string nextTouch(const Attempt& attempt, const TaskGoal& goal, std::size_t 
                : fmt::format("Touch target {} of {}.", target + 1, goal.places.size());
 }
 
-std::string nextFollow(const Attempt& attempt, const TaskGoal& goal, double covered) {
+std::string nextFollow(const Attempt& attempt, const TaskGoal& goal, const GoalResult& result) {
+  const double covered = valueOf(result.measures, "line_covered_pct").value_or(0);
   const bool held = !attempt.goal.held.empty() && attempt.goal.held.back();
   if (!goal.holdWith.empty() && !held)
     return fmt::format("Hold the tissue with the {}, and leave it holding.", goal.holdWith);
-  return covered > 0 ? fmt::format("Go on along the line: {:.0f} % done.", covered)
+  if (covered >= 100 * kLineFollowed)
+    return "The cut went too far from the line, which cannot be mended: finish, and begin again.";
+  return covered > 0 ? fmt::format("Go on along the line: {:.0f} % done; missing: {}.", covered,
+                                   result.missing)
                      : "Cut along the line, from one end to the other.";
 }
 
@@ -34,8 +38,11 @@ std::string nextResect(const Attempt& attempt, const TaskGoal& goal) {
 
 std::string nextStop(const Attempt& attempt, const TaskGoal& goal) {
   const std::vector<std::string>& steps = attempt.task->steps;
-  if (attempt.bled.empty() || attempt.bled.back() <= 0)
-    return steps.empty() ? "Nothing bleeds yet." : steps.front();
+  const auto worst = worstBleeding(attempt);
+  if (!worst) return steps.empty() ? "Nothing bleeds yet." : steps.front();
+  if (const double most = bleedingRate(attempt, *worst); most < goal.from)
+    return fmt::format("It does not bleed enough yet: {:.0f} of {:g} ml/min. {}", 60e6 * most,
+                       60e6 * goal.from, steps.empty() ? "Cut deeper." : steps.front());
   const double rate = bleedingRate(attempt, attempt.bled.size() - 1);
   return rate < goal.rate ? fmt::format("Dry: watch it for {:g} s.", goal.hold)
                           : fmt::format("Stop the bleeding of {:.0f} ml/min.", 60e6 * rate);
@@ -69,7 +76,7 @@ std::string nextStep(const Attempt& attempt, const GoalResult& goal) {
     case Kind::Touch:
       return nextTouch(attempt, wanted, nextTarget(goal));
     case Kind::Follow:
-      return nextFollow(attempt, wanted, measured(goal, "line_covered_pct"));
+      return nextFollow(attempt, wanted, goal);
     case Kind::Resect:
       return nextResect(attempt, wanted);
     case Kind::StopBleeding:

@@ -38,7 +38,10 @@ std::string htmlClip(const std::string& mp4, std::string_view about) {
 
 std::string verdictWord(const Verdict& verdict) {
   const char* word = verdict.passed ? "Passed" : "Not passed";
-  return verdict.graded ? word : fmt::format("Not graded: familiarisation ({})", word);
+  return verdict.graded
+             ? word
+             : fmt::format("First attempt, for practice: it does not count, and would {}",
+                           verdict.passed ? "have passed" : "not have passed");
 }
 
 std::string goodThings(const Verdict& verdict) {
@@ -76,10 +79,10 @@ std::string method(const Scored& scored) {
           fmt::format("Movements: faster than 50 mm/s for more than 0.2 s (PerkTutor). Idle: "
                       "slower than 5 mm/s (a setting). Smoothness, per movement: Balasubramanian "
                       "et al. 2015.")),
-      htmlText(fmt::format("Force limit {:g} N: {}.", attempt.task->forceLimit,
-                           attempt.task->forceLimitSource)),
       "Grades of bleeding: VIBe (Lewis et al. 2017); surgeons differ by one grade.",
       "Vessels are counted one by one from 2 mm on (a setting)."};
+  if (const auto limit = forceLimitOf(*attempt.task))
+    lines.push_back(htmlText(fmt::format("Force limit {:g} N: {}.", limit->force, limit->source)));
   if (attempt.undos > 0)
     lines.push_back(htmlText(
         fmt::format("Work was taken back {} times; this counts as an attempt.", attempt.undos)));

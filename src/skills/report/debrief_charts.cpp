@@ -22,7 +22,8 @@ std::vector<ChartMark> marksOf(const Verdict& verdict) {
 
 TimeChart forceChart(const Attempt& attempt) {
   TimeChart chart{"Force", "N", attempt.duration(), {}, {}, {}};
-  if (attempt.task) chart.limit = attempt.task->forceLimit;
+  if (const auto limit = attempt.task ? forceLimitOf(*attempt.task) : std::nullopt)
+    chart.limit = limit->force;
   for (std::size_t t = 0; t < attempt.instruments.size(); ++t) {
     const InstrumentRecord& one = attempt.instruments[t];
     if (!std::ranges::any_of(one.moments, &ToolMoment::inHand)) continue;

@@ -74,9 +74,9 @@ std::string wholeTable(const Debrief& debrief) {
   if (!debrief.others.empty()) table.head.push_back(number("class, median"));
   if (!debrief.references.empty()) table.head.push_back(number("reference"));
   for (const MeasureKind& kind : measureKinds()) {
-    const std::string value = valueText(last, kind.id);
-    if (value.empty()) continue;
     const Check* check = checkOf(last.verdict, kind.id);
+    const std::string value = check ? valueText(*check) : valueText(last, kind.id);
+    if (value.empty()) continue;
     const char* style = !check ? "number" : check->kept ? "number kept" : "number missed";
     std::vector<HtmlCell> row{text(kind.title), number(value, style), text(kind.unit),
                               text(check ? limitText(*check) : "")};
@@ -204,7 +204,7 @@ std::string historySection(const Debrief& debrief) {
       return number(value ? numberText(*value) : "");
     };
     table.rows.push_back({number(fmt::format("{}", i + 1)),
-                          {!one.graded  ? "not graded"
+                          {!one.graded  ? "for practice"
                            : one.passed ? "passed"
                                         : "not passed",
                            !one.graded  ? "quiet"

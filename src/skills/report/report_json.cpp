@@ -21,7 +21,7 @@ Json numberOrNull(std::optional<double> value) {
 
 Json toJson(const Check& check) {
   return {{"measure", check.measure},
-          {"value", printed(check.value)},
+          {"value", numberOrNull(check.value)},
           {"least", numberOrNull(check.least)},
           {"most", numberOrNull(check.most)},
           {"kept", check.kept},
@@ -123,7 +123,7 @@ void writeSampleRows(CsvWriter& csv, const Attempt& attempt) {
   for (std::size_t f = 0; f < attempt.time.size(); ++f)
     for (const InstrumentRecord& one : attempt.instruments) {
       const ToolMoment& m = one.moments[f];
-      if (!m.inHand) continue;
+      if (!m.taken) continue;
       csv.row(printedTime(attempt.time[f]), std::string_view(one.name), m.tip.x(), m.tip.y(),
               m.tip.z(), m.turn.w(), m.turn.x(), m.turn.y(), m.turn.z(), m.force, m.squeeze,
               m.pedal);

@@ -16,6 +16,10 @@ struct Advice {
   const char* next;
 };
 
+constexpr const char* kQuicker =
+    "Play the attempt back on the timeline, find where the hand waited or searched, and plan that "
+    "step before you begin again.";
+
 // By measure, in the order of their weight.
 constexpr Advice kAdvice[] = {
     {"vessels_unsealed", "How could the vessel have been seen before it was cut?",
@@ -62,9 +66,37 @@ constexpr Advice kAdvice[] = {
     {"path_length_m", "Which way was not needed?", "Bring the tip in on one straight way."},
     {"movements", "Which movements were searches?", "Look where to go before you move."},
     {"idle_s", "What were you waiting for?", "Say the next step aloud before the last one ends."},
-    {"time_s", "Which step took longest?", "Repeat the longest step alone a few times."},
-    {"total_time_s", "Which step took longest?", "Repeat the longest step alone a few times."},
+    {"time_s", "Which step took longest?", kQuicker},
+    {"total_time_s", "Which step took longest?", kQuicker},
 };
+
+// Measures that add up while work goes on, and those of a bleeding that is to be stopped first.
+constexpr std::string_view kAmounts[] = {"time_s",
+                                         "total_time_s",
+                                         "path_length_m",
+                                         "movements",
+                                         "rotation_deg",
+                                         "depth_m",
+                                         "idle_s",
+                                         "rotational_actions",
+                                         "force_errors",
+                                         "force_error_s",
+                                         "blood_loss_ml",
+                                         "blood_rate_ml_min",
+                                         "blood_grade",
+                                         "vessels_cut",
+                                         "vessels_open",
+                                         "vessels_unsealed",
+                                         "clips",
+                                         "seal_time_s",
+                                         "inflow_occluded_s",
+                                         "inflow_cycles",
+                                         "specimen_ml",
+                                         "specimen_g",
+                                         "removed_ml",
+                                         "torn_bonds",
+                                         "cut_cm2",
+                                         "undos"};
 
 const Advice* adviceFor(std::string_view measure) {
   const auto at =
@@ -90,8 +122,9 @@ std::string capitalised(std::string text) {
 
 std::string gapText(const Check& check) {
   const MeasureKind& kind = *findMeasure(check.measure);
-  return fmt::format("{}: {}, wanted {}.", capitalised(std::string(kind.title)),
-                     measureText(check.measure, check.value), limitText(check));
+  const std::string unit = kind.unit.empty() || !check.value ? "" : fmt::format(" {}", kind.unit);
+  return fmt::format("{}: {}{}, wanted {}.", capitalised(std::string(kind.title)), valueText(check),
+                     unit, limitText(check));
 }
 
 struct Peak {
@@ -131,7 +164,9 @@ void tellBlood(const Attempt& attempt, Deduction& d) {
   const VesselStory* worst = worstOf(attempt);
   if (!worst) return;
   d.time = worst->cut;
-  d.fact += fmt::format(" Most of it, {} ml, came from the {} that was cut at {}.",
+  const bool most = !attempt.bled.empty() && worst->bled > 0.5 * attempt.bled.back();
+  d.fact += fmt::format(" {}, {} ml, came from the {} that was cut at {}.",
+                        most ? "Most of the blood" : "The largest share of one vessel",
                         bloodText(worst->bled), vesselText(*worst), timeText(worst->cut));
 }
 
@@ -188,6 +223,7 @@ std::vector<Deduction> findings(const Attempt& attempt, const GoalResult& goal,
   std::ranges::copy_if(checks, std::back_inserter(failed), [](const Check& c) { return !c.kept; });
   std::ranges::stable_sort(failed, {}, [](const Check& c) { return weightOf(c.measure); });
   for (const Check& check : failed) {
+    if (ranOut(check, goal)) continue;
     if (check.measure == "vessels_unsealed")
       for (Deduction& one : vesselFindings(attempt)) found.push_back(std::move(one));
     else
@@ -200,10 +236,27 @@ std::vector<std::string> praise(const Attempt& attempt, const GoalResult& goal,
                                 const std::vector<Check>& checks) {
   std::vector<std::string> good;
   if (goal.reached) good.push_back(goal.sentence);
+  if (!goal.reached && !workOf(attempt)) return good;
   for (const Check& check : checks)
-    if (check.kept) good.push_back(gapText(check));
+    if (check.kept && (goal.reached || std::ranges::count(kAmounts, check.measure) == 0))
+      good.push_back(gapText(check));
   if (attempt.undos == 0 && attempt.task->undo == false) good.push_back("Nothing was taken back.");
   return good;
+}
+
+bool ranOut(const Check& check, const GoalResult& goal) {
+  return !goal.reached && !check.kept && check.measure == "total_time_s" && check.most &&
+         check.value && *check.value > *check.most;
+}
+
+std::string valueText(const Check& check) {
+  if (!check.value) return "never";
+  const std::string text = numberText(*check.value);
+  const auto looksLike = [&](std::optional<double> limit) {
+    return limit && *limit != *check.value && numberText(*limit) == text;
+  };
+  const bool unclear = !check.kept && (looksLike(check.least) || looksLike(check.most));
+  return unclear ? fmt::format("{:.6g}", *check.value) : text;
 }
 
 std::string numberText(double value) {

@@ -14,6 +14,52 @@ namespace {
 
 using Kind = TaskGoal::Kind;
 
+// How far from a line an instrument may work, m.
+double farthestOff(const Task& task) {
+  const auto most = mostOf(task, "off_line_most_mm");
+  return most ? 1e-3 * *most : task.goal.radius;
+}
+
+// "no farther than 8 mm from it", or that the strip and the farthest place differ.
+std::string nearText(const Task& task) {
+  const double strip = 1e3 * task.goal.radius, most = 1e3 * farthestOff(task);
+  if (std::abs(strip - most) < 1e-6) return fmt::format("no farther than {:g} mm from it", most);
+  return fmt::format("{:.0f} % of it within {:g} mm and nowhere farther than {:g} mm from it",
+                     100 * kLineFollowed, strip, most);
+}
+
+// How the target that comes after those that were held was missed, from frame `from` on.
+struct Missed {
+  std::string sentence;
+  double time = 0;  // s
+};
+
+Missed missedTarget(const Attempt& attempt, const TaskGoal& goal, std::size_t target,
+                    std::size_t from) {
+  const std::vector<float>& distance = attempt.goal.distance[target];
+  std::size_t nearest = from, longest = 0, since = from, inside = 0;
+  for (std::size_t f = from; f < distance.size(); ++f) {
+    if (distance[f] < distance[nearest]) nearest = f;
+    inside = double(distance[f]) <= goal.radius ? inside + 1 : 0;
+    if (inside > longest) longest = inside, since = f + 1 - inside;
+  }
+  const std::size_t number = target + 1;
+  if (from >= distance.size())
+    return {fmt::format(" Target {} was not begun.", number), attempt.duration()};
+  if (longest > 0)
+    return {fmt::format(" Target {} was held for {:.1f} s at most.", number,
+                        attempt.interval * double(longest)),
+            attempt.time[since]};
+  if (std::isfinite(distance[nearest]))
+    return {fmt::format(" The tip came no nearer than {:.0f} mm to target {}; {:g} mm is near "
+                        "enough.",
+                        1e3 * double(distance[nearest]), number, 1e3 * goal.radius),
+            attempt.time[nearest]};
+  // Nothing touched any more: the middle of that time shows the search.
+  return {fmt::format(" Target {} was not touched.", number),
+          attempt.time[from + (distance.size() - from) / 2]};
+}
+
 GoalResult touchResult(const Attempt& attempt, const TaskGoal& goal) {
   GoalResult result;
   const auto frames = std::size_t(std::max(1.0, std::round(goal.hold / attempt.interval)));
@@ -31,19 +77,27 @@ GoalResult touchResult(const Attempt& attempt, const TaskGoal& goal) {
   }
   const std::size_t targets = attempt.goal.distance.size();
   result.reached = targets > 0 && held == targets;
+  result.done = targets > 0 ? double(held) / double(targets) : 0;
   result.measures.push_back({"targets_held", "", double(held)});
   if (held > 0) result.measures.push_back({"drift_mm", "", 1e3 * drift});
-  result.sentence = result.reached
-                        ? fmt::format("All {} targets were touched and held.", targets)
-                        : fmt::format("{} of {} targets were touched and held for {:g} s.", held,
-                                      targets, goal.hold);
+  if (result.reached) {
+    result.sentence = fmt::format("All {} targets were touched and held.", targets);
+    return result;
+  }
+  result.sentence =
+      fmt::format("{} of {} targets were touched and held for {:g} s.", held, targets, goal.hold);
+  if (held >= targets) return result;
+  const Missed missed = missedTarget(attempt, goal, held, from);
+  result.time = missed.time;
+  result.sentence += missed.sentence;
   return result;
 }
 
-// The share of a line near which the instrument worked: between the places of two frames that
-// follow each other it is taken to have worked all the way.
-double coveredShare(const GoalTrace& trace, double radius) {
-  constexpr double kBin = 0.001;  // m
+constexpr double kBin = 0.001;  // m: of a line
+
+// For each millimetre of a line whether the instrument worked near it: between the places of two
+// frames that follow each other it is taken to have worked all the way.
+std::vector<char> coveredBins(const GoalTrace& trace, double radius) {
   const auto bins = std::size_t(std::max(1.0, std::ceil(trace.lineLength / kBin)));
   std::vector<char> covered(bins, 0);
   const auto binOf = [&](double along) {
@@ -57,7 +111,39 @@ double coveredShare(const GoalTrace& trace, double radius) {
     const std::size_t before = follows ? binOf(trace.work[i - 1].along) : here;
     for (std::size_t b = std::min(here, before); b <= std::max(here, before); ++b) covered[b] = 1;
   }
-  return double(std::ranges::count(covered, 1)) / double(bins);
+  return covered;
+}
+
+// Stretches of a line that were not followed, the longest first, in bins: first and one past last.
+using Stretch = std::pair<std::size_t, std::size_t>;
+std::vector<Stretch> stretchesWithout(const std::vector<char>& covered) {
+  std::vector<Stretch> missing;
+  for (std::size_t b = 0; b < covered.size(); ++b) {
+    if (covered[b]) continue;
+    if (missing.empty() || missing.back().second != b) missing.emplace_back(b, b);
+    missing.back().second = b + 1;
+  }
+  std::ranges::stable_sort(missing, std::greater<>(),
+                           [](const Stretch& s) { return s.second - s.first; });
+  return missing;
+}
+
+// "20 to 28 mm and 51 to 60 mm": the longest three, in their order along the line.
+std::string stretchText(std::vector<Stretch> missing) {
+  missing.resize(std::min<std::size_t>(missing.size(), 3));
+  std::ranges::sort(missing);
+  std::string text;
+  for (const Stretch& s : missing)
+    text += fmt::format("{}{} to {} mm", text.empty() ? "" : " and ", s.first, s.second);
+  return text;
+}
+
+// When work was nearest to the middle of a stretch of the line, along it.
+double timeNear(const Attempt& attempt, const Stretch& stretch) {
+  const double middle = 0.5 * kBin * double(stretch.first + stretch.second);
+  const auto nearest = std::ranges::min_element(
+      attempt.goal.work, {}, [&](const WorkMoment& w) { return std::abs(w.along - middle); });
+  return attempt.time[nearest->frame];
 }
 
 // Mean and largest distance of the work from line or plane, m, and when it was largest.
@@ -75,26 +161,41 @@ Off offOf(const Attempt& attempt) {
 
 GoalResult followResult(const Attempt& attempt, const TaskGoal& goal) {
   GoalResult result;
-  const double covered = coveredShare(attempt.goal, goal.radius);
+  const std::vector<char> bins = coveredBins(attempt.goal, goal.radius);
+  const double covered = double(std::ranges::count(bins, 1)) / double(bins.size());
   result.measures.push_back({"line_covered_pct", "", 100 * covered});
-  if (!attempt.goal.work.empty()) {
-    const Off off = offOf(attempt);
-    result.measures.push_back({"off_line_mm", "", 1e3 * off.mean});
-    result.measures.push_back({"off_line_most_mm", "", 1e3 * off.most});
-    result.time = off.time;
+  if (attempt.goal.work.empty()) {
+    result.sentence = "The line was not cut at all.";
+    return result;
   }
-  if (!goal.holdWith.empty() && !attempt.goal.work.empty()) {
+  const Off off = offOf(attempt);
+  result.measures.push_back({"off_line_mm", "", 1e3 * off.mean});
+  result.measures.push_back({"off_line_most_mm", "", 1e3 * off.most});
+  if (!goal.holdWith.empty()) {
     const auto held = std::ranges::count_if(
         attempt.goal.work, [&](const WorkMoment& w) { return attempt.goal.held[w.frame] != 0; });
     result.measures.push_back(
         {"held_pct", "", 100 * double(held) / double(attempt.goal.work.size())});
   }
-  result.reached = covered >= kLineFollowed;
-  result.sentence =
-      attempt.goal.work.empty()
-          ? "The line was not cut at all."
-          : fmt::format("{:.0f} % of the line was followed within {:g} mm; {:.0f} % is wanted.",
-                        100 * covered, 1e3 * goal.radius, 100 * kLineFollowed);
+  const std::vector<Stretch> missing = stretchesWithout(bins);
+  const bool whole = covered >= kLineFollowed;
+  const double allowed = farthestOff(*attempt.task);
+  // A limit of the task on this is a check of its own.
+  const bool strayed = off.most > allowed && !mostOf(*attempt.task, "off_line_most_mm");
+  result.missing = stretchText(missing);
+  result.reached = whole && !strayed;
+  result.done = std::min(1.0, covered / kLineFollowed) * (strayed ? allowed / off.most : 1);
+  result.time = whole || missing.empty() ? off.time : timeNear(attempt, missing[0]);
+  result.sentence = fmt::format(
+      "{:.0f} % of the line was followed within {:g} mm{}.", 100 * covered, 1e3 * goal.radius,
+      whole ? "" : fmt::format("; {:.0f} % is wanted", 100 * kLineFollowed));
+  if (!missing.empty())
+    result.sentence += fmt::format(" Not followed: {} from its beginning.", result.missing);
+  if (strayed)
+    result.sentence += fmt::format(
+        " The instrument went {:.0f} mm from the line; {:g} mm is "
+        "allowed.",
+        1e3 * off.most, 1e3 * allowed);
   return result;
 }
 
@@ -107,6 +208,10 @@ GoalResult resectResult(const Attempt& attempt, const TaskGoal& goal) {
   result.measures.push_back({"target_left_ml", "", 1e6 * left});
   if (attempt.margin) result.measures.push_back({"margin_mm", "", 1e3 * *attempt.margin});
   result.reached = whole && attempt.margin && *attempt.margin >= goal.margin;
+  // Half of it is the structure, the other half its margin.
+  result.done = attempt.targetBefore > 0 ? 0.5 * taken / attempt.targetBefore : 0;
+  if (whole)
+    result.done = result.reached ? 1 : 0.5 + 0.5 * attempt.margin.value_or(0) / goal.margin;
   if (!whole)
     result.sentence = fmt::format(
         "The {} did not come out in one piece: {:.1f} of {:.1f} ml were "
@@ -122,29 +227,51 @@ GoalResult resectResult(const Attempt& attempt, const TaskGoal& goal) {
 
 GoalResult stopResult(const Attempt& attempt, const TaskGoal& goal) {
   GoalResult result;
-  const auto first = std::ranges::find_if(attempt.bled, [](double b) { return b > 0; });
-  if (first == attempt.bled.end()) {
+  const auto worst = worstBleeding(attempt);
+  if (!worst) {
     result.sentence = "Nothing bled, so nothing was stopped.";
     return result;
   }
+  const double most = bleedingRate(attempt, *worst);
+  if (most < goal.from) {
+    result.time = attempt.time[*worst];
+    result.sentence = fmt::format(
+        "It bled at {:.0f} ml/min at most; a bleeding of {:g} ml/min or more was to be stopped.",
+        60e6 * most, 60e6 * goal.from);
+    return result;
+  }
+  const auto first = std::ranges::find_if(attempt.bled, [](double b) { return b > 0; });
   const auto start = std::size_t(first - attempt.bled.begin());
   std::size_t stopped = attempt.bled.size();
   while (stopped > start && bleedingRate(attempt, stopped - 1) < goal.rate) --stopped;
   const bool still = stopped < attempt.bled.size();
   const double quiet = still ? attempt.duration() - attempt.time[stopped] : 0;
   result.reached = still && quiet >= goal.hold;
-  const double end = still ? attempt.time[stopped] : attempt.duration();
-  result.time = end;
-  result.measures.push_back({"bleeding_s", "", end - attempt.time[start]});
-  const double rate = 60e6 * bleedingRate(attempt, attempt.bled.size() - 1);
+  result.time = still ? attempt.time[stopped] : attempt.duration();
+  const double rate = bleedingRate(attempt, attempt.bled.size() - 1);
+  if (result.reached) {
+    // Only a bleeding that was stopped has a time until it was.
+    const double took = *result.time - attempt.time[start];
+    result.done = 1;
+    result.measures.push_back({"bleeding_s", "", took});
+    result.sentence = fmt::format(
+        "The bleeding was stopped {:.1f} s after it began; {:.0f} ml "
+        "were lost.",
+        took, 1e6 * attempt.bled.back());
+    return result;
+  }
+  constexpr double kNearly = 0.9;  // of a bleeding that has not been quiet for long enough
+  if (most > goal.rate)
+    result.done = kNearly * std::clamp((most - rate) / (most - goal.rate), 0.0, 1.0);
   result.sentence =
-      result.reached
-          ? fmt::format("The bleeding was stopped {:.1f} s after it began; {:.0f} ml were lost.",
-                        end - attempt.time[start], 1e6 * attempt.bled.back())
-          : fmt::format(
-                "It still bled at {:.0f} ml/min at the end (grade {} of 4); less than "
-                "{:g} ml/min for {:g} s is wanted.",
-                rate, bleedingGrade(rate / 60e6), 60e6 * goal.rate, goal.hold);
+      still ? fmt::format(
+                  "The bleeding was below {:g} ml/min for the last {:.1f} s only; {:g} s "
+                  "are wanted.",
+                  60e6 * goal.rate, quiet, goal.hold)
+            : fmt::format(
+                  "It still bled at {:.0f} ml/min at the end (grade {} of 4); less than "
+                  "{:g} ml/min for {:g} s is wanted.",
+                  60e6 * rate, bleedingGrade(rate), 60e6 * goal.rate, goal.hold);
   return result;
 }
 
@@ -159,12 +286,17 @@ GoalResult divideResult(const Attempt& attempt, const TaskGoal& goal) {
         (v.place - place).norm() < kNear &&
         (!vessel || (v.place - place).norm() < (vessel->place - place).norm()))
       vessel = &v;
+  // Three steps: a clip, another one, the cut. A vessel that was cut gets no more of them.
   if (!vessel) {
+    const auto clips = std::ranges::count_if(
+        attempt.clips, [&](const ClipPlaced& c) { return (c.place - place).norm() < kNear; });
+    result.done = double(std::min<std::ptrdiff_t>(clips, 2)) / 3;
     result.sentence = fmt::format("The {} was not divided.", nameOf(goal.vessel));
     return result;
   }
   result.time = vessel->cut;
   result.reached = vessel->clippedRoot && vessel->clippedFar;
+  result.done = result.reached ? 1 : double(int(vessel->clippedRoot) + vessel->clippedFar) / 3;
   const char* which = vessel->clippedRoot ? "the far side" : "the side of the heart";
   result.sentence =
       result.reached
@@ -178,21 +310,26 @@ GoalResult divideResult(const Attempt& attempt, const TaskGoal& goal) {
 
 GoalResult transectResult(const Attempt& attempt, const TaskGoal& goal) {
   GoalResult result;
+  double near = 0;
   if (!attempt.goal.work.empty()) {
     const Off off = offOf(attempt);
+    near = off.most;
     result.measures.push_back({"off_plane_mm", "", 1e3 * off.mean});
     result.measures.push_back({"off_plane_most_mm", "", 1e3 * off.most});
     result.time = off.time;
   }
-  const double near = attempt.goal.work.empty() ? 0 : 1e-3 * result.measures[1].value;
-  const bool off = !attempt.specimens.empty();
-  result.reached = off && near <= goal.radius;
-  result.sentence =
-      off ? fmt::format(
-                "A part of {:.0f} ml came off; the cut strayed from the plane by at most "
-                "{:.1f} mm, allowed are {:g} mm.",
-                1e6 * attempt.specimens[0].volume, 1e3 * near, 1e3 * goal.radius)
-          : "No part came off.";
+  if (attempt.specimens.empty()) {
+    if (!attempt.goal.work.empty()) result.time = attempt.time[attempt.goal.work.back().frame];
+    result.sentence = "No part came off.";
+    return result;
+  }
+  // Half of it is the part, the other half its plane.
+  result.reached = near <= goal.radius;
+  result.done = result.reached ? 1 : 0.5 + 0.5 * goal.radius / near;
+  result.sentence = fmt::format(
+      "A part of {:.0f} ml came off; the cut strayed from the plane by at most {:.1f} mm, allowed "
+      "are {:g} mm.",
+      1e6 * attempt.specimens[0].volume, 1e3 * near, 1e3 * goal.radius);
   return result;
 }
 
@@ -225,15 +362,15 @@ std::string goalSentence(const Task& task) {
       return fmt::format("Touch {} targets in turn, and hold each for {:g} s within {:g} mm.",
                          goal.places.size(), goal.hold, 1e3 * goal.radius);
     case Kind::Follow:
-      return fmt::format("Cut along the line, no farther than {:g} mm from it{}.",
-                         1e3 * goal.radius,
+      return fmt::format("Cut along the line, {}{}.", nearText(task),
                          goal.holdWith.empty() ? "" : ", while the other hand holds the tissue");
     case Kind::Resect:
       return fmt::format("Take out the {} in one piece, with a margin of {:g} mm on all sides.",
                          goal.structure, 1e3 * goal.margin);
     case Kind::StopBleeding:
-      return fmt::format("Stop the bleeding: less than {:g} ml/min for {:g} s.", 60e6 * goal.rate,
-                         goal.hold);
+      return fmt::format(
+          "Stop a bleeding of {:g} ml/min or more: less than {:g} ml/min for {:g} s.",
+          60e6 * goal.from, 60e6 * goal.rate, goal.hold);
     case Kind::Divide:
       return fmt::format("Divide the {} between two clips.", nameOf(goal.vessel));
     case Kind::Transect:

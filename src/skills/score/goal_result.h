@@ -10,9 +10,11 @@ namespace resect {
 
 struct GoalResult {
   bool reached = false;
+  double done = 0;                 // share of the goal that was done, 0 to 1; 1 if it is reached
   std::string sentence;            // what was reached or missed, for people
   std::optional<double> time;      // s: when the goal was reached, or where it was missed
   std::vector<Measured> measures;  // that only this goal has
+  std::string missing;             // of a line: stretches that were not followed; else empty
 };
 
 // A line counts as followed if this share of it was.

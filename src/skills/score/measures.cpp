@@ -100,10 +100,15 @@ struct Errors {
   double time = 0;
 };
 
+std::optional<ForceLimit> limitOf(const Attempt& attempt) {
+  return attempt.task ? forceLimitOf(*attempt.task) : std::nullopt;
+}
+
 Errors errorsOf(const std::vector<double>& force, const Attempt& attempt) {
   Errors errors;
-  if (!attempt.task) return errors;
-  for (const SampleRange& range : forceErrors(force, attempt.task->forceLimit)) {
+  const auto limit = limitOf(attempt);
+  if (!limit) return errors;
+  for (const SampleRange& range : forceErrors(force, limit->force)) {
     ++errors.count;
     errors.time += attempt.interval * double(range.count());
   }
@@ -117,7 +122,7 @@ void putForces(Sheet& sheet, const std::vector<double>& force, const Errors& err
   sheet.put("force_p95_n", figures.p95);
   sheet.put("force_mean_n", figures.mean);
   sheet.put("force_sd_n", figures.deviation);
-  if (!attempt.task) return;
+  if (!limitOf(attempt)) return;
   sheet.put("force_errors", errors.count);
   sheet.put("force_error_s", errors.time);
 }
@@ -155,7 +160,7 @@ std::optional<double> handsTogether(const Attempt& attempt) {
       for (std::size_t f = 1; f < attempt.time.size(); ++f) {
         const ToolMoment &a0 = tools[a].moments[f - 1], &a1 = tools[a].moments[f];
         const ToolMoment &b0 = tools[b].moments[f - 1], &b1 = tools[b].moments[f];
-        if (!(a0.inHand && a1.inHand && b0.inHand && b1.inHand)) continue;
+        if (!(a0.taken && a1.taken && b0.taken && b1.taken)) continue;
         speedA.push_back((a1.tip - a0.tip).norm()), speedB.push_back((b1.tip - b0.tip).norm());
       }
       if (speedA.size() < most) continue;
@@ -173,12 +178,13 @@ void putVessels(Sheet& sheet, const Attempt& attempt) {
     ++cut;
     if (!v.clippedRoot) ++unsealed;
     if (!v.closed) ++open;
-    longest = std::max(longest, v.closed.value_or(attempt.duration()) - v.cut);
+    if (v.closed) longest = std::max(longest, *v.closed - v.cut);
   }
   sheet.put("vessels_cut", cut);
   sheet.put("vessels_unsealed", unsealed);
   sheet.put("vessels_open", open);
-  if (cut > 0) sheet.put("seal_time_s", longest);
+  // As long as one is open, there is no such time.
+  if (cut > 0 && open == 0) sheet.put("seal_time_s", longest);
   sheet.put("clips", double(attempt.clips.size()));
 }
 

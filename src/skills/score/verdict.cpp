@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "operation/task/measure.h"
 #include "skills/score/findings.h"
 
@@ -11,7 +12,7 @@ namespace resect {
 namespace {
 
 bool keeps(const Check& check) {
-  return (!check.least || check.value >= *check.least) &&
+  return check.value && (!check.least || check.value >= *check.least) &&
          (!check.most || check.value <= *check.most);
 }
 
@@ -24,9 +25,10 @@ std::vector<Check> checksOf(const Task& task, TaskLevel level, std::span<const M
   const auto add = [&](const std::string& measure, std::optional<double> least,
                        std::optional<double> most, std::string source) {
     const auto value = valueOf(measures, measure);
-    // What cannot be measured here, as a margin where nothing was cut, is a matter of the goal.
-    if (!value) return;
-    Check check{measure, *value, least, most, true, isAsked(task, measure), std::move(source)};
+    const bool open = measure == "seal_time_s" && valueOf(measures, "vessels_open").value_or(0) > 0;
+    // What else cannot be measured, as a margin where nothing was cut, is a matter of the goal.
+    if (!value && !open) return;
+    Check check{measure, value, least, most, true, isAsked(task, measure), std::move(source)};
     check.kept = keeps(check);
     checks.push_back(std::move(check));
   };
@@ -70,14 +72,24 @@ std::vector<Deduction> brokenRules(const Attempt& attempt) {
   return broken;
 }
 
+// Of checks; 1 if there are none.
+double keptShare(const std::vector<Check>& checks) {
+  if (checks.empty()) return 1;
+  return double(std::ranges::count(checks, true, &Check::kept)) / double(checks.size());
+}
+
 std::string reasonOf(const Verdict& verdict, std::size_t rules) {
   std::string failed;
   for (const Check& check : verdict.checks)
-    if (check.counts && !check.kept)
+    if (check.counts && !check.kept && !ranOut(check, verdict.goal))
       failed.append(failed.empty() ? "" : ", ").append(findMeasure(check.measure)->title);
   if (rules > 0) return verdict.deductions[0].fact;
+  const auto clock = std::ranges::find_if(
+      verdict.checks, [&](const Check& check) { return ranOut(check, verdict.goal); });
+  const std::string over =
+      clock == verdict.checks.end() ? "" : fmt::format(" The time of {:g} s was up.", *clock->most);
   if (!verdict.goal.reached)
-    return verdict.goal.sentence +
+    return verdict.goal.sentence + over +
            (failed.empty() ? "" : fmt::format(" Besides, not as wanted: {}.", failed));
   if (!failed.empty()) return fmt::format("The goal was reached, but not as wanted: {}.", failed);
   return verdict.goal.sentence;
@@ -87,7 +99,8 @@ std::string reasonOf(const Verdict& verdict, std::size_t rules) {
 
 Scored score(Attempt attempt, std::optional<TaskLevel> level, bool graded) {
   Scored scored;
-  scored.level = level.value_or(attempt.task ? attempt.task->level : TaskLevel::Medium);
+  require(attempt.task.has_value(), "{}: has no task to be scored by; give one", attempt.file);
+  scored.level = attempt.task->level = level.value_or(attempt.task->level);
   Verdict& verdict = scored.verdict;
   verdict.graded = graded;
   verdict.goal = goalResult(attempt);
@@ -100,13 +113,11 @@ Scored score(Attempt attempt, std::optional<TaskLevel> level, bool graded) {
   const std::vector<Deduction> found = findings(attempt, verdict.goal, verdict.checks);
   verdict.deductions.insert(verdict.deductions.end(), found.begin(), found.end());
   verdict.good = praise(attempt, verdict.goal, verdict.checks);
-  const auto kept = [](const Check& c) { return c.kept; };
   verdict.passed =
       rules == 0 && verdict.goal.reached &&
       std::ranges::all_of(verdict.checks, [&](const Check& c) { return !c.counts || c.kept; });
-  verdict.score = (double(verdict.goal.reached && rules == 0) +
-                   double(std::ranges::count_if(verdict.checks, kept))) /
-                  double(1 + verdict.checks.size());
+  verdict.score = 0.5 * verdict.goal.done;
+  if (verdict.goal.reached && rules == 0) verdict.score += 0.5 * keptShare(verdict.checks);
   verdict.reason = reasonOf(verdict, rules);
   scored.attempt = std::move(attempt);
   return scored;

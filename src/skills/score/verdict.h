@@ -14,7 +14,8 @@ namespace resect {
 // A measure that was compared with a limit or band of the task.
 struct Check {
   std::string measure;
-  double value = 0;
+  // None: what it measures never came about, such as the closing of a vessel.
+  std::optional<double> value;
   std::optional<double> least, most;
   bool kept = true;
   bool counts = true;  // for pass or fail
@@ -33,7 +34,9 @@ struct Verdict {
   bool passed = false;
   bool graded = true;
   std::string reason;  // one sentence
-  double score = 0;    // share of the goal and the checks that were kept, 0 to 1
+  // 0 to 1: half of it is the share of the goal that was done; the other half, which counts only if
+  // the goal was reached and no rule broken, the share of the checks that were kept.
+  double score = 0;
   GoalResult goal;
   std::vector<Check> checks;
   std::vector<Deduction> deductions;  // the weightiest first
