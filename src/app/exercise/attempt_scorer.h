@@ -23,6 +23,8 @@ struct AttemptResult {
   bool passed = false, graded = true;
   QString reason;
   double score = 0;  // 0 to 1
+  // Of the whole recording, which may go on a few frames after the window's last picture.
+  std::optional<double> time, blood, force;  // s, ml, N
   QStringList good;
   std::vector<Evidence> evidence;
 };

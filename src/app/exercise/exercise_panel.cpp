@@ -134,13 +134,11 @@ void ExercisePanel::follow(const LiveState& state, double seconds, const Attempt
   const QString next = shown(progress.next, kLongestSentence);
   if (!next.isEmpty() && next_->text() != next) next_->setText(next);
   next_->setVisible(guidance());
-  setAmount(time_, "Time", seconds, mostOf(task_, "total_time_s"), "s", 0);
   blood_->setVisible(state.bleeds);
-  setAmount(blood_, "Blood lost", 1e6 * state.bled, mostOf(task_, "blood_loss_ml"), "ml", 1);
   double force = 0;
   for (const double one : state.peakForces) force = std::max(force, one);
   force_->setVisible(state.moves);
-  setAmount(force_, "Largest force", force, mostOf(task_, "force_peak_n"), "N", 1);
+  showAmounts(seconds, 1e6 * state.bled, force);
   const bool near = guidance() && distance;
   distance_->setVisible(near);
   if (!near) return;
@@ -150,6 +148,13 @@ void ExercisePanel::follow(const LiveState& state, double seconds, const Attempt
                                                                    : "From the target: %1 mm";
   distance_->setText(QString(from).arg(1e3 * *distance, 0, 'f', 0));
   if (distance_->styleSheet() != colourOf(keeping)) distance_->setStyleSheet(colourOf(keeping));
+}
+
+void ExercisePanel::showAmounts(std::optional<double> seconds, std::optional<double> blood,
+                                std::optional<double> force) {
+  if (seconds) setAmount(time_, "Time", *seconds, mostOf(task_, "total_time_s"), "s", 0);
+  if (blood) setAmount(blood_, "Blood lost", *blood, mostOf(task_, "blood_loss_ml"), "ml", 1);
+  if (force) setAmount(force_, "Largest force", *force, mostOf(task_, "force_peak_n"), "N", 1);
 }
 
 void ExercisePanel::clearResult() {
@@ -207,11 +212,16 @@ void ExercisePanel::showResult(const AttemptResult& result) {
     addResult(label);
   };
   const char* bold = "font-weight: bold";
-  const QString grade = QString(result.passed ? "Passed" : "Not passed") +
-                        (result.graded ? "" : " (to get familiar, not graded)");
-  end_->setText(QString("%1, %2 %").arg(grade).arg(std::lround(100 * result.score)));
+  const auto percent = std::lround(100 * result.score);
+  end_->setText(result.graded
+                    ? QString("%1, %2 %").arg(result.passed ? "Passed" : "Not passed").arg(percent)
+                    : QString("Your first attempt is for practice and does not count. It reached "
+                              "%1 %, and would %2.")
+                          .arg(percent)
+                          .arg(result.passed ? "have passed" : "not have passed"));
   end_->setStyleSheet(result.passed ? "font-weight: bold; color: #35b36b"
                                     : "font-weight: bold; color: #f0603c");
+  showAmounts(result.time, result.blood, result.force);
   add(result.reason);
   if (!result.evidence.empty()) add("What to change", bold);
   for (std::size_t i = 0; i < result.evidence.size(); ++i)

@@ -44,6 +44,8 @@ class ExercisePanel : public QWidget {
  private:
   QLabel* addLine(const char* name);
   void clearResult();
+  void showAmounts(std::optional<double> seconds, std::optional<double> blood,
+                   std::optional<double> force);  // s, ml, N
   void addResult(QWidget* widget);
   void addEvidence(const Evidence& one, const QString& number);
 

@@ -146,8 +146,8 @@ KeyMoments momentsOf(const Scored& scored) {
 void printSummary(std::FILE* to, const Scored& s) {
   printLine(to, "{}: {}", s.attempt.file, s.attempt.title);
   printLine(to, "  {}{}, score {:.0f} %: {}", s.verdict.passed ? "passed" : "failed",
-            s.verdict.graded ? "" : " (familiarisation, not graded)", 100 * s.verdict.score,
-            s.verdict.reason);
+            s.verdict.graded ? "" : " (first attempt, for practice: does not count)",
+            100 * s.verdict.score, s.verdict.reason);
   for (const Deduction& d : s.verdict.deductions)
     printLine(to, "  {:>7}  {}", d.time ? timeText(*d.time) : "", d.fact);
 }
