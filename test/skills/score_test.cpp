@@ -94,6 +94,12 @@ TEST_CASE("evidence of a missed target is of that target, and not of the one bef
   CHECK(*near.time == doctest::Approx(6.1));
   CHECK(near.sentence.find("no nearer than 12 mm to target 2") != std::string::npos);
 
+  // The tip rests on the first target for longer than it need, nearer to the second than ever after.
+  Attempt rests = touching({{10, 40}, {0, 0}});
+  std::fill(rests.goal.distance[1].begin() + 10, rests.goal.distance[1].begin() + 40, 0.05f);
+  std::fill(rests.goal.distance[1].begin() + 60, rests.goal.distance[1].begin() + 70, 0.07f);
+  CHECK(*goalResult(rests).time == doctest::Approx(6.1));
+
   const GoalResult never = goalResult(touching({{10, 25}, {0, 0}}));  // held at 2 s
   CHECK(*never.time > 3);
   CHECK(never.sentence.find("Target 2 was not touched") != std::string::npos);

@@ -37,6 +37,11 @@ struct Missed {
 Missed missedTarget(const Attempt& attempt, const TaskGoal& goal, std::size_t target,
                     std::size_t from) {
   const std::vector<float>& distance = attempt.goal.distance[target];
+  // While the tip still rests on the target before, this one is not sought.
+  if (target > 0)
+    for (const std::vector<float>& before = attempt.goal.distance[target - 1];
+         from < before.size() && double(before[from]) <= goal.radius;)
+      ++from;
   std::size_t nearest = from, longest = 0, since = from, inside = 0;
   for (std::size_t f = from; f < distance.size(); ++f) {
     if (distance[f] < distance[nearest]) nearest = f;
