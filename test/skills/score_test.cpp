@@ -94,7 +94,8 @@ TEST_CASE("evidence of a missed target is of that target, and not of the one bef
   CHECK(*near.time == doctest::Approx(6.1));
   CHECK(near.sentence.find("no nearer than 12 mm to target 2") != std::string::npos);
 
-  // The tip rests on the first target for longer than it need, nearer to the second than ever after.
+  // The tip rests on the first target for longer than it need, nearer to the second than ever
+  // after.
   Attempt rests = touching({{10, 40}, {0, 0}});
   std::fill(rests.goal.distance[1].begin() + 10, rests.goal.distance[1].begin() + 40, 0.05f);
   std::fill(rests.goal.distance[1].begin() + 60, rests.goal.distance[1].begin() + 70, 0.07f);
@@ -228,6 +229,9 @@ TEST_CASE("a line is followed where work was near it, between frames too") {
   CHECK(!half.reached);
   CHECK(*valueOf(half.measures, "line_covered_pct") == doctest::Approx(48).epsilon(0.05));
   CHECK(half.sentence.find("Not followed: 29 to 60 mm") != std::string::npos);
+  REQUIRE(half.unfollowed.size() == 1);
+  CHECK(half.unfollowed[0].first == doctest::Approx(0.029));
+  CHECK(half.unfollowed[0].second == doctest::Approx(0.06));
   CHECK(half.done == doctest::Approx(0.48 / 0.9).epsilon(0.05));
   CHECK(*half.time == doctest::Approx(4.9));  // where the work was nearest to what is missing
   attempt.task->goal.holdWith = "hook";

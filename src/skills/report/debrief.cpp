@@ -116,7 +116,7 @@ std::string debriefPage(const Debrief& debrief) {
                               {"good", goodThings(last.verdict)},
                               {"changes", changes(debrief, last.verdict)},
                               {"timeline", timelines(last)},
-                              {"paths", pathViews(last.attempt)},
+                              {"paths", pathViews(last)},
                               {"margin", marginSection(last.attempt)},
                               {"figures", figureTable(debrief)},
                               {"studies", studyTable(debrief)},

@@ -96,6 +96,29 @@ std::string happenings(const Attempt& attempt) {
   return htmlList(items);
 }
 
+constexpr const char* kUnfollowed = "#e0007a";
+
+// The stretches of a line that were not followed, as places in the world.
+std::vector<std::vector<Vec3>> unfollowedPlaces(const GoalTrace& trace, const GoalResult& goal) {
+  std::vector<std::vector<Vec3>> stretches;
+  for (const auto& [from, to] : goal.unfollowed) {
+    std::vector<Vec3> stretch;
+    double along = 0;
+    for (std::size_t i = 0; i + 1 < trace.places.size(); ++i) {
+      const double length = (trace.restPlaces[i + 1] - trace.restPlaces[i]).norm();
+      const double a = std::clamp((from - along) / length, 0.0, 1.0),
+                   b = std::clamp((to - along) / length, 0.0, 1.0);
+      const auto at = [&](double share) {
+        return Vec3(trace.places[i] + share * (trace.places[i + 1] - trace.places[i]));
+      };
+      if (length > 0 && b > a) stretch.push_back(at(a)), stretch.push_back(at(b));
+      along += length;
+    }
+    stretches.push_back(std::move(stretch));
+  }
+  return stretches;
+}
+
 }  // namespace
 
 std::string timelines(const Scored& scored) {
@@ -114,7 +137,10 @@ std::string timelines(const Scored& scored) {
   return html + happenings(attempt);
 }
 
-std::string pathViews(const Attempt& attempt) {
+std::string pathViews(const Scored& scored) {
+  const Attempt& attempt = scored.attempt;
+  const std::vector<std::vector<Vec3>> unfollowed =
+      unfollowedPlaces(attempt.goal, scored.verdict.goal);
   PathView views[] = {{"From the surgeon: right, up", 0, 1, false, {}, {}, 0},
                       {"From above: right, towards the surgeon", 0, 2, true, {}, {}, 0},
                       {"From the right: towards the surgeon, up", 2, 1, false, {}, {}, 0}};
@@ -131,6 +157,11 @@ std::string pathViews(const Attempt& attempt) {
         for (const Vec3& tip : track.tip) curve.points.push_back(seen(tip));
         view.curves.push_back(std::move(curve));
       }
+    for (const std::vector<Vec3>& stretch : unfollowed) {
+      ChartCurve curve{"not followed", kUnfollowed, {}};
+      for (const Vec3& place : stretch) curve.points.push_back(seen(place));
+      view.curves.push_back(std::move(curve));
+    }
     html += htmlFigure(toSvg(view), view.title);
   }
   for (std::size_t t = 0; t < attempt.instruments.size(); ++t)
@@ -143,12 +174,18 @@ std::string pathViews(const Attempt& attempt) {
   for (std::size_t t = 0; t < attempt.instruments.size(); ++t)
     for (const Track& track : tracksOf(attempt, attempt.instruments[t]))
       turning.curves.push_back({chartColour(t), track.tip});
+  for (const std::vector<Vec3>& stretch : unfollowed)
+    turning.curves.push_back({kUnfollowed, stretch});
   const std::string figure =
       turning.curves.empty()
           ? ""
           : htmlFigure(toSvg(turning), "In space; it turns, and stops under the pointer.");
   const char* green = attempt.goal.places.empty() ? "" : "Green: the task's places.";
-  return html + "</div>\n" + figure + "<p class=\"quiet\">" + names + green + "</p>\n";
+  const std::string red =
+      unfollowed.empty()
+          ? ""
+          : fmt::format(" <span style=\"color:{}\">&#9644; not followed</span>", kUnfollowed);
+  return html + "</div>\n" + figure + "<p class=\"quiet\">" + names + green + red + "</p>\n";
 }
 
 std::string marginSection(const Attempt& attempt) {

@@ -8,7 +8,7 @@
 namespace resect {
 
 std::string timelines(const Scored& scored);
-std::string pathViews(const Attempt& attempt);
+std::string pathViews(const Scored& scored);
 // A section about the margin round the goal's structure; empty if there is none.
 std::string marginSection(const Attempt& attempt);
 

@@ -188,6 +188,8 @@ GoalResult followResult(const Attempt& attempt, const TaskGoal& goal) {
   // A limit of the task on this is a check of its own.
   const bool strayed = off.most > allowed && !mostOf(*attempt.task, "off_line_most_mm");
   result.missing = stretchText(missing);
+  for (const auto& [from, to] : missing)
+    result.unfollowed.emplace_back(kBin * double(from), kBin * double(to));
   result.reached = whole && !strayed;
   result.done = std::min(1.0, covered / kLineFollowed) * (strayed ? allowed / off.most : 1);
   result.time = whole || missing.empty() ? off.time : timeNear(attempt, missing[0]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "skills/score/measures.h"
@@ -15,6 +16,7 @@ struct GoalResult {
   std::optional<double> time;      // s: when the goal was reached, or where it was missed
   std::vector<Measured> measures;  // that only this goal has
   std::string missing;             // of a line: stretches that were not followed; else empty
+  std::vector<std::pair<double, double>> unfollowed;  // the same: from, to, m along the line
 };
 
 // A line counts as followed if this share of it was.
