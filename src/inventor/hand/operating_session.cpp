@@ -233,18 +233,14 @@ void OperatingSession::toolsChanged() {
 
 bool OperatingSession::handle(const SoEvent& event, const SbViewportRegion& viewport) {
   // While an instrument follows the pointer, a drag of the camera is the camera's until its end.
-  if (tools_.how() == ToolHandling::Hold::Guided && camera_.dragging() &&
-      camera_.handle(event, viewport)) {
-    placeScale();
-    damage_.everything = true;
-    return true;
+  if (tools_.how() != ToolHandling::Hold::Guided || !camera_.dragging()) {
+    events_.setViewportRegion(viewport);
+    events_.setEvent(&event);
+    events_.apply(root());
+    // A dragger is highlighted under the pointer.
+    if (events_.getGrabber()) damage_.everything = true;
+    if (events_.isHandled()) return true;
   }
-  events_.setViewportRegion(viewport);
-  events_.setEvent(&event);
-  events_.apply(root());
-  // A dragger is highlighted under the pointer.
-  if (events_.getGrabber()) damage_.everything = true;
-  if (events_.isHandled()) return true;
   if (camera_.handle(event, viewport)) {
     placeScale();
     tools_.aimAgain();
