@@ -1,13 +1,10 @@
 """Bipolar forceps: tweezers with insulated arms, bare tips and a plug with two pins. Millimetres.
 Its arms are those of tweezers.py."""
 
-from description import description_text, instrument_entries
-from inventor import Material, model_text
-from shapes.jaws import both_opened, half_turned, jaw_entries
+from inventor import Material
+from shapes import tweezers
 from shapes.loft import circle, close_end, close_start, loft
 from shapes.outline import arcs
-from shapes.surface import Surface
-from shapes.tweezers import OPENING, PIVOT, build_arm
 
 LENGTH = 185.0
 COAT = 0.2  # thickness of the insulation
@@ -53,51 +50,21 @@ def build_plug(surface):
         close_end(surface, rings[-1], (0.0, side * PIN_Y, LENGTH), lambda r, c: ("Pins", "tip"))
 
 
-def build():
-    """The forceps closed: two arms, the plug and its pins, which overlap."""
-    surface = Surface(unit=0.001)
-    build_arm(surface, "JawUpper", lambda p: p, COAT)
-    build_arm(surface, "JawLower", half_turned, COAT)
-    build_plug(surface)
-    return surface
-
-
 def files():
     """{file name: text} of this instrument."""
-    description = f"""
-Bipolar forceps, {LENGTH:.0f} mm long, in metres, open. Closed, the tips meet at the origin; handle
-towards +Z; the arms turn in the Y-Z plane about a line in the plug. The parts whose names begin
-with JawUpper and JawLower are wide open: viewers turn them as the forceps close.
-"""
-    opening = """
-Bipolar forceps. Lengths in metres, in the frame of bipolar.iv: the closed tips at the origin, the
-handle towards +Z; the arms move in the Y-Z plane.
-"""
-    entries = [
-        *instrument_entries(
-            "Bipolar forceps",
-            "bipolar",
-            "Insulated forceps; coagulate what lies between their bare tips",
-            "Where the tips meet (m).",
-        ),
-        *jaw_entries(
-            PIVOT,
-            OPENING,
-            at="Where the arms bend, inside the plug (m).",
-            along="Unit vector of the line that the arms turn about.",
-            between="Angle between the arms when wide open (rad).",
-        ),
-    ]
-    materials = {
-        "JawUpper": BLUE,
-        "JawUpperTip": STEEL,
-        "JawLower": BLUE,
-        "JawLowerTip": STEEL,
-        "Plug": BLACK,
-        "Pins": STEEL,
-    }
-    before = both_opened(OPENING, PIVOT, [part for part in materials if part.startswith("Jaw")])
-    return {
-        "bipolar.iv": model_text(description, build(), materials, before=before),
-        "bipolar.toml": description_text(opening, entries),
-    }
+    return tweezers.files(
+        "bipolar",
+        "Bipolar forceps",
+        "Insulated forceps; coagulate what lies between their bare tips",
+        LENGTH,
+        "plug",
+        tweezers.build(build_plug, COAT),
+        {
+            "JawUpper": BLUE,
+            "JawUpperTip": STEEL,
+            "JawLower": BLUE,
+            "JawLowerTip": STEEL,
+            "Plug": BLACK,
+            "Pins": STEEL,
+        },
+    )

@@ -1,13 +1,10 @@
 """Tissue forceps: steel tweezers whose arms meet in a block. Millimetres. Their arms are those of
 tweezers.py."""
 
-from description import description_text, instrument_entries
-from inventor import Material, model_text
-from shapes.jaws import both_opened, half_turned, jaw_entries
+from inventor import Material
+from shapes import tweezers
 from shapes.loft import close_end, close_start, loft
 from shapes.outline import arcs
-from shapes.surface import Surface
-from shapes.tweezers import OPENING, PIVOT, build_arm
 
 LENGTH = 172.0
 SLIP_FORCE = 3.0  # N
@@ -39,51 +36,21 @@ def build_block(surface):
     close_end(surface, rings[-1], (0.0, 0.0, LENGTH), label)
 
 
-def build():
-    """The forceps closed: two arms and the block, which overlap."""
-    surface = Surface(unit=0.001)
-    build_arm(surface, "JawUpper", lambda p: p)
-    build_arm(surface, "JawLower", half_turned)
-    build_block(surface)
-    return surface
-
-
 def files():
     """{file name: text} of this instrument."""
-    description = f"""
-Tissue forceps, {LENGTH:.0f} mm long, in metres, open. Closed, the tips meet at the origin; handle
-towards +Z; the arms turn in the Y-Z plane about a line in the block. The parts whose names begin
-with JawUpper and JawLower are wide open: viewers turn them as the forceps close.
-"""
-    opening = """
-Tissue forceps. Lengths in metres, in the frame of forceps.iv: the closed tips at the origin, the
-handle towards +Z; the arms move in the Y-Z plane.
-"""
-    entries = [
-        *instrument_entries(
-            "Tissue forceps",
-            "forceps",
-            "Tweezers with toothed tips; hold what is between them, and pull it",
-            "Where the tips meet (m).",
-        ),
-        *jaw_entries(
-            PIVOT,
-            OPENING,
-            at="Where the arms bend, inside the block (m).",
-            along="Unit vector of the line that the arms turn about.",
-            between="Angle between the arms when wide open (rad).",
-        ),
-        ("slip_force", SLIP_FORCE, "Beyond this pull they let go of what they hold (N)."),
-    ]
-    materials = {
-        "JawUpper": STEEL,
-        "JawUpperTip": TIPS,
-        "JawLower": STEEL,
-        "JawLowerTip": TIPS,
-        "Block": STEEL,
-    }
-    before = both_opened(OPENING, PIVOT, [part for part in materials if part.startswith("Jaw")])
-    return {
-        "forceps.iv": model_text(description, build(), materials, before=before),
-        "forceps.toml": description_text(opening, entries),
-    }
+    return tweezers.files(
+        "forceps",
+        "Tissue forceps",
+        "Tweezers with toothed tips; hold what is between them, and pull it",
+        LENGTH,
+        "block",
+        tweezers.build(build_block),
+        {
+            "JawUpper": STEEL,
+            "JawUpperTip": TIPS,
+            "JawLower": STEEL,
+            "JawLowerTip": TIPS,
+            "Block": STEEL,
+        },
+        [("slip_force", SLIP_FORCE, "Beyond this pull they let go of what they hold (N).")],
+    )

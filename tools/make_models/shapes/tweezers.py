@@ -1,9 +1,12 @@
 """Arms as tweezers have them: of forceps that are held like a pen. Millimetres.
 The two arms are one shape, turned by half a turn about the Z axis."""
 
-from shapes.jaws import middle
+from description import description_text, instrument_entries
+from inventor import model_text
+from shapes.jaws import both_opened, half_turned, jaw_entries, middle
 from shapes.loft import close_end, close_start, loft, through
 from shapes.outline import arcs
+from shapes.surface import Surface
 
 PIVOT = 156.0  # z: where the arms begin to bend
 OPENING = 0.064  # rad between the arms when wide open: 10 mm between the tips
@@ -84,3 +87,42 @@ def build_arm(surface, part, place, coat=0.0):
     close_start(surface, rings[0], middle(rings[0]), label)
     loft(surface, rings, label)
     close_end(surface, rings[-1], middle(rings[-1]), label)
+
+
+def build(build_end, coat=0.0):
+    """The tweezers closed: two arms, and what build_end(surface) adds where they meet."""
+    surface = Surface(unit=0.001)
+    build_arm(surface, "JawUpper", lambda p: p, coat)
+    build_arm(surface, "JawLower", half_turned, coat)
+    build_end(surface)
+    return surface
+
+
+def files(file, name, use, length, end, surface, materials, entries=()):
+    """{file name: text}. use: a sentence; end: where the arms meet, as "plug"; entries: more lines of the
+    description."""
+    description = f"""
+{name}, {length:.0f} mm long, in metres, open. Closed, the tips meet at the origin; handle
+towards +Z; the arms turn in the Y-Z plane about a line in the {end}. The parts whose names begin
+with JawUpper and JawLower are wide open: viewers turn them as the forceps close.
+"""
+    opening = f"""
+{name}. Lengths in metres, in the frame of {file}.iv: the closed tips at the origin, the
+handle towards +Z; the arms move in the Y-Z plane.
+"""
+    lines = [
+        *instrument_entries(name, file, use, "Where the tips meet (m)."),
+        *jaw_entries(
+            PIVOT,
+            OPENING,
+            at=f"Where the arms bend, inside the {end} (m).",
+            along="Unit vector of the line that the arms turn about.",
+            between="Angle between the arms when wide open (rad).",
+        ),
+        *entries,
+    ]
+    before = both_opened(OPENING, PIVOT, [part for part in materials if part.startswith("Jaw")])
+    return {
+        f"{file}.iv": model_text(description, surface, materials, before=before),
+        f"{file}.toml": description_text(opening, lines),
+    }
