@@ -21,6 +21,7 @@
 #include "app/widgets/operation_panel.h"
 #include "app/widgets/panels.h"
 #include "app/widgets/timeline_panel.h"
+#include "tools/parts/clip_part.h"
 
 namespace resect {
 namespace {
@@ -258,18 +259,19 @@ QString MainWindow::nextStep() const {
 
 // Says what closing the clip applier has done.
 void MainWindow::followClips(const LiveState& state) {
-  constexpr double kClosed = 0.95;  // as of the clip's jaws (tools/parts/clip_part.cpp)
   const int held = session_->tools().held();
   const bool clipper =
       held >= 0 && session_->toolModels()[std::size_t(held)].kind == "clip_applier";
   const bool closed = clipper && std::size_t(held) < state.squeeze.size() &&
-                      state.squeeze[std::size_t(held)] >= kClosed;
+                      state.squeeze[std::size_t(held)] >= kClipCloses;
   if (closed && !clipperClosed_) {
     const bool placed = state.clips > clipsBefore_;
     statusBar()->showMessage(
-        placed ? "A clip was placed"
-               : "No clip was placed: there is no open vessel within 8 mm of the jaws; point at a "
-                 "yellow ring, or change the depth with the wheel",
+        placed
+            ? "A clip was placed"
+            : QString("No clip was placed: there is no open vessel within %1 mm of the jaws; point "
+                      "at a yellow ring, or change the depth with the wheel")
+                  .arg(1e3 * kClipReach, 0, 'f', 0),
         8000);
     if (options_.reports) say("clip {}", placed ? "placed" : "missed");
   }

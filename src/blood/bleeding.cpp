@@ -220,9 +220,9 @@ void Bleeding::bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t numbe
       if (volume <= 0 || outside[i].closed[end]) continue;
       injury.bled += toCubicMetres(volume);
       bleedFrom(blood, organ, injury, end, exits[i][std::size_t(end)], duration, time, volume);
-      report.ends.push_back(
-          {number, injury.segment, VesselEnd(end), places[i][std::size_t(end)], injury.flow[end],
-           organ.organ.map->anatomy.segments[std::size_t(injury.segment)].radius});
+      report.ends.push_back({number, injury.segment, VesselEnd(end), places[i][std::size_t(end)],
+                             injury.flow[end],
+                             anatomy.segments[std::size_t(injury.segment)].radius});
     }
 }
 

@@ -10,8 +10,6 @@
 namespace resect {
 namespace {
 
-constexpr double kCloses = 0.95;    // squeeze at which the clip is shut
-constexpr double kReach = 0.008;    // m: how far from the jaws' middle a vessel is caught
 constexpr double kBehind = 0.003;   // m: a clip sits this far behind the end of a cut vessel
 constexpr double kJaws = 0.004;     // m: half the length of the jaws
 constexpr double kBetween = 0.002;  // m: clips on one vessel are farther apart
@@ -32,7 +30,7 @@ PlaceClip behind(const Anatomy& anatomy, std::int32_t segment, double share, dou
 }  // namespace
 
 void ClipPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
-  const bool closes = touch.way.from.squeeze < kCloses && touch.way.to.squeeze >= kCloses;
+  const bool closes = touch.way.from.squeeze < kClipCloses && touch.way.to.squeeze >= kClipCloses;
   if (!closes || !touch.organ.map) return;
   const std::optional<Vec3> place =
       restPlace(touch.organ, touch.tissue, touch.way.to.pose * touch.model.tip);
@@ -41,7 +39,7 @@ void ClipPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
   std::vector<std::int32_t> near;
   Aabb box;
   box.grow(*place);
-  map.index.near(box.padded(kReach), near);
+  map.index.near(box.padded(kClipReach), near);
   // The end that bleeds most, else a vessel that is whole.
   std::optional<PlaceClip> clip;
   double most = 0, best = 0;
@@ -51,7 +49,7 @@ void ClipPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
     if (const VesselInjury* injury = touch.organ.vessels.injury(i)) {
       for (const VesselEnd end : {VesselEnd::Root, VesselEnd::Far}) {
         const double share = end == VesselEnd::Root ? injury->from : injury->to;
-        if ((s.at(share) - *place).norm() > kReach || injury->isSealed(end) ||
+        if ((s.at(share) - *place).norm() > kClipReach || injury->isSealed(end) ||
             touch.organ.vessels.clipped(*injury, end) || injury->flow[int(end)] <= most)
           continue;
         most = injury->flow[int(end)];
@@ -68,7 +66,7 @@ void ClipPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
       return c.segment == i && !c.byHeat && std::abs(c.share - share) * s.length() < kBetween;
     });
     // Between the jaws the widest counts, beside them the nearest.
-    const double worth = distance < kJaws ? kReach + s.radius : kReach - distance;
+    const double worth = distance < kJaws ? kClipReach + s.radius : kClipReach - distance;
     if (worth > best && !there) best = worth, clip = PlaceClip{i, share};
   }
   if (clip) edits.push_back(touch.edit(*clip));
