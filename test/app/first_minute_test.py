@@ -9,7 +9,7 @@ import time
 import unittest
 from pathlib import Path
 
-from screen import ScreenTest
+from screen import ScreenTest, difference
 
 PROGRAM, FOLDER = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 
@@ -94,6 +94,25 @@ class FirstMinute(ScreenTest):
         window.wait("left nothing")
         self.screen.key("space")
         window.wait("held nothing")
+
+    def test_the_pencil_with_its_pedal_pressed_coagulates_the_surface_and_cuts_nothing(self):
+        window = self.opened()
+        x, y = window.places["organ"]
+        self.screen.move(x, y - 150)
+        time.sleep(1)
+        before = self.screen.picture("before_the_pencil")
+        self.take(window, "0", "Electrosurgical pencil")
+        self.screen.do("mousemove", x, y + 20, "keydown", "p", "mousedown", 1)
+        for i in range(20):
+            self.screen.do("mousemove", x + 2 * i, y + 20)
+            time.sleep(0.25)
+        self.screen.do("mouseup", 1, "keyup", "p")
+        self.screen.key("Escape")
+        window.wait("held nothing")
+        self.assertEqual(self.cut(window), 0)
+        self.assertEqual([line for line in window.said if line.startswith("showing")], [])  # P played nothing
+        after = self.screen.picture("after_the_pencil")
+        self.assertGreater(difference(before, after, (x - 10, y, x + 50, y + 40)), 0.02)
 
 
 if __name__ == "__main__":

@@ -46,7 +46,9 @@ const SurfaceHand* ToolHandling::surfaceHand() const {
 
 Pose ToolHandling::wanted(int tool) const {
   if (tool != held_ || !surfaceHand()) return pose(tool);
-  return poseAboveTable(hand_, models_[std::size_t(tool)].mesh.points);
+  SurfaceHand hand = hand_;
+  if (pedalling_) hand.depth = 0;  // sparks go from the tip to the surface
+  return poseAboveTable(hand, models_[std::size_t(tool)].mesh.points);
 }
 
 // The tool that is now held is brought to the pointer, its handle towards the viewer.
