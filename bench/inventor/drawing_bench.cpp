@@ -32,7 +32,9 @@ Scenario liverAndTools(double spacing, bool elastic) {
   return scenario;
 }
 
-const ModelReader kReader = [](const std::filesystem::path& p) { return readModel(p); };
+const ModelReader kReader = [](const std::filesystem::path& p, const std::string& parts) {
+  return readModel(p, parts);
+};
 
 void drawing(benchmark::State& state, bool moves) {
   const Scenario scenario = liverAndTools(0.008, false);

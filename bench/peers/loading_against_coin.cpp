@@ -50,9 +50,9 @@ void loadAndDraw(const std::filesystem::path& path, Parts& parts) {
   std::optional<Simulation> simulation;
   double reading = 0;
   const double both = secondsOf([&] {
-    simulation = makeSimulation(scenario, [&](const auto& p) {
+    simulation = makeSimulation(scenario, [&](const auto& p, const std::string& parts) {
       Model model;
-      reading += secondsOf([&] { model = readModel(p); });
+      reading += secondsOf([&] { model = readModel(p, parts); });
       return model;
     });
   });

@@ -40,7 +40,8 @@ Findings millionParticlesInRealTime(const Effort& effort) {
   Findings findings;
   for (const int threads : threadCounts()) {
     const ThreadLimit limit(threads);
-    Simulation simulation = makeSimulation(scenario, [](const auto& p) { return readModel(p); });
+    Simulation simulation = makeSimulation(
+        scenario, [](const auto& p, const std::string& parts) { return readModel(p, parts); });
     const BenchReport report = benchScenario(simulation, scenario);
     std::string text =
         fmt::format("median {:.2f} ms, p95 {:.2f}, max {:.2f}; {} of {} frames missed",

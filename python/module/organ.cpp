@@ -5,6 +5,7 @@
 #include "arrays.h"
 #include "base/error.h"
 #include "bindings.h"
+#include "formats/labels/brought_organ.h"
 #include "inventor/reading/model_file.h"
 #include "io/cells/particle_file.h"
 #include "io/operation_setup.h"
@@ -26,6 +27,7 @@ Discretization fromFile(const std::string& file, std::optional<double> spacing, 
   source.unit = unit;
   source.repair = repair;
   source.onTable = onTable;
+  if (isLabelled(file)) takeLabels(source);
   if (isBuiltIn(source) || !isParticleFile(file)) {
     if (!spacing)
       throw usageError("{}: give spacing, the side of a cell in m, such as 0.005", file);

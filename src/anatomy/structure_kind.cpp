@@ -18,12 +18,19 @@ struct Word {
 // longer one stands first.
 constexpr std::array kUsual{
     Word{"parenchyma", StructureKind::Parenchyma},
+    // Vessels of the liver that no one told apart are taken as the portal vein, which is most of
+    // them.
+    Word{"liver vessel", StructureKind::PortalVein},
+    Word{"liver tumo", StructureKind::Tumour},
+    Word{"liver lesion", StructureKind::Tumour},
+    Word{"liver cyst", StructureKind::Cyst},
     Word{"liver", StructureKind::Parenchyma},
     Word{"tumour", StructureKind::Tumour},
     Word{"tumor", StructureKind::Tumour},
     Word{"metastas", StructureKind::Tumour},
     Word{"carcinoma", StructureKind::Tumour},
     Word{"lesion", StructureKind::Tumour},
+    Word{"neoplasm", StructureKind::Tumour},
     Word{"hcc", StructureKind::Tumour},
     Word{"cyst", StructureKind::Cyst},
     Word{"gallbladder", StructureKind::Gallbladder},

@@ -46,7 +46,13 @@ void MainWindow::makeMenus() {
             this, "Open", {},
             "All that can be opened (*.iv *.wrl *.obj *.stl *.ply *.off "
             "*.glb *.gltf *.vtk *.dis *.resect-cells *.toml *.resect "
-            "*.gz);;All files (*)");
+            "*.nii *.nrrd *.nhdr *.mha *.mhd *.dcm *.gz);;All files (*)");
+        if (!name.isEmpty()) openFile(name);
+      });
+  add(file, "Open folder of &labels ...", {},
+      "The labels of a scan with a file for each structure, as TotalSegmentator writes them",
+      [this] {
+        const QString name = QFileDialog::getExistingDirectory(this, "Open folder of labels");
         if (!name.isEmpty()) openFile(name);
       });
   for (const std::string_view organ : kBuiltInOrgans) {

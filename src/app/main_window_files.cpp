@@ -11,7 +11,7 @@
 #include "app/viewer.h"
 #include "app/widgets/open_organ_dialog.h"
 #include "base/error.h"
-#include "formats/meshes/gltf_buffers.h"
+#include "formats/beside_files.h"
 #include "formats/png_file.h"
 #include "inventor/scene/scene_file.h"
 #include "io/cells/particle_file.h"
@@ -24,7 +24,7 @@ namespace resect {
 
 void MainWindow::checkWritten(const std::string& file) const {
   std::vector<std::filesystem::path> inputs = filesRead(session_->scenario());
-  addFilesOfGltf(inputs);
+  addFilesBeside(inputs);
   checkOutputs({{{"the window", file}}}, inputs);
 }
 
@@ -77,7 +77,11 @@ void MainWindow::askOrgan(const QString& file) {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(dialog, &QDialog::accepted, this, [this, dialog, file] {
     Scenario scenario = session_ ? session_->scenario() : options_.scenario;
-    replaceOrgans(scenario, dialog->source());
+    try {
+      replaceOrgans(scenario, dialog->source());
+    } catch (const std::exception& e) {
+      return complain(e.what());
+    }
     // A saved scene keeps its position.
     if (scenario.organs[0].source.part == kOrganNode) scenario.organs[0].source.onTable = false;
     load(scenario);

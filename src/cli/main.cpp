@@ -66,6 +66,7 @@ int parseAndRun(int argc, char** argv) {
   resect::addInfoCommand(command);
   resect::addLiverCommand(command);
   resect::addAnatomyCommand(command);
+  resect::addOrganCommand(command);
   resect::addDiscretizeCommand(command);
   resect::addSurfaceCommand(command);
   resect::addRunCommand(command);

@@ -1,10 +1,15 @@
 #include "cli/organ_options.h"
 
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
 
+#include "anatomy/structure_kind.h"
 #include "base/error.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
+#include "formats/labels/brought_organ.h"
+#include "formats/labels/label_model.h"
 #include "inventor/reading/model_file.h"
 #include "io/scenario/length.h"
 #include "io/scenario/scenario_files.h"
@@ -33,6 +38,43 @@ Vec3i parseDims(const std::string& text) {
   return count == 1 ? Vec3i(Vec3i::Constant(dims[0])) : dims;
 }
 
+// Adds what --structure names: a kind, and a file, or a part of the organ's own file.
+void addStructure(OrganSource& source, const std::string& given) {
+  const std::size_t sign = given.find('=');
+  const std::string word = given.substr(0, sign);
+  const auto kind = structureKind(word);
+  if (sign == std::string::npos || sign + 1 == given.size() || !kind || wordOf(*kind) != word ||
+      *kind == StructureKind::Parenchyma)
+    throw usageError(
+        "--structure is \"{}\"; give a kind of structure and its file or its part of the organ's "
+        "file, such as tumour=tumour.stl or portal-vein=7; kinds are {}",
+        given, structureWords());
+  const std::string what = given.substr(sign + 1);
+  int label = 0;
+  for (const OrganLabel& one : source.labels) label = std::max(label, one.label);
+  for (const BroughtStructure& one : source.structures) label = std::max(label, one.label);
+  if (label >= 255) throw usageError("there are more than 255 structures; leave some out");
+  const bool own = !std::filesystem::exists(what);
+  BroughtStructure structure{*kind, vesselKind(*kind) ? 0 : label + 1, what, what, "", source.unit};
+  if (own) {
+    structure.file = source.file, structure.part = what;
+    // The labels of an image have no voxel in common: the structure belongs to the organ's body.
+    if (isLabelled(source.file)) {
+      if (source.part.empty())
+        throw usageError(
+            "--structure {} names a label of the image; name the organ's too, by "
+            "--part",
+            given);
+      source.part += "\n" + (vesselKind(*kind) ? std::string(kWithin) + what : what);
+      if (std::ranges::all_of(what, [](char c) { return c >= '0' && c <= '9'; }))
+        structure.name = word;
+    }
+  } else {
+    structure.name = std::filesystem::path(what).stem().string();
+  }
+  source.structures.push_back(std::move(structure));
+}
+
 }  // namespace
 
 void OrganOptions::applyTo(OrganSource& source) const {
@@ -40,6 +82,13 @@ void OrganOptions::applyTo(OrganSource& source) const {
   if (!part.empty()) source.part = part;
   if (!unit.empty()) source.unit = parseUnit(unit, "--unit");
   source.repair = source.repair || repair;
+  for (const std::string& one : structures) addStructure(source, one);
+  if (isLabelled(source.file)) {
+    if (!unit.empty())
+      throw usageError("{}: label images tell their size themselves; leave --unit out",
+                       source.file);
+    takeLabels(source);
+  }
   if (!spacing.empty()) {
     const double s = parseLength(spacing, "--spacing");
     if (!ranges::kSpacing.holds(s))
@@ -59,21 +108,29 @@ void OrganOptions::applyTo(OrganSource& source) const {
 void OrganOptions::applyTo(Scenario& scenario, const std::string& organ) const {
   OrganSource& first = scenario.organs[0].source;
   const std::optional<double> before = first.spacing;
-  if (!organ.empty()) first.file = organ;
+  if (!organ.empty()) {
+    first.file = organ;
+    first.structures.clear();  // they lie in the organ that is replaced
+  }
   for (const ScenarioOrgan& one : scenario.organs) requireOrganThere(one.source);
   applyTo(first);
   if (before && first.spacing) setSpacing(scenario, *before, *first.spacing);
 }
 
 ModelReader modelReader() {
-  return [](const std::filesystem::path& path) {
-    return readModelWatched(path, progressBar("reading"));
+  return [](const std::filesystem::path& path, const std::string& parts) {
+    return readModelWatched(path, progressBar("reading"), parts);
   };
 }
 
 std::shared_ptr<OrganOptions> addOrganOptions(Command command) {
   auto options = std::make_shared<OrganOptions>();
   addPartOption(command, options->part);
+  command
+      .option("--structure", options->structures,
+              "What lies in the organ: KIND=FILE, or KIND=PART of the organ's own file, such as "
+              "tumour=lesion.stl; may be given several times")
+      .oneValueEach();
   command.option("--unit", options->unit,
                  "What the model's numbers are: mm, cm, m, um, in, or metres per unit");
   command.flag("--repair", options->repair,

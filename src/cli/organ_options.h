@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/command_line.h"
 #include "io/operation_setup.h"
@@ -12,6 +13,7 @@ namespace resect {
 
 struct OrganOptions {
   std::string part, unit, spacing, dims;  // as the user wrote them; "": option not given
+  std::vector<std::string> structures;    // of --structure, as the user wrote them
   bool repair = false;                    // whether --repair was given
 
   // Overwrites those settings of `source` for which an option was given.
@@ -24,7 +26,7 @@ struct OrganOptions {
 // Returns a function that reads models in all formats that Resect knows and shows a progress bar.
 ModelReader modelReader();
 
-// Adds --part, --unit, --repair, --spacing and --dims to a command.
+// Adds --part, --structure, --unit, --repair, --spacing and --dims to a command.
 std::shared_ptr<OrganOptions> addOrganOptions(Command command);
 
 }  // namespace resect

@@ -44,8 +44,10 @@ void addThreadsOption(Command command, int& threads) {
 void addPartOption(Command command, std::string& part) {
   command
       .option(
-          "--part", [&part](const std::vector<std::string>& names) { part = partLines(names); },
-          "Take only the part of that name; given several times, these parts, joined")
+          "--part,--label",
+          [&part](const std::vector<std::string>& names) { part = partLines(names); },
+          "Take only the part, or the label of an image, of that name; given several times, these "
+          "parts, joined")
       .oneValueEach();
 }
 

@@ -6,12 +6,12 @@
 
 namespace resect {
 
-bool isGzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+namespace {
 
-std::string unpackGzip(const std::string& path, std::string_view bytes, std::size_t most) {
-  constexpr int kGzipWindow = 15 + 16;
+// window: as inflateInit2() takes it, which tells gzip and zlib apart.
+std::string unpack(const std::string& path, std::string_view bytes, std::size_t most, int window) {
   z_stream stream{};
-  if (inflateInit2(&stream, kGzipWindow) != Z_OK)
+  if (inflateInit2(&stream, window) != Z_OK)
     throw error("{}: no memory to unpack it; close other programs", path);
   struct End {
     z_stream& stream;
@@ -57,6 +57,20 @@ std::string unpackGzip(const std::string& path, std::string_view bytes, std::siz
   if (status != Z_STREAM_END)
     throw error("{}: its compressed data are cut off; copy the file again", path);
   return result;
+}
+
+constexpr int kWindow = 15, kGzip = 16;
+
+}  // namespace
+
+bool isGzip(std::string_view bytes) { return bytes.starts_with("\x1f\x8b"); }
+
+std::string unpackGzip(const std::string& path, std::string_view bytes, std::size_t most) {
+  return unpack(path, bytes, most, kWindow + kGzip);
+}
+
+std::string unpackZlib(const std::string& path, std::string_view bytes, std::size_t most) {
+  return unpack(path, bytes, most, kWindow);
 }
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Decompresses gzip files.
+// Decompresses gzip files and zlib streams.
 #pragma once
 
 #include <string>
@@ -13,5 +13,7 @@ bool isGzip(std::string_view bytes);
 // message of an Error. Throws Error if the data are damaged, truncated, or more than `most` bytes
 // when unpacked.
 std::string unpackGzip(const std::string& path, std::string_view bytes, std::size_t most);
+// The same for a zlib stream (RFC 1950).
+std::string unpackZlib(const std::string& path, std::string_view bytes, std::size_t most);
 
 }  // namespace resect

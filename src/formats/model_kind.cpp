@@ -6,6 +6,10 @@
 #include <string>
 
 #include "base/error.h"
+#include "formats/images/dicom_file.h"
+#include "formats/images/meta_image_file.h"
+#include "formats/images/nifti_file.h"
+#include "formats/images/nrrd_file.h"
 #include "formats/meshes/off_file.h"
 #include "formats/meshes/ply_file.h"
 #include "formats/meshes/stl_file.h"
@@ -21,18 +25,23 @@ struct Ending {
   std::string_view ending;  // of the file's name
   ModelKind kind;
 };
-constexpr std::array<Ending, 9> kEndings{{{".iv", ModelKind::Inventor},
-                                          {".wrl", ModelKind::Inventor},
-                                          {".vtk", ModelKind::Vtk},
-                                          {".obj", ModelKind::Obj},
-                                          {".stl", ModelKind::Stl},
-                                          {".ply", ModelKind::Ply},
-                                          {".off", ModelKind::Off},
-                                          {".glb", ModelKind::Glb},
-                                          {".gltf", ModelKind::Gltf}}};
+constexpr std::array<Ending, 16> kEndings{{{".iv", ModelKind::Inventor},
+                                           {".wrl", ModelKind::Inventor},
+                                           {".vtk", ModelKind::Vtk},
+                                           {".obj", ModelKind::Obj},
+                                           {".stl", ModelKind::Stl},
+                                           {".ply", ModelKind::Ply},
+                                           {".off", ModelKind::Off},
+                                           {".glb", ModelKind::Glb},
+                                           {".gltf", ModelKind::Gltf},
+                                           {".nii", ModelKind::Nifti},
+                                           {".hdr", ModelKind::Nifti},
+                                           {".nrrd", ModelKind::Nrrd},
+                                           {".nhdr", ModelKind::Nrrd},
+                                           {".mha", ModelKind::MetaImage},
+                                           {".mhd", ModelKind::MetaImage},
+                                           {".dcm", ModelKind::Dicom}}};
 
-constexpr const char* kFromScan =
-    "segment it and export the segments as .stl or .obj (3D Slicer, ITK-SNAP)";
 constexpr const char* kBySlicer = "open it in 3D Slicer or ParaView and save it as .vtk or .stl";
 constexpr const char* kByGmsh =
     "write its surface as .stl, with gmsh FILE -o surface.stl -format stl";
@@ -47,22 +56,15 @@ struct OtherKind {
   const char* what;
   const char* todo;
 };
-constexpr std::array<OtherKind, 23> kOthers{{
+constexpr std::array<OtherKind, 15> kOthers{{
     {".vtp", "", 0, "a surface in VTK's XML form", kBySlicer},
     {".vtu", "", 0, "a volume mesh in VTK's XML form",
      "extract its surface (ParaView: Extract Surface) and save it as .vtk or .stl"},
-    {".vti", "", 0, "an image in VTK's XML form", kFromScan},
+    {".vti", "", 0, "an image in VTK's XML form",
+     "open it in 3D Slicer and save its labels as .nrrd"},
     {".msh", "$MeshFormat", 0, "a volume mesh of Gmsh", kByGmsh},
     {".3mf", "", 0, "a model for 3D printing", kByPrinting},
     {".amf", "", 0, "a model for 3D printing", kByPrinting},
-    {".nii", "n+1", 344, "a scan or its labels (NIfTI)", kFromScan},
-    {".nii", "ni1", 344, "a scan or its labels (NIfTI)", kFromScan},
-    {".hdr", "", 0, "the header of a scan", kFromScan},
-    {".nrrd", "NRRD0", 0, "a scan or its labels (NRRD)", kFromScan},
-    {".nhdr", "NRRD0", 0, "a scan or its labels (NRRD)", kFromScan},
-    {".mha", "ObjectType =", 0, "a scan or its labels (MetaImage)", kFromScan},
-    {".mhd", "ObjectType =", 0, "a scan or its labels (MetaImage)", kFromScan},
-    {".dcm", "DICM", 128, "a scan (DICOM)", kFromScan},
     {".fbx", "Kaydara FBX", 0, "a scene (FBX)", kByBlender},
     {".blend", "BLENDER", 0, "a scene of Blender", kByBlender},
     {".dae", "", 0, "a scene (COLLADA)", kByBlender},
@@ -92,6 +94,10 @@ std::optional<ModelKind> kindByContent(std::string_view bytes) {
   const std::string_view text = bytes.substr(begin);
   if (text.starts_with("#Inventor V") || text.starts_with("#VRML V")) return ModelKind::Inventor;
   if (isVtkFile(bytes)) return ModelKind::Vtk;
+  if (startsAsNifti(bytes)) return ModelKind::Nifti;
+  if (startsAsNrrd(bytes)) return ModelKind::Nrrd;
+  if (startsAsMetaImage(text)) return ModelKind::MetaImage;
+  if (startsAsDicom(bytes)) return ModelKind::Dicom;
   if (bytes.starts_with("glTF")) return ModelKind::Glb;
   if (startsAsPly(bytes)) return ModelKind::Ply;
   if (startsAsOff(bytes)) return ModelKind::Off;
@@ -121,8 +127,8 @@ ModelKind modelKind(const fs::path& path, std::string_view bytes) {
     throw error("{}: is {}, which is not read; {}", path.string(), other->what, other->todo);
   if (ours != kEndings.end()) return ours->kind;
   throw error(
-      "{}: is of no kind that can be read; use .iv, .wrl, .obj, .stl, .ply, .off, .glb, .gltf "
-      "or .vtk",
+      "{}: is of no kind that can be read; use .iv, .wrl, .obj, .stl, .ply, .off, .glb, .gltf, "
+      ".vtk, or a label image .nii, .nrrd, .mha or DICOM",
       path.string());
 }
 

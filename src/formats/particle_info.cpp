@@ -53,6 +53,14 @@ Json toJson(const KeptCells& kept, const std::string& path) {
     json["source"] = kept.origin.source;
     json["source_unit_m"] = kept.origin.unit;
     json["program"] = kept.origin.program;
+    json["inputs"] = Json::array();
+    for (const CellsInput& one : kept.origin.inputs)
+      json["inputs"].push_back(
+          {{"file", one.file}, {"role", one.role}, {"format", one.format}, {"crc32", one.crc32}});
+    json["vessels"] = Json::object();
+    for (int k = 0; k < kVesselKinds; ++k)
+      if (const int count = kept.vessels.range(VesselKind(k)).count; count > 0)
+        json["vessels"][std::string(wordOf(VesselKind(k)))] = count;
   }
   return json;
 }
@@ -84,6 +92,12 @@ std::string toText(const KeptCells& kept, const std::string& path) {
   for (const Landmark& landmark : cells.landmarks)
     line("landmark", fmt::format("{} at ({:g}, {:g}, {:g}) of the box", shownText(landmark.name),
                                  landmark.place.x(), landmark.place.y(), landmark.place.z()));
+  for (int k = 0; k < kVesselKinds; ++k)
+    if (const int count = kept.vessels.range(VesselKind(k)).count; count > 0)
+      line("vessels", fmt::format("{}: {} segments", wordOf(VesselKind(k)), count));
+  for (const CellsInput& one : kept.origin.inputs)
+    line("made from", fmt::format("{} ({}){}{}", shownText(one.file), one.role,
+                                  one.format.empty() ? "" : ": ", one.format));
   if (!kept.origin.source.empty())
     line("source", fmt::format("{}, unit {:g} m", shownText(kept.origin.source), kept.origin.unit));
   if (!kept.origin.program.empty()) line("written by", shownText(kept.origin.program));

@@ -202,7 +202,7 @@ std::string partLines(const std::vector<std::string>& names) {
 }
 
 Model chosenParts(const Model& model, const std::string& lines) {
-  if (lines.empty()) return model;
+  if (lines.empty() || (model.parts.size() == 1 && model.parts[0].name == lines)) return model;
   const std::vector<std::string> names = partNames(lines);
   for (const std::string& name : names) partNamed(model, name);
   Model chosen{model.path, model.format, {}};

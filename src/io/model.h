@@ -58,8 +58,8 @@ std::vector<std::string> partNames(const std::string& lines);
 std::string partLines(const std::vector<std::string>& names);
 
 // The model with only the parts that `lines` names (partNames()), in the order of the file. All
-// parts if `lines` is empty. If there is no part of such a name, throws an Error that lists the
-// names of the parts.
+// parts if `lines` is empty, or if the only part has it as its name. If there is no part of such a
+// name, throws an Error that lists the names of the parts.
 Model chosenParts(const Model& model, const std::string& lines);
 
 // The part of that name. If there is none, throws an Error that lists the names of the parts.

@@ -37,9 +37,6 @@ TriangleMesh builtInMesh(const std::string& name) {
   return merged(readPlainMesh(dataFolder() / "organs" / (name + ".ply")));
 }
 
-// Translation that puts a box on the table: centred over the origin, lowest point on the table top.
-Vec3 ontoTable(const Aabb& box) { return {-box.centre().x(), -box.min.y(), -box.centre().z()}; }
-
 // A spacing as it is given to --spacing, not rounded up: "1.6mm".
 std::string spacingText(double metres) {
   const double step = metres >= 1e-3 ? 0.1 : 0.01;  // mm
@@ -138,12 +135,13 @@ std::vector<LabelMaterial> materialsOf(const TissueSetup& setup, const Discretiz
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
                            std::vector<std::string>* notes, std::optional<Pose>* place) {
   requireSound(source);
+  if (notes) notes->insert(notes->end(), source.notes.begin(), source.notes.end());
   TriangleMesh mesh;
   if (isBuiltIn(source)) {
     mesh = builtInMesh(source.file);
   } else {
-    const OrganMesh organ =
-        prepareOrganMesh(readModel(source.file), {source.part, source.repair, source.unit});
+    const OrganMesh organ = prepareOrganMesh(readModel(source.file, source.part),
+                                             {source.part, source.repair, source.unit});
     mesh = organ.mesh;
     if (notes) notes->insert(notes->end(), organ.notes.begin(), organ.notes.end());
   }
@@ -155,8 +153,7 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
     mesh = transformed(mesh, {Vec3::Zero(), settled});
     turn = settled * turn;
   }
-  const Vec3 shift =
-      (source.onTable ? ontoTable(bounds(mesh)) : Vec3(Vec3::Zero())) + source.pose.position;
+  const Vec3 shift = placedBy(source, bounds(mesh));
   if (place) *place = Pose{shift, turn};
   return transformed(std::move(mesh), {shift, Eigen::Quaterniond::Identity()});
 }
@@ -179,8 +176,7 @@ Discretization sourceCells(const OrganSource& source, const ModelReader& readMod
     throw usageError("{} holds particles: it has no parts and needs no repair; leave {} out",
                      source.file, source.repair ? "--repair" : "--part");
   Discretization cells = readParticleFile(source.file, source.unit).cells;
-  cells.lattice.origin +=
-      source.pose.position + (source.onTable ? ontoTable(cells.lattice.box()) : Vec3(Vec3::Zero()));
+  cells.lattice.origin += placedBy(source, cells.lattice.box());
   if (!source.resample) return cells;
   const std::int64_t before = cells.particleCount();
   const Organ organ = makeOrgan(std::move(cells), {});
@@ -209,7 +205,7 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
 ToolModel loadTool(const std::string& name, const ModelReader& readModel) {
   Model shape;
   const auto readMesh = [&](const std::filesystem::path& path) {
-    shape = readModel(path);
+    shape = readModel(path, {});
     return prepareOrganMesh(shape).mesh;
   };
   ToolModel tool = readTool(findDataFile(name, "tools", ".toml"), readMesh);

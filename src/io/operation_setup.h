@@ -16,8 +16,10 @@
 namespace resect {
 
 // Function that reads any model file. It comes from a layer that knows all formats, such as
-// readModel() in inventor/reading/model_file.h.
-using ModelReader = std::function<Model(const std::filesystem::path&)>;
+// readModel() in inventor/reading/model_file.h. `parts`: the names of the parts that are needed,
+// one a line; empty: all. The function may ignore them, or give all of them as one part of this
+// name.
+using ModelReader = std::function<Model(const std::filesystem::path&, const std::string& parts)>;
 
 // The organ's closed surface, oriented outwards, in the world. It is placed in four steps:
 // 1. It is rotated by source.pose.rotation.

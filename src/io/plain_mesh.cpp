@@ -44,7 +44,7 @@ void expect(std::string_view& bytes, std::string_view text, const std::string& p
 
 }  // namespace
 
-Model readPlainMesh(const std::filesystem::path& path) {
+Model readPlainMesh(const std::filesystem::path& path, const std::string& /*parts*/) {
   const std::filesystem::path file = std::filesystem::path(path).replace_extension(".ply");
   const std::string name = file.string();
   if (!std::filesystem::exists(file)) throw error("there is no plain mesh {}; {}", name, kForm);

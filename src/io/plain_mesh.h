@@ -15,7 +15,7 @@ namespace resect {
 // instruments that come with Resect, whose models are .iv files, can be simulated without Inventor.
 // The function is a ModelReader (io/operation_setup.h). Cost: one pass. Throws Error if the .ply
 // file does not exist, is truncated or has another form.
-Model readPlainMesh(const std::filesystem::path& path);
+Model readPlainMesh(const std::filesystem::path& path, const std::string& parts = {});
 // The same from the file's bytes; `name` stands for the file in Errors.
 Model parsePlainMesh(std::string_view bytes, const std::string& name);
 

@@ -9,6 +9,7 @@
 #include "anatomy/thinning/centre_lines.h"
 #include "base/error.h"
 #include "collision/signed_distance.h"
+#include "io/cells/particle_file.h"
 #include "io/data_folder.h"
 #include "io/organ_mesh.h"
 #include "io/vessels_file.h"
@@ -29,8 +30,8 @@ TriangleMesh placedSurface(const BroughtStructure& one, const std::optional<Pose
         "structure out, or take a model file for the organ",
         one.file);
   const bool openEnds = vesselKind(one.kind).has_value();
-  return transformed(prepareOrganMesh(readModel(one.file), {one.part, openEnds, one.unit}).mesh,
-                     *place);
+  return transformed(
+      prepareOrganMesh(readModel(one.file, one.part), {one.part, openEnds, one.unit}).mesh, *place);
 }
 
 // Labels the particles inside the surface; returns their number.
@@ -64,18 +65,36 @@ void append(std::vector<VesselSegment>& all, std::vector<VesselSegment> tree) {
   }
 }
 
-// The vessels of the source's own file or of the built-in organ, in the room.
-Anatomy ownVessels(const OrganSource& source, const Pose& place, std::vector<std::string>* notes) {
+// The vessels of the source's own files or of the built-in organ, in the room.
+Anatomy ownVessels(const OrganSource& source, const std::optional<Pose>& place,
+                   std::vector<std::string>* notes) {
+  if (isCellsFile(source.file)) {
+    KeptCells kept = readCells(source.file);
+    const Pose shift{placedBy(source, kept.cells.lattice.box()), Eigen::Quaterniond::Identity()};
+    if (!kept.vessels.empty()) return transformed(std::move(kept.vessels), shift);
+  }
   if (source.vessels.empty()) return {};
-  if (isVesselsFile(source)) return transformed(readVessels(source.vessels), place);
+  if (isVesselsFile(source)) {
+    if (!place)
+      throw error(
+          "organ \"{}\" is a file of particles, which has no place for vessels; leave out vessels",
+          source.name);
+    return transformed(readVessels(source.vessels), *place);
+  }
   if (hasVessels(source))
-    return transformed(readVessels(dataFolder() / "organs" / (source.file + ".vessels")), place);
+    return transformed(
+        readVessels(dataFolder() / "organs" / fmt::format("{}.vessels", source.file)), *place);
   if (notes)
     notes->push_back("the vessels are those of another organ and were left out: it does not bleed");
   return {};
 }
 
 }  // namespace
+
+Vec3 placedBy(const OrganSource& source, const Aabb& box) {
+  const Vec3 onTable(-box.centre().x(), -box.min.y(), -box.centre().z());
+  return source.onTable ? onTable + source.pose.position : source.pose.position;
+}
 
 std::string boxText(const Aabb& box) {
   return fmt::format("[[{:.3f}, {:.3f}, {:.3f}], [{:.3f}, {:.3f}, {:.3f}]] m", box.min.x(),
@@ -109,10 +128,6 @@ std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
                                            const std::optional<Pose>& place,
                                            const ModelReader& readModel,
                                            std::vector<std::string>* notes) {
-  if (!source.vessels.empty() && !place)
-    throw error(
-        "organ \"{}\" is a file of particles, which has no place for vessels; leave out vessels",
-        source.name);
   std::array<std::vector<VesselSegment>, kVesselKinds> kinds;
   for (const BroughtStructure& one : source.structures) {
     const auto kind = vesselKind(one.kind);
@@ -124,7 +139,7 @@ std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
                   one.file, 4e3 * kVesselCell);
     append(kinds[std::size_t(*kind)], std::move(tree));
   }
-  const Anatomy own = place ? ownVessels(source, *place, notes) : Anatomy();
+  const Anatomy own = ownVessels(source, place, notes);
   std::vector<VesselSegment> all;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     if (kinds[k].empty()) {

@@ -18,13 +18,18 @@ namespace resect {
 void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,
                const ModelReader& readModel);
 
-// The organ's vessels where it lies: those of the source's file of vessels, or of the built-in
-// organ, and the centre lines of vessels that the source brings as model files. A kind that is
-// brought replaces that kind. Null if there are none. `notes` gets sentences for people.
+// The organ's vessels where it lies: those of the source's file of vessels, of its file of cells,
+// or of the built-in organ, and the centre lines of vessels that the source brings as model files.
+// A kind that is brought replaces that kind. Null if there are none. `notes` gets sentences for
+// people.
 std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
                                            const std::optional<Pose>& place,
                                            const ModelReader& readModel,
                                            std::vector<std::string>* notes);
+
+// Translation of a body whose box is `box`: onto the table, centred over the origin with its lowest
+// point on the top, if source.onTable; then by the source's position.
+Vec3 placedBy(const OrganSource& source, const Aabb& box);
 
 // A box as text, for messages about regions.
 std::string boxText(const Aabb& box);

@@ -71,10 +71,13 @@ std::optional<VesselKind> kindOf(std::string_view word) {
 }  // namespace
 
 Anatomy readVessels(const std::filesystem::path& path) {
-  Lines lines(path.string(), readWholeFile(path, kMostBytes));
+  return parseVessels(readWholeFile(path, kMostBytes), path.string());
+}
+
+Anatomy parseVessels(std::string text, const std::string& name) {
+  Lines lines(name, std::move(text));
   if (!lines.next() || lines.rest() != kFirstLine)
-    throw error("{}: is not a file of vessels; its first line would be \"{}\"", path.string(),
-                kFirstLine);
+    throw error("{}: is not a file of vessels; its first line would be \"{}\"", name, kFirstLine);
   std::vector<VesselSegment> segments;
   while (lines.next()) {
     if (lines.rest().empty()) continue;
@@ -103,24 +106,28 @@ Anatomy readVessels(const std::filesystem::path& path) {
 }
 
 void writeVessels(const std::filesystem::path& path, const Anatomy& anatomy) {
-  writeFileAtomically(path, [&](std::ostream& out) {
-    out << kFirstLine << "\n";
-    for (int k = 0; k < kVesselKinds; ++k) {
-      const VesselRange range = anatomy.range(VesselKind(k));
-      if (range.count == 0) continue;
-      out << wordOf(VesselKind(k)) << " " << range.count << "\n";
-      for (std::int32_t i = range.first; i < range.first + range.count; ++i) {
-        const VesselSegment& s = anatomy.segments[std::size_t(i)];
-        out << (s.parent < 0 ? -1 : s.parent - range.first);
-        const auto place = [&](const Vec3& p) {
-          out << fmt::format(" {:.3f} {:.3f} {:.3f}", 1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
-        };
-        if (s.parent < 0) place(s.start);
-        place(s.end);
-        out << fmt::format(" {:.4f} {}\n", 1e3 * s.radius, s.leaf ? 1 : 0);
-      }
+  const std::string text = formatVessels(anatomy);
+  writeFileAtomically(path, [&](std::ostream& out) { out << text; });
+}
+
+std::string formatVessels(const Anatomy& anatomy) {
+  std::string text = fmt::format("{}\n", kFirstLine);
+  for (int k = 0; k < kVesselKinds; ++k) {
+    const VesselRange range = anatomy.range(VesselKind(k));
+    if (range.count == 0) continue;
+    text += fmt::format("{} {}\n", wordOf(VesselKind(k)), range.count);
+    for (std::int32_t i = range.first; i < range.first + range.count; ++i) {
+      const VesselSegment& s = anatomy.segments[std::size_t(i)];
+      text += fmt::format("{}", s.parent < 0 ? -1 : s.parent - range.first);
+      const auto place = [&](const Vec3& p) {
+        text += fmt::format(" {:.3f} {:.3f} {:.3f}", 1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
+      };
+      if (s.parent < 0) place(s.start);
+      place(s.end);
+      text += fmt::format(" {:.4f} {}\n", 1e3 * s.radius, s.leaf ? 1 : 0);
     }
-  });
+  }
+  return text;
 }
 
 }  // namespace resect

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "anatomy/anatomy.h"
 
@@ -14,7 +15,10 @@ namespace resect {
 
 // Throws Error with file and line if the file is not as above.
 Anatomy readVessels(const std::filesystem::path& path);
+// The same from the file's bytes; `name` stands for the file in Errors.
+Anatomy parseVessels(std::string text, const std::string& name);
 // Coordinates are rounded to a micrometre, radii to a tenth of one.
 void writeVessels(const std::filesystem::path& path, const Anatomy& anatomy);
+std::string formatVessels(const Anatomy& anatomy);
 
 }  // namespace resect

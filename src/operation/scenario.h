@@ -66,6 +66,8 @@ struct OrganSource {
   std::vector<OrganLabel> labels;
   // Not kept in recordings, which hold the cells and vessels that were made.
   std::vector<BroughtStructure> structures;
+  // Sentences for people about how all this was chosen; not kept either.
+  std::vector<std::string> notes;
 
   template <class Visitor>
   void visit(Visitor& v) {

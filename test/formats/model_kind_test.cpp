@@ -44,6 +44,21 @@ TEST_CASE("a binary .stl is one, whatever its header begins with") {
   CHECK(modelKind("a.obj", whole + "x") == ModelKind::Obj);
 }
 
+TEST_CASE("label images are known by their first bytes under any name, else by the name") {
+  for (const char* name : {"a", "a.stl", "a.nii.gz"}) {
+    CHECK(modelKind(name, std::string(344, '\0') + "n+1") == ModelKind::Nifti);
+    CHECK(modelKind(name, std::string(128, '\0') + "DICM ") == ModelKind::Dicom);
+    CHECK(modelKind(name, "NRRD0004\n") == ModelKind::Nrrd);
+    CHECK(modelKind(name, "ObjectType = Image\n") == ModelKind::MetaImage);
+    CHECK(modelKind(name, "NDims=3\n") == ModelKind::MetaImage);
+  }
+  CHECK(modelKind("a.NII.GZ", "x") == ModelKind::Nifti);
+  CHECK(modelKind("a.hdr", "x") == ModelKind::Nifti);
+  CHECK(modelKind("a.seg.nrrd", "x") == ModelKind::Nrrd);
+  CHECK(modelKind("a.mhd", "x") == ModelKind::MetaImage);
+  CHECK(modelKind("a.dcm", "x") == ModelKind::Dicom);
+}
+
 TEST_CASE("what is not read is named, with the way to what is") {
   const auto refuses = [](const char* name, const std::string& bytes, const std::string& what) {
     CHECK_MESSAGE(test::refuses([&] { modelKind(name, bytes); }, what), name);
@@ -53,10 +68,7 @@ TEST_CASE("what is not read is named, with the way to what is") {
   refuses("a.msh", "$MeshFormat\n4.1 0 8\n", "gmsh FILE");
   refuses("a", "$MeshFormat\n4.1 0 8\n", "gmsh FILE");
   refuses("a.3mf", "PK\3\4", "export it as .stl");
-  refuses("a.nii.gz", std::string(344, '\0') + "n+1", "3D Slicer");
-  refuses("a", std::string(128, '\0') + "DICM", "a scan (DICOM)");
-  refuses("a.nrrd", "NRRD0004\n", "a scan or its labels");
-  refuses("a.mhd", "ObjectType = Image\n", "a scan or its labels");
+  refuses("a.vti", "<VTKFile type=\"ImageData\">", "3D Slicer");
   refuses("a.fbx", "Kaydara FBX Binary", "Blender");
   refuses("a.step", "ISO-10303-21;", "FreeCAD");
   refuses("a.xyz", "0 0 0\n", "of no kind that can be read");

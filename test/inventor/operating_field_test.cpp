@@ -50,7 +50,9 @@ TEST_CASE("the surgeon's view is a close-up: the organ fills about half of the p
       scenario.mode = OperationMode::Operation;
       scenario.organs[0].source.spacing = 0.012;
       scenario.organs[0].source.pose.rotation = rotationAbout(Vec3::UnitY(), turned);
-      const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
+      const ModelReader reader = [](const std::filesystem::path& p, const std::string& parts) {
+        return readModel(p, parts);
+      };
       const double aspect = double(width) / height;
       OperatingSession session(
           scenario, std::make_unique<Simulation>(makeSimulation(scenario, reader)), aspect);

@@ -317,7 +317,9 @@ TEST_CASE("where tissue has moved the point under a pixel lies on the surface as
   for (const ToolKind& kind : toolKinds())
     if (!kind.stopsBleeding)
       scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
-  const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
+  const ModelReader reader = [](const std::filesystem::path& p, const std::string& parts) {
+    return readModel(p, parts);
+  };
   Organ organ =
       makeOrgan(loadCells(scenario.organs[0].source, reader), scenario.organs[0].source.settings);
   const TriangleMesh atRest = organ.surface.mesh();
@@ -407,7 +409,9 @@ TEST_CASE("a 3D mouse moves and turns what is in hand, and the view when nothing
 
 TEST_CASE("a scenario that is played in the window removes what it removes without one") {
   Scenario scenario = readScenario(findDataFile("perforate-120", "scenarios", ".toml"));
-  const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
+  const ModelReader reader = [](const std::filesystem::path& p, const std::string& parts) {
+    return readModel(p, parts);
+  };
   const auto make = [&] {
     return std::make_unique<Simulation>(
         makeOrgan(loadCells(scenario.organs[0].source, reader), scenario.organs[0].source.settings),

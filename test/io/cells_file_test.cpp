@@ -95,6 +95,27 @@ TEST_CASE("cells come back from their file bit for bit, with labels, names, land
   CHECK_THROWS_AS(readCells(folder.path()), Error);
 }
 
+TEST_CASE("vessels come back from a file of cells, and the files that it was made from") {
+  KeptCells kept = smallOrgan();
+  kept.vessels = makeAnatomy(
+      {{VesselKind::PortalVein, -1, Vec3(0.001, 0.002, 0.003), Vec3(0.01, 0, 0.02), 0.003, false},
+       {VesselKind::PortalVein, 0, Vec3(0.01, 0, 0.02), Vec3(0.02, 0.01, 0.02), 0.002, true},
+       {VesselKind::BileDuct, -1, Vec3(0, 0, 0), Vec3(0.01, 0.01, 0), 0.001, true}});
+  kept.origin.inputs = {{"a \"b\".nii.gz", "organ", "NIfTI-1 label image", "0123abcd"},
+                        {"t.stl", "tumour", "", ""}};
+  const std::string bytes = formatCells(kept);
+  const KeptCells again = parseCells(bytes, "again");
+  checkSame(kept, again);
+  CHECK(again.origin.inputs == kept.origin.inputs);
+  REQUIRE(again.vessels.segments.size() == 3);
+  CHECK(again.vessels.range(VesselKind::PortalVein).count == 2);
+  CHECK((again.vessels.segments[1].end - Vec3(0.02, 0.01, 0.02)).norm() < 1e-12);
+  CHECK(again.vessels.segments[1].leaf);
+  CHECK(formatCells(again) == bytes);
+  CHECK(complaint(summed(replaced(bytes, "portal-vein 2", "portal-vein 7"))) != "");
+  CHECK(complaint(summed(replaced(bytes, "vessel_bytes = ", "vessel_bytes = 9"))) != "");
+}
+
 TEST_CASE("cells with values that are no levels, without labels and particles come back too") {
   KeptCells kept;
   kept.cells = test::noise({7, 5, 3}, 4);

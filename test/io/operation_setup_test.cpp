@@ -14,7 +14,7 @@
 using namespace resect;
 
 TEST_CASE("built-in organs are read from files that equal what their formulas give, bit for bit") {
-  const auto noFile = [](const std::filesystem::path&) -> Model {
+  const auto noFile = [](const std::filesystem::path&, const std::string&) -> Model {
     FAIL("no other file is read");
     return {};
   };
@@ -95,7 +95,7 @@ ModelReader hollowBall(double wall) {
                inner = sphereMesh({0, 0, 0}, 0.04 - wall, 24);
   flip(inner);
   append(mesh, inner);
-  return [mesh](const std::filesystem::path& path) {
+  return [mesh](const std::filesystem::path& path, const std::string&) {
     return Model{path.string(), "OBJ", {{"", mesh}}};
   };
 }
@@ -122,7 +122,7 @@ TEST_CASE("walls that are too thin for the cells are told with the spacing that 
 }
 
 TEST_CASE("a model in millimetres is refused with its unit, whatever refuses it") {
-  const ModelReader inMillimetres = [](const std::filesystem::path& path) {
+  const ModelReader inMillimetres = [](const std::filesystem::path& path, const std::string&) {
     return Model{path.string(), "STL", {{"", boxMesh({{0, 0, 0}, {200, 150, 100}})}}};
   };
   Scenario scenario;

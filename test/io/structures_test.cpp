@@ -36,7 +36,7 @@ VesselSegment vein() {
   return {VesselKind::PortalVein, -1, Vec3(0.11, 0.23, 0.33), Vec3(0.20, 0.25, 0.37), 0.004, true};
 }
 
-Model readShape(const std::filesystem::path& path) {
+Model readShape(const std::filesystem::path& path, const std::string& /*parts*/) {
   TriangleMesh mesh;
   if (path == "organ.stl") mesh = boxMesh(kBox);
   if (path == "tumour.stl") mesh = sphereMesh(kTumour, 0.015, 32);

@@ -30,7 +30,9 @@ struct OperatingBench {
     for (const ToolKind& kind : toolKinds())
       if (!kind.stopsBleeding)
         scenario.tools.push_back({std::string(kind.name), {}, toolBoxPlace(place++), {}});
-    const ModelReader reader = [](const std::filesystem::path& p) { return readModel(p); };
+    const ModelReader reader = [](const std::filesystem::path& p, const std::string& parts) {
+      return readModel(p, parts);
+    };
     Organ organ = makeOrgan(loadCells(scenario.organs[0].source, reader), {});
     auto tissue = makeTissue(scenario.organs[0].tissue, organ);
     session = std::make_unique<OperatingSession>(

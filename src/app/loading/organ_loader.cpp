@@ -99,11 +99,16 @@ struct OrganLoader::Job {
   }
   // A sentence about a file that a reader wrote, as one about the person's own file.
   std::string withOwnNames(std::string sentence) const {
-    for (std::size_t i = 0; i < wanted.organs.size(); ++i) {
-      const std::string& written = wanted.organs[i].source.file;
-      const std::string& own = scenario.organs[i].source.file;
+    const auto rename = [&](const std::string& written, const std::string& own) {
       if (const std::size_t at = sentence.find(written); at != sentence.npos && written != own)
         sentence.replace(at, written.size(), own);
+    };
+    for (std::size_t i = 0; i < wanted.organs.size(); ++i) {
+      const OrganSource& written = wanted.organs[i].source;
+      const OrganSource& own = scenario.organs[i].source;
+      rename(written.file, own.file);
+      for (std::size_t k = 0; k < own.structures.size(); ++k)
+        rename(written.structures[k].file, own.structures[k].file);
     }
     return sentence;
   }
@@ -147,28 +152,32 @@ void OrganLoader::load(const Scenario& scenario, std::function<void(double)> pro
   job_ = std::make_unique<Job>();
   job_->scenario = withInstruments(scenario);
   job_->wanted = job_->scenario;
-  for (ScenarioOrgan& organ : job_->wanted.organs) organ.tissue = besideDrawing(organ.tissue);
+  toRead_.clear();
+  for (ScenarioOrgan& organ : job_->wanted.organs) {
+    organ.tissue = besideDrawing(organ.tissue);
+    OrganSource& source = organ.source;
+    if (isModelFile(source)) toRead_.push_back({&source.file, &source.part, source.repair});
+    for (BroughtStructure& one : source.structures) toRead_.push_back({&one.file, &one.part});
+  }
   next_ = 0;
   readNext();
   timer_.start();
 }
 
 void OrganLoader::readNext() {
-  const std::vector<ScenarioOrgan>& organs = job_->wanted.organs;
-  while (next_ < organs.size() && !isModelFile(organs[next_].source)) ++next_;
-  if (next_ == organs.size()) return job_->start();
-  const OrganSource& organ = organs[next_].source;
+  if (next_ == toRead_.size()) return job_->start();
+  const ModelToRead& model = toRead_[next_];
   converted_.push_back(QDir::temp()
                            .filePath(QString("resect-%1-organ-%2.ply")
                                          .arg(QCoreApplication::applicationPid())
                                          .arg(++files_))
                            .toStdString());
   // In the file's own numbers, so that a doubt about its size names its unit.
-  QStringList arguments{"convert", QString::fromStdString(organ.file),
+  QStringList arguments{"convert", QString::fromStdString(*model.file),
                         QString::fromStdString(converted_.back())};
-  for (const std::string& name : partNames(organ.part))
+  for (const std::string& name : partNames(*model.part))
     arguments << "--part=" + QString::fromStdString(name);
-  if (organ.repair) arguments << "--repair";
+  if (model.repair) arguments << "--repair";
   reader_ = std::make_unique<QProcess>();
   reader_->start(QCoreApplication::applicationFilePath(), arguments);
 }
@@ -180,9 +189,9 @@ void OrganLoader::poll() {
     if (!fine) job_->problem = sentenceOf(*reader_);
     reader_.reset();
     if (fine) {
-      OrganSource& organ = job_->wanted.organs[next_++].source;
-      organ.file = converted_.back();
-      organ.part.clear();
+      const ModelToRead& model = toRead_[next_++];
+      *model.file = converted_.back();
+      model.part->clear();
       return readNext();
     }
     job_->built = true;

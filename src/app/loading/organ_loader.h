@@ -56,6 +56,12 @@ class OrganLoader {
 
  private:
   struct Job;
+  // A model file that the job needs, and what of it.
+  struct ModelToRead {
+    std::string* file;
+    std::string* part;
+    bool repair = false;
+  };
   void poll();
   void readNext();  // starts reading the next model file; after the last one, starts the job
   void removeConverted();
@@ -63,7 +69,8 @@ class OrganLoader {
   std::function<void(double)> progress_;
   std::function<void(Result)> done_;
   std::unique_ptr<QProcess> reader_;
-  std::size_t next_ = 0;                // number of the organ whose file is being read
+  std::vector<ModelToRead> toRead_;     // they stand in the job's scenario
+  std::size_t next_ = 0;                // number of the one that is being read
   std::vector<std::string> converted_;  // files that readers wrote
   int files_ = 0;                       // files converted so far; numbers their names
   std::unique_ptr<Job> job_;

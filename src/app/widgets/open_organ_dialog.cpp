@@ -17,6 +17,7 @@
 #include <filesystem>
 
 #include "app/say.h"
+#include "formats/labels/brought_organ.h"
 #include "inventor/scene/scene_file.h"
 #include "io/organ_size.h"
 #include "io/scenario/length.h"
@@ -38,6 +39,14 @@ QString reportOf(const QJsonObject& info) {
   if (info["inside_out"].toBool()) text += ", inside out (will be turned)";
   if (info["non_manifold_edges"].toInt() > 0)
     text += ", " + count("non_manifold_edges", "edge", "edges") + " of more than two triangles";
+  return text;
+}
+
+// What was taken from a label image: the notes about it.
+QString aboutImage(const QJsonObject& info) {
+  QString text = info["format"].toString();
+  for (const QJsonValue note : info["notes"].toArray())
+    text += "\n" + shown(note.toString().toStdString(), kLongestSentence);
   return text;
 }
 
@@ -139,7 +148,13 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
     tell("the report cannot be read");
     return true;
   }
-  tell(reportOf(info));
+  isImage_ = info.contains("labels");
+  if (isImage_ && part_->count() == 1) listLabels(info["labels"].toArray());
+  if (isImage_ && !info.contains("closed")) {  // no organ was found in it
+    tell(shown(info["refusal"].toString().toStdString(), kLongestSentence));
+    return true;
+  }
+  tell(isImage_ ? aboutImage(info) : reportOf(info));
   repair_->setChecked(!info["closed"].toBool());
   const QJsonArray bounds = info["bounds_m"].toArray();
   area_ = info["area_m2"].toDouble();
@@ -148,9 +163,9 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   for (int a = 0; a < 3; ++a)
     longest_ =
         std::max(longest_, bounds[1].toArray()[a].toDouble() - bounds[0].toArray()[a].toDouble());
-  if (part_->count() == 1 && listParts(info["parts"].toArray())) return false;
+  if (!isImage_ && part_->count() == 1 && listParts(info["parts"].toArray())) return false;
   // In a scene that was saved from here the organ is in metres.
-  if (part_->currentData().toString() == kOrganNode)
+  if (isImage_ || part_->currentData().toString() == kOrganNode)
     unit_->setCurrentIndex(0);
   else if (!unitChosen_)
     unit_->setCurrentIndex(likelyUnit());
@@ -159,6 +174,24 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   if (!part_->hasFocus()) open_->setFocus();
   open_->setDefault(true);
   return true;
+}
+
+// Numbers of a label image are known to be metres, and its surfaces are closed.
+void OpenOrganDialog::listLabels(const QJsonArray& labels) {
+  unit_->setEnabled(false);
+  repair_->setEnabled(false);
+  part_->setItemText(0, "the organ and what lies in it");
+  part_->setToolTip(
+      "The label that becomes the organ; tumours and vessels in it are known by name");
+  if (labels.size() < 2) return;
+  for (const QJsonValue label : labels) {
+    const QString value = QString::number(qint64(label["value"].toDouble()));
+    const QString name = label["name"].toString();
+    part_->addItem(QString("%1  (%2 ml)")
+                       .arg(name.isEmpty() ? "label " + value : shown(name.toStdString()))
+                       .arg(label["volume_ml"].toDouble(), 0, 'g', 4),
+                   value);
+  }
 }
 
 // The one that the commands would name (io/organ_size.h).
@@ -189,6 +222,7 @@ OrganSource OpenOrganDialog::source() const {
   source.repair = repair_->isChecked();
   source.spacing = spacing_->value() * 1e-3;
   source.settings = before_.settings;
+  if (isImage_) takeLabels(source);
   return source;
 }
 

@@ -22,7 +22,8 @@ class OpenOrganDialog : public QDialog {
   // before: source of an earlier organ. The dialog proposes its spacing and keeps its settings.
   OpenOrganDialog(const std::string& file, const OrganSource& before, QWidget* parent = nullptr);
 
-  // The user's choices; valid after accept().
+  // The user's choices; valid after accept(). Of a label image, with what lies in the organ. Throws
+  // Error if it cannot be read any more.
   OrganSource source() const;
 
   QPoint openButton() const;  // centre of the Open button, in screen coordinates
@@ -38,6 +39,7 @@ class OpenOrganDialog : public QDialog {
   void examine();
   int likelyUnit() const;
   bool listParts(const QJsonArray& parts);
+  void listLabels(const QJsonArray& labels);
 
   std::string file_;
   OrganSource before_;
@@ -50,6 +52,7 @@ class OpenOrganDialog : public QDialog {
   double longest_ = 0;            // longest side of the bounding box, in units of the file
   double area_ = 0, volume_ = 0;  // in units squared and units cubed; volume 0: open surface
   bool unitChosen_ = false;       // the user has chosen a unit
+  bool isImage_ = false;          // a label image
 };
 
 }  // namespace resect

@@ -89,14 +89,14 @@ Grown anatomyOf(const Options& options) {
   }
   const double metres = parseUnit(options.unit, "--unit");
   if (!options.structures.empty())
-    return {prepareOrganMesh(modelReader()(options.organ), {"", false, metres}).mesh,
+    return {prepareOrganMesh(modelReader()(options.organ, {}), {"", false, metres}).mesh,
             broughtVessels(options, metres)};
   VesselGrowth growth;
   growth.hilum = placeFrom(options.hilum, "--hilum", metres);
   growth.cava = placeFrom(options.cava, "--cava", metres);
   growth.terminals = options.terminals;
   growth.seed = std::uint64_t(options.seed);
-  TriangleMesh organ = prepareOrganMesh(modelReader()(options.organ), {"", false, metres}).mesh;
+  TriangleMesh organ = prepareOrganMesh(modelReader()(options.organ, {}), {"", false, metres}).mesh;
   growth.hilumOut = outside(organ, growth.hilum);
   growth.cavaOut = outside(organ, growth.cava);
   Anatomy anatomy = growVessels(organ, growth);

@@ -17,7 +17,7 @@
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
 #include "cli/thesis_profile.h"
-#include "formats/meshes/gltf_buffers.h"
+#include "formats/beside_files.h"
 #include "io/cells/particle_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
@@ -75,7 +75,7 @@ void runHaptics(const Options& options, const OrganOptions& organOptions, bool n
     if (!named) add(name);
   const std::filesystem::path file = findHapticPlugin(options.device);
   inputs.push_back(file);
-  addFilesOfGltf(inputs);
+  addFilesBeside(inputs);
   checkOutputs({{{"--json", options.json}}}, inputs);
 
   const HapticPlugin plugin(file);
@@ -101,7 +101,7 @@ void run(const Options& options, const OrganOptions& organOptions) {
   organOptions.applyTo(scenario, options.organ);
   if (options.thesis) makeThesis(scenario);
   std::vector<std::filesystem::path> inputs = filesRead(scenario);
-  addFilesOfGltf(inputs);
+  addFilesBeside(inputs);
   checkOutputs({{{"--json", options.json}}}, inputs);
 
   const BenchReport report = measure(scenario, scenario.name);

@@ -9,6 +9,7 @@ namespace resect {
 void addInfoCommand(Command app);
 void addLiverCommand(Command app);
 void addAnatomyCommand(Command app);
+void addOrganCommand(Command app);
 void addDiscretizeCommand(Command app);
 void addSurfaceCommand(Command app);
 void addSweepCommand(Command app);

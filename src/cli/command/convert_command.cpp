@@ -9,7 +9,7 @@
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
-#include "formats/meshes/gltf_buffers.h"
+#include "formats/beside_files.h"
 #include "geometry/measures.h"
 #include "inventor/reading/model_file.h"
 #include "io/mesh_file.h"
@@ -30,10 +30,10 @@ void convert(const Options& options) {
   // Wrong names and units are reported before the work.
   checkWritableMeshFile(options.out);
   std::vector<std::filesystem::path> inputs{options.in};
-  addFilesOfGltf(inputs);
+  addFilesBeside(inputs);
   checkOutputs({{{"OUT", options.out}, {"--json", options.json ? "-" : ""}}}, inputs);
   const double metres = parseUnit(options.unit, "--unit");
-  const Model model = readModelWatched(options.in, progressBar("reading"));
+  const Model model = readModelWatched(options.in, progressBar("reading"), options.part);
   TriangleMesh mesh;
   std::vector<std::string> notes;
   if (options.repair) {

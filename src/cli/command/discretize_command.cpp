@@ -11,7 +11,7 @@
 #include "cli/organ_options.h"
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
-#include "formats/meshes/gltf_buffers.h"
+#include "formats/beside_files.h"
 #include "io/cells/particle_file.h"
 #include "io/operation_setup.h"
 #include "io/output/run_files.h"
@@ -61,7 +61,7 @@ void addDiscretizeCommand(Command app) {
       source.spacing = 0.005;
     }
     organ->applyTo(source);
-    addFilesOfGltf(inputs);
+    addFilesBeside(inputs);
     checkOutputs({{{"--output", options->output}, {"--json", options->json ? "-" : ""}}}, inputs);
     const Discretization cells = loadCells(source, modelReader(), progressBar("particles"), &notes);
     writeParticleFile(options->output,

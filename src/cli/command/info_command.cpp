@@ -1,13 +1,17 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <memory>
 
 #include "base/error.h"
+#include "base/text/shown_text.h"
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
+#include "formats/labels/brought_organ.h"
+#include "formats/labels/image_report.h"
 #include "formats/model_info.h"
 #include "formats/particle_info.h"
 #include "inventor/reading/model_file.h"
@@ -33,10 +37,47 @@ void infoOfParticles(const Options& options) {
     fmt::print("{}", toText(kept, options.file));
 }
 
+// About the image, or the folder of images, and about the organ that it would give.
+void infoOfLabels(const Options& options) {
+  if (options.unit != "m")
+    throw usageError("{}: label images tell their size themselves; leave --unit out", options.file);
+  LabelFacts facts;
+  if (std::filesystem::is_directory(options.file))
+    facts.description = "folder";
+  else
+    facts = readLabelFacts(options.file, progressBar("reading"));
+  nlohmann::ordered_json json = toJson(facts, options.file);
+  std::string text = toText(facts, options.file);
+  try {
+    OrganSource source;
+    source.file = options.file;
+    source.part = options.part;
+    takeLabels(source);
+    const Model model = readModelWatched(source.file, progressBar("reading"), source.part);
+    ModelInfo organ = modelInfo(model, {source.part, false, 1});
+    organ.notes.insert(organ.notes.begin(), source.notes.begin(), source.notes.end());
+    const nlohmann::ordered_json more = toJson(organ);
+    for (const auto& [key, value] : more.items())
+      if (!json.contains(key)) json[key] = value;
+    const std::string about = toText(organ);
+    text += "organ\n" + about.substr(about.find('\n') + 1);
+  } catch (const Error& e) {
+    json["refusal"] = e.what();
+    std::string_view why = e.what();
+    if (why.starts_with(options.file + ": ")) why.remove_prefix(options.file.size() + 2);
+    text += fmt::format("  as an organ: refused: {}\n", shownSentence(why));
+  }
+  if (options.json)
+    writeJson("-", json);
+  else
+    fmt::print("{}", text);
+}
+
 void info(const Options& options) {
   if (isParticleFile(options.file)) return infoOfParticles(options);
+  if (isLabelled(options.file)) return infoOfLabels(options);
   const double metres = parseUnit(options.unit, "--unit");
-  const Model model = readModelWatched(options.file, progressBar("reading"));
+  const Model model = readModelWatched(options.file, progressBar("reading"), options.part);
   const ModelInfo result = modelInfo(model, {options.part, false, metres});
   if (options.json)
     writeJson("-", toJson(result));
@@ -51,7 +92,8 @@ void addInfoCommand(Command app) {
   Command command = app.subcommand("info", "Tell what a file holds and whether it is sound");
   command
       .option("FILE", options->file,
-              ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk; particles: .dis .resect-cells")
+              ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk; label images: .nii .nrrd .mha .dcm; "
+              "particles: .dis .resect-cells")
       .required();
   addPartOption(command, options->part);
   command
@@ -64,6 +106,7 @@ void addInfoCommand(Command app) {
       "  resect info liver.iv\n"
       "  resect info scan.stl --unit mm\n"
       "  resect info liver.glb --part gallbladder --json\n"
+      "  resect info labels.nii.gz\n"
       "  resect info organ.obj --part capsule --part bare_area");
   command.action([options] { info(*options); });
 }

@@ -14,7 +14,7 @@
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
-#include "formats/meshes/gltf_buffers.h"
+#include "formats/beside_files.h"
 #include "formats/png_file.h"
 #include "geometry/resting_pose.h"
 #include "inventor/picture/offscreen_view.h"
@@ -65,14 +65,14 @@ void render(const Options& options) {
   checkPngFile(options.out);
   std::vector<std::filesystem::path> inputs = shippedFiles();
   inputs.insert(inputs.end(), options.models.begin(), options.models.end());
-  addFilesOfGltf(inputs);
+  addFilesBeside(inputs);
   checkOutputs({{{"--output", options.out}, {"--json", options.json ? "-" : ""}}}, inputs);
   OffscreenView picture(width, height);  // before reading, so that a missing EGL is reported first
 
   std::vector<TriangleMesh> meshes;
   TriangleMesh all;
   for (const std::string& file : options.models) {
-    const Model model = readModelWatched(file, progressBar("reading"));
+    const Model model = readModelWatched(file, progressBar("reading"), options.part);
     meshes.push_back(weldSurface(chosenSurface(model, options.part, metres)).mesh);
     if (meshes.back().triangles.empty())
       throw error("{}: all its triangles are degenerate; export the model again", file);

@@ -15,7 +15,7 @@
 #include "cli/progress_bar.h"
 #include "cli/run_report.h"
 #include "cli/shared_options.h"
-#include "formats/meshes/gltf_buffers.h"
+#include "formats/beside_files.h"
 #include "io/atomic_file.h"
 #include "io/data_folder.h"
 #include "io/mesh_file.h"
@@ -70,7 +70,7 @@ void checkOptions(const Options& options) {
 
 void checkFiles(const Options& options, const Scenario& scenario) {
   std::vector<std::filesystem::path> inputs = filesRead(scenario);
-  addFilesOfGltf(inputs);
+  addFilesBeside(inputs);
   checkOutputs({{{"--surface", options.surface},
                  {"--video", options.pictures.video},
                  {"--plot", options.plot},

@@ -27,16 +27,6 @@ bool isGltfBuffer(const fs::path& name) {
   return std::ranges::find(kBufferEndings, lowerEnding(name)) != kBufferEndings.end();
 }
 
-void addFilesOfGltf(std::vector<fs::path>& files) {
-  std::error_code ec;
-  for (std::size_t i = 0, models = files.size(); i < models; ++i) {
-    if (!isGltf(files[i])) continue;
-    const fs::path folder = files[i].has_parent_path() ? files[i].parent_path() : ".";
-    for (const auto& entry : fs::directory_iterator(folder, ec))
-      if (isGltfBuffer(entry.path())) files.push_back(entry.path());
-  }
-}
-
 std::string withoutPercents(std::string_view text) {
   const auto digit = [](char c) { return c <= '9' ? c - '0' : (c | 32) - 'a' + 10; };
   std::string plain;

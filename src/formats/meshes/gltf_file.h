@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "formats/beside_files.h"
 #include "formats/meshes/gltf_buffers.h"
 #include "io/model.h"
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "formats/beside_files.h"
 #include "formats/meshes/gltf_buffers.h"
 
 namespace resect {
@@ -22,8 +23,8 @@ inline constexpr const char* kPlainPositions = "resect/positions.bin";
 // KHR_mesh_quantization: positions of whole numbers become floats, and the other attributes of
 // their primitives are left out. Extensions of looks are left to the library. Throws Error if the
 // file is shorter than it says, if the JSON is damaged or if the file requires an extension that is
-// not followed; LacksFile (gltf_buffers.h) if quantized positions lie in a buffer file that is not
-// in `beside`.
+// not followed; LacksFile (formats/beside_files.h) if quantized positions lie in a buffer file that
+// is not in `beside`.
 PlainGltf plainGltf(const std::string& path, std::string_view bytes, const BesideFiles& beside);
 
 }  // namespace resect

@@ -3,9 +3,11 @@
 #include <Inventor/SoInput.h>
 
 #include "base/error.h"
-#include "formats/child/child_process.h"
-#include "formats/child/foreign_file.h"
+#include "formats/child/foreign_reading.h"
 #include "formats/gzip.h"
+#include "formats/images/dicom_file.h"
+#include "formats/labels/label_file.h"
+#include "formats/labels/label_model.h"
 #include "formats/meshes/gltf_file.h"
 #include "formats/meshes/obj_file.h"
 #include "formats/meshes/off_file.h"
@@ -24,9 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestFile = std::size_t(1) << 30;  // with all that is beside it
-constexpr std::size_t kLargestUnpacked = std::size_t(1) << 29;
-constexpr std::size_t kMostBeside = 16;
+constexpr std::size_t kLargestUnpacked = kMostImageBytes;
 
 // What Coin is given: text without what may stand before and after it, binary files as they are.
 std::string_view inventorText(const std::string& path, std::string_view bytes) {
@@ -35,8 +35,8 @@ std::string_view inventorText(const std::string& path, std::string_view bytes) {
   return isBinary ? bytes : text;
 }
 
-Model readHere(const fs::path& path, std::string_view bytes, const BesideFiles& beside,
-               SharedNumber& share) {
+Model readHere(const fs::path& path, const ForeignFile& file, const std::string& parts) {
+  std::string_view bytes = file.bytes;
   if (bytes.empty()) throw error("{}: is empty; choose a file that holds a surface", path.string());
   std::string unpacked;
   if (isGzip(bytes)) bytes = unpacked = unpackGzip(path.string(), bytes, kLargestUnpacked);
@@ -44,10 +44,16 @@ Model readHere(const fs::path& path, std::string_view bytes, const BesideFiles& 
   if (bytes.starts_with(kByteOrderMark) && !isExactBinaryStl(bytes))
     bytes.remove_prefix(kByteOrderMark.size());
   const std::string name = path.string();
-  switch (modelKind(path, bytes)) {
+  const ModelKind kind = modelKind(path, bytes);
+  const auto progress = [&](double now) { file.share.set(now); };
+  if (isImage(kind))
+    return labelModel(name, readLabelImage(kind, name, bytes, file.beside), parts, [&](double now) {
+      progress(now);
+      return true;
+    });
+  switch (kind) {
     case ModelKind::Inventor:
-      return readInventorFile(name, inventorText(name, bytes), ShapeReading::Converted,
-                              [&](double now) { share.set(now); });
+      return readInventorFile(name, inventorText(name, bytes), ShapeReading::Converted, progress);
     case ModelKind::Vtk:
       return readVtkFile(name, bytes);
     case ModelKind::Obj:
@@ -58,11 +64,9 @@ Model readHere(const fs::path& path, std::string_view bytes, const BesideFiles& 
       return readPlyFile(name, bytes);
     case ModelKind::Off:
       return readOffFile(name, bytes);
-    case ModelKind::Glb:
-    case ModelKind::Gltf:
-      break;
+    default:
+      return readGltfFile(name, bytes, file.beside);
   }
-  return readGltfFile(name, bytes, beside);
 }
 
 // Whether Coin may be needed, told without unpacking the file: this is asked outside the sandbox.
@@ -70,20 +74,6 @@ bool mayBeInventor(const fs::path& path, std::string_view bytes) {
   if (isInventorFile(bytes) || isGzip(bytes)) return true;
   const std::string ending = lowerCase(path.extension().string());
   return ending == ".iv" || ending == ".wrl" || ending == ".gz";
-}
-
-// The child's answer: a model, or the name of a file beside it that it lacks.
-constexpr char kModel = 'm', kLacks = 'l';
-
-std::string answerOf(const fs::path& path, std::string_view bytes, const BesideFiles& beside,
-                     SharedNumber& share) {
-  try {
-    const Model model = readHere(path, bytes, beside, share);
-    checkModel(model);
-    return kModel + modelToBytes(model);
-  } catch (const LacksFile& file) {
-    return kLacks + file.name;
-  }
 }
 
 // What Coin would do at first use, when there are no files any more.
@@ -95,43 +85,29 @@ void prepareCoin() {
 
 }  // namespace
 
-Model readModel(const fs::path& path) { return readModelWithin(path, 5); }
-
-Model readModelWatched(const fs::path& path, const Progress& progress) {
-  return readModelWithin(path, 5, progress);
+Model readModel(const fs::path& path, const std::string& parts) {
+  return readModelWithin(path, 5, {}, parts);
 }
 
-Model readModelWithin(const fs::path& path, double seconds, const Progress& progress) {
-  const RawArray<char> bytes = readForeignFile(path, kLargestFile);
-  BesideFiles beside;
-  std::size_t size = bytes.size();
-  SharedNumber share(-1);
-  for (;;) {
-    ChildLimits limits;
-    limits.cpuSeconds = seconds + double(size) / (1 << 20);
-    limits.wallSeconds = 4 * limits.cpuSeconds;  // allowance for other load on the processor
-    const std::string answer = runInChild(
-        path.string(), limits,
-        [&] {
-          return answerOf(path, {bytes.data(), bytes.size()}, beside, share);
-        },
-        [&] { report(progress, share.get()); },
-        [&] {
-          if (mayBeInventor(path, {bytes.data(), bytes.size()})) prepareCoin();
-        });
-    if (answer.starts_with(kModel)) {
-      Model model = bytesToModel(std::string_view(answer).substr(1), path.string());
-      report(progress, 1);
-      return model;
-    }
-    const std::string lacking = answer.substr(1);
-    if (beside.size() == kMostBeside || beside.contains(lacking))
-      throw error("{}: refers to more than {} files; export it as one file", path.string(),
-                  kMostBeside);
-    RawArray<char> more = readForeignFileBeside(path, lacking, kLargestFile - size);
-    size += more.size();
-    beside.emplace(lacking, std::move(more));
-  }
+Model readModelWatched(const fs::path& path, const Progress& progress, const std::string& parts) {
+  return readModelWithin(path, 5, progress, parts);
+}
+
+Model readModelWithin(const fs::path& path, double seconds, const Progress& progress,
+                      const std::string& parts) {
+  ForeignReading how;
+  how.seconds = isImageFile(path) ? std::max(seconds, kImageSeconds) : seconds;
+  how.progress = progress;
+  how.prepare = [&](std::string_view bytes) {
+    if (mayBeInventor(path, bytes)) prepareCoin();
+    if (startsAsDicom(bytes)) prepareDicom();
+  };
+  const std::string answer = readForeign(path, how, [&](const ForeignFile& file) {
+    const Model model = readHere(path, file, parts);
+    checkModel(model);
+    return modelToBytes(model);
+  });
+  return bytesToModel(answer, path.string());
 }
 
 }  // namespace resect

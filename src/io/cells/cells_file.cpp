@@ -11,6 +11,7 @@
 #include "io/atomic_file.h"
 #include "io/cells/byte_runs.h"
 #include "io/scenario/toml_table.h"
+#include "io/vessels_file.h"
 #include "io/whole_file.h"
 #include "organ/discretize.h"
 
@@ -62,7 +63,7 @@ bool isPlain(const Lattice& lattice) {
          (lattice.spacing.array() > 0).all() && lattice.spacing.maxCoeff() < kFarthest;
 }
 
-std::string header(const KeptCells& kept, const std::string (&blocks)[3]) {
+std::string header(const KeptCells& kept, const std::string (&blocks)[4]) {
   const Discretization& d = kept.cells;
   std::string text(kFirstLine);
   text += fmt::format("program = {}\nsource = {}\nunit = {}\n", quoted(kept.origin.program),
@@ -74,12 +75,17 @@ std::string header(const KeptCells& kept, const std::string (&blocks)[3]) {
                       d.particleCount(), d.value.areLevels() ? "levels" : "numbers");
   text += fmt::format("inside_bytes = {}\nvalue_bytes = {}\nlabel_bytes = {}\n", blocks[0].size(),
                       blocks[1].size(), blocks[2].size());
+  if (!blocks[3].empty()) text += fmt::format("vessel_bytes = {}\n", blocks[3].size());
   for (std::size_t i = 0; i < d.labelNames.size(); ++i)
     if (!d.labelNames[i].empty())
       text += fmt::format("[[label]]\nnumber = {}\nname = {}\n", i, quoted(d.labelNames[i]));
   for (const Landmark& landmark : d.landmarks)
     text += fmt::format("[[landmark]]\nname = {}\nplace = {}\n", quoted(landmark.name),
                         exact(landmark.place));
+  for (const CellsInput& input : kept.origin.inputs)
+    text += fmt::format("[[input]]\nfile = {}\nrole = {}\nformat = {}\ncrc32 = {}\n",
+                        quoted(input.file), quoted(input.role), quoted(input.format),
+                        quoted(input.crc32));
   text.pop_back();
   return text += kHeaderEnd;
 }
@@ -104,6 +110,14 @@ Lattice readLattice(const TomlTable& t) {
   lattice.spacing = t.vec3("spacing");
   if (!(lattice.spacing.array() > 0).all()) t.complain("spacing", "is not above 0 on each axis");
   return lattice;
+}
+
+void readInputs(const TomlTable& t, std::vector<CellsInput>& inputs) {
+  for (const TomlTable& input : t.tables("input")) {
+    inputs.push_back({input.freeText("file"), input.freeText("role"), input.freeText("format"),
+                      input.freeText("crc32")});
+    input.refuseUnknownKeys();
+  }
 }
 
 void readNames(const TomlTable& t, Discretization& d) {
@@ -148,9 +162,9 @@ std::string formatCells(const KeptCells& kept) {
   if (!isPlain(d.lattice))
     throw error("cells cannot be kept: there must be 1 to {} of them within {} km", kMaxCells,
                 kFarthest / 1000);
-  const std::string blocks[3] = {
+  const std::string blocks[4] = {
       toRuns(d.inside), d.value.areLevels() ? toRuns(d.value.levels()) : toRuns(d.value.numbers()),
-      toRuns(d.label)};
+      toRuns(d.label), kept.vessels.segments.empty() ? "" : formatVessels(kept.vessels)};
   std::string bytes = header(kept, blocks);
   try {
     headerTable(std::string_view(bytes).substr(0, bytes.size() - kHeaderEnd.size()), "header");
@@ -196,11 +210,12 @@ KeptCells parseCells(std::string_view bytes, const std::string& name) {
   const std::string values = t.text("values");
   if (values != "levels" && values != "numbers")
     t.complain("values", "are neither \"levels\" nor \"numbers\"");
-  std::string_view block[3];
+  std::string_view block[4];
   std::size_t at = 0;
-  const char* keys[3] = {"inside_bytes", "value_bytes", "label_bytes"};
-  for (int i = 0; i < 3; ++i) {
-    const auto size = std::size_t(t.integer(keys[i], 0, kMostBytes));
+  const char* keys[4] = {"inside_bytes", "value_bytes", "label_bytes", "vessel_bytes"};
+  for (int i = 0; i < 4; ++i) {
+    const auto size = std::size_t(i == 3 ? t.integer(keys[i], 0, kMostBytes, 0)
+                                         : t.integer(keys[i], 0, kMostBytes));
     if (size > bytes.size() - at)
       t.complain(keys[i], fmt::format("is {}, and {} bytes are left", size, bytes.size() - at));
     block[i] = bytes.substr(at, size);
@@ -210,6 +225,7 @@ KeptCells parseCells(std::string_view bytes, const std::string& name) {
     throw error("{}: {} bytes more than its header says; write the file anew", name,
                 bytes.size() - at);
   readNames(t, d);
+  readInputs(t, kept.origin.inputs);
   t.refuseUnknownKeys();
 
   const std::int64_t cells = d.lattice.cellCount();
@@ -234,6 +250,7 @@ KeptCells parseCells(std::string_view bytes, const std::string& name) {
   }
   if (!block[2].empty())
     d.label = unpack<std::vector<std::uint8_t>>(block[2], cells, "labels", name);
+  if (!block[3].empty()) kept.vessels = parseVessels(std::string(block[3]), name);
   return kept;
 }
 

@@ -1,5 +1,5 @@
 // Reads and writes files *.resect-cells. Such a file holds an organ's lattice, colour values,
-// particles, labels, names of labels, and landmarks. It also says where these come from.
+// particles, labels, names of labels, landmarks and vessels. It also says where these come from.
 //
 // docs/cells_file.md describes the format: a text header, then runs (io/cells/byte_runs.h), then a
 // checksum. Lengths are in metres. The same cells give the same bytes on every machine; reading
@@ -9,22 +9,36 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "anatomy/anatomy.h"
 #include "sph/discretization.h"
 
 namespace resect {
 
+// A file that the cells were made from.
+struct CellsInput {
+  std::string file;    // name without folder
+  std::string role;    // what was taken from it: "parenchyma", "tumour", "portal-vein"
+  std::string format;  // "NIfTI-1 label image, 147 x 120 x 53 voxels of 1.5 x 1.5 x 3 mm, axes RAS"
+  std::string crc32;   // of its bytes, eight hexadecimal digits
+
+  bool operator==(const CellsInput&) const = default;
+};
+
 // Where the cells come from, as information for people. There is no date and no folder, so that the
 // same input gives the same bytes.
 struct CellsOrigin {
-  std::string program;  // program that wrote them, with its version; may be empty
-  std::string source;   // name of the model file, or "liver"; may be empty
-  double unit = 1;      // metres per unit of the model file
+  std::string program;               // program that wrote them, with its version; may be empty
+  std::string source;                // name of the model file, or "liver"; may be empty
+  double unit = 1;                   // metres per unit of the model file
+  std::vector<CellsInput> inputs{};  // may be empty
 };
 
 struct KeptCells {
   Discretization cells;
   CellsOrigin origin;
+  Anatomy vessels{};  // in the coordinates of the cells; to a micrometre in the file
 };
 
 // Whether the file's name ends in .resect-cells.

@@ -1,5 +1,6 @@
 // Are the files known that may belong to a model?
 #include "formats/meshes/gltf_buffers.h"
+#include "formats/beside_files.h"
 
 #include <doctest/doctest.h>
 
@@ -15,13 +16,13 @@ TEST_CASE("the files that a .gltf's reader may be given are those beside it") {
   std::vector<fs::path> files = {folder.write("a.gltf", "{}"), folder.write("b.obj", "")};
   const fs::path buffer = folder.write("my buffer.bin", ""), other = folder.write("c.glbin", "");
   folder.write("picture.png", "");
-  addFilesOfGltf(files);
+  addFilesBeside(files);
   REQUIRE(files.size() == 4);
   CHECK(std::ranges::find(files, buffer) != files.end());
   CHECK(std::ranges::find(files, other) != files.end());
 
   std::vector<fs::path> none = {folder / "b.obj", folder / "nowhere" / "d.gltf"};
-  addFilesOfGltf(none);
+  addFilesBeside(none);
   CHECK(none.size() == 2);
 }
 
@@ -35,7 +36,7 @@ TEST_CASE("a .gltf and its buffers are known by endings in upper and lower case"
   const test::TemporaryFolder folder;
   std::vector<fs::path> files = {folder.write("model.GLTF", "{}")};
   const fs::path buffer = folder.write("model.BIN", "");
-  addFilesOfGltf(files);
+  addFilesBeside(files);
   REQUIRE(files.size() == 2);
   CHECK(files[1] == buffer);
 }

@@ -1,0 +1,69 @@
+// Label images: scans of a patient in which each voxel says to which organ it belongs.
+//
+// Coordinates are those of DICOM in metres: x to the patient's left, y to the back, z to the head
+// ("LPS").
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/raw_array.h"
+#include "base/vec.h"
+
+namespace resect {
+
+inline constexpr std::int64_t kMostVoxels = std::int64_t(1) << 28;    // of an image
+inline constexpr std::size_t kMostImageBytes = std::size_t(1) << 30;  // of its voxels, unpacked
+inline constexpr double kImageSeconds = 60;  // of processor time to read an image
+inline constexpr int kMostLabels = 1000;     // of an image
+inline constexpr int kMostLayers = 64;       // of an image
+
+struct ImageLabel {
+  std::int64_t value = 0;   // number in the file, not 0
+  std::string name;         // may be empty
+  int layer = 0;            // index in LabelImage::layers
+  std::int64_t voxels = 0;  // number of its voxels
+};
+
+struct LabelImage {
+  std::string format;            // "NIfTI-1"
+  Vec3i dims = Vec3i::Zero();    // voxels along each axis, > 0
+  Vec3 origin = Vec3::Zero();    // centre of the first voxel, m
+  Mat3 step = Mat3::Identity();  // column a: from one voxel to the next along axis a, m
+  // Voxels, the first axis fastest: 0, or 1 + index in `labels`. Labels that overlap stand in
+  // several layers.
+  std::vector<RawArray<std::uint16_t>> layers;
+  std::vector<ImageLabel> labels;  // with at least one voxel each
+  // Whether slices (third axis) without labels may be missing before the first and after the last.
+  bool slicesLeftOut = false;
+
+  std::int64_t voxelCount() const { return std::int64_t(dims.x()) * dims.y() * dims.z(); }
+  double voxelVolume() const { return std::abs(step.determinant()); }  // m^3
+  Vec3 spacing() const { return step.colwise().norm(); }               // m
+};
+
+// What makes an image from a scan, for messages.
+inline constexpr const char* kLabelMakers = "TotalSegmentator, 3D Slicer or ITK-SNAP";
+
+// Turns coordinates that run to the right and the front (NIfTI: "RAS") into those above, and back.
+inline Vec3 turnedRasLps(const Vec3& p) { return {-p.x(), -p.y(), p.z()}; }
+
+// Throws Error unless dims and step are those of an image: 1 to kMostVoxels voxels, and axes of
+// 1 um to 1 m a voxel that do not lie in one plane. `path`: for the message.
+void checkGrid(const std::string& path, const LabelImage& image);
+
+// Where the axes of the image lead: three of L, R, P, A, S, I, as "LPS"; and by how many degrees,
+// at most, they are turned from these directions.
+std::string orientation(const LabelImage& image);
+double obliqueness(const LabelImage& image);
+
+// "NIfTI-1 label image, 512 x 512 x 90 voxels of 0.8 x 0.8 x 5 mm, axes LPS"
+std::string description(const LabelImage& image);
+
+// The label's name, or "label 5" if it has none.
+std::string shownName(const ImageLabel& label);
+
+}  // namespace resect

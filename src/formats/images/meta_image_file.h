@@ -1,0 +1,23 @@
+// Reads label images in MetaImage files (.mha, .mhd with a file of voxels).
+//
+// Source: "MetaIO" (itk.org/Wiki/MetaIO/Documentation). Coordinates are left, posterior, superior
+// in mm, as ITK writes them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "formats/beside_files.h"
+#include "formats/images/label_image.h"
+
+namespace resect {
+
+// Whether the bytes begin with a line of a MetaImage's header.
+bool startsAsMetaImage(std::string_view bytes);
+
+// Throws Error if the image is none of labels, or uses what is not read; LacksFile if its voxels
+// are in a file of their own.
+LabelImage readMetaImageFile(const std::string& path, std::string_view bytes,
+                             const BesideFiles& beside = {});
+
+}  // namespace resect

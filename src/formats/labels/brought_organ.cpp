@@ -1,0 +1,240 @@
+#include "formats/labels/brought_organ.h"
+
+#include <algorithm>
+#include <optional>
+#include <ranges>
+
+#include "base/crc32.h"
+#include "base/error.h"
+#include "base/text/shown_text.h"
+#include "formats/child/foreign_file.h"
+#include "formats/labels/label_file.h"
+#include "formats/labels/label_model.h"
+#include "formats/labels/label_names.h"
+#include "formats/meshes/word_reader.h"
+
+namespace resect {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A label and where it is.
+struct Found {
+  std::string file;
+  std::string part;  // of the file; empty: all
+  std::string name;
+  std::optional<StructureKind> kind;
+  double volume = 0;  // m^3
+  bool cutOff = false;
+};
+
+constexpr std::size_t kManyLabels = 20;  // as many has no image that was labelled by hand
+
+// The labels of one file.
+std::vector<Found> labelsOf(const std::string& file, OrganSource& source) {
+  const LabelFacts facts = readLabelFacts(file);
+  const bool nameless =
+      facts.labels.size() > kManyLabels &&
+      std::ranges::all_of(facts.labels, [](const ImageLabel& l) { return l.name.empty(); });
+  if (nameless)
+    source.notes.push_back(
+        fmt::format("{}: its labels have no names; those of TotalSegmentator are taken", file));
+  std::vector<Found> all;
+  for (std::size_t i = 0; i < facts.labels.size(); ++i) {
+    const ImageLabel& label = facts.labels[i];
+    std::string name = shownName(label);
+    if (nameless && !totalSegmentatorName(label.value).empty())
+      name = totalSegmentatorName(label.value);
+    const auto kind = structureKind(name);
+    all.push_back({file, facts.labels.size() == 1 ? "" : std::to_string(label.value),
+                   std::move(name), kind, facts.volume(i), bool(facts.cutOff[i])});
+  }
+  return all;
+}
+
+// The label images of a folder, by name.
+std::vector<std::string> imagesIn(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && isImageFile(entry.path()))
+      files.push_back(entry.path().string());
+  std::ranges::sort(files);
+  if (files.empty())
+    throw error(
+        "{}: is a folder without label images; choose one of .nii, .nrrd, .mha or DICOM "
+        "files",
+        folder);
+  return files;
+}
+
+// Whether a structure is part of an organ with vessels.
+bool isWithin(StructureKind kind) {
+  return kind == StructureKind::Tumour || kind == StructureKind::Cyst || vesselKind(kind);
+}
+
+std::string listed(const std::vector<Found>& all) {
+  constexpr std::size_t kMost = 40;
+  std::string list;
+  for (const Found& one : all | std::views::take(kMost)) {
+    const bool numbered = !one.part.empty() && one.name != "label " + one.part;
+    list += fmt::format("{}{}{}", list.empty() ? "" : ", ", numbered ? one.part + " " : "",
+                        shownText(one.name, kLongestName));
+  }
+  if (all.size() > kMost) list += fmt::format(" and {} more", all.size() - kMost);
+  return list;
+}
+
+// The organ among the labels.
+const Found& organOf(const OrganSource& source, const std::vector<Found>& all) {
+  std::vector<const Found*> organs;
+  for (const Found& one : all)
+    if (one.kind == StructureKind::Parenchyma) organs.push_back(&one);
+  // "liver" stands before "liver_segment_1".
+  const auto whole = std::ranges::find_if(organs, [](const Found* one) {
+    return lowerCase(one->name) == "liver" || lowerCase(one->name) == "parenchyma";
+  });
+  if (whole != organs.end()) return **whole;
+  if (organs.size() == 1) return *organs[0];
+  if (all.size() == 1) return all[0];
+  throw error("{}: holds {} labels; choose the organ with --part: {}", source.file, all.size(),
+              listed(all));
+}
+
+std::string inWords(const Found& one) {
+  const std::string name = shownText(one.name, kLongestName);
+  return one.volume > 0 ? fmt::format("{} {:.4g} ml", name, 1e6 * one.volume) : name;
+}
+
+// In a folder of a file for each structure, the files whose names tell something, or the one that
+// is asked for.
+std::vector<Found> structuresIn(const std::vector<std::string>& files, OrganSource& source) {
+  std::vector<Found> all;
+  for (const std::string& file : files) {
+    const std::string stem = stemOf(file);
+    const bool wanted = lowerCase(stem) == lowerCase(source.part);
+    const auto kind = structureKind(stem);
+    if (!wanted && !(kind && (isWithin(*kind) || *kind == StructureKind::Parenchyma))) continue;
+    all.push_back({file, "", stem, kind});
+  }
+  if (source.part.empty()) return all;
+  const auto wanted = std::ranges::find_if(
+      all, [&](const Found& one) { return lowerCase(one.name) == lowerCase(source.part); });
+  if (wanted == all.end()) return {};
+  // Only an organ of which the others could be structures keeps them.
+  if (wanted->kind == StructureKind::Parenchyma) {
+    std::erase_if(all, [&](const Found& one) {
+      return one.kind == StructureKind::Parenchyma && one.name != wanted->name;
+    });
+    return all;
+  }
+  return {*wanted};
+}
+
+// With the sizes of what the images hold; without those in which nothing is labelled.
+std::vector<Found> measured(std::vector<Found> all, OrganSource& source) {
+  std::vector<Found> kept;
+  for (Found& one : all) {
+    if (!isImageFile(one.file)) {
+      kept.push_back(std::move(one));
+      continue;
+    }
+    const LabelFacts facts = readLabelFacts(one.file);
+    for (std::size_t i = 0; i < facts.labels.size(); ++i) {
+      one.volume += facts.volume(i);
+      one.cutOff = one.cutOff || facts.cutOff[i];
+    }
+    if (one.volume > 0)
+      kept.push_back(std::move(one));
+    else
+      source.notes.push_back(one.file + ": nothing is labelled in it; it was left out");
+  }
+  return kept;
+}
+
+void take(OrganSource& source, const Found& organ, const std::vector<Found>& all) {
+  const bool given = !source.structures.empty();
+  const double unit = source.unit;  // of models; images tell theirs
+  source.file = organ.file;
+  source.part = organ.part;
+  if (isImageFile(organ.file)) source.unit = 1;
+  std::string within, left;
+  int label = 0;
+  for (const OrganLabel& one : source.labels) label = std::max(label, one.label);
+  for (const Found& one : all) {
+    if (&one == &organ) continue;
+    if (given || !one.kind || !isWithin(*one.kind) || label == 255) {
+      left += (left.empty() ? "" : ", ") + shownText(one.name, kLongestName);
+      continue;
+    }
+    const bool vessel = vesselKind(*one.kind).has_value();
+    source.structures.push_back({*one.kind, vessel ? 0 : ++label, one.name, one.file, one.part,
+                                 isImageFile(one.file) ? 1 : unit});
+    if (one.file == organ.file)
+      source.part += "\n" + (vessel ? std::string(kWithin) + one.part : one.part);
+    within += fmt::format("{}{} ({})", within.empty() ? "" : ", ", inWords(one), wordOf(*one.kind));
+  }
+  source.notes.push_back(fmt::format("{}: the organ is {}{}{}", organ.file, inWords(organ),
+                                     within.empty() ? "" : ", with " + within,
+                                     left.empty() ? "" : "; left out: " + left));
+  if (organ.cutOff)
+    source.notes.push_back(fmt::format("{} reaches the border of the image and is cut off there",
+                                       shownText(organ.name, kLongestName)));
+}
+
+}  // namespace
+
+bool isLabelled(const fs::path& path) {
+  std::error_code ec;
+  return fs::is_directory(path, ec) || isImageFile(path);
+}
+
+void takeLabels(OrganSource& source) {
+  if (fs::is_directory(source.file)) return takeFiles(source, imagesIn(source.file));
+  if (!source.part.empty() || !source.structures.empty()) return;
+  const std::vector<Found> all = labelsOf(source.file, source);
+  if (all.empty()) return;  // its reader says so
+  take(source, organOf(source, all), all);
+}
+
+void takeFiles(OrganSource& source, const std::vector<std::string>& files) {
+  if (files.size() == 1) {
+    source.file = files[0];
+    if (isImageFile(files[0])) takeLabels(source);
+    return;
+  }
+  const std::vector<Found> told = structuresIn(files, source);
+  const std::vector<Found> all = measured(told, source);
+  if (all.empty()) {
+    std::string stems;
+    for (const std::string& file : files) stems += (stems.empty() ? "" : ", ") + stemOf(file);
+    throw error("{}: none of {} files {}; choose the organ with --part: {}", source.file,
+                files.size(),
+                source.part.empty() ? "is named as an organ is"
+                                    : "is named '" + shownText(source.part, kLongestName) + "'",
+                stems);
+  }
+  const auto asked = std::ranges::find_if(all, [&](const Found& one) {
+    return !source.part.empty() && lowerCase(one.name) == lowerCase(source.part);
+  });
+  take(source, asked != all.end() ? *asked : organOf(source, all), all);
+}
+
+std::vector<CellsInput> inputsOf(const OrganSource& source) {
+  std::vector<CellsInput> inputs;
+  const auto add = [&](const std::string& file, std::string_view role, const std::string& part) {
+    constexpr std::size_t kMost = std::size_t(1) << 30;
+    const RawArray<char> bytes = readForeignFile(file, kMost);
+    std::string format = isImageFile(file) ? readLabelFacts(file).description : "";
+    std::string parts = part;
+    std::ranges::replace(parts, '\n', ',');
+    if (!parts.empty()) format += (format.empty() ? "parts " : ", labels ") + parts;
+    inputs.push_back({fs::path(file).filename().string(), std::string(role), std::move(format),
+                      fmt::format("{:08x}", crc32({bytes.data(), bytes.size()}))});
+  };
+  if (isBuiltIn(source)) return inputs;
+  add(source.file, "organ", source.part);
+  for (const BroughtStructure& one : source.structures) add(one.file, wordOf(one.kind), one.part);
+  return inputs;
+}
+
+}  // namespace resect

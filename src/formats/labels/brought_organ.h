@@ -1,0 +1,35 @@
+// An organ from the labels of a scan: which label is the organ, and which are vessels and tumours
+// in it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "io/cells/cells_file.h"
+#include "operation/scenario.h"
+
+namespace resect {
+
+// Whether the path is that of a label image (isImageFile()), or of a folder of them.
+bool isLabelled(const std::filesystem::path& path);
+
+// Fills in what the labels tell: source.file is a label image, or a folder with an image for each
+// structure or one for all. Labels get their roles by their names (anatomy/structure_kind.h).
+//
+// source.part, if given, names the labels of the organ, in a folder the structure's file. Otherwise
+// the organ is the label whose name tells parenchyma, or the only one. Its tumours, cysts and
+// vessels become source.structures, unless there are some already; those of the same file belong
+// to the organ's body, too. What was taken and what was left out is said in source.notes.
+//
+// Throws Error if no label or more than one could be the organ; the Error lists them.
+void takeLabels(OrganSource& source);
+
+// The same for several files with a structure each, label images or models, in the same
+// coordinates: as a folder of them. One file alone is taken as source.file.
+void takeFiles(OrganSource& source, const std::vector<std::string>& files);
+
+// The files that the source is made from, with their roles, for a file of cells.
+std::vector<CellsInput> inputsOf(const OrganSource& source);
+
+}  // namespace resect

@@ -1,0 +1,60 @@
+#include "formats/labels/enclosed_voxels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace resect {
+namespace {
+
+constexpr double kReach = 0.025;  // m
+constexpr int kMostOpen = 1;      // directions in which the organ may be missing
+
+enum : std::uint8_t { Outside, Vessel, Organ };
+
+// Adds one to `met` of each vessel voxel from which the organ lies within `reach` voxels down
+// (step < 0) or up one line of voxels.
+void lookAlong(const std::vector<std::uint8_t>& kind, std::vector<std::uint8_t>& met,
+               std::size_t first, std::ptrdiff_t step, int count, int reach) {
+  int since = reach + 1;  // voxels since the organ
+  std::ptrdiff_t at = std::ptrdiff_t(first);
+  for (int i = 0; i < count; ++i, at += step) {
+    if (kind[std::size_t(at)] == Organ)
+      since = 0;
+    else if (++since <= reach && kind[std::size_t(at)] == Vessel)
+      ++met[std::size_t(at)];
+  }
+}
+
+}  // namespace
+
+LabelImage withEnclosed(LabelImage image, std::span<const int> organ,
+                        std::span<const int> vessels) {
+  std::vector<std::uint8_t> kinds(image.labels.size() + 1, Outside);
+  for (const int i : vessels) kinds[std::size_t(i) + 1] = Vessel;
+  for (const int i : organ) kinds[std::size_t(i) + 1] = Organ;
+  std::vector<std::uint8_t> kind(std::size_t(image.voxelCount()), Outside), met(kind.size(), 0);
+  for (const RawArray<std::uint16_t>& layer : image.layers)
+    for (std::size_t i = 0; i < layer.size(); ++i) kind[i] = std::max(kind[i], kinds[layer[i]]);
+
+  const Vec3i& n = image.dims;
+  const std::size_t steps[] = {1, std::size_t(n.x()), std::size_t(n.x()) * std::size_t(n.y())};
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = axis == 0 ? 1 : 0, v = axis == 2 ? 1 : 2;
+    const int reach = int(std::ceil(kReach / image.spacing()[axis]));
+    const auto step = std::ptrdiff_t(steps[axis]);
+    for (int j = 0; j < n[v]; ++j)
+      for (int i = 0; i < n[u]; ++i) {
+        const std::size_t low = steps[u] * std::size_t(i) + steps[v] * std::size_t(j);
+        lookAlong(kind, met, low, step, n[axis], reach);
+        lookAlong(kind, met, low + steps[axis] * std::size_t(n[axis] - 1), -step, n[axis], reach);
+      }
+  }
+  const auto organNumber = std::uint16_t(organ[0] + 1);
+  RawArray<std::uint16_t>& layer =
+      image.layers[std::size_t(image.labels[std::size_t(organ[0])].layer)];
+  for (std::size_t i = 0; i < kind.size(); ++i)
+    if (kind[i] == Vessel && met[i] >= 6 - kMostOpen) layer[i] = organNumber;
+  return image;
+}
+
+}  // namespace resect

@@ -1,0 +1,18 @@
+// What `resect info` tells about a label image.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "formats/labels/label_file.h"
+
+namespace resect {
+
+// A line for the image and one for each label: number, name, ml, the role that the name tells, and
+// whether it reaches the border.
+std::string toText(const LabelFacts& facts, const std::string& path);
+
+// {"file", "format", "labels": [{"value", "name", "voxels", "volume_ml", "kind", "cut_off"}]}
+nlohmann::ordered_json toJson(const LabelFacts& facts, const std::string& path);
+
+}  // namespace resect

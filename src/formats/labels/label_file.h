@@ -1,0 +1,39 @@
+// Label image files of all kinds.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/progress.h"
+#include "formats/beside_files.h"
+#include "formats/images/label_image.h"
+#include "formats/model_kind.h"
+
+namespace resect {
+
+// Whether the file is a label image or a scan by its name, or by its first bytes if it is DICOM,
+// whose files often have no extension. Its content may turn out to be something else.
+bool isImageFile(const std::filesystem::path& path);
+
+// kind: one for which isImage(). bytes: of the file, decompressed.
+LabelImage readLabelImage(ModelKind kind, const std::string& path, std::string_view bytes,
+                          const BesideFiles& beside = {});
+
+// What an image holds, without its voxels.
+struct LabelFacts {
+  std::string description;  // description() of the image
+  double voxelVolume = 0;   // m^3
+  std::vector<ImageLabel> labels;
+  std::vector<bool> cutOff;  // for each label: whether it reaches the border of the image
+
+  double volume(std::size_t label) const { return double(labels[label].voxels) * voxelVolume; }
+};
+
+LabelFacts factsOf(const std::string& path, const LabelImage& image);
+
+// Reads the file in a sandboxed child process. A single label without a name gets that of the file.
+LabelFacts readLabelFacts(const std::filesystem::path& path, const Progress& progress = {});
+
+}  // namespace resect

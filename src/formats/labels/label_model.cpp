@@ -1,0 +1,93 @@
+#include "formats/labels/label_model.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/error.h"
+#include "base/text/shown_text.h"
+#include "formats/labels/enclosed_voxels.h"
+#include "formats/labels/label_names.h"
+#include "formats/labels/label_surface.h"
+#include "formats/meshes/word_reader.h"
+
+namespace resect {
+namespace {
+
+// The name of a label in its image.
+std::string nameIn(const std::string& path, const LabelImage& image, const ImageLabel& label) {
+  return image.labels.size() == 1 && label.name.empty() ? stemOf(path) : shownName(label);
+}
+
+std::optional<std::int64_t> numberIn(const std::string& name) {
+  constexpr std::string_view kLabel = "label ";
+  return wholeNumberOf(lowerCase(name).starts_with(kLabel) ? name.substr(kLabel.size()) : name);
+}
+
+}  // namespace
+
+std::string stemOf(const std::string& path) {
+  std::string name = path.substr(path.find_last_of('/') + 1);
+  return name.substr(0, name.find('.', 1));
+}
+
+std::string labelList(const LabelImage& image) {
+  constexpr std::size_t kMost = 40;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(kMost, image.labels.size()); ++i) {
+    const ImageLabel& label = image.labels[i];
+    list += fmt::format("{}{}{}", i == 0 ? "" : ", ", label.value,
+                        label.name.empty() ? "" : " " + shownText(label.name, kLongestName));
+  }
+  if (image.labels.size() > kMost) list += fmt::format(" and {} more", image.labels.size() - kMost);
+  return list;
+}
+
+int labelNamed(const std::string& path, const LabelImage& image, const std::string& name) {
+  const auto called = [&](const ImageLabel& label) {
+    return lowerCase(nameIn(path, image, label)) == lowerCase(name);
+  };
+  auto found = std::ranges::find_if(image.labels, called);
+  std::optional<std::int64_t> number = numberIn(name);
+  if (!number &&
+      std::ranges::all_of(image.labels, [](const ImageLabel& l) { return l.name.empty(); }))
+    number = totalSegmentatorLabel(name);
+  if (found == image.labels.end() && number)
+    found = std::ranges::find(image.labels, *number, &ImageLabel::value);
+  if (found == image.labels.end())
+    throw error("{}: has no label '{}'; it has: {}", path, shownText(name, kLongestName),
+                labelList(image));
+  return int(found - image.labels.begin());
+}
+
+Model labelModel(const std::string& path, const LabelImage& image, const std::string& parts,
+                 const Progress& progress) {
+  if (image.labels.empty())
+    throw error("{}: all its voxels are 0: nothing is labelled in it; label its organs ({})", path,
+                kLabelMakers);
+  Model model;
+  model.path = path;
+  model.format = description(image);
+  if (parts.empty()) {
+    for (int i = 0; i < int(image.labels.size()); ++i) {
+      addToPart(model, nameIn(path, image, image.labels[std::size_t(i)]),
+                labelSurface(image, std::span(&i, 1)));
+      report(progress, double(i + 1) / double(image.labels.size()));
+    }
+    return model;
+  }
+  std::vector<int> chosen, within;
+  for (const std::string& line : partNames(parts)) {
+    if (line.starts_with(kWithin))
+      within.push_back(labelNamed(path, image, line.substr(kWithin.size())));
+    else
+      chosen.push_back(labelNamed(path, image, line));
+  }
+  addToPart(model, parts,
+            chosen.empty() || within.empty()
+                ? labelSurface(image, chosen)
+                : labelSurface(withEnclosed(image, chosen, within), chosen));
+  report(progress, 1);
+  return model;
+}
+
+}  // namespace resect

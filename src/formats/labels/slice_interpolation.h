@@ -1,0 +1,27 @@
+// Thick slices of a label, made thin: the border between two slices is found from the distances to
+// the borders in both ("shape-based interpolation", Raya and Udupa 1990, 10.1109/42.52980).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/vec.h"
+
+namespace resect {
+
+// Voxels that belong to a label or not, the first axis fastest.
+struct Mask {
+  Vec3i dims = Vec3i::Zero();
+  std::vector<std::uint8_t> inside;  // 0 or 1
+
+  std::size_t index(int x, int y, int z) const {
+    return (std::size_t(z) * std::size_t(dims.y()) + std::size_t(y)) * std::size_t(dims.x()) +
+           std::size_t(x);
+  }
+};
+
+// Each voxel parted into `parts` >= 1 along one axis. spacing: lengths of the voxels. A slice in
+// which nothing is inside ends the body: in the middle it reaches halfway to that slice.
+Mask withThinSlices(const Mask& mask, const Vec3& spacing, int axis, int parts);
+
+}  // namespace resect
