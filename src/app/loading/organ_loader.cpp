@@ -224,7 +224,7 @@ void FileExaminer::cancel() {
 }
 
 void FileExaminer::examine(
-    const std::string& file, const std::string& part,
+    const std::string& file, const std::string& part, const std::string& slices,
     const std::function<void(const std::string& json, const std::string& problem)>& done) {
   cancel();
   process_ = std::make_unique<QProcess>();
@@ -238,6 +238,7 @@ void FileExaminer::examine(
                    });
   QStringList arguments{"info", "--json", QString::fromStdString(file)};
   if (!part.empty()) arguments << "--part=" + QString::fromStdString(part);
+  if (!slices.empty()) arguments << "--slices=" + QString::fromStdString(slices);
   process->start(QCoreApplication::applicationFilePath(), arguments);
 }
 

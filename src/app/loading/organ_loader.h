@@ -80,12 +80,13 @@ class OrganLoader {
 
 // Examines a file: runs `resect info` on it, or on one of its parts, in a separate process. `done`
 // gets the JSON that the process prints, and an empty `problem`. On failure it gets an empty
-// `json`, and the sentence of the error as `problem`.
+// `json`, and the sentence of the error as `problem`. slices: where a picture of a label image's
+// slices is to be written; "": nowhere.
 class FileExaminer {
  public:
   ~FileExaminer() { cancel(); }
   void examine(
-      const std::string& file, const std::string& part,
+      const std::string& file, const std::string& part, const std::string& slices,
       const std::function<void(const std::string& json, const std::string& problem)>& done);
   void cancel();
 

@@ -10,6 +10,7 @@
 #include <QJsonObject>
 #include <QLabel>
 #include <QLayout>
+#include <QPixmap>
 #include <QPushButton>
 #include <QTimer>
 #include <algorithm>
@@ -18,6 +19,7 @@
 
 #include "app/say.h"
 #include "formats/labels/brought_organ.h"
+#include "formats/labels/label_file.h"
 #include "inventor/scene/scene_file.h"
 #include "io/organ_size.h"
 #include "io/scenario/length.h"
@@ -64,6 +66,12 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   report_->setTextFormat(Qt::PlainText);
   report_->setWordWrap(true);
   form->addRow(report_);
+  slices_ = new QLabel;
+  slices_->setToolTip(
+      "From below, from the front and from the left; the patient's right is on the left");
+  slices_->setAlignment(Qt::AlignCenter);
+  slices_->hide();
+  form->addRow(slices_);
   unit_ = new QComboBox;
   const std::pair<const char*, double> units[] = {{"metre", 1},
                                                   {"centimetre", 0.01},
@@ -111,7 +119,9 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
 // Examines the file or its chosen part.
 void OpenOrganDialog::examine() {
   open_->setEnabled(false);
-  examiner_.examine(file_, part_->currentData().toString().toStdString(),
+  const bool image = isImageFile(file_) && slices_->isHidden();
+  const QString picture = image && folder_.isValid() ? folder_.filePath("slices.png") : "";
+  examiner_.examine(file_, part_->currentData().toString().toStdString(), picture.toStdString(),
                     [this](const std::string& json, const std::string& problem) {
                       // A finished process must not be replaced from its own signal.
                       if (!show(json, problem))
@@ -149,6 +159,7 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
     return true;
   }
   isImage_ = info.contains("labels");
+  if (isImage_) showSlices();
   if (isImage_ && part_->count() == 1) listLabels(info["labels"].toArray());
   if (isImage_ && !info.contains("closed")) {  // no organ was found in it
     tell(shown(info["refusal"].toString().toStdString(), kLongestSentence));
@@ -174,6 +185,14 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   if (!part_->hasFocus()) open_->setFocus();
   open_->setDefault(true);
   return true;
+}
+
+void OpenOrganDialog::showSlices() {
+  const QPixmap picture(folder_.filePath("slices.png"));
+  if (picture.isNull() || !slices_->isHidden()) return;
+  constexpr int kWidth = 560;
+  slices_->setPixmap(picture.scaledToWidth(kWidth, Qt::SmoothTransformation));
+  slices_->show();
 }
 
 // Numbers of a label image are known to be metres, and its surfaces are closed.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QDialog>
+#include <QTemporaryDir>
 #include <functional>
 
 #include "app/loading/organ_loader.h"
@@ -40,11 +41,13 @@ class OpenOrganDialog : public QDialog {
   int likelyUnit() const;
   bool listParts(const QJsonArray& parts);
   void listLabels(const QJsonArray& labels);
+  void showSlices();
 
   std::string file_;
   OrganSource before_;
   FileExaminer examiner_;
-  QLabel *report_, *size_;
+  QTemporaryDir folder_;  // for the picture of slices
+  QLabel *report_, *slices_, *size_;
   QComboBox *unit_, *part_;
   QCheckBox* repair_;
   QDoubleSpinBox* spacing_;

@@ -10,20 +10,23 @@
 #include "cli/command_output.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
+#include "formats/beside_files.h"
 #include "formats/labels/brought_organ.h"
 #include "formats/labels/image_report.h"
+#include "formats/labels/label_slices.h"
 #include "formats/model_info.h"
 #include "formats/particle_info.h"
 #include "inventor/reading/model_file.h"
 #include "io/cells/particle_file.h"
 #include "io/organ_mesh.h"
+#include "io/output/run_files.h"
 #include "io/scenario/length.h"
 
 namespace resect {
 namespace {
 
 struct Options {
-  std::string file, part, unit = "m";
+  std::string file, part, unit = "m", slices;
   bool json = false;
 };
 
@@ -48,10 +51,10 @@ void infoOfLabels(const Options& options) {
     facts = readLabelFacts(options.file, progressBar("reading"));
   nlohmann::ordered_json json = toJson(facts, options.file);
   std::string text = toText(facts, options.file);
+  OrganSource source;
+  source.file = options.file;
+  source.part = options.part;
   try {
-    OrganSource source;
-    source.file = options.file;
-    source.part = options.part;
     takeLabels(source);
     const Model model = readModelWatched(source.file, progressBar("reading"), source.part);
     ModelInfo organ = modelInfo(model, {source.part, false, 1});
@@ -67,6 +70,11 @@ void infoOfLabels(const Options& options) {
     if (why.starts_with(options.file + ": ")) why.remove_prefix(options.file.size() + 2);
     text += fmt::format("  as an organ: refused: {}\n", shownSentence(why));
   }
+  if (!options.slices.empty() && !std::filesystem::is_directory(source.file)) {
+    constexpr int kHeight = 256;  // pixels
+    const RgbImage slices = readLabelSlices(source.file, kHeight);
+    if (slices.height > 0) writePng(options.slices, slices);
+  }
   if (options.json)
     writeJson("-", json);
   else
@@ -74,6 +82,14 @@ void infoOfLabels(const Options& options) {
 }
 
 void info(const Options& options) {
+  if (!options.slices.empty()) {
+    if (!isLabelled(options.file))
+      throw usageError("{}: is no label image; leave --slices out", options.file);
+    checkPngFile(options.slices);
+    std::vector<std::filesystem::path> inputs{options.file};
+    addFilesBeside(inputs);
+    checkOutputs({{{"--slices", options.slices}, {"--json", options.json ? "-" : ""}}}, inputs);
+  }
   if (isParticleFile(options.file)) return infoOfParticles(options);
   if (isLabelled(options.file)) return infoOfLabels(options);
   const double metres = parseUnit(options.unit, "--unit");
@@ -100,6 +116,8 @@ void addInfoCommand(Command app) {
       .option("--unit", options->unit,
               "What the file's numbers are: mm, cm, m, inch or the metres in one unit")
       .showDefault();
+  command.option("--slices", options->slices,
+                 "Picture to write of a label image: three slices (.png)");
   command.flag("--json", options->json, "Print JSON");
   command.footer(
       "Examples:\n"

@@ -1,12 +1,15 @@
 #include "formats/images/nifti_file.h"
 
-#include <nifti2_io.h>
-
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <charconv>
+#include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <map>
-#include <memory>
 
 #include "base/error.h"
 #include "formats/gzip.h"
@@ -30,77 +33,120 @@ bool isPair(std::string_view bytes) {
   return has(bytes, kMagicOfTwo, "ni2") || has(bytes, kMagicOfOne, "ni1");
 }
 
-using Header = std::unique_ptr<nifti_image, decltype(&nifti_image_free)>;
+// What both versions of the header say.
+struct Header {
+  bool bigEndian = false;
+  std::array<std::int64_t, 8> dim{};  // how many there are, then their sizes
+  std::array<double, 8> pixdim{};     // a sign, then sizes of a voxel, in units
+  int datatype = 0, units = 0, qform = 0, sform = 0;
+  std::int64_t offset = 0;  // of the voxels
+  double slope = 0, intercept = 0;
+  Vec3 quaternion = Vec3::Zero(), qoffset = Vec3::Zero();
+  std::array<std::array<double, 4>, 3> rows{};  // of the sform
+};
 
-Header headerOf(const std::string& path, std::string_view bytes) {
-  nifti_set_debug_level(0);
-  Header header(nullptr, nifti_image_free);
-  if (isTwo(bytes)) {
-    nifti_2_header raw{};
-    if (bytes.size() >= sizeof raw) {
-      std::memcpy(&raw, bytes.data(), sizeof raw);
-      header.reset(nifti_convert_n2hdr2nim(raw, nullptr));
-    }
-  } else {
-    nifti_1_header raw{};
-    if (bytes.size() >= sizeof raw) {
-      std::memcpy(&raw, bytes.data(), sizeof raw);
-      header.reset(nifti_convert_n1hdr2nim(raw, nullptr));
-    }
+// Fields at their places in the header.
+class Fields {
+ public:
+  Fields(std::string_view bytes, bool bigEndian) : bytes_(bytes), bigEndian_(bigEndian) {}
+
+  template <typename T>
+  T at(std::size_t place) const {
+    std::array<char, sizeof(T)> raw;
+    std::memcpy(raw.data(), bytes_.data() + place, sizeof(T));
+    if (bigEndian_) std::ranges::reverse(raw);
+    return std::bit_cast<T>(raw);
   }
-  if (!header) throw error("{}: its NIfTI header is damaged; export it again", path);
+
+ private:
+  std::string_view bytes_;
+  bool bigEndian_;
+};
+
+// Where the fields of a version of the header stand, and its size.
+struct Layout {
+  std::size_t bytes, dim, datatype, pixdim, offset, slope, units, codes, quaternion, rows;
+};
+constexpr Layout kOne{348, 40, 70, 76, 108, 112, 123, 252, 256, 280};
+constexpr Layout kTwo{540, 16, 12, 104, 168, 176, 500, 344, 352, 400};
+
+template <typename Size, typename Code, typename Real, typename Offset, typename Units>
+Header headerOf(const std::string& path, std::string_view bytes, const Layout& layout) {
+  if (bytes.size() < layout.bytes)
+    throw error("{}: ends early, within its NIfTI header; copy or export it again", path);
+  Header header;
+  const auto dimensions = [&](bool big) { return Fields(bytes, big).at<Size>(layout.dim); };
+  const auto good = [](Size n) { return n >= 1 && n <= 7; };
+  header.bigEndian = !good(dimensions(false));
+  if (!good(dimensions(header.bigEndian)))
+    throw error("{}: its NIfTI header is damaged; export it again", path);
+  const Fields fields(bytes, header.bigEndian);
+  for (std::size_t i = 0; i < 8; ++i) {
+    header.dim[i] = fields.at<Size>(layout.dim + i * sizeof(Size));
+    header.pixdim[i] = fields.at<Real>(layout.pixdim + i * sizeof(Real));
+  }
+  header.datatype = fields.at<std::int16_t>(layout.datatype);
+  header.units = fields.at<Units>(layout.units) & 7;  // of space; the others are of time
+  const auto offset = double(fields.at<Offset>(layout.offset));
+  if (offset >= 0 && offset <= double(bytes.size())) header.offset = std::int64_t(offset);
+  header.slope = fields.at<Real>(layout.slope);
+  header.intercept = fields.at<Real>(layout.slope + sizeof(Real));
+  header.qform = fields.at<Code>(layout.codes);
+  header.sform = fields.at<Code>(layout.codes + sizeof(Code));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t place = layout.quaternion + i * sizeof(Real);
+    header.quaternion[Eigen::Index(i)] = fields.at<Real>(place);
+    header.qoffset[Eigen::Index(i)] = fields.at<Real>(place + 3 * sizeof(Real));
+    for (std::size_t c = 0; c < 4; ++c)
+      header.rows[i][c] = fields.at<Real>(layout.rows + (4 * i + c) * sizeof(Real));
+  }
   return header;
 }
 
 VoxelType typeOf(const std::string& path, int datatype) {
-  switch (datatype) {
-    case DT_UINT8:
-      return VoxelType::U8;
-    case DT_INT8:
-      return VoxelType::I8;
-    case DT_UINT16:
-      return VoxelType::U16;
-    case DT_INT16:
-      return VoxelType::I16;
-    case DT_UINT32:
-      return VoxelType::U32;
-    case DT_INT32:
-      return VoxelType::I32;
-    case DT_UINT64:
-      return VoxelType::U64;
-    case DT_INT64:
-      return VoxelType::I64;
-    case DT_FLOAT32:
-      return VoxelType::F32;
-    case DT_FLOAT64:
-      return VoxelType::F64;
-    default:
-      throw error(
-          "{}: has voxels of type {}, which are no labels; export its labels as whole "
-          "numbers",
-          path, nifti_datatype_string(datatype));
-  }
-}
-
-double metresPerUnit(int unit) {
-  switch (unit) {
-    case NIFTI_UNITS_METER:
-      return 1;
-    case NIFTI_UNITS_MICRON:
-      return 1e-6;
-    default:
-      return 1e-3;
-  }
-}
-
-void place(LabelImage& image, const nifti_image& header) {
-  const nifti_dmat44& toWorld = header.sform_code > 0 ? header.sto_xyz : header.qto_xyz;
-  const double metres = metresPerUnit(header.xyz_units);
-  const auto column = [&](int c) {
-    return Vec3(metres * turnedRasLps({toWorld.m[0][c], toWorld.m[1][c], toWorld.m[2][c]}));
+  struct Code {
+    int code;
+    VoxelType type;
   };
-  for (int axis = 0; axis < 3; ++axis) image.step.col(axis) = column(axis);
-  image.origin = column(3);
+  constexpr Code kCodes[]{{2, VoxelType::U8},     {256, VoxelType::I8},   {512, VoxelType::U16},
+                          {4, VoxelType::I16},    {768, VoxelType::U32},  {8, VoxelType::I32},
+                          {1280, VoxelType::U64}, {1024, VoxelType::I64}, {16, VoxelType::F32},
+                          {64, VoxelType::F64}};
+  const auto found = std::ranges::find(kCodes, datatype, &Code::code);
+  if (found == std::end(kCodes))
+    throw error(
+        "{}: has voxels of NIfTI type {}, which are no labels; export its labels as whole "
+        "numbers",
+        path, datatype);
+  return found->type;
+}
+
+double metresPerUnit(int unit) { return unit == 1 ? 1 : unit == 3 ? 1e-6 : 1e-3; }
+
+// The sform if it is set, else the qform, else the sizes alone.
+void place(LabelImage& image, const Header& header) {
+  const double metres = metresPerUnit(header.units);
+  if (header.sform > 0) {
+    const auto column = [&](std::size_t c) {
+      return Vec3(header.rows[0][c], header.rows[1][c], header.rows[2][c]);
+    };
+    for (int axis = 0; axis < 3; ++axis)
+      image.step.col(axis) = metres * turnedRasLps(column(std::size_t(axis)));
+    image.origin = metres * turnedRasLps(column(3));
+    return;
+  }
+  Mat3 turn = Mat3::Identity();
+  if (header.qform > 0) {
+    const double length = header.quaternion.norm();
+    const Vec3 v = length > 1 ? Vec3(header.quaternion / length) : header.quaternion;
+    const double real = std::sqrt(std::max(0.0, 1 - v.squaredNorm()));
+    turn = Eigen::Quaterniond(real, v.x(), v.y(), v.z()).toRotationMatrix();
+    image.origin = metres * turnedRasLps(header.qoffset);
+    if (header.pixdim[0] < 0) turn.col(2) *= -1;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+    image.step.col(axis) =
+        metres * std::abs(header.pixdim[std::size_t(axis) + 1]) * turnedRasLps(turn.col(axis));
 }
 
 // The value of ATTRIBUTE="..." in a tag.
@@ -154,23 +200,29 @@ bool startsAsNifti(std::string_view bytes) {
 
 LabelImage readNiftiFile(const std::string& path, std::string_view bytes,
                          const BesideFiles& beside) {
-  const Header header = headerOf(path, bytes);
-  if (header->nvox != header->nx * header->ny * header->nz)
-    throw error("{}: has {} dimensions; take one volume of it, with three", path, header->ndim);
+  const bool two = isTwo(bytes);
+  const Header header =
+      two ? headerOf<std::int64_t, std::int32_t, double, std::int64_t, std::int32_t>(path, bytes,
+                                                                                     kTwo)
+          : headerOf<std::int16_t, std::int16_t, float, float, std::uint8_t>(path, bytes, kOne);
   LabelImage image;
-  image.format = isTwo(bytes) ? "NIfTI-2" : "NIfTI-1";
-  for (const std::int64_t n : {header->nx, header->ny, header->nz})
+  image.format = two ? "NIfTI-2" : "NIfTI-1";
+  for (std::size_t i = 1; i <= 7; ++i) {
+    const std::int64_t n = std::int64_t(i) <= header.dim[0] ? header.dim[i] : 1;
     if (n < 1 || n > kMostVoxels)
       throw error("{}: its NIfTI header is damaged; export it again", path);
-  image.dims = {int(header->nx), int(header->ny), int(header->nz)};
-  place(image, *header);
+    if (i > 3 && n > 1)
+      throw error("{}: has {} dimensions; take one volume of it, with three", path, header.dim[0]);
+    if (i <= 3) image.dims[Eigen::Index(i) - 1] = int(n);
+  }
+  place(image, header);
   checkGrid(path, image);
 
   VoxelNumbers numbers;
-  numbers.type = typeOf(path, header->datatype);
-  numbers.bigEndian = header->byteorder != nifti_short_order();
-  if (header->scl_slope != 0 && std::isfinite(header->scl_slope))
-    numbers.slope = header->scl_slope, numbers.intercept = header->scl_inter;
+  numbers.type = typeOf(path, header.datatype);
+  numbers.bigEndian = header.bigEndian;
+  if (header.slope != 0 && std::isfinite(header.slope))
+    numbers.slope = header.slope, numbers.intercept = header.intercept;
   std::string pair;
   std::map<std::int64_t, std::string> names;
   if (isPair(bytes)) {
@@ -178,9 +230,8 @@ LabelImage readNiftiFile(const std::string& path, std::string_view bytes,
     numbers.bytes = pair;
     names = namesIn(bytes);
   } else {
-    const auto offset = std::size_t(std::max<std::int64_t>(header->iname_offset, 0));
-    if (offset > bytes.size())
-      throw error("{}: ends within its header; copy or export it again", path);
+    const std::size_t least = two ? kTwo.bytes : kOne.bytes;
+    const std::size_t offset = std::max(std::size_t(header.offset), least);
     numbers.bytes = bytes.substr(offset);
     names = namesIn(bytes.substr(0, offset));
   }

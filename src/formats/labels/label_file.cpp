@@ -105,7 +105,8 @@ LabelFacts factsOf(const std::string& path, const LabelImage& image) {
   return facts;
 }
 
-LabelFacts readLabelFacts(const fs::path& path, const Progress& progress) {
+std::string inImageReader(const fs::path& path, const Progress& progress,
+                          const std::function<std::string(const LabelImage&)>& work) {
   const std::string name = path.string();
   ForeignReading how;
   how.seconds = kImageSeconds;
@@ -113,15 +114,21 @@ LabelFacts readLabelFacts(const fs::path& path, const Progress& progress) {
   how.prepare = [](std::string_view bytes) {
     if (startsAsDicom(bytes)) prepareDicom();
   };
-  const std::string answer = readForeign(path, how, [&](const ForeignFile& file) {
+  return readForeign(path, how, [&](const ForeignFile& file) {
     std::string unpacked;
     std::string_view bytes = file.bytes;
     if (isGzip(bytes)) bytes = unpacked = unpackGzip(name, bytes, kMostImageBytes);
     const ModelKind kind = modelKind(path, bytes);
     if (!isImage(kind)) throw error("{}: is no label image; use .nii, .nrrd, .mha or DICOM", name);
-    return asText(factsOf(name, readLabelImage(kind, name, bytes, file.beside)));
+    return work(readLabelImage(kind, name, bytes, file.beside));
   });
-  return fromText(name, answer);
+}
+
+LabelFacts readLabelFacts(const fs::path& path, const Progress& progress) {
+  const std::string name = path.string();
+  return fromText(name, inImageReader(path, progress, [&](const LabelImage& image) {
+                    return asText(factsOf(name, image));
+                  }));
 }
 
 }  // namespace resect

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,10 @@ struct LabelFacts {
 };
 
 LabelFacts factsOf(const std::string& path, const LabelImage& image);
+
+// Reads the image in a sandboxed child process, calls `work` there, and returns what it returns.
+std::string inImageReader(const std::filesystem::path& path, const Progress& progress,
+                          const std::function<std::string(const LabelImage&)>& work);
 
 // Reads the file in a sandboxed child process. A single label without a name gets that of the file.
 LabelFacts readLabelFacts(const std::filesystem::path& path, const Progress& progress = {});

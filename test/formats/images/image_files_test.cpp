@@ -82,6 +82,30 @@ TEST_CASE("a NIfTI image of any version, type and order of bytes is read") {
             1e-7);
 }
 
+TEST_CASE("a NIfTI image placed by a quaternion is placed as one placed by rows") {
+  PlainImage plain = twoBoxes();
+  for (const bool mirrored : {false, true}) {
+    if (mirrored) plain.step.col(2) *= -1;
+    const Vec3 spacing = plain.step.colwise().norm();
+    Mat3 turn;  // right-anterior-superior
+    for (int a = 0; a < 3; ++a) turn.col(a) = turnedRasLps(plain.step.col(a) / spacing[a]);
+    const float sign = turn.determinant() < 0 ? -1.0f : 1.0f;
+    turn.col(2) *= double(sign);
+    Eigen::Quaterniond q(turn);
+    if (q.w() < 0) q.coeffs() *= -1;
+    std::string bytes = niftiBytes(plain);
+    const auto set = [&](std::size_t at, auto value) {
+      std::memcpy(bytes.data() + at, &value, sizeof(value));
+    };
+    set(76, sign), set(252, std::int16_t(1)), set(254, std::int16_t(0));
+    const Vec3 offset = turnedRasLps(plain.origin);
+    set(256, float(q.x())), set(260, float(q.y())), set(264, float(q.z()));
+    for (int a = 0; a < 3; ++a) set(268 + 4 * std::size_t(a), float(offset[a]));
+    std::memset(bytes.data() + 280, 0, 48);
+    checkSame(readNiftiFile("a.nii", bytes), plain, 1e-7);
+  }
+}
+
 TEST_CASE("names of labels are read from a table in a NIfTI header") {
   NiftiForm form;
   form.names =
