@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "inventor/reading/model_file.h"
 #include "io/operation_setup.h"
+#include "operation/way/place_ways.h"
 #include "organ/cell_labels.h"
 #include "organ/region_placer.h"
 
@@ -43,11 +44,15 @@ void Session::makeSimulation(std::optional<Discretization> cells) {
   }
   if (!first.source.labels.empty()) labelSkin(*cells);
   Organ organ = makeOrgan(std::move(*cells), first.source.settings);
+  if (hasWays(scenario))
+    placeWays(scenario, 0,
+              {organ.surface.mesh(), organ.rest.landmarks, organ.rest.lattice.spacing});
   auto tissue = makeTissue(first.tissue, organ);
   std::vector<OperatedOrgan> organs;
   organs.push_back(operatedOrgan(first.source.name, std::move(organ), std::move(tissue)));
   simulation = std::make_unique<Simulation>(
       assemble(scenario, std::move(organs), {}, loadTools(scenario, readModel)));
+  settleWays(scenario, *simulation);
 }
 
 std::unique_lock<std::mutex> Session::mine() {

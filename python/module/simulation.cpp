@@ -106,13 +106,20 @@ void bindSimulation(py::module_& m) {
       "An operation that is stepped frame by frame. The same inputs give the same bits. One "
       "simulation must not be stepped by two threads at once; several may be stepped beside "
       "each other, since a step does not hold Python's lock.")
-      .def(py::init([](const Scenario& scenario, const std::shared_ptr<Discretization>& cells) {
-             const py::gil_scoped_release free;
-             return std::make_unique<Session>(scenario,
-                                              cells ? std::optional(*cells) : std::nullopt);
+      .def(py::init([](Scenario& scenario, const std::shared_ptr<Discretization>& cells) {
+             std::unique_ptr<Session> session;
+             {
+               const py::gil_scoped_release free;
+               session = std::make_unique<Session>(scenario,
+                                                   cells ? std::optional(*cells) : std::nullopt);
+             }
+             scenario.tools = session->scenario.tools;
+             scenario.duration = session->scenario.duration;
+             return session;
            }),
            py::arg("scenario"), py::arg("organ") = py::none(),
-           "organ: cells of your own in place of those of the scenario's only organ.")
+           "organ: cells of your own in place of those of the scenario's only organ. Ways that the "
+           "scenario gives in the organ's coordinates become inputs of the scenario.")
       .def("step", &step, py::arg("tools") = py::none(), py::arg("duration") = py::none(),
            py::arg("edits") = std::vector<TissueEdit>{}, py::arg("iso") = py::none(),
            py::arg("report") = py::none(),

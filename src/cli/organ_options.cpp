@@ -11,7 +11,9 @@
 #include "formats/labels/brought_organ.h"
 #include "formats/labels/label_model.h"
 #include "inventor/reading/model_file.h"
+#include "io/cells/particle_file.h"
 #include "io/scenario/length.h"
+#include "io/scenario/orientation.h"
 #include "io/scenario/scenario_files.h"
 #include "operation/setting_ranges.h"
 
@@ -83,13 +85,27 @@ void OrganOptions::applyTo(OrganSource& source) const {
   if (!unit.empty()) source.unit = parseUnit(unit, "--unit");
   source.repair = source.repair || repair;
   for (const std::string& one : structures) addStructure(source, one);
-  if (isLabelled(source.file)) {
+  const bool labelled = isLabelled(source.file);
+  if (labelled) {
     if (!unit.empty())
       throw usageError("{}: label images tell their size themselves; leave --unit out",
                        source.file);
     takeLabels(source);
   }
-  if (!spacing.empty()) {
+  if (!orientation.empty() || !rotate.empty() || labelled) {
+    if (isParticleFile(source.file))
+      throw usageError("{} holds particles, which are not turned; leave {} out", source.file,
+                       rotate.empty() ? "--orientation" : "--rotate");
+    if (!orientation.empty() || labelled)  // images tell their directions
+      source.pose.rotation = orientationOf(orientation.empty() ? "LPS" : orientation);
+    if (!rotate.empty())
+      source.pose.rotation = (turnOf(rotate) * source.pose.rotation).normalized();
+  }
+  if (spacing == "auto") {  // chosen when the organ is made
+    source.spacing.reset();
+    source.dims.reset();
+    source.resample = true;
+  } else if (!spacing.empty()) {
     const double s = parseLength(spacing, "--spacing");
     if (!ranges::kSpacing.holds(s))
       throw usageError("--spacing is {}; give a length from {} to {}", spacing,
@@ -111,6 +127,7 @@ void OrganOptions::applyTo(Scenario& scenario, const std::string& organ) const {
   if (!organ.empty()) {
     first.file = organ;
     first.structures.clear();  // they lie in the organ that is replaced
+    scenario.closeUp.reset();  // of the scenario's own organ
   }
   for (const ScenarioOrgan& one : scenario.organs) requireOrganThere(one.source);
   applyTo(first);
@@ -135,8 +152,14 @@ std::shared_ptr<OrganOptions> addOrganOptions(Command command) {
                  "What the model's numbers are: mm, cm, m, um, in, or metres per unit");
   command.flag("--repair", options->repair,
                "Close the holes of an open mesh instead of refusing it");
-  const Option spacing =
-      command.option("--spacing", options->spacing, "Side of the cubic cells, as 5mm");
+  command.option("--orientation", options->orientation,
+                 "Where the model's x, y, z axis point to in the patient, as LPS or RAS");
+  command.option("--rotate", options->rotate,
+                 "Degrees about the room's X (to the patient's left), Y (up), Z (to the surgeon): "
+                 "0,90,0");
+  const Option spacing = command.option(
+      "--spacing", options->spacing,
+      "Side of the cubic cells, as 5mm; auto: the largest that keep 98 % of the tissue");
   command
       .option("--dims", options->dims,
               "Samples over the bounding box, as the thesis has them: 20 or 20,20,20")

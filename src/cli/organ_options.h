@@ -12,9 +12,10 @@
 namespace resect {
 
 struct OrganOptions {
-  std::string part, unit, spacing, dims;  // as the user wrote them; "": option not given
-  std::vector<std::string> structures;    // of --structure, as the user wrote them
-  bool repair = false;                    // whether --repair was given
+  // As the user wrote them; "": option not given.
+  std::string part, unit, spacing, dims, orientation, rotate;
+  std::vector<std::string> structures;  // of --structure
+  bool repair = false;                  // whether --repair was given
 
   // Overwrites those settings of `source` for which an option was given.
   void applyTo(OrganSource& source) const;
@@ -26,7 +27,8 @@ struct OrganOptions {
 // Returns a function that reads models in all formats that Resect knows and shows a progress bar.
 ModelReader modelReader();
 
-// Adds --part, --structure, --unit, --repair, --spacing and --dims to a command.
+// Adds --part, --structure, --unit, --repair, --orientation, --rotate, --spacing and --dims to a
+// command.
 std::shared_ptr<OrganOptions> addOrganOptions(Command command);
 
 }  // namespace resect

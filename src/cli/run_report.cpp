@@ -10,6 +10,7 @@
 #include "base/text/shown_text.h"
 #include "cli/blood_report.h"
 #include "cli/ledger_report.h"
+#include "operation/promises.h"
 
 namespace resect {
 namespace {
@@ -38,6 +39,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
   json["removed_ml"] = 1e6 * tissue.removed.volume;
   json["remaining_ml"] = 1e6 * tissue.left().volume;  // body, pieces and debris
   json["touched"] = summary.touched;
+  json["findings"] = findings(summary, scenario);
   json["ledger"] = toJson(summary.ledger);
   json["deepest_overlap_ml"] = 1e6 * summary.deepestOverlap;
   json["frames"] = summary.frames;
@@ -106,6 +108,7 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
                     coordinate(box.min.x()), coordinate(box.max.x()), coordinate(box.min.y()),
                     coordinate(box.max.y()), coordinate(box.min.z()), coordinate(box.max.z())));
   }
+  for (const std::string& finding : findings(summary, scenario)) row("note", finding);
   row("time",
       fmt::format("{} frames = {:.2f} s simulated in {:.3f} s: {:.1f} x real time", summary.frames,
                   summary.simulatedSeconds, summary.computedSeconds, summary.realTimeFactor()));

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "collision/coarsest_cell.h"
 #include "collision/wall_thickness.h"
 #include "geometry/resting_pose.h"
 #include "io/cells/particle_file.h"
@@ -21,6 +22,7 @@
 #include "operation/frame_estimate.h"
 #include "operation/room.h"
 #include "operation/setting_ranges.h"
+#include "operation/way/place_ways.h"
 #include "organ/cell_labels.h"
 #include "organ/discretize.h"
 #include "organ/fit_surface.h"
@@ -73,11 +75,15 @@ void tellThinWalls(const TriangleMesh& surface, const OrganSource& source, doubl
 // Samples a closed surface with the source's spacing or dims.
 Discretization sample(const TriangleMesh& surface, const OrganSource& source,
                       const Progress& progress, std::vector<std::string>* notes) {
-  require(source.dims || source.spacing,
-          "organ \"{}\" has no spacing; give the side of its cells, or their number", source.name);
   const Aabb box = bounds(surface);
+  const double spacing = source.spacing ? *source.spacing : coarsestCell(surface);
   const Lattice lattice =
-      source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, *source.spacing);
+      source.dims ? latticeForDims(box, *source.dims) : latticeForSpacing(box, spacing);
+  if (!source.dims && !source.spacing && notes)
+    notes->push_back(
+        fmt::format("cells of {}, the largest that keep {:.0f} % of the tissue and "
+                    "make {:.0f} particles",
+                    lengthText(spacing), 100 * (1 - kMostLostTissue), kFewestParticles));
   tellThinWalls(surface, source, lattice.spacing.maxCoeff(), notes);
   Discretization cells = discretize(surface, lattice, progress);
   if (cells.particleCount() == 0)
@@ -163,9 +169,9 @@ namespace {
 // The cells with the labels of their file, if any.
 Discretization sourceCells(const OrganSource& source, const ModelReader& readModel,
                            const Progress& progress, std::vector<std::string>* notes,
-                           std::optional<Pose>* place) {
+                           std::optional<Pose>* place, TriangleMesh& surface) {
   if (!isParticleFile(source.file)) {
-    const TriangleMesh surface = loadOrganMesh(source, readModel, notes, place);
+    surface = loadOrganMesh(source, readModel, notes, place);
     return doubting(source, bounds(surface),
                     [&] { return sample(surface, source, progress, notes); });
   }
@@ -180,7 +186,7 @@ Discretization sourceCells(const OrganSource& source, const ModelReader& readMod
   if (!source.resample) return cells;
   const std::int64_t before = cells.particleCount();
   const Organ organ = makeOrgan(std::move(cells), {});
-  const TriangleMesh surface = organ.surface.mesh();
+  surface = organ.surface.mesh();
   if (surface.triangles.empty())
     throw error("{} has no surface to sample anew; make it from a mesh", source.file);
   if (notes) notes->push_back(fmt::format("sampled anew from the surface of {} particles", before));
@@ -193,11 +199,13 @@ Discretization sourceCells(const OrganSource& source, const ModelReader& readMod
 
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress, std::vector<std::string>* notes,
-                         std::optional<Pose>* place) {
+                         std::optional<Pose>* place, TriangleMesh* surface) {
   requireSound(source);
   std::optional<Pose> own;
   if (!place) place = &own;
-  Discretization cells = sourceCells(source, readModel, progress, notes, place);
+  TriangleMesh sampled;
+  Discretization cells = sourceCells(source, readModel, progress, notes, place, sampled);
+  if (surface) *surface = std::move(sampled);
   doubting(source, particleBox(cells), [&] { addLabels(cells, source, *place, readModel); });
   return cells;
 }
@@ -225,7 +233,8 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
   return tools;
 }
 
-std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ) {
+std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ,
+                                        std::vector<std::string>* notes) {
   requireSound(setup);
   const std::vector<LabelMaterial> materials = materialsOf(setup, organ.rest);
   if (!setup.elastic) return std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
@@ -242,16 +251,21 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
   for (std::size_t i = 0; i < setup.attachments.size(); ++i) {
     TissueAttachment attachment = setup.attachments[i];
     static_cast<Region&>(attachment) = place(attachment);
-    if (tissue->attach(attachment) == 0)
+    const bool fraction = setup.attachments[i].frame == Region::Frame::Organ;
+    if (tissue->attach(attachment) > 0) continue;
+    if (!fraction)
       throw error(
           "attachment {} of the tissue holds no particle; move or enlarge its region (the organ at "
           "rest fills {})",
           i + 1, boxText(particleBox(organ.rest)));
+    if (notes)
+      notes->push_back(fmt::format(
+          "attachment {} was left out: this organ has no tissue in that part of its box", i + 1));
   }
   return tissue;
 }
 
-std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReader& readModel,
+std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress, std::vector<std::string>* notes) {
   requireSound(scenario);
   std::vector<OperatedOrgan> organs;
@@ -270,12 +284,19 @@ std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReade
     const Progress share = [&](double done) {
       return progress((double(i) + done) / double(scenario.organs.size()));
     };
-    Organ organ =
-        makeOrgan(loadCells(source, readModel, progress ? share : Progress(), notes, &place),
-                  source.settings);
+    TriangleMesh surface;
+    Organ organ = makeOrgan(
+        loadCells(source, readModel, progress ? share : Progress(), notes, &place, &surface),
+        source.settings);
+    if (!source.spacing && !source.dims)  // what was chosen
+      scenario.organs[i].source.spacing = organ.rest.lattice.spacing.x();
+    if (hasWays(scenario))
+      placeWays(scenario, i,
+                {surface.triangles.empty() ? organ.surface.mesh() : std::move(surface),
+                 organ.rest.landmarks, organ.rest.lattice.spacing});
     organ.map = vesselsOf(source, place, readModel, notes);
     std::unique_ptr<TissueModel> tissue = doubting(source, particleBox(organ.rest), [&] {
-      return makeTissue(scenario.organs[i].tissue, organ);
+      return makeTissue(scenario.organs[i].tissue, organ, notes);
     });
     organs.push_back(operatedOrgan(source.name, std::move(organ), std::move(tissue)));
   }
@@ -332,13 +353,19 @@ void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
   if (notes && !note.empty()) notes->push_back(note);
 }
 
-Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
+Simulation makeSimulation(Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress, std::vector<std::string>* notes) {
+  const bool chosen = std::ranges::any_of(scenario.organs, [](const ScenarioOrgan& organ) {
+    return !organ.source.spacing && !organ.source.dims;
+  });
   std::vector<OperatedOrgan> organs = loadOrgans(scenario, readModel, progress, notes);
   std::vector<TissueJoint> joints = makeJoints(scenario, organs);
   Simulation simulation =
       assemble(scenario, std::move(organs), std::move(joints), loadTools(scenario, readModel));
   noteSlowFrames(simulation, scenario, notes);
+  if (chosen && notes && simulation.moves())
+    notes->push_back(paceNote(simulation, 1 / scenario.frameRate));
+  settleWays(scenario, simulation);
   return simulation;
 }
 

@@ -38,12 +38,15 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
 // loadOrganMesh() unless the source is a file of particles (io/cells/particle_file.h). Such a file
 // gives its own cells; if source.resample, cells are sampled anew from their surface. In both cases
 // the source is not rotated and `place` is not used: only steps 3 and 4 of loadOrganMesh() are
-// applied, with the box of the file's lattice. Walls that are thinner than two cells get a note
-// (collision/wall_thickness.h). Throws Error if a label marks no particle, if there is no particle,
-// or if the cells are so large that half of the tissue would be lost.
+// applied, with the box of the file's lattice. If the source has neither spacing nor dims, the
+// spacing is chosen (collision/coarsest_cell.h) and a note says which. `surface` may be null; it
+// receives the surface that the cells were sampled from, or nothing if they come from a file. Walls
+// that are thinner than two cells get a note (collision/wall_thickness.h). Throws Error if a label
+// marks no particle, if there is no particle, or if the cells are so large that half of the tissue
+// would be lost.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
-                         std::optional<Pose>* place = nullptr);
+                         std::optional<Pose>* place = nullptr, TriangleMesh* surface = nullptr);
 
 // A tool from its description file. name: the file's path, or the name of a tool that comes with
 // Resect ("scalpel"). The tool is drawn as the parts of its model (io/drawn_parts.h).
@@ -54,11 +57,15 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
                                              const ModelReader& readModel);
 
 // The tissue of one organ, at rest. Throws Error if an attachment of elastic tissue contains no
-// particle, if a material is for a label that no particle has, or if a setting is out of range.
-std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ);
+// particle, if a material is for a label that no particle has, or if a setting is out of range. An
+// attachment in fractions of the organ's box that contains no particle is left out with a note,
+// since it may have been made for an organ of another shape.
+std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ,
+                                        std::vector<std::string>* notes = nullptr);
 
-// All organs of the scenario, at rest.
-std::vector<OperatedOrgan> loadOrgans(const Scenario& scenario, const ModelReader& readModel,
+// All organs of the scenario, at rest. Ways of tools that are given in their coordinates become
+// keys of the scenario (operation/way/place_ways.h).
+std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress = {},
                                       std::vector<std::string>* notes = nullptr);
 // The springs of the scenario's joints. In thesis mode there are none. Throws Error if a joint
@@ -76,8 +83,9 @@ Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
 void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
                     std::vector<std::string>* notes);
 
-// Does all of the above. The simulation is ready for its first frame.
-Simulation makeSimulation(const Scenario& scenario, const ModelReader& readModel,
+// Does all of the above. The simulation is ready for its first frame, and the scenario for its
+// inputs (frameInput()).
+Simulation makeSimulation(Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
 
 }  // namespace resect

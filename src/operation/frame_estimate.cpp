@@ -38,6 +38,15 @@ double expectedFrameSeconds(const Simulation& simulation, double duration) {
   return workOf(simulation, duration).seconds;
 }
 
+std::string paceNote(const Simulation& simulation, double duration) {
+  const double seconds = workOf(simulation, duration).seconds;
+  return fmt::format("a frame of {:.3g} ms will take about {:.2g} ms: {}", 1e3 * duration,
+                     1e3 * seconds,
+                     seconds <= duration ? "real time"
+                                         : "slower than real time, for its thin walls need "
+                                           "small cells; a larger --spacing is faster");
+}
+
 std::string slowFrameNote(const Simulation& simulation, double duration) {
   const Work work = workOf(simulation, duration);
   if (!(work.seconds > kSlowFrame)) return "";

@@ -15,6 +15,9 @@ inline constexpr double kSlowFrame = 2;  // s; if a frame will take longer, peop
 // frame, s.
 double expectedFrameSeconds(const Simulation& simulation, double duration);
 
+// A sentence that compares the estimate with the simulated time of the frame.
+std::string paceNote(const Simulation& simulation, double duration);
+
 // A sentence with the estimate and with settings to change; empty if the estimate is at most
 // kSlowFrame.
 std::string slowFrameNote(const Simulation& simulation, double duration);

@@ -19,6 +19,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   RunSummary summary;
   summary.surfaceBefore = summarise(simulation.surfaceMesh());
 
+  summary.toolTouched.resize(simulation.tools().size());
   summary.tissueMoves = simulation.moves();
   if (summary.tissueMoves)
     for (const ToolState& state : simulation.tools())
@@ -32,9 +33,14 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
     const FrameInput input = frameInput(scenario, frame);
     simulation.step(input, report, &clock);
     ++summary.frames;
-    for (const ToolContacts& contacts : report.contacts)
-      summary.deepestOverlap = std::max(summary.deepestOverlap, contacts.overlapVolume),
-      summary.touched = summary.touched || !contacts.cells.empty();
+    for (const ToolContacts& contacts : report.contacts) {
+      summary.deepestOverlap = std::max(summary.deepestOverlap, contacts.overlapVolume);
+      const bool inside = !contacts.cells.empty();
+      summary.touched = summary.touched || inside;
+      // A pencil or a clamp acts from beside the tissue.
+      if (inside || (summary.tissueMoves && !contacts.volumeOfInterest.empty()))
+        summary.toolTouched[std::size_t(contacts.tool)] = true;
+    }
     summary.simulatedSeconds = report.time;
     for (const std::string& fault : report.faults)
       if (std::find(summary.faults.begin(), summary.faults.end(), fault) == summary.faults.end())
@@ -43,6 +49,7 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
       const double force = report.toolForce[i].norm();
       summary.forces[i].peak = std::max(summary.forces[i].peak, force);
       summary.touched = summary.touched || force > 0;
+      if (force > 0) summary.toolTouched[i] = true;
       summary.forces[i].perFrame.push_back(float(force));
     }
     blood.add(report, input.duration);
@@ -64,6 +71,9 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   checkStop();
   summary.ledger = LedgerBooks(scenario, simulation).ledgerOf(simulation);
   summary.blood = blood.summaryOf(simulation);
+  if (summary.blood && summary.blood->inflowClamped > 0)  // on vessels that enter the organ
+    for (std::size_t i = 0; i < summary.toolTouched.size(); ++i)
+      if (simulation.tools()[i].tool->model.kind == "inflow_clamp") summary.toolTouched[i] = true;
   summary.stateHash = simulation.stateHash();
   return summary;
 }

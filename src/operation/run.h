@@ -32,8 +32,10 @@ struct RunSummary {
   Ledger ledger;  // at the end of the run
   // Largest overlap of a tool and still tissue at the end of a frame, m^3.
   double deepestOverlap = 0;
-  // Whether any instrument touched, removed or cut tissue.
+  // Whether any instrument touched, removed or cut tissue; and which of them touched it or,
+  // where tissue moves, came near it; one for each tool.
   bool touched = false;
+  std::vector<bool> toolTouched;
   std::int64_t frames = 0;
   double simulatedSeconds = 0;
   double computedSeconds = 0;  // time spent in the steps, without pictures

@@ -62,6 +62,14 @@ void setSpacing(Scenario& scenario, double before, double spacing) {
   scenario.organs[0].source.dims.reset();
 }
 
+void endAfterKeys(Scenario& scenario) {
+  if (!scenario.after) return;
+  double last = 0;
+  for (const ScenarioTool& tool : scenario.tools)
+    if (!tool.keys.empty()) last = std::max(last, tool.keys.back().time);
+  scenario.duration = std::ceil(10 * (last + *scenario.after) - 1e-6) / 10;
+}
+
 void makeElastic(Scenario& scenario) {
   scenario.mode = OperationMode::Operation;
   for (ScenarioOrgan& organ : scenario.organs) organ.tissue.elastic = true;
@@ -85,6 +93,10 @@ void requireFrames(const Scenario& scenario) {
           std::isfinite(scenario.duration * scenario.frameRate),
       "the scenario lasts {} s at {} frames a second; give a finite time and a rate of 1 to 1000",
       scenario.duration, scenario.frameRate);
+  for (const ScenarioTool& tool : scenario.tools)
+    require(!tool.way || !tool.keys.empty(),
+            "the way of tool \"{}\" is not placed on its organ yet; make the simulation first",
+            tool.model);
 }
 
 }  // namespace

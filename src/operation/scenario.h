@@ -12,6 +12,7 @@
 #include "anatomy/structure_kind.h"
 #include "geometry/pose.h"
 #include "operation/task/task.h"
+#include "operation/way/organ_way.h"
 #include "simulation/simulation.h"
 #include "tissue/elastic/elastic_tissue.h"
 
@@ -120,6 +121,9 @@ struct ScenarioTool {
   Pose rest;  // where it lies while not in hand
   // The keys in ascending order of time. The tool is in hand from the first key to the last one.
   std::vector<ToolKey> keys;
+  // If given, the keys are made of it when the organs are loaded (operation/way/place_ways.h). Not
+  // kept in recordings, which hold these keys.
+  std::optional<OrganWay> way = {};
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -189,12 +193,17 @@ struct Scenario {
   std::string file;         // the file that it was read from; "": it was not read from a file
   std::string title;        // one line for people
   std::string description;  // what the scenario shows, for people
+  // What must happen for the title to be true: words of kPromises (operation/promises.h). Not kept
+  // in recordings.
+  std::vector<std::string> promises = {};
   OperationMode mode = OperationMode::Thesis;
   std::vector<ScenarioOrgan> organs = std::vector<ScenarioOrgan>(1);  // at least one
   std::vector<OrganJoint> joints;  // hold moving tissue together; still tissue needs none
   std::vector<ScenarioTool> tools;
-  double frameRate = 60;              // frames per simulated second, 1 to 1000
-  double duration = 1;                // s
+  double frameRate = 60;  // frames per simulated second, 1 to 1000
+  double duration = 1;    // s
+  // s: if given, the duration lasts so long after the last key of any tool; see endAfterKeys().
+  std::optional<double> after = {};   // not kept in recordings
   bool table = true, toolBox = true;  // whether the room has a table, and a tool box
   std::string view = "surgeon";       // name of the camera's view (docs/scenarios.md)
   std::optional<Aabb> closeUp;        // box that pictures show, world, m; empty: the organs
@@ -228,6 +237,9 @@ void replaceOrgans(Scenario& scenario, const OrganSource& source);
 // organs in proportion. An organ that has dims instead of a spacing keeps its dims. before: the
 // first organ's spacing until now, m.
 void setSpacing(Scenario& scenario, double before, double spacing);
+// If the scenario is to end some time after its last key, sets its duration to that, rounded up to
+// a tenth of a second.
+void endAfterKeys(Scenario& scenario);
 // Makes the tissue of all organs elastic, and sets operation mode.
 void makeElastic(Scenario& scenario);
 // Makes the tissue of all organs still, and sets operation mode.

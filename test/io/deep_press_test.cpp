@@ -39,8 +39,12 @@ double lastCrossing(const TriangleMesh& mesh, const Vec3& from, const Vec3& dire
 Pressed press(double spacing, bool capsule) {
   Scenario scenario = readScenario(findDataFile("press", "scenarios", ".toml"));
   scenario.organs[0].source.spacing = spacing;
-  if (!capsule) scenario.organs[0].tissue.material.capsule = 0;
   Simulation simulation = makeSimulation(scenario, readPlainMesh);
+  if (!capsule) {  // pressed to the same place
+    scenario.tools[2].way.reset();
+    scenario.organs[0].tissue.material.capsule = 0;
+    simulation = makeSimulation(scenario, readPlainMesh);
+  }
   StepReport report;
   const std::size_t baton = 2;
   double most = 0;

@@ -50,7 +50,10 @@ std::string complaint(const std::string& text) {
 }
 
 std::string complaintOfSetup(const std::string& text) {
-  return test::sentenceOf([&] { makeSimulation(parseScenario(text, "x.toml"), {}); });
+  return test::sentenceOf([&] {
+    Scenario scenario = parseScenario(text, "x.toml");
+    makeSimulation(scenario, {});
+  });
 }
 
 }  // namespace

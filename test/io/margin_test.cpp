@@ -13,7 +13,7 @@ namespace {
 // How much longer or shorter all but one in a thousand of the triangles' sides have become at most,
 // as a share.
 double sideStrain(const std::string& organ) {
-  const Scenario scenario =
+  Scenario scenario =
       parseScenario("title = \"Margin\"\nduration = 1.5\nframe_rate = 60\n[organ]\n" + organ +
                         "[tissue]\nmodel = \"elastic\"\n",
                     "test.toml");

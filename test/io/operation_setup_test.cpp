@@ -35,7 +35,7 @@ namespace {
 // Points of a soft gallbladder's skin that lie deeper than 3 mm in the tray's walls, after it fell
 // on their rim.
 int pointsInWalls(const std::string& room) {
-  const Scenario scenario = parseScenario(
+  Scenario scenario = parseScenario(
       "title = \"Fall\"\nduration = 0.6\nframe_rate = 60\n" + room +
           "[organ]\nsource = \"gallbladder\"\nspacing = \"8mm\"\nsettle = false\nposition = [0.27, "
           "0.06, 0.12]\n[tissue]\nmodel = \"elastic\"\ndrag = 6\n",
@@ -64,7 +64,7 @@ TEST_CASE("tissue that falls on the rim of the tray does not go into its walls")
 TEST_CASE("frames that will take seconds, and older keys, are told of before the first one") {
   const auto notes = [](const std::string& tissue) {
     std::vector<std::string> all;
-    const Scenario scenario =
+    Scenario scenario =
         parseScenario(fmt::format("title = \"Stiff\"\nduration = 1\nframe_rate = "
                                   "1\n[organ]\nspacing = \"9mm\"\n[tissue]\nmodel = "
                                   "\"elastic\"\nthreads = 1\n{}",

@@ -31,7 +31,7 @@ std::vector<std::string> examples() {
     const auto begin = at + open.size();
     blocks.push_back(text.substr(begin, text.find("```", begin) - begin));
   }
-  REQUIRE(blocks.size() == 2);
+  REQUIRE(blocks.size() == 3);
   return blocks;
 }
 
@@ -47,9 +47,16 @@ TEST_CASE("the complete scenario of the documentation is read, with its instrume
   CHECK(frameCount(scenario) == 180);
 }
 
+TEST_CASE("the way of the documentation is read") {
+  const Scenario scenario =
+      parseScenario("title = \"Way\"\nafter = 0.5\n" + examples()[1], "document");
+  REQUIRE(scenario.tools[0].way);
+  CHECK(scenario.tools[0].way->keys.size() == 5);
+}
+
 TEST_CASE("the instrument of the documentation is read") {
   const auto file = std::filesystem::temp_directory_path() / "resect_document_tool.toml";
-  std::ofstream(file) << examples()[1];
+  std::ofstream(file) << examples()[2];
   const ToolModel tool = readTool(file, [](const std::filesystem::path&) {
     return boxMesh({{0, 0, 0}, {1, 1, 1}});
   });

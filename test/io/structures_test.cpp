@@ -47,7 +47,8 @@ Model readShape(const std::filesystem::path& path, const std::string& /*parts*/)
 }
 
 std::vector<OperatedOrgan> load(const std::string& text) {
-  return loadOrgans(parseScenario(kStart + text, "test.toml"), readShape);
+  Scenario scenario = parseScenario(kStart + text, "test.toml");
+  return loadOrgans(scenario, readShape);
 }
 
 // Particles of a label, and their middle.
@@ -75,7 +76,7 @@ const std::string kTumourBall =
 
 TEST_CASE("a structure's file labels the particles inside it, wherever the organ lies") {
   std::optional<Pose> place;
-  const Scenario scenario = parseScenario(kStart + kTumourFile + kTumourBall, "test.toml");
+  Scenario scenario = parseScenario(kStart + kTumourFile + kTumourBall, "test.toml");
   const Discretization cells = loadCells(scenario.organs[0].source, readShape, {}, nullptr, &place);
   REQUIRE(place);
   const double ball = 4 * std::numbers::pi / 3;
@@ -106,12 +107,11 @@ TEST_CASE("a brought vessel runs where its file says, in the organ's place") {
 
 TEST_CASE("a brought kind of vessel replaces that kind of the organ's own vessels alone") {
   const auto liver = [](const std::string& more) {
-    return loadOrgans(
-        parseScenario("title = \"Liver\"\nduration = 0.1\n[organ]\nspacing = \"9mm\"\n"
-                      "vessels = \"built-in\"\n" +
-                          more,
-                      "test.toml"),
-        readShape);
+    Scenario scenario = parseScenario(
+        "title = \"Liver\"\nduration = 0.1\n[organ]\nspacing = \"9mm\"\nvessels = \"built-in\"\n" +
+            more,
+        "test.toml");
+    return loadOrgans(scenario, readShape);
   };
   const auto own = liver(""), brought = liver(
                                   "[[organ.structure]]\nkind = \"hepatic-artery\"\n"

@@ -14,8 +14,7 @@
 int main(int count, char** arguments) try {
   for (int i = 2; i < count; ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const auto scenario =
-        resect::readScenario(resect::findDataFile(arguments[i], "scenarios", ".toml"));
+    auto scenario = resect::readScenario(resect::findDataFile(arguments[i], "scenarios", ".toml"));
     resect::Simulation simulation = resect::makeSimulation(scenario, resect::readPlainMesh);
     resect::StepReport report;
     const std::int64_t frames =

@@ -61,8 +61,15 @@ class Plans(unittest.TestCase):
         self.assertEqual(new["tissue"]["attachment"][0]["stiffness"], 50)
         self.assertEqual(new["tool"][0]["response"], "remove")
         keys, before = new["tool"][2]["keys"], scenario["tool"][2]["keys"]
-        self.assertAlmostEqual(keys[3]["position"][0], before[3]["position"][0] + 0.01)
+        self.assertEqual(keys[1]["offset"], [0.01, 0, 0])
+        self.assertEqual(keys[1]["over"], before[1]["over"])
         self.assertEqual(keys[0]["time"], before[0]["time"])
+        self.assertAlmostEqual(keys[1]["speed"], 2 * before[1]["speed"])
+        self.assertAlmostEqual(keys[2]["wait"], before[2]["wait"] / 2)
+        lift = tomllib.loads((pathlib.Path(resect.data_folder()) / "scenarios" / "lift.toml").read_text())
+        keys, before = changed(lift, {"tool.hook.shift_x": 0.01, "tool.1.speed": 2.0}, "t")["tool"][1]["keys"], \
+            lift["tool"][1]["keys"]
+        self.assertAlmostEqual(keys[3]["position"][0], before[3]["position"][0] + 0.01)
         self.assertAlmostEqual(keys[-1]["time"] - keys[0]["time"], (before[-1]["time"] - before[0]["time"]) / 2)
         self.assertNotIn("young", scenario["tissue"])  # the first is not changed
 

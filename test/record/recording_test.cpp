@@ -30,7 +30,7 @@ Scenario shipped(const std::string& name, double spacing) {
 }
 
 // Runs `frames` frames of the scenario and records them.
-std::uint64_t recordRun(const Scenario& scenario, const std::filesystem::path& path, int frames) {
+std::uint64_t recordRun(Scenario scenario, const std::filesystem::path& path, int frames) {
   Simulation simulation = makeSimulation(scenario, readPlainMesh);
   Recorder recorder(path, scenario, simulation);
   StepReport report;
@@ -164,7 +164,7 @@ TEST_CASE("a recording is replayed, moved to any frame and proved") {
 TEST_CASE("branches begin where a stroke was taken back, and are proved too") {
   const test::TemporaryFolder folder;
   const auto path = folder / "branches.resect";
-  const Scenario scenario = shipped("press", 0.012);
+  Scenario scenario = shipped("press", 0.012);
   Simulation simulation = makeSimulation(scenario, readPlainMesh);
   {
     Recorder recorder(path, scenario, simulation);
@@ -196,7 +196,7 @@ TEST_CASE("branches begin where a stroke was taken back, and are proved too") {
 TEST_CASE("the ledger is recorded once a second and at the end, and is proved") {
   const test::TemporaryFolder folder;
   const auto path = folder / "segment.resect";
-  const Scenario scenario = shipped("resect-segment", 0.007);
+  Scenario scenario = shipped("resect-segment", 0.007);
   recordRun(scenario, path, 390);  // 6.5 s
   const Verification proof = verify(path);
   CHECK_MESSAGE(!proof.first, (proof.first ? proof.first->what : ""));
@@ -344,7 +344,7 @@ TEST_CASE("a flipped bit anywhere in the file is found, or changes nothing that 
 TEST_CASE("a flipped bit in the log of a recording that was not ended shortens it, or is found") {
   const test::TemporaryFolder folder;
   const auto path = folder / "going-on.resect";
-  const Scenario scenario = shipped("press", 0.015);
+  Scenario scenario = shipped("press", 0.015);
   Simulation simulation = makeSimulation(scenario, readPlainMesh);
   Recorder recorder(path, scenario, simulation);
   for (int i = 0; i < 90; ++i) {
@@ -391,7 +391,7 @@ TEST_CASE("what is no recording is refused in a sentence") {
 
 TEST_CASE("a recording replaces nothing, and reading one changes nothing") {
   const test::TemporaryFolder folder;
-  const Scenario scenario = shipped("press", 0.015);
+  Scenario scenario = shipped("press", 0.015);
   const Simulation simulation = makeSimulation(scenario, readPlainMesh);
   for (const char* name : {"a.resect", "b.resect-wal", "c.resect-journal"}) {
     const auto kept = folder.write(name, "mine");

@@ -21,9 +21,7 @@ using namespace resect;
 
 namespace {
 
-Simulation simulationOf(const Scenario& scenario) {
-  return makeSimulation(scenario, readPlainMesh);
-}
+Simulation simulationOf(Scenario& scenario) { return makeSimulation(scenario, readPlainMesh); }
 
 Scenario shipped(const std::string& name) {
   return readScenario(findDataFile(name, "scenarios", ".toml"));
@@ -60,7 +58,7 @@ double millisecondsOf(const std::function<void()>& work) {
 TEST_CASE("every shipped scenario, restored in another simulation, goes on with the same bits") {
   for (const std::string& name : shippedNames("scenarios", ".toml")) {
     CAPTURE(name);
-    const Scenario scenario = shipped(name);
+    Scenario scenario = shipped(name);
     Simulation simulation = simulationOf(scenario), other = simulationOf(scenario);
     const std::int64_t frames = frameCount(scenario);
     // Three states are on their way at most: each is followed for ten frames.
@@ -92,7 +90,7 @@ TEST_CASE(
     "one scenario of each kind, restored in the middle of a fresh one, ends as it would have") {
   for (const char* name : {"cut-950", "press", "lift", "incise", "snip"}) {
     CAPTURE(name);
-    const Scenario scenario = shipped(name);
+    Scenario scenario = shipped(name);
     const std::int64_t frames = frameCount(scenario);
     Simulation simulation = simulationOf(scenario);
     Bytes saved;

@@ -9,8 +9,7 @@
 using namespace resect;
 
 TEST_CASE("the hook lifts the gallbladder, and the liver under it follows") {
-  const Scenario scenario =
-      readScenario(findDataFile("liver-and-gallbladder", "scenarios", ".toml"));
+  Scenario scenario = readScenario(findDataFile("liver-and-gallbladder", "scenarios", ".toml"));
   Simulation simulation = makeSimulation(scenario, readPlainMesh);
   REQUIRE(simulation.organs().size() == 2);
   CHECK(simulation.joints().size() > 50);

@@ -10,13 +10,18 @@ from pathlib import Path
 import bleeding
 import soft
 import thesis
-from scenario_text import ASIDE, elastic, ligaments, scenario
+from scenario_text import ASIDE, ORGAN_LIGAMENTS, elastic, ligaments, scenario
 
 SIZES = {  # name: (spacing in mm, what people are told)
     "120": (24.6, " (120 particles, as in the thesis)"),
     "950": (11.96, " (950 particles, as in the thesis)"),
     "": (5.0, ""),
 }
+PROMISES = {  # what the titles say (docs/scenarios.md)
+    **{kind + size: ["removal"] for kind in ("cut", "perforate", "deform") for size in ("", "-120", "-950")},
+    "resect-segment": ["removal", "parts"], "resect-segment-elastic": ["cut", "parts"],
+    "incise": ["cut"], "incise-under-traction": ["cut"], "snip": ["cut"], "press": ["push"], "lift": ["push"],
+    "grasp": ["push"], "bleed": ["blood"], "stop-bleeding": ["blood"], "pringle": ["blood"], "cautery": ["blood"]}
 PINNED_TOP = """[[tissue.attachment]]
 kind = "pin"
 box = [[-0.08, 0.19, -0.08], [0.06, 0.25, 0.05]]
@@ -41,13 +46,13 @@ def all_scenarios():
         "Left lateral part of the liver taken off", "A scalpel path that parts the liver completely, in three strokes",
         3.0, thesis.resect_segment(0.003), "surgeon", tail=0.8)
     yield "press", elastic("The baton presses on a soft liver", "Elastic tissue on the table, pressed twice", 8.0,
-                           soft.press(), ligaments(ASIDE), x=ASIDE)
+                           soft.press(), ORGAN_LIGAMENTS, x=ASIDE)
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, soft.lift(),
                           ligaments(ASIDE), x=ASIDE)
     yield "grasp", elastic("Forceps lift the left lobe", "They seize it near its margin, lift it, lay it down and let go",
                            8.0, soft.grasp(), ligaments(ASIDE), x=ASIDE)
     yield "incise", elastic("An incision over the dome", "The scalpel is drawn over the dome, towards the surgeon; the wound bleeds",
-                            8.0, soft.incise(), ligaments(ASIDE), x=ASIDE, organ='vessels = "built-in"\n',
+                            8.0, soft.incise(), ORGAN_LIGAMENTS, x=ASIDE, organ='vessels = "built-in"\n',
                             close_up="[[-0.13, 0.05, -0.05], [-0.05, 0.1, 0.06]]")
     yield "incise-under-traction", elastic(
         "An incision under traction", "The hook pulls, the scalpel cuts across the pull, and the wound opens", 6.0,
@@ -87,6 +92,9 @@ def main():
     folder, check = Path(sys.argv[1]), "--check" in sys.argv
     stale = []
     for name, text in all_scenarios():
+        if name in PROMISES:
+            words = ", ".join(f'"{word}"' for word in PROMISES[name])
+            text = text.replace("\nframe_rate", f"\npromises = [{words}]\nframe_rate", 1)
         file = folder / f"{name}.toml"
         if not check:
             file.write_text(text)

@@ -4,6 +4,10 @@ import math
 FRAME_RATE = 60
 
 
+def vector(v):
+    return "[" + ", ".join(f"{x:.4f}".rstrip("0").rstrip(".") for x in v) + "]"
+
+
 class Path3:
     """Keys of one tool: time, tip, how far its jaws are squeezed, and where handle and edge point; its pedal is pressed
     all the time or never."""
@@ -11,6 +15,8 @@ class Path3:
     def __init__(self, handle, edge, speed, pedal=0):
         self.handle, self.edge, self.speed, self.pedal = handle, edge, speed, pedal
         self.keys = []
+        self.way = None   # arguments of lying_liver.way() if it is given in the organ's coordinates
+        self.speeds = {}  # m/s, by the number of the key that is reached with it
         self.time = 0.0
         self.squeeze = 0.0
 
@@ -22,6 +28,7 @@ class Path3:
             # Keys fall on frames, so that the corners of the way are passed and not cut off between two frames.
             seconds = math.dist(tip, self.keys[-1][1]) / (speed or self.speed)
             self.time += max(1, math.ceil(seconds * FRAME_RATE - 1e-6)) / FRAME_RATE
+            self.speeds[len(self.keys)] = speed or self.speed
         self.keys.append((round(self.time, 5), tip, self.squeeze, self.edge))
         return self
 
@@ -57,13 +64,14 @@ class Path3:
         self.keys.append((round(self.time, 5), self.keys[-1][1], self.squeeze, self.edge))
         return self
 
+    def rotation(self, edge):
+        return f"{{ handle = {vector(self.handle)}, edge = {vector(edge)} }}"
+
     def text(self):
-        vector = lambda v: "[" + ", ".join(f"{x:.4f}".rstrip("0").rstrip(".") for x in v) + "]"
-        turn = lambda edge: f"{{ handle = {vector(self.handle)}, edge = {vector(edge)} }}"
         jaws = lambda squeeze: f", squeeze = {squeeze:g}" if squeeze else ""
         pedal = f", pedal = {self.pedal:g}" if self.pedal else ""
         rows = [
-            f"  {{ time = {t:.7g}, position = {vector(p)}, rotation = {turn(edge)}{jaws(s)}{pedal} }},"
+            f"  {{ time = {t:.7g}, position = {vector(p)}, rotation = {self.rotation(edge)}{jaws(s)}{pedal} }},"
             for t, p, s, edge in self.keys
         ]
         return "keys = [\n" + "\n".join(rows) + "\n]\n"

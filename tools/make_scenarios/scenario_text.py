@@ -1,6 +1,7 @@
 """What the scenarios share: their text, where the organ lies, what holds it, the instruments."""
 import math
 
+import lying_liver
 from paths import FRAME_RATE
 
 ASIDE = -0.07  # m: where a sagging liver is clear of the tray
@@ -22,11 +23,20 @@ stiffness = 300
 """
 
 
+# The same in fractions of the organ's box.
+ORGAN_LIGAMENTS = """[[tissue.attachment]]
+kind = "ligament"
+frame = "organ"
+box = [[0.28, 0.4, -0.05], [0.72, 1.05, 0.145]]
+stiffness = 300
+"""
+
+
 def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None, x=0.0):
     """A scenario whose tissue moves; x: organ and instruments stand so far to the side, m."""
     if x:
         for _, path in tools:
-            if path:
+            if path and not path.way:
                 path.keys = [(time, (tip[0] + x, *tip[1:]), *rest) for time, tip, *rest in path.keys]
         organ = f"position = [{x:g}, 0, 0]  # clear of the tray\n" + organ
     text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration, thesis=False)
@@ -37,14 +47,20 @@ def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration
         'source = "liver"\n', 'source = "liver"\n' + organ, 1)
 
 
+def way_of(path):
+    """The keys of a path; if arguments of lying_liver.way() come with it, in the liver's coordinates."""
+    return lying_liver.way(path, *path.way) if isinstance(path.way, tuple) else path.text()
+
+
 def scenario(title, description, spacing_mm, tools, view, tail=0.4, duration=None, thesis=True):
-    end = duration - tail if duration else max(path.keys[-1][0] for _, path in tools if path)
+    on_organ = any(path and path.way for _, path in tools)
+    last = 0 if on_organ or duration else max(path.keys[-1][0] for _, path in tools if path)
     lines = [
         "# Written by tools/make_scenarios; change it there. Metres and seconds; docs/scenarios.md explains the keys.",
         f'title = "{title}"',
         f'description = "{description}"',
         f"frame_rate = {FRAME_RATE}",
-        f"duration = {math.ceil(10 * (end + tail)) / 10:g}",
+        f"after = {tail:g}" if on_organ else f"duration = {duration or math.ceil(10 * (last + tail)) / 10:g}",
         f'view = "{view}"',
         *(['mode = "thesis"'] if thesis else []),
         "",
@@ -54,5 +70,5 @@ def scenario(title, description, spacing_mm, tools, view, tail=0.4, duration=Non
         "",
     ]
     for name, path in tools:
-        lines += ["[[tool]]", f'model = "{name}"', path.text() if path else ""]
+        lines += ["[[tool]]", f'model = "{name}"', way_of(path) if path else ""]
     return "\n".join(lines).rstrip("\n") + "\n"

@@ -1,18 +1,15 @@
 """Motions in tissue that gives way: pressing, lifting, cutting, taking off."""
+from organ_path import OrganPath
 from paths import Path3
 from scenario_text import all_instruments, scenario
 
 
 def press():
     """The baton presses on the dome, stays, lets go, and presses again beside it."""
-    path = Path3(handle=(0, 0.95, 0.3), edge=(0, 0.3, -0.95), speed=0.08)
-    path.wait(0.9)
-    path.to(-0.03, 0.16, 0.01).to(-0.03, 0.06, 0.01, speed=0.06)
-    path.wait(0.5)
-    path.to(-0.03, 0.06, 0.01).to(-0.03, 0.16, 0.01, speed=0.15).to(0.03, 0.14, 0.02)
-    path.to(0.03, 0.05, 0.02, speed=0.06)
-    path.wait(0.3)
-    path.to(0.03, 0.05, 0.02).to(0.03, 0.2, 0.08, speed=0.2)
+    here, beside = (0.3888, 0.6264), (0.6462, 0.4709)
+    path = OrganPath((0, 0.95, 0.3), (0, 0.3, -0.95), 0.9, here, "-63.6mm")
+    path.to(here, "36.57%", 0.06).wait(0.5167).to(here, "-63.6mm", 0.15)
+    path.to(beside, "-56.6mm", 0.08).to(beside, "38.63%", 0.06).wait(0.3167).to((0.6462, 0.8468), "-169.4mm", 0.2)
     return [("scalpel", None), ("hook", None), ("baton", path)]
 
 
@@ -43,15 +40,13 @@ def grasp():
 
 
 def incise():
-    """One long cut over the dome, towards the surgeon, some two centimetres deep."""
-    path = Path3(handle=(0, 0.8, 0.6), edge=(0, -0.6, 0.8), speed=0.12)
-    path.wait(0.9)
-    x = -0.02  # the dome, once it has sagged, is 0.098 m high here and slopes down from z = 0.01 on
-    path.to(x, 0.2, -0.06).to(x, 0.12, -0.065)
-    for z, y in ((-0.05, 0.076), (-0.03, 0.079), (-0.01, 0.078), (0.01, 0.072), (0.02, 0.066), (0.03, 0.057),
-                 (0.04, 0.047), (0.05, 0.036), (0.058, 0.028)):
-        path.to(x, y, z, speed=0.05)
-    path.to(x, 0.14, 0.12, speed=0.3).to(0.05, 0.24, 0.14, speed=0.3)
+    """One long cut over the dome, towards the surgeon, some two centimetres deep, and deeper where the tissue gives."""
+    x = 0.4317
+    path = OrganPath((0, 0.8, 0.6), (0, -0.6, 0.8), 0.9, (x, 0.2066), "-111.3mm").to((x, 0.1787), "-34.6mm", 0.12)
+    for front, depth in ((0.2624, 17.6), (0.3739, 20.8), (0.4854, 24.5), (0.5969, 28.6), (0.6527, 31.8), (0.7084, 36.5),
+                         (0.7642, 40.4), (0.8199, 41.8), (0.8646, 40.9)):
+        path.to((x, front), f"{depth}mm", 0.05)
+    path.to((x, 1.2103), "-125.7mm", 0.3).to((0.7319, 1.2806), "-235.9mm", 0.3)
     return all_instruments(scalpel=path)
 
 

@@ -17,6 +17,7 @@ def cut(spacing):
     saw(path, (-0.03, 0.098, -0.075), (-0.03, 0.098, 0.02), half, advance)
     saw(path, (-0.03, 0.095, 0.02), (-0.03, 0.06, 0.07), half, advance)
     path.to(-0.03, 0.16, 0.12).to(0.05, 0.24, 0.14, speed=0.3)
+    path.way = -0.03, spacing, 0.52
     return [("scalpel", path), ("hook", None), ("baton", None)]
 
 

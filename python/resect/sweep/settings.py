@@ -25,8 +25,17 @@ def _move_path(tool, name, value, where, key):
     keys = tool.get("keys", [])
     if name == "speed" and value <= 0:
         raise resect.Error(f"{where}: {key} must be above 0")
+    on_organ = tool.get("frame") == "organ"
     for k in keys:
-        if name == "speed":
+        if on_organ and name == "speed":
+            for part, factor in (("speed", value), ("wait", 1 / value)):
+                if part in k:
+                    k[part] *= factor
+        elif on_organ:
+            if {"over", "position", "at"} & k.keys():  # a key without a place stays where the one before is
+                k["offset"] = list(map(float, k.get("offset", (0, 0, 0))))
+                k["offset"][AXES[name]] += value
+        elif name == "speed":
             k["time"] = keys[0]["time"] + (k["time"] - keys[0]["time"]) / value if k is not keys[0] else k["time"]
         else:
             k["position"] = list(map(float, k["position"]))

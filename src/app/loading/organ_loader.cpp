@@ -20,6 +20,7 @@
 #include "io/operation_setup.h"
 #include "io/plain_mesh.h"
 #include "operation/room.h"
+#include "operation/way/place_ways.h"
 #include "tools/registry.h"
 
 namespace resect {
@@ -87,6 +88,8 @@ struct OrganLoader::Job {
             return !cancelled;
           },
           &notes);
+      scenario.tools = wanted.tools;  // whose ways now lie on the organs
+      scenario.duration = wanted.duration;
       share = -1;  // joints take time too
       joints = makeJoints(wanted, organs);
     } catch (const Cancelled&) {
@@ -208,6 +211,7 @@ void OrganLoader::poll() {
       result.simulation = std::make_unique<Simulation>(
           assemble(job->scenario, std::move(job->organs), std::move(job->joints),
                    loadTools(job->scenario, &readModel)));
+      settleWays(result.scenario, *result.simulation);
       noteSlowFrames(*result.simulation, job->scenario, &result.notes);
     } catch (const std::exception& e) {
       result.problem = e.what();

@@ -43,7 +43,7 @@ struct Options {
 // Without a scenario's name.
 constexpr const char* kHapticsScenarios[] = {"press", "incise-under-traction"};
 
-BenchReport measure(const Scenario& scenario, const std::string& title) {
+BenchReport measure(Scenario scenario, const std::string& title) {
   Simulation simulation = makeSimulation(scenario, modelReader(), progressBar("particles"));
   simulation.keepLook();  // as in the window
   const Progress progress = progressBar(title);
@@ -83,7 +83,7 @@ void runHaptics(const Options& options, const OrganOptions& organOptions, bool n
   nlohmann::ordered_json json;
   json["device"] = plugin.name();
   json["runs"] = nlohmann::ordered_json::array();
-  for (const Scenario& scenario : scenarios) {
+  for (Scenario& scenario : scenarios) {
     Simulation simulation = makeSimulation(scenario, modelReader(), progressBar("particles"));
     const Progress progress = progressBar(scenario.name);
     const HapticsReport result = benchHaptics(

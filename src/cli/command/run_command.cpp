@@ -25,6 +25,7 @@
 #include "io/scenario/scenario_file.h"
 #include "io/scenario/scenario_files.h"
 #include "io/scenario/task_files.h"
+#include "operation/promises.h"
 #include "operation/run.h"
 #include "organ/pieces.h"
 #include "record/recorder.h"
@@ -36,7 +37,7 @@ struct Options {
   std::string scenario, organ, record, surface, pieces, plot, json;
   PictureOptions pictures;
   int threads = 0;
-  bool list = false, thesis = false, overwrite = false;
+  bool list = false, thesis = false, overwrite = false, strict = false;
 };
 
 NumberedOutputs piecesOf(const Options& options) {
@@ -95,7 +96,10 @@ void run(const Options& options, const OrganOptions& organOptions) {
     scenario.closeUp.reset();  // of the scenario's own view
   }
   organOptions.applyTo(scenario, options.organ);
-  if (options.thesis) makeThesis(scenario);
+  if (options.thesis) {
+    makeThesis(scenario);
+    scenario.promises.clear();  // of instruments that act by their working parts
+  }
   if (!options.plot.empty() && !moves(scenario))
     throw usageError(
         "--plot shows forces, and the tissue of \"{}\" does not move; leave it out, or "
@@ -158,6 +162,8 @@ void run(const Options& options, const OrganOptions& organOptions) {
   }
   if (recorder && !recorder->failure().empty())
     throw error("{}; the operation was run, but not recorded to its end", recorder->failure());
+  if (const auto found = findings(summary, scenario); options.strict && !found.empty())
+    throw error("{}; leave out --strict to take the run as it is", found.front());
 }
 
 }  // namespace
@@ -173,6 +179,8 @@ void addRunCommand(Command app) {
   command.option(
       "--organ", options->organ,
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
+  command.flag("--strict", options->strict,
+               "Exit status 1 if an instrument met no organ, or the title is not true of the run");
   auto organ = addOrganOptions(command);
   addThreadsOption(command, options->threads);
   addPictureOptions(command, options->pictures);

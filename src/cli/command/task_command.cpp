@@ -49,7 +49,7 @@ void list(bool json) {
 
 // Reads the file as a run does, makes the organ, and finds what the task names in it.
 void check(const std::string& file) {
-  const Scenario scenario = taskScenario(file);
+  Scenario scenario = taskScenario(file);
   const Task& task = *scenario.task;
   for (const std::string& band : task.published) readPublishedStudy(band);
   std::vector<std::string> notes;

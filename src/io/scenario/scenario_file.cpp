@@ -10,12 +10,14 @@
 #include "io/scenario/region_reader.h"
 #include "io/scenario/task_reader.h"
 #include "io/scenario/toml_table.h"
+#include "io/scenario/way_reader.h"
+#include "operation/promises.h"
 #include "operation/room.h"
 
 namespace resect {
 namespace {
 
-constexpr std::size_t kMostKeys = 1'000'000, kMostOrgans = 100, kMostTools = 100;
+constexpr std::size_t kMostOrgans = 100, kMostTools = 100;
 
 Vec3i readDims(const TomlTable& t) {
   const Vec3 dims = t.vec3("dims");
@@ -34,11 +36,13 @@ OrganSource readOrgan(const TomlTable& t) {
   organ.part = partLines(t.isList("part") ? t.texts("part") : partNames(t.text("part", "")));
   organ.unit = parseUnit(t.text("unit", "m"), "organ.unit");
   organ.repair = t.flag("repair", false);
-  if (t.has("spacing"))
+  const bool chosen = t.isText("spacing") && t.text("spacing") == "auto";
+  if (t.has("spacing") && !chosen)
     organ.spacing = t.length("spacing", ranges::kSpacing.low, ranges::kSpacing.high);
   if (t.has("dims")) organ.dims = readDims(t);
-  if (organ.spacing && organ.dims) t.complain("dims", "and spacing are both given; keep one");
-  if (!organ.spacing && !organ.dims) organ.spacing = 0.005;
+  if ((organ.spacing || chosen) && organ.dims)
+    t.complain("dims", "and spacing are both given; keep one");
+  if (!organ.spacing && !organ.dims && !chosen) organ.spacing = 0.005;
   organ.pose = {t.place("position", ranges::kFarthestPose, Vec3::Zero()), t.rotation("rotation")};
   organ.onTable = t.flag("on_table", true);
   organ.settle = t.flag("settle", true);
@@ -98,7 +102,8 @@ TissueSetup readTissue(const TomlTable& t) {
   return tissue;
 }
 
-ScenarioTool readScenarioTool(const TomlTable& t, int number) {
+ScenarioTool readScenarioTool(const TomlTable& t, int number,
+                              const std::vector<ScenarioOrgan>& organs) {
   ScenarioTool tool;
   tool.model = t.text("model");
   if (t.has("response")) tool.response = readResponse(t);
@@ -106,6 +111,14 @@ ScenarioTool readScenarioTool(const TomlTable& t, int number) {
   if (const auto rest = t.table("rest")) {
     tool.rest = {rest->place("position", ranges::kFarthestPose), rest->rotation("rotation")};
     rest->refuseUnknownKeys();
+  }
+  const std::string frame = t.text("frame", "world");
+  if (frame != "world" && frame != "organ")
+    t.complain("frame", "is \"" + frame + "\"; use \"world\" or \"organ\"");
+  if (frame == "organ") {
+    tool.way = readWay(t, organs);
+    t.refuseUnknownKeys();
+    return tool;
   }
   for (const TomlTable& key : t.tables("keys", kMostKeys)) {
     const double time = key.number("time", ranges::kKeyTime);
@@ -190,8 +203,17 @@ Scenario toScenario(const TomlTable& t) {
   Scenario scenario;
   scenario.title = t.text("title");
   scenario.description = t.freeText("description");
+  scenario.promises = t.texts("promises");
+  for (const std::string& word : scenario.promises)
+    if (std::ranges::find(kPromises, word, &PromiseKind::word) == kPromises.end())
+      t.complain("promises", "has \"" + word + "\"; use removal, cut, push, parts or blood");
   scenario.frameRate = t.number("frame_rate", ranges::kFrameRate, 60);
-  scenario.duration = t.number("duration", ranges::kDuration);
+  if (t.has("after")) {
+    scenario.after = t.number("after", 0, ranges::kDuration.high);
+    if (t.has("duration")) t.complain("after", "and duration are both given; keep one");
+  } else {
+    scenario.duration = t.number("duration", ranges::kDuration);
+  }
   scenario.view = t.text("view", "surgeon");
   if (t.has("close_up")) {
     scenario.closeUp = readBox(t, "close_up", "close_up = [[x, y, z], [x, y, z]]");
@@ -204,7 +226,8 @@ Scenario toScenario(const TomlTable& t) {
     room->refuseUnknownKeys();
   }
   for (const TomlTable& tool : t.tables("tool", kMostTools))
-    scenario.tools.push_back(readScenarioTool(tool, int(scenario.tools.size())));
+    scenario.tools.push_back(readScenarioTool(tool, int(scenario.tools.size()), scenario.organs));
+  endAfterKeys(scenario);
   if (const auto task = t.table("task")) scenario.task = readTask(*task, scenario);
   t.refuseUnknownKeys();
   return scenario;

@@ -213,6 +213,11 @@ bool TomlTable::isList(const std::string& key) const {
   return node && node->is_array();
 }
 
+bool TomlTable::isText(const std::string& key) const {
+  const toml::node* node = find(key);
+  return node && node->is_string();
+}
+
 bool TomlTable::isTable(const std::string& key) const {
   const toml::node* node = find(key);
   return node && node->is_table();

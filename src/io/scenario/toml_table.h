@@ -62,6 +62,7 @@ class TomlTable {
 
   std::optional<TomlTable> table(const std::string& key) const;
   bool isList(const std::string& key) const;
+  bool isText(const std::string& key) const;
   bool isTable(const std::string& key) const;
   // The tables of [[key]] or of key = [{...}, ...], at most `most`. A single table [key] gives a
   // list of one. Empty when missing.

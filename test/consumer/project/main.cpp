@@ -8,7 +8,7 @@
 #include <cstdio>
 
 int main() try {
-  const auto scenario = resect::readScenario(resect::findDataFile("press", "scenarios", ".toml"));
+  auto scenario = resect::readScenario(resect::findDataFile("press", "scenarios", ".toml"));
   resect::Simulation simulation = resect::makeSimulation(scenario, resect::readPlainMesh);
   resect::StepReport report;
   double most = 0;

@@ -1,0 +1,31 @@
+// What a scenario's title promises, and whether a run kept it.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "operation/run.h"
+
+namespace resect {
+
+struct PromiseKind {
+  std::string_view word;      // in files
+  std::string_view sentence;  // what happened if it was not kept, for people
+};
+// removal: tissue is removed. cut: tissue is cut, and none is removed. push: an instrument pushes
+// with a force, and tissue is neither cut nor removed. parts: the organ is in several pieces at the
+// end. blood: blood is lost.
+inline constexpr std::array kPromises{
+    PromiseKind{"removal", "no tissue was removed"},
+    PromiseKind{"cut", "tissue was removed, or none was cut"},
+    PromiseKind{"push", "no instrument pushed, or tissue was cut or removed"},
+    PromiseKind{"parts", "the organ is still in one piece"},
+    PromiseKind{"blood", "no blood was lost"}};
+
+// One sentence for each tool that has keys but touched nothing, and for each promise of the
+// scenario that was not kept.
+std::vector<std::string> findings(const RunSummary& summary, const Scenario& scenario);
+
+}  // namespace resect
