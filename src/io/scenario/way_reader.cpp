@@ -73,7 +73,7 @@ OrganWay readWay(const TomlTable& t, const std::vector<ScenarioOrgan>& organs) {
       t.complain("organ", "is \"" + way.organ + "\", which is no organ of the scenario");
   }
   double time = -1;
-  for (const TomlTable& table : t.tables("keys", kMostKeys)) {
+  for (const TomlTable& table : t.tables("keys", kMostWayKeys)) {
     const bool first = way.keys.empty();
     WayKey key;
     readTime(table, first, key);

@@ -25,7 +25,7 @@ class Ground {
                   name);
   }
 
-  Vec3 tip(const WayKey& key, const Vec3& before) const {
+  Vec3 tip(const WayKey& key, const Vec3& before) {
     if (key.kind == WayKey::Place::Same) return before;
     Vec3 place = key.place;
     if (key.kind == WayKey::Place::Landmark) {
@@ -38,7 +38,9 @@ class Ground {
     Vec3 tip = pointInBox(box_, place);
     if (key.kind == WayKey::Place::Over || key.depth) {
       const double across = std::clamp(place.x(), kOutermost, 1 - kOutermost);
-      const OrganSection section(organ_.surface, pointInBox(box_, {across, 0, 0}).x());
+      const double x = pointInBox(box_, {across, 0, 0}).x();
+      if (!section_ || x != sectionX_) section_.emplace(organ_.surface, sectionX_ = x);
+      const OrganSection& section = *section_;
       if (key.kind == WayKey::Place::Over)
         tip.z() = section.back() + place.z() * (section.front() - section.back());
       if (key.depth) {
@@ -55,9 +57,11 @@ class Ground {
   const LaidOrgan& organ_;
   Aabb box_;
   std::string name_;
+  std::optional<OrganSection> section_;  // of the key before: most strokes stay in one plane
+  double sectionX_ = 0;
 };
 
-std::vector<ToolKey> keysOf(const OrganWay& way, const Ground& ground, double frameRate) {
+std::vector<ToolKey> keysOf(const OrganWay& way, Ground& ground, double frameRate) {
   std::vector<ToolKey> keys;
   double time = 0;
   Pose pose;
@@ -100,7 +104,7 @@ void placeWays(Scenario& scenario, std::size_t organ, const LaidOrgan& laid) {
   require(organ < scenario.organs.size(), "there is no organ {}; the scenario has {}", organ,
           scenario.organs.size());
   const std::string& name = scenario.organs[organ].source.name;
-  const Ground ground(laid, name);
+  Ground ground(laid, name);
   for (ScenarioTool& tool : scenario.tools)
     if (tool.way && (tool.way->organ == name || (tool.way->organ.empty() && organ == 0)))
       tool.keys = keysOf(*tool.way, ground, scenario.frameRate);
