@@ -91,8 +91,8 @@ TEST_CASE(
   for (const char* name : {"cut-950", "press", "lift", "incise", "snip"}) {
     CAPTURE(name);
     Scenario scenario = shipped(name);
-    const std::int64_t frames = frameCount(scenario);
     Simulation simulation = simulationOf(scenario);
+    const std::int64_t frames = frameCount(scenario);
     Bytes saved;
     for (std::int64_t frame = 0; frame < frames; ++frame) {
       if (frame == 6 * frames / 10) saved = simulation.save();
