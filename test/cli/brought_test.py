@@ -88,7 +88,7 @@ class Brought(unittest.TestCase):
         self.assertIn("in m it would be 0.2 m: add --unit m", small.stderr)
 
     def test_instruments_that_miss_an_organ_are_told_with_the_place_of_the_organ(self):
-        done = resect("run", "cut", "--organ", write("small.obj", points((0.06, 0.05, 0.05)) + faces()))
+        done = resect("run", "resect-segment", "--organ", write("small.obj", points((0.06, 0.05, 0.05)) + faces()))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("no instrument met an organ", done.stdout)
         self.assertRegex(done.stdout, r"the organ fills -0.03\d to 0.03\d m from left to right, 0.00\d to 0.05\d m in height")

@@ -9,8 +9,8 @@
 
 namespace resect {
 
-inline constexpr std::size_t kMostKeys = 1'000'000;    // of a tool
-inline constexpr std::size_t kMostWayKeys = 10'000;    // of its way: each is searched on the organ
+inline constexpr std::size_t kMostKeys = 1'000'000;  // of a tool
+inline constexpr std::size_t kMostWayKeys = 10'000;  // of its way: each is searched on the organ
 
 // t: the table of the tool. Throws Error if it has no keys, or if they name an organ that is not in
 // `organs`.
