@@ -9,7 +9,6 @@
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
 #include "formats/labels/brought_organ.h"
-#include "formats/labels/label_model.h"
 #include "inventor/reading/model_file.h"
 #include "io/cells/particle_file.h"
 #include "io/scenario/length.h"
@@ -41,7 +40,7 @@ Vec3i parseDims(const std::string& text) {
 }
 
 // Adds what --structure names: a kind, and a file, or a part of the organ's own file.
-void addStructure(OrganSource& source, const std::string& given) {
+void addGiven(OrganSource& source, const std::string& given) {
   const std::size_t sign = given.find('=');
   const std::string word = given.substr(0, sign);
   const auto kind = structureKind(word);
@@ -52,29 +51,11 @@ void addStructure(OrganSource& source, const std::string& given) {
         "file, such as tumour=tumour.stl or portal-vein=7; kinds are {}",
         given, structureWords());
   const std::string what = given.substr(sign + 1);
-  int label = 0;
-  for (const OrganLabel& one : source.labels) label = std::max(label, one.label);
-  for (const BroughtStructure& one : source.structures) label = std::max(label, one.label);
-  if (label >= 255) throw usageError("there are more than 255 structures; leave some out");
-  const bool own = !std::filesystem::exists(what);
-  BroughtStructure structure{*kind, vesselKind(*kind) ? 0 : label + 1, what, what, "", source.unit};
-  if (own) {
-    structure.file = source.file, structure.part = what;
-    // The labels of an image have no voxel in common: the structure belongs to the organ's body.
-    if (isLabelled(source.file)) {
-      if (source.part.empty())
-        throw usageError(
-            "--structure {} names a label of the image; name the organ's too, by "
-            "--part",
-            given);
-      source.part += "\n" + (vesselKind(*kind) ? std::string(kWithin) + what : what);
-      if (std::ranges::all_of(what, [](char c) { return c >= '0' && c <= '9'; }))
-        structure.name = word;
-    }
-  } else {
-    structure.name = std::filesystem::path(what).stem().string();
-  }
-  source.structures.push_back(std::move(structure));
+  const bool isNumber = std::ranges::all_of(what, [](char c) { return c >= '0' && c <= '9'; });
+  if (std::filesystem::exists(what))
+    addStructure(source, *kind, std::filesystem::path(what).stem().string(), what, "");
+  else
+    addStructure(source, *kind, isNumber ? word : what, "", what);
 }
 
 }  // namespace
@@ -84,7 +65,7 @@ void OrganOptions::applyTo(OrganSource& source) const {
   if (!part.empty()) source.part = part;
   if (!unit.empty()) source.unit = parseUnit(unit, "--unit");
   source.repair = source.repair || repair;
-  for (const std::string& one : structures) addStructure(source, one);
+  for (const std::string& one : structures) addGiven(source, one);
   const bool labelled = isLabelled(source.file);
   if (labelled) {
     if (!unit.empty())

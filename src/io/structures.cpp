@@ -139,7 +139,9 @@ std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
                   one.file, 4e3 * kVesselCell);
     append(kinds[std::size_t(*kind)], std::move(tree));
   }
-  const Anatomy own = ownVessels(source, place, notes);
+  const bool brought =
+      std::ranges::any_of(kinds, [](const auto& segments) { return !segments.empty(); });
+  const Anatomy own = ownVessels(source, place, brought ? nullptr : notes);
   std::vector<VesselSegment> all;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     if (kinds[k].empty()) {

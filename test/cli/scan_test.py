@@ -106,9 +106,10 @@ class Scan(unittest.TestCase):
         self.assertEqual([one["name"] for one in about["labels"]], ["parenchyma", "liver_tumor"])
         self.assertGreater(about["vessels"]["portal-vein"], 3)
         self.assertAlmostEqual(about["volume_ml"], self.ml["liver"], delta=0.005 * self.ml["liver"])
-        # Right and front are the negative axes of the organ's coordinates.
+        # In the room x leads to the patient's left, y to the front, z to the feet.
         middle = [(about["bounds_m"][0][a] + about["bounds_m"][1][a]) / 2 for a in range(3)]
-        wanted = [(ORIGIN[a] + (DIMS[a] - 1) * STEP[a] / 2) / 1000 * (-1 if a < 2 else 1) for a in range(3)]
+        right, front, head = [(ORIGIN[a] + (DIMS[a] - 1) * STEP[a] / 2) / 1000 for a in range(3)]
+        wanted = [-right, front, -head]
         for a in range(3):
             self.assertAlmostEqual(middle[a], wanted[a], delta=0.005)
         again = FOLDER / "again.resect-cells"

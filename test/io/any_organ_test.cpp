@@ -83,7 +83,7 @@ TEST_CASE("twelve organs are closed, of a human's size, and cut draws one groove
       source.file = "brought.ply";
       source.pose.rotation = turn;
       source.spacing = spacing;
-      Simulation simulation = makeSimulation(scenario, [&](const auto& path) {
+      Simulation simulation = makeSimulation(scenario, [&](const auto& path, const auto&) {
         return path == "brought.ply" ? Model{"brought.ply", "PLY", {{"", organ.mesh}}}
                                      : readPlainMesh(path);
       });

@@ -332,23 +332,44 @@ def left_lateral_scenario(operator):
 
 
 # A tumour near the tip of the left lobe, at rest, m, before the liver is moved aside.
-TUMOUR, TUMOUR_RADIUS = (0.088, 0.024, 0.01), 0.008
+TUMOUR, TUMOUR_RADIUS = (0.096, 0.022, 0.035), 0.008
 
 
 def wedge(operator):
-    """The scalpel cuts the tip of the left lobe off from both sides, a centimetre from the tumour; the hook lifts it away."""
+    """The scalpel cuts the tip of the left lobe off from both sides, a centimetre from the tumour; the hook pulls it aside,
+    the scalpel cuts what still holds, and the hook lifts it away. The lobe is no thicker there than the blade is long."""
     good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
-    tools = dict(resect_segment_elastic())
-    aside = 0.004 if not reckless else 0.026
-    for path in (tools["scalpel"], tools["hook"]):
-        path.keys = [(t, (x + aside, y, z), *rest) for t, (x, y, z), *rest in path.keys]
-    if hurried:  # one side only, and away
-        tools["scalpel"].keys = tools["scalpel"].keys[:3]
-        quicker(tools["scalpel"].to(0.05, 0.24, 0.16, speed=0.6), 0.7)
-        tools["hook"] = None
+    there, back = (0, -0.05, 1), (0, 0.05, -1)
+    scalpel = Path3(handle=(0, 1, 0.05), edge=there, speed=0.15)
+
+    def cut_off(x, speed):
+        scalpel.to(x, 0.16, -0.06, speed=0.4).to(x, 0.001, -0.06, speed=0.4).to(x, 0.001, 0.13, speed=speed)
+        scalpel.turn(back).to(x, 0.001, 0.15, speed=0.1).to(x, 0.001, -0.05, speed=speed)
+        scalpel.turn(there).to(x, 0.12, -0.06, speed=0.4).to(0.05, 0.24, 0.14, speed=0.5)
+
+    x = 0.077 if not reckless else 0.092  # through the tumour
+    scalpel.wait(0.9)
+    cut_off(x, 0.12)
+    if hurried:  # once, and away
+        scalpel.keys = scalpel.keys[:4]
+        scalpel.time = scalpel.keys[-1][0]
+        return [("scalpel", quicker(scalpel.to(0.05, 0.24, 0.16, speed=0.6), 0.7)), ("hook", None)]
+    caught, pulled, lifted = (0.098, 0.012, 0.035), (0.118, 0.026, 0.04), (0.158, 0.075, 0.055)
+    hook = Path3(handle=(0.45, 0.85, 0.27), edge=(0.85, -0.52, 0.1), speed=0.15)
+    hook.wait(scalpel.time + 0.2)
+    hook.to(0.188, 0.13, 0.04, speed=0.3).to(*caught)
+    hook.wait(0.1)
+    hook.to(*caught).to(*pulled, speed=0.06)
+    scalpel.wait(hook.time - scalpel.time)
+    scalpel.to(0.05, 0.24, 0.14)
+    cut_off(x + 0.004, 0.15)
+    hook.wait(scalpel.time - hook.time - 1)
+    hook.to(*pulled).to(*lifted, speed=0.06)
+    hook.wait(0.6)
+    hook.to(*lifted)
     if clumsy:
-        shaken(tools["scalpel"], 0.016, 0.6, 17)
-    return list(tools.items())
+        shaken(scalpel, 0.016, 0.6, 17)
+    return [("scalpel", scalpel), ("hook", hook)]
 
 
 def wedge_scenario(operator):
@@ -357,8 +378,8 @@ def wedge_scenario(operator):
              f"radius = {TUMOUR_RADIUS:g}\n\n")
     goal = {"kind": '"resect"', "structure": '"tumour"', "margin": '"10mm"'}
     text = task("Wedge resection: a tumour is taken out in one piece with a margin on all sides.", goal,
-                {"specimen_ml": 110, "removed_ml": 5, "force_peak_n": 6, "total_time_s": 25},
-                {"easy": {"specimen_ml": 150, "total_time_s": 60}, "hard": {"specimen_ml": 80}},
+                {"specimen_ml": 70, "removed_ml": 5, "force_peak_n": 6, "total_time_s": 25},
+                {"easy": {"specimen_ml": 100, "total_time_s": 60}, "hard": {"specimen_ml": 50}},
                 ["scalpel", "hook"],
                 ["Mark a margin of a centimetre round the tumour.", "Cut one side of the wedge, then the other.",
                  "Take the specimen off and look at its margin."], bands=("lefor-2022",), force_limit=6,

@@ -241,7 +241,8 @@ void FileExaminer::examine(
                        done("", sentenceOf(*process));
                    });
   QStringList arguments{"info", "--json", QString::fromStdString(file)};
-  if (!part.empty()) arguments << "--part=" + QString::fromStdString(part);
+  for (const std::string& name : partNames(part))
+    arguments << "--part=" + QString::fromStdString(name);
   if (!slices.empty()) arguments << "--slices=" + QString::fromStdString(slices);
   process->start(QCoreApplication::applicationFilePath(), arguments);
 }

@@ -1,5 +1,7 @@
 #include "app/widgets/open_organ_dialog.h"
 
+#include <fmt/format.h>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -9,7 +11,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
-#include <QLayout>
 #include <QPixmap>
 #include <QPushButton>
 #include <QTimer>
@@ -18,11 +19,13 @@
 #include <filesystem>
 
 #include "app/say.h"
+#include "app/widgets/parts_table.h"
 #include "formats/labels/brought_organ.h"
 #include "formats/labels/label_file.h"
 #include "inventor/scene/scene_file.h"
 #include "io/organ_size.h"
 #include "io/scenario/length.h"
+#include "io/scenario/orientation.h"
 
 namespace resect {
 namespace {
@@ -59,7 +62,7 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
     : QDialog(parent), file_(file), before_(before) {
   setWindowTitle("Open organ");
   setMinimumWidth(460);
-  auto* form = new QFormLayout(this);
+  auto* form = form_ = new QFormLayout(this);
   form->addRow(
       new QLabel("<b>" + shownInHtml(std::filesystem::path(file).filename().string()) + "</b>"));
   report_ = new QLabel("Reading ...");
@@ -89,6 +92,10 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   part_->addItem("all parts together", QString());
   part_->setToolTip("One named part of the file, or all of them as one body");
   form->addRow("Part", part_);
+  roles_ = new PartsTable;
+  roles_->changed = [this] { examine(); };
+  form->addRow(roles_);
+  form->setRowVisible(roles_, false);
   repair_ = new QCheckBox("Close holes");
   repair_->setToolTip("An open surface has no inside; its holes can be closed");
   form->addRow(repair_);
@@ -112,7 +119,10 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   });
   connect(unit_, &QComboBox::currentIndexChanged, this, [this] { unitChanged(); });
   connect(unit_, &QComboBox::activated, this, [this] { unitChosen_ = true; });
-  connect(part_, &QComboBox::activated, this, [this] { examine(); });
+  connect(part_, &QComboBox::activated, this, [this] {
+    form_->setRowVisible(roles_, hasRoles());
+    examine();
+  });
   examine();
 }
 
@@ -121,7 +131,7 @@ void OpenOrganDialog::examine() {
   open_->setEnabled(false);
   const bool image = isImageFile(file_) && slices_->isHidden();
   const QString picture = image && folder_.isValid() ? folder_.filePath("slices.png") : "";
-  examiner_.examine(file_, part_->currentData().toString().toStdString(), picture.toStdString(),
+  examiner_.examine(file_, chosenPart(), picture.toStdString(),
                     [this](const std::string& json, const std::string& problem) {
                       // A finished process must not be replaced from its own signal.
                       if (!show(json, problem))
@@ -160,7 +170,7 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   }
   isImage_ = info.contains("labels");
   if (isImage_) showSlices();
-  if (isImage_ && part_->count() == 1) listLabels(info["labels"].toArray());
+  if (!roles_->filled()) listRoles(info);
   if (isImage_ && !info.contains("closed")) {  // no organ was found in it
     tell(shown(info["refusal"].toString().toStdString(), kLongestSentence));
     return true;
@@ -174,14 +184,17 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   for (int a = 0; a < 3; ++a)
     longest_ =
         std::max(longest_, bounds[1].toArray()[a].toDouble() - bounds[0].toArray()[a].toDouble());
-  if (!isImage_ && part_->count() == 1 && listParts(info["parts"].toArray())) return false;
+  if (!isImage_ && part_->count() == 1 && listParts(info["parts"].toArray())) {
+    form_->setRowVisible(roles_, hasRoles());
+    return false;
+  }
   // In a scene that was saved from here the organ is in metres.
   if (isImage_ || part_->currentData().toString() == kOrganNode)
     unit_->setCurrentIndex(0);
   else if (!unitChosen_)
     unit_->setCurrentIndex(likelyUnit());
   unitChanged();
-  open_->setEnabled(true);
+  open_->setEnabled(!hasRoles() || roles_->hasOrgan());
   if (!part_->hasFocus()) open_->setFocus();
   open_->setDefault(true);
   return true;
@@ -195,22 +208,41 @@ void OpenOrganDialog::showSlices() {
   slices_->show();
 }
 
-// Numbers of a label image are known to be metres, and its surfaces are closed.
-void OpenOrganDialog::listLabels(const QJsonArray& labels) {
-  unit_->setEnabled(false);
-  repair_->setEnabled(false);
-  part_->setItemText(0, "the organ and what lies in it");
-  part_->setToolTip(
-      "The label that becomes the organ; tumours and vessels in it are known by name");
-  if (labels.size() < 2) return;
-  for (const QJsonValue label : labels) {
-    const QString value = QString::number(qint64(label["value"].toDouble()));
-    const QString name = label["name"].toString();
-    part_->addItem(QString("%1  (%2 ml)")
-                       .arg(name.isEmpty() ? "label " + value : shown(name.toStdString()))
-                       .arg(label["volume_ml"].toDouble(), 0, 'g', 4),
-                   value);
+// A table of the parts of a model or the labels of an image, if there are several.
+void OpenOrganDialog::listRoles(const QJsonObject& info) {
+  std::vector<FilePart> parts;
+  const auto size = [](const QJsonValue& ml) {
+    return ml.isNull() ? std::string("open") : fmt::format("{:.4g} ml", ml.toDouble());
+  };
+  for (const QJsonValue label : info["labels"].toArray()) {
+    const std::string value = std::to_string(qint64(label["value"].toDouble()));
+    const std::string name = label["name"].toString().toStdString();
+    parts.push_back({value, name.empty() ? "label " + value : name, size(label["volume_ml"])});
   }
+  if (isImage_) {  // whose numbers are metres, and whose surfaces are closed
+    unit_->setEnabled(false);
+    repair_->setEnabled(false);
+    form_->setRowVisible(part_, false);
+  } else {
+    for (const QJsonValue part : info["part_health"].toArray())
+      parts.push_back({part["name"].toString().toStdString(), part["name"].toString().toStdString(),
+                       size(part["volume_ml"])});
+  }
+  if (parts.size() < 2) return;
+  roles_->fill(parts, isImage_);
+  form_->setRowVisible(roles_, hasRoles());
+}
+
+bool OpenOrganDialog::hasRoles() const {
+  return roles_->filled() && part_->currentData().toString().isEmpty();
+}
+
+std::string OpenOrganDialog::chosenPart() const {
+  if (!hasRoles()) return part_->currentData().toString().toStdString();
+  OrganSource source;
+  source.file = file_;
+  roles_->applyTo(source);
+  return source.part;
 }
 
 // The one that the commands would name (io/organ_size.h).
@@ -236,12 +268,17 @@ QPoint OpenOrganDialog::openButton() const { return open_->mapToGlobal(open_->re
 OrganSource OpenOrganDialog::source() const {
   OrganSource source;
   source.file = file_;
-  source.part = part_->currentData().toString().toStdString();
   source.unit = unit_->currentData().toDouble();
+  if (hasRoles())
+    roles_->applyTo(source);
+  else
+    source.part = part_->currentData().toString().toStdString();
   source.repair = repair_->isChecked();
   source.spacing = spacing_->value() * 1e-3;
   source.settings = before_.settings;
-  if (isImage_) takeLabels(source);
+  if (!isImage_) return source;
+  source.pose.rotation = orientationOf("LPS");
+  takeLabels(source);
   return source;
 }
 

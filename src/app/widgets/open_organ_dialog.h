@@ -12,11 +12,15 @@
 class QComboBox;
 class QCheckBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QJsonArray;
+class QJsonObject;
 class QLabel;
 class QPushButton;
 
 namespace resect {
+
+class PartsTable;
 
 class OpenOrganDialog : public QDialog {
  public:
@@ -40,7 +44,9 @@ class OpenOrganDialog : public QDialog {
   void examine();
   int likelyUnit() const;
   bool listParts(const QJsonArray& parts);
-  void listLabels(const QJsonArray& labels);
+  void listRoles(const QJsonObject& info);
+  bool hasRoles() const;           // the table of roles is to be followed
+  std::string chosenPart() const;  // as OrganSource::part
   void showSlices();
 
   std::string file_;
@@ -48,7 +54,9 @@ class OpenOrganDialog : public QDialog {
   FileExaminer examiner_;
   QTemporaryDir folder_;  // for the picture of slices
   QLabel *report_, *slices_, *size_;
+  QFormLayout* form_;
   QComboBox *unit_, *part_;
+  PartsTable* roles_;
   QCheckBox* repair_;
   QDoubleSpinBox* spacing_;
   QPushButton* open_;

@@ -158,19 +158,14 @@ void take(OrganSource& source, const Found& organ, const std::vector<Found>& all
   source.part = organ.part;
   if (isImageFile(organ.file)) source.unit = 1;
   std::string within, left;
-  int label = 0;
-  for (const OrganLabel& one : source.labels) label = std::max(label, one.label);
   for (const Found& one : all) {
     if (&one == &organ) continue;
-    if (given || !one.kind || !isWithin(*one.kind) || label == 255) {
+    if (given || !one.kind || !isWithin(*one.kind)) {
       left += (left.empty() ? "" : ", ") + shownText(one.name, kLongestName);
       continue;
     }
-    const bool vessel = vesselKind(*one.kind).has_value();
-    source.structures.push_back({*one.kind, vessel ? 0 : ++label, one.name, one.file, one.part,
-                                 isImageFile(one.file) ? 1 : unit});
-    if (one.file == organ.file)
-      source.part += "\n" + (vessel ? std::string(kWithin) + one.part : one.part);
+    addStructure(source, *one.kind, one.name, one.file == organ.file ? "" : one.file, one.part);
+    source.structures.back().unit = isImageFile(one.file) ? 1 : unit;
     within += fmt::format("{}{} ({})", within.empty() ? "" : ", ", inWords(one), wordOf(*one.kind));
   }
   source.notes.push_back(fmt::format("{}: the organ is {}{}{}", organ.file, inWords(organ),
@@ -217,6 +212,23 @@ void takeFiles(OrganSource& source, const std::vector<std::string>& files) {
     return !source.part.empty() && lowerCase(one.name) == lowerCase(source.part);
   });
   take(source, asked != all.end() ? *asked : organOf(source, all), all);
+}
+
+void addStructure(OrganSource& source, StructureKind kind, const std::string& name,
+                  const std::string& file, const std::string& part) {
+  int label = 0;
+  for (const OrganLabel& one : source.labels) label = std::max(label, one.label);
+  for (const BroughtStructure& one : source.structures) label = std::max(label, one.label);
+  require(label < 255, "there are more than 255 structures; leave some out");
+  const bool vessel = vesselKind(kind).has_value();
+  if (file.empty() && isImageFile(source.file)) {
+    require(!source.part.empty(),
+            "{}: \"{}\" is a label of the image; name the organ's too, by --part", source.file,
+            part);
+    source.part += "\n" + (vessel ? std::string(kWithin) + part : part);
+  }
+  source.structures.push_back(
+      {kind, vessel ? 0 : label + 1, name, file.empty() ? source.file : file, part, source.unit});
 }
 
 std::vector<CellsInput> inputsOf(const OrganSource& source) {

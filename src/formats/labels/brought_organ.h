@@ -29,6 +29,13 @@ void takeLabels(OrganSource& source);
 // coordinates: as a folder of them. One file alone is taken as source.file.
 void takeFiles(OrganSource& source, const std::vector<std::string>& files);
 
+// Adds a structure that lies in the organ: a file, or with `file` empty a part of the organ's own
+// file. Of an image, the structure's label also becomes part of the organ's body, since no voxel
+// has two labels; source.part must then name the organ's. name: of the structure. Throws a usage
+// Error if it does not, or if there are more than 255 structures.
+void addStructure(OrganSource& source, StructureKind kind, const std::string& name,
+                  const std::string& file, const std::string& part);
+
 // The files that the source is made from, with their roles, for a file of cells.
 std::vector<CellsInput> inputsOf(const OrganSource& source);
 

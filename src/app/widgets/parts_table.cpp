@@ -1,0 +1,88 @@
+#include "app/widgets/parts_table.h"
+
+#include <QComboBox>
+#include <QHeaderView>
+#include <algorithm>
+
+#include "formats/labels/brought_organ.h"
+#include "io/model.h"
+
+namespace resect {
+namespace {
+
+constexpr int kLeftOut = -1, kOrgan = 0;
+
+int proposed(const FilePart& part) {
+  const auto kind = structureKind(part.name);
+  if (!kind || *kind == StructureKind::Gallbladder) return kLeftOut;  // which lies beside a liver
+  return *kind == StructureKind::Parenchyma ? kOrgan : 1 + int(*kind);
+}
+
+}  // namespace
+
+PartsTable::PartsTable(QWidget* parent) : QTableWidget(parent) {
+  setColumnCount(3);
+  setHorizontalHeaderLabels({"Part", "Size", "What it is"});
+  verticalHeader()->hide();
+  setEditTriggers(NoEditTriggers);
+  setSelectionMode(NoSelection);
+  horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  setToolTip("Vessels bleed when they are cut; tumours and cysts are tissue of their own");
+}
+
+void PartsTable::fill(const std::vector<FilePart>& parts, bool image) {
+  parts_ = parts;
+  const bool told =
+      std::ranges::any_of(parts, [](const FilePart& part) { return proposed(part) == kOrgan; });
+  setRowCount(int(parts.size()));
+  for (int row = 0; row < int(parts.size()); ++row) {
+    const FilePart& part = parts[std::size_t(row)];
+    setItem(row, 0, new QTableWidgetItem(QString::fromStdString(part.name)));
+    setItem(row, 1, new QTableWidgetItem(QString::fromStdString(part.about)));
+    auto* role = new QComboBox;
+    role->addItem("left out", kLeftOut);
+    role->addItem("the organ", kOrgan);
+    for (int k = int(StructureKind::Tumour); k < kStructureKinds; ++k) {
+      const std::string word(wordOf(StructureKind(k)));
+      role->addItem(QString::fromStdString(word).replace('-', ' '), 1 + k);
+    }
+    const int choice = told ? proposed(part) : image ? kLeftOut : kOrgan;
+    role->setCurrentIndex(std::max(0, role->findData(choice)));
+    connect(role, &QComboBox::activated, this, [this] {
+      if (changed) changed();
+    });
+    setCellWidget(row, 2, role);
+  }
+  constexpr int kMostRows = 6;  // to be seen at once
+  setFixedHeight(horizontalHeader()->sizeHint().height() + 2 +
+                 std::min(rowCount(), kMostRows) * rowHeight(0));
+}
+
+int PartsTable::roleOf(int row) const {
+  return static_cast<const QComboBox*>(cellWidget(row, 2))->currentData().toInt();
+}
+
+bool PartsTable::hasOrgan() const {
+  for (int row = 0; row < rowCount(); ++row)
+    if (roleOf(row) == kOrgan) return true;
+  return false;
+}
+
+void PartsTable::applyTo(OrganSource& source) const {
+  std::vector<std::string> organ;
+  for (int row = 0; row < rowCount(); ++row)
+    if (roleOf(row) == kOrgan) organ.push_back(parts_[std::size_t(row)].part);
+  const bool all = int(organ.size()) == rowCount() && !isLabelled(source.file);
+  source.part = all ? "" : partLines(organ);
+  for (int row = 0; row < rowCount(); ++row) {
+    if (roleOf(row) <= kOrgan) continue;
+    const FilePart& part = parts_[std::size_t(row)];
+    const auto kind = StructureKind(roleOf(row) - 1);
+    const bool named = structureKind(part.name).has_value();
+    addStructure(source, kind, named ? part.name : std::string(wordOf(kind)), "", part.part);
+  }
+}
+
+}  // namespace resect
