@@ -10,6 +10,7 @@
 #include "app/say.h"
 #include "app/viewer.h"
 #include "app/widgets/open_organ_dialog.h"
+#include "app/widgets/parts_table.h"
 #include "base/error.h"
 #include "formats/beside_files.h"
 #include "formats/png_file.h"
@@ -91,6 +92,10 @@ void MainWindow::askOrgan(const QString& file) {
     if (!options_.reports) return;
     const QPoint at = dialog->openButton() * devicePixelRatioF();
     say("place open {} {}", at.x(), at.y());
+    for (int row = 0; dialog->roles() && row < dialog->roles()->rowCount(); ++row) {
+      const QPoint role = dialog->roles()->rolePlace(row) * devicePixelRatioF();
+      say("place role{} {} {}", row, role.x(), role.y());
+    }
     say("report {}", report);
   };
   dialog->open();

@@ -44,7 +44,7 @@ void addGiven(OrganSource& source, const std::string& given) {
   const std::size_t sign = given.find('=');
   const std::string word = given.substr(0, sign);
   const auto kind = structureKind(word);
-  if (sign == std::string::npos || sign + 1 == given.size() || !kind || wordOf(*kind) != word ||
+  if (sign == std::string::npos || sign + 1 == given.size() || !kind ||
       *kind == StructureKind::Parenchyma)
     throw usageError(
         "--structure is \"{}\"; give a kind of structure and its file or its part of the organ's "
@@ -66,19 +66,20 @@ void OrganOptions::applyTo(OrganSource& source) const {
   if (!unit.empty()) source.unit = parseUnit(unit, "--unit");
   source.repair = source.repair || repair;
   for (const std::string& one : structures) addGiven(source, one);
-  const bool labelled = isLabelled(source.file);
-  if (labelled) {
+  if (isLabelled(source.file)) {
     if (!unit.empty())
       throw usageError("{}: label images tell their size themselves; leave --unit out",
                        source.file);
+    if (!orientation.empty())
+      throw usageError("{}: label images tell their directions themselves; leave --orientation out",
+                       source.file);
     takeLabels(source);
   }
-  if (!orientation.empty() || !rotate.empty() || labelled) {
+  if (!orientation.empty() || !rotate.empty()) {
     if (isParticleFile(source.file))
       throw usageError("{} holds particles, which are not turned; leave {} out", source.file,
                        rotate.empty() ? "--orientation" : "--rotate");
-    if (!orientation.empty() || labelled)  // images tell their directions
-      source.pose.rotation = orientationOf(orientation.empty() ? "LPS" : orientation);
+    if (!orientation.empty()) source.pose.rotation = orientationOf(orientation);
     if (!rotate.empty())
       source.pose.rotation = (turnOf(rotate) * source.pose.rotation).normalized();
   }

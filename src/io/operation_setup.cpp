@@ -54,7 +54,7 @@ void tellThinWalls(const TriangleMesh& surface, const OrganSource& source, doubl
   const double thin = walls.at(0.05);
   if (thin >= 2 * cell) return;
   const std::string measured =
-      fmt::format("behind 5 % of its surface lies no more than {} of tissue, behind half of it {}",
+      fmt::format("behind 5 % of its surface lies no more than {} of tissue (behind half of it {})",
                   lengthText(thin), lengthText(walls.at(0.5)));
   constexpr double kMostLost = 0.02;
   const double lost = walls.lostAt(cell);
@@ -90,6 +90,11 @@ Discretization sample(const TriangleMesh& surface, const OrganSource& source,
     throw error(
         "no cell centre of the lattice lies inside {}; use smaller cells (--spacing, --dims)",
         source.file);
+  if (constexpr double kFew = 0.25 * kFewestParticles;
+      notes && source.spacing && !isBuiltIn(source) && double(cells.particleCount()) < kFew)
+    notes->push_back(fmt::format(
+        "cells of {} make only {} particles, which hardly show its shape; --spacing auto takes {}",
+        lengthText(spacing), cells.particleCount(), lengthText(coarsestCell(surface))));
   fitSurface(surface, cells);
   return cells;
 }

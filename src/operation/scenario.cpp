@@ -46,9 +46,14 @@ void keepFirstOrgan(Scenario& scenario) {
 
 void replaceOrgans(Scenario& scenario, const OrganSource& source) {
   keepFirstOrgan(scenario);
-  scenario.organs[0].source = source;
-  scenario.organs[0].tissue.attachments.clear();
-  scenario.organs[0].tissue.materials.clear();
+  ScenarioOrgan& organ = scenario.organs[0];
+  const OrganSource before = organ.source;
+  organ.source = source;
+  organ.source.name = before.name;
+  if (source.onTable) organ.source.pose.position = before.pose.position;
+  std::erase_if(organ.tissue.attachments,
+                [](const TissueAttachment& one) { return one.frame != Region::Frame::Organ; });
+  organ.tissue.materials.clear();
 }
 
 void setSpacing(Scenario& scenario, double before, double spacing) {

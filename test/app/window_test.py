@@ -269,6 +269,41 @@ class AtTheWindow(ScreenTest):
         time.sleep(1)
         screen.picture("dialog_scene_again")
 
+    def test_labels_of_a_scan_are_opened_with_the_roles_that_a_person_gives_them(self):
+        """An image of three labels without names: a block, a tumour in it, and a vessel."""
+        def label(x, y, z):
+            if (x - 12) ** 2 + (y - 15) ** 2 + (z - 15) ** 2 < 16:
+                return 2
+            if (y - 15) ** 2 + (z - 6) ** 2 < 4 and x > 1:
+                return 3
+            return 1 if all(3 <= c < 27 for c in (x, y, z)) else 0
+        image = FOLDER / "labels.nrrd"
+        size = 30
+        image.write_text("NRRD0004\ntype: uchar\ndimension: 3\nsizes: 30 30 30\nspace: left-posterior-superior\n"
+                         "space directions: (4,0,0) (0,4,0) (0,0,4)\nkinds: domain domain domain\nencoding: ascii\n\n" +
+                         " ".join(str(label(x, y, z)) for z in range(size) for y in range(size) for x in range(size)))
+        screen = self.screen
+        window = self.opened(size="1100x800")
+        window.tell(f"open {image}")
+        self.assertIn("Which label is the organ?", window.wait("report "))
+        for row, steps in enumerate((1, 2, 5)):  # the organ, tumour, portal vein
+            window.drain()
+            screen.click(*window.places[f"role{row}"])
+            time.sleep(0.3)
+            screen.key(*["Down"] * steps, "Return")
+            report = window.wait("report ")
+        screen.picture("labels_roles")
+        self.assertIn("30 x 30 x 30 voxels of 4 x 4 x 4 mm", report)
+        window.drain()
+        screen.click(*window.places["open"])
+        window.wait("organ labels.nrrd")
+        time.sleep(1)
+        screen.picture("labels_opened")
+        window.tell("open " + str(FOLDER / "no labels.nrrd"))
+        self.assertIn("there is no such file", window.wait("report "))
+        screen.focus("^Open organ$")
+        screen.key("Escape")
+
     def test_what_is_dropped_on_the_window_is_opened(self):
         """From a window of another program, as from a file manager."""
         dropped = self.another_organ("dropped.stl")

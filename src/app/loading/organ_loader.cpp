@@ -48,8 +48,14 @@ TissueSetup besideDrawing(TissueSetup setup) {
 
 Scenario withInstruments(Scenario scenario) {
   const bool any = !scenario.tools.empty();
-  const bool bleeds = std::ranges::any_of(
-      scenario.organs, [](const ScenarioOrgan& organ) { return !organ.source.vessels.empty(); });
+  // A file of cells may hold vessels.
+  const bool bleeds = std::ranges::any_of(scenario.organs, [](const ScenarioOrgan& organ) {
+    const OrganSource& source = organ.source;
+    return !source.vessels.empty() || isCellsFile(source.file) ||
+           std::ranges::any_of(source.structures, [](const BroughtStructure& one) {
+             return vesselKind(one.kind).has_value();
+           });
+  });
   for (const ToolKind& kind : toolKinds()) {
     if (any || (kind.stopsBleeding && !bleeds)) continue;
     scenario.tools.push_back({std::string(kind.name), {}, {}, {}});
@@ -67,6 +73,7 @@ struct OrganLoader::Job {
   std::string problem;
   std::vector<OperatedOrgan> organs;
   std::vector<TissueJoint> joints;
+  std::unique_ptr<Simulation> simulation;  // made of these
   std::atomic<double> share{-1};
   std::atomic<bool> cancelled{false}, built{false};
   std::thread thread;
@@ -77,6 +84,22 @@ struct OrganLoader::Job {
   }
   void start() {
     thread = std::thread([this] { build(); });
+  }
+  // Places the ways of instruments on the tissue as it lies when they come, in the thread again.
+  void startSettling() {
+    thread.join();
+    built = false;
+    thread = std::thread([this] {
+      const StopBy stop(cancelled);
+      try {
+        settleWays(scenario, *simulation);
+      } catch (const Cancelled&) {
+        problem = "cancelled";
+      } catch (const std::exception& e) {
+        problem = e.what();
+      }
+      built = true;
+    });
   }
   void build() {
     const StopBy stop(cancelled);
@@ -200,22 +223,25 @@ void OrganLoader::poll() {
     job_->built = true;
   }
   if (!job_->built) return progress_(job_->share);
+  if (!job_->organs.empty() && !job_->simulation && job_->problem.empty()) {
+    try {
+      // Here, not in the thread: tools are read by Inventor, which only the window's thread may
+      // use.
+      job_->simulation = std::make_unique<Simulation>(
+          assemble(job_->scenario, std::move(job_->organs), std::move(job_->joints),
+                   loadTools(job_->scenario, &readModel)));
+      if (hasWays(job_->scenario) && job_->simulation->moves()) return job_->startSettling();
+    } catch (const std::exception& e) {
+      job_->problem = e.what();
+    }
+  }
   timer_.stop();
   const std::unique_ptr<Job> job = std::move(job_);
   if (job->thread.joinable()) job->thread.join();
   removeConverted();
   Result result{job->scenario, nullptr, std::move(job->notes), std::move(job->problem)};
-  if (!job->organs.empty() && result.problem.empty()) try {
-      // Here, not in the thread: tools are read by Inventor, which only the window's thread may
-      // use.
-      result.simulation = std::make_unique<Simulation>(
-          assemble(job->scenario, std::move(job->organs), std::move(job->joints),
-                   loadTools(job->scenario, &readModel)));
-      settleWays(result.scenario, *result.simulation);
-      noteSlowFrames(*result.simulation, job->scenario, &result.notes);
-    } catch (const std::exception& e) {
-      result.problem = e.what();
-    }
+  if (result.problem.empty()) result.simulation = std::move(job->simulation);
+  if (result.simulation) noteSlowFrames(*result.simulation, job->scenario, &result.notes);
   std::exchange(done_, {})(std::move(result));
 }
 

@@ -21,11 +21,9 @@
 #include "app/say.h"
 #include "app/widgets/parts_table.h"
 #include "formats/labels/brought_organ.h"
-#include "formats/labels/label_file.h"
 #include "inventor/scene/scene_file.h"
 #include "io/organ_size.h"
 #include "io/scenario/length.h"
-#include "io/scenario/orientation.h"
 
 namespace resect {
 namespace {
@@ -129,7 +127,7 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
 // Examines the file or its chosen part.
 void OpenOrganDialog::examine() {
   open_->setEnabled(false);
-  const bool image = isImageFile(file_) && slices_->isHidden();
+  const bool image = isLabelled(file_) && slices_->isHidden();
   const QString picture = image && folder_.isValid() ? folder_.filePath("slices.png") : "";
   examiner_.examine(file_, chosenPart(), picture.toStdString(),
                     [this](const std::string& json, const std::string& problem) {
@@ -172,7 +170,8 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   if (isImage_) showSlices();
   if (!roles_->filled()) listRoles(info);
   if (isImage_ && !info.contains("closed")) {  // no organ was found in it
-    tell(shown(info["refusal"].toString().toStdString(), kLongestSentence));
+    tell(hasRoles() ? "Which label is the organ? Say it in the table; then it can be opened."
+                    : shown(info["refusal"].toString().toStdString(), kLongestSentence));
     return true;
   }
   tell(isImage_ ? aboutImage(info) : reportOf(info));
@@ -203,8 +202,9 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
 void OpenOrganDialog::showSlices() {
   const QPixmap picture(folder_.filePath("slices.png"));
   if (picture.isNull() || !slices_->isHidden()) return;
-  constexpr int kWidth = 560;
+  constexpr int kWidth = 480;
   slices_->setPixmap(picture.scaledToWidth(kWidth, Qt::SmoothTransformation));
+  setMinimumWidth(kWidth + 40);
   slices_->show();
 }
 
@@ -265,6 +265,8 @@ bool OpenOrganDialog::listParts(const QJsonArray& parts) {
 
 QPoint OpenOrganDialog::openButton() const { return open_->mapToGlobal(open_->rect().center()); }
 
+const PartsTable* OpenOrganDialog::roles() const { return hasRoles() ? roles_ : nullptr; }
+
 OrganSource OpenOrganDialog::source() const {
   OrganSource source;
   source.file = file_;
@@ -277,7 +279,6 @@ OrganSource OpenOrganDialog::source() const {
   source.spacing = spacing_->value() * 1e-3;
   source.settings = before_.settings;
   if (!isImage_) return source;
-  source.pose.rotation = orientationOf("LPS");
   takeLabels(source);
   return source;
 }

@@ -31,7 +31,8 @@ class OpenOrganDialog : public QDialog {
   // Error if it cannot be read any more.
   OrganSource source() const;
 
-  QPoint openButton() const;  // centre of the Open button, in screen coordinates
+  QPoint openButton() const;        // centre of the Open button, in screen coordinates
+  const PartsTable* roles() const;  // null unless the file's parts have roles
 
   // Called after the file, or the chosen part, was examined. Gets the sentence that the dialog
   // shows about it: a report or an error.

@@ -55,7 +55,7 @@ void PartsTable::fill(const std::vector<FilePart>& parts, bool image) {
     });
     setCellWidget(row, 2, role);
   }
-  constexpr int kMostRows = 6;  // to be seen at once
+  constexpr int kMostRows = 5;  // to be seen at once
   setFixedHeight(horizontalHeader()->sizeHint().height() + 2 +
                  std::min(rowCount(), kMostRows) * rowHeight(0));
 }
@@ -68,6 +68,11 @@ bool PartsTable::hasOrgan() const {
   for (int row = 0; row < rowCount(); ++row)
     if (roleOf(row) == kOrgan) return true;
   return false;
+}
+
+QPoint PartsTable::rolePlace(int row) const {
+  const QWidget* role = cellWidget(row, 2);
+  return role->mapToGlobal(role->rect().center());
 }
 
 void PartsTable::applyTo(OrganSource& source) const {

@@ -30,6 +30,8 @@ class PartsTable : public QTableWidget {
   // Sets part and structures of a source whose file has these parts.
   void applyTo(OrganSource& source) const;
 
+  QPoint rolePlace(int row) const;  // middle of the row's choice of roles, in screen coordinates
+
   std::function<void()> changed;  // called when a role was chosen
 
  private:

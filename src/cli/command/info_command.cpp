@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -40,6 +41,18 @@ void infoOfParticles(const Options& options) {
     fmt::print("{}", toText(kept, options.file));
 }
 
+// Three slices of the organ's image, and of those of what lies in it.
+void writeSlices(const OrganSource& source, const std::string& file) {
+  constexpr int kHeight = 256;                             // pixels
+  if (std::filesystem::is_directory(source.file)) return;  // no organ was found in it
+  std::vector<std::string> files{source.file};
+  for (const BroughtStructure& one : source.structures)
+    if (isImageFile(one.file) && std::ranges::find(files, one.file) == files.end())
+      files.push_back(one.file);
+  const RgbImage slices = readLabelSlices(files, kHeight);
+  if (slices.height > 0) writePng(file, slices);
+}
+
 // About the image, or the folder of images, and about the organ that it would give.
 void infoOfLabels(const Options& options) {
   if (options.unit != "m")
@@ -70,11 +83,7 @@ void infoOfLabels(const Options& options) {
     if (why.starts_with(options.file + ": ")) why.remove_prefix(options.file.size() + 2);
     text += fmt::format("  as an organ: refused: {}\n", shownSentence(why));
   }
-  if (!options.slices.empty() && !std::filesystem::is_directory(source.file)) {
-    constexpr int kHeight = 256;  // pixels
-    const RgbImage slices = readLabelSlices(source.file, kHeight);
-    if (slices.height > 0) writePng(options.slices, slices);
-  }
+  if (!options.slices.empty()) writeSlices(source, options.slices);
   if (options.json)
     writeJson("-", json);
   else

@@ -34,16 +34,12 @@ void window(const Options& options, const OrganOptions& organOptions) {
       throw error("{}: there is no such recording; check the name", given.string());
     window.operation = given.string();
   }
-  if (options.scenario.empty() && options.organ.empty() && !options.thesis)
+  if (options.scenario.empty() && !options.thesis)
     window.scenario = readScenario(findDataFile(kFirstScenario, "scenarios", ".toml"));
   else if (!options.scenario.empty() && window.operation.empty())
     window.scenario = readScenario(findScenario(options.scenario));
-  else if (options.thesis) {
+  else if (options.thesis)
     window.scenario.organs[0].source.spacing = 0.005;
-  } else {
-    window.scenario.organs[0].source.spacing = 0.008;
-    makeElastic(window.scenario);
-  }
   organOptions.applyTo(window.scenario, options.organ);
   if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;
@@ -60,9 +56,10 @@ void window(const Options& options, const OrganOptions& organOptions) {
 void addWindowCommand(Command app) {
   auto options = std::make_shared<Options>();
   Command command = app.subcommand("window", "Operate with mouse and keyboard");
-  command.option("SCENARIO", options->scenario,
-                 "Organ and room of this scenario, or a recorded operation (*.resect) that goes "
-                 "on; without it \"incise\", a soft liver on the table");
+  command.option(
+      "SCENARIO", options->scenario,
+      "Organ and room of this scenario, or a recorded operation (*.resect) that goes "
+      "on; without it \"incise\", a soft liver on the table, or the organ of --organ there");
   command.option(
       "--organ", options->organ,
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());

@@ -12,6 +12,7 @@
 #include "formats/labels/label_model.h"
 #include "formats/labels/label_names.h"
 #include "formats/meshes/word_reader.h"
+#include "io/scenario/orientation.h"
 
 namespace resect {
 namespace {
@@ -27,6 +28,22 @@ struct Found {
   double volume = 0;  // m^3
   bool cutOff = false;
 };
+
+// The name of a structure in that of its file, which may begin with what tells nothing: "liver" of
+// "VH_M_liver", "tumour" of "02-tumour".
+std::string told(const std::string& stem) {
+  constexpr std::string_view kBetween = "_- .";
+  constexpr std::size_t kTellsNothing = 2;  // letters
+  std::string_view name = stem;
+  for (;;) {
+    const std::size_t end = name.find_first_of(kBetween);
+    if (end == name.npos) return std::string(name);
+    const std::string_view word = name.substr(0, end);
+    const bool digits = word.find_first_not_of("0123456789") == word.npos;
+    if (word.size() > kTellsNothing && !digits) return std::string(name);
+    name.remove_prefix(end + 1);
+  }
+}
 
 constexpr std::size_t kManyLabels = 20;  // as many has no image that was labelled by hand
 
@@ -84,6 +101,16 @@ std::string listed(const std::vector<Found>& all) {
   return list;
 }
 
+// "a, b, c and 9 more"
+std::string fewOf(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 4;
+  std::string list;
+  for (const std::string& name : names | std::views::take(kMost))
+    list += (list.empty() ? "" : ", ") + shownText(name, kLongestName);
+  if (names.size() > kMost) list += fmt::format(" and {} more", names.size() - kMost);
+  return list;
+}
+
 // The organ among the labels.
 const Found& organOf(const OrganSource& source, const std::vector<Found>& all) {
   std::vector<const Found*> organs;
@@ -91,7 +118,8 @@ const Found& organOf(const OrganSource& source, const std::vector<Found>& all) {
     if (one.kind == StructureKind::Parenchyma) organs.push_back(&one);
   // "liver" stands before "liver_segment_1".
   const auto whole = std::ranges::find_if(organs, [](const Found* one) {
-    return lowerCase(one->name) == "liver" || lowerCase(one->name) == "parenchyma";
+    const std::string name = lowerCase(told(one->name));
+    return name == "liver" || name == "parenchyma";
   });
   if (whole != organs.end()) return **whole;
   if (organs.size() == 1) return *organs[0];
@@ -109,14 +137,20 @@ std::string inWords(const Found& one) {
 // is asked for.
 std::vector<Found> structuresIn(const std::vector<std::string>& files, OrganSource& source) {
   std::vector<Found> all;
+  std::vector<std::string> left;
   for (const std::string& file : files) {
     const std::string stem = stemOf(file);
     const bool wanted = lowerCase(stem) == lowerCase(source.part);
-    const auto kind = structureKind(stem);
-    if (!wanted && !(kind && (isWithin(*kind) || *kind == StructureKind::Parenchyma))) continue;
-    all.push_back({file, "", stem, kind});
+    const auto kind = structureKind(told(stem));
+    if (wanted || (kind && (isWithin(*kind) || *kind == StructureKind::Parenchyma)))
+      all.push_back({file, "", stem, kind});
+    else
+      left.push_back(stem);
   }
-  if (source.part.empty()) return all;
+  if (source.part.empty()) {
+    if (!left.empty()) source.notes.push_back("left out: " + fewOf(left));
+    return all;
+  }
   const auto wanted = std::ranges::find_if(
       all, [&](const Found& one) { return lowerCase(one.name) == lowerCase(source.part); });
   if (wanted == all.end()) return {};
@@ -157,11 +191,12 @@ void take(OrganSource& source, const Found& organ, const std::vector<Found>& all
   source.file = organ.file;
   source.part = organ.part;
   if (isImageFile(organ.file)) source.unit = 1;
-  std::string within, left;
+  std::string within;
+  std::vector<std::string> left;
   for (const Found& one : all) {
     if (&one == &organ) continue;
     if (given || !one.kind || !isWithin(*one.kind)) {
-      left += (left.empty() ? "" : ", ") + shownText(one.name, kLongestName);
+      left.push_back(one.name);
       continue;
     }
     addStructure(source, *one.kind, one.name, one.file == organ.file ? "" : one.file, one.part);
@@ -170,7 +205,7 @@ void take(OrganSource& source, const Found& organ, const std::vector<Found>& all
   }
   source.notes.push_back(fmt::format("{}: the organ is {}{}{}", organ.file, inWords(organ),
                                      within.empty() ? "" : ", with " + within,
-                                     left.empty() ? "" : "; left out: " + left));
+                                     left.empty() ? "" : "; left out: " + fewOf(left)));
   if (organ.cutOff)
     source.notes.push_back(fmt::format("{} reaches the border of the image and is cut off there",
                                        shownText(organ.name, kLongestName)));
@@ -183,7 +218,19 @@ bool isLabelled(const fs::path& path) {
   return fs::is_directory(path, ec) || isImageFile(path);
 }
 
+namespace {
+
+// Images are in left-posterior-superior. What a scenario says of its organ holds.
+void layAsInPatient(OrganSource& source) {
+  if (!source.pose.rotation.isApprox(Eigen::Quaterniond::Identity())) return;
+  source.pose.rotation = orientationOf("LPS");
+  source.settle = false;
+}
+
+}  // namespace
+
 void takeLabels(OrganSource& source) {
+  layAsInPatient(source);
   if (fs::is_directory(source.file)) return takeFiles(source, imagesIn(source.file));
   if (!source.part.empty() || !source.structures.empty()) return;
   const std::vector<Found> all = labelsOf(source.file, source);

@@ -20,7 +20,9 @@ bool isLabelled(const std::filesystem::path& path);
 // source.part, if given, names the labels of the organ, in a folder the structure's file. Otherwise
 // the organ is the label whose name tells parenchyma, or the only one. Its tumours, cysts and
 // vessels become source.structures, unless there are some already; those of the same file belong
-// to the organ's body, too. What was taken and what was left out is said in source.notes.
+// to the organ's body, too. An organ from an image lies as in the patient, who lies on the back
+// (io/scenario/orientation.h), and is not rolled to rest. What was taken and what was left out is
+// said in source.notes.
 //
 // Throws Error if no label or more than one could be the organ; the Error lists them.
 void takeLabels(OrganSource& source);

@@ -7,6 +7,7 @@
 
 #include "anatomy/structure_kind.h"
 #include "formats/labels/label_file.h"
+#include "formats/labels/label_model.h"
 #include "geometry/aabb.h"
 
 namespace resect {
@@ -15,8 +16,8 @@ namespace {
 using Colour = std::array<std::uint8_t, 3>;
 
 // As atlases draw them.
-Colour colourOf(const ImageLabel& label, std::size_t number) {
-  if (const auto kind = structureKind(label.name)) switch (*kind) {
+Colour colourOf(const std::string& name, std::size_t number) {
+  if (const auto kind = structureKind(name)) switch (*kind) {
       case StructureKind::Parenchyma:
         return {150, 72, 60};
       case StructureKind::Tumour:
@@ -44,12 +45,6 @@ Colour colourOf(const ImageLabel& label, std::size_t number) {
   return colour;
 }
 
-// Middle of what is shown, m, and the box of all labels.
-struct Extent {
-  Aabb box;
-  Vec3 middle = Vec3::Zero();
-};
-
 std::size_t shownLabel(const LabelImage& image) {
   std::size_t best = 0;
   for (std::size_t i = 0; i < image.labels.size(); ++i) {
@@ -59,9 +54,12 @@ std::size_t shownLabel(const LabelImage& image) {
   return best;
 }
 
-Extent extentOf(const LabelImage& image) {
-  Extent extent;
+}  // namespace
+
+SliceFrame sliceFrame(const LabelImage& image) {
+  SliceFrame frame;
   const auto shown = std::uint16_t(shownLabel(image) + 1);
+  Aabb box;
   Vec3 sum = Vec3::Zero();
   double count = 0;
   for (const RawArray<std::uint16_t>& layer : image.layers) {
@@ -71,37 +69,37 @@ Extent extentOf(const LabelImage& image) {
         for (int x = 0; x < image.dims.x(); ++x, ++i) {
           if (layer[i] == 0) continue;
           const Vec3 place = image.origin + image.step * Vec3(x, y, z);
-          extent.box.grow(place);
+          box.grow(place);
           if (layer[i] == shown) sum += place, ++count;
         }
   }
-  if (count > 0) extent.middle = sum / count;
-  return extent;
+  if (box.empty()) return frame;
+  frame.centre = box.centre();
+  frame.middle = count > 0 ? Vec3(sum / count) : frame.centre;
+  frame.side = 1.1 * std::max(box.size().maxCoeff(), 1e-3);
+  return frame;
 }
 
-}  // namespace
-
-RgbImage labelSlices(const LabelImage& image, int height) {
-  const Extent extent = extentOf(image);
-  if (extent.box.empty()) return {};
+RgbImage labelSlices(const LabelImage& image, const SliceFrame& frame, int height,
+                     const std::string& name) {
+  if (frame.side == 0) return {};
   // Directions to the right and down in each slice, in left-posterior-superior.
   const std::array<std::array<Vec3, 2>, 3> views{{{Vec3::UnitX(), Vec3::UnitY()},
                                                   {Vec3::UnitX(), -Vec3::UnitZ()},
                                                   {Vec3::UnitY(), -Vec3::UnitZ()}}};
-  const Vec3 size = extent.box.size();
-  const double side = 1.1 * std::max(size.maxCoeff(), 1e-3);  // m, of each slice
-  const double pixel = side / height;
+  const double pixel = frame.side / height;
   RgbImage picture{3 * height, height, {}};
   picture.pixels.assign(std::size_t(3 * height) * std::size_t(height) * 3, 0);
   std::vector<Colour> colours;
-  for (std::size_t i = 0; i < image.labels.size(); ++i)
-    colours.push_back(colourOf(image.labels[i], i));
+  for (std::size_t i = 0; i < image.labels.size(); ++i) {
+    const std::string& own = image.labels[i].name;
+    colours.push_back(colourOf(own.empty() ? name : own, i));
+  }
   const Mat3 toVoxels = image.step.inverse();
-  const Vec3 centre = extent.box.centre();
   for (std::size_t view = 0; view < views.size(); ++view) {
     const auto& [right, down] = views[view];
     const Vec3 across = right.cross(down);
-    const Vec3 middle = centre + across * across.dot(extent.middle - centre);
+    const Vec3 middle = frame.centre + across * across.dot(frame.middle - frame.centre);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < height; ++x) {
         const Vec3 place =
@@ -112,26 +110,45 @@ RgbImage labelSlices(const LabelImage& image, int height) {
         const auto voxel = std::size_t(
             (std::int64_t(at.z()) * image.dims.y() + std::int64_t(at.y())) * image.dims.x() +
             std::int64_t(at.x()));
+        const std::size_t first = 3 * (std::size_t(y) * std::size_t(3 * height) +
+                                       view * std::size_t(height) + std::size_t(x));
         for (const RawArray<std::uint16_t>& layer : image.layers)
           if (layer[voxel] > 0)
-            std::ranges::copy(
-                colours[layer[voxel] - 1u],
-                picture.pixels.begin() +
-                    std::ptrdiff_t(3 * (std::size_t(y) * std::size_t(3 * height) +
-                                        view * std::size_t(height) + std::size_t(x))));
+            std::ranges::copy(colours[layer[voxel] - 1u],
+                              picture.pixels.begin() + std::ptrdiff_t(first));
       }
   }
   return picture;
 }
 
-RgbImage readLabelSlices(const std::filesystem::path& path, int height) {
-  const std::string bytes = inImageReader(path, {}, [&](const LabelImage& image) {
-    const std::vector<std::uint8_t> pixels = labelSlices(image, height).pixels;
-    return std::string(pixels.begin(), pixels.end());
-  });
-  RgbImage picture{3 * height, height, {bytes.begin(), bytes.end()}};
-  if (bytes.size() != std::size_t(9) * std::size_t(height) * std::size_t(height)) return {};
-  return picture;
+RgbImage readLabelSlices(const std::vector<std::string>& files, int height) {
+  SliceFrame frame;
+  RgbImage all;
+  for (const std::string& file : files) {
+    const bool first = &file == &files.front();
+    const std::string answer = inImageReader(file, {}, [&](const LabelImage& image) {
+      if (first) frame = sliceFrame(image);
+      const std::vector<std::uint8_t> pixels =
+          labelSlices(image, frame, height, stemOf(file)).pixels;
+      std::string bytes(sizeof frame, '\0');
+      std::memcpy(bytes.data(), &frame, sizeof frame);
+      return bytes.append(pixels.begin(), pixels.end());
+    });
+    const std::size_t size = std::size_t(9) * std::size_t(height) * std::size_t(height);
+    if (answer.size() != sizeof frame + size) {
+      if (first) return {};
+      continue;  // nothing is labelled in it
+    }
+    if (first) {
+      std::memcpy(static_cast<void*>(&frame), answer.data(), sizeof frame);
+      all = {3 * height, height, std::vector<std::uint8_t>(size, 0)};
+    }
+    const char* const pixels = answer.data() + sizeof frame;
+    for (std::size_t i = 0; i < size; i += 3)
+      if (pixels[i] || pixels[i + 1] || pixels[i + 2])
+        std::copy(pixels + i, pixels + i + 3, all.pixels.begin() + std::ptrdiff_t(i));
+  }
+  return all;
 }
 
 }  // namespace resect

@@ -114,6 +114,11 @@ void placeWays(Scenario& scenario, std::size_t organ, const LaidOrgan& laid) {
 
 void settleWays(Scenario& scenario, Simulation& simulation) {
   if (!hasWays(scenario) || !simulation.moves()) return;
+  std::int64_t particles = 0;
+  for (std::size_t i = 0; i < scenario.organs.size(); ++i)
+    if (scenario.organs[i].tissue.elastic)
+      particles += simulation.organs()[i].organ.rest.particleCount();
+  if (particles > kMostSettled) return;
   double first = kSettling;  // s: when the first tool comes
   for (const ScenarioTool& tool : scenario.tools)
     if (!tool.keys.empty()) first = std::min(first, firstTouch(tool));

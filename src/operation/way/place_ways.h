@@ -31,9 +31,11 @@ void placeWays(Scenario& scenario, std::size_t organ, const LaidOrgan& laid);
 
 // Elastic tissue sinks under its own weight before an instrument comes. This places the ways on
 // elastic organs again, on the surface as it lies when the first tool comes, or after kSettling.
-// `simulation` must be the scenario's, before its first frame, and is left as it was. Cost: that of
-// the frames until then.
-inline constexpr double kSettling = 1.5;  // s
+// With more than kMostSettled particles it would take long; the ways then stay on the organ at
+// rest. `simulation` must be the scenario's, before its first frame, and is left as it was. Cost:
+// that of the frames until then.
+inline constexpr double kSettling = 1.5;             // s
+inline constexpr std::int64_t kMostSettled = 16000;  // particles of all elastic organs
 void settleWays(Scenario& scenario, Simulation& simulation);
 
 }  // namespace resect
