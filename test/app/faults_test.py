@@ -135,7 +135,9 @@ class Faults(ScreenTest):
 
     def test_slow_settings_offer_a_button_that_mends_them(self):
         window = self.opened("press", "--spacing", "3.5mm")
-        offer = window.wait("slow: cells of ", 120)
+        # On a busy machine it is said before the first picture.
+        before = [line for line in window.said if line.startswith("slow: cells of ")]
+        offer = before[-1] if before else window.wait("slow: cells of ", 120)
         self.screen.picture("slow")
         self.assertGreater(int(offer.split()[3]), 3.5)
         self.screen.click(*window.places["smooth"])

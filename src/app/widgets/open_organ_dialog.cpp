@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QPixmap>
 #include <QPushButton>
+#include <QScreen>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
@@ -144,6 +145,10 @@ void OpenOrganDialog::tell(const QString& text) {
   report_->setText(text);
   layout()->activate();
   resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
+  // A dialog that grows must not lead its buttons out of the screen.
+  const QRect all = screen()->availableGeometry();
+  if (const int over = frameGeometry().bottom() - all.bottom(); over > 0)
+    move(x(), std::max(all.top(), y() - over));
 }
 
 void OpenOrganDialog::unitChanged() {

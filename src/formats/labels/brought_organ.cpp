@@ -10,7 +10,6 @@
 #include "formats/child/foreign_file.h"
 #include "formats/labels/label_file.h"
 #include "formats/labels/label_model.h"
-#include "formats/labels/label_names.h"
 #include "formats/meshes/word_reader.h"
 #include "io/scenario/orientation.h"
 
@@ -45,23 +44,16 @@ std::string told(const std::string& stem) {
   }
 }
 
-constexpr std::size_t kManyLabels = 20;  // as many has no image that was labelled by hand
-
 // The labels of one file.
 std::vector<Found> labelsOf(const std::string& file, OrganSource& source) {
   const LabelFacts facts = readLabelFacts(file);
-  const bool nameless =
-      facts.labels.size() > kManyLabels &&
-      std::ranges::all_of(facts.labels, [](const ImageLabel& l) { return l.name.empty(); });
-  if (nameless)
+  if (facts.guessed)
     source.notes.push_back(
         fmt::format("{}: its labels have no names; those of TotalSegmentator are taken", file));
   std::vector<Found> all;
   for (std::size_t i = 0; i < facts.labels.size(); ++i) {
     const ImageLabel& label = facts.labels[i];
     std::string name = shownName(label);
-    if (nameless && !totalSegmentatorName(label.value).empty())
-      name = totalSegmentatorName(label.value);
     const auto kind = structureKind(name);
     all.push_back({file, facts.labels.size() == 1 ? "" : std::to_string(label.value),
                    std::move(name), kind, facts.volume(i), bool(facts.cutOff[i])});

@@ -4,7 +4,6 @@
 
 #include "anatomy/structure_kind.h"
 #include "base/text/shown_text.h"
-#include "formats/labels/label_names.h"
 #include "io/model.h"
 
 namespace resect {
@@ -15,11 +14,9 @@ std::string toText(const LabelFacts& facts, const std::string& path) {
   for (std::size_t i = 0; i < facts.labels.size(); ++i) {
     const ImageLabel& label = facts.labels[i];
     const auto kind = structureKind(label.name);
-    std::string name = shownText(label.name, kLongestName);
-    if (const auto known = totalSegmentatorName(label.value); name.empty() && !known.empty())
-      name = fmt::format("(if TotalSegmentator made it: {})", known);
-    text += fmt::format("  label {:<6} {:<32} {:>10.5g} ml{}{}{}\n", label.value, name,
-                        1e6 * facts.volume(i), kind ? "  " : "", kind ? wordOf(*kind) : "",
+    text += fmt::format("  label {:<6} {:<32} {:>10.5g} ml{}{}{}\n", label.value,
+                        shownText(label.name, kLongestName), 1e6 * facts.volume(i),
+                        kind ? "  " : "", kind ? wordOf(*kind) : "",
                         facts.cutOff[i] ? ", cut off by the image's border" : "");
   }
   if (facts.labels.empty() && facts.voxelVolume > 0) text += "  nothing is labelled\n";

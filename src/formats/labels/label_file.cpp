@@ -16,6 +16,7 @@
 #include "formats/images/nifti_file.h"
 #include "formats/images/nrrd_file.h"
 #include "formats/labels/label_model.h"
+#include "formats/labels/label_names.h"
 #include "formats/meshes/word_reader.h"
 
 namespace resect {
@@ -25,7 +26,8 @@ namespace fs = std::filesystem;
 
 // The child's answer: a line for the image and one for each label.
 std::string asText(const LabelFacts& facts) {
-  std::string text = fmt::format("{}\n{}\n", facts.description, facts.voxelVolume);
+  std::string text =
+      fmt::format("{}\n{} {}\n", facts.description, facts.voxelVolume, int(facts.guessed));
   for (std::size_t i = 0; i < facts.labels.size(); ++i) {
     const ImageLabel& label = facts.labels[i];
     std::string name = label.name;
@@ -41,7 +43,9 @@ LabelFacts fromText(const std::string& path, const std::string& text) {
   std::string line;
   if (!std::getline(lines, facts.description) || !std::getline(lines, line))
     throw error("{}: was read without an answer; try again", path);
-  facts.voxelVolume = numberOf(line).value_or(0);
+  int guessed = 0;
+  std::istringstream(line) >> facts.voxelVolume >> guessed;
+  facts.guessed = guessed != 0;
   while (std::getline(lines, line)) {
     std::istringstream words(line);
     ImageLabel label;
@@ -86,8 +90,14 @@ LabelImage readLabelImage(ModelKind kind, const std::string& path, std::string_v
 }
 
 LabelFacts factsOf(const std::string& path, const LabelImage& image) {
-  LabelFacts facts{description(image), image.voxelVolume(), image.labels,
+  LabelFacts facts{description(image), image.voxelVolume(), image.labels, false,
                    std::vector<bool>(image.labels.size(), false)};
+  constexpr std::size_t kManyLabels = 20;
+  facts.guessed =
+      facts.labels.size() > kManyLabels &&
+      std::ranges::all_of(facts.labels, [](const ImageLabel& l) { return l.name.empty(); });
+  if (facts.guessed)
+    for (ImageLabel& label : facts.labels) label.name = totalSegmentatorName(label.value);
   if (facts.labels.size() == 1 && facts.labels[0].name.empty()) facts.labels[0].name = stemOf(path);
   const Vec3i& n = image.dims;
   for (const RawArray<std::uint16_t>& layer : image.layers) {

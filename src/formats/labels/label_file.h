@@ -27,6 +27,9 @@ struct LabelFacts {
   std::string description;  // description() of the image
   double voxelVolume = 0;   // m^3
   std::vector<ImageLabel> labels;
+  // Whether the names are those of TotalSegmentator: the image has none, and more labels than
+  // anyone draws by hand (over 20).
+  bool guessed = false;
   std::vector<bool> cutOff;  // for each label: whether it reaches the border of the image
 
   double volume(std::size_t label) const { return double(labels[label].voxels) * voxelVolume; }

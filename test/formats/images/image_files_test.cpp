@@ -6,6 +6,7 @@
 #include "formats/images/meta_image_file.h"
 #include "formats/images/nifti_file.h"
 #include "formats/images/nrrd_file.h"
+#include "formats/labels/label_file.h"
 #include "formats/labels/label_model.h"
 #include "image_bytes.h"
 #include "support/sentence.h"
@@ -250,6 +251,25 @@ TEST_CASE("labels are found by name, by number, and by TotalSegmentator's names"
   const Model both = labelModel("x", image, "liver\n200");
   REQUIRE(both.parts.size() == 1);
   CHECK(chosenParts(both, "liver\n200").parts.size() == 1);
+}
+
+TEST_CASE("many labels without names get those of TotalSegmentator, few do not") {
+  LabelImage image;
+  image.dims = {30, 1, 1};
+  image.step = 0.001 * Mat3::Identity();
+  image.layers.emplace_back();
+  for (int i = 0; i < 30; ++i) {
+    image.layers[0].push_back(std::uint16_t(i < 21 ? i + 1 : 0));
+    if (i < 21) image.labels.push_back({i + 1, "", 0, 1});
+  }
+  LabelFacts facts = factsOf("x", image);
+  CHECK(facts.guessed);
+  CHECK(facts.labels[4].name == "liver");
+  CHECK(facts.cutOff[0]);
+  image.labels.pop_back();
+  facts = factsOf("x", image);
+  CHECK_FALSE(facts.guessed);
+  CHECK(facts.labels[4].name.empty());
 }
 
 TEST_CASE("orientation is told by letters and degrees") {
