@@ -16,6 +16,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "app/exercise/exercises_page.h"
 #include "app/main_window.h"
 #include "app/say.h"
 #include "app/viewer.h"
@@ -205,7 +206,7 @@ bool MainWindow::begin(OrganLoader::Result result) {
   organ_->setOrgans(session_->scenario().organs, session_->cells().lattice.spacing.x(),
                     notes.trimmed());
   organ_->setIso(session_->iso().value());
-  viewer_->setFocus();
+  if (!exercises_->isVisible()) viewer_->setFocus();  // a name may be typed there
   if (options_.reports)
     say("organ {}", std::filesystem::path(organ.source.file).filename().string());
   return true;

@@ -261,7 +261,7 @@ std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& o
     if (!fraction)
       throw error(
           "attachment {} of the tissue holds no particle; move or enlarge its region (the organ at "
-          "rest fills {})",
+          "rest fills {}), or take a scenario that fits any organ: cut, incise, press",
           i + 1, boxText(particleBox(organ.rest)));
     if (notes)
       notes->push_back(fmt::format(

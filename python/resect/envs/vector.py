@@ -6,6 +6,7 @@ afresh, and the program needs the usual `if __name__ == "__main__":`.
 """
 
 import concurrent.futures
+import contextlib
 import multiprocessing
 import time
 import traceback
@@ -199,7 +200,8 @@ class VectorEnv:
     def _begin(self, command, arguments):
         if self.backend == "processes":
             for pipe, argument in zip(self._pipes, arguments):
-                pipe.send((command, argument))
+                with contextlib.suppress(BrokenPipeError):  # _answer() says whose process has ended
+                    pipe.send((command, argument))
             return
         self._due = [(self._envs[i], i, self._shared, command, a) for i, a in enumerate(arguments)]
         if self._pool:

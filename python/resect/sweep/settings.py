@@ -65,4 +65,7 @@ def changed(scenario, settings, where):
             _move_path(at, last, value, where, key)
         else:
             at[last] = value
+            other = {"duration": "after", "after": "duration"}.get(last)  # each says when the scenario ends
+            if at is scenario and other:
+                at.pop(other, None)
     return scenario

@@ -30,7 +30,7 @@ struct Found {
 
 // The name of a structure in that of its file, which may begin with what tells nothing: "liver" of
 // "VH_M_liver", "tumour" of "02-tumour".
-std::string told(const std::string& stem) {
+std::string withoutPrefix(const std::string& stem) {
   constexpr std::string_view kBetween = "_- .";
   constexpr std::size_t kTellsNothing = 2;  // letters
   std::string_view name = stem;
@@ -110,7 +110,7 @@ const Found& organOf(const OrganSource& source, const std::vector<Found>& all) {
     if (one.kind == StructureKind::Parenchyma) organs.push_back(&one);
   // "liver" stands before "liver_segment_1".
   const auto whole = std::ranges::find_if(organs, [](const Found* one) {
-    const std::string name = lowerCase(told(one->name));
+    const std::string name = lowerCase(withoutPrefix(one->name));
     return name == "liver" || name == "parenchyma";
   });
   if (whole != organs.end()) return **whole;
@@ -133,7 +133,7 @@ std::vector<Found> structuresIn(const std::vector<std::string>& files, OrganSour
   for (const std::string& file : files) {
     const std::string stem = stemOf(file);
     const bool wanted = lowerCase(stem) == lowerCase(source.part);
-    const auto kind = structureKind(told(stem));
+    const auto kind = structureKind(withoutPrefix(stem));
     if (wanted || (kind && (isWithin(*kind) || *kind == StructureKind::Parenchyma)))
       all.push_back({file, "", stem, kind});
     else
@@ -203,15 +203,6 @@ void take(OrganSource& source, const Found& organ, const std::vector<Found>& all
                                        shownText(organ.name, kLongestName)));
 }
 
-}  // namespace
-
-bool isLabelled(const fs::path& path) {
-  std::error_code ec;
-  return fs::is_directory(path, ec) || isImageFile(path);
-}
-
-namespace {
-
 // Images are in left-posterior-superior. What a scenario says of its organ holds.
 void layAsInPatient(OrganSource& source) {
   if (!source.pose.rotation.isApprox(Eigen::Quaterniond::Identity())) return;
@@ -220,6 +211,11 @@ void layAsInPatient(OrganSource& source) {
 }
 
 }  // namespace
+
+bool isLabelled(const fs::path& path) {
+  std::error_code ec;
+  return fs::is_directory(path, ec) || isImageFile(path);
+}
 
 void takeLabels(OrganSource& source) {
   layAsInPatient(source);
@@ -236,8 +232,7 @@ void takeFiles(OrganSource& source, const std::vector<std::string>& files) {
     if (isImageFile(files[0])) takeLabels(source);
     return;
   }
-  const std::vector<Found> told = structuresIn(files, source);
-  const std::vector<Found> all = measured(told, source);
+  const std::vector<Found> all = measured(structuresIn(files, source), source);
   if (all.empty()) {
     std::string stems;
     for (const std::string& file : files) stems += (stems.empty() ? "" : ", ") + stemOf(file);
