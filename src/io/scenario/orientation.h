@@ -4,6 +4,7 @@
 // patient's left, +Y up to the front (anterior), +Z to the feet (docs/architecture.md).
 #pragma once
 
+#include <Eigen/Geometry>
 #include <string>
 
 #include "base/vec.h"
