@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bleeding import VESSEL, suck_at_vessel  # noqa: E402
 from paths import FRAME_RATE, Path3  # noqa: E402
 from scenario_text import ASIDE, INSTRUMENTS, elastic, ligaments  # noqa: E402
-from soft import incise_under_traction, resect_segment_elastic  # noqa: E402
+from soft import cut_under_traction, incise_under_traction, resect_segment_elastic  # noqa: E402
 
 OPERATORS = ("good", "hurried", "clumsy", "reckless")
 
@@ -354,19 +354,8 @@ def wedge(operator):
         scalpel.keys = scalpel.keys[:4]
         scalpel.time = scalpel.keys[-1][0]
         return [("scalpel", quicker(scalpel.to(0.05, 0.24, 0.16, speed=0.6), 0.7)), ("hook", None)]
-    caught, pulled, lifted = (0.098, 0.012, 0.035), (0.118, 0.026, 0.04), (0.158, 0.075, 0.055)
-    hook = Path3(handle=(0.45, 0.85, 0.27), edge=(0.85, -0.52, 0.1), speed=0.15)
-    hook.wait(scalpel.time + 0.2)
-    hook.to(0.188, 0.13, 0.04, speed=0.3).to(*caught)
-    hook.wait(0.1)
-    hook.to(*caught).to(*pulled, speed=0.06)
-    scalpel.wait(hook.time - scalpel.time)
-    scalpel.to(0.05, 0.24, 0.14)
-    cut_off(x + 0.004, 0.15)
-    hook.wait(scalpel.time - hook.time - 1)
-    hook.to(*pulled).to(*lifted, speed=0.06)
-    hook.wait(0.6)
-    hook.to(*lifted)
+    hook = cut_under_traction(scalpel, lambda: cut_off(x + 0.004, 0.15), (0.188, 0.13, 0.04), (0.098, 0.012, 0.035),
+                              (0.118, 0.026, 0.04), (0.158, 0.075, 0.055))
     if clumsy:
         shaken(scalpel, 0.016, 0.6, 17)
     return [("scalpel", scalpel), ("hook", hook)]

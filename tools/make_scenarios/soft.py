@@ -87,6 +87,24 @@ def snip():
     return [("scalpel", None), ("hook", None), ("baton", None), ("scissors", path)]
 
 
+def cut_under_traction(scalpel, cut, beside, caught, pulled, lifted):
+    """After the scalpel's way so far: the hook comes from `beside`, catches the part and pulls it aside, the scalpel cuts
+    the strands that are left, and the hook lifts the part away. The hook's way."""
+    hook = Path3(handle=(0.45, 0.85, 0.27), edge=(0.85, -0.52, 0.1), speed=0.15)
+    hook.wait(scalpel.time + 0.2)
+    hook.to(*beside, speed=0.3).to(*caught)
+    hook.wait(0.1)
+    hook.to(*caught).to(*pulled, speed=0.06)
+    scalpel.wait(hook.time - scalpel.time)
+    scalpel.to(0.05, 0.24, 0.14)
+    cut()
+    hook.wait(scalpel.time - hook.time - 1)
+    hook.to(*pulled).to(*lifted, speed=0.06)
+    hook.wait(0.6)
+    hook.to(*lifted)
+    return hook
+
+
 def resect_segment_elastic():
     """The scalpel, held upright, cuts the left lateral part off from both sides; the hook pulls it aside, and the
     scalpel cuts the strands that are left; the hook lifts the part away."""
@@ -101,19 +119,8 @@ def resect_segment_elastic():
 
     scalpel.wait(0.9)
     cut_off(x, 0.12)
-    caught, pulled, lifted = (0.075, 0.016, 0.02), (0.095, 0.03, 0.025), (0.14, 0.075, 0.04)
-    hook = Path3(handle=(0.45, 0.85, 0.27), edge=(0.85, -0.52, 0.1), speed=0.15)
-    hook.wait(scalpel.time + 0.2)
-    hook.to(0.17, 0.13, 0.03, speed=0.3).to(*caught)
-    hook.wait(0.1)
-    hook.to(*caught).to(*pulled, speed=0.06)
-    scalpel.wait(hook.time - scalpel.time)
-    scalpel.to(0.05, 0.24, 0.14)
-    cut_off(0.07, 0.15)
-    hook.wait(scalpel.time - hook.time - 1)
-    hook.to(*pulled).to(*lifted, speed=0.06)
-    hook.wait(0.6)
-    hook.to(*lifted)
+    hook = cut_under_traction(scalpel, lambda: cut_off(0.07, 0.15), (0.17, 0.13, 0.03), (0.075, 0.016, 0.02),
+                              (0.095, 0.03, 0.025), (0.14, 0.075, 0.04))
     return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
 
 
