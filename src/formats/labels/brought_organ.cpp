@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <ranges>
 
 #include "base/crc32.h"
 #include "base/error.h"
@@ -81,27 +80,7 @@ bool isWithin(StructureKind kind) {
   return kind == StructureKind::Tumour || kind == StructureKind::Cyst || vesselKind(kind);
 }
 
-std::string listed(const std::vector<Found>& all) {
-  constexpr std::size_t kMost = 40;
-  std::string list;
-  for (const Found& one : all | std::views::take(kMost)) {
-    const bool numbered = !one.part.empty() && one.name != "label " + one.part;
-    list += fmt::format("{}{}{}", list.empty() ? "" : ", ", numbered ? one.part + " " : "",
-                        shownText(one.name, kLongestName));
-  }
-  if (all.size() > kMost) list += fmt::format(" and {} more", all.size() - kMost);
-  return list;
-}
-
-// "a, b, c and 9 more"
-std::string fewOf(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 4;
-  std::string list;
-  for (const std::string& name : names | std::views::take(kMost))
-    list += (list.empty() ? "" : ", ") + shownText(name, kLongestName);
-  if (names.size() > kMost) list += fmt::format(" and {} more", names.size() - kMost);
-  return list;
-}
+constexpr std::size_t kFew = 4;  // names, in a note
 
 // The organ among the labels.
 const Found& organOf(const OrganSource& source, const std::vector<Found>& all) {
@@ -116,8 +95,13 @@ const Found& organOf(const OrganSource& source, const std::vector<Found>& all) {
   if (whole != organs.end()) return **whole;
   if (organs.size() == 1) return *organs[0];
   if (all.size() == 1) return all[0];
+  std::vector<std::string> names;
+  for (const Found& one : all) {
+    const bool numbered = !one.part.empty() && one.name != "label " + one.part;
+    names.push_back(numbered ? one.part + " " + one.name : one.name);
+  }
   throw error("{}: holds {} labels; choose the organ with --part: {}", source.file, all.size(),
-              listed(all));
+              nameList(names));
 }
 
 std::string inWords(const Found& one) {
@@ -140,7 +124,7 @@ std::vector<Found> structuresIn(const std::vector<std::string>& files, OrganSour
       left.push_back(stem);
   }
   if (source.part.empty()) {
-    if (!left.empty()) source.notes.push_back("left out: " + fewOf(left));
+    if (!left.empty()) source.notes.push_back("left out: " + nameList(left, kFew));
     return all;
   }
   const auto wanted = std::ranges::find_if(
@@ -197,7 +181,7 @@ void take(OrganSource& source, const Found& organ, const std::vector<Found>& all
   }
   source.notes.push_back(fmt::format("{}: the organ is {}{}{}", organ.file, inWords(organ),
                                      within.empty() ? "" : ", with " + within,
-                                     left.empty() ? "" : "; left out: " + fewOf(left)));
+                                     left.empty() ? "" : "; left out: " + nameList(left, kFew)));
   if (organ.cutOff)
     source.notes.push_back(fmt::format("{} reaches the border of the image and is cut off there",
                                        shownText(organ.name, kLongestName)));
@@ -234,13 +218,13 @@ void takeFiles(OrganSource& source, const std::vector<std::string>& files) {
   }
   const std::vector<Found> all = measured(structuresIn(files, source), source);
   if (all.empty()) {
-    std::string stems;
-    for (const std::string& file : files) stems += (stems.empty() ? "" : ", ") + stemOf(file);
+    std::vector<std::string> stems;
+    for (const std::string& file : files) stems.push_back(stemOf(file));
     throw error("{}: none of {} files {}; choose the organ with --part: {}", source.file,
                 files.size(),
                 source.part.empty() ? "is named as an organ is"
                                     : "is named '" + shownText(source.part, kLongestName) + "'",
-                stems);
+                nameList(stems));
   }
   const auto asked = std::ranges::find_if(all, [&](const Found& one) {
     return !source.part.empty() && lowerCase(one.name) == lowerCase(source.part);

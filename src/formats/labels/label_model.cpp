@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <ranges>
 
 #include "base/error.h"
 #include "base/text/shown_text.h"
@@ -30,16 +31,19 @@ std::string stemOf(const std::string& path) {
   return name.substr(0, name.find('.', 1));
 }
 
-std::string labelList(const LabelImage& image) {
-  constexpr std::size_t kMost = 40;
+std::string nameList(const std::vector<std::string>& names, std::size_t most) {
   std::string list;
-  for (std::size_t i = 0; i < std::min(kMost, image.labels.size()); ++i) {
-    const ImageLabel& label = image.labels[i];
-    list += fmt::format("{}{}{}", i == 0 ? "" : ", ", label.value,
-                        label.name.empty() ? "" : " " + shownText(label.name, kLongestName));
-  }
-  if (image.labels.size() > kMost) list += fmt::format(" and {} more", image.labels.size() - kMost);
+  for (const std::string& name : names | std::views::take(most))
+    list += (list.empty() ? "" : ", ") + shownText(name, kLongestName);
+  if (names.size() > most) list += fmt::format(" and {} more", names.size() - most);
   return list;
+}
+
+std::string labelList(const LabelImage& image) {
+  std::vector<std::string> names;
+  for (const ImageLabel& label : image.labels)
+    names.push_back(fmt::format("{}{}{}", label.value, label.name.empty() ? "" : " ", label.name));
+  return nameList(names);
 }
 
 int labelNamed(const std::string& path, const LabelImage& image, const std::string& name) {

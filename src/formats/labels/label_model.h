@@ -20,6 +20,9 @@ int labelNamed(const std::string& path, const LabelImage& image, const std::stri
 // (formats/labels/enclosed_voxels.h), as vessels do, whose trunks reach out of an organ.
 inline constexpr std::string_view kWithin = "within ";
 
+// The first names, at most `most`, as "a, b, c and 9 more".
+std::string nameList(const std::vector<std::string>& names, std::size_t most = 40);
+
 // The names of the first labels with their numbers, for messages: "5 liver, 7 pancreas and 3 more".
 std::string labelList(const LabelImage& image);
 
