@@ -67,6 +67,14 @@ void MainWindow::makeViewMenu() {
   connect(marks_, &QAction::toggled, this, [this](bool on) {
     if (session_) session_->setBleedingMarks(on);
   });
+  field_ = view->addAction("&Opened abdomen");
+  field_->setCheckable(true);
+  field_->setToolTip("What stands round the organ: an opened abdomen, or the operating table");
+  connect(field_, &QAction::triggered, this, [this](bool on) {
+    if (!session_) return;
+    session_->showField(on);
+    if (options_.reports) say("setting {}", on ? "field" : "table");
+  });
   thesis_ = view->addAction("Thesis &mode");
   thesis_->setCheckable(true);
   thesis_->setToolTip(

@@ -198,6 +198,8 @@ bool MainWindow::begin(OrganLoader::Result result) {
   beginExercise();
   const bool thesis = session_->scenario().mode == OperationMode::Thesis;
   thesis_->setChecked(thesis);
+  field_->setChecked(showsField(session_->scenario()));
+  field_->setEnabled(!thesis);
   laboratory_->setChecked(laboratoryChosen_.value_or(thesis));
   QTimer::singleShot(0, this, [this] { arrangePanels(); });
   const ScenarioOrgan& organ = session_->scenario().organs[0];

@@ -108,8 +108,9 @@ void OrganOptions::applyTo(Scenario& scenario, const std::string& organ) const {
   const std::optional<double> before = first.spacing;
   if (!organ.empty()) {
     first.file = organ;
-    first.structures.clear();  // they lie in the organ that is replaced
-    scenario.closeUp.reset();  // of the scenario's own organ
+    first.structures.clear();    // they lie in the organ that is replaced
+    scenario.closeUp.reset();    // of the scenario's own organ
+    scenario.setting = "table";  // the field was made for a liver; --setting shows it all the same
   }
   for (const ScenarioOrgan& one : scenario.organs) requireOrganThere(one.source);
   applyTo(first);

@@ -16,13 +16,27 @@ void PictureOptions::check() const {
   parseSize(size, width, height);
   if (!view.empty() && !roomView(view))
     throw usageError("--view is \"{}\"; choose {}", view, kRoomViewNames);
+  if (!setting.empty() && !isSetting(setting))
+    throw usageError("--setting is \"{}\"; choose {}", setting, kSettingNames);
   if (!std::isfinite(rate))
     throw usageError("--picture-rate is not a number; give pictures per second, 0.01 to 1000");
   if (!video.empty()) checkVideoFile(video);
 }
 
+void PictureOptions::applyTo(Scenario& scenario) const {
+  if (!setting.empty()) scenario.setting = setting;
+  if (view.empty()) return;
+  scenario.view = view;
+  scenario.closeUp.reset();  // of the scenario's own view
+}
+
 PictureSettings settingsOf(const PictureOptions& options, bool overwrite) {
   return {options.frames, options.video, options.size, options.rate, overwrite};
+}
+
+void addSettingOption(Command command, std::string& setting) {
+  command.option("--setting", setting,
+                 "What stands round the organ: table, or field, an opened abdomen");
 }
 
 void addPictureOptions(Command command, PictureOptions& options) {
@@ -33,6 +47,7 @@ void addPictureOptions(Command command, PictureOptions& options) {
       .showDefault();
   command.option("--size", options.size, "Width and height of the pictures, pixels").showDefault();
   command.option("--view", options.view, fmt::format("Camera: {}", kRoomViewNames));
+  addSettingOption(command, options.setting);
 }
 
 void addThreadsOption(Command command, int& threads) {

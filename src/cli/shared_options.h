@@ -15,21 +15,26 @@ namespace resect {
 // Options about the pictures of an operation: their files and their look, as the user wrote them.
 struct PictureOptions {
   std::string frames, video;  // folder, file; "": no such pictures
-  std::string size = "1280x720", view;
+  std::string size = "1280x720", view, setting;
   double rate = 10;  // pictures per simulated second
 
   bool wanted() const { return !frames.empty() || !video.empty(); }
   // Throws a usage Error if the size, the view, the rate or the name of the video is invalid. To be
   // called before long work.
   void check() const;
+  // Replaces the scenario's view and setting by those that were asked for.
+  void applyTo(Scenario& scenario) const;
 };
 
 // Converts the options to the settings of a PictureWriter. overwrite: PictureSettings::overwrite.
 PictureSettings settingsOf(const PictureOptions& options, bool overwrite);
 
-// Adds --frames, --video, --picture-rate, --size and --view. The options must live as long as the
-// command.
+// Adds --frames, --video, --picture-rate, --size, --view and --setting. The options must live as
+// long as the command.
 void addPictureOptions(Command command, PictureOptions& options);
+
+// Adds --setting, one of kSettingNames (operation/scenario.h).
+void addSettingOption(Command command, std::string& setting);
 
 // Adds --threads, 0 to 1024.
 void addThreadsOption(Command command, int& threads);

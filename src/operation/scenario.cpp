@@ -75,6 +75,12 @@ void endAfterKeys(Scenario& scenario) {
   scenario.duration = std::ceil(10 * (last + *scenario.after) - 1e-6) / 10;
 }
 
+bool isSetting(std::string_view name) { return name == "table" || name == "field"; }
+
+bool showsField(const Scenario& scenario) {
+  return scenario.setting == "field" && scenario.mode != OperationMode::Thesis;
+}
+
 void makeElastic(Scenario& scenario) {
   scenario.mode = OperationMode::Operation;
   for (ScenarioOrgan& organ : scenario.organs) organ.tissue.elastic = true;

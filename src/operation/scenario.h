@@ -205,8 +205,11 @@ struct Scenario {
   // s: if given, the duration lasts so long after the last key of any tool; see endAfterKeys().
   std::optional<double> after = {};   // not kept in recordings
   bool table = true, toolBox = true;  // whether the room has a table, and a tool box
-  std::string view = "surgeon";       // name of the camera's view (docs/scenarios.md)
-  std::optional<Aabb> closeUp;        // box that pictures show, world, m; empty: the organs
+  // What stands round the organs in pictures: "table", or "field", an opened abdomen. Forces and
+  // cuts are the same. A recording keeps it as text.
+  std::string setting = "table";
+  std::string view = "surgeon";  // name of the camera's view (docs/scenarios.md)
+  std::optional<Aabb> closeUp;   // box that pictures show, world, m; empty: the organs
   // What is to be done. A recording keeps it as text (RecordingFile::task()), not among the fields.
   std::optional<Task> task;
 
@@ -228,6 +231,11 @@ void requireSound(const Scenario& scenario);
 
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
+// The names of Scenario::setting.
+constexpr const char* kSettingNames = "table or field";
+bool isSetting(std::string_view name);
+// Whether pictures show the operative field. Thesis mode always has the table.
+bool showsField(const Scenario& scenario);
 // Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
 // Replaces all organs by one. Its tissue moves as that of the first organ did, without the

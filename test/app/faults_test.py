@@ -44,9 +44,21 @@ class Faults(ScreenTest):
     def test_the_window_opens_on_the_operating_field_and_says_what_to_do(self):
         window = self.opened()
         time.sleep(1)
-        _, _, share = red_middle(self.screen.picture("first"), self.view)
+        abdomen = self.screen.picture("first")
+        # On the table only the organ is red.
+        self.screen.key("alt+v", "o")
+        window.wait("setting table", 20)
+        time.sleep(1)
+        _, _, share = red_middle(self.screen.picture("first_on_table"), self.view)
         self.assertGreater(share, 0.35)
         self.assertLess(share, 0.75)
+        self.screen.key("alt+v", "o")
+        window.wait("setting field", 20)
+        time.sleep(1)
+        x0, y0, x1, y1 = self.view
+        again = self.screen.picture("first_again")
+        same = sum(abs(abdomen[y][3 * x] - again[y][3 * x]) < 12 for y in range(y0, y1, 4) for x in range(x0, x1, 4))
+        self.assertGreater(same, 0.97 * len(range(y0, y1, 4)) * len(range(x0, x1, 4)))
         self.assertNotIn("Spacing", window.places)  # developers' panels are in the laboratory
         self.screen.key("F2")
         window.wait("laboratory shown", 20)

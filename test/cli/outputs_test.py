@@ -281,7 +281,7 @@ class Spared(Case):
         data = self.folder / "data"
         shutil.copytree(DATA, data)
         environment = {**os.environ, "RESECT_DATA": str(data)}
-        for file in ("tools/scalpel.toml", "tools/table.iv", "organs/liver.ply", "scenarios/cut-120.toml"):
+        for file in ("tools/scalpel.toml", "room/table.iv", "organs/liver.ply", "scenarios/cut-120.toml"):
             before = (data / file).read_bytes()
             self.refused(resect("run", "cut-120", "--json", data / file, env=environment), 2, "is read")
             self.assertEqual((data / file).read_bytes(), before)

@@ -214,5 +214,5 @@ TEST_CASE("a scenario reads its own file, its organs, its instruments and their 
     return std::ranges::any_of(files, [&](const auto& f) { return f.string().ends_with(end); });
   };
   CHECK(shipped("organs/liver.ply"));
-  CHECK(shipped("tools/table.iv"));
+  CHECK(shipped("room/table.iv"));
 }

@@ -83,6 +83,8 @@ TEST_CASE("a wrong scenario file is refused with file, line and key") {
             .find("x.toml:4: close_up is missing or") == 0);
   CHECK(complaint(replaced(kGood, "[0, 0.2, 0.1]", "[0.1, 0, -0.1]")) ==
         "x.toml:4: close_up has no size");
+  CHECK(complaint(std::string(kGood) + "[room]\nsetting = \"beach\"\n")
+            .find("room.setting is \"beach\"; choose table or field") != std::string::npos);
   CHECK(complaint("title = ").find("x.toml:1:") == 0);
   CHECK(complaint(std::string(100000, '[')).find("nested") != std::string::npos);
 }

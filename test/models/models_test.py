@@ -17,7 +17,7 @@ import inventor_text
 import solid
 
 SOURCE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-FOLDER = os.path.join(SOURCE, "data", "tools")
+FOLDER = os.path.join(SOURCE, "data")
 INSTRUMENTS = ("scalpel", "hook", "baton", "scissors", "suction", "clip_applier", "bipolar", "gauze",
                "inflow_clamp", "pencil", "aspirator", "forceps")
 SHELLS = {
@@ -36,14 +36,19 @@ SHELLS = {
     "table": 1,
     "toolbox": 2,
 }
+ROOM = ("table", "toolbox")
 MILLIMETRE = 0.001
+
+
+def model_file(name):
+    return os.path.join(FOLDER, "room" if name in ROOM else "tools", name + ".iv")
 
 
 class Model:
     """The triangles of one .iv file: positions, corner normals and welded faces."""
 
     def __init__(self, name):
-        with open(os.path.join(FOLDER, name + ".iv"), encoding="utf-8") as file:
+        with open(model_file(name), encoding="utf-8") as file:
             corners = inventor_text.triangles(inventor_text.read_strips(file.read()))
         self.triangles = [tuple(position for position, _ in triangle) for triangle in corners]
         self.normals = [tuple(normal for _, normal in triangle) for triangle in corners]
@@ -61,7 +66,7 @@ MODELS = {name: Model(name) for name in SHELLS}
 
 def inventor_parts(name):
     """{part: its points} of a model with named parts."""
-    with open(os.path.join(FOLDER, name + ".iv"), encoding="utf-8") as file:
+    with open(model_file(name), encoding="utf-8") as file:
         text = file.read()
     head, *parts = re.split(r"(?=^  DEF )", text, flags=re.MULTILINE)
     header = head.splitlines()[0] + "\n"
@@ -73,7 +78,7 @@ def inventor_parts(name):
 
 
 def description(name):
-    with open(os.path.join(FOLDER, name + ".toml"), "rb") as file:
+    with open(os.path.join(FOLDER, "tools", name + ".toml"), "rb") as file:
         return tomllib.load(file)
 
 

@@ -19,6 +19,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+Scenario coarsePress() {
+  Scenario press = readScenario(findDataFile("press", "scenarios", ".toml"));
+  setSpacing(press, *press.organs[0].source.spacing, 0.015);
+  return press;
+}
+
 // An operation of a few particles that is recorded while it runs.
 struct Recorded {
   explicit Recorded(const fs::path& path) : recorder(path, scenario, simulation) {}
@@ -33,11 +39,7 @@ struct Recorded {
   // As the window does.
   void save(const fs::path& path) { recorder.saveAs(path, {0, simulation.frame()}); }
 
-  Scenario scenario = [] {
-    Scenario press = readScenario(findDataFile("press", "scenarios", ".toml"));
-    setSpacing(press, *press.organs[0].source.spacing, 0.015);
-    return press;
-  }();
+  Scenario scenario = coarsePress();
   Simulation simulation = makeSimulation(scenario, readPlainMesh);
   StepReport report;
   Recorder recorder;
@@ -51,6 +53,8 @@ std::vector<std::string> namesIn(const fs::path& folder) {
   return names;
 }
 
+std::string settingIn(const fs::path& path) { return Replay(path).setup().scenario.setting; }
+
 std::int64_t framesOf(const fs::path& path) {
   const Verification proof = verify(path);
   CHECK(!proof.first);
@@ -59,6 +63,18 @@ std::int64_t framesOf(const fs::path& path) {
 }
 
 }  // namespace
+
+TEST_CASE("a recording keeps what stood round the organ") {
+  const test::TemporaryFolder folder;
+  for (const char* setting : {"table", "field"}) {
+    Scenario scenario = coarsePress();
+    scenario.setting = setting;
+    Simulation simulation = makeSimulation(scenario, readPlainMesh);
+    const fs::path path = folder / (std::string(setting) + ".resect");
+    Recorder(path, scenario, simulation);
+    CHECK(settingIn(path) == setting);
+  }
+}
 
 TEST_CASE("an operation saved over a recording with a log replaces both") {
   const test::TemporaryFolder folder;

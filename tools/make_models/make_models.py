@@ -1,7 +1,7 @@
-"""Writes the instruments and the room (data/tools/*.iv and the .toml beside each instrument).
+"""Writes the instruments (data/tools/*.iv, with a .toml beside each) and the room (data/room/*.iv).
 
-    python3 tools/make_models/make_models.py data/tools            write the files
-    python3 tools/make_models/make_models.py data/tools --check    exit status 1 when one differs
+    python3 tools/make_models/make_models.py data            write the files
+    python3 tools/make_models/make_models.py data --check    exit status 1 when one differs
 """
 
 import argparse
@@ -22,17 +22,19 @@ import scissors
 import suction
 import table
 import toolbox
+from field import model as field
 
 INSTRUMENTS = (scalpel, hook, baton, scissors, suction, clip_applier, bipolar)
 INSTRUMENTS += (gauze, inflow_clamp, pencil, aspirator, forceps)
-ROOM = (table, toolbox)
+ROOM = (table, toolbox, field)
 
 
 def all_files():
-    """{file name: text} of everything, in a fixed order."""
+    """{path in the folder of data: text} of everything, in a fixed order."""
     result = {}
-    for module in INSTRUMENTS + ROOM:
-        result.update(module.files())
+    for folder, modules in (("tools", INSTRUMENTS), ("room", ROOM)):
+        for module in modules:
+            result.update({f"{folder}/{name}": text for name, text in module.files().items()})
     return result
 
 
@@ -54,7 +56,7 @@ def main():
     parser = argparse.ArgumentParser(
         description="Write the models of the instruments and the room."
     )
-    parser.add_argument("folder", help="where the files are, e.g. data/tools")
+    parser.add_argument("folder", help="where the folders tools and room are, e.g. data")
     parser.add_argument("--check", action="store_true", help="compare only, write nothing")
     options = parser.parse_args()
     different = []
@@ -64,7 +66,7 @@ def main():
             if read(path) != text:
                 different.append(name)
         else:
-            os.makedirs(options.folder, exist_ok=True)
+            os.makedirs(os.path.dirname(path), exist_ok=True)
             write(path, text)
     for name in different:
         print(

@@ -46,7 +46,7 @@ def all_scenarios():
         "Left lateral part of the liver taken off", "A scalpel path that parts the liver completely, in three strokes",
         3.0, thesis.resect_segment(0.003), "surgeon", tail=0.8)
     yield "press", elastic("The baton presses on a soft liver", "Elastic tissue on the table, pressed twice", 8.0,
-                           soft.press(), ORGAN_LIGAMENTS, x=ASIDE)
+                           soft.press(), ORGAN_LIGAMENTS, x=ASIDE, setting="table")
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, soft.lift(),
                           ligaments(ASIDE), x=ASIDE)
     yield "grasp", elastic("Forceps lift the left lobe", "They seize it near its margin, lift it, lay it down and let go",
@@ -83,9 +83,11 @@ def all_scenarios():
         soft.resect_segment_elastic(), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE)
     yield "liver-and-gallbladder", soft.liver_and_gallbladder()
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
-                          no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n")
+                          no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n",
+                          setting="table")
     yield "drop", elastic("The liver is dropped on the table", "From 12 cm; it flattens, and comes to rest", 8.0,
-                          no_tools(), "", 'drag = 1.5\n', duration=3, organ=f"position = [{ASIDE:g}, 0.12, 0]  # clear of the tray\n")
+                          no_tools(), "", 'drag = 1.5\n', duration=3, organ=f"position = [{ASIDE:g}, 0.12, 0]  # clear of the tray\n",
+                          setting="table")
 
 
 def main():

@@ -32,7 +32,8 @@ stiffness = 300
 """
 
 
-def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None, x=0.0):
+def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None, x=0.0,
+            setting="field"):
     """A scenario whose tissue moves; x: organ and instruments stand so far to the side, m."""
     if x:
         for _, path in tools:
@@ -42,6 +43,8 @@ def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration
     text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration, thesis=False)
     if close_up:
         text = text.replace('view = "surgeon"\n', f'view = "surgeon"\nclose_up = {close_up}\n', 1)
+    if setting != "table":
+        text = text.replace("[organ]", f'[room]\nsetting = "{setting}"\n\n[organ]', 1)
     settings = f'[tissue]\nmodel = "elastic"\n{tissue}\n{extra}'
     return text.replace("[[tool]]", settings.rstrip("\n") + "\n\n[[tool]]", 1).replace(
         'source = "liver"\n', 'source = "liver"\n' + organ, 1)

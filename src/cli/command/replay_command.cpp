@@ -59,10 +59,7 @@ void play(const Options& options) {
                  filesOfRecording(options.file));
   Replay replay(options.file);
   Scenario scenario = replay.setup().scenario;
-  if (!options.pictures.view.empty()) {
-    scenario.view = options.pictures.view;
-    scenario.closeUp.reset();
-  }
+  options.pictures.applyTo(scenario);
   const std::vector<CourseSpan> course = options.part.of(replay.file(), scenario.frameRate);
   const std::int64_t branch = options.part.branchIn(replay.file());
   const std::int64_t first = course[0].first;

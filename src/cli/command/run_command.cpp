@@ -91,11 +91,8 @@ void run(const Options& options, const OrganOptions& organOptions) {
   const ThreadLimit threads(options.threads);
 
   Scenario scenario = readScenario(findScenario(options.scenario));
-  if (!options.pictures.view.empty()) {
-    scenario.view = options.pictures.view;
-    scenario.closeUp.reset();  // of the scenario's own view
-  }
   organOptions.applyTo(scenario, options.organ);
+  options.pictures.applyTo(scenario);
   if (options.thesis) {
     makeThesis(scenario);
     scenario.promises.clear();  // of instruments that act by their working parts

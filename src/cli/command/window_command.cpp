@@ -8,6 +8,7 @@
 #include "cli/command/commands.h"
 #include "cli/organ_options.h"
 #include "cli/picture_writer.h"
+#include "cli/shared_options.h"
 #include "io/data_folder.h"
 #include "io/scenario/scenario_file.h"
 #include "io/scenario/task_files.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr const char* kFirstScenario = "incise";  // of a window that is asked for no other
 
 struct Options {
-  std::string scenario, organ, size = "1280x800";
+  std::string scenario, organ, setting, size = "1280x800";
   double fpsLimit = 60;
   int threads = 0, history = 512;
   bool thesis = false, light = false, dark = false, reports = false, exercises = false;
@@ -41,6 +42,9 @@ void window(const Options& options, const OrganOptions& organOptions) {
   else if (options.thesis)
     window.scenario.organs[0].source.spacing = 0.005;
   organOptions.applyTo(window.scenario, options.organ);
+  if (!options.setting.empty() && !isSetting(options.setting))
+    throw usageError("--setting is \"{}\"; choose {}", options.setting, kSettingNames);
+  if (!options.setting.empty()) window.scenario.setting = options.setting;
   if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;
   window.historyMemory = options.history;
@@ -56,10 +60,10 @@ void window(const Options& options, const OrganOptions& organOptions) {
 void addWindowCommand(Command app) {
   auto options = std::make_shared<Options>();
   Command command = app.subcommand("window", "Operate with mouse and keyboard");
-  command.option(
-      "SCENARIO", options->scenario,
-      "Organ and room of this scenario, or a recorded operation (*.resect) that goes "
-      "on; without it \"incise\", a soft liver on the table, or the organ of --organ there");
+  command.option("SCENARIO", options->scenario,
+                 "Organ and room of this scenario, or a recorded operation (*.resect) that goes "
+                 "on; without it \"incise\", a liver in the opened abdomen, or the organ of "
+                 "--organ on the table");
   command.option(
       "--organ", options->organ,
       "Another organ: model or file of particles, or a built-in one: " + builtInOrgans());
@@ -76,6 +80,7 @@ void addWindowCommand(Command app) {
       .range(16, 1 << 20)
       .showDefault();
   command.option("--size", options->size, "Width and height of the window, pixels").showDefault();
+  addSettingOption(command, options->setting);
   command.flag("--thesis", options->thesis,
                "As the original system: tissue is still, instruments take out what they touch");
   const Option light = command.flag("--light", options->light, "Light colours");

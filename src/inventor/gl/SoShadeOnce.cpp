@@ -52,8 +52,9 @@ struct SoShadeOnce::ContextTextures {
   // At least this large.
   void make(int w, int h) {
     if (program == 0)
-      program = makeProgram({"gathered.vert"}, {"light.glsl", "noise.glsl", "blood.glsl",
-                                                "vessels.glsl", "liver.glsl", "gathered.frag"});
+      program =
+          makeProgram({"gathered.vert"}, {"light.glsl", "noise.glsl", "blood.glsl", "vessels.glsl",
+                                          "wet.glsl", "liver.glsl", "gathered.frag"});
     if (w <= width && h <= height) return;
     glPushAttrib(GL_TEXTURE_BIT);
     freeTextures();

@@ -1,6 +1,7 @@
 #include "inventor/gl/materials.h"
 
 #include <Inventor/nodes/SoFragmentShader.h>
+#include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShaderParameter.h>
 #include <Inventor/nodes/SoShaderProgram.h>
 #include <Inventor/nodes/SoVertexShader.h>
@@ -23,22 +24,42 @@ struct Stages {
   std::vector<std::string_view> fragment;
 };
 
+// Still tissue of the operative field.
+Stages scenery(std::string_view kind) {
+  return {"surface.vert",
+          {"light.glsl", "noise.glsl", "blood.glsl", "wet.glsl", "scenery.glsl", kind}};
+}
+
 Stages stages(RoomMaterial material) {
   switch (material) {
     case RoomMaterial::Liver:
       return {"organ.vert",
-              {"light.glsl", "noise.glsl", "rim.glsl", "blood.glsl", "vessels.glsl", "liver.glsl",
-               "liver.frag"}};
+              {"light.glsl", "noise.glsl", "rim.glsl", "blood.glsl", "vessels.glsl", "wet.glsl",
+               "liver.glsl", "liver.frag"}};
     case RoomMaterial::Gather:
       return {"organ.vert", {"noise.glsl", "rim.glsl", "gather.frag"}};
     case RoomMaterial::Steel:
       return {"surface.vert", {"light.glsl", "noise.glsl", "steel.frag"}};
     case RoomMaterial::Cloth:
       return {"surface.vert", {"light.glsl", "noise.glsl", "cloth.frag"}};
+    case RoomMaterial::Skin:
+      return scenery("skin.frag");
+    case RoomMaterial::Fat:
+      return scenery("fat.frag");
+    case RoomMaterial::Muscle:
+      return scenery("muscle.frag");
+    case RoomMaterial::Gut:
+      return scenery("gut.frag");
     case RoomMaterial::Room:
       return {"room.vert", {"light.glsl", "noise.glsl", "room.frag"}};
   }
   throw usageError("there is no material {} in the room; use one of RoomMaterial", int(material));
+}
+
+// Whether blood on the table is drawn on it.
+bool showsPool(RoomMaterial material) {
+  return material == RoomMaterial::Cloth ||
+         (material >= RoomMaterial::Skin && material <= RoomMaterial::Gut);
 }
 
 void setSource(SoShaderObject* shader, const std::vector<std::string_view>& parts) {
@@ -77,13 +98,26 @@ SoShaderProgram* makeMaterial(RoomMaterial material) {
   if (material != RoomMaterial::Gather) {
     sampler("lampShadow", kLampShadowUnit);
     sampler("shadowGrid", kShadowGridUnit);
-    if (material == RoomMaterial::Cloth) sampler("pool", kPoolUnit);
+    if (showsPool(material)) sampler("pool", kPoolUnit);
   }
 
   auto* program = new SoShaderProgram;
   program->shaderObject.set1Value(0, vertex);
   program->shaderObject.set1Value(1, fragment);
   return program;
+}
+
+SoSeparator* uncachedSeparator() {
+  auto* separator = new SoSeparator;
+  separator->renderCaching = SoSeparator::OFF;
+  return separator;
+}
+
+SoSeparator* withMaterial(RoomMaterial material, std::initializer_list<SoNode*> nodes) {
+  SoSeparator* separator = uncachedSeparator();
+  separator->addChild(makeMaterial(material));
+  for (SoNode* node : nodes) separator->addChild(node);
+  return separator;
 }
 
 }  // namespace resect

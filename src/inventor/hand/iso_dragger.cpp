@@ -32,6 +32,17 @@ float toDragger(float iso) { return iso / 100 * kLength / kHandle; }
 
 }  // namespace
 
+Vec3 scaleFoot(const Aabb& organ, const Vec3& towardsCamera) {
+  constexpr double kStep = std::numbers::pi / 18;
+  const double turn = kStep * std::round(std::atan2(towardsCamera.x(), towardsCamera.z()) / kStep);
+  const Vec3 away(-std::sin(turn), 0, -std::cos(turn));
+  const Vec3 left = Vec3::UnitY().cross(away), half = 0.5 * organ.size();
+  const auto reach = [&](const Vec3& way) { return way.cwiseAbs().dot(half); };
+  Vec3 foot = organ.centre() + (reach(left) + 0.06) * left + 0.5 * reach(away) * away;
+  foot.y() = 0;
+  return foot;
+}
+
 IsoDragger::IsoDragger(SoSeparator* parent, const Vec3& foot) : parent_(parent), foot_(foot) {
   root_ = new SoSwitch;
   root_->whichChild = 0;

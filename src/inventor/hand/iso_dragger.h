@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "base/vec.h"
+#include "geometry/aabb.h"
 
 class SoDragger;
 class SoSeparator;
@@ -14,6 +15,10 @@ class SoTransform;
 class SoTranslate1Dragger;
 
 namespace resect {
+
+// A place for the scale beside the organ: at the left of a camera in this direction, where it hides
+// nothing. It goes round the organ in steps. World, m.
+Vec3 scaleFoot(const Aabb& organ, const Vec3& towardsCamera);
 
 class IsoDragger {
  public:

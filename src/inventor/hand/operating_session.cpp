@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "geometry/moved_box.h"
@@ -69,19 +68,6 @@ Vec3 towards(const SoPerspectiveCamera* camera) {
   SbVec3f back;
   camera->orientation.getValue().multVec(SbVec3f(0, 0, 1), back);
   return {back[0], back[1], back[2]};
-}
-
-// Beside the organ, at the left of a camera in this direction, where it hides nothing. It goes
-// round the organ in steps.
-Vec3 scaleFoot(const Aabb& organ, const Vec3& towardsCamera) {
-  constexpr double kStep = std::numbers::pi / 18;
-  const double turn = kStep * std::round(std::atan2(towardsCamera.x(), towardsCamera.z()) / kStep);
-  const Vec3 away(-std::sin(turn), 0, -std::cos(turn));
-  const Vec3 left = Vec3::UnitY().cross(away), half = 0.5 * organ.size();
-  const auto reach = [&](const Vec3& way) { return way.cwiseAbs().dot(half); };
-  Vec3 foot = organ.centre() + (reach(left) + 0.06) * left + 0.5 * reach(away) * away;
-  foot.y() = 0;
-  return foot;
 }
 
 Aabb boxOfOrgans(const Simulation& simulation) {
@@ -342,6 +328,12 @@ void OperatingSession::look(RoomView view, double aspect) {
   damage_.everything = true;
 }
 
+void OperatingSession::showField(bool field) {
+  scenario_.setting = field ? "field" : "table";
+  view_.showField(showsField(scenario_));
+  damage_.everything = true;
+}
+
 void OperatingSession::viewAll(double aspect) {
   room().viewAll(allThereIs(towards(room().camera())), aspect);
   damage_.everything = true;
@@ -361,11 +353,13 @@ void OperatingSession::showScale(bool shown) {
   damage_.everything = true;
 }
 
-// Bounds of the organs, the tool box and, unless it is hidden, the scale of the iso level.
+// Bounds of the organs, the tools at rest if they are shown and, unless it is hidden, the scale of
+// the iso level.
 Aabb OperatingSession::allThereIs(const Vec3& towardsCamera) const {
   Aabb all = organBox_;
-  for (std::size_t i = 0; i < toolModels_.size(); ++i)
-    for (const Vec3& p : toolModels_[i].mesh.points) all.grow(scenario_.tools[i].rest * p);
+  if (!showsField(scenario_))
+    for (std::size_t i = 0; i < toolModels_.size(); ++i)
+      for (const Vec3& p : toolModels_[i].mesh.points) all.grow(scenario_.tools[i].rest * p);
   if (iso_.shown()) all.grow(Vec3(scaleFoot(organBox_, towardsCamera) - Vec3(0.01, 0, 0)));
   return all;
 }

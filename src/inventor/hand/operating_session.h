@@ -106,6 +106,8 @@ class OperatingSession {
   LiveOperation& operation() { return operation_; }
   const LiveState& state() const { return state_; }
   const Scenario& scenario() const { return scenario_; }
+  // Shows the operative field, or the table, from the next picture on.
+  void showField(bool field);
   const std::vector<ToolModel>& toolModels() const { return toolModels_; }
   // Cells of the first organ before the operation.
   const Discretization& cells() const { return cells_; }

@@ -27,6 +27,7 @@ constexpr float kScaleRounding = 1e-8f;  // squared distance of scales
 
 SoPath* pathTo(SoNode* root, SoNode* node) {
   SoSearchAction search;
+  search.setSearchingAll(TRUE);  // a tool at rest may be hidden
   search.setNode(node);
   search.apply(root);
   require(search.getPath() != nullptr, "the tool is not in the room; add it there first");

@@ -1,7 +1,5 @@
 #include "inventor/scene/operating_room.h"
 
-#include <Inventor/SoFullPath.h>
-#include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoDrawStyle.h>
@@ -37,19 +35,6 @@
 namespace resect {
 
 namespace {
-
-SoSeparator* uncachedSeparator() {
-  auto* separator = new SoSeparator;
-  separator->renderCaching = SoSeparator::OFF;
-  return separator;
-}
-
-SoSeparator* withMaterial(RoomMaterial material, std::initializer_list<SoNode*> nodes) {
-  SoSeparator* separator = uncachedSeparator();
-  separator->addChild(makeMaterial(material));
-  for (SoNode* node : nodes) separator->addChild(node);
-  return separator;
-}
 
 // A quad whose corners the vertex shader moves to those of the picture; tiny, so that it does not
 // affect the scene's bounds.
@@ -178,8 +163,9 @@ OperatingRoom::OperatingRoom() {
   auto* notPickedEither = new SoPickStyle;
   notPickedEither->style = SoPickStyle::UNPICKABLE;
   root_->addChild(withMaterial(RoomMaterial::Steel, {notPickedEither, bare_}));
-  pool_ = new SoBloodPool;
-  root_->addChild(withMaterial(RoomMaterial::Cloth, {pool_, table_}));
+  root_->addChild(pool_ = new SoBloodPool);
+  root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
+  root_->addChild(field_ = uncachedSeparator());
   drops_ = new SoCoordinate3;
   drops_->point.setNum(0);
   root_->addChild(dropsIn(drops_));
@@ -214,62 +200,6 @@ void OperatingRoom::setToolbox(SoNode* model, const Pose& pose) {
   if (model) toolbox_->addChild(model);
 }
 
-int OperatingRoom::addTool(SoNode* model) {
-  require(model != nullptr, "a tool without a model was added to the room; give its scene graph");
-  // The steel material applies to the model only, so that a manipulator in the transform's place
-  // keeps its colours.
-  SoSeparator* tool = uncachedSeparator();
-  tool->addChild(new SoTransform);
-  SoSeparator* body = uncachedSeparator();
-  body->addChild(steel_);
-  body->addChild(model);
-  tool->addChild(body);
-  tools_->addChild(tool);
-  SoSeparator* shadow = uncachedSeparator();
-  shadow->addChild(new SoTransform);
-  shadow->addChild(model);
-  toolShadows_->addChild(shadow);
-  jaws_.emplace_back();
-  const int number = tools_->getNumChildren() - 1;
-  tool->addChild(makePickProxy(model));
-  return number;
-}
-
-int OperatingRoom::addTool(const ToolModel& tool) {
-  ToolNodes nodes = makeToolNodes(tool);
-  const int number = addTool(nodes.model);
-  jaws_.back() = std::move(nodes.jaws);
-  return number;
-}
-
-void OperatingRoom::requireTool(int tool) const {
-  require(tool >= 0 && tool < toolCount(), "there is no tool {} among the room's {}; number from 0",
-          tool, toolCount());
-}
-
-bool OperatingRoom::setToolSqueeze(int tool, double squeeze) {
-  requireTool(tool);
-  bool turned = false;
-  for (const ToolNodes::Jaw& jaw : jaws_[std::size_t(tool)]) {
-    const SbRotation rotation(SbVec3f(jaw.axis.data()), float(1 - squeeze) * jaw.opens);
-    if (jaw.transform->rotation.getValue() == rotation) continue;
-    jaw.transform->rotation = rotation;
-    turned = true;
-  }
-  return turned;
-}
-
-SoTransform* OperatingRoom::toolTransform(int tool) const {
-  requireTool(tool);
-  return static_cast<SoTransform*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(0));
-}
-
-int OperatingRoom::toolOfPath(const SoFullPath& path) const {
-  for (int i = 0; i + 1 < path.getLength(); ++i)
-    if (path.getNode(i) == tools_) return tools_->findChild(path.getNode(i + 1));
-  return -1;
-}
-
 SoNode* OperatingRoom::tableModel() const {
   return table_->getNumChildren() > 0 ? table_->getChild(0) : nullptr;
 }
@@ -280,40 +210,9 @@ SoNode* OperatingRoom::toolboxModel() const {
 
 Pose OperatingRoom::toolboxPose() const { return getPose(*toolboxPose_); }
 
-int OperatingRoom::toolCount() const { return tools_->getNumChildren(); }
-
-SoNode* OperatingRoom::toolModel(int tool) const {
-  requireTool(tool);
-  const auto* body =
-      static_cast<SoSeparator*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(1));
-  return body->getChild(1);
-}
-
-Aabb OperatingRoom::toolBounds(int tool) const {
-  requireTool(tool);
-  SoGetBoundingBoxAction measure(SbViewportRegion(100, 100));
-  measure.apply(tools_->getChild(tool));
-  const SbBox3f box = measure.getBoundingBox();
-  if (box.isEmpty()) return {};
-  const SbVec3f &low = box.getMin(), &high = box.getMax();
-  return {Vec3(low[0], low[1], low[2]), Vec3(high[0], high[1], high[2])};
-}
-
 void OperatingRoom::changedIn(const Aabb& box) {
-  moveToolShadows();
+  followTools();
   shadows_->changedIn(box);
-}
-
-// A manipulator moves the tool's transform by itself.
-void OperatingRoom::moveToolShadows() {
-  for (int i = 0; i < toolCount(); ++i) {
-    const Pose pose = getPose(*toolTransform(i));
-    auto* shadow = static_cast<SoTransform*>(
-        static_cast<SoSeparator*>(toolShadows_->getChild(i))->getChild(0));
-    const Pose before = getPose(*shadow);
-    if (pose.position != before.position || pose.rotation.coeffs() != before.rotation.coeffs())
-      setPose(shadow, pose);
-  }
 }
 
 void OperatingRoom::setShadowResolution(int texels) {
@@ -327,11 +226,6 @@ void OperatingRoom::addListener(SoEventCallback* listener) {
 }
 
 void OperatingRoom::removeListener(SoEventCallback* listener) { root_->removeChild(listener); }
-
-void OperatingRoom::setToolPose(int tool, const Pose& pose) {
-  setPose(toolTransform(tool), pose);
-  moveToolShadows();
-}
 
 void OperatingRoom::setOrgan(const TriangleMesh& mesh, const Vec3f& colour) {
   setOrganColour(colour);

@@ -4,8 +4,10 @@
 //     camera, lamps, SoShadowMaps
 //     Separator { liver, SoTransform, Separator { colour, SoShadeOnce { SoOrganShape } } ... }
 //     Separator { steel, SoTransform, toolbox }
-//     Separator { Separator { SoTransform, Separator { steel, tool } } ... }
+//     Separator { Separator { SoTransform, SoSwitch { steel, tool } } ... }
+//     BloodPool
 //     Separator { cloth, table }
+//     Separator { Transform, Separator { cloth, drape } Separator { fat, ... } ... }
 //     Separator { room, background }
 //     Separator { aids }
 //
@@ -79,9 +81,12 @@ class OperatingRoom {
   // The surface of an added organ must be closed, since its back faces are not drawn.
   void addOrgan(const Vec3f& colour);
 
-  // `model` replaces the present table or tool box. With nullptr there is none afterwards.
+  // `model` replaces the present table, tool box or field. With nullptr there is none afterwards.
   void setTable(SoNode* model);
   void setToolbox(SoNode* model, const Pose& pose = {});
+
+  // The operative field (data/room/field.iv) round the organs, scaled to their box (world, m).
+  void setField(SoNode* model, const Aabb& organs);
 
   // Returns the tool's number; tools are numbered from 0 in the order in which they are added. The
   // first form draws what makeToolNodes() makes, jaws included. `model` is in the tool's frame (m):
@@ -89,6 +94,8 @@ class OperatingRoom {
   int addTool(const ToolModel& tool);
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
+  // From now on the tool is drawn only while its pose is another than `rest`; without one, always.
+  void hideAtRest(int tool, const std::optional<Pose>& rest);
   // Opens or closes the jaws of a tool that has any. `squeeze`: 0 wide open to 1 closed. Returns
   // false if nothing turned.
   bool setToolSqueeze(int tool, double squeeze);
@@ -157,7 +164,7 @@ class OperatingRoom {
 
  private:
   void requireTool(int tool) const;
-  void moveToolShadows();
+  void followTools();
   void place(RoomView view, const Vec3& target, double distance);
 
   SoSeparator* root_;
@@ -166,6 +173,7 @@ class OperatingRoom {
   SoShadowMaps* shadows_;
   SoSeparator* casters_;
   SoSeparator* table_;
+  SoSeparator* field_;
   SoSeparator* bare_;
   SoBloodPool* pool_;
   SoCoordinate3* drops_;
@@ -175,6 +183,7 @@ class OperatingRoom {
   // Per tool: its transform and its model, without a manipulator, which casts no shadow.
   SoSeparator* toolShadows_;
   std::vector<std::vector<ToolNodes::Jaw>> jaws_;  // by tool
+  std::vector<std::optional<Pose>> hiddenAt_;      // by tool
   SoSeparator* tissue_;
   SoTransform* organPose_;
   SoBaseColor* organColour_;

@@ -18,10 +18,10 @@
 namespace resect {
 
 SoNode* readRoomModel(const std::string& name) {
-  require(name == "table" || name == "toolbox",
-          "there is no model \"{}\" of the room; use table or toolbox", name);
+  require(name == "table" || name == "toolbox" || name == "field",
+          "there is no model \"{}\" of the room; use table, toolbox or field", name);
   initInventor();
-  const std::filesystem::path path = dataFolder() / "tools" / (name + ".iv");
+  const std::filesystem::path path = dataFolder() / "room" / (name + ".iv");
   SoInput input;
   SoSeparator* root = input.openFile(path.c_str(), TRUE) ? SoDB::readAll(&input) : nullptr;
   if (!root)
@@ -33,13 +33,12 @@ Vec3f organColour(const OrganSource& organ) {
   return organ.file == "gallbladder" ? kGallbladderColour : kLiverColour;
 }
 
-OperationView::OperationView(const Scenario& scenario, Simulation& simulation, double aspect) {
+OperationView::OperationView(const Scenario& scenario, Simulation& simulation, double aspect)
+    : table_(scenario.table), toolBox_(scenario.toolBox) {
   const auto view = roomView(scenario.view);
   if (!view)
     throw usageError("there is no view \"{}\"; use surgeon, assistant, top or laparoscope",
                      scenario.view);
-  if (scenario.table) room_.setTable(readRoomModel("table"));
-  if (scenario.toolBox) room_.setToolbox(readRoomModel("toolbox"), toolBoxPose());
   for (const ToolState& state : simulation.tools()) room_.addTool(state.tool->model);
   simulation.keepLook();
   publishers_.assign(simulation.organs().size(), SurfacePublisher(0));
@@ -47,10 +46,11 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
   for (std::size_t o = 1; o < simulation.organs().size(); ++o)
     room_.addOrgan(organColour(scenario.organs[o].source));
   follow(simulation);
-  for (std::size_t i = 0; i < scenario.tools.size(); ++i)
-    room_.setToolPose(int(i), scenario.tools[i].rest);
-  Aabb box;
-  for (const OperatedOrgan& o : simulation.organs()) box.grow(o.organ.rest.lattice.box());
+  for (const ScenarioTool& tool : scenario.tools) rests_.push_back(tool.rest);
+  for (std::size_t i = 0; i < rests_.size(); ++i) room_.setToolPose(int(i), rests_[i]);
+  for (const OperatedOrgan& o : simulation.organs()) organs_.grow(o.organ.rest.lattice.box());
+  showField(showsField(scenario));
+  Aabb box = organs_;
   // Includes the table below, since hanging or falling tissue may reach it.
   if (scenario.table) box.min.y() = std::min(box.min.y(), 0.0);
   room_.lightUp(box);
@@ -58,6 +58,14 @@ OperationView::OperationView(const Scenario& scenario, Simulation& simulation, d
     room_.frame(*view, *scenario.closeUp, aspect);
   else
     room_.look(*view, box, aspect);
+}
+
+void OperationView::showField(bool field) {
+  room_.setTable(table_ && !field ? readRoomModel("table") : nullptr);
+  room_.setToolbox(toolBox_ && !field ? readRoomModel("toolbox") : nullptr, toolBoxPose());
+  room_.setField(field ? readRoomModel("field") : nullptr, organs_);
+  for (std::size_t i = 0; i < rests_.size(); ++i)
+    room_.hideAtRest(int(i), field ? std::optional(rests_[i]) : std::nullopt);
 }
 
 RgbImage OperationView::draw(OffscreenView& picture) const { return picture.render(room_.root()); }

@@ -14,8 +14,8 @@ class SoNode;
 
 namespace resect {
 
-// Reads the model "table" or "toolbox" from Resect's own data folder, and returns it as a scene
-// graph with its materials. Coin reads no other files in this process. All others are read by
+// Reads the model "table", "toolbox" or "field" from Resect's own data folder, and returns it as a
+// scene graph with its materials. Coin reads no other files in this process. All others are read by
 // readModel(), in a child process.
 SoNode* readRoomModel(const std::string& name);
 
@@ -38,10 +38,17 @@ class OperationView {
 
   RgbImage draw(OffscreenView& picture) const;
 
+  // Shows the operative field round the organs, or table and tool box if the scenario has them. In
+  // the field, tools are hidden while they are at rest: they lie on a stand beside the patient.
+  void showField(bool field);
+
   OperatingRoom& room() { return room_; }
 
  private:
   OperatingRoom room_;
+  Aabb organs_;  // where they lie at rest, world, m
+  std::vector<Pose> rests_;
+  bool table_, toolBox_;  // of the scenario
   // One per organ of the simulation. These publishers publish every motion, however small.
   std::vector<SurfacePublisher> publishers_;
 };

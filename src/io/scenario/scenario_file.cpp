@@ -223,6 +223,10 @@ Scenario toScenario(const TomlTable& t) {
   if (const auto room = t.table("room")) {
     scenario.table = room->flag("table", true);
     scenario.toolBox = room->flag("tool_box", true);
+    scenario.setting = room->text("setting", "table");
+    if (!isSetting(scenario.setting))
+      room->complain("setting",
+                     fmt::format("is \"{}\"; choose {}", scenario.setting, kSettingNames));
     room->refuseUnknownKeys();
   }
   for (const TomlTable& tool : t.tables("tool", kMostTools))

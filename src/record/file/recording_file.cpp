@@ -127,6 +127,7 @@ void RecordingFile::begin(const std::filesystem::path& path, const std::string& 
   keep("frame_rate", fmt::format("{}", info.frameRate));
   keep("fields", joined(info.fields));
   if (setup.scenario.task) keep("task", setup.scenario.task->text);
+  if (setup.scenario.setting != "table") keep("setting", setup.scenario.setting);
   const SetupBytes bytes = toBytes(setup);
   Statement(db, "INSERT INTO scenario VALUES (?, ?, ?, ?)")
       .bind(0, std::string_view(setup.scenario.name))
@@ -241,13 +242,19 @@ RecordedSetup RecordingFile::setup() {
     const auto cells = organ.blob(0);
     bytes.cells.emplace_back(reinterpret_cast<const char*>(cells.data()), cells.size());
   }
-  return setupFromBytes(bytes);
+  RecordedSetup setup = setupFromBytes(bytes);
+  if (const std::string setting = meta("setting"); !setting.empty())
+    setup.scenario.setting = setting;
+  return setup;
 }
 
-std::string RecordingFile::task() {
-  Statement task(database_, "SELECT value FROM meta WHERE key = 'task'");
-  return task.step() ? task.text(0) : "";
+std::string RecordingFile::meta(std::string_view key) {
+  Statement value(database_, "SELECT value FROM meta WHERE key = ?");
+  value.bind(0, key);
+  return value.step() ? value.text(0) : "";
 }
+
+std::string RecordingFile::task() { return meta("task"); }
 
 Statement& RecordingFile::prepared(const std::string& sql) {
   std::unique_ptr<Statement>& statement = statements_[sql];

@@ -154,6 +154,7 @@ class RecordingFile {
   std::string damagedPage();
 
  private:
+  std::string meta(std::string_view key);  // the value of that row of the table meta; empty: none
   explicit RecordingFile(Database database)
       : opened_(std::make_unique<Database>(std::move(database))), database_(*opened_) {}
   static RecordingFile appear(const std::filesystem::path& path,

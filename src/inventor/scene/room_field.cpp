@@ -1,0 +1,50 @@
+// The operative field: an opened abdomen round the organs.
+#include <Inventor/nodes/SoPickStyle.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoTransform.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "inventor/gl/materials.h"
+#include "inventor/gl/vectors.h"
+#include "inventor/scene/model_nodes.h"
+#include "inventor/scene/operating_room.h"
+
+namespace resect {
+namespace {
+
+// The shaders of the parts of the operative field, by the parts' names in its file.
+std::optional<RoomMaterial> fieldMaterial(std::string_view part) {
+  constexpr std::pair<std::string_view, RoomMaterial> kParts[] = {
+      {"drape", RoomMaterial::Cloth}, {"skin", RoomMaterial::Skin},     {"fat", RoomMaterial::Fat},
+      {"omentum", RoomMaterial::Fat}, {"muscle", RoomMaterial::Muscle}, {"gut", RoomMaterial::Gut},
+      {"steel", RoomMaterial::Steel}};
+  for (const auto& [name, material] : kParts)
+    if (name == part) return material;
+  return std::nullopt;
+}
+
+}  // namespace
+
+void OperatingRoom::setField(SoNode* model, const Aabb& organs) {
+  field_->removeAllChildren();
+  if (!model) return;
+  // It was made round the built-in liver, which measures so much across.
+  constexpr double kLiver = 0.234;
+  const double across = std::max(organs.size().x(), organs.size().z());
+  const auto scale = float(std::clamp(across / kLiver, 0.6, 1.6));
+  auto* place = new SoTransform;
+  place->translation = toSb(Vec3(organs.centre().x(), 0, organs.centre().z()));
+  place->scaleFactor = SbVec3f(scale, scale, scale);
+  auto* unpickable = new SoPickStyle;
+  unpickable->style = SoPickStyle::UNPICKABLE;
+  field_->addChild(unpickable);
+  field_->addChild(place);
+  const auto* parts = static_cast<SoSeparator*>(model);
+  for (int i = 0; i < parts->getNumChildren(); ++i)
+    if (const auto material = fieldMaterial(parts->getChild(i)->getName().getString()))
+      field_->addChild(withMaterial(*material, {parts->getChild(i)}));
+}
+
+}  // namespace resect
