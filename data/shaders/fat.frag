@@ -1,11 +1,11 @@
 // Fat: yellow cushions with fine red vessels; also the bowel's fatty apron, and the floor between.
-void sceneryTissue(inout Tissue t, vec3 p, float wide) {
+void sceneryTissue(inout Scenery t, vec3 p, float wide) {
   vec4 broad = noise(p * 70.0), fine = noise(p * 420.0 + 3.1) * finer(420.0 * wide);
   float yellow = smoothstep(0.0, 0.10, t.albedo.g - 0.5 * t.albedo.r);
   t.albedo *= 1.0 + 0.10 * broad.x + 0.13 * fine.x;
-  t.albedo = mix(t.albedo, vec3(0.16, 0.020, 0.014), 0.75 * fineVessels(p, 62.0, wide) * (0.4 + 0.6 * yellow));
+  float vessel = fineVessels(p + 0.0002 * broad.yzw, 62.0, wide) * smoothstep(-0.1, 0.5, broad.x);
+  t.albedo = mix(t.albedo, vec3(0.16, 0.020, 0.014), 0.75 * vessel * (0.4 + 0.6 * yellow));
   t.bumps = 0.020 * broad.yzw + 0.030 * fine.yzw;
   t.waves = 0.070 * broad.yzw + 0.050 * fine.yzw;
   t.wet = 0.35 + 0.35 * smoothstep(-0.2, 0.6, broad.x);
-  t.lost = 0.05 * (1.0 - finer(420.0 * wide));
 }

@@ -35,7 +35,7 @@ void main() {
   vec3 f = f0 + (1.0 - f0) * x * x * x * x * x * metal;
   vec3 r = reflect(-v, n);
   // What looks down mirrors the cloth, lit as it is below.
-  vec3 cloth = vec3(0.006, 0.055, 0.045) * (0.25 + 0.9 * around.tableLit) * (0.3 + 0.7 * around.tableOpen);
+  vec3 cloth = vec3(0.016, 0.032, 0.029) * (0.25 + 0.9 * around.tableLit) * (0.3 + 0.7 * around.tableOpen);
   vec3 mirror = mix(cloth, mirrored(point, r, rough * rough) * (0.25 + 0.75 * open),
                     smoothstep(-0.35, 0.05, r.y));
   mirror = 0.8 * mirror + vec3(0.022, 0.024, 0.026);

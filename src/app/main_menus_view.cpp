@@ -67,7 +67,7 @@ void MainWindow::makeViewMenu() {
   connect(marks_, &QAction::toggled, this, [this](bool on) {
     if (session_) session_->setBleedingMarks(on);
   });
-  field_ = view->addAction("&Opened abdomen");
+  field_ = view->addAction("Op&ened abdomen");
   field_->setCheckable(true);
   field_->setToolTip("What stands round the organ: an opened abdomen, or the operating table");
   connect(field_, &QAction::triggered, this, [this](bool on) {

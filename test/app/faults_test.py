@@ -46,13 +46,13 @@ class Faults(ScreenTest):
         time.sleep(1)
         abdomen = self.screen.picture("first")
         # On the table only the organ is red.
-        self.screen.key("alt+v", "o")
+        self.screen.key("alt+v", "e")
         window.wait("setting table", 20)
         time.sleep(1)
         _, _, share = red_middle(self.screen.picture("first_on_table"), self.view)
         self.assertGreater(share, 0.35)
         self.assertLess(share, 0.75)
-        self.screen.key("alt+v", "o")
+        self.screen.key("alt+v", "e")
         window.wait("setting field", 20)
         time.sleep(1)
         x0, y0, x1, y1 = self.view

@@ -26,8 +26,7 @@ struct Stages {
 
 // Still tissue of the operative field.
 Stages scenery(std::string_view kind) {
-  return {"surface.vert",
-          {"light.glsl", "noise.glsl", "blood.glsl", "wet.glsl", "scenery.glsl", kind}};
+  return {"surface.vert", {"light.glsl", "noise.glsl", "blood.glsl", "scenery.glsl", kind}};
 }
 
 Stages stages(RoomMaterial material) {

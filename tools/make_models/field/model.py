@@ -11,7 +11,8 @@ from inventor import HEADER, Material, comment
 STEEL = Material((0.80, 0.82, 0.84), (0.75, 0.75, 0.75), 0.55)
 WET = Material((0.6, 0.4, 0.3), (0.2, 0.2, 0.2), 0.3)
 CLOTH = Material((0.10, 0.36, 0.30), (0.03, 0.05, 0.05), 0.05)
-PARTS = ("drape", "skin", "fat", "muscle", "omentum", "gut", "steel")
+# In the order in which they are drawn: what hides others comes first.
+PARTS = ("steel", "gut", "drape", "skin", "fat", "muscle", "omentum")
 
 DESCRIPTION = """
 Operative field: an abdomen opened for surgery of the liver, without the liver; in metres. The floor

@@ -1,4 +1,4 @@
-"""Blades that hold the wound open, of steel: two under the ribs, one before the surgeon."""
+"""Blades that hold the wound open, of steel: two under the ribs."""
 
 import math
 
@@ -46,4 +46,4 @@ def blade(angle):
 
 
 def blades():
-    return [blade(math.radians(d)) for d in (-128.0, -52.0, 90.0)]
+    return [blade(math.radians(d)) for d in (-128.0, -52.0)]

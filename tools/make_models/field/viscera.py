@@ -9,8 +9,8 @@ from field.sheet import Sheet, mix
 from shapes.loft import circle, smoothstep, through
 from shapes.vector import add, cross, scale, subtract, unit
 
-OMENTUM = (0.89, 0.73, 0.42)
-OMENTUM_GROOVE = (0.72, 0.38, 0.22)
+OMENTUM = (0.88, 0.68, 0.46)
+OMENTUM_GROOVE = (0.70, 0.33, 0.20)
 BED = (0.62, 0.28, 0.23)  # peritoneum behind the liver
 DIAPHRAGM = (0.52, 0.20, 0.17)
 TENDON = (0.74, 0.56, 0.48)

@@ -9,8 +9,8 @@ from shapes.loft import smoothstep
 
 COLUMNS = 120
 SKIN = (0.74, 0.56, 0.45)  # painted with iodine
-FAT = (0.90, 0.76, 0.46)
-FAT_GROOVE = (0.72, 0.42, 0.24)
+FAT = (0.88, 0.69, 0.46)
+FAT_GROOVE = (0.70, 0.36, 0.22)
 MUSCLE = (0.50, 0.16, 0.13)
 PERITONEUM = (0.66, 0.34, 0.29)
 DRAPE = (0.10, 0.36, 0.30)
@@ -61,7 +61,7 @@ def drape():
         # Light that the folds take from each other, as for the tissues in light.py.
         a = angles(COLUMNS)[j % COLUMNS]
         fold = smoothstep(0.012, 0.16, outs[i]) * fold_height(a, outs[i], (p[0], 0.0, p[2]))
-        return mix((0.0, 0.0, 0.0), DRAPE, min(0.80 + 18.0 * fold, 1.12))
+        return mix((0.0, 0.0, 0.0), DRAPE, min(max(0.85 + 26.0 * fold, 0.6), 1.4))
 
     return Sheet("drape", rows, colour)
 
@@ -69,8 +69,8 @@ def drape():
 # Across a pad that lies over the wound's edge, as SECTION, but above the skin.
 PAD = [
     (0.062, 0.006), (0.058, 0.009), (0.045, 0.011), (0.028, 0.012), (0.012, 0.0115), (0.001, 0.010),
-    (-0.007, 0.006), (-0.011, -0.001), (-0.0125, -0.011), (-0.0125, -0.021), (-0.015, -0.030),
-    (-0.023, -0.0335), (-0.036, -0.0345), (-0.050, -0.036),
+    (-0.007, 0.006), (-0.011, -0.001), (-0.0125, -0.009), (-0.0125, -0.016), (-0.0115, -0.022),
+    (-0.008, -0.026), (-0.003, -0.028), (0.003, -0.029),
 ]
 GAUZE = (0.66, 0.67, 0.65)
 
@@ -94,7 +94,7 @@ def pad(angle, half_width, seed):
 
 
 def pads():
-    return [pad(math.radians(150.0), 0.042, 71), pad(math.radians(22.0), 0.036, 81)]
+    return [pad(math.radians(152.0), 0.045, 71), pad(math.radians(18.0), 0.036, 81)]
 
 def fold_height(angle, out, place):
     """Folds of the cloth: sharp ridges that run away from the opening, and soft hills."""
@@ -102,7 +102,7 @@ def fold_height(angle, out, place):
     for length, height, seed in ((0.115, 0.016, 3), (0.06, 0.007, 5)):
         along = (0.26 * angle + 0.25 * out, 0.45 * out, 0.05 * math.sin(2.0 * angle))
         ridges += height * (1.0 - abs(noise(along, length, seed)) ** 0.8 * 1.6)
-    return 0.8 * ridges + 0.007 * noise(place, 0.08, 7)
+    return 1.5 * ridges - 0.006 + 0.007 * noise(place, 0.08, 7)
 
 
 def wound_edge():
