@@ -1,13 +1,14 @@
 // The light of the operating room, shared by all materials: two surgical lamps, the dim room round
 // them, shadow, openness to the room, and the way from radiance to a picture. Space: world, m.
-// gl_LightSource[0] is the main lamp, [1] the second one; both are spot lights.
+// gl_LightSource[0] is the main lamp, [1] the second one; both are spot lights. [2] is the lamp at the
+// eye: of a surgeon's head, or of a laparoscope; its cut-off angle is that of the beam.
 
 uniform sampler2DShadow lampShadow;  // see SoShadowMaps
 uniform sampler2D shadowGrid;
 
 const float kLampRadius = 0.20;  // m
 const float kExposure = 1.40;
-const float kHead = 0.36;        // of the lamp at the eye
+const float kHead = 1.44;        // of the lamp at the eye at full intensity
 
 vec3 toWorld(vec3 eyeDirection) { return (gl_TextureMatrix[5] * vec4(eyeDirection, 0.0)).xyz; }
 vec3 pointToWorld(vec3 eyePoint) { return (gl_TextureMatrix[5] * vec4(eyePoint, 1.0)).xyz; }
@@ -104,11 +105,16 @@ vec3 lampThrough(vec3 eyePoint) {
   return sum;
 }
 
-// Irradiance of the lamp that the surgeon wears, or of a laparoscope: it comes from the eye, throws
-// no shadow that the eye could see, falls off with distance and towards the picture's edge.
+// Squared distance from the axis of the beam at the eye; 1 at its border.
+float offBeam(vec3 eyePoint) {
+  vec2 q = eyePoint.xy / (tan(radians(gl_LightSource[2].spotCutoff)) * max(-eyePoint.z, 1e-4));
+  return dot(q, q);
+}
+
+// Irradiance of the lamp at the eye: it throws no shadow that the eye could see, falls off with
+// distance and towards the border of its beam.
 vec3 headLight(vec3 eyePoint) {
-  float off = dot(eyePoint.xy, eyePoint.xy) / max(eyePoint.z * eyePoint.z, 1e-4);
-  return vec3(1.0, 0.985, 0.95) * kHead * exp(-5.0 * off) / (dot(eyePoint, eyePoint) + 0.20);
+  return gl_LightSource[2].diffuse.rgb * kHead * exp(-0.84 * offBeam(eyePoint)) / (dot(eyePoint, eyePoint) + 0.20);
 }
 
 // Irradiance of lamp `which` on a surface that faces it, without shadow: a pool of light, bright over
@@ -180,8 +186,7 @@ vec3 fromScreen(vec3 color) { return pow(color, vec3(2.2)); }
 // picture (by the angle, so that parts of a picture fit together), filmic curve (Narkowicz 2016), sRGB
 // gamma, a dither of half a step against bands in the dark.
 vec3 picture(vec3 light, vec3 eyePoint) {
-  vec2 q = eyePoint.xy / (0.41 * max(-eyePoint.z, 1e-4));  // 1: 22 degrees off the axis
-  vec3 x = kExposure * light * (1.0 - 0.72 * smoothstep(0.30, 1.75, dot(q, q)));
+  vec3 x = kExposure * light * (1.0 - 0.72 * smoothstep(0.30, 1.75, offBeam(eyePoint)));
   vec3 film = clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
   float dither = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   return pow(film, vec3(1.0 / 2.2)) + (dither - 0.5) / 255.0;

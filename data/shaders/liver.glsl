@@ -64,7 +64,7 @@ Tissue tissueAt(vec3 p, float wide, float share, vec3 base, vec3 n) {
   t.albedo = capsuleColour(at, base);
   t.bumps = 0.016 * at.broad.yzw + 0.014 * at.middle.yzw + 0.012 * at.fine.yzw;
   t.waves = 0.050 * at.broad.yzw + 0.060 * at.middle.yzw + 0.030 * at.fine.yzw;
-  t.wet = smoothstep(0.05, 0.45, 0.8 * at.low.x + 0.45 * at.broad.x + 0.12);
+  t.wet = smoothstep(0.02, 0.42, 0.8 * at.low.x + 0.45 * at.broad.x + 0.15);
   if (border > 0.0) {
     vec4 grain = noise(p * 1000.0) * finer(1000.0 * wide);
     t.albedo = mix(t.albedo, parenchymaColour(at, grain, p), border);

@@ -33,15 +33,15 @@ vec3 wetTissue(Tissue t, vec3 n0, float bend, Surroundings around, vec3 eyePosit
   soft0 *= soft0 / (soft0 + 0.06) * 1.06;  // no edge where it ends
   vec3 soft1 = max((vec3(dot(n, l1)) + wrap) / (1.0 + wrap), 0.0);
   vec3 softH = max((vec3(dot(n, v)) + 0.5 * wrap) / (1.0 + 0.5 * wrap), 0.0);
-  softH *= softH * (0.15 + 0.85 * softH);
+  softH *= softH * softH;
   vec3 crossed = lampThrough(eyePosition);
   vec3 behind = 0.6 * crossed * smoothstep(0.15, -0.35, dot(flat_, l0));
   // What is hidden from the room is lit by the tissue round it, in red.
   vec3 again = min(3.0 * t.albedo, 0.85);
   vec3 hidden = vec3(open) / (1.0 - again * (1.0 - open));
-  vec3 diffuse = eh * softH + 1.25 * e0 * (soft0 * max(vec3(lit), crossed) + behind) +
-                 0.4 * e1 * soft1 * hidden * (0.1 + 0.9 * open) +
-                 0.6 * ambientLight(n) * hidden * open;
+  vec3 diffuse = 1.55 * eh * softH + 1.05 * e0 * (soft0 * max(vec3(lit), crossed) + behind) +
+                 0.28 * e1 * soft1 * hidden * (0.1 + 0.9 * open) +
+                 0.42 * ambientLight(n) * hidden * open;
   vec3 color = t.albedo * diffuse;
 
   // The film mirrors the cloth below the horizon, above it one soft gradient.
@@ -54,8 +54,8 @@ vec3 wetTissue(Tissue t, vec3 n0, float bend, Surroundings around, vec3 eyePosit
   color += 0.010 * e0 * lit * max(dot(n, l0), 0.0) * glossLobe(n, l0, v, 0.55);
   color += 0.010 * e1 * open * max(dot(n, l1), 0.0) * glossLobe(n, l1, v, 0.55);
   float rough = 0.15 + 1.5 * t.lost, third = 0.333;
-  float fromMain = 0.010 * dot(e0, vec3(third)) * max(dot(film, l0), 0.0);
-  float fromSecond = 0.020 * dot(e1, vec3(third)) * max(dot(film, l1), 0.0);
+  float fromMain = 0.014 * dot(e0, vec3(third)) * max(dot(film, l0), 0.0);
+  float fromSecond = 0.026 * dot(e1, vec3(third)) * max(dot(film, l1), 0.0);
   float glints = lit * (fromMain * glossLobe(film, l0, v, rough + 0.02) +
                         fromSecond * glossLobe(film, l1, v, rough));
   color += t.wet * t.wet * smoothstep(0.05, 0.25, dot(flat_, v)) *

@@ -199,7 +199,7 @@ void MainWindow::showLaboratory(bool shown) {
 // Heights for what the panels show; the last one gets what is left. Called once they are laid out.
 void MainWindow::arrangePanels() {
   const int told = session_ && !session_->scenario().description.empty() ? 8 : 0;
-  const int operation = 9 + told, organ = 19;  // lines
+  const int operation = 13 + told, organ = 19;  // lines, with all rows that may appear
   const int line = fontMetrics().height();
   QList<QDockWidget*> panels = traineePanels_;
   QList<int> heights{operation * line, instruments_->sizeHint().height() + 2 * line};
@@ -235,8 +235,8 @@ QString MainWindow::nextStep() const {
   const QString depth =
       tools.how() == ToolHandling::Hold::Guided
           ? tools.surfaceHand() && tools.surfaceHand()->target
-                ? QString(" at the white ring.")
-                : QString(" %1 mm deep (wheel).").arg(std::lround(1e3 * tools.depth(tools.held())))
+                ? QString("at the white ring")
+                : QString("%1 mm deep (wheel)").arg(std::lround(1e3 * tools.depth(tools.held())))
           : QString();
   switch (tools.how()) {
     case ToolHandling::Hold::None:
@@ -246,9 +246,9 @@ QString MainWindow::nextStep() const {
       return name +
              ": drag moves it, the wheel brings it nearer, Shift turns it; Escape puts it back.";
     case ToolHandling::Hold::Guided:
-      if (tools.pressing()) return name + " at work; F leaves it there." + depth;
-      return name + ": " + useOf(session_->toolModels()[std::size_t(tools.held())].kind) + "," +
-             depth;
+      if (tools.pressing()) return name + " at work, " + depth + "; F leaves it there.";
+      return name + ": " + useOf(session_->toolModels()[std::size_t(tools.held())].kind) + ", " +
+             depth + ".";
     case ToolHandling::Hold::HandleBox:
       return name + " in a handle box: drag it to move it; middle click to turn it.";
     case ToolHandling::Hold::Trackball:
@@ -284,7 +284,10 @@ void MainWindow::followPanels(const LiveState& state, qint64 now) {
   operation_->follow(state, felt);
   timeline_->follow(state, session_->showing(), session_->answered());
   const QString step = exercising() ? exercise_->nextStep() : QString();
-  hint_->say(step.isEmpty() ? nextStep() : step + "   " + nextStep());
+  // An exercise's step comes first; how to use what is in hand follows, not that something should
+  // be.
+  const bool empty = session_->tools().how() == ToolHandling::Hold::None && !session_->showing();
+  hint_->say(step.isEmpty() ? nextStep() : empty ? step : step + "   " + nextStep());
   // A slow second may have other causes, such as a program that starts.
   constexpr qint64 kLong = 2000;  // ms
   const double cell = session_->cells().lattice.spacing.x();

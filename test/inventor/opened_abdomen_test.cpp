@@ -86,7 +86,7 @@ TEST_CASE("the operative field has a part for every shader, and no part without 
   for (int i = 0; i < parts->getNumChildren(); ++i)
     names.insert(parts->getChild(i)->getName().getString());
   CHECK(names ==
-        std::set<std::string>{"drape", "skin", "fat", "muscle", "omentum", "gut", "steel"});
+        std::set<std::string>{"drape", "skin", "fat", "muscle", "omentum", "gut", "steel", "dome"});
   parts->unref();
 }
 
@@ -117,4 +117,31 @@ TEST_CASE("after the field the table is as it was, with the instruments on it") 
 TEST_CASE("thesis mode has the table in any setting") {
   const RgbImage table = Bench("table", "surgeon", 0, OperationMode::Thesis).draw();
   CHECK(differing(table, Bench("field", "surgeon", 0, OperationMode::Thesis).draw()) == 0);
+}
+
+TEST_CASE("a laparoscope's picture is round, by its own light, below a closed wall") {
+  for (const char* setting : {"table", "field"}) {
+    Bench bench(setting);
+    OperatingRoom& room = bench.view->room();
+    const Aabb box = bench.simulation->organ().rest.lattice.box();
+    room.look(RoomView::Laparoscope, box, double(kWidth) / kHeight);
+    const RgbImage scope = bench.draw();
+    for (const auto& [x, y] : {std::pair(2, 2), std::pair(kWidth - 3, 2), std::pair(2, kHeight - 3),
+                               std::pair(kWidth - 3, kHeight - 3), std::pair(40, kHeight / 2)})
+      for (int c = 0; c < 3; ++c) CHECK(scope.at(x, y)[c] == 0);
+    const Shares seen = shares(scope);
+    const double round = 3.14159 * 0.25 * 0.97 * 0.97 * kHeight / kWidth;
+    CHECK(1 - seen.black < 1.02 * round);
+    if (bench.scenario.setting == "field") {
+      CHECK(1 - seen.black > 0.95 * round);  // the wall closes the picture
+      CHECK(seen.green < 0.01);              // no drapes
+      CHECK(seen.yellow > 0.02);
+    }
+    CHECK(seen.red > 0.08);
+    // The surgeon's view is again as it was.
+    Bench other(setting);
+    room.look(RoomView::Surgeon, box, double(kWidth) / kHeight);
+    other.view->room().look(RoomView::Surgeon, box, double(kWidth) / kHeight);
+    CHECK(differing(bench.draw(), other.draw()) == 0);
+  }
 }

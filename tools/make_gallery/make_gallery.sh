@@ -44,6 +44,15 @@ strip() {
 for scenario in cut cut-120 cut-950 perforate perforate-120 perforate-950 deform deform-120 deform-950 resect-segment; do
   shown "$scenario" last
 done
+# docs/look.md: one moment of one scenario on the table, in the field, and by a laparoscope.
+look() {
+  "$resect" run incise --frames "$work/look" --size 960x540 --picture-rate 0.2 --overwrite "${@:2}" >"$work/look.txt"
+  convert "$work/look/frame_0002.png" -resize 640x360 -colors 220 "PNG8:$gallery/look/$1.png"
+}
+look table --setting table
+look field
+look laparoscope --view laparoscope
+
 for scenario in perforate deform resect-segment; do large "$scenario"; done
 shown press 30
 shown lift 40
@@ -64,4 +73,4 @@ strip incise-under-traction 960x540+0+0 24 42 48 56 64 last
 montage "$(picture bleed 26)" "$(picture bleed 41)" "$(picture bleed 56)" "$(picture stop-bleeding 56)" \
   "$(picture stop-bleeding 81)" "$(picture stop-bleeding 146)" -tile 3x2 -geometry 450x+0+0 "$work/blood.png"
 convert "$work/blood.png" -colors 220 "PNG8:$images/stop_bleeding.png"
-strip resect-segment-elastic 640x430+120+110 26 38 62 116 124 last
+strip resect-segment-elastic 960x540+0+0 26 38 62 116 124 last

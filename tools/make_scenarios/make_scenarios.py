@@ -28,6 +28,10 @@ box = [[-0.08, 0.19, -0.08], [0.06, 0.25, 0.05]]
 """
 
 
+# What pictures of work on the left lobe show, m.
+LEFT_LOBE = "[[-0.10, 0, -0.03], [0.06, 0.10, 0.12]]"
+
+
 def no_tools():
     return [("scalpel", None), ("hook", None), ("baton", None)]
 
@@ -48,9 +52,11 @@ def all_scenarios():
     yield "press", elastic("The baton presses on a soft liver", "Elastic tissue on the table, pressed twice", 8.0,
                            soft.press(), ORGAN_LIGAMENTS, x=ASIDE, setting="table")
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, soft.lift(),
-                          ligaments(ASIDE), x=ASIDE)
+                          ligaments(ASIDE), x=ASIDE,
+                          close_up=LEFT_LOBE)
     yield "grasp", elastic("Forceps lift the left lobe", "They seize it near its margin, lift it, lay it down and let go",
-                           8.0, soft.grasp(), ligaments(ASIDE), x=ASIDE)
+                           8.0, soft.grasp(), ligaments(ASIDE), x=ASIDE,
+                          close_up=LEFT_LOBE)
     yield "incise", elastic("An incision over the dome", "The scalpel is drawn over the dome, towards the surgeon; the wound bleeds",
                             8.0, soft.incise(), ORGAN_LIGAMENTS, x=ASIDE, organ='vessels = "built-in"\n',
                             close_up="[[-0.13, 0.05, -0.05], [-0.05, 0.1, 0.06]]")
@@ -77,10 +83,12 @@ def all_scenarios():
         "A raw surface is coagulated", "Where the aspirator took tissue away small arteries bleed; the pencil seals them", 8.0,
         bleeding.cautery(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
-                          soft.snip(), ligaments(ASIDE), x=ASIDE)
+                          soft.snip(), ligaments(ASIDE), x=ASIDE,
+                          close_up=LEFT_LOBE)
     yield "resect-segment-elastic", elastic(
         "A piece of a soft liver taken off", "The scalpel parts the left lateral part; the hook lifts it away", 8.0,
-        soft.resect_segment_elastic(), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE)
+        soft.resect_segment_elastic(), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE,
+                          close_up=LEFT_LOBE)
     yield "liver-and-gallbladder", soft.liver_and_gallbladder()
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n",

@@ -7,6 +7,8 @@
 
 namespace resect {
 
+constexpr int kFewestLines = 2;  // most sentences need no more beside the buttons
+
 HintBar::HintBar(QWidget* parent)
     : QWidget(parent),
       exercises_(new QPushButton("Exercises", this)),
@@ -58,7 +60,7 @@ QPoint HintBar::buttonPlace() const {
 
 void HintBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  lines_ = 1;
+  lines_ = kFewestLines;
   keepHeight();
 }
 

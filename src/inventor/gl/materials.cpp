@@ -26,7 +26,7 @@ struct Stages {
 
 // Still tissue of the operative field.
 Stages scenery(std::string_view kind) {
-  return {"surface.vert", {"light.glsl", "noise.glsl", "blood.glsl", "scenery.glsl", kind}};
+  return {"surface.vert", {"light.glsl", "noise.glsl", "blood.glsl", "field/scenery.glsl", kind}};
 }
 
 Stages stages(RoomMaterial material) {
@@ -42,17 +42,26 @@ Stages stages(RoomMaterial material) {
     case RoomMaterial::Cloth:
       return {"surface.vert", {"light.glsl", "noise.glsl", "cloth.frag"}};
     case RoomMaterial::Skin:
-      return scenery("skin.frag");
+      return scenery("field/skin.frag");
     case RoomMaterial::Fat:
-      return scenery("fat.frag");
+      return scenery("field/fat.frag");
     case RoomMaterial::Muscle:
-      return scenery("muscle.frag");
+      return scenery("field/muscle.frag");
     case RoomMaterial::Gut:
-      return scenery("gut.frag");
+      return scenery("field/gut.frag");
     case RoomMaterial::Room:
       return {"room.vert", {"light.glsl", "noise.glsl", "room.frag"}};
+    case RoomMaterial::Drop:
+      return {"drop.vert", {"drop.frag"}};
+    case RoomMaterial::Scope:
+      return {"scope.vert", {"scope.frag"}};
   }
   throw usageError("there is no material {} in the room; use one of RoomMaterial", int(material));
+}
+
+bool isLit(RoomMaterial material) {
+  return material != RoomMaterial::Gather && material != RoomMaterial::Drop &&
+         material != RoomMaterial::Scope;
 }
 
 // Whether blood on the table is drawn on it.
@@ -94,7 +103,7 @@ SoShaderProgram* makeMaterial(RoomMaterial material) {
     parameter->value = unit;
     fragment->parameter.set1Value(fragment->parameter.getNum(), parameter);
   };
-  if (material != RoomMaterial::Gather) {
+  if (isLit(material)) {
     sampler("lampShadow", kLampShadowUnit);
     sampler("shadowGrid", kShadowGridUnit);
     if (showsPool(material)) sampler("pool", kPoolUnit);

@@ -21,12 +21,14 @@ enum class RoomMaterial {
   Fat,
   Muscle,
   Gut,
-  Room,  // background, on a quad that OperatingRoom draws behind everything
+  Room,   // background, on a quad that OperatingRoom draws behind everything
+  Drop,   // of blood, on points
+  Scope,  // black round a laparoscope's picture, on a quad before everything
 };
 
-// A new node (reference count 0). In the scene it must come after the camera, two spot lights and a
-// SoShadowMaps node, and before the geometry. If a shader does not compile, OffscreenView::render
-// throws an Error.
+// A new node (reference count 0). In the scene it must come after the camera, three spot lights
+// (two lamps and the one at the eye) and a SoShadowMaps node, and before the geometry. If a shader
+// does not compile, OffscreenView::render throws an Error.
 SoShaderProgram* makeMaterial(RoomMaterial material);
 
 // A separator that keeps no render cache: its contents change often, or are drawn by shaders.

@@ -1,6 +1,9 @@
 #include "inventor/scene/operating_room.h"
 
+#include <GL/gl.h>
+#include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoCallback.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoEventCallback.h>
@@ -13,6 +16,7 @@
 #include <Inventor/nodes/SoShaderProgram.h>
 #include <Inventor/nodes/SoShapeHints.h>
 #include <Inventor/nodes/SoSpotLight.h>
+#include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoTransform.h>
 
 #include <algorithm>
@@ -53,19 +57,15 @@ SoNode* backgroundQuad() {
 
 // Drops of blood at these places.
 SoSeparator* dropsIn(SoCoordinate3* places) {
-  SoSeparator* drops = uncachedSeparator();
-  auto* flat = new SoLightModel;
-  flat->model = SoLightModel::BASE_COLOR;
-  auto* colour = new SoBaseColor;
-  colour->rgb.setValue(0.42f, 0.03f, 0.03f);
+  auto* sprites = new SoCallback;  // so that drop.frag knows where on the point it is
+  sprites->setCallback([](void*, SoAction* action) {
+    if (action->isOfType(SoGLRenderAction::getClassTypeId())) glEnable(GL_POINT_SPRITE);
+  });
   auto* style = new SoDrawStyle;
-  style->pointSize = 4;
+  style->pointSize = 5;
   auto* unpickable = new SoPickStyle;
   unpickable->style = SoPickStyle::UNPICKABLE;
-  for (SoNode* node :
-       std::initializer_list<SoNode*>{flat, colour, style, unpickable, places, new SoPointSet})
-    drops->addChild(node);
-  return drops;
+  return withMaterial(RoomMaterial::Drop, {sprites, style, unpickable, places, new SoPointSet});
 }
 
 // Colour, hints and shape of one tissue. Back faces of a closed surface are culled.
@@ -128,9 +128,9 @@ OperatingRoom::OperatingRoom() {
   root_->addChild(camera_);
   for (SoSpotLight*& lamp : lamps_) root_->addChild(lamp = new SoSpotLight);
   lamps_[0]->color = SbColor(1.0f, 0.93f, 0.83f);
-  lamps_[0]->intensity = 1.0f;
   lamps_[1]->color = SbColor(0.72f, 0.86f, 1.0f);
-  lamps_[1]->intensity = 0.28f;
+  root_->addChild(head_ = new SoSpotLight);
+  head_->color = SbColor(1.0f, 0.985f, 0.95f);
 
   shadows_ = new SoShadowMaps;
   root_->addChild(shadows_);
@@ -166,6 +166,7 @@ OperatingRoom::OperatingRoom() {
   root_->addChild(pool_ = new SoBloodPool);
   root_->addChild(withMaterial(RoomMaterial::Cloth, {table_}));
   root_->addChild(field_ = uncachedSeparator());
+  for (SoSwitch** part : {&fieldWall_, &fieldDome_}) (*part = new SoSwitch)->ref();
   drops_ = new SoCoordinate3;
   drops_->point.setNum(0);
   root_->addChild(dropsIn(drops_));
@@ -180,9 +181,16 @@ OperatingRoom::OperatingRoom() {
   flatColours->model = SoLightModel::BASE_COLOR;
   aids_->addChild(flatColours);
   root_->addChild(aids_);
+  scope_ = new SoSwitch;
+  auto* mask = withMaterial(RoomMaterial::Scope, {backgroundQuad()});
+  mask->insertChild(notPicked, 0);
+  scope_->addChild(mask);
+  root_->addChild(scope_);
+  setLights(RoomView::Surgeon);
 }
 
 OperatingRoom::~OperatingRoom() {
+  for (SoSwitch* part : {fieldWall_, fieldDome_}) part->unref();
   steel_->unref();
   root_->unref();
 }

@@ -1,7 +1,7 @@
 // The operating room as one Open Inventor scene, for pictures and for the window.
 //
 //   root Separator
-//     camera, lamps, SoShadowMaps
+//     camera, lamps, the lamp at the eye, SoShadowMaps
 //     Separator { liver, SoTransform, Separator { colour, SoShadeOnce { SoOrganShape } } ... }
 //     Separator { steel, SoTransform, toolbox }
 //     Separator { Separator { SoTransform, SoSwitch { steel, tool } } ... }
@@ -10,6 +10,7 @@
 //     Separator { Transform, Separator { cloth, drape } Separator { fat, ... } ... }
 //     Separator { room, background }
 //     Separator { aids }
+//     Switch { scope, mask }
 //
 // Here liver, steel, cloth and room are shader programs (inventor/gl/materials.h). World: m, Y up,
 // the table's top at y = 0. The surgeon stands at +Z.
@@ -35,6 +36,7 @@ class SoSeparator;
 class SoShaderProgram;
 class SoShapeHints;
 class SoSpotLight;
+class SoSwitch;
 class SoTransform;
 
 namespace resect {
@@ -166,14 +168,18 @@ class OperatingRoom {
   void requireTool(int tool) const;
   void followTools();
   void place(RoomView view, const Vec3& target, double distance);
+  void setLights(RoomView view);
 
   SoSeparator* root_;
   SoPerspectiveCamera* camera_;
   SoSpotLight* lamps_[2];
+  SoSpotLight* head_;  // at the eye
+  SoSwitch* scope_;
   SoShadowMaps* shadows_;
   SoSeparator* casters_;
   SoSeparator* table_;
   SoSeparator* field_;
+  SoSwitch *fieldWall_, *fieldDome_;  // the opened wall, and the wall as a laparoscope sees it
   SoSeparator* bare_;
   SoBloodPool* pool_;
   SoCoordinate3* drops_;

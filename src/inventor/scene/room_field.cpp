@@ -1,6 +1,7 @@
 // The operative field: an opened abdomen round the organs.
 #include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoTransform.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ std::optional<RoomMaterial> fieldMaterial(std::string_view part) {
   constexpr std::pair<std::string_view, RoomMaterial> kParts[] = {
       {"drape", RoomMaterial::Cloth}, {"skin", RoomMaterial::Skin},     {"fat", RoomMaterial::Fat},
       {"omentum", RoomMaterial::Fat}, {"muscle", RoomMaterial::Muscle}, {"gut", RoomMaterial::Gut},
-      {"steel", RoomMaterial::Steel}};
+      {"dome", RoomMaterial::Gut},    {"steel", RoomMaterial::Steel}};
   for (const auto& [name, material] : kParts)
     if (name == part) return material;
   return std::nullopt;
@@ -42,9 +43,19 @@ void OperatingRoom::setField(SoNode* model, const Aabb& organs) {
   field_->addChild(unpickable);
   field_->addChild(place);
   const auto* parts = static_cast<SoSeparator*>(model);
-  for (int i = 0; i < parts->getNumChildren(); ++i)
-    if (const auto material = fieldMaterial(parts->getChild(i)->getName().getString()))
-      field_->addChild(withMaterial(*material, {parts->getChild(i)}));
+  fieldWall_->removeAllChildren();
+  fieldDome_->removeAllChildren();
+  for (int i = 0; i < parts->getNumChildren(); ++i) {
+    const std::string_view name = parts->getChild(i)->getName().getString();
+    const auto material = fieldMaterial(name);
+    if (!material) continue;
+    SoGroup* place = fieldWall_;
+    if (name == "dome") place = fieldDome_;
+    if (name == "omentum" || name == "gut") place = field_;
+    place->addChild(withMaterial(*material, {parts->getChild(i)}));
+  }
+  field_->addChild(fieldWall_);
+  field_->addChild(fieldDome_);
 }
 
 }  // namespace resect

@@ -1,6 +1,8 @@
 // The named views of the operating room.
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSpotLight.h>
+#include <Inventor/nodes/SoSwitch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -119,7 +121,19 @@ void OperatingRoom::viewAll(const Aabb& box, double aspect) {
   camera_->farDistance = float(20.0 * distance);
 }
 
+// A laparoscope looks into a dark belly by its own light.
+void OperatingRoom::setLights(RoomView view) {
+  const bool scope = view == RoomView::Laparoscope;
+  scope_->whichChild = fieldDome_->whichChild = scope ? SO_SWITCH_ALL : SO_SWITCH_NONE;
+  fieldWall_->whichChild = scope ? SO_SWITCH_NONE : SO_SWITCH_ALL;
+  lamps_[0]->intensity = scope ? 0.03f : 1.0f;
+  lamps_[1]->intensity = scope ? 0.015f : 0.28f;
+  head_->intensity = scope ? 0.42f : 0.25f;
+  head_->cutOffAngle = scope ? 0.75f : 0.389f;
+}
+
 void OperatingRoom::place(RoomView view, const Vec3& target, double distance) {
+  setLights(view);
   const Direction from = direction(view);
   camera_->heightAngle = float(from.heightAngle);
   camera_->position = toSb(target + distance * from.towards.normalized());

@@ -98,6 +98,7 @@ void noteMoment(LiveState& state, const Simulation& simulation, double before,
   for (const BleedingEnd& end : bleedingEnds(simulation)) report.blood.rate += end.flow;
   state.lastTouch.clear();
   noteStep(state, simulation, report, before, peaks);
+  state.bleedingRate = report.blood.rate;  // there is no second before it to take the mean of
 }
 
 }  // namespace resect

@@ -10,7 +10,7 @@ class HeightMap:
     def __init__(self, sheets):
         self.top = {}
         for sheet in sheets:
-            if sheet.part == "steel":
+            if sheet.part in ("steel", "dome"):
                 continue
             for row, following in zip(sheet.rows, sheet.rows[1:]):
                 for j in range(len(row) - 1):

@@ -6,7 +6,7 @@ from field.opening import rim, skin_height
 from field.sheet import Sheet
 from shapes.loft import through
 
-STEEL = (0.80, 0.82, 0.84)
+STEEL = (0.50, 0.52, 0.54)  # matt, so as not to dazzle
 # Along the blade from its lip in the cavity over the rim and away: (metres outside the rim, metres
 # above the skin, half the width).
 PATH = [

@@ -61,6 +61,27 @@ def cavity_floor():
     return [Sheet("omentum", rows, colour)]
 
 
+def dome():
+    """The wall from inside while gas lifts it, for the laparoscope: seen from below only."""
+    rows = []
+    for k in range(15):
+        t = math.pi / 2.0 * k / 14.0
+        row = []
+        for a in angles(90):
+            x, z = rim(a, 0.012)
+            base = skin_height(a) - WALL - 0.004
+            share, top = math.cos(t) ** 0.7, base + (0.27 - base) * math.sin(t)
+            place = (x * share, top, z * share)
+            row.append((place[0], top + 0.006 * noise(place, 0.07, 47) * share, place[2]))
+        rows.append(row)
+
+    def colour(p, i, j):
+        pale = smoothstep(-0.2, 0.6, noise(p, 0.05, 48))
+        return mix((0.52, 0.25, 0.22), (0.62, 0.41, 0.35), pale)
+
+    return Sheet("dome", rows, colour)
+
+
 def tube(part, path, radius, colour, columns=40, squash=0.9):
     """A closed tube along `path`. radius(s): at s metres along it."""
     rings, along = [], 0.0
@@ -99,8 +120,8 @@ def curve(knots, count):
 
 def colon():
     """Haustra between folds every 24 mm or so, and the pale bands along it that gather them."""
-    knots = [(-0.19, -0.004, 0.07), (-0.150, 0.0, 0.118), (-0.085, 0.0, 0.140), (0.0, -0.001, 0.146)]
-    knots += [(0.080, -0.001, 0.134), (0.130, 0.002, 0.100), (0.172, 0.004, 0.058)]
+    knots = [(-0.19, -0.004, 0.07), (-0.145, -0.001, 0.110), (-0.085, -0.002, 0.131), (0.0, -0.003, 0.136)]
+    knots += [(0.078, -0.003, 0.127), (0.128, 0.001, 0.096), (0.172, 0.004, 0.056)]
 
     def band(angle):
         return max(math.exp(-((((angle - b + math.pi) % (2.0 * math.pi)) - math.pi) / 0.20) ** 2)

@@ -18,25 +18,24 @@ struct Scenery {
 
 void sceneryTissue(inout Scenery t, vec3 p, float wide);
 
-// Fine vessels in a skin: curves where a noise vanishes; 0 to 1. Waves per metre.
-float fineVessels(vec3 p, float perMetre, float wide) {
-  float soft = 0.035 + perMetre * wide;
-  return (1.0 - smoothstep(0.0, soft, abs(noise(p * perMetre).x))) * 0.07 / (0.035 + soft);
+// Turned against the axes, so that no lattice of a noise shows.
+vec3 turned(vec3 p) {
+  return mat3(0.36, 0.48, -0.80, -0.80, 0.60, 0.0, 0.48, 0.64, 0.60) * p;
 }
 
-// Share of the main lamp that reaches the point: four taps, each smoothed over four texels.
-float lampSeen(vec3 eyePoint, vec3 eyeNormal) {
-  vec4 s = gl_TextureMatrix[7] * vec4(eyePoint + 0.0015 * eyeNormal, 1.0);
-  vec3 p = s.xyz / s.w, a = vec3(0.0045, 0.0025, 0.0), b = vec3(-0.0030, 0.0052, 0.0);
-  return 0.25 * (shadow2D(lampShadow, p + a).r + shadow2D(lampShadow, p - a).r +
-                 shadow2D(lampShadow, p + b).r + shadow2D(lampShadow, p - b).r);
+// Fine vessels in a skin: curves where a noise vanishes; 0 to 1. Waves per metre. Where `some`, -1 to 1, is
+// low they thin out and end.
+float fineVessels(vec3 p, float perMetre, float wide, float some) {
+  float soft = 0.012 + 0.035 * smoothstep(0.0, 0.7, some) + perMetre * wide;
+  return smoothstep(-0.05, 0.35, some) * (1.0 - smoothstep(0.0, soft, abs(noise(p * perMetre).x))) * 0.05 / (0.02 + soft);
 }
 
 // Blood of the pool, deepest in the grooves. point: world, m.
 void flood(inout Scenery t, vec3 point) {
   // The pool is one of centimetres; its border is drawn out.
   vec3 broad = noise2(point.xz * 60.0), small = noise2(point.zx * 210.0);
-  vec2 drawn = 0.009 * vec2(broad.x, noise2(point.xz * 60.0 + 7.0).x) + 0.002 * small.x;
+  vec3 wave = noise2(point.zx * 22.0 + 3.0);
+  vec2 drawn = 0.009 * vec2(broad.x, noise2(point.xz * 60.0 + 7.0).x) + 0.014 * vec2(wave.x, wave.y) + 0.002 * small.x;
   float depth = 5.0 * texture2D(pool, point.xz + 0.5 + drawn).r;
   if (depth < 0.01) return;
   depth *= 1.6 - 1.4 * smoothstep(-0.008, 0.006, point.y + 0.0015 * small.x);
@@ -45,8 +44,8 @@ void flood(inout Scenery t, vec3 point) {
   t.albedo = underBlood(t.albedo, vec2(0.5 * depth, 0.0));
   float covered = smoothstep(0.05, 0.6, depth);
   t.bumps *= 1.0 - 0.8 * covered;
-  t.waves *= 1.0 - 0.6 * covered;
-  t.wet = mix(t.wet, 1.0, covered);
+  t.waves *= 1.0 - 0.8 * covered;
+  t.wet = mix(t.wet, 0.9, covered);
 }
 
 void main() {
@@ -61,7 +60,7 @@ void main() {
   vec3 flatEye = normalize(gl_NormalMatrix * n0);
   vec3 n = toWorld(normalize(gl_NormalMatrix * (n0 - t.bumps + dot(t.bumps, n0) * n0)));
   vec3 film = toWorld(normalize(gl_NormalMatrix * (n0 - t.waves + dot(t.waves, n0) * n0)));
-  float lit = lampSeen(eyePosition, flatEye);
+  float lit = lampVisible(eyePosition, flatEye);
   // Over the table the organ's occlusion fades with the height.
   vec4 grid = texture2D(shadowGrid, (gl_TextureMatrix[6] * vec4(eyePosition, 1.0)).xy);
   float open = mix(grid.r, 1.0, clamp(point.y / 0.09, 0.0, 1.0));

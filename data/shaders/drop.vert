@@ -1,0 +1,2 @@
+// Vertex stage of drops of blood: points.
+void main() { gl_Position = ftransform(); }
