@@ -202,7 +202,9 @@ class MainWindow : public QMainWindow {
   std::shared_ptr<LiveAttempt> attempt_;  // at the exercise that was begun last; null: none
   bool attemptEnded_ = false;
   bool waitsForHand_ = false;  // an exercise: its time starts when an instrument is taken
-  int clipsBefore_ = 0;        // on vessels, before the clip applier was closed
+  // Clips on vessels, and what bled, before the clip applier was closed.
+  int clipsBefore_ = 0;
+  std::vector<BleedingEnd> endsBefore_;
   bool clipperClosed_ = false;
   bool asTest_ = false, startedAsTest_ = false;  // of this exercise; of the one being loaded
   std::filesystem::path page_;                   // report of the last attempt

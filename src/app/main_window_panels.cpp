@@ -85,6 +85,21 @@ int playedTool(const LiveState& state) {
   return at == state.played.end() ? -1 : int(at - state.played.begin());
 }
 
+// What a clip has done, from what bled before and after it.
+QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<BleedingEnd>& after) {
+  const BleedingEnd* most = nullptr;
+  for (const BleedingEnd& end : before) {
+    const bool bleeds = std::ranges::any_of(after, [&](const BleedingEnd& now) {
+      return now.organ == end.organ && now.segment == end.segment && now.end == end.end;
+    });
+    if (!bleeds && (!most || end.flow > most->flow)) most = &end;
+  }
+  if (!most) return "A clip was placed on a vessel that does not bleed";
+  return QString("A clip was placed: the vessel of %1 mm bled %2 ml/min")
+      .arg(2e3 * most->radius, 0, 'f', 1)
+      .arg(60e6 * most->flow, 0, 'f', most->flow < 10 / 60e6 ? 1 : 0);
+}
+
 // The tool in hand or left at work on which the force is largest; -1 for none.
 int workingTool(const LiveState& state) {
   int strongest = -1;
@@ -268,7 +283,7 @@ void MainWindow::followClips(const LiveState& state) {
     const bool placed = state.clips > clipsBefore_;
     statusBar()->showMessage(
         placed
-            ? "A clip was placed"
+            ? closedBy(endsBefore_, state.bleedingEnds)
             : QString("No clip was placed: there is no open vessel within %1 mm of the jaws; point "
                       "at a yellow ring, or change the depth with the wheel")
                   .arg(1e3 * kClipReach, 0, 'f', 0),
@@ -276,7 +291,7 @@ void MainWindow::followClips(const LiveState& state) {
     if (options_.reports) say("clip {}", placed ? "placed" : "missed");
   }
   clipperClosed_ = closed;
-  if (!closed) clipsBefore_ = state.clips;
+  if (!closed) clipsBefore_ = state.clips, endsBefore_ = state.bleedingEnds;
 }
 
 void MainWindow::followPanels(const LiveState& state, qint64 now) {

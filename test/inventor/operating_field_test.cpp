@@ -92,6 +92,22 @@ TEST_CASE("the wheel brings the camera to what is under the pointer, which stays
   }
 }
 
+TEST_CASE("in the field the camera stays above the abdominal wall, on the table it may go lower") {
+  Bench bench(true);
+  const auto height = [&] {
+    bench.session->camera().orbit(0, 4);
+    const float* p = bench.session->room().camera()->position.getValue().getValue();
+    const Vec3 away = Vec3(p[0], p[1], p[2]) - bench.session->camera().pointOfInterest();
+    return std::asin(away.y() / away.norm());
+  };
+  CHECK(height() == doctest::Approx(-0.2).epsilon(0.01));
+  bench.session->showField(true);
+  for (const double turned : {0.0, 1.5, 3.0}) {
+    bench.session->camera().orbit(turned, 0);
+    CHECK(height() == doctest::Approx(0.35).epsilon(0.01));
+  }
+}
+
 TEST_CASE("the scale stands beside the organ in every view, and can be hidden") {
   Bench bench;
   for (int i = 0; i < 24; ++i) {

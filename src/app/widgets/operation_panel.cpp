@@ -44,6 +44,7 @@ OperationPanel::OperationPanel(QWidget* parent)
   time_ = addRow("Time", "Since the operation began");
   blood_ = addRow("Blood lost", "All blood that has left the vessels");
   bleeding_ = addRow("Bleeding", "Blood that leaves the vessels at present");
+  grade_ = addRow("Severity", "Grade of the bleeding (VIBe): 0 none to 4 life-threatening");
   removed_ = addRow("Removed", "Tissue taken out");
   pieces_ = addRow("Cut off", "Pieces that hang together with the organ no more");
   cut_ = addRow("Incisions", "Area of all cuts");
@@ -82,10 +83,9 @@ void OperationPanel::begin(const Scenario& scenario, const std::vector<QString>&
 void OperationPanel::follow(const LiveState& state, int held) {
   set(time_, clockText(double(state.moment.frame) / frameRate_));
   set(blood_, state.bleeds ? millilitres(state.bled) : QString());
-  set(bleeding_, state.bleeds ? QString("%1 ml/min, grade %2")
-                                    .arg(state.bleedingRate * 60e6, 0, 'f', 0)
-                                    .arg(bleedingGrade(state.bleedingRate))
-                              : QString());
+  set(bleeding_,
+      state.bleeds ? QString("%1 ml/min").arg(state.bleedingRate * 60e6, 0, 'f', 0) : QString());
+  set(grade_, state.bleeds ? QString("%1 of 4").arg(bleedingGrade(state.bleedingRate)) : QString());
   set(removed_, millilitres(state.removedVolume));
   const std::int64_t pieces = state.ledger ? state.ledger->pieces() : 0;
   set(pieces_, pieces > 0 ? QString("%1 %2, %3")

@@ -52,7 +52,7 @@ void CameraMoves::orbit(double right, double up) {
   const double distance = away.norm();
   const double turn = std::atan2(away.x(), away.z()) - right;
   const double height =
-      std::clamp(std::asin(std::clamp(away.y() / distance, -1.0, 1.0)) - up, -0.2, kSteepest);
+      std::clamp(std::asin(std::clamp(away.y() / distance, -1.0, 1.0)) - up, lowest, kSteepest);
   const Vec3 direction(std::cos(height) * std::sin(turn), std::sin(height),
                        std::cos(height) * std::cos(turn));
   place(*camera_, target + distance * direction, target);

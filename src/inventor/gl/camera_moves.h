@@ -38,6 +38,8 @@ class CameraMoves {
   // Moves the camera round the point of interest, so that the scene seems to turn to the right and
   // upwards by these angles, rad.
   void orbit(double right, double up);
+  double lowest =
+      -0.2;  // rad: height of the camera over the horizon below which orbit() does not go
   // Moves the camera in its view plane, so that the scene seems to move to the right and upwards by
   // these distances, m.
   void pan(double right, double up);

@@ -117,6 +117,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
     return under ? std::optional(under->point) : std::nullopt;
   };
   toolsChanged();
+  keepAboveWall();
   measureField();
   look(RoomView::Surgeon, aspect);
 }
@@ -328,9 +329,13 @@ void OperatingSession::look(RoomView view, double aspect) {
   damage_.everything = true;
 }
 
+// In the field the camera does not go behind the abdominal wall.
+void OperatingSession::keepAboveWall() { camera_.lowest = showsField(scenario_) ? 0.35 : -0.2; }
+
 void OperatingSession::showField(bool field) {
   scenario_.setting = field ? "field" : "table";
   view_.showField(showsField(scenario_));
+  keepAboveWall();
   damage_.everything = true;
 }
 

@@ -115,6 +115,7 @@ class OperatingSession {
  private:
   Aabb allThereIs(const Vec3& towardsCamera) const;
   void placeScale();
+  void keepAboveWall();
   void measureField();
   void toolsChanged();
   void setTools();
