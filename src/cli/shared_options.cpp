@@ -16,8 +16,7 @@ void PictureOptions::check() const {
   parseSize(size, width, height);
   if (!view.empty() && !roomView(view))
     throw usageError("--view is \"{}\"; choose {}", view, kRoomViewNames);
-  if (!setting.empty() && !isSetting(setting))
-    throw usageError("--setting is \"{}\"; choose {}", setting, kSettingNames);
+  requireSetting(setting);
   if (!std::isfinite(rate))
     throw usageError("--picture-rate is not a number; give pictures per second, 0.01 to 1000");
   if (!video.empty()) checkVideoFile(video);
@@ -32,6 +31,11 @@ void PictureOptions::applyTo(Scenario& scenario) const {
 
 PictureSettings settingsOf(const PictureOptions& options, bool overwrite) {
   return {options.frames, options.video, options.size, options.rate, overwrite};
+}
+
+void requireSetting(const std::string& setting) {
+  if (!setting.empty() && !isSetting(setting))
+    throw usageError("--setting is \"{}\"; choose {}", setting, kSettingNames);
 }
 
 void addSettingOption(Command command, std::string& setting) {

@@ -35,6 +35,8 @@ void addPictureOptions(Command command, PictureOptions& options);
 
 // Adds --setting, one of kSettingNames (operation/scenario.h).
 void addSettingOption(Command command, std::string& setting);
+// Throws a usage Error unless it is one of them, or empty.
+void requireSetting(const std::string& setting);
 
 // Adds --threads, 0 to 1024.
 void addThreadsOption(Command command, int& threads);

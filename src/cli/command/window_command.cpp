@@ -42,8 +42,7 @@ void window(const Options& options, const OrganOptions& organOptions) {
   else if (options.thesis)
     window.scenario.organs[0].source.spacing = 0.005;
   organOptions.applyTo(window.scenario, options.organ);
-  if (!options.setting.empty() && !isSetting(options.setting))
-    throw usageError("--setting is \"{}\"; choose {}", options.setting, kSettingNames);
+  requireSetting(options.setting);
   if (!options.setting.empty()) window.scenario.setting = options.setting;
   if (options.thesis) makeThesis(window.scenario);
   window.fpsLimit = options.fpsLimit;

@@ -29,8 +29,11 @@ std::optional<RoomMaterial> fieldMaterial(std::string_view part) {
 }  // namespace
 
 void OperatingRoom::setField(SoNode* model, const Aabb& organs) {
-  field_->removeAllChildren();
+  for (SoGroup* part : {static_cast<SoGroup*>(field_), static_cast<SoGroup*>(fieldWall_),
+                        static_cast<SoGroup*>(fieldDome_)})
+    part->removeAllChildren();
   if (!model) return;
+  model->ref();
   // It was made round the built-in liver, which measures so much across.
   constexpr double kLiver = 0.234;
   const double across = std::max(organs.size().x(), organs.size().z());
@@ -43,19 +46,18 @@ void OperatingRoom::setField(SoNode* model, const Aabb& organs) {
   field_->addChild(unpickable);
   field_->addChild(place);
   const auto* parts = static_cast<SoSeparator*>(model);
-  fieldWall_->removeAllChildren();
-  fieldDome_->removeAllChildren();
   for (int i = 0; i < parts->getNumChildren(); ++i) {
     const std::string_view name = parts->getChild(i)->getName().getString();
     const auto material = fieldMaterial(name);
     if (!material) continue;
-    SoGroup* place = fieldWall_;
-    if (name == "dome") place = fieldDome_;
-    if (name == "omentum" || name == "gut") place = field_;
-    place->addChild(withMaterial(*material, {parts->getChild(i)}));
+    SoGroup* parent = fieldWall_;
+    if (name == "dome") parent = fieldDome_;
+    if (name == "omentum" || name == "gut") parent = field_;
+    parent->addChild(withMaterial(*material, {parts->getChild(i)}));
   }
   field_->addChild(fieldWall_);
   field_->addChild(fieldDome_);
+  model->unref();  // its parts stay
 }
 
 }  // namespace resect
