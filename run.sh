@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds Resect, and starts it.
-#   ./run.sh            with a display: the window; without: a segment of a liver is taken off, pictures and a summary
+#   ./run.sh            with a display: the window; without: part of a liver is taken off; pictures and a summary
 #   ./run.sh ARGS       the program with these arguments, e.g. ./run.sh --help
 #   ./run.sh bench --peers [ARGS]   times it beside VTK, OpenVDB, Embree and FCL, those that are installed;
 #                                   ARGS: see ./run.sh bench --peers --help
@@ -26,7 +26,7 @@ if (($#)); then exec "$resect" "$@"; fi
 if [[ -n ${DISPLAY:-}${WAYLAND_DISPLAY:-} ]]; then exec "$resect" window; fi
 
 # One at a time, since each begins by clearing the folder.
-output="$root/output/resect-segment"
+output="$root/output/resect-segment-elastic"
 if ! mkdir -p "$output" 2>/dev/null || ! { : >>"$root/output/lock"; } 2>/dev/null; then
   echo "resect: error: $output cannot be written; copy Resect to a folder of your own and start it there" >&2
   exit 1
@@ -38,6 +38,6 @@ if command -v flock >/dev/null && ! flock --nonblock 9; then
 fi
 rm -rf "$output"
 mkdir -p "$output"
-"$resect" run resect-segment --frames "$output" --surface "$output/surface.obj" --pieces "$output/pieces" --json "$output/summary.json" 9>&-
+"$resect" run resect-segment-elastic --frames "$output" --surface "$output/surface.obj" --pieces "$output/pieces" --json "$output/summary.json" 9>&-
 echo
 echo "Pictures, surface and summary: $output"

@@ -4,6 +4,17 @@ varying vec3 objectPosition;
 varying vec3 objectNormal;
 varying vec3 baseColor;
 
+// How much of the metal is stained, 0 to 1: up to where the tool has been in blood (m from its tip, told
+// by the texture's matrix, since no texture is on a tool), with an uneven border.
+float stained() {
+  float reach = gl_TextureMatrix[0][3].x;
+  if (reach <= 0.0) return 0.0;
+  vec4 rough = noise(objectPosition * vec3(260.0, 260.0, 90.0));
+  float border = reach + 0.003 * rough.x;
+  float streaks = smoothstep(-0.55, 0.25, noise(objectPosition * vec3(700.0, 700.0, 160.0)).x + 0.4);
+  return smoothstep(border + 0.0015, border - 0.0015, objectPosition.z) * mix(0.55, 1.0, streaks);
+}
+
 void main() {
   vec3 n0 = normalize(objectNormal);
   // Brush marks run across the long (Z) axis of the tools.
@@ -24,6 +35,11 @@ void main() {
   vec3 f0 = mix(vec3(0.04), 0.25 + 0.75 * tint, metal);
   float shine = clamp(gl_FrontMaterial.shininess / 128.0, 0.05, 1.0);
   float rough = mix(0.55, mix(0.42, 0.22, shine), metal);
+  float blood = stained();
+  tint = mix(tint, vec3(0.07, 0.003, 0.003), blood);
+  f0 = mix(f0, vec3(0.05), blood);
+  rough = mix(rough, 0.25, blood);
+  metal *= 1.0 - 0.9 * blood;
 
   Surroundings around = surroundings(eyePosition, point);
   float lit = lampVisible(eyePosition, flatEye), open = around.open;

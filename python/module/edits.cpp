@@ -11,8 +11,8 @@ namespace resect::python {
 
 namespace {
 
-constexpr const char* kNames[] = {"remove", "sever", "incise", "grip", "release", "label",
-                                  "clip",   "heat",  "clamp",  "suck", "press",   "divide"};
+constexpr const char* kNames[] = {"remove", "sever", "incise", "grip",  "release", "label", "clip",
+                                  "heat",   "clamp", "suck",   "press", "divide",  "tear"};
 
 template <typename What>
 TissueEdit of(What what, int organ) {
@@ -62,6 +62,16 @@ void bindEdits(py::module_& m) {
           },
           py::arg("cell"), py::arg("direction"), organ,
           "Severs the bond of a cell in a direction, 0 to 25.")
+      .def_static(
+          "tear",
+          [](std::int64_t cell, int direction, double spares, int o) {
+            require(direction >= 0 && direction < kDirections,
+                    "direction {} was given; use 0 to {}", direction, kDirections - 1);
+            return of(TearBond{cell, direction, spares}, o);
+          },
+          py::arg("cell"), py::arg("direction"), py::arg("spares") = 0.001, organ,
+          "Severs the bond of a cell in a direction, 0 to 25. Vessels of at least the radius "
+          "spares, m, stay.")
       .def_static(
           "incise", [](const Edge& a, const Edge& b, int o) { return of(incision(a, b), o); },
           py::arg("before"), py::arg("after"), organ,

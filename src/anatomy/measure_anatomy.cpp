@@ -83,4 +83,39 @@ AnatomyMeasures measure(const Anatomy& anatomy, const TriangleMesh& surface) {
   return all;
 }
 
+std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
+                                                  const TriangleMesh& surface) {
+  const SignedDistance distance(surface, 0.01, kGrid);
+  std::array<double, kLiverSegments> volumes{};
+  const Aabb box = bounds(surface);
+  const Vec3i count = (box.size() / kGrid).array().ceil().cast<int>();
+  for (int z = 0; z < count.z(); ++z)
+    for (int y = 0; y < count.y(); ++y)
+      for (int x = 0; x < count.x(); ++x) {
+        const Vec3 place = box.min + kGrid * (Vec3(x, y, z) + Vec3::Constant(0.5));
+        if (distance(place).distance < 0)
+          volumes[std::size_t(segments.at(place) - 1)] += kGrid * kGrid * kGrid;
+      }
+  return volumes;
+}
+
+std::vector<NamedVessel> namedVessels(const Anatomy& anatomy, const LiverSegments& segments,
+                                      std::int32_t terminals) {
+  std::vector<std::int32_t> count(anatomy.segments.size(), 0);
+  for (std::size_t i = count.size(); i-- > 0;) {
+    count[i] += anatomy.segments[i].leaf;
+    if (anatomy.segments[i].parent >= 0) count[std::size_t(anatomy.segments[i].parent)] += count[i];
+  }
+  std::vector<NamedVessel> found;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < count.size(); ++i) {
+    const VesselSegment& s = anatomy.segments[i];
+    names.push_back(segments.nameOf(anatomy, std::int32_t(i)));
+    const bool own = s.parent < 0 || names[std::size_t(s.parent)] != names[i];
+    if (own && count[i] >= terminals)
+      found.push_back({names[i], s.kind, std::int32_t(i), s.radius, count[i]});
+  }
+  return found;
+}
+
 }  // namespace resect

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "anatomy/anatomy.h"
+#include "anatomy/liver_segments.h"
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
@@ -27,5 +29,21 @@ struct AnatomyMeasures {
 
 // `surface`: of the organ, closed, oriented outwards, in the place of the anatomy.
 AnatomyMeasures measure(const Anatomy& anatomy, const TriangleMesh& surface);
+
+// Volumes of Couinaud's segments I to VIII in the organ, m^3, from places 2.5 mm apart.
+std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
+                                                  const TriangleMesh& surface);
+
+// A vessel that has a name of its own: its first piece, and all beyond it that is called the same.
+struct NamedVessel {
+  std::string name;
+  VesselKind kind = VesselKind::PortalVein;
+  std::int32_t segment = -1;  // its first piece
+  double radius = 0;          // of this, m
+  std::int32_t terminals = 0;
+};
+// The vessels with at least `terminals` terminals, in the order of the anatomy.
+std::vector<NamedVessel> namedVessels(const Anatomy& anatomy, const LiverSegments& segments,
+                                      std::int32_t terminals);
 
 }  // namespace resect

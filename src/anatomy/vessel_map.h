@@ -3,8 +3,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "anatomy/anatomy.h"
+#include "anatomy/liver_segments.h"
 #include "anatomy/vessel_index.h"
 
 namespace resect {
@@ -12,11 +14,20 @@ namespace resect {
 struct VesselMap {
   Anatomy anatomy;  // in the tissue at rest
   VesselIndex index;
+  std::optional<LiverSegments> segments;  // Couinaud's, if the vessels tell them
+
+  // What a vessel is called, by its segment: "right portal vein", or its kind.
+  std::string nameOf(std::int32_t segment) const {
+    if (segments) return segments->nameOf(anatomy, segment);
+    return std::string(resect::nameOf(anatomy.segments[std::size_t(segment)].kind));
+  }
 };
 
 inline std::shared_ptr<const VesselMap> makeVesselMap(Anatomy anatomy) {
   VesselIndex index(anatomy.segments);
-  return std::make_shared<const VesselMap>(VesselMap{std::move(anatomy), std::move(index)});
+  auto segments = LiverSegments::find(anatomy);
+  return std::make_shared<const VesselMap>(
+      VesselMap{std::move(anatomy), std::move(index), std::move(segments)});
 }
 
 }  // namespace resect

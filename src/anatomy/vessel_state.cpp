@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -49,6 +50,11 @@ std::optional<std::pair<double, double>> partIn(const Aabb& box, const Vec3& a, 
   return std::pair{from, to};
 }
 
+void bare(VesselState& state, std::int32_t segment) {
+  const auto at = std::ranges::lower_bound(state.bared, segment);
+  if (at == state.bared.end() || *at != segment) state.bared.insert(at, segment);
+}
+
 }  // namespace
 
 const VesselInjury* VesselState::injury(std::int32_t segment) const {
@@ -91,15 +97,26 @@ Filament filamentOf(const VesselSegment& segment, int filament) {
 
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& blade,
                 VesselState& state, std::vector<std::int32_t>& cut) {
-  if (anatomy.empty() || blade.empty()) return;
+  tearVessels(anatomy, index, blade, std::numeric_limits<double>::infinity(), state, cut);
+}
+
+void tearVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& face,
+                 double spared, VesselState& state, std::vector<std::int32_t>& cut) {
+  if (anatomy.empty() || face.empty()) return;
   std::vector<std::int32_t> near;
-  index.near(blade.bounds, near);
-  for (const std::int32_t i : near)
+  index.near(face.bounds, near);
+  for (const std::int32_t i : near) {
+    const VesselSegment& s = anatomy.segments[std::size_t(i)];
+    if (s.radius >= spared) {
+      if (crossing(face, s.start, s.end)) bare(state, i);
+      continue;
+    }
     for (int f = 0; f < kFilaments; ++f) {
-      const Filament filament = filamentOf(anatomy.segments[std::size_t(i)], f);
-      if (const auto at = crossing(blade, filament.start, filament.end))
+      const Filament filament = filamentOf(s, f);
+      if (const auto at = crossing(face, filament.start, filament.end))
         cutFilament(state, i, f, at->share, at->share, cut);
     }
+  }
 }
 
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box, double spared,
@@ -110,13 +127,11 @@ void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& bo
   for (const std::int32_t i : near) {
     const VesselSegment& s = anatomy.segments[std::size_t(i)];
     if (s.radius >= spared) {
-      const auto at = std::ranges::lower_bound(state.bared, i);
-      if (partIn(box, s.start, s.end) && (at == state.bared.end() || *at != i))
-        state.bared.insert(at, i);
+      if (partIn(box, s.start, s.end)) bare(state, i);
       continue;
     }
     for (int f = 0; f < kFilaments; ++f) {
-      const Filament filament = filamentOf(anatomy.segments[std::size_t(i)], f);
+      const Filament filament = filamentOf(s, f);
       if (const auto part = partIn(box, filament.start, filament.end))
         cutFilament(state, i, f, part->first, part->second, cut);
     }

@@ -90,6 +90,11 @@ void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBla
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box, double spared,
                 VesselState& state, std::vector<std::int32_t>& cut);
 
+// A face along which tissue tore: cuts vessels thinner than `spared`, m of radius, that cross it;
+// the others are bared there.
+void tearVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& face,
+                 double spared, VesselState& state, std::vector<std::int32_t>& cut);
+
 // Cuts through a segment at a share of its length.
 void divideVessel(std::int32_t segment, double share, VesselState& state,
                   std::vector<std::int32_t>& cut);

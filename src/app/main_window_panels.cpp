@@ -86,7 +86,8 @@ int playedTool(const LiveState& state) {
 }
 
 // What a clip has done, from what bled before and after it.
-QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<BleedingEnd>& after) {
+QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<BleedingEnd>& after,
+                 LiveOperation& operation) {
   const BleedingEnd* most = nullptr;
   for (const BleedingEnd& end : before) {
     const bool bleeds = std::ranges::any_of(after, [&](const BleedingEnd& now) {
@@ -95,7 +96,12 @@ QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<Bleed
     if (!bleeds && (!most || end.flow > most->flow)) most = &end;
   }
   if (!most) return "A clip was placed on a vessel that does not bleed";
-  return QString("A clip was placed: the vessel of %1 mm bled %2 ml/min")
+  std::string name;
+  operation.look([&](const Simulation& s) {
+    name = s.organs()[std::size_t(most->organ)].organ.map->nameOf(most->segment);
+  });
+  return QString("A clip was placed: the %1 of %2 mm bled %3 ml/min")
+      .arg(QString::fromStdString(name))
       .arg(2e3 * most->radius, 0, 'f', 1)
       .arg(60e6 * most->flow, 0, 'f', most->flow < 10 / 60e6 ? 1 : 0);
 }
@@ -283,7 +289,7 @@ void MainWindow::followClips(const LiveState& state) {
     const bool placed = state.clips > clipsBefore_;
     statusBar()->showMessage(
         placed
-            ? closedBy(endsBefore_, state.bleedingEnds)
+            ? closedBy(endsBefore_, state.bleedingEnds, session_->operation())
             : QString("No clip was placed: there is no open vessel within %1 mm of the jaws; point "
                       "at a yellow ring, or change the depth with the wheel")
                   .arg(1e3 * kClipReach, 0, 'f', 0),

@@ -36,6 +36,7 @@ std::vector<std::int64_t> changedCells(const Organ& organ, std::int32_t number,
     if (edit.organ != number) continue;
     if (const auto* removal = std::get_if<RemoveCell>(&edit.what)) cells.push_back(removal->cell);
     if (const auto* bond = std::get_if<SeverBond>(&edit.what)) cells.push_back(bond->cell);
+    if (const auto* bond = std::get_if<TearBond>(&edit.what)) cells.push_back(bond->cell);
     if (const auto* incision = std::get_if<Incision>(&edit.what))
       visitCellsIn(lattice, incision->blade.bounds.padded(lattice.spacing.x()),
                    [&](const Vec3i& cell) { cells.push_back(lattice.index(cell)); });

@@ -34,14 +34,17 @@ nlohmann::ordered_json toJson(const BloodSummary& summary) {
   const auto list = [](const Vec3& v) { return nlohmann::ordered_json{v.x(), v.y(), v.z()}; };
   for (const CutVesselSummary& v : summary.vessels)
     json["vessels"].push_back({{"kind", wordOf(v.kind)},
+                               {"name", v.name},
                                {"diameter_mm", 1e3 * v.diameter},
                                {"severed", v.severed},
                                {"closed", v.closed},
                                {"bled_ml", 1e6 * v.bled},
                                {"rate_ml_min", mlPerMinute(v.flow)},
+                               {"vibe", bleedingGrade(v.flow)},
                                {"place", list(v.place)}});
   for (const BareVesselSummary& v : summary.bare)
     json["bare"].push_back({{"kind", wordOf(v.kind)},
+                            {"name", v.name},
                             {"diameter_mm", 1e3 * v.diameter},
                             {"place", list(v.place)},
                             {"along", list(v.along)},
@@ -68,12 +71,30 @@ std::string toText(const BloodSummary& summary) {
     text += fmt::format("  {:<10} {:.0f} s clamped\n", "inflow", summary.inflowClamped);
   std::string named;
   for (std::size_t i = 0; i < summary.vessels.size() && i < kMostNamed; ++i)
-    named += fmt::format("{}{} of {:.1f} mm", i ? ", " : "", nameOf(summary.vessels[i].kind),
+    named += fmt::format("{}{} of {:.1f} mm", i ? ", " : "", summary.vessels[i].name,
                          1e3 * summary.vessels[i].diameter);
   if (!named.empty())
     text +=
         fmt::format("  {:<10} {} cut, the widest: {}\n", "vessels", summary.vessels.size(), named);
   return text;
+}
+
+nlohmann::ordered_json toJson(const std::vector<SegmentAmount>& segments) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const SegmentAmount& s : segments)
+    json.push_back({{"segment", romanNumber(s.segment)},
+                    {"before_ml", 1e6 * s.before},
+                    {"body_ml", 1e6 * s.body}});
+  return json;
+}
+
+std::string toText(const std::vector<SegmentAmount>& segments) {
+  std::string parted;
+  for (const SegmentAmount& s : segments)
+    if (s.before - s.body >= 1e-6)
+      parted += fmt::format("{}{:.0f} of {:.0f} ml of {}", parted.empty() ? "" : ", ",
+                            1e6 * (s.before - s.body), 1e6 * s.before, romanNumber(s.segment));
+  return parted.empty() ? "" : fmt::format("  {:<10} parted: {}\n", "segments", parted);
 }
 
 }  // namespace resect

@@ -5,10 +5,15 @@
 #include <string>
 
 #include "operation/blood/blood_summary.h"
+#include "operation/ledger/segment_amounts.h"
 
 namespace resect {
 
 nlohmann::ordered_json toJson(const BloodSummary& summary);
 std::string toText(const BloodSummary& summary);  // lines, each ends with a line break
+
+nlohmann::ordered_json toJson(const std::vector<SegmentAmount>& segments);
+// A line about the segments of which a millilitre or more was parted from the body, or none.
+std::string toText(const std::vector<SegmentAmount>& segments);
 
 }  // namespace resect

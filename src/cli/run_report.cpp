@@ -65,6 +65,7 @@ nlohmann::ordered_json toJson(const RunSummary& summary, const Scenario& scenari
           {{"tool", forces.tool}, {"peak", forces.peak}, {"per_frame", forces.perFrame}});
   }
   if (summary.blood) json["blood"] = toJson(*summary.blood);
+  if (!summary.segments.empty()) json["segments"] = toJson(summary.segments);
   json["faults"] = summary.faults;
   json["state_hash"] = fmt::format("{:016x}", summary.stateHash);
   return json;
@@ -77,6 +78,7 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
     text += fmt::format("  {:<10} {}\n", what, value);
   };
   text += toText(summary.ledger);
+  text += toText(summary.segments);
   if (summary.blood) text += toText(*summary.blood);
   if (summary.deepestOverlap > 0)  // moving tissue gives way instead
     row("overlap", fmt::format("{:.2f} ml of tool and organ in one place at most",

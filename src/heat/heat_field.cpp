@@ -10,13 +10,14 @@
 namespace resect {
 namespace {
 
-constexpr double kBoils = 100;                  // C
-constexpr double kCoagulates = 42;              // C: below it takes an hour
-constexpr double kSteam = 2.26e6 * 1060 * 0.7;  // J/m^3: latent heat of the water in liver, 70 %
-constexpr double kChars = 150;                  // C, and
-constexpr double kCharTime = 100;               // K s: above it until all is charred (estimate)
-constexpr double kWarm = 0.01;                  // K: warmer spots warm those beside them
-constexpr double kUnchanged = 0.005;            // K and a share: below both a spot is forgotten
+constexpr double kBoils = 100;              // C
+constexpr double kCoagulates = 42;          // C: below it takes an hour
+constexpr double kWater = 1060 * 0.7;       // kg/m^3: water in liver, 70 %
+constexpr double kSteam = 2.26e6 * kWater;  // J/m^3: its latent heat
+constexpr double kChars = 150;              // C, and
+constexpr double kCharTime = 100;           // K s: above it until all is charred (estimate)
+constexpr double kWarm = 0.01;              // K: warmer spots warm those beside them
+constexpr double kUnchanged = 0.005;        // K and a share: below both a spot is forgotten
 constexpr double kLongestStep = 0.25;  // s; steps of h^2 / (6 k / rho c), 2.7 s, would be unstable
 
 constexpr double kBoltzmannOverPlanck = 2.0837e10;       // 1/(K s)
@@ -180,6 +181,7 @@ void HeatField::keepIn(const std::function<bool(const Vec3&)>& isTissue) {
 void HeatField::step(std::span<const HeatSource> sources, double duration,
                      const std::function<bool(const Vec3&)>& isTissue) {
   changed_ = false;
+  steam_ = 0;
   const bool warm = std::ranges::any_of(
       spots_, [](const HeatedSpot& s) { return s.temperature >= kBodyTemperature + kWarm; });
   if (!warm && sources.empty()) return;
@@ -193,6 +195,7 @@ void HeatField::step(std::span<const HeatSource> sources, double duration,
       if (s.temperature > kBoils && s.water > 0) {
         const double steam = std::min(s.water, (s.temperature - kBoils) * kHeatCapacity / kSteam);
         s.water -= steam;
+        steam_ += steam * kWater * lattice_.cellVolume();
         s.temperature -= steam * kSteam / kHeatCapacity;
       }
       if (s.temperature < kCoagulates) continue;

@@ -79,6 +79,8 @@ class HeatField {
   bool empty() const { return spots_.empty(); }
   // Whether anything has coagulated or charred further in the last step().
   bool changed() const { return changed_; }
+  // Water that became steam in the last step(), kg.
+  double steam() const { return steam_; }
   // Heat above 37 C and that of the steam, J.
   double energy() const;
 
@@ -88,7 +90,7 @@ class HeatField {
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(lattice_, changed_, added_, flux_);
+    v.made(lattice_, changed_, steam_, added_, flux_);
   }
   // Throws Error if spots that were loaded do not belong to the lattice.
   void requireSound() const;
@@ -107,6 +109,7 @@ class HeatField {
   std::vector<HeatedSpot> spots_;
   Lattice lattice_;
   bool changed_ = false;
+  double steam_ = 0;
   std::vector<std::int64_t> added_;  // work
   std::vector<double> flux_;         // work: into each spot, W
 };

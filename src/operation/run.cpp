@@ -71,6 +71,8 @@ RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
   checkStop();
   summary.ledger = LedgerBooks(scenario, simulation).ledgerOf(simulation);
   summary.blood = blood.summaryOf(simulation);
+  for (const OperatedOrgan& organ : simulation.organs())
+    if (summary.segments.empty()) summary.segments = segmentAmounts(organ);
   if (summary.blood && summary.blood->inflowClamped > 0)  // on vessels that enter the organ
     for (std::size_t i = 0; i < summary.toolTouched.size(); ++i)
       if (simulation.tools()[i].tool->model.kind == "inflow_clamp") summary.toolTouched[i] = true;

@@ -8,6 +8,7 @@
 #include "base/stage_clock.h"
 #include "operation/blood/blood_summary.h"
 #include "operation/ledger/ledger.h"
+#include "operation/ledger/segment_amounts.h"
 #include "operation/scenario.h"
 #include "simulation/simulation.h"
 
@@ -49,6 +50,7 @@ struct RunSummary {
   std::int64_t severed = 0, torn = 0;      // bonds that edits severed; bonds that tore
   std::int64_t substeps = 0, retries = 0;  // sums over all frames and organs
   std::optional<BloodSummary> blood;       // if any organ has vessels
+  std::vector<SegmentAmount> segments;     // of the first organ that has them
   std::uint64_t stateHash = 0;
 
   // Simulated time over the time that it took to compute.

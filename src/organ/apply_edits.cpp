@@ -4,6 +4,7 @@
 
 #include "anatomy/vessel_state.h"
 #include "organ/incision/strands.h"
+#include "organ/vessel_cords.h"
 #include "tissue/cut_bonds.h"
 #include "tissue/stencil.h"
 
@@ -35,13 +36,14 @@ struct Application {
     removedCells.push_back(edit.cell);
   }
   void operator()(const SeverBond& edit) {
-    if (!there(edit.cell) || edit.direction < 0 || edit.direction >= kDirections) return;
-    if (!(to.tissue->bonds(edit.cell) >> edit.direction & 1)) return;
-    to.tissue->sever(edit.cell, edit.direction);
-    severed.push_back({edit.cell, edit.direction});
-    if (to.organ.map && neighbourKind(edit.direction) == 1)
-      cutVessels(to.organ.map->anatomy, to.organ.map->index, faceOf(edit), to.organ.vessels,
-                 summary.vessels);
+    if (sever(edit.cell, edit.direction) && to.organ.map && neighbourKind(edit.direction) == 1)
+      cutVessels(to.organ.map->anatomy, to.organ.map->index, faceOf(edit.cell, edit.direction),
+                 to.organ.vessels, summary.vessels);
+  }
+  void operator()(const TearBond& edit) {
+    if (sever(edit.cell, edit.direction) && to.organ.map && neighbourKind(edit.direction) == 1)
+      tearVessels(to.organ.map->anatomy, to.organ.map->index, faceOf(edit.cell, edit.direction),
+                  edit.spares, to.organ.vessels, summary.vessels);
   }
   void operator()(const Incision& edit) {
     const Lattice& lattice = to.organ.rest.lattice;
@@ -86,6 +88,14 @@ struct Application {
   void operator()(const Suction&) {}  // these two act on blood (blood/bleeding.h)
   void operator()(const Press&) {}
 
+  // False if there was no such bond.
+  bool sever(std::int64_t cell, std::int32_t direction) {
+    if (!there(cell) || direction < 0 || direction >= kDirections) return false;
+    if (!(to.tissue->bonds(cell) >> direction & 1)) return false;
+    to.tissue->sever(cell, direction);
+    severed.push_back({cell, direction});
+    return true;
+  }
   void cutVesselsIn(const RemoveCell& edit) {
     if (!to.organ.map) return;
     const Lattice& lattice = to.organ.rest.lattice;
@@ -94,12 +104,12 @@ struct Application {
                {centre - 0.5 * lattice.spacing, centre + 0.5 * lattice.spacing}, edit.spares,
                to.organ.vessels, summary.vessels);
   }
-  // The face between the two cells of a bond.
-  SweptBlade faceOf(const SeverBond& bond) const {
+  // The face between a cell and its neighbour.
+  SweptBlade faceOf(std::int64_t cell, std::int32_t direction) const {
     const Lattice& lattice = to.organ.rest.lattice;
-    const Vec3 along = offsetOf(bond.direction).cast<double>();
+    const Vec3 along = offsetOf(direction).cast<double>();
     const Vec3 middle =
-        lattice.centre(lattice.cell(bond.cell)) + 0.5 * lattice.spacing.cwiseProduct(along);
+        lattice.centre(lattice.cell(cell)) + 0.5 * lattice.spacing.cwiseProduct(along);
     const Vec3 u = 0.5 * lattice.spacing.cwiseProduct(Vec3(along.y(), along.z(), along.x())),
                v = 0.5 * lattice.spacing.cwiseProduct(Vec3(along.z(), along.x(), along.y()));
     const Vec3 before[] = {middle - u - v, middle + u - v},
@@ -123,6 +133,9 @@ EditSummary applyEdits(OperatedOrgan& organ, std::int32_t number, std::span<cons
   if (!any) return {};
   partStrands(organ.organ, *organ.tissue, application.severed, application.nearBlades);
   organ.tissue->settle();
+  if (organ.organ.map && (!removedCells.empty() || !application.severed.empty() ||
+                          !application.nearBlades.empty() || !application.summary.vessels.empty()))
+    renewCords(organ);
   application.summary.severed = std::int64_t(application.severed.size());
   return application.summary;
 }

@@ -13,7 +13,7 @@ namespace resect {
 struct EditSummary {
   std::int64_t removed = 0;           // particles
   double removedVolume = 0;           // m^3, skin cells included
-  std::int64_t severed = 0;           // bonds, by edits SeverBond
+  std::int64_t severed = 0;           // bonds, by edits SeverBond and TearBond
   std::int64_t incised = 0;           // bonds, by edits Incision
   std::vector<std::int32_t> vessels;  // segments of vessels that were cut
 };

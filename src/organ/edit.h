@@ -69,11 +69,17 @@ struct DivideVessel {  // cuts through a vessel at a place of it
   double share = 0;  // of the segment's length, 0 to 1
 };
 
+struct TearBond {  // as SeverBond, but vessels of at least the radius `spares`, m, stay, bare
+  std::int64_t cell = -1;
+  std::int32_t direction = -1;
+  double spares = 1;
+};
+
 struct TissueEdit {
   std::int32_t organ = 0;  // number of the organ in the simulation
   std::int32_t tool = -1;  // number of the tool that made it; -1: none
   std::variant<RemoveCell, SeverBond, Incision, Grip, Release, SetLabel, PlaceClip, Heat,
-               ClampInflow, Suction, Press, DivideVessel>
+               ClampInflow, Suction, Press, DivideVessel, TearBond>
       what;
 };
 

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/state/state_hash.h"
 #include "organ/touch_surface.h"
+#include "organ/vessel_cords.h"
 #include "tissue/still_tissue.h"
 
 namespace resect {
@@ -24,7 +25,9 @@ void checkRestored(const Organ& organ) {
 OperatedOrgan operatedOrgan(std::string name, Organ organ, std::unique_ptr<TissueModel> tissue) {
   if (!tissue) tissue = std::make_unique<StillTissue>(organ.rest.lattice, organ.alive);
   if (tissue->moves()) tissue->setSurface(touchSurface(organ));
-  return {std::move(name), std::move(organ), std::move(tissue), {}};
+  OperatedOrgan all{std::move(name), std::move(organ), std::move(tissue), {}, {}};
+  renewCords(all);
+  return all;
 }
 
 void remake(OperatedOrgan& o, bool keepsLook) {
@@ -32,6 +35,7 @@ void remake(OperatedOrgan& o, bool keepsLook) {
   checkRestored(organ);
   organ.heat.requireSound();
   o.tissue->endRestore(organ.alive);
+  renewCords(o);
   for (std::int64_t cell = 0; cell < organ.rest.lattice.cellCount(); ++cell) {
     const bool there = organ.alive[std::size_t(cell)] != 0;
     if (!(organ.rest.value[std::size_t(cell)] > 0) || there == (organ.field.cellValue(cell) > 0))

@@ -7,15 +7,24 @@
 
 #include "organ/organ.h"
 #include "organ/skin/skin.h"
+#include "tissue/cord.h"
 #include "tissue/tissue_model.h"
 
 namespace resect {
+
+// The wall of a vessel between two cells: a place of a segment of the organ's anatomy as a cord.
+struct VesselCord {
+  TissueCord cord;
+  std::int32_t segment = -1;
+  double share = 0;  // of the segment's length, of the middle
+};
 
 struct OperatedOrgan {
   std::string name;
   Organ organ;
   std::unique_ptr<TissueModel> tissue;
-  SurfaceSkin skin;  // used if the tissue moves
+  SurfaceSkin skin;               // used if the tissue moves
+  std::vector<VesselCord> cords;  // as the tissue has them
 
   // points() has one point per vertex of the surface's arrays. After Simulation::keepLook(),
   // normals() has one normal per vertex.
@@ -33,7 +42,7 @@ struct OperatedOrgan {
   }
   template <class Visitor>
   void visitMade(Visitor& v) {
-    v.made(name, tissue, skin);
+    v.made(name, tissue, skin, cords);
   }
 };
 

@@ -5,6 +5,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "organ/vessel_cords.h"
 #include "tools/contacts.h"
 
 namespace resect {
@@ -102,7 +103,7 @@ void Simulation::step(const FrameInput& input, StepReport& report, StageClock* c
   done("updateField");
   updateSurface(input);
   done("updateSurface");
-  heatTissue(input);
+  heatTissue(input, report);
   done("heatTissue");
   flowBlood(input, report);
   done("flowBlood");
@@ -283,7 +284,10 @@ void Simulation::moveTissue(const FrameInput& input, StepReport& report) {
     for (const std::int32_t tool : step.letGo)
       work_.caused.push_back({std::int32_t(o), tool, Release{}});
     for (const TissueBond& bond : step.torn)
-      work_.caused.push_back({std::int32_t(o), -1, SeverBond{bond.cell, bond.direction}});
+      work_.caused.push_back(
+          {std::int32_t(o), -1, TearBond{bond.cell, bond.direction, kTornVessel}});
+    for (const DivideVessel& vessel : brokenVessels(organs_[o]))
+      work_.caused.push_back({std::int32_t(o), -1, vessel});
     if (!step.calm)
       report.faults.emplace_back(
           "the tissue exploded and was stopped for a frame; make it softer, its cells larger or "

@@ -52,6 +52,13 @@ struct CutVessel {
 };
 
 // Result of a frame. Output only: no stage reads it.
+// Smoke: steam out of tissue that boils.
+struct Smoke {
+  std::int32_t organ = 0, tool = -1;  // the tool that heats it; -1: none
+  Vec3 place = Vec3::Zero();          // where it is heated, world, m
+  double rate = 0;                    // kg/s
+};
+
 struct StepReport {
   std::int64_t frame = 0;              // number of the frame, from 0
   double time = 0;                     // at the end of the frame, s
@@ -68,6 +75,7 @@ struct StepReport {
   std::vector<TissueStep> tissue;   // one per organ
   std::vector<CutVessel> vessels;   // vessels that were cut further in the frame
   BloodReport blood;                // if any organ has vessels
+  std::vector<Smoke> smoke;         // one at most per instrument that heats
   std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero if no tissue moves
   std::vector<std::string> faults;  // sentences, each naming the setting to change
 };
@@ -201,7 +209,7 @@ class Simulation {
   void applyCuts(StepReport& report);
   void updateField(StepReport& report);
   void updateSurface(const FrameInput& input);
-  void heatTissue(const FrameInput& input);
+  void heatTissue(const FrameInput& input, StepReport& report);
   void flowBlood(const FrameInput& input, StepReport& report);
   void measure(const FrameInput& input, StepReport& report);
 

@@ -12,6 +12,7 @@
 #include "base/state/state_visitor.h"
 #include "geometry/aabb.h"
 #include "geometry/pose.h"
+#include "tissue/cord.h"
 #include "tissue/material.h"
 #include "tissue/obstacle.h"
 #include "tissue/touch.h"
@@ -66,6 +67,11 @@ class TissueModel {
   // Tells the model where the surface of the tissue at rest is, so that obstacles touch the tissue
   // there. To be called before the first frame; a model may ignore it. patches: ascending by cell.
   virtual void setSurface(std::span<const SurfacePatch>) {}
+
+  // Replaces all cords. The model may make some less stiff, so that they are stable; it ignores
+  // those whose cells hold no tissue. Cords are no part of the state: they are to be set again
+  // after a state was restored. A model may ignore them.
+  virtual void setCords(std::span<const TissueCord>) {}
 
   // A frame lasts `duration` s, > 0. It consists of one call of beginFrame(), one call of substep()
   // for each of several equal substeps, and one call of endFrame(). moveTissues()

@@ -131,3 +131,41 @@ TEST_CASE("two vessels apart are two trees, and a speck is none") {
   CHECK(std::ranges::count(found, true, &VesselSegment::leaf) == 2);
   CHECK(centreLines(SolidShape(), VesselKind::PortalVein).empty());
 }
+
+TEST_CASE("hepatic veins begin where they come together, however wide their other ends are") {
+  Random random(3);
+  const auto unit = [&] { return 2 * random.uniform() - 1; };
+  for (int trial = 0; trial < 4; ++trial) {
+    CAPTURE(trial);
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond(unit(), unit(), unit(), unit() + 1.5).normalized();
+    const Vec3 meeting = 0.01 * Vec3(unit(), unit(), unit());
+    // Each widens away from the meeting place; they end 6 mm from it. A short piece lies apart.
+    std::vector<VesselSegment> veins;
+    for (const Vec3& way : {Vec3(1, 0.2, 0), Vec3(0.1, 1, 0.3), Vec3(-0.9, 0.3, 0.4)}) {
+      const Vec3 along = turn * way.normalized(), start = meeting + 0.006 * along;
+      veins.push_back({VesselKind::HepaticVein, -1, start, start + 0.02 * along, 0.0015, false});
+      veins.push_back(
+          {VesselKind::HepaticVein, -1, start + 0.02 * along, start + 0.05 * along, 0.0025, true});
+    }
+    const Vec3 apart = meeting + turn * Vec3(0.03, -0.03, 0.0);
+    veins.push_back(
+        {VesselKind::HepaticVein, -1, apart, apart + turn * Vec3(0.006, 0, 0), 0.0015, true});
+    const std::vector<VesselSegment> found =
+        centreLines(tubes(veins, 0.4e-3), VesselKind::HepaticVein);
+    int roots = 0, near = 0;
+    for (const VesselSegment& s : found) {
+      if (s.parent >= 0) continue;
+      ++roots;
+      near += (s.start - meeting).norm() < 0.01;
+    }
+    CHECK(roots == 4);
+    CHECK(near == 3);
+    // The same shape as a portal vein begins at wide ends.
+    const std::vector<VesselSegment> portal =
+        centreLines(tubes(veins, 0.4e-3), VesselKind::PortalVein);
+    CHECK(std::ranges::count_if(portal, [&](const VesselSegment& s) {
+            return s.parent < 0 && (s.start - meeting).norm() > 0.02;
+          }) >= 2);
+  }
+}

@@ -155,3 +155,21 @@ TEST_CASE("segments that are no tree are refused in a sentence") {
   bad.parent = -1;
   refused({good, bad, good}, "sort them by kind");
 }
+
+TEST_CASE("tissue that tears across a vessel cuts a thin one, and bares a wide one") {
+  const SweptBlade face = test::acrossX(0.013, -0.01, 0.01);
+  const VesselIndex index(kVessel.segments);
+  for (const double spared : {0.0021, 0.0019}) {
+    VesselState state;
+    std::vector<std::int32_t> segments;
+    tearVessels(kVessel, index, face, spared, state, segments);
+    const bool cuts = spared > 0.002;
+    CHECK(state.injuries.size() == std::size_t(cuts));
+    CHECK(state.bared.size() == std::size_t(!cuts));
+    CHECK(segments.size() == std::size_t(cuts));
+  }
+  VesselState state;
+  std::vector<std::int32_t> segments;
+  tearVessels(kVessel, index, test::acrossX(0.05, -0.01, 0.01), 0.001, state, segments);
+  CHECK(state.bared.empty());  // beside it
+}

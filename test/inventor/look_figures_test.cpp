@@ -122,6 +122,7 @@ Figures figuresAt(const std::string& name, double share, const std::string& sett
   Scenario scenario = readScenario(findDataFile(name, "scenarios", ".toml"));
   scenario.setting = setting;
   scenario.toolBox = false;
+  scenario.organs[0].source.vessels.clear();  // the figures are those of tissue, not of blood
   if (turned != 0) {
     OrganSource& source = scenario.organs[0].source;
     source.pose.rotation = rotationAbout(Vec3::UnitY(), turned) * source.pose.rotation;

@@ -56,6 +56,7 @@ Attempt bleeding(double until) {
 
 VesselStory vesselCut(double time, bool root, bool far) {
   VesselStory v;
+  v.name = "portal vein";
   v.diameter = 0.0031;
   v.cut = time;
   v.severed = true;

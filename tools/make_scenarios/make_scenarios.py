@@ -50,7 +50,7 @@ def all_scenarios():
         "Left lateral part of the liver taken off", "A scalpel path that parts the liver completely, in three strokes",
         3.0, thesis.resect_segment(0.003), "surgeon", tail=0.8)
     yield "press", elastic("The baton presses on a soft liver", "Elastic tissue on the table, pressed twice", 8.0,
-                           soft.press(), ORGAN_LIGAMENTS, x=ASIDE, setting="table")
+                           soft.press(), ORGAN_LIGAMENTS, x=ASIDE, setting="table", bleeds=False)
     yield "lift", elastic("The hook lifts the margin of the liver", "It catches, pulls, holds, and slips", 8.0, soft.lift(),
                           ligaments(ASIDE), x=ASIDE,
                           close_up=LEFT_LOBE)
@@ -58,14 +58,14 @@ def all_scenarios():
                            8.0, soft.grasp(), ligaments(ASIDE), x=ASIDE,
                           close_up=LEFT_LOBE)
     yield "incise", elastic("An incision over the dome", "The scalpel is drawn over the dome, towards the surgeon; the wound bleeds",
-                            8.0, soft.incise(), ORGAN_LIGAMENTS, x=ASIDE, organ='vessels = "built-in"\n',
+                            8.0, soft.incise(), ORGAN_LIGAMENTS, x=ASIDE,
                             close_up="[[-0.13, 0.05, -0.05], [-0.05, 0.1, 0.06]]")
     yield "incise-under-traction", elastic(
         "An incision under traction", "The hook pulls, the scalpel cuts across the pull, and the wound opens", 6.0,
         soft.incise_under_traction(), ligaments(-0.035),
         organ="position = [-0.035, 0, 0]  # so that the lobe does not come to lie on the tray\n",
         close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]")
-    bleeds = f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\nvessels = \"built-in\"\n"
+    bleeds = f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\n"
     yield "bleed", elastic(
         "A branch of the portal vein bleeds", "The scalpel cuts a branch of 3 mm; blood wells up, runs and pools", 8.0,
         bleeding.bleed(), ligaments(ASIDE), organ=bleeds, duration=12, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
@@ -92,10 +92,10 @@ def all_scenarios():
     yield "liver-and-gallbladder", soft.liver_and_gallbladder()
     yield "hang", elastic("The liver hangs from its dome", "Pinned at the top, it sags and swings under its weight", 8.0,
                           no_tools(), PINNED_TOP, 'drag = 1\n', duration=3, organ="position = [0, 0.12, 0]\n",
-                          setting="table")
+                          setting="table", bleeds=False)
     yield "drop", elastic("The liver is dropped on the table", "From 12 cm; it flattens, and comes to rest", 8.0,
                           no_tools(), "", 'drag = 1.5\n', duration=3, organ=f"position = [{ASIDE:g}, 0.12, 0]  # clear of the tray\n",
-                          setting="table")
+                          setting="table", bleeds=False)
 
 
 def main():

@@ -137,7 +137,7 @@ def touch_and_hold_scenario(operator):
                 force_limit=1.5, source="setting of the task: no limit is published for the liver")
     return elastic("Touch and hold", "Four targets on the liver are touched one after the other and held", 10.0,
                    touch_and_hold(operator), ligaments(ASIDE),
-                   organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\n", duration=None) + "\n" + text
+                   organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\n", bleeds=False) + "\n" + text
 
 
 def two_hands(operator):
@@ -174,7 +174,7 @@ def two_hands_scenario(operator):
     return elastic("Two hands", "The hook holds the left lobe, the scalpel follows a line over it", 8.0,
                    two_hands(operator), ligaments(-0.035),
                    organ="position = [-0.035, 0, 0]  # so that the lobe does not come to lie on the tray\n",
-                   close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]") + "\n" + text
+                   close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]", bleeds=False) + "\n" + text
 
 
 # Where the branch and two thin arteries bleed after the stab of `control-bleeding`.
@@ -236,7 +236,7 @@ def control_bleeding_scenario(operator):
                 bands=("lefor-2022",))
     return elastic("Control of a bleeding vessel", "A branch of the portal vein is cut, and the bleeding is stopped",
                    8.0, control_bleeding(operator), ligaments(ASIDE),
-                   organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\nvessels = \"built-in\"\n",
+                   organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\n",
                    duration=22 if operator in ("hurried", "reckless") else None,
                    close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]") + "\n" + text
 
@@ -286,7 +286,7 @@ def clip_and_divide_scenario(operator):
                  "Close it with a second clip a centimetre away.", "Cut between the two clips."])
     return elastic("Clip and divide", "A branch of a hepatic vein is clipped twice and cut between the clips", 6.0,
                    clip_and_divide(operator), "", duration=None,
-                   organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\nvessels = \"built-in\"\n",
+                   organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\n",
                    close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]").replace(
                        'model = "elastic"', 'model = "still"  # so that the applier gets to the vessel', 1).replace(
                        'view = "surgeon"', 'view = "surgeon"\nmode = "operation"', 1) + "\n" + text
@@ -328,7 +328,8 @@ def left_lateral_scenario(operator):
                 bands=("takayama", "lefor-2022"), force_limit=6,
                 source="setting of the task: no limit is published for the liver")
     return elastic("Left lateral sectionectomy", "The left lateral section is parted along a plane and lifted away",
-                   8.0, left_lateral(operator), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE) + "\n" + text
+                   8.0, left_lateral(operator), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE,
+                   bleeds=False) + "\n" + text
 
 
 # A tumour near the tip of the left lobe, at rest, m, before the liver is moved aside.
@@ -374,7 +375,8 @@ def wedge_scenario(operator):
                  "Take the specimen off and look at its margin."], bands=("lefor-2022",), force_limit=6,
                 source="setting of the task: no limit is published for the liver")
     text = elastic("Wedge resection of a tumour", "A marked tumour is taken out of the left lobe with a margin", 6.0,
-                   wedge(operator), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE) + "\n" + text
+                   wedge(operator), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE,
+                   bleeds=False) + "\n" + text
     return text.replace("[tissue]\n", label + "[tissue]\n", 1)
 
 

@@ -33,7 +33,7 @@ stiffness = 300
 
 
 def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration=None, organ="", close_up=None, x=0.0,
-            setting="field"):
+            setting="field", bleeds=True):
     """A scenario whose tissue moves; x: organ and instruments stand so far to the side, m."""
     if x:
         for _, path in tools:
@@ -41,6 +41,8 @@ def elastic(title, description, spacing_mm, tools, extra="", tissue="", duration
                 path.keys = [(time, (tip[0] + x, *tip[1:]), *rest) for time, tip, *rest in path.keys]
         organ = f"position = [{x:g}, 0, 0]  # clear of the tray\n" + organ
     text = scenario(title, description, spacing_mm, tools, "surgeon", duration=duration, thesis=False)
+    if bleeds:
+        organ += 'vessels = "built-in"\n'
     if close_up:
         text = text.replace('view = "surgeon"\n', f'view = "surgeon"\nclose_up = {close_up}\n', 1)
     if setting != "table":

@@ -138,8 +138,9 @@ class SegmentMaker {
 
 std::vector<VesselSegment> centreLines(const SolidShape& shape, VesselKind kind) {
   std::vector<VesselSegment> segments;
-  for (const Skeleton& skeleton : skeletons(shape))
-    SegmentMaker(shape, kind, skeleton).addTo(segments);
+  std::vector<Skeleton> trees = skeletons(shape);
+  if (kind == VesselKind::HepaticVein) rootTogether(shape, trees);
+  for (const Skeleton& skeleton : trees) SegmentMaker(shape, kind, skeleton).addTo(segments);
   return segments;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <queue>
 
 namespace resect {
@@ -186,6 +187,70 @@ std::vector<Skeleton> skeletons(const SolidShape& shape) {
     for (const std::int64_t cell : part.cells) numbers[std::size_t(cell)] = -1;
   }
   return all;
+}
+
+namespace {
+
+// Cells of the tree that have at most one neighbour in it.
+std::vector<int> endsOf(const Skeleton& tree) {
+  std::vector<int> neighbours(tree.cells.size(), 0);
+  for (std::size_t i = 1; i < tree.cells.size(); ++i)
+    ++neighbours[i], ++neighbours[std::size_t(tree.parents[i])];
+  std::vector<int> ends;
+  for (std::size_t i = 0; i < neighbours.size(); ++i)
+    if (neighbours[i] <= 1) ends.push_back(int(i));
+  return ends;
+}
+
+// The same tree, seen from another of its cells.
+Skeleton rootedAt(const Skeleton& tree, int root) {
+  std::vector<std::vector<int>> beside(tree.cells.size());
+  for (std::size_t i = 1; i < tree.cells.size(); ++i) {
+    beside[i].push_back(tree.parents[i]);
+    beside[std::size_t(tree.parents[i])].push_back(int(i));
+  }
+  Skeleton turned;
+  turned.cells = {tree.cells[std::size_t(root)]};
+  turned.parents = {-1};
+  std::vector<int> from{root}, before{-1};
+  for (std::size_t k = 0; k < from.size(); ++k)
+    for (const int next : beside[std::size_t(from[k])]) {
+      if (next == before[k]) continue;
+      from.push_back(next), before.push_back(from[k]);
+      turned.cells.push_back(tree.cells[std::size_t(next)]);
+      turned.parents.push_back(int(k));
+    }
+  return turned;
+}
+
+}  // namespace
+
+void rootTogether(const SolidShape& shape, std::vector<Skeleton>& trees) {
+  if (trees.size() < 2) return;
+  const auto placeOf = [&](const Skeleton& tree, int cell) -> Vec3 {
+    return shape.lattice.centre(shape.lattice.cell(tree.cells[std::size_t(cell)]));
+  };
+  std::size_t longest = 0;
+  for (const Skeleton& tree : trees) longest = std::max(longest, tree.cells.size());
+  const auto nearestEnd = [&](const Skeleton& tree, const Vec3& place) {
+    const std::vector<int> ends = endsOf(tree);
+    return *std::ranges::min_element(ends, {},
+                                     [&](int end) { return (placeOf(tree, end) - place).norm(); });
+  };
+  std::optional<Vec3> meeting;
+  double least = 0;
+  for (const Skeleton& tree : trees) {
+    if (5 * tree.cells.size() < longest) continue;
+    for (const int end : endsOf(tree)) {
+      const Vec3 place = placeOf(tree, end);
+      double sum = 0;
+      for (const Skeleton& other : trees)
+        if (5 * other.cells.size() >= longest)
+          sum += (placeOf(other, nearestEnd(other, place)) - place).norm();
+      if (!meeting || sum < least) least = sum, meeting = place;
+    }
+  }
+  for (Skeleton& tree : trees) tree = rootedAt(tree, nearestEnd(tree, *meeting));
 }
 
 }  // namespace resect

@@ -24,4 +24,10 @@ struct Skeleton {
 // that are nowhere deeper than a cell are left out. Cost: n log n in the cells inside.
 std::vector<Skeleton> skeletons(const SolidShape& shape);
 
+// Moves the roots of trees that meet outside the shape, as the hepatic veins do in the vena cava:
+// each to the end that is nearest to the place where the trees' ends come closest together. Trees
+// with less than a fifth of the longest one's cells do not decide on that place. A single tree
+// stays as it is.
+void rootTogether(const SolidShape& shape, std::vector<Skeleton>& trees);
+
 }  // namespace resect

@@ -346,20 +346,24 @@ void BloodFilm::renew(const OperatedOrgan& organ, std::span<const std::int64_t> 
 std::int64_t BloodFilm::skinNear(const Vec3& rest, const Vec3& beside) const {
   constexpr int kReach = 3;
   const Lattice& lattice = skin_.lattice();
+  const double side = lattice.spacing.x();
   const Vec3 q = lattice.toCellSpace(rest);
   Vec3i at;
   for (int a = 0; a < 3; ++a) at[a] = int(std::floor(q[a] + 0.5));
   std::int64_t best = -1;
   double least = 0;
-  for (int z = -kReach; z <= kReach; ++z)
-    for (int y = -kReach; y <= kReach; ++y)
-      for (int x = -kReach; x <= kReach; ++x) {
-        const Vec3i cell = at + Vec3i(x, y, z);
-        if (!lattice.contains(cell) || !skin_.isSkin(skin_.numbers().of(cell))) continue;
-        const Vec3 way = lattice.centre(cell) - rest;
-        double cost = way.norm();
-        if (way.dot(beside) < 0) cost += lattice.spacing.x();
-        if (best < 0 || cost < least) least = cost, best = lattice.index(cell);
+  // Shell by shell: cells of shell r lie at least r - 1/2 spacings away.
+  for (int r = 0; r <= kReach && (best < 0 || least > (r - 0.5) * side); ++r)
+    for (int z = -r; z <= r; ++z)
+      for (int y = -r; y <= r; ++y) {
+        const int step = std::abs(z) == r || std::abs(y) == r ? 1 : std::max(1, 2 * r);
+        for (int x = -r; x <= r; x += step) {
+          const Vec3i cell = at + Vec3i(x, y, z);
+          if (!lattice.contains(cell) || !skin_.isSkin(skin_.numbers().of(cell))) continue;
+          const Vec3 way = lattice.centre(cell) - rest;
+          const double cost = way.norm() + (way.dot(beside) < 0 ? side : 0);
+          if (best < 0 || cost < least) least = cost, best = lattice.index(cell);
+        }
       }
   return best;
 }

@@ -107,72 +107,91 @@ void VesselFlow::condense(Tree& tree) const {
   }
 }
 
-// One pass up and down the part of a tree that injuries concern.
-struct VesselFlow::Sweep {
+// The part of a tree that injuries concern: their segments, those with clips, and those between
+// them and the root.
+struct VesselFlow::Part {
   struct Node {
     std::int32_t segment;      // within the tree
     std::int32_t parent = -1;  // index of its node; -1: the root
     std::int32_t injury = -1;  // index in VesselState::injuries
     bool shut = false;         // by a clip, without being severed
     bool backwards = false;    // what is beyond it is cut off from the source
+    double healthy = 0;        // conductance from its end to the sinusoids, past other nodes
     double g = 0, j = 0;       // at its end: flow into what is beyond = g p - j
     double pressure = 0;       // at its end
   };
   std::vector<Node> nodes;  // ascending by segment
+  double healthy = 0;       // of the roots that are no nodes
 };
 
-double VesselFlow::solveTree(const Tree& tree, VesselState& state,
-                             std::span<const EndOutside> outside, double sourceShare,
-                             double sinusoids, bool keep, double& air) const {
-  // The segments with injuries or clips, and those between them and the root.
-  std::vector<std::int32_t> concerned;
-  const auto add = [&](std::int32_t segment) {
-    for (std::int32_t i = segment; i >= 0; i = anatomy_->segments[std::size_t(i)].parent)
-      concerned.push_back(i - tree.range.first);
-  };
+VesselFlow::Part VesselFlow::concernedPart(const Tree& tree, const VesselState& state) const {
+  const std::int32_t first = tree.range.first;
   const auto mine = [&](std::int32_t segment) {
-    return segment >= tree.range.first && segment < tree.range.first + tree.range.count;
+    return segment >= first && segment < first + tree.range.count;
+  };
+  std::vector<std::int32_t> node(tree.resistance.size(), -1);  // index by segment
+  Part part;
+  const auto add = [&](std::int32_t segment) {
+    for (; segment >= 0 && node[std::size_t(segment - first)] < 0;
+         segment = anatomy_->segments[std::size_t(segment)].parent) {
+      node[std::size_t(segment - first)] = 0;
+      part.nodes.push_back({segment - first});
+    }
   };
   for (const VesselInjury& injury : state.injuries)
     if (mine(injury.segment)) add(injury.segment);
   for (const VesselClip& clip : state.clips)
     if (mine(clip.segment)) add(clip.segment);
-  std::ranges::sort(concerned);
-  concerned.erase(std::unique(concerned.begin(), concerned.end()), concerned.end());
+  std::ranges::sort(part.nodes, {}, &Part::Node::segment);
+  for (std::size_t k = 0; k < part.nodes.size(); ++k)
+    node[std::size_t(part.nodes[k].segment)] = std::int32_t(k);
 
   const bool clamped = state.inflowClamped && tree.supply.flow > 0;
-  Sweep sweep;
-  sweep.nodes.reserve(concerned.size());
-  const auto nodeOf = [&](std::int32_t segment) -> std::int32_t {
-    const auto at = std::ranges::lower_bound(concerned, segment);
-    return at != concerned.end() && *at == segment ? std::int32_t(at - concerned.begin()) : -1;
-  };
-  const auto injuryAt = [&](const Sweep::Node& n) -> VesselInjury& {
+  for (Part::Node& n : part.nodes) {
+    const std::int32_t number = n.segment + first;
+    const VesselSegment& s = anatomy_->segments[std::size_t(number)];
+    if (s.parent >= 0) n.parent = node[std::size_t(s.parent - first)];
+    bool severed = false;
+    if (const VesselInjury* injury = state.injury(number)) {
+      n.injury = std::int32_t(injury - state.injuries.data());
+      severed = injury->severed();
+    }
+    n.shut = !severed && state.clipped(number);
+    n.backwards = clamped || severed || n.shut ||
+                  (n.parent >= 0 && part.nodes[std::size_t(n.parent)].backwards);
+    if (s.leaf)
+      n.healthy += tree.leafConductance * (n.backwards && tree.supply.flow > 0 ? kBackwards : 1);
+    const std::size_t i = std::size_t(n.segment);
+    for (std::int32_t c = tree.firstChild[i]; c < tree.firstChild[i + 1]; ++c) {
+      const std::size_t child = std::size_t(tree.children[std::size_t(c)]);
+      if (node[child] < 0) n.healthy += tree.seen[n.backwards][child];
+    }
+  }
+  for (const std::int32_t root : tree.roots)
+    if (node[std::size_t(root)] < 0) part.healthy += tree.seen[clamped][std::size_t(root)];
+  return part;
+}
+
+// One pass from the ends of the part up to the root, and one down. Returns what flows into the
+// sinusoids, m^3/s. keep: writes the flows.
+double VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
+                             std::span<const EndOutside> outside, double sourceShare,
+                             double sinusoids, bool keep, double& air) const {
+  using Node = Part::Node;
+  const bool clamped = state.inflowClamped && tree.supply.flow > 0;
+  const auto injuryAt = [&](const Node& n) -> VesselInjury& {
     return state.injuries[std::size_t(n.injury)];
   };
-  for (const std::int32_t segment : concerned) {
-    Sweep::Node n{segment, -1, -1, false, clamped, 0, 0, 0};
-    const std::int32_t number = segment + tree.range.first;
-    const std::int32_t parent = anatomy_->segments[std::size_t(number)].parent;
-    if (parent >= 0) n.parent = nodeOf(parent - tree.range.first);
-    if (const VesselInjury* injury = state.injury(number))
-      n.injury = std::int32_t(injury - state.injuries.data());
-    const bool severed = n.injury >= 0 && injuryAt(n).severed();
-    n.shut = !severed && state.clipped(number);
-    n.backwards |=
-        severed || n.shut || (n.parent >= 0 && sweep.nodes[std::size_t(n.parent)].backwards);
-    sweep.nodes.push_back(n);
-  }
-
-  double gRoot = 0, jRoot = 0;
+  for (Node& n : part.nodes) n.g = n.j = 0;
+  double gRoot = part.healthy, jRoot = part.healthy * sinusoids;
   const auto join = [&](std::int32_t node, double g, double j) {
-    (node < 0 ? gRoot : sweep.nodes[std::size_t(node)].g) += g;
-    (node < 0 ? jRoot : sweep.nodes[std::size_t(node)].j) += j;
+    (node < 0 ? gRoot : part.nodes[std::size_t(node)].g) += g;
+    (node < 0 ? jRoot : part.nodes[std::size_t(node)].j) += j;
   };
   // Where the outside pressure is higher, veins collapse: such an end was closed in this call,
   // unless it is a wide hepatic vein, which the tissue holds open, and which draws air. An end of
   // an injury lies beyond `resistance`.
-  const auto openEnd = [&](const Sweep::Node& n, int end, double resistance, double area) {
+  const auto openEnd = [&](const Node& n, int end, double resistance, double area) {
     const VesselInjury& injury = injuryAt(n);
     const EndOutside& out = outside[std::size_t(n.injury)];
     if (injury.isSealed(VesselEnd(end)) || out.closed[end] ||
@@ -187,7 +206,7 @@ double VesselFlow::solveTree(const Tree& tree, VesselState& state,
     double resistance, toRoot, toFar, area;  // toRoot, toFar: of the parts before and beyond
     OpenEnd open[2];
   };
-  const auto endsOf = [&](const Sweep::Node& n) {
+  const auto endsOf = [&](const Node& n) {
     const VesselInjury& injury = injuryAt(n);
     const VesselSegment& s = anatomy_->segments[std::size_t(injury.segment)];
     Ends e;
@@ -201,24 +220,12 @@ double VesselFlow::solveTree(const Tree& tree, VesselState& state,
     return e;
   };
 
-  for (const std::int32_t root : tree.roots)
-    if (nodeOf(root) < 0)
-      join(-1, tree.seen[clamped][std::size_t(root)],
-           tree.seen[clamped][std::size_t(root)] * sinusoids);
-  for (std::size_t k = sweep.nodes.size(); k-- > 0;) {
-    Sweep::Node& n = sweep.nodes[k];
-    const std::size_t i = std::size_t(n.segment);
-    double healthy = 0;
-    if (anatomy_->segments[std::size_t(tree.range.first) + i].leaf)
-      healthy += tree.leafConductance * (n.backwards && tree.supply.flow > 0 ? kBackwards : 1);
-    for (std::int32_t c = tree.firstChild[i]; c < tree.firstChild[i + 1]; ++c) {
-      const std::int32_t child = tree.children[std::size_t(c)];
-      if (nodeOf(child) < 0) healthy += tree.seen[n.backwards][std::size_t(child)];
-    }
-    n.g += healthy;
-    n.j += healthy * sinusoids;
+  for (std::size_t k = part.nodes.size(); k-- > 0;) {
+    Node& n = part.nodes[k];
+    n.g += n.healthy;
+    n.j += n.healthy * sinusoids;
     if (n.shut) continue;
-    const double r = tree.resistance[i];
+    const double r = tree.resistance[std::size_t(n.segment)];
     if (n.injury < 0) {
       join(n.parent, behind(r, n.g), n.j / (1 + r * n.g));
       continue;
@@ -242,8 +249,8 @@ double VesselFlow::solveTree(const Tree& tree, VesselState& state,
               : (source / tree.supply.resistance + jRoot) / (1 / tree.supply.resistance + gRoot);
   const double inflow = clamped ? 0 : (source - root) / tree.supply.resistance;
   double out = 0;
-  for (Sweep::Node& n : sweep.nodes) {
-    const double before = n.parent < 0 ? root : sweep.nodes[std::size_t(n.parent)].pressure;
+  for (Node& n : part.nodes) {
+    const double before = n.parent < 0 ? root : part.nodes[std::size_t(n.parent)].pressure;
     const double r = tree.resistance[std::size_t(n.segment)];
     const double alone = n.g > 0 ? n.j / n.g : 0;
     if (n.shut) {
@@ -291,12 +298,15 @@ double VesselFlow::solve(VesselState& state, std::span<const EndOutside> outside
                          const SourceShares& sources, double& sinusoids) const {
   double air = 0;
   collapsed_.assign(state.injuries.size(), {false, false});
+  std::array<Part, kVesselKinds> parts;
+  for (const VesselKind kind : kBlood)
+    parts[std::size_t(kind)] = concernedPart(trees_[std::size_t(kind)], state);
   for (int round = 0; round < kRounds; ++round) {
     air = 0;
     const auto net = [&](double pressure, bool keep) {  // flow into the sinusoids
       double sum = 0;
       for (const VesselKind kind : kBlood)
-        sum += solveTree(trees_[std::size_t(kind)], state, outside,
+        sum += solveTree(trees_[std::size_t(kind)], parts[std::size_t(kind)], state, outside,
                          kind == VesselKind::HepaticArtery ? sources.artery
                          : kind == VesselKind::PortalVein  ? sources.portal
                                                            : 1,

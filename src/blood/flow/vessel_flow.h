@@ -64,12 +64,14 @@ class VesselFlow {
     std::array<std::vector<double>, 2> seen;
     mutable double inflow = 0;
   };
-  struct Sweep;
+  struct Part;
 
   void condense(Tree& tree) const;
   double conductance(Tree& tree, double leaf) const;
-  double solveTree(const Tree& tree, VesselState& state, std::span<const EndOutside> outside,
-                   double source, double sinusoids, bool keep, double& air) const;
+  Part concernedPart(const Tree& tree, const VesselState& state) const;
+  double solveTree(const Tree& tree, Part& part, VesselState& state,
+                   std::span<const EndOutside> outside, double source, double sinusoids, bool keep,
+                   double& air) const;
 
   // Work of solve(): per injury, the ends into which the outside would press blood.
   mutable std::vector<std::array<bool, 2>> collapsed_;

@@ -123,6 +123,44 @@ nlohmann::ordered_json toJson(const AnatomyMeasures& measures) {
   return json;
 }
 
+// Couinaud's segments and the larger vessels by their names.
+nlohmann::ordered_json segmentsJson(const Grown& grown, const LiverSegments& segments) {
+  constexpr std::int32_t kFewest = 10;  // terminals of a vessel that is listed
+  nlohmann::ordered_json json;
+  const auto volumes = segmentVolumes(segments, grown.organ);
+  for (int k = 0; k < kLiverSegments; ++k)
+    json["segments_ml"][std::string(romanNumber(k + 1))] = 1e6 * volumes[std::size_t(k)];
+  json["branches"] = nlohmann::ordered_json::array();
+  for (const NamedVessel& v : namedVessels(grown.anatomy, segments, kFewest))
+    json["branches"].push_back({{"name", v.name},
+                                {"kind", wordOf(v.kind)},
+                                {"diameter_mm", 2e3 * v.radius},
+                                {"terminals", v.terminals}});
+  return json;
+}
+
+// The organ's surface, parted by segments: the triangles whose middle lies in one.
+TriangleMesh surfaceOf(const TriangleMesh& organ, const LiverSegments& segments, int segment) {
+  TriangleMesh part;
+  std::vector<std::int32_t> number(organ.points.size(), -1);
+  for (const auto& triangle : organ.triangles) {
+    Vec3 middle = Vec3::Zero();
+    for (const auto v : triangle) middle += organ.points[std::size_t(v)].cast<double>() / 3;
+    if (segments.at(middle) != segment) continue;
+    auto own = triangle;
+    for (auto& v : own) {
+      std::int32_t& n = number[std::size_t(v)];
+      if (n < 0) {
+        n = std::int32_t(part.points.size());
+        part.points.push_back(organ.points[std::size_t(v)]);
+      }
+      v = n;
+    }
+    part.triangles.push_back(own);
+  }
+  return part;
+}
+
 // Steady flow out of both ends of a vessel that is severed in its middle, at the hilum's height,
 // ml/s.
 double flowOut(const VesselFlow& flow, std::int32_t segment, bool clip, bool clamp) {
@@ -176,12 +214,22 @@ void anatomy(const Options& options) {
     writeMeshFile(file, vesselMesh(grown.anatomy, VesselKind(k)));
     written.push_back(file.string());
   }
+  const auto segments = LiverSegments::find(grown.anatomy);
+  for (int k = 1; k <= kLiverSegments && segments && !options.meshes.empty(); ++k) {
+    const TriangleMesh surface = surfaceOf(grown.organ, *segments, k);
+    if (surface.triangles.empty()) continue;
+    const auto file =
+        std::filesystem::path(options.meshes) / fmt::format("segment-{}.ply", romanNumber(k));
+    writeMeshFile(file, surface);
+    written.push_back(file.string());
+  }
   const AnatomyMeasures measures = measure(grown.anatomy, grown.organ);
   nlohmann::ordered_json lost = nlohmann::ordered_json::array();
   if (options.flows) lost = flows(grown.anatomy);
   if (options.json) {
     nlohmann::ordered_json json = toJson(measures);
     if (options.flows) json["flows"] = lost;
+    if (segments) json["couinaud"] = segmentsJson(grown, *segments);
     return writeJson("-", json);
   }
   std::FILE* text = placeForText({options.out});
@@ -196,6 +244,13 @@ void anatomy(const Options& options) {
       crossings += measures.crossings[std::size_t(k)][std::size_t(other)];
   }
   printLine(text, "{} pairs of vessels of two kinds cross", crossings);
+  if (segments) {
+    std::string volumes;
+    const auto json = segmentsJson(grown, *segments);
+    for (const auto& [number, ml] : json["segments_ml"].items())
+      volumes += fmt::format("{}{} {:.0f}", volumes.empty() ? "" : ", ", number, ml.get<double>());
+    printLine(text, "segments, ml: {}", volumes);
+  }
   for (const auto& row : lost)
     printLine(text,
               "severed {:<14} {:.2f} mm: {:6.2f} ml/s, clipped {:5.2f}, inflow clamped {:5.2f}",
@@ -209,8 +264,8 @@ void anatomy(const Options& options) {
 
 void addAnatomyCommand(Command app) {
   auto options = std::make_shared<Options>();
-  Command command =
-      app.subcommand("anatomy", "Show the liver's vessels, or grow or find those of an organ");
+  Command command = app.subcommand(
+      "anatomy", "Show the liver's vessels and segments, or grow or find those of an organ");
   command.option("--organ", options->organ, "Model file of a closed organ to grow vessels into");
   command.option("--unit", options->unit, "Unit of that file: mm, cm, m, in").showDefault();
   command.option("--hilum", options->hilum, "Where portal vein, artery and duct enter: x y z")
@@ -222,11 +277,14 @@ void addAnatomyCommand(Command app) {
   command.option("--terminals", options->terminals, "Ends of each tree, 30 to 5000").showDefault();
   command.option("--seed", options->seed, "Another seed gives other vessels").showDefault();
   command.option("-o,--output", options->out, "File to write the vessels to (.vessels)");
-  command.option("--meshes", options->meshes, "Folder for a mesh of each kind of vessel (.ply)");
+  command.option("--meshes", options->meshes,
+                 "Folder for a mesh of each kind of vessel, and of the surface of each "
+                 "segment (.ply)");
   command.flag("--flows", options->flows, "What vessels of some diameters lose when they are cut");
   command.flag("--json", options->json, "Print JSON");
   command.footer(
       "Examples:\n  resect anatomy --meshes trees && resect render trees/*.ply -o trees.png\n"
+      "  resect anatomy --meshes trees && resect render trees/segment-*.ply -o segments.png\n"
       "  resect anatomy --organ my_liver.stl --unit mm --hilum 35 -20 10 --cava 35 42 -16 -o "
       "my.vessels\n"
       "  resect anatomy --organ my_liver.stl --structure portal-vein=portal.stl -o my.vessels");

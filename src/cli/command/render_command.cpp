@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "anatomy/liver_segments.h"
 #include "base/error.h"
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
@@ -49,6 +50,14 @@ Vec3f tissueColour(const std::string& file) {
   if (has("portal")) return {0.36f, 0.24f, 0.44f};
   if (has("vein") || has("cava") || has("venous")) return {0.24f, 0.25f, 0.45f};
   if (has("tumour") || has("tumor") || has("lesion")) return {0.78f, 0.66f, 0.50f};
+  // Colours that people with any colour vision tell apart (Okabe and Ito 2008).
+  constexpr float kSegments[kLiverSegments][3] = {
+      {0.35f, 0.35f, 0.35f}, {0.80f, 0.40f, 0.00f}, {0.90f, 0.62f, 0.00f}, {0.90f, 0.85f, 0.30f},
+      {0.00f, 0.60f, 0.45f}, {0.34f, 0.70f, 0.90f}, {0.00f, 0.45f, 0.70f}, {0.75f, 0.45f, 0.62f}};
+  for (int k = 0; k < kLiverSegments; ++k)
+    if (std::filesystem::path(file).stem().string() ==
+        fmt::format("segment-{}", romanNumber(k + 1)))
+      return Vec3f(kSegments[k]);
   return kLiverColour;
 }
 
@@ -127,7 +136,7 @@ void addRenderCommand(Command app) {
   Command command = app.subcommand("render", "A picture of models in the operating room");
   command
       .option("MESH", options->models,
-              "Models of one coordinate system; veins, arteries and gallbladders are coloured by "
+              "Models of one coordinate system; vessels, gallbladders and segments are coloured by "
               "their files' names")
       .required();
   command.option("-o,--output", options->out, "Picture to write (.png)").required();

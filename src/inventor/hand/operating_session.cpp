@@ -270,6 +270,8 @@ Damage OperatingSession::update() {
         for (const Aabb& part : parts) addWithShadow(damage_, part, lampPosition(), organBox_);
     }
     bool turned = false;
+    for (int i = 0; i < tools_.toolCount() && std::size_t(i) < state_.bloody.size(); ++i)
+      room().setToolBlood(i, state_.bloody[std::size_t(i)]);
     for (int i = 0; i < tools_.toolCount(); ++i)
       turned |= room().setToolSqueeze(i, state_.squeeze[std::size_t(i)]);
     if (turned) toolsChanged();

@@ -4,7 +4,7 @@
 //     camera, lamps, the lamp at the eye, SoShadowMaps
 //     Separator { liver, SoTransform, Separator { colour, SoShadeOnce { SoOrganShape } } ... }
 //     Separator { steel, SoTransform, toolbox }
-//     Separator { Separator { SoTransform, SoSwitch { steel, tool } } ... }
+//     Separator { Separator { SoTransform, SoSwitch { blood, steel, tool } } ... }
 //     BloodPool
 //     Separator { cloth, table }
 //     Separator { Transform, Separator { cloth, drape } Separator { fat, ... } ... }
@@ -101,6 +101,8 @@ class OperatingRoom {
   // Opens or closes the jaws of a tool that has any. `squeeze`: 0 wide open to 1 closed. Returns
   // false if nothing turned.
   bool setToolSqueeze(int tool, double squeeze);
+  // How far from its tip the tool is bloody, m.
+  void setToolBlood(int tool, double reach);
   // The tool's SoTransform. If a manipulator has taken its place: the manipulator, which is an
   // SoTransform too.
   SoTransform* toolTransform(int tool) const;

@@ -12,6 +12,7 @@
 #include "inventor/init.h"
 #include "io/data_folder.h"
 #include "operation/blood/bare_vessels.h"
+#include "operation/blood/bloody_tools.h"
 #include "operation/blood/loose_blood.h"
 #include "operation/room.h"
 
@@ -71,9 +72,11 @@ void OperationView::showField(bool field) {
 RgbImage OperationView::draw(OffscreenView& picture) const { return picture.render(room_.root()); }
 
 void OperationView::follow(const Simulation& simulation) {
+  followBlood(simulation, bloody_);
   for (std::size_t i = 0; i < simulation.tools().size(); ++i) {
     room_.setToolPose(int(i), simulation.tools()[i].pose());
     room_.setToolSqueeze(int(i), simulation.tools()[i].way.to.squeeze);
+    room_.setToolBlood(int(i), bloody_[i]);
   }
   std::vector<SurfaceUpdate> updates;
   for (std::size_t o = 0; o < publishers_.size(); ++o) {

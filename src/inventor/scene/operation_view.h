@@ -46,7 +46,8 @@ class OperationView {
 
  private:
   OperatingRoom room_;
-  Aabb organs_;  // where they lie at rest, world, m
+  std::vector<double> bloody_;  // per tool, m from its tip
+  Aabb organs_;                 // where they lie at rest, world, m
   std::vector<Pose> rests_;
   bool table_, toolBox_;  // of the scenario
   // One per organ of the simulation. These publishers publish every motion, however small.

@@ -4,6 +4,7 @@
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShaderProgram.h>
 #include <Inventor/nodes/SoSwitch.h>
+#include <Inventor/nodes/SoTexture2Transform.h>
 #include <Inventor/nodes/SoTransform.h>
 
 #include "base/error.h"
@@ -41,6 +42,7 @@ int OperatingRoom::addTool(SoNode* model) {
   tool->addChild(new SoTransform);
   SoSwitch* shown = shownSwitch();
   SoSeparator* body = uncachedSeparator();
+  body->addChild(new SoTexture2Transform);  // tells the shader how far the tool is bloody
   body->addChild(steel_);
   body->addChild(model);
   shown->addChild(body);
@@ -82,6 +84,16 @@ bool OperatingRoom::setToolSqueeze(int tool, double squeeze) {
   return turned;
 }
 
+void OperatingRoom::setToolBlood(int tool, double reach) {
+  requireTool(tool);
+  const auto* shown =
+      static_cast<SoSwitch*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(1));
+  auto* blood =
+      static_cast<SoTexture2Transform*>(static_cast<SoSeparator*>(shown->getChild(0))->getChild(0));
+  const SbVec2f value(float(reach), 0);
+  if (blood->translation.getValue() != value) blood->translation = value;
+}
+
 SoTransform* OperatingRoom::toolTransform(int tool) const {
   requireTool(tool);
   return static_cast<SoTransform*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(0));
@@ -99,7 +111,7 @@ SoNode* OperatingRoom::toolModel(int tool) const {
   requireTool(tool);
   const auto* shown =
       static_cast<SoSwitch*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(1));
-  return static_cast<SoSeparator*>(shown->getChild(0))->getChild(1);
+  return static_cast<SoSeparator*>(shown->getChild(0))->getChild(2);
 }
 
 Aabb OperatingRoom::toolBounds(int tool) const {

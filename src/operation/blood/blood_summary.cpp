@@ -27,7 +27,7 @@ std::vector<CutVesselSummary> cutVessels(const OperatedOrgan& operated) {
     const auto closed = [&](VesselEnd end) {
       return injury.isSealed(end) || organ.vessels.clipped(injury, end);
     };
-    all.push_back({s.kind, 2 * s.radius, injury.severed(),
+    all.push_back({s.kind, organ.map->nameOf(injury.segment), 2 * s.radius, injury.severed(),
                    closed(VesselEnd::Root) && (!injury.severed() || closed(VesselEnd::Far)),
                    injury.bled, injury.flow[0] + injury.flow[1],
                    presentPlace(organ, *operated.tissue, s.at(injury.from))});
@@ -55,7 +55,11 @@ std::vector<BareVesselSummary> bareVesselsOf(const OperatedOrgan& operated) {
       return presentPlace(organ, *operated.tissue, s.at(share));
     };
     const Vec3 from = placed(double(first) / kPlaces), to = placed((last + 1.0) / kPlaces);
-    BareVesselSummary bare{s.kind, 2 * s.radius, 0.5 * (from + to), (to - from).normalized(),
+    BareVesselSummary bare{s.kind,
+                           organ.map->nameOf(i),
+                           2 * s.radius,
+                           0.5 * (from + to),
+                           (to - from).normalized(),
                            (to - from).norm()};
     bare.divided = organ.vessels.injury(i) != nullptr;
     bare.closures = int(std::ranges::count(organ.vessels.clips, i, &VesselClip::segment));

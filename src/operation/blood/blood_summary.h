@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "simulation/simulation.h"
@@ -11,6 +12,7 @@ namespace resect {
 // A vessel that was cut.
 struct CutVesselSummary {
   VesselKind kind = VesselKind::PortalVein;
+  std::string name;           // for people, such as "right portal vein"
   double diameter = 0;        // of the lumen, m
   bool severed = false;       // false: a hole in its wall
   bool closed = false;        // each of its ends is clipped or sealed
@@ -22,6 +24,7 @@ struct CutVesselSummary {
 // A vessel that runs bare, without tissue round it.
 struct BareVesselSummary {
   VesselKind kind = VesselKind::PortalVein;
+  std::string name;           // for people
   double diameter = 0;        // of the lumen, m
   Vec3 place = Vec3::Zero();  // middle of its bare part, world, m
   Vec3 along = Vec3::Zero();  // unit, away from the root

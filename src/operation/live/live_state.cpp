@@ -21,6 +21,7 @@ void noteBlood(LiveState& state, const Simulation& simulation, const StepReport&
   state.loose = looseBlood(simulation.blood());
   state.bare = bareVessels(simulation);
   state.bleedingEnds = bleedingEnds(simulation);
+  followBlood(simulation, state.bloody);
   state.clips = 0;
   for (const OperatedOrgan& o : simulation.organs())
     for (const VesselClip& clip : o.organ.vessels.clips) state.clips += clip.byHeat ? 0 : 1;
@@ -97,6 +98,7 @@ void noteMoment(LiveState& state, const Simulation& simulation, double before,
   report.contacts.resize(simulation.tools().size() * simulation.organs().size());
   for (const BleedingEnd& end : bleedingEnds(simulation)) report.blood.rate += end.flow;
   state.lastTouch.clear();
+  state.bloody.clear();
   noteStep(state, simulation, report, before, peaks);
   state.bleedingRate = report.blood.rate;  // there is no second before it to take the mean of
 }

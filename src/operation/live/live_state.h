@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "operation/blood/bare_vessels.h"
+#include "operation/blood/bloody_tools.h"
 #include "operation/blood/loose_blood.h"
 #include "operation/ledger/ledger.h"
 #include "operation/live/step_times.h"
@@ -53,6 +54,7 @@ struct LiveState {
   std::vector<std::uint8_t> moved;   // 1: it moved in the last frame
   std::vector<TipPlace> tips;        // valid only while the tool is in hand
   std::vector<double> squeeze;       // of its jaws: 0 wide open, 1 closed
+  std::vector<double> bloody;        // m from its tip (operation/blood/bloody_tools.h)
   std::vector<double> forces;        // smoothed force of the tissue on the tool, N
   std::vector<double> peakForces;    // largest so far of the mean forces in a frame, N
   std::vector<double> lastTouch;  // simulated time when the tool last touched tissue, s; -1: never

@@ -48,12 +48,17 @@ std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation&
   if (report.removed > 0) note("remove", -1, double(report.removed));
   if (report.severed > 0) note("cut", -1, double(report.severed));
   if (report.torn > 0) note("tear", -1, double(report.torn));
+  if (const bool smokes = !report.smoke.empty(); smokes != memory.smoking) {
+    note(smokes ? "smoke" : "smoke_clears", smokes ? report.smoke.front().tool : -1, 0);
+    memory.smoking = smokes;
+  }
   for (const std::string& fault : report.faults) note("fault", -1, 0, fault);
   return events;
 }
 
 void remember(EventMemory& memory, const OperationEvent& event, std::size_t tools) {
   memory.touching.resize(tools, 0), memory.inHand.resize(tools, 0);
+  if (event.kind == "smoke" || event.kind == "smoke_clears") memory.smoking = event.kind == "smoke";
   if (event.tool < 0 || std::size_t(event.tool) >= tools) return;
   const auto t = std::size_t(event.tool);
   if (event.kind == "touch" || event.kind == "release") memory.touching[t] = event.kind == "touch";

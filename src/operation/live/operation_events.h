@@ -14,7 +14,8 @@ struct OperationEvent {
   std::int64_t branch = 0, frame = 0;  // branch: the caller of eventsOf() sets it
   double time = 0;                     // at the frame's end, s
   std::int64_t tool = -1, organ = -1;  // -1: none
-  std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault
+  std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault,
+                      // smoke, smoke_clears
   double amount = 0;  // remove: particles; cut, tear: bonds; piece: number of new pieces
   std::string text;   // fault: the sentence
 };
@@ -24,10 +25,11 @@ struct OperationEvent {
 // count.
 bool worksOnOrgan(const StepReport& report, const Simulation& simulation, std::size_t tool);
 
-// What eventsOf() must know about the step before: one flag per tool. Empty lists mean that no tool
-// was in hand, and that none touched an organ.
+// What eventsOf() must know about the step before: one flag per tool, and whether there was smoke.
+// Empty lists mean that no tool was in hand, and that none touched an organ.
 struct EventMemory {
   std::vector<char> touching, inHand;
+  bool smoking = false;
 };
 
 // The events of the step that `report` describes; `simulation` is in the state after it.

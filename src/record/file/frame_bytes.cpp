@@ -113,6 +113,9 @@ void write(Writer& to, const Press& e) {
   to.vec(e.place), to.plain(e.radius), to.plain(e.pressure), to.plain(e.soaks);
 }
 void write(Writer& to, const DivideVessel& e) { to.plain(e.segment), to.plain(e.share); }
+void write(Writer& to, const TearBond& e) {
+  to.plain(e.cell), to.plain(e.direction), to.plain(e.spares);
+}
 
 void read(Reader& from, RemoveCell& e) {
   e.cell = from.plain<std::int64_t>();
@@ -161,6 +164,12 @@ void read(Reader& from, Press& e) {
 void read(Reader& from, DivideVessel& e) {
   e.segment = from.plain<std::int32_t>();
   e.share = from.plain<double>();
+}
+
+void read(Reader& from, TearBond& e) {
+  e.cell = from.plain<std::int64_t>();
+  e.direction = from.plain<std::int32_t>();
+  e.spares = from.plain<double>();
 }
 
 using EditKind = decltype(TissueEdit::what);

@@ -39,6 +39,7 @@ struct InstrumentRecord {
 struct VesselStory {
   std::int32_t organ = 0, segment = -1;
   VesselKind kind = VesselKind::PortalVein;
+  std::string name;                              // for people, such as "right portal vein"
   double diameter = 0;                           // m
   Vec3 place = Vec3::Zero();                     // of its middle, at rest, m
   double cut = 0;                                // s: when it was first cut

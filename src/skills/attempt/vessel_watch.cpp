@@ -89,6 +89,7 @@ void VesselWatch::addCuts(const Simulation& simulation, const StepReport& report
     VesselStory story;
     story.organ = cut.organ, story.segment = cut.segment;
     story.kind = s.kind, story.diameter = 2 * s.radius;
+    story.name = organ.map->nameOf(cut.segment);
     story.place = s.at(0.5 * (injury->from + injury->to));
     story.cut = simulation.time();
     story.tool = cuttingTool(report);

@@ -82,9 +82,8 @@ std::string happenings(const Attempt& attempt) {
   for (const ClipPlaced& clip : attempt.clips) lines.push_back({clip.time, "a clip was placed"});
   for (const VesselStory& v : attempt.vessels)
     if (v.diameter >= kNotableVessel)
-      lines.push_back(
-          {v.cut, fmt::format("{} of {:.1f} mm cut, {}", nameOf(v.kind), 1e3 * v.diameter,
-                              v.clippedRoot ? "clipped before" : "not clipped")});
+      lines.push_back({v.cut, fmt::format("{} of {:.1f} mm cut, {}", v.name, 1e3 * v.diameter,
+                                          v.clippedRoot ? "clipped before" : "not clipped")});
   if (const auto work = workOf(attempt)) {
     lines.push_back({attempt.time[work->first], "first contact"});
     lines.push_back({attempt.time[work->last], "last contact"});

@@ -152,7 +152,7 @@ std::string vesselSection(const Attempt& attempt) {
       thinBled += v.bled;
       continue;
     }
-    table.rows.push_back({text(nameOf(v.kind)),
+    table.rows.push_back({text(v.name),
                           number(fmt::format("{:.1f}", 1e3 * v.diameter)),
                           number(timeText(v.cut)),
                           {v.clippedRoot ? "yes" : "no", v.clippedRoot ? "kept" : "missed"},

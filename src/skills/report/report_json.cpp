@@ -38,7 +38,7 @@ Json toJson(const Deduction& d) {
 }
 
 Json toJson(const VesselStory& v) {
-  return {{"vessel", nameOf(v.kind)},
+  return {{"vessel", v.name},
           {"diameter_mm", printed(1e3 * v.diameter)},
           {"place_at_rest_m", {printed(v.place.x()), printed(v.place.y()), printed(v.place.z())}},
           {"cut_s", printedTime(v.cut)},

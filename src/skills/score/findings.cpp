@@ -157,7 +157,7 @@ const VesselStory* worstOf(const Attempt& attempt) {
 }
 
 std::string vesselText(const VesselStory& v) {
-  return fmt::format("{} of {:.1f} mm", nameOf(v.kind), 1e3 * v.diameter);
+  return fmt::format("{} of {:.1f} mm", v.name, 1e3 * v.diameter);
 }
 
 void tellBlood(const Attempt& attempt, Deduction& d) {

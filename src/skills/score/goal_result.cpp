@@ -186,9 +186,9 @@ GoalResult divideResult(const Attempt& attempt, const TaskGoal& goal) {
   const char* which = vessel->clippedRoot ? "the far side" : "the side of the heart";
   result.sentence =
       result.reached
-          ? fmt::format("The {} of {:.1f} mm was divided between two clips.", nameOf(vessel->kind),
+          ? fmt::format("The {} of {:.1f} mm was divided between two clips.", vessel->name,
                         1e3 * vessel->diameter)
-          : fmt::format("The {} of {:.1f} mm was cut without a clip on {}.", nameOf(vessel->kind),
+          : fmt::format("The {} of {:.1f} mm was cut without a clip on {}.", vessel->name,
                         1e3 * vessel->diameter,
                         vessel->clippedRoot || vessel->clippedFar ? which : "either side");
   return result;

@@ -133,7 +133,7 @@ TissueEnergy ElasticTissue::energy() {
                         .squaredNorm();
       sum.elastic += state_.kappa[i] / 2 * misfit;
     }
-  sum.elastic += fibreEnergy(fibres_, state_);
+  sum.elastic += fibreEnergy(fibres_, state_) + cordEnergy(cords_, state_);
   return sum;
 }
 

@@ -21,7 +21,7 @@ void ElasticTissue::visitMade(StateVisitor& v) {
   contacts_.visitMade(v);
   springs_.visitMade(v);
   fronts_.visitMade(v);
-  v.made(lattice_, settings_, kernel_, longestSubstep_, uneven_, gripper_);
+  v.made(lattice_, settings_, kernel_, longestSubstep_, uneven_, cords_, gripper_);
   v.made(bondsChanged_, holdsChanged_, frame_, before_, kept_);
 }
 

@@ -119,6 +119,7 @@ StiffCells ElasticTissue::stressPass(const SubstepConstants& c) {
   });
   pullUnevenBonds(uneven_, state_);
   pullFibres(fibres_, state_);
+  pullCords(cords_, state_);
   return {beyond, beyondLess};
 }
 

@@ -84,6 +84,7 @@ class ElasticTissue final : public TissueModel {
   Advance advance(double duration);
 
   void setSurface(std::span<const SurfacePatch> patches) override;
+  void setCords(std::span<const TissueCord> cords) override;
   // The computation of a frame, as in tissue/tissue_model.h. If the tissue explodes, it is restored
   // to the beginning of the frame, and the frame is repeated with substeps of half the length.
   void beginFrame(double duration, std::span<const Obstacle> obstacles) override;
@@ -200,6 +201,7 @@ class ElasticTissue final : public TissueModel {
   const ElasticKernel* kernel_;
   double longestSubstep_ = 0;
   std::vector<UnevenBond> uneven_;
+  std::vector<Fibre> cords_;
   std::vector<std::int32_t> gripper_;  // per cell of state_.box (lattice and halo): tool, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   TissueContacts contacts_;

@@ -13,6 +13,18 @@ Vec3f along(const Fibre& fibre, const std::array<FloatArray, 3>& u) {
   return x;
 }
 
+// slack: up to this length, m, there is no force.
+void pull(const Fibre& fibre, ElasticState& s, float slack) {
+  const Vec3f x = along(fibre, s.ahead);
+  const float length = x.norm();
+  if (!(length > std::max(slack, 1e-12f))) return;
+  const Vec3f force = fibre.stiffness * (1 - fibre.length / length) * x;  // on a
+  for (int k = 0; k < 3; ++k) {
+    s.bondForce[k][fibre.a] += force[k];
+    s.bondForce[k][fibre.b] -= force[k];
+  }
+}
+
 }  // namespace
 
 std::vector<Fibre> findFibres(const ElasticState& s, std::span<const Fibre> before) {
@@ -42,16 +54,11 @@ std::vector<Fibre> findFibres(const ElasticState& s, std::span<const Fibre> befo
 }
 
 void pullFibres(std::span<const Fibre> fibres, ElasticState& s) {
-  for (const Fibre& fibre : fibres) {
-    const Vec3f x = along(fibre, s.ahead);
-    const float length = x.norm();
-    if (!(length > 1e-12f)) continue;
-    const Vec3f force = fibre.stiffness * (1 - fibre.length / length) * x;  // on a
-    for (int k = 0; k < 3; ++k) {
-      s.bondForce[k][fibre.a] += force[k];
-      s.bondForce[k][fibre.b] -= force[k];
-    }
-  }
+  for (const Fibre& fibre : fibres) pull(fibre, s, 0);
+}
+
+void pullCords(std::span<const Fibre> cords, ElasticState& s) {
+  for (const Fibre& cord : cords) pull(cord, s, cord.length);
 }
 
 double fibreEnergy(std::span<const Fibre> fibres, const ElasticState& s) {
@@ -59,6 +66,15 @@ double fibreEnergy(std::span<const Fibre> fibres, const ElasticState& s) {
   for (const Fibre& fibre : fibres) {
     const double stretch = double(along(fibre, s.u).norm()) - fibre.length;
     sum += 0.5 * fibre.stiffness * stretch * stretch;
+  }
+  return sum;
+}
+
+double cordEnergy(std::span<const Fibre> cords, const ElasticState& s) {
+  double sum = 0;
+  for (const Fibre& cord : cords) {
+    const double stretch = std::max(0.0, double(along(cord, s.u).norm()) - cord.length);
+    sum += 0.5 * cord.stiffness * stretch * stretch;
   }
   return sum;
 }

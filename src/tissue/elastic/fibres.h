@@ -37,8 +37,11 @@ std::vector<Fibre> findFibres(const ElasticState& state, std::span<const Fibre> 
 
 // Adds the fibres' forces to ElasticState::bondForce. Call after the stress pass.
 void pullFibres(std::span<const Fibre> fibres, ElasticState& state);
+// The same for cords (tissue/cord.h): fibres that hang slack when they are shorter than at rest.
+void pullCords(std::span<const Fibre> cords, ElasticState& state);
 
-// Elastic energy of all fibres, J.
+// Elastic energy of all fibres or cords, J.
 double fibreEnergy(std::span<const Fibre> fibres, const ElasticState& state);
+double cordEnergy(std::span<const Fibre> cords, const ElasticState& state);
 
 }  // namespace resect

@@ -39,3 +39,28 @@ TEST_CASE("heat and clips are work on an organ, without any contact; taking bloo
   CHECK_FALSE(works({0, 0, Press{kCut, 0.01, 100, 1e-6}}));
   CHECK_FALSE(works({0, 0, Release{}}));
 }
+
+TEST_CASE("tissue that boils smokes: where, by which instrument, and as an event that ends") {
+  Simulation simulation = test::bleedingBlock();
+  EventMemory memory;
+  std::vector<std::string> kinds;
+  const auto run = [&](std::vector<TissueEdit> edits) {
+    const StepReport report = step(simulation, std::move(edits));
+    for (const OperationEvent& event : eventsOf(report, simulation, memory))
+      if (event.kind.starts_with("smoke")) kinds.push_back(event.kind);
+    return report;
+  };
+  CHECK(run({}).smoke.empty());
+  CHECK(run({{0, 0, Heat{kCut, 0.004, 1}}}).smoke.empty());  // warm is no smoke
+  StepReport report;
+  for (int i = 0; i < 120; ++i) report = run({{0, 0, Heat{kCut, 0.004, 60}}});
+  REQUIRE(report.smoke.size() == 1);
+  CHECK(report.smoke[0].tool == 0);
+  CHECK((report.smoke[0].place - kCut).norm() < 0.006);
+  // No more than the power could boil: 60 W over 2.26 MJ/kg.
+  CHECK(report.smoke[0].rate > 0);
+  CHECK(report.smoke[0].rate < 1.2 * 60 / 2.26e6);
+  for (int i = 0; i < 30; ++i) report = run({});
+  CHECK(report.smoke.empty());
+  CHECK(kinds == std::vector<std::string>{"smoke", "smoke_clears"});
+}

@@ -1,0 +1,40 @@
+#include "operation/blood/bloody_tools.h"
+
+#include <doctest/doctest.h>
+
+#include "operation/blood/bleeding_block.h"
+
+using namespace resect;
+using test::kCut;
+
+TEST_CASE("an instrument becomes bloody in blood, stays so, and is wiped when it is put back") {
+  Simulation simulation = test::bleedingBlock();
+  std::vector<double> reach;
+  const auto run = [&](const Pose& pose, bool inHand, int frames) {
+    FrameInput input;
+    input.tools = {{pose, inHand}};
+    for (int i = 0; i < frames; ++i) {
+      simulation.step(input);
+      followBlood(simulation, reach);
+    }
+  };
+  // The handle upwards, out of the wound; and lying over the block's top, beside the wound.
+  const Eigen::Quaterniond up(Eigen::AngleAxisd(-1.5707963267948966, Vec3::UnitX()));
+  const Pose inWound{kCut, up}, far{Vec3(1, 1, 1), up};
+  run(inWound, true, 1);
+  CHECK(reach == std::vector<double>{0});  // nothing bleeds
+  FrameInput cut;
+  cut.tools = {{far, true}};
+  cut.edits.push_back({0, -1, Incision{test::acrossX(kCut.x(), 0.01, 0.05)}});
+  simulation.step(cut);
+  run(far, true, 60);
+  CHECK(reach[0] == 0);  // it bleeds elsewhere
+  run(inWound, true, 2);
+  const double deep = reach[0];
+  CHECK(deep > 0.005);
+  CHECK(deep < 0.03);
+  run(far, true, 2);
+  CHECK(reach[0] == deep);
+  run(far, false, 1);
+  CHECK(reach[0] == 0);
+}
