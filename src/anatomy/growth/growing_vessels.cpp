@@ -14,6 +14,8 @@ constexpr double kLeafSpare = 1.5;     // a leaf's room over its radius: others 
 constexpr double kShortest = 0.0015;   // m: of a piece of vessel
 constexpr double kThinnest = 0.00015;  // m: of a vessel that is narrowed
 
+Aabb boxOf(const Vec3& a, const Vec3& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
+
 // The point that joins a, b and c with the least volume: weighted Fermat point by Weiszfeld's
 // iteration. w: cross-sections of the three vessels.
 Vec3 fork(const Vec3& a, const Vec3& b, const Vec3& c, double wa, double wb, double wc) {
@@ -40,8 +42,14 @@ GrowingVessels::GrowingVessels(const OrganInside& inside, const VesselGrowth& se
 }
 
 double GrowingVessels::radius(int terminals, int kind) const {
-  const double growth = double(settings_.terminals) / std::max(1, terminals_[std::size_t(kind)]);
-  return leafRadius_[std::size_t(kind)] * murrayShare(terminals * growth);
+  KnownRadii& known = knownRadii_[std::size_t(kind)];
+  const int grown = std::max(1, terminals_[std::size_t(kind)]);
+  if (known.grown != grown) known = {grown, std::vector<double>(std::size_t(grown) + 2, 0.0)};
+  double& r = known.radius[std::size_t(terminals)];
+  if (r == 0)
+    r = leafRadius_[std::size_t(kind)] *
+        murrayShare(terminals * (double(settings_.terminals) / grown));
+  return r;
 }
 
 // The radius that is kept free round a segment.
@@ -67,22 +75,27 @@ void GrowingVessels::visitBins(const Vec3& a, const Vec3& b, double reach, Visit
       for (int x = first.x(); x <= last.x(); ++x) {
         const Vec3 centre = binOrigin_ + kBin * Vec3(x + 0.5, y + 0.5, z + 0.5);
         const double t = std::clamp((centre - a).dot(way) / length2, 0.0, 1.0);
-        if ((a + t * way - centre).squaredNorm() <= near * near)
-          visit(std::size_t((z * binDims_.y() + y) * binDims_.x() + x));
+        if ((a + t * way - centre).squaredNorm() <= near * near &&
+            !visit(std::size_t((z * binDims_.y() + y) * binDims_.x() + x)))
+          return;
       }
 }
 
 void GrowingVessels::putIntoBins(int node) {
   const GrowingNode& n = nodes_[std::size_t(node)];
   if (n.parent < 0) return;
-  visitBins(nodes_[std::size_t(n.parent)].place, n.place, 0,
-            [&](std::size_t bin) { bins_[bin].push_back(node); });
+  visitBins(nodes_[std::size_t(n.parent)].place, n.place, 0, [&](std::size_t bin) {
+    bins_[bin].push_back(node);
+    return true;
+  });
 }
 
 void GrowingVessels::takeFromBins(int node) {
   const GrowingNode& n = nodes_[std::size_t(node)];
-  visitBins(nodes_[std::size_t(n.parent)].place, n.place, 0,
-            [&](std::size_t bin) { std::erase(bins_[bin], node); });
+  visitBins(nodes_[std::size_t(n.parent)].place, n.place, 0, [&](std::size_t bin) {
+    std::erase(bins_[bin], node);
+    return true;
+  });
 }
 
 int GrowingVessels::add(const Vec3& place, int parent, int tree, int terminals, bool leaf) {
@@ -111,18 +124,21 @@ bool GrowingVessels::kin(int segment, int node) const {
 
 bool GrowingVessels::clearOfOthers(const Vec3& a, const Vec3& b, double outerRadius,
                                    int tree) const {
-  const double widest = 1.2 * std::max(outer(settings_.portalRadius, 0), settings_.trunkRadius);
+  const double widest =
+      1.2 * std::max(tree == 0 ? 0 : outer(settings_.portalRadius, 0), settings_.trunkRadius);
+  const Aabb box = boxOf(a, b);
   bool clear = true;
   visitBins(a, b, outerRadius + widest + settings_.gap, [&](std::size_t bin) {
     for (const int i : bins_[bin]) {
-      if (!clear) return;
       const GrowingNode& other = nodes_[std::size_t(i)];
       if (other.tree == tree) continue;
       const Vec3& start = nodes_[std::size_t(other.parent)].place;
       const double keep =
           outerRadius + outer(checkRadius(other), kindOf(other.tree)) + settings_.gap;
-      clear = segmentDistance(a, b, start, other.place) >= keep;
+      if (!meets(box.padded(keep), boxOf(start, other.place))) continue;
+      if (segmentDistance(a, b, start, other.place) < keep) return clear = false;
     }
+    return true;
   });
   return clear;
 }
@@ -135,12 +151,13 @@ bool GrowingVessels::clearOfOwn(const Vec3& a, const Vec3& b, double radius, int
   bool clear = true;
   visitBins(a, b, radius + widest, [&](std::size_t bin) {
     for (const int i : bins_[bin]) {
-      if (!clear) return;
       const GrowingNode& other = nodes_[std::size_t(i)];
       if (other.tree != tree || kin(i, first) || (second >= 0 && kin(i, second))) continue;
-      clear = segmentDistance(a, b, nodes_[std::size_t(other.parent)].place, other.place) >=
-              radius + checkRadius(other);
+      if (segmentDistance(a, b, nodes_[std::size_t(other.parent)].place, other.place) <
+          radius + checkRadius(other))
+        return clear = false;
     }
+    return true;
   });
   return clear;
 }
@@ -278,6 +295,7 @@ std::vector<double> GrowingVessels::finalRadii() const {
         r[i] *= share;
         r[std::size_t(j)] *= share;
       }
+      return true;
     });
   }
   return r;

@@ -73,6 +73,7 @@ class GrowingVessels {
   bool clearOfOwn(const Vec3& a, const Vec3& b, double radius, int tree, int first,
                   int second) const;
 
+  // visit(bin) gives whether to go on.
   template <typename Visit>
   void visitBins(const Vec3& a, const Vec3& b, double reach, Visit visit) const;
   void putIntoBins(int node);
@@ -83,6 +84,11 @@ class GrowingVessels {
   std::vector<GrowingNode> nodes_;
   std::array<int, 2> terminals_{};
   std::array<double, 2> leafRadius_{};
+  struct KnownRadii {  // by terminals, while as many have grown; 0: not asked for yet
+    int grown = 0;
+    std::vector<double> radius;
+  };
+  mutable std::array<KnownRadii, 2> knownRadii_;
   std::vector<std::vector<int>> bins_;  // nodes whose segments pass near the bin
   Vec3i binDims_;
   Vec3 binOrigin_;

@@ -16,8 +16,9 @@ inline double murrayShare(double n) {
   const int seventh = exponent >= 0 ? (exponent + 6) / 7 : -(-exponent / 7);
   double y = std::ldexp(1.0, seventh);
   for (int i = 0; i < 12; ++i) {
-    const double y2 = y * y, y6 = y2 * y2 * y2;
-    y = (6 * y + c / y6) / 7;
+    const double y2 = y * y, y6 = y2 * y2 * y2, next = (6 * y + c / y6) / 7;
+    if (next == y) break;
+    y = next;
   }
   return std::sqrt(y);
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "anatomy/vessel_index.h"
 #include "base/elementary.h"
@@ -27,6 +29,13 @@ Vec3 across(const Vec3& direction, const Vec3& wanted) {
     n = direction.cross(axis);
   }
   return n.normalized();
+}
+
+Aabb boxOf(const VesselSegment& s) {
+  Aabb box;
+  box.grow(s.start);
+  box.grow(s.end);
+  return box;
 }
 
 Vec3 directionOf(const VesselSegment& s) { return (s.end - s.start).normalized(); }
@@ -94,6 +103,10 @@ std::vector<VesselSegment> beside(std::span<const VesselSegment> veins, std::spa
 void pushAside(std::vector<VesselSegment>& tree, std::span<const VesselSegment> others,
                const VesselIndex& index, const OrganInside& inside) {
   std::vector<std::int32_t> near;
+  // Where each piece was when it was looked at and did not move: there it need not be looked at
+  // again.
+  const Vec3 nowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::pair<Vec3, Vec3>> settled(tree.size(), {nowhere, nowhere});
   const auto move = [&](std::size_t i, double atStart, double atEnd, const Vec3& by) {
     // The least motion of both ends that moves the place between them by `by`.
     const bool root = tree[i].parent < 0;
@@ -107,13 +120,13 @@ void pushAside(std::vector<VesselSegment>& tree, std::span<const VesselSegment> 
     for (std::size_t i = 0; i < tree.size(); ++i) {
       VesselSegment& s = tree[i];
       if (s.parent >= 0) s.start = tree[std::size_t(s.parent)].end;
-      Aabb box;
-      box.grow(s.start);
-      box.grow(s.end);
-      index.near(box.padded(s.radius + kApart), near);
+      const std::pair<Vec3, Vec3> before(s.start, s.end);
+      if (before == settled[i]) continue;
+      index.near(boxOf(s).padded(s.radius + kApart), near);
       for (const std::int32_t j : near) {
         const VesselSegment& o = others[std::size_t(j)];
         const double wanted = s.radius + o.radius + 2 * kApart;
+        if (!meets(boxOf(s).padded(wanted), boxOf(o))) continue;
         const NearestPlaces n = nearestPlaces(s.start, s.end, o.start, o.end);
         Vec3 out = s.at(n.first) - o.at(n.second);
         const double d = out.norm();
@@ -131,6 +144,7 @@ void pushAside(std::vector<VesselSegment>& tree, std::span<const VesselSegment> 
         s.start = tree[std::size_t(s.parent)].end;
         any = true;
       }
+      if (before == std::pair(s.start, s.end)) settled[i] = before;
     }
     if (!any) break;
   }
@@ -170,10 +184,7 @@ std::vector<VesselSegment> withRoom(const std::vector<VesselSegment>& tree,
   for (std::size_t i = 0; i < tree.size(); ++i) {
     VesselSegment s = tree[i];
     if (s.parent >= 0 && number[std::size_t(s.parent)] < 0) continue;
-    Aabb box;
-    box.grow(s.start);
-    box.grow(s.end);
-    index.near(box.padded(s.radius + kApart), near);
+    index.near(boxOf(s).padded(s.radius + kApart), near);
     for (const std::int32_t j : near) {
       const VesselSegment& o = others[std::size_t(j)];
       s.radius =

@@ -102,10 +102,11 @@ void addTerminals(GrowingVessels& vessels, const std::vector<Vec3>& places, int 
   std::vector<float> distance2[2];  // to the terminals of the kind
   for (auto& d : distance2) d.assign(places.size(), std::numeric_limits<float>::max());
   const auto took = [&](const Vec3& p, int kind) {
-    for (int k = 0; k < 2; ++k)
-      for (std::size_t i = 0; i < places.size(); ++i)
-        distance2[k][i] = std::min(
-            distance2[k][i], float((places[i] - p).squaredNorm() * (k == kind ? 1 : kOtherKind)));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const double d = (places[i] - p).squaredNorm();
+      for (int k = 0; k < 2; ++k)
+        distance2[k][i] = std::min(distance2[k][i], float(d * (k == kind ? 1 : kOtherKind)));
+    }
   };
   for (const GrowingNode& n : vessels.nodes())
     if (n.leaf) took(n.place, GrowingVessels::kindOf(n.tree));

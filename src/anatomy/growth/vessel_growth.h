@@ -27,7 +27,7 @@ struct VesselGrowth {
 
 // Portal vein and hepatic veins compete for the organ; artery and duct accompany the portal vein.
 // `surface`: closed, oriented outwards, m. The same input gives the same bits on every machine.
-// Throws Error if a setting is out of range or the organ is too small. Cost: about half a second
+// Throws Error if a setting is out of range or the organ is too small. Cost: about a second
 // for 1000 terminals. Method: docs/methods/vessels.md.
 Anatomy growVessels(const TriangleMesh& surface, const VesselGrowth& settings);
 
