@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "anatomy/vessel_index.h"
+#include "anatomy/growth/detour.h"
 #include "base/elementary.h"
 
 namespace resect {
@@ -20,6 +20,8 @@ constexpr double kBelowSurface = 3e-4;  // m
 constexpr double kShallow = 3;  // radii: where the vein is less deep, both run level with it
 constexpr int kRounds = 40;     // of pushing aside
 constexpr int kPasses = 3;
+constexpr double kNarrower[] = {1, 0.6,
+                                0.3};  // of its radius, for a piece that is led round others
 
 // Across the direction, as near to `wanted` as can be.
 Vec3 across(const Vec3& direction, const Vec3& wanted) {
@@ -173,30 +175,64 @@ void halveLong(std::vector<VesselSegment>& tree) {
   tree = std::move(halved);
 }
 
-// Narrows branches that are still too near to another vessel, and drops those, with all that
-// follow them, that have no room at all.
+// Appends the piece, narrowed where it is too near to another vessel. Returns false if it has no
+// room.
+bool keep(VesselSegment s, const Surroundings& around, std::vector<VesselSegment>& kept) {
+  std::vector<std::int32_t> near;
+  around.index.near(boxOf(s).padded(s.radius + kApart), near);
+  for (const std::int32_t j : near) {
+    const VesselSegment& o = around.others[std::size_t(j)];
+    s.radius =
+        std::min(s.radius, segmentDistance(s.start, s.end, o.start, o.end) - o.radius - kApart);
+  }
+  if (s.radius < kThinnest) return false;
+  kept.push_back(s);
+  return true;
+}
+
+// Appends pieces that lead round what is in the piece's way, as wide as can be.
+bool keepRound(const VesselSegment& s, const Surroundings& around,
+               std::vector<VesselSegment>& kept) {
+  const std::size_t before = kept.size();
+  for (const double share : kNarrower) {
+    const double radius = std::max(share * s.radius, 2 * kThinnest);
+    const std::vector<Vec3> way = detour(s.start, s.end, radius, kLongest, around);
+    VesselSegment piece = s;
+    bool whole = way.size() > 1;
+    for (std::size_t k = 1; k < way.size() && whole; ++k) {
+      piece.start = way[k - 1], piece.end = way[k];
+      whole = keep(piece, around, kept);
+      piece.parent = std::int32_t(kept.size()) - 1;
+    }
+    if (whole) return true;
+    kept.resize(before);
+  }
+  return false;
+}
+
+// Narrows pieces that are still too near to another vessel, and leads those without any room round
+// it; what cannot be led round is dropped, with all that follows.
 std::vector<VesselSegment> withRoom(const std::vector<VesselSegment>& tree,
-                                    std::span<const VesselSegment> others,
-                                    const VesselIndex& index) {
+                                    const Surroundings& around) {
   std::vector<VesselSegment> kept;
-  std::vector<std::int32_t> number(tree.size(), -1), near;
-  std::vector<int> children(tree.size(), 0);
+  std::vector<std::int32_t> number(tree.size(), -1);
   for (std::size_t i = 0; i < tree.size(); ++i) {
     VesselSegment s = tree[i];
-    if (s.parent >= 0 && number[std::size_t(s.parent)] < 0) continue;
-    index.near(boxOf(s).padded(s.radius + kApart), near);
-    for (const std::int32_t j : near) {
-      const VesselSegment& o = others[std::size_t(j)];
-      s.radius =
-          std::min(s.radius, segmentDistance(s.start, s.end, o.start, o.end) - o.radius - kApart);
+    const bool root = s.parent < 0;
+    if (!root) {
+      s.parent = number[std::size_t(s.parent)];
+      if (s.parent < 0) continue;
+      s.start = kept[std::size_t(s.parent)].end;
+      if (s.length() < 1e-6) {
+        number[i] = s.parent;
+        continue;
+      }
     }
-    if (s.radius < kThinnest || s.length() < 1e-6) continue;
-    s.parent = s.parent < 0 ? -1 : number[std::size_t(s.parent)];
-    number[i] = std::int32_t(kept.size());
-    kept.push_back(s);
-    if (s.parent >= 0) kept[std::size_t(s.parent)].leaf = false;
+    if (keep(s, around, kept) || (!root && keepRound(s, around, kept)))
+      number[i] = std::int32_t(kept.size()) - 1;
   }
   // A branch whose followers were all dropped feeds the sinusoids where it ends.
+  std::vector<int> children(kept.size(), 0);
   for (const VesselSegment& s : kept)
     if (s.parent >= 0) ++children[std::size_t(s.parent)];
   for (std::size_t i = 0; i < kept.size(); ++i) kept[i].leaf = children[i] == 0;
@@ -222,7 +258,7 @@ void addTriads(std::vector<VesselSegment>& segments, const VesselGrowth& setting
       halveLong(tree);
     }
     pushAside(tree, segments, index, inside);
-    tree = withRoom(tree, segments, index);
+    tree = withRoom(tree, {segments, index, inside, kApart, kBelowSurface});
     const std::int32_t first = std::int32_t(segments.size());
     for (VesselSegment s : tree) {
       if (s.parent >= 0) s.parent += first;
