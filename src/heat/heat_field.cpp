@@ -132,16 +132,20 @@ void HeatField::add(const HeatSource& source, double duration,
 
 // Spots beside warm ones become spots too.
 void HeatField::spread(const std::function<bool(const Vec3&)>& isTissue) {
-  for (const HeatedSpot& s : spots_) {
-    if (s.temperature < kBodyTemperature + kWarm) continue;
-    const Vec3i cell = lattice_.cell(s.index);
-    for (const Vec3i& step : forward())
-      for (const Vec3i& beside : {Vec3i(cell + step), Vec3i(cell - step)}) {
-        if (!lattice_.contains(beside)) continue;
-        const std::int64_t index = lattice_.index(beside);
-        if (!find(index) && isTissue(lattice_.centre(beside))) added_.push_back(index);
+  for (const Vec3i& axis : forward())
+    for (const int side : {-1, 1}) {
+      const Vec3i step = side * axis;
+      const std::int64_t stride = side * (lattice_.index(axis) - lattice_.index(Vec3i::Zero()));
+      std::size_t other = 0;  // runs along with the spots
+      for (const HeatedSpot& s : spots_) {
+        if (s.temperature < kBodyTemperature + kWarm) continue;
+        while (other < spots_.size() && spots_[other].index < s.index + stride) ++other;
+        if (other < spots_.size() && spots_[other].index == s.index + stride) continue;
+        const Vec3i beside = lattice_.cell(s.index) + step;
+        if (lattice_.contains(beside) && isTissue(lattice_.centre(beside)))
+          added_.push_back(s.index + stride);
       }
-  }
+    }
   insert();
 }
 
