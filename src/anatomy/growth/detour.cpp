@@ -31,9 +31,7 @@ class LocalWays {
 
   // Whether there is room from a to b.
   bool room(const Vec3& a, const Vec3& b) {
-    if (around_.inside.depth(a) < radius_ + around_.depth ||
-        around_.inside.depth(b) < radius_ + around_.depth)
-      return false;
+    if (!around_.inside.deep(a, b, radius_ + around_.depth)) return false;
     Aabb box;
     box.grow(a);
     box.grow(b);

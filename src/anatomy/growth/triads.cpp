@@ -18,6 +18,7 @@ constexpr double kThinnest = 0.5e-4;    // m: radius below which a branch ends
 constexpr double kLongest = 0.006;      // m: of a piece
 constexpr double kBelowSurface = 3e-4;  // m
 constexpr double kShallow = 3;  // radii: where the vein is less deep, both run level with it
+constexpr double kLook = 5e-4;  // m: steps along a piece, to look at its depth
 constexpr int kRounds = 40;     // of pushing aside
 constexpr int kPasses = 3;
 constexpr double kNarrower[] = {1, 0.6,
@@ -175,9 +176,14 @@ void halveLong(std::vector<VesselSegment>& tree) {
   tree = std::move(halved);
 }
 
-// Appends the piece, narrowed where it is too near to another vessel. Returns false if it has no
-// room.
-bool keep(VesselSegment s, const Surroundings& around, std::vector<VesselSegment>& kept) {
+struct Kept {
+  std::vector<VesselSegment> tree;
+  std::vector<char> within;  // by segment: it or one before it has come into the organ
+};
+
+// Appends the piece, narrowed where it is too near to another vessel or to the organ's surface.
+// Returns false if it has no room.
+bool keep(VesselSegment s, const Surroundings& around, Kept& kept) {
   std::vector<std::int32_t> near;
   around.index.near(boxOf(s).padded(s.radius + kApart), near);
   for (const std::int32_t j : near) {
@@ -185,15 +191,19 @@ bool keep(VesselSegment s, const Surroundings& around, std::vector<VesselSegment
     s.radius =
         std::min(s.radius, segmentDistance(s.start, s.end, o.start, o.end) - o.radius - kApart);
   }
+  const bool within = s.parent >= 0 && kept.within[std::size_t(s.parent)];
+  const int steps = within ? 1 + int(s.length() / kLook) : 0;
+  for (int k = 1; k <= steps; ++k)
+    s.radius = std::min(s.radius, around.inside.depth(s.at(double(k) / steps)) - kApart);
   if (s.radius < kThinnest) return false;
-  kept.push_back(s);
+  kept.tree.push_back(s);
+  kept.within.push_back(within || around.inside.depth(s.end) >= s.radius);
   return true;
 }
 
 // Appends pieces that lead round what is in the piece's way, as wide as can be.
-bool keepRound(const VesselSegment& s, const Surroundings& around,
-               std::vector<VesselSegment>& kept) {
-  const std::size_t before = kept.size();
+bool keepRound(const VesselSegment& s, const Surroundings& around, Kept& kept) {
+  const std::size_t before = kept.tree.size();
   for (const double share : kNarrower) {
     const double radius = std::max(share * s.radius, 2 * kThinnest);
     const std::vector<Vec3> way = detour(s.start, s.end, radius, kLongest, around);
@@ -202,10 +212,11 @@ bool keepRound(const VesselSegment& s, const Surroundings& around,
     for (std::size_t k = 1; k < way.size() && whole; ++k) {
       piece.start = way[k - 1], piece.end = way[k];
       whole = keep(piece, around, kept);
-      piece.parent = std::int32_t(kept.size()) - 1;
+      piece.parent = std::int32_t(kept.tree.size()) - 1;
     }
     if (whole) return true;
-    kept.resize(before);
+    kept.tree.resize(before);
+    kept.within.resize(before);
   }
   return false;
 }
@@ -214,7 +225,7 @@ bool keepRound(const VesselSegment& s, const Surroundings& around,
 // it; what cannot be led round is dropped, with all that follows.
 std::vector<VesselSegment> withRoom(const std::vector<VesselSegment>& tree,
                                     const Surroundings& around) {
-  std::vector<VesselSegment> kept;
+  Kept kept;
   std::vector<std::int32_t> number(tree.size(), -1);
   for (std::size_t i = 0; i < tree.size(); ++i) {
     VesselSegment s = tree[i];
@@ -222,21 +233,20 @@ std::vector<VesselSegment> withRoom(const std::vector<VesselSegment>& tree,
     if (!root) {
       s.parent = number[std::size_t(s.parent)];
       if (s.parent < 0) continue;
-      s.start = kept[std::size_t(s.parent)].end;
+      s.start = kept.tree[std::size_t(s.parent)].end;
       if (s.length() < 1e-6) {
         number[i] = s.parent;
         continue;
       }
     }
     if (keep(s, around, kept) || (!root && keepRound(s, around, kept)))
-      number[i] = std::int32_t(kept.size()) - 1;
+      number[i] = std::int32_t(kept.tree.size()) - 1;
   }
   // A branch whose followers were all dropped feeds the sinusoids where it ends.
-  std::vector<int> children(kept.size(), 0);
-  for (const VesselSegment& s : kept)
-    if (s.parent >= 0) ++children[std::size_t(s.parent)];
-  for (std::size_t i = 0; i < kept.size(); ++i) kept[i].leaf = children[i] == 0;
-  return kept;
+  for (VesselSegment& s : kept.tree) s.leaf = true;
+  for (const VesselSegment& s : kept.tree)
+    if (s.parent >= 0) kept.tree[std::size_t(s.parent)].leaf = false;
+  return std::move(kept.tree);
 }
 
 }  // namespace
