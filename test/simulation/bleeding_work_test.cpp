@@ -37,12 +37,12 @@ class RandomEdits {
     if (what < 16) add(RemoveCell{cell});
     if (what == 16) add(SeverBond{cell, random_.below(26)});
     if (what == 17) add(Incision{blade(lattice.centre(lattice.cell(cell)))});
-    if (what == 18 || what == 19) add(DivideVessel{segment, random_.uniform()});
-    if (what == 20 || what == 21) add(PlaceClip{segment, random_.uniform()});
-    if (what == 22) add(ClampInflow{clamped_ = !clamped_});
+    if (what == 18) add(DivideVessel{segment, random_.uniform()});
+    if (what == 19) add(PlaceClip{segment, random_.uniform()});
+    if (what == 20) add(ClampInflow{clamped_ = !clamped_});
     if (left_-- <= 0) {
       left_ = 120;
-      doing_ = random_.below(4);
+      doing_ = random_.below(8);  // from 4: nothing
       world_ = Vec3::Zero();
       if (!blood.ends.empty()) {
         const BleedingEnd& end = blood.ends[std::size_t(random_.below(int(blood.ends.size())))];
@@ -55,6 +55,10 @@ class RandomEdits {
     if (doing_ == 0) add(Suction{world_, 0.015, 25e-6});
     if (doing_ == 1) add(Press{world_, 0.02, 4000, 4e-6});
     if (doing_ == 2) add(Heat{rest_, 0.005, 60});
+    if (doing_ == 3 && !blood.ends.empty()) {
+      const BleedingEnd& end = blood.ends[std::size_t(left_) % blood.ends.size()];
+      add(PlaceClip{end.segment, end.end == VesselEnd::Root ? 0.01 : 0.99});
+    }
     return edits;
   }
 
@@ -108,7 +112,8 @@ std::uint64_t work(double seconds, int threads) {
                       << removed << " cells removed, " << severed << " bonds cut, " << torn
                       << " torn, at most " << mostEnds << " ends bled and " << mostWet
                       << " cells were wet; bled " << 1e6 * toCubicMetres(l.bled) << " ml; "
-                      << 1e-6 * double(simulation.bytes()) << " MB");
+                      << 1e-6 * double(simulation.bytes()) << " MB; state "
+                      << simulation.stateHash());
   }
   CHECK(hands.acts() > 1);
   CHECK(report.blood.ledger.bled > toPicolitres(1e-6));
