@@ -55,8 +55,8 @@ class RandomEdits {
     if (doing_ == 0) add(Suction{world_, 0.015, 25e-6});
     if (doing_ == 1) add(Press{world_, 0.02, 4000, 4e-6});
     if (doing_ == 2) add(Heat{rest_, 0.005, 60});
-    if (doing_ == 3 && !blood.ends.empty()) {
-      const BleedingEnd& end = blood.ends[std::size_t(left_) % blood.ends.size()];
+    if (doing_ == 3 && left_ % 20 == 0 && !blood.ends.empty()) {
+      const BleedingEnd& end = blood.ends[std::size_t(left_ / 20) % blood.ends.size()];
       add(PlaceClip{end.segment, end.end == VesselEnd::Root ? 0.01 : 0.99});
     }
     return edits;
