@@ -18,7 +18,8 @@ constexpr double kFastestJet = 3;  // m/s
 constexpr double kFalls = -0.5;    // m: below the table a drop is lost
 constexpr double kPulse = 0.2, kHeart = 1.2;  // of the arterial pressure; Hz
 // Arterial pressure falls when more than this share of the blood is lost, to kLeastPressure at
-// kGravest: classes II to IV of haemorrhage (American College of Surgeons, ATLS 2018).
+// kGravest: classes II to IV of haemorrhage (American College of Surgeons, ATLS 2018). From there
+// all flows fall to nothing, since no blood is left.
 constexpr double kBorne = 0.15, kGravest = 0.5, kLeastPressure = 0.4;
 constexpr double kStub = 0.5;  // spacings back along a vessel, where its blood leaves the tissue
 
@@ -26,6 +27,7 @@ double pressureShare(double lost) {
   const double share = std::clamp((lost - kBorne) / (kGravest - kBorne), 0.0, 1.0);
   return 1 - share * (1 - kLeastPressure);
 }
+double shareLeft(double lost) { return std::clamp((1 - lost) / (1 - kGravest), 0.0, 1.0); }
 
 // Cells at which the edits may have changed the skin.
 std::vector<std::int64_t> changedCells(const Organ& organ, std::int32_t number,
@@ -149,13 +151,15 @@ void Bleeding::shed(OrganBlood& blood, std::int64_t cell, Picolitres volume) {
 void Bleeding::ooze(OrganBlood& blood, const OperatedOrgan& organ, double duration, double time) {
   const Lattice& lattice = organ.organ.rest.lattice;
   const HeatField& heat = organ.organ.heat;
+  const double left = shareLeft(toCubicMetres(bled_) / circulation_.volume);
   for (const Oozing& o : blood.oozing) {
     if (!organ.tissue->solid(o.cell)) continue;
     const double over = blood.sinusoids - pressureAt(blood.film.placeOf(organ, o.cell).place);
     const double pressure = std::max(0.0, over / circulation_.sinusoids);
     const double open =
         heat.empty() ? 1 : 1 - heat.coagulated(lattice.centre(lattice.cell(o.cell)));
-    const double rate = kOoze * o.area * pressure * open * math::exp(-(time - o.since) / kOozeTime);
+    const double rate =
+        left * kOoze * o.area * pressure * open * math::exp(-(time - o.since) / kOozeTime);
     shed(blood, o.cell, toPicolitres(rate * duration));
   }
 }
@@ -217,6 +221,7 @@ void Bleeding::bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t numbe
   for (std::size_t i = 0; i < state.injuries.size(); ++i)
     for (int end = 0; end < 2; ++end) {
       VesselInjury& injury = state.injuries[i];
+      injury.flow[end] *= shareLeft(lost);
       const Picolitres volume = toPicolitres(injury.flow[end] * duration);
       if (volume <= 0 || outside[i].closed[end]) continue;
       injury.bled += toCubicMetres(volume);

@@ -4,6 +4,7 @@
 
 #include "anatomy/small_vessels.h"
 #include "base/random.h"
+#include "organ/apply_edits.h"
 #include "simulation/simulation.h"
 #include "support/block_organ.h"
 #include "support/test_tools.h"
@@ -217,6 +218,34 @@ TEST_CASE("the ledger stays exact through random cuts, removals, tears, suction,
     checkLedger(report);
   }
   CHECK(ml(report.blood.ledger.bled) > 5);
+}
+
+TEST_CASE("nobody loses more blood than he has") {
+  Discretization cells = test::fullBlock({12, 6, 12}, kSide);
+  Organ organ = makeOrgan(std::move(cells), {});
+  const Vec3 middle = organ.rest.lattice.box().centre();
+  organ.map = makeVesselMap(test::straightVessel(VesselKind::PortalVein, middle - Vec3(0.05, 0, 0),
+                                                 middle + Vec3(0.02, 0, 0), 0.002));
+  std::vector<OperatedOrgan> organs;
+  organs.push_back(operatedOrgan("block", std::move(organ)));
+  Circulation small;
+  small.volume = 20e-6;
+  Bleeding bleeding(organs, small);
+  std::vector<TissueEdit> edits{
+      {0, -1, Incision{test::acrossX(middle.x(), middle.y() - 0.01, middle.y() + 0.05)}}};
+  std::vector<std::int64_t> removed;
+  applyEdits(organs[0], 0, edits, removed);
+  BloodReport report;
+  double fastest = 0;
+  for (int i = 0; i < 3600; ++i) {
+    bleeding.step(organs, edits, 1.0 / 60, (i + 1) / 60.0, false, report);
+    fastest = std::max(fastest, report.rate);
+    edits.clear();
+  }
+  CHECK(ml(report.ledger.bled) > 15);
+  CHECK(ml(report.ledger.bled) <= 20);
+  CHECK(report.rate < 0.02 * fastest);
+  CHECK(report.ledger.bled == report.ledger.found());
 }
 
 TEST_CASE("a saved operation bleeds on with the same bits") {
