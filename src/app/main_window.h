@@ -206,6 +206,7 @@ class MainWindow : public QMainWindow {
   int clipsBefore_ = 0;
   std::vector<BleedingEnd> endsBefore_;
   bool clipperClosed_ = false;
+  int clipperHeld_ = -1;
   bool asTest_ = false, startedAsTest_ = false;  // of this exercise; of the one being loaded
   std::filesystem::path page_;                   // report of the last attempt
   std::int64_t attemptBranch_ = 0;               // on which it ended

@@ -100,10 +100,13 @@ QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<Bleed
   operation.look([&](const Simulation& s) {
     name = s.organs()[std::size_t(most->organ)].organ.map->nameOf(most->segment);
   });
-  return QString("A clip was placed: the %1 of %2 mm bled %3 ml/min")
+  const double flow = 60e6 * most->flow;  // ml/min
+  const QString bled =
+      flow < 0.1 ? "hardly bled" : QString("bled %1 ml/min").arg(flow, 0, 'f', flow < 10 ? 1 : 0);
+  return QString("A clip was placed: the %1 of %2 mm %3")
       .arg(QString::fromStdString(name))
       .arg(2e3 * most->radius, 0, 'f', 1)
-      .arg(60e6 * most->flow, 0, 'f', most->flow < 10 / 60e6 ? 1 : 0);
+      .arg(bled);
 }
 
 // The tool in hand or left at work on which the force is largest; -1 for none.
@@ -285,7 +288,9 @@ void MainWindow::followClips(const LiveState& state) {
       held >= 0 && session_->toolModels()[std::size_t(held)].kind == "clip_applier";
   const bool closed = clipper && std::size_t(held) < state.squeeze.size() &&
                       state.squeeze[std::size_t(held)] >= kClipCloses;
-  if (closed && !clipperClosed_) {
+  const bool sameTool = held == clipperHeld_;
+  clipperHeld_ = held;
+  if (closed && !clipperClosed_ && sameTool) {
     const bool placed = state.clips > clipsBefore_;
     statusBar()->showMessage(
         placed

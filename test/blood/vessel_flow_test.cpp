@@ -104,6 +104,16 @@ TEST_CASE("sealed ends do not bleed, and a hole in a wall bleeds less than a sev
   CHECK(solved(flow, state).out() == 0);
 }
 
+TEST_CASE("a clip beside a hole in a wall stops it, although it has bled before") {
+  const VesselFlow flow(makeVesselMap(test::threeForks()), {});
+  VesselState state = severed(1, 0.5);
+  state.injuries[0].cut = 0b111111;
+  Solved bleeds = solved(flow, state);
+  CHECK(bleeds.out() > 0);
+  bleeds.state.addClip({1, 0.4});
+  CHECK(solved(flow, bleeds.state).out() == 0);
+}
+
 TEST_CASE("clamping the inflow leaves a portal branch only what runs back out of the sinusoids") {
   const VesselFlow flow(makeVesselMap(test::threeForks()), {});
   VesselState state = severed(1, 0.5);

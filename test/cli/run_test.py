@@ -159,8 +159,8 @@ class Scenarios(unittest.TestCase):
         plot = FOLDER / "forces.svg"
         summary = run("resect-segment-elastic", "--pieces", FOLDER / "moving", "--overwrite", "--plot", plot)
         parts = summary["ledger"][0]["parts"]
-        self.assertGreater(parts[1]["tissue_ml"], 80)
-        self.assertLess(sum(part["tissue_ml"] for part in parts[2:]), 5)  # a shred between the cuts
+        self.assertEqual(len(parts), 2)
+        self.assertTrue(all(part["tissue_ml"] > 10 for part in parts))
         self.assertAlmostEqual(parts[1]["mass_g"], 1.06 * parts[1]["tissue_ml"], delta=1e-6)
         bounds = [json.loads(resect("info", FOLDER / "moving" / f"piece_{i}.stl", "--json").stdout)["bounds_m"] for i in (1, 2)]
         # The hook has drawn it aside: it lies beyond the rest.

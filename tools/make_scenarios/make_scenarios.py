@@ -70,7 +70,7 @@ def all_scenarios():
         "A branch of the portal vein bleeds", "The scalpel cuts a branch of 3 mm; blood wells up, runs and pools", 8.0,
         bleeding.bleed(), ligaments(ASIDE), organ=bleeds, duration=12, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "stop-bleeding", elastic(
-        "Bleeding is stopped", "Suction clears the wound, a clip closes the vessel, bipolar forceps seal the rest", 8.0,
+        "Bleeding is brought down", "Suction clears the wound, a clip closes the vessel, bipolar forceps seal the rest", 8.0,
         bleeding.stop_bleeding(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
     yield "transect", elastic(
         "Part of a left lateral sectionectomy", "The inflow is clamped, the aspirator bares the vessels, they are "
@@ -82,7 +82,7 @@ def all_scenarios():
     yield "cautery", elastic(
         "A raw surface is coagulated", "Where the aspirator took tissue away small arteries bleed; the pencil seals them", 8.0,
         bleeding.cautery(), ligaments(ASIDE), organ=bleeds, close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]")
-    yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; nothing is lost", 8.0,
+    yield "snip", elastic("Scissors cut into the left lobe", "Snip by snip from the front; no tissue is lost, but blood", 8.0,
                           soft.snip(), ligaments(ASIDE), x=ASIDE,
                           close_up=LEFT_LOBE)
     yield "resect-segment-elastic", elastic(

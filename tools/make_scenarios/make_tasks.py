@@ -143,7 +143,8 @@ def touch_and_hold_scenario(operator):
 def two_hands(operator):
     """The hook pulls the left lobe aside and holds it, while the scalpel follows a line over it."""
     good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
-    (_, scalpel), (_, hook), (_, baton) = incise_under_traction()
+    tools = dict(incise_under_traction())
+    scalpel, hook = tools["scalpel"], tools["hook"]
     scalpel.keys = scalpel.keys[:-7 if hurried else -4]  # hurried: not to the end
     scalpel.time = scalpel.keys[-1][0]
     scalpel.keys = [(t, (x - 0.003, y, z), *rest) for t, (x, y, z), *rest in scalpel.keys]
@@ -158,7 +159,7 @@ def two_hands(operator):
         scalpel.keys = [(time, (x + 0.014, y - (0.012 if y < 0.04 else 0), z), *rest)
                         for time, (x, y, z), *rest in scalpel.keys]
         hook = None
-    return [("scalpel", scalpel), ("hook", hook), ("baton", baton)]
+    return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
 
 
 def two_hands_scenario(operator):
@@ -299,7 +300,7 @@ PLANE_X = 0.055
 def left_lateral(operator):
     """The scalpel parts the left lateral section along a plane; the hook lifts it away."""
     good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
-    tools = dict(resect_segment_elastic())
+    tools = {name: path for name, path in resect_segment_elastic() if name in ("scalpel", "hook", "baton")}
     if hurried:  # there and back once, and away
         scalpel = Path3(handle=(0, 1, 0.05), edge=(0, -0.05, 1), speed=0.25)
         scalpel.wait(0.9)

@@ -23,7 +23,7 @@ def lift():
     path.wait(0.6)
     path.to(0.055, 0.046, 0.056).to(0.055, 0.2, 0.14, speed=0.08)
     path.to(0.1, 0.24, 0.2, speed=0.3)
-    return [("scalpel", None), ("hook", path), ("baton", None)]
+    return all_instruments(hook=path)
 
 
 def grasp():
@@ -36,7 +36,7 @@ def grasp():
     path.wait(0.8)
     path.to(*lifted).to(*seized, speed=0.04).jaws(0.0)
     path.to(0.07, 0.14, 0.1).to(0.1, 0.2, 0.16, speed=0.3)
-    return [("scalpel", None), ("hook", None), ("baton", None), ("scissors", None), ("forceps", path)]
+    return all_instruments(forceps=path)
 
 
 def incise():
@@ -72,7 +72,7 @@ def incise_under_traction():
     hook.to(*pulled).to(*opened, speed=0.03)
     hook.wait(1.2)
     hook.to(*opened)
-    return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
+    return all_instruments(scalpel=scalpel, hook=hook)
 
 
 def snip():
@@ -84,7 +84,7 @@ def snip():
         z = 0.078 - 0.014 * i
         path.to(0.058, 0.012 + 0.0045 * i, z, speed=0.06).snip()
     path.to(0.058, 0.09, 0.16, speed=0.15).to(0.1, 0.2, 0.2, speed=0.3)
-    return [("scalpel", None), ("hook", None), ("baton", None), ("scissors", path)]
+    return all_instruments(scissors=path)
 
 
 def cut_under_traction(scalpel, cut, beside, caught, pulled, lifted):
@@ -111,17 +111,17 @@ def resect_segment_elastic():
     x, there, back = 0.062, (0, -0.05, 1), (0, 0.05, -1)
     scalpel = Path3(handle=(0, 1, 0.05), edge=there, speed=0.15)
 
-    def cut_off(x, speed):
+    def cut_off(x, speed, y=0.001):
         """There, and back with the edge turned: where a cut leaves the tissue, the last of it gives way uncut."""
-        scalpel.to(x, 0.2, -0.12, speed=0.4).to(x, 0.001, -0.12, speed=0.4).to(x, 0.001, 0.13, speed=speed)
-        scalpel.turn(back).to(x, 0.001, 0.16, speed=0.1).to(x, 0.001, -0.06, speed=speed)
+        scalpel.to(x, 0.2, -0.12, speed=0.4).to(x, y, -0.12, speed=0.4).to(x, y, 0.13, speed=speed)
+        scalpel.turn(back).to(x, y, 0.16, speed=0.1).to(x, y, -0.06, speed=speed)
         scalpel.turn(there).to(x, 0.14, -0.06, speed=0.4).to(0.05, 0.24, 0.14, speed=0.5)
 
     scalpel.wait(0.9)
     cut_off(x, 0.12)
-    hook = cut_under_traction(scalpel, lambda: cut_off(0.07, 0.15), (0.17, 0.13, 0.03), (0.075, 0.016, 0.02),
-                              (0.095, 0.03, 0.025), (0.14, 0.075, 0.04))
-    return [("scalpel", scalpel), ("hook", hook), ("baton", None)]
+    hook = cut_under_traction(scalpel, lambda: cut_off(0.07, 0.15, 0.006), (0.17, 0.13, 0.03), (0.075, 0.016, 0.02),
+                              (0.108, 0.034, 0.025), (0.14, 0.075, 0.04))
+    return all_instruments(scalpel=scalpel, hook=hook)
 
 
 def lift_gallbladder():

@@ -39,7 +39,7 @@ void InstrumentsPanel::setTools(const std::vector<ToolModel>& tools) {
 void InstrumentsPanel::show(int held, const std::vector<std::uint8_t>& left) {
   for (std::size_t i = 0; i < buttons_.size(); ++i) {
     buttons_[i]->setChecked(int(i) == held);
-    const QString text = left[i] ? names_[i] + "   (left at work)" : names_[i];
+    const QString text = left[i] ? names_[i] + "   (at work)" : names_[i];
     if (buttons_[i]->text() != text) buttons_[i]->setText(text);
   }
 }

@@ -255,6 +255,7 @@ double VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
     const double alone = n.g > 0 ? n.j / n.g : 0;
     if (n.shut) {
       n.pressure = alone;
+      if (keep && n.injury >= 0) injuryAt(n).flow[0] = injuryAt(n).flow[1] = 0;
       continue;
     }
     if (n.injury < 0) {

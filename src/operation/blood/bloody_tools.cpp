@@ -15,7 +15,6 @@ void followBlood(const Simulation& simulation, std::vector<double>& reach) {
   const std::vector<ToolState>& tools = simulation.tools();
   reach.resize(tools.size(), 0);
   for (std::size_t t = 0; t < tools.size(); ++t) {
-    if (!tools[t].inHand) reach[t] = 0;
     if (!tools[t].inHand || !simulation.blood().any()) continue;
     const Pose fromWorld = tools[t].pose().inverse();
     for (std::size_t o = 0; o < simulation.organs().size(); ++o) {

@@ -8,8 +8,8 @@
 namespace resect {
 
 // Lengthens `reach`, one entry per tool, m along the tool's axis from its tip, to what wets it now:
-// blood on an organ within 5 mm of the axis. A tool that is not in hand has been wiped: 0. Cost:
-// the wet cells, for each tool in hand.
+// blood on an organ within 5 mm of the axis. Nobody wipes tools. Cost: the wet cells, for each tool
+// in hand.
 void followBlood(const Simulation& simulation, std::vector<double>& reach);
 
 }  // namespace resect

@@ -44,38 +44,46 @@ void ElasticTissue::remove(std::int64_t cell) {
     if (state_.bonds[i] >> d & 1) bondsChanged_.push_back(i + state_.box.step[d]);
   removeCell(state_, i);
   cutFaces_.forgetCell(i);
-  std::erase_if(cords_, [&](const Fibre& cord) { return cord.a == i || cord.b == i; });
+  std::erase_if(cords_, [&](const Cord& cord) { return cord.a == i || cord.b == i; });
   std::erase(pulled_, i);
   loosen(springs_.drop([&](const TissueSpring& spring) { return spring.cell == i; }));
 }
 
 void ElasticTissue::setCords(std::span<const TissueCord> cords) {
+  cords_.clear();
+  for (const TissueCord& one : cords) {
+    require(one.stiffness >= 0 && std::isfinite(one.stiffness) && one.a != one.b,
+            "a cord leads from cell {} to cell {} with {} N/m; give two cells and a finite number "
+            "from 0",
+            one.a, one.b, one.stiffness);
+    if (!solid(one.a) || !solid(one.b)) continue;
+    const Vec3 rest = lattice_.centre(lattice_.cell(one.b)) - lattice_.centre(lattice_.cell(one.a));
+    Cord cord;
+    cord.a = state_.box.fromLattice(one.a), cord.b = state_.box.fromLattice(one.b);
+    cord.rest = rest.cast<float>(), cord.length = float(rest.norm());
+    cord.wanted = float(one.stiffness);
+    cords_.push_back(cord);
+  }
+  limitCords();
+}
+
+// To what the longest substep bears. Call again when that has changed.
+void ElasticTissue::limitCords() {
   // Of m / dt^2, all cords of a cell together. Cells that swing against each other on cords add
   // twice this to the square of the highest frequency times the substep, which must be below 4 and
   // is about 1 for the tissue.
   constexpr double kCordShare = 0.9;
-  cords_.clear();
+  if (cords_.empty()) return;
   std::vector<double> sum(std::size_t(state_.box.size), 0.0);
-  for (const TissueCord& cord : cords) {
-    require(cord.stiffness >= 0 && std::isfinite(cord.stiffness) && cord.a != cord.b,
-            "a cord leads from cell {} to cell {} with {} N/m; give two cells and a finite number "
-            "from 0",
-            cord.a, cord.b, cord.stiffness);
-    if (!solid(cord.a) || !solid(cord.b)) continue;
-    const Vec3 rest =
-        lattice_.centre(lattice_.cell(cord.b)) - lattice_.centre(lattice_.cell(cord.a));
-    cords_.push_back({state_.box.fromLattice(cord.a), state_.box.fromLattice(cord.b),
-                      float(cord.stiffness), rest.cast<float>(), float(rest.norm())});
-    for (const std::int32_t i : {cords_.back().a, cords_.back().b})
-      sum[std::size_t(i)] += cord.stiffness;
-  }
-  for (Fibre& cord : cords_) {
+  for (const Cord& cord : cords_)
+    for (const std::int32_t i : {cord.a, cord.b}) sum[std::size_t(i)] += double(cord.wanted);
+  for (Cord& cord : cords_) {
     double share = 1;
     for (const std::int32_t i : {cord.a, cord.b})
       if (const double m = mass(state_.box.toLattice(i)); m > 0)
         share = std::min(share, kCordShare * m / (longestSubstep_ * longestSubstep_) /
                                     std::max(sum[std::size_t(i)], 1e-30));
-    cord.stiffness *= float(share);
+    cord.stiffness = float(share) * cord.wanted;
   }
 }
 

@@ -80,6 +80,7 @@ void ElasticTissue::chooseSubstep() {
         std::max(fastest2, m.waveSpeed() * m.waveSpeed() + kCapsuleShare * capsule / m.density);
   }
   longestSubstep_ = settings_.stepShare * state_.spacing / std::sqrt(fastest2);
+  limitCords();
 }
 
 SubstepConstants ElasticTissue::constants(double dt) const {

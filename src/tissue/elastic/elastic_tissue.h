@@ -178,6 +178,7 @@ class ElasticTissue final : public TissueModel {
   void lookAhead(float time);
   void clearPulls();
   RestTissue rest() const { return {state_, lattice_, contacts_.points()}; }
+  void limitCords();
   void keepState();
   void restoreState();
   void checkRestored() const;
@@ -201,7 +202,7 @@ class ElasticTissue final : public TissueModel {
   const ElasticKernel* kernel_;
   double longestSubstep_ = 0;
   std::vector<UnevenBond> uneven_;
-  std::vector<Fibre> cords_;
+  std::vector<Cord> cords_;
   std::vector<std::int32_t> gripper_;  // per cell of state_.box (lattice and halo): tool, or -1
   std::vector<std::int32_t> bondsChanged_, holdsChanged_;  // cells that settle() will update
   TissueContacts contacts_;

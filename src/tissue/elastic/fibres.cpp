@@ -57,8 +57,8 @@ void pullFibres(std::span<const Fibre> fibres, ElasticState& s) {
   for (const Fibre& fibre : fibres) pull(fibre, s, 0);
 }
 
-void pullCords(std::span<const Fibre> cords, ElasticState& s) {
-  for (const Fibre& cord : cords) pull(cord, s, cord.length);
+void pullCords(std::span<const Cord> cords, ElasticState& s) {
+  for (const Cord& cord : cords) pull(cord, s, cord.length);
 }
 
 double fibreEnergy(std::span<const Fibre> fibres, const ElasticState& s) {
@@ -70,9 +70,9 @@ double fibreEnergy(std::span<const Fibre> fibres, const ElasticState& s) {
   return sum;
 }
 
-double cordEnergy(std::span<const Fibre> cords, const ElasticState& s) {
+double cordEnergy(std::span<const Cord> cords, const ElasticState& s) {
   double sum = 0;
-  for (const Fibre& cord : cords) {
+  for (const Cord& cord : cords) {
     const double stretch = std::max(0.0, double(along(cord, s.u).norm()) - cord.length);
     sum += 0.5 * cord.stiffness * stretch * stretch;
   }

@@ -37,11 +37,14 @@ std::vector<Fibre> findFibres(const ElasticState& state, std::span<const Fibre> 
 
 // Adds the fibres' forces to ElasticState::bondForce. Call after the stress pass.
 void pullFibres(std::span<const Fibre> fibres, ElasticState& state);
-// The same for cords (tissue/cord.h): fibres that hang slack when they are shorter than at rest.
-void pullCords(std::span<const Fibre> cords, ElasticState& state);
+// A cord (tissue/cord.h): a fibre that hangs slack when it is shorter than at rest.
+struct Cord : Fibre {
+  float wanted = 0;  // stiffness, before it is limited to what is stable, N/m
+};
+void pullCords(std::span<const Cord> cords, ElasticState& state);
 
 // Elastic energy of all fibres or cords, J.
 double fibreEnergy(std::span<const Fibre> fibres, const ElasticState& state);
-double cordEnergy(std::span<const Fibre> cords, const ElasticState& state);
+double cordEnergy(std::span<const Cord> cords, const ElasticState& state);
 
 }  // namespace resect
