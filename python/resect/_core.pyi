@@ -70,6 +70,8 @@ class Edit:
     @staticmethod
     def sever(cell: int, direction: int, organ: int = 0) -> Edit: ...
     @staticmethod
+    def tear(cell: int, direction: int, spares: float = 0.001, organ: int = 0) -> Edit: ...
+    @staticmethod
     def incise(before: ArrayLike, after: ArrayLike, organ: int = 0) -> Edit:
         """Where an edge moves from one position to the next: two arrays [n, 3], tissue at rest, m."""
     @staticmethod

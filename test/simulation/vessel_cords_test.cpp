@@ -126,7 +126,7 @@ TEST_CASE("an operation that was saved with a bare vein goes on as it would have
   // Heat makes tissue stiffer, and so the substeps shorter and the cords' limits higher.
   const Lattice& lattice = simulation.organ().rest.lattice;
   FrameInput heat;
-  heat.edits.push_back({0, -1, Heat{lattice.centre({2, 11, 2}), 0.008, 60}});
+  heat.edits.push_back({0, -1, Heat{lattice.centre({2, 10, 2}), 0.008, 400}});
   for (int i = 0; i < 120; ++i) simulation.step(heat);
   CHECK(!simulation.organ().fields.coagulated.empty());
   run(simulation, 0.5);
