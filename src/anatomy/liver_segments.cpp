@@ -251,12 +251,10 @@ void LiverSegments::setSections(const Anatomy& anatomy, std::int32_t fork) {
   if (main.size() >= 2) {
     section[std::size_t(main.back())] = Section::Left;
     std::int32_t right = main.front();
-    for (std::vector<std::int32_t> next; main.size() == 2; right = next.back()) {
-      next = branches(right, 0.2);  // one right branch: where it divides
-      if (next.size() >= 2 || next.empty()) {
-        if (!next.empty()) right = next.front();
-        break;
-      }
+    if (main.size() == 2) {  // one right branch: its rightmost branch where it divides
+      std::vector<std::int32_t> next = branches(right, 0.2);
+      while (next.size() == 1) right = next.front(), next = branches(right, 0.2);
+      if (!next.empty()) right = next.front();
     }
     section[std::size_t(right)] = Section::Posterior;
   }

@@ -246,9 +246,8 @@ void anatomy(const Options& options) {
   printLine(text, "{} pairs of vessels of two kinds cross", crossings);
   if (segments) {
     std::string volumes;
-    const auto json = segmentsJson(grown, *segments);
-    for (const auto& [number, ml] : json["segments_ml"].items())
-      volumes += fmt::format("{}{} {:.0f}", volumes.empty() ? "" : ", ", number, ml.get<double>());
+    for (int k = 1; const double volume : segmentVolumes(*segments, grown.organ))
+      volumes += fmt::format("{}{} {:.0f}", k > 1 ? ", " : "", romanNumber(k), 1e6 * volume), ++k;
     printLine(text, "segments, ml: {}", volumes);
   }
   for (const auto& row : lost)
