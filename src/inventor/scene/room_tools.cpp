@@ -32,6 +32,13 @@ bool near(const Pose& a, const Pose& b) {
   return (a.position - b.position).norm() < 1e-5 && a.rotation.angularDistance(b.rotation) < 1e-3;
 }
 
+// Blood, material and model of a tool.
+SoSeparator* bodyOf(const SoSeparator* tools, int tool) {
+  const auto* shown =
+      static_cast<SoSwitch*>(static_cast<SoSeparator*>(tools->getChild(tool))->getChild(1));
+  return static_cast<SoSeparator*>(shown->getChild(0));
+}
+
 }  // namespace
 
 int OperatingRoom::addTool(SoNode* model) {
@@ -86,10 +93,7 @@ bool OperatingRoom::setToolSqueeze(int tool, double squeeze) {
 
 void OperatingRoom::setToolBlood(int tool, double reach) {
   requireTool(tool);
-  const auto* shown =
-      static_cast<SoSwitch*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(1));
-  auto* blood =
-      static_cast<SoTexture2Transform*>(static_cast<SoSeparator*>(shown->getChild(0))->getChild(0));
+  auto* blood = static_cast<SoTexture2Transform*>(bodyOf(tools_, tool)->getChild(0));
   const SbVec2f value(float(reach), 0);
   if (blood->translation.getValue() != value) blood->translation = value;
 }
@@ -109,9 +113,7 @@ int OperatingRoom::toolCount() const { return tools_->getNumChildren(); }
 
 SoNode* OperatingRoom::toolModel(int tool) const {
   requireTool(tool);
-  const auto* shown =
-      static_cast<SoSwitch*>(static_cast<SoSeparator*>(tools_->getChild(tool))->getChild(1));
-  return static_cast<SoSeparator*>(shown->getChild(0))->getChild(2);
+  return bodyOf(tools_, tool)->getChild(2);
 }
 
 Aabb OperatingRoom::toolBounds(int tool) const {
