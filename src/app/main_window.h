@@ -207,6 +207,7 @@ class MainWindow : public QMainWindow {
   std::vector<BleedingEnd> endsBefore_;
   bool clipperClosed_ = false;
   int clipperHeld_ = -1;
+  double clipPlaced_ = -1;  // time of a clip whose effect is to be told, s; -1: none
   bool asTest_ = false, startedAsTest_ = false;  // of this exercise; of the one being loaded
   std::filesystem::path page_;                   // report of the last attempt
   std::int64_t attemptBranch_ = 0;               // on which it ended

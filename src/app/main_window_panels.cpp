@@ -88,10 +88,12 @@ int playedTool(const LiveState& state) {
 // What a clip has done, from what bled before and after it.
 QString closedBy(const std::vector<BleedingEnd>& before, const std::vector<BleedingEnd>& after,
                  LiveOperation& operation) {
+  constexpr double kStopped = 0.2;  // of the flow before
   const BleedingEnd* most = nullptr;
   for (const BleedingEnd& end : before) {
     const bool bleeds = std::ranges::any_of(after, [&](const BleedingEnd& now) {
-      return now.organ == end.organ && now.segment == end.segment && now.end == end.end;
+      return now.organ == end.organ && now.segment == end.segment && now.end == end.end &&
+             now.flow > kStopped * end.flow;
     });
     if (!bleeds && (!most || end.flow > most->flow)) most = &end;
   }
@@ -292,16 +294,25 @@ void MainWindow::followClips(const LiveState& state) {
   clipperHeld_ = held;
   if (closed && !clipperClosed_ && sameTool) {
     const bool placed = state.clips > clipsBefore_;
-    statusBar()->showMessage(
-        placed
-            ? closedBy(endsBefore_, state.bleedingEnds, session_->operation())
-            : QString("No clip was placed: there is no open vessel within %1 mm of the jaws; point "
-                      "at a yellow ring, or change the depth with the wheel")
-                  .arg(1e3 * kClipReach, 0, 'f', 0),
-        8000);
+    if (placed)
+      clipPlaced_ = state.time;
+    else
+      statusBar()->showMessage(
+          QString("No clip was placed: there is no open vessel within %1 mm of the jaws; point at "
+                  "a yellow ring, or change the depth with the wheel")
+              .arg(1e3 * kClipReach, 0, 'f', 0),
+          8000);
     if (options_.reports) say("clip {}", placed ? "placed" : "missed");
   }
   clipperClosed_ = closed;
+  // The flow needs some frames until it is steady.
+  constexpr double kSteady = 0.3;                  // s
+  if (state.time < clipPlaced_) clipPlaced_ = -1;  // an earlier moment is shown
+  if (clipPlaced_ >= 0 && (!closed || state.time > clipPlaced_ + kSteady)) {
+    clipPlaced_ = -1;
+    statusBar()->showMessage(closedBy(endsBefore_, state.bleedingEnds, session_->operation()),
+                             8000);
+  }
   if (!closed) clipsBefore_ = state.clips, endsBefore_ = state.bleedingEnds;
 }
 
