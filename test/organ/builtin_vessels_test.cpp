@@ -2,8 +2,8 @@
 
 #include "anatomy/growth/vessel_growth.h"
 #include "anatomy/measure_anatomy.h"
+#include "anatomy/visible_human.h"
 #include "organ/builtin/builtin_liver.h"
-#include "support/visible_human.h"
 
 using namespace resect;
 

@@ -2,13 +2,13 @@
 
 #include <doctest/doctest.h>
 
+#include "anatomy/visible_human.h"
 #include "base/parallel.h"
 #include "geometry/primitives.h"
 #include "geometry/topology.h"
 #include "organ/discretize.h"
 #include "support/random_edits.h"
 #include "support/surface_look.h"
-#include "support/visible_human.h"
 #include "surface/surface_tracker.h"
 
 using namespace resect;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "anatomy/visible_human.h"
 #include "base/random.h"
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
@@ -12,7 +13,6 @@
 #include "support/references/mesh_reference.h"
 #include "support/references/nearest_triangle.h"
 #include "support/surface_look.h"
-#include "support/visible_human.h"
 #include "surface/surface_tracker.h"
 
 using namespace resect;

@@ -18,11 +18,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "anatomy/visible_human.h"
 #include "organ/discretize.h"
 #include "sph/colour_field.h"
 #include "sph/kernel.h"
 #include "support/block_organ.h"
-#include "support/visible_human.h"
 
 using namespace resect;
 
