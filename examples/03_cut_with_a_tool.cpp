@@ -11,7 +11,7 @@
 #include "geometry/measures.h"
 #include "geometry/primitives.h"
 #include "organ/discretize.h"
-#include "organ/pieces.h"
+#include "organ/parts/bodies.h"
 #include "simulation/simulation.h"
 #include "tools/registry.h"
 

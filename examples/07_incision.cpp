@@ -21,7 +21,7 @@
 #include "inventor/scene/operation_view.h"
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
-#include "organ/pieces.h"
+#include "organ/parts/bodies.h"
 
 using namespace resect;
 

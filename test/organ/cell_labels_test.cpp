@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "organ/pieces.h"
+#include "organ/parts/bodies.h"
 #include "organ/region_placer.h"
 #include "organ/vertex_labels.h"
 #include "support/blades.h"

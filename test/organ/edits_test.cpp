@@ -4,7 +4,7 @@
 #include "geometry/measures.h"
 #include "geometry/topology.h"
 #include "organ/apply_edits.h"
-#include "organ/pieces.h"
+#include "organ/parts/bodies.h"
 #include "support/blades.h"
 #include "support/block_organ.h"
 #include "tissue/elastic/elastic_tissue.h"

@@ -3,17 +3,17 @@
 #include <cmath>
 #include <numeric>
 
+#include "anatomy/visible_human.h"
 #include "geometry/measures.h"
 #include "geometry/topology.h"
 #include "organ/builtin/builtin_liver.h"
 #include "organ/discretize.h"
 #include "organ/incision/strands.h"
 #include "organ/organ.h"
-#include "organ/pieces.h"
+#include "organ/parts/bodies.h"
 #include "support/blades.h"
 #include "support/block_organ.h"
 #include "support/references/wound_reference.h"
-#include "support/visible_human.h"
 #include "tissue/elastic/elastic_tissue.h"
 #include "tissue/stencil.h"
 #include "tissue/still_tissue.h"

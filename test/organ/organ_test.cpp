@@ -12,7 +12,7 @@
 #include "geometry/primitives.h"
 #include "geometry/topology.h"
 #include "organ/discretize.h"
-#include "organ/pieces.h"
+#include "organ/parts/bodies.h"
 #include "support/block_organ.h"
 
 using namespace resect;

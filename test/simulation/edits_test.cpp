@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "geometry/topology.h"
-#include "organ/pieces.h"
+#include "organ/parts/bodies.h"
 #include "simulation/simulation.h"
 #include "support/blades.h"
 #include "support/elastic_block.h"

@@ -27,7 +27,7 @@
 #include "io/scenario/task_files.h"
 #include "operation/promises.h"
 #include "operation/run.h"
-#include "organ/pieces.h"
+#include "organ/parts/bodies.h"
 #include "record/recorder.h"
 
 namespace resect {

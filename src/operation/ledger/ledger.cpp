@@ -8,8 +8,8 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "operation/ledger/parts.h"
 #include "operation/ledger/wound_faces.h"
+#include "organ/parts/tissue_parts.h"
 
 namespace resect {
 namespace {
@@ -223,8 +223,7 @@ OrganLedger LedgerBooks::ledgerOf(const OperatedOrgan& organ, const OrganBooks& 
     for (std::size_t l = 0; l < labels; ++l) order.back().first -= counted[p * labels + l].units;
   }
   std::ranges::sort(order);
-  const double least = std::min(std::max(kPieceVolume, kPieceCells * rest.lattice.spacing.prod()),
-                                kPieceShare * ledger.tissue.before.volume);
+  const double least = leastPiece(ledger.tissue.before.volume, rest.lattice.spacing.prod());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const auto [minusUnits, number] = order[i];
     const bool debris = i > 0 && volumeOf(-minusUnits, rest.lattice) < least;

@@ -32,8 +32,8 @@ struct TissueAmount {
   bool operator==(const TissueAmount&) const = default;
 };
 
-// Where the tissue of an organ or of a label is. A part is a set of particles that bonds connect
-// (operation/ledger/parts.h).
+// Where the tissue of an organ or of a label is. A part is a set of particles that bonds connect;
+// which one is the body, a piece or debris, organ/parts/tissue_parts.h tells.
 struct TissueSplit {
   TissueAmount before;   // before the operation
   TissueAmount body;     // the largest part: what remains
@@ -48,13 +48,6 @@ struct TissueSplit {
   }
   bool operator==(const TissueSplit&) const = default;
 };
-
-// The largest part of an organ is its body. Another part is a piece if it has at least the volume
-// kPieceVolume, m^3, and also that of kPieceCells cells: where cells are large, one or two of them
-// are not a piece. A part that has at least the share kPieceShare of the organ's volume is always a
-// piece. All others are debris.
-inline constexpr double kPieceVolume = 0.5e-6, kPieceShare = 0.01;
-inline constexpr int kPieceCells = 4;
 
 struct LabelLedger {
   int label = 0;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "operation/ledger/parts.h"
+#include "organ/parts/tissue_parts.h"
 
 namespace resect {
 

@@ -6,6 +6,7 @@
 // call.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,17 @@ struct TissueParts {
   std::vector<CellRun> runs;  // of all cells with tissue, ascending
   std::int32_t count = 0;     // parts are numbered from 0, by their first cells
 };
+
+// Of the parts of an organ, the largest is its body. Another part is a piece if it has at least the
+// volume kPieceVolume, m^3, and also that of kPieceCells cells: where cells are large, one or two
+// of them are not a piece. A part that has at least the share kPieceShare of the organ's volume is
+// always a piece. All others are debris.
+inline constexpr double kPieceVolume = 0.5e-6, kPieceShare = 0.01;
+inline constexpr int kPieceCells = 4;
+// The least volume of a piece. organ, cell: volumes; all m^3.
+inline double leastPiece(double organ, double cell) {
+  return std::min(std::max(kPieceVolume, kPieceCells * cell), kPieceShare * organ);
+}
 
 // Cost for still tissue: a pass over one byte per cell of the lattice, and 0.1 us per cell beside a
 // cut. Cost for moving tissue: 0.1 us per particle.

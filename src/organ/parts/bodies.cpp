@@ -1,4 +1,4 @@
-#include "organ/pieces.h"
+#include "organ/parts/bodies.h"
 
 #include <algorithm>
 #include <numeric>

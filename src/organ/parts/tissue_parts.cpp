@@ -1,4 +1,4 @@
-#include "operation/ledger/parts.h"
+#include "organ/parts/tissue_parts.h"
 
 #include <algorithm>
 #include <array>
