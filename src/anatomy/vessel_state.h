@@ -55,10 +55,24 @@ struct VesselClip {
   }
 };
 
+// A segment that ends in another part of the organ's tissue than the body.
+struct SegmentPart {
+  std::int32_t segment = -1;
+  std::int32_t part = kCrumb;  // from 1 on: a piece
+
+  static constexpr std::int32_t kCrumb = -1;  // the tissue there is gone, or no piece
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("segment", segment), v("part", part);
+  }
+};
+
 struct VesselState {
   std::vector<VesselInjury> injuries;  // ascending by segment
   std::vector<VesselClip> clips;       // ascending by segment and share
   std::vector<std::int32_t> bared;     // segments of which tissue was taken away, ascending
+  std::vector<SegmentPart> apart;      // ascending by segment
   bool inflowClamped = false;          // portal vein and artery are closed before the organ
   double clampedTime = 0;              // for which they were closed so far, s
 
@@ -70,7 +84,7 @@ struct VesselState {
 
   template <class Visitor>
   void visit(Visitor& v) {
-    v("injuries", injuries), v("clips", clips), v("bared", bared);
+    v("injuries", injuries), v("clips", clips), v("bared", bared), v("apart", apart);
     v("inflowClamped", inflowClamped), v("clampedTime", clampedTime);
   }
 };

@@ -6,6 +6,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "blood/flow/segment_parts.h"
 
 namespace resect {
 namespace {
@@ -27,6 +28,11 @@ double pressureShare(double lost) {
   const double share = std::clamp((lost - kBorne) / (kGravest - kBorne), 0.0, 1.0);
   return 1 - share * (1 - kLeastPressure);
 }
+// The pressure of the vena cava falls with the blood lost, to nothing at this share, which is about
+// that of the blood that stretches the vessels (estimate).
+constexpr double kStretching = 0.3;
+constexpr int kSeekEvery = 12;  // frames with edits after which the parts of the tissue are sought
+
 double shareLeft(double lost) { return std::clamp((1 - lost) / (1 - kGravest), 0.0, 1.0); }
 
 // Cells at which the edits may have changed the skin.
@@ -76,7 +82,7 @@ Bleeding::Bleeding(std::span<const OperatedOrgan> organs, const Circulation& cir
     any_ = true;
     organs_[i].film.setUp(organs[i]);
     organs_[i].flow = VesselFlow(organs[i].organ.map, circulation);
-    organs_[i].sinusoids = circulation.sinusoids;
+    organs_[i].sinusoids = {circulation.sinusoids};
   }
 }
 
@@ -129,18 +135,25 @@ std::size_t Bleeding::bytes() const {
   return sum;
 }
 
-// Finds the skin again where edits changed it. Faces that were cut begin to ooze; coagulated ones
-// stop.
-void Bleeding::follow(OrganBlood& blood, const OperatedOrgan& organ, std::int32_t number,
+// Finds the skin again where edits changed it, and, when some frames have passed, the parts of the
+// tissue. Faces that were cut begin to ooze.
+void Bleeding::follow(OrganBlood& blood, OperatedOrgan& organ, std::int32_t number,
                       std::span<const TissueEdit> edits, double time) {
   const Lattice& lattice = organ.organ.rest.lattice;
   std::vector<OpenedFaces> opened;
-  blood.film.renew(organ, changedCells(organ.organ, number, edits), drops_, opened);
+  const std::vector<std::int64_t> changed = changedCells(organ.organ, number, edits);
+  blood.film.renew(organ, changed, drops_, opened);
   const double face = lattice.spacing.x() * lattice.spacing.x();
   for (const OpenedFaces& cut : opened) blood.oozing.push_back({cut.cell, cut.faces * face, time});
   std::erase_if(blood.oozing, [&](const Oozing& o) {
     return time - o.since > kOozeEnds * kOozeTime || !organ.organ.alive[std::size_t(o.cell)];
   });
+  if ((blood.unsought > 0 || !changed.empty()) && ++blood.unsought > kSeekEvery) {
+    blood.unsought = 0;
+    const std::vector<std::int32_t> part = partOfCells(organ);
+    organ.organ.vessels.apart = segmentsApart(organ.organ, part);
+    for (Oozing& o : blood.oozing) o.part = std::max(0, part[std::size_t(o.cell)]);
+  }
 }
 
 void Bleeding::shed(OrganBlood& blood, std::int64_t cell, Picolitres volume) {
@@ -154,7 +167,8 @@ void Bleeding::ooze(OrganBlood& blood, const OperatedOrgan& organ, double durati
   const double left = shareLeft(toCubicMetres(bled_) / circulation_.volume);
   for (const Oozing& o : blood.oozing) {
     if (!organ.tissue->solid(o.cell)) continue;
-    const double over = blood.sinusoids - pressureAt(blood.film.placeOf(organ, o.cell).place);
+    const double over =
+        blood.sinusoids[std::size_t(o.part)] - pressureAt(blood.film.placeOf(organ, o.cell).place);
     const double pressure = std::max(0.0, over / circulation_.sinusoids);
     const double open =
         heat.empty() ? 1 : 1 - heat.coagulated(lattice.centre(lattice.cell(o.cell)));
@@ -216,8 +230,9 @@ void Bleeding::bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t numbe
   }
   const double lost = toCubicMetres(bled_) / circulation_.volume, fall = pressureShare(lost);
   const double turn = 2 * std::numbers::pi * (time * kHeart - std::floor(time * kHeart));
-  report.airRate += blood.flow.solve(state, outside, {fall * (1 + kPulse * math::sin(turn)), fall},
-                                     blood.sinusoids);
+  const SourceShares sources{fall * (1 + kPulse * math::sin(turn)), fall,
+                             std::max(0.0, 1 - lost / kStretching)};
+  report.airRate += blood.flow.solve(state, outside, sources, blood.sinusoids);
   for (std::size_t i = 0; i < state.injuries.size(); ++i)
     for (int end = 0; end < 2; ++end) {
       VesselInjury& injury = state.injuries[i];

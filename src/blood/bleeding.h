@@ -77,27 +77,30 @@ class Bleeding {
   // A cell whose cut faces ooze.
   struct Oozing {
     std::int64_t cell = -1;
-    double area = 0;   // of the faces, m^2
-    double since = 0;  // when they were cut, s
+    double area = 0;        // of the faces, m^2
+    double since = 0;       // when they were cut, s
+    std::int32_t part = 0;  // of the tissue, as SegmentPart has it
 
     template <class Visitor>
     void visit(Visitor& v) {
-      v("cell", cell), v("area", area), v("since", since);
+      v("cell", cell), v("area", area), v("since", since), v("part", part);
     }
   };
   struct OrganBlood {
     BloodFilm film;
     std::vector<Oozing> oozing;
-    double sinusoids = 0;  // Pa
-    VesselFlow flow;       // set up once
+    std::vector<double> sinusoids;  // Pa, by part of the tissue (SegmentPart)
+    std::int32_t unsought = 0;      // frames since edits that may have parted tissue; 0: none came
+    VesselFlow flow;                // set up once
 
     template <class Visitor>
     void visit(Visitor& v) {
-      v("film", film), v("oozing", oozing), v("sinusoids", sinusoids);
+      v("film", film), v("oozing", oozing), v("pressures", sinusoids);
+      v("unsought", unsought);
     }
   };
 
-  void follow(OrganBlood& blood, const OperatedOrgan& organ, std::int32_t number,
+  void follow(OrganBlood& blood, OperatedOrgan& organ, std::int32_t number,
               std::span<const TissueEdit> edits, double time);
   void bleed(OrganBlood& blood, OperatedOrgan& organ, std::int32_t number, double duration,
              double time, BloodReport& report);

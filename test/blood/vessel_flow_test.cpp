@@ -15,7 +15,7 @@ constexpr std::uint32_t kAll = (1u << kFilaments) - 1;
 
 struct Solved {
   VesselState state;
-  double sinusoids = 5 * kMmHg;
+  std::vector<double> sinusoids{5 * kMmHg};
   double air = 0;
   double out() const {
     double sum = 0;
@@ -53,7 +53,7 @@ TEST_CASE("without injuries the organ has the flow and the pressures of its supp
   CHECK(flow.inflow(VesselKind::PortalVein) == doctest::Approx(18.75e-6).epsilon(1e-9));
   CHECK(flow.inflow(VesselKind::HepaticArtery) == doctest::Approx(6.25e-6).epsilon(1e-9));
   CHECK(flow.inflow(VesselKind::HepaticVein) == doctest::Approx(-25e-6).epsilon(1e-9));
-  CHECK(s.sinusoids == doctest::Approx(5 * kMmHg).epsilon(1e-9));
+  CHECK(s.sinusoids[0] == doctest::Approx(5 * kMmHg).epsilon(1e-9));
 }
 
 TEST_CASE("what flows in flows out, to a billionth, whatever is cut, clipped or clamped") {
@@ -131,4 +131,69 @@ TEST_CASE("where the outside pressure is higher nothing flows, and wide hepatic 
   CHECK(vein.out() == 0);
   CHECK(vein.air > 0);
   CHECK(solved(flow, severed(1, 0.5), high).air == 0);  // portal
+}
+
+// The second branch of each fork leads into a piece that was cut off from the body, but for them.
+static VesselState piece() {
+  VesselState state;
+  state.apart = {{2, 1}, {5, 1}, {8, 1}};
+  return state;
+}
+
+// Severed and closed on the root's side.
+static void divide(VesselState& state, std::int32_t segment) {
+  state.injuries.push_back({segment, kAll, 0.5, 0.5, 1, {0, 0}, 0});
+}
+
+TEST_CASE("a piece that hangs on its vessels has its own pressure") {
+  const VesselFlow flow(makeVesselMap(test::threeForks()), {});
+  const Solved whole = solved(flow, piece());
+  REQUIRE(whole.sinusoids.size() == 2);
+  CHECK(whole.sinusoids[0] == doctest::Approx(5 * kMmHg).epsilon(1e-9));
+  CHECK(whole.sinusoids[1] == doctest::Approx(5 * kMmHg).epsilon(1e-9));
+  CHECK(flow.inflow(VesselKind::PortalVein) == doctest::Approx(18.75e-6).epsilon(1e-9));
+
+  VesselState state = piece();
+  divide(state, 5);
+  state.injuries[0].sealed = 3;
+  const Solved congested = solved(flow, state);  // blood comes, and none leaves
+  CHECK(congested.sinusoids[1] > 7 * kMmHg);
+  CHECK(congested.sinusoids[0] < congested.sinusoids[1] - kMmHg);
+  CHECK(std::abs(inflow(flow) - congested.out()) < 1e-9 * 25e-6);
+
+  state = piece();
+  divide(state, 2), divide(state, 8);
+  const Solved backwards = solved(flow, state);  // the cava's blood comes back through it
+  CHECK(backwards.sinusoids[1] < 4 * kMmHg);
+  CHECK(backwards.sinusoids[1] < backwards.sinusoids[0] - kMmHg);
+  CHECK(backwards.out() > 0);
+  CHECK(std::abs(inflow(flow) - backwards.out()) < 1e-9 * 25e-6);
+}
+
+TEST_CASE("a piece to which no vessel leads does not bleed, and the body does") {
+  const VesselFlow flow(makeVesselMap(test::threeForks()), {});
+  VesselState state = piece();
+  divide(state, 2), divide(state, 5), divide(state, 8);
+  const Solved apart = solved(flow, state);
+  CHECK(apart.out() == 0);
+  CHECK(apart.sinusoids[1] == 0);
+  CHECK(apart.sinusoids[0] > 4 * kMmHg);
+
+  state.injuries[0].sealed = 0;  // the portal vein's stump in the body
+  const Solved bleeds = solved(flow, state);
+  CHECK(bleeds.state.injuries[0].flow[0] > 1e-6);
+  CHECK(bleeds.state.injuries[0].flow[1] == 0);
+
+  state.apart.clear();  // as long as it is one tissue, its sinusoids feed the far ends
+  CHECK(solved(flow, state).state.injuries[0].flow[1] > 0);
+  state.apart = {{2, SegmentPart::kCrumb}, {5, SegmentPart::kCrumb}, {8, SegmentPart::kCrumb}};
+  CHECK(solved(flow, state).state.injuries[0].flow[1] == 0);
+}
+
+TEST_CASE("where nothing flows in or out the pressure stays") {
+  const VesselFlow flow(makeVesselMap(test::threeForks()), {});
+  VesselState state;
+  state.inflowClamped = true;
+  state.addClip({3, 0.5});  // the trunk of the hepatic veins
+  CHECK(solved(flow, state).sinusoids[0] == doctest::Approx(5 * kMmHg).epsilon(1e-6));
 }

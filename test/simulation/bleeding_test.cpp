@@ -15,15 +15,16 @@ namespace {
 
 constexpr double kSide = 0.005;  // m
 
-// A block of 60 x 30 x 60 mm of still tissue over the table, with a portal vein of 4 mm along x in
-// its middle.
-Simulation block(double height = 0) {
+// A block of 60 x 30 x 60 mm of still tissue over the table, with these vessels, or a portal vein
+// of 4 mm along x in its middle.
+Simulation block(double height = 0, std::optional<Anatomy> vessels = {}) {
   Discretization cells = test::fullBlock({12, 6, 12}, kSide);
   cells.lattice.origin = Vec3(0.5 * kSide, height + 0.5 * kSide, 0.5 * kSide);
   Organ organ = makeOrgan(std::move(cells), {});
-  organ.map = makeVesselMap(test::straightVessel(VesselKind::PortalVein,
-                                                 Vec3(-0.02, height + 0.0151, 0.0301),
-                                                 Vec3(0.05, height + 0.0151, 0.0301), 0.002));
+  if (!vessels)
+    vessels = test::straightVessel(VesselKind::PortalVein, Vec3(-0.02, height + 0.0151, 0.0301),
+                                   Vec3(0.05, height + 0.0151, 0.0301), 0.002);
+  organ.map = makeVesselMap(*vessels);
   return Simulation(std::move(organ), {});
 }
 
@@ -82,7 +83,15 @@ TEST_CASE("an organ without vessels does not bleed, and cut tissue of one with v
 }
 
 TEST_CASE("clips on both sides of the cut stop the vessel, heat stops the rest") {
-  Simulation simulation = block();
+  // Beside it a hepatic vein, whose blood oozes when nothing comes from the portal vein.
+  const auto along = [](VesselKind kind, const Vec3& from, const Vec3& to) {
+    return VesselSegment{kind, -1, from, to, 0.002, true};
+  };
+  Simulation simulation = block(
+      0,
+      makeAnatomy(
+          {along(VesselKind::PortalVein, Vec3(-0.02, 0.0151, 0.0301), Vec3(0.05, 0.0151, 0.0301)),
+           along(VesselKind::HepaticVein, Vec3(0.055, 0.0151, -0.02), Vec3(0.055, 0.0151, 0.05))}));
   simulation.step(with({cutAcross()}));
   const double share = (0.0321 + 0.02) / 0.07;
   StepReport report = simulation.step(

@@ -16,6 +16,11 @@ struct Supply {
   double flow = 0;        // into the organ, m^3/s
 };
 
+// Pressures of the sources over those at rest.
+struct SourceShares {
+  double artery = 1, portal = 1, vein = 1;
+};
+
 // Values at rest: a quarter of the flow is arterial, three quarters portal, 1.5 l/min in all; 8
 // mmHg in the portal vein, 3 in the vena cava, 5 in the sinusoids (docs/methods/blood.md).
 struct Circulation {

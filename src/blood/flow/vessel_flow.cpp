@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/LU>
+
 namespace resect {
 namespace {
 
@@ -14,6 +16,9 @@ constexpr int kRounds = 4;
 // pressure of the body drives blood out of an end faster.
 constexpr double kLeastSpeed = 1e-4, kFastest = 5;
 constexpr double kHeldOpen = 1.5e-3;  // m: radius from which hepatic veins stay open
+// m^3/s per Pa: holds the pressure of a part of the tissue where it was, if nothing else does.
+// Vessels conduct a billion times as much.
+constexpr double kStays = 1e-19;
 constexpr VesselKind kBlood[] = {VesselKind::PortalVein, VesselKind::HepaticVein,
                                  VesselKind::HepaticArtery};
 
@@ -107,29 +112,40 @@ void VesselFlow::condense(Tree& tree) const {
   }
 }
 
-// The part of a tree that injuries concern: their segments, those with clips, and those between
-// them and the root.
+// The part of a tree that injuries concern: their segments, those with clips, those from which
+// branches lead into different parts of the tissue, and those between them and the root.
 struct VesselFlow::Part {
   struct Node {
     std::int32_t segment;      // within the tree
     std::int32_t parent = -1;  // index of its node; -1: the root
     std::int32_t injury = -1;  // index in VesselState::injuries
     bool shut = false;         // by a clip, without being severed
-    bool backwards = false;    // what is beyond it is cut off from the source
-    double healthy = 0;        // conductance from its end to the sinusoids, past other nodes
+    bool cutOff = false;       // what is beyond it is, from the root
     double g = 0, j = 0;       // at its end: flow into what is beyond = g p - j
     double pressure = 0;       // at its end
   };
+  // All that leads from the end of a node into the sinusoids of one part of the tissue, past other
+  // nodes.
+  struct Feed {
+    std::int32_t node;   // index; -1: the root
+    std::int32_t place;  // part of the tissue
+    double conductance;
+  };
   std::vector<Node> nodes;  // ascending by segment
-  double healthy = 0;       // of the roots that are no nodes
+  std::vector<Feed> feeds;
 };
 
-VesselFlow::Part VesselFlow::concernedPart(const Tree& tree, const VesselState& state) const {
+// fed: by part of the tissue, set for those that vessels join to the root.
+VesselFlow::Part VesselFlow::concernedPart(const Tree& tree, const VesselState& state,
+                                           std::vector<bool>& fed) const {
   const std::int32_t first = tree.range.first;
   const auto mine = [&](std::int32_t segment) {
     return segment >= first && segment < first + tree.range.count;
   };
-  std::vector<std::int32_t> node(tree.resistance.size(), -1);  // index by segment
+  std::vector<std::int32_t> place(tree.resistance.size(), 0);  // index by segment
+  for (const SegmentPart& apart : state.apart)
+    if (mine(apart.segment)) place[std::size_t(apart.segment - first)] = apart.part;
+  std::vector<std::int32_t> node(tree.resistance.size(), -1);
   Part part;
   const auto add = [&](std::int32_t segment) {
     for (; segment >= 0 && node[std::size_t(segment - first)] < 0;
@@ -142,12 +158,24 @@ VesselFlow::Part VesselFlow::concernedPart(const Tree& tree, const VesselState& 
     if (mine(injury.segment)) add(injury.segment);
   for (const VesselClip& clip : state.clips)
     if (mine(clip.segment)) add(clip.segment);
+  if (!state.apart.empty())
+    for (std::int32_t i = first; i < first + tree.range.count; ++i) {
+      const std::int32_t parent = anatomy_->segments[std::size_t(i)].parent;
+      if (parent >= 0 && place[std::size_t(i - first)] != place[std::size_t(parent - first)])
+        add(parent);
+    }
   std::ranges::sort(part.nodes, {}, &Part::Node::segment);
   for (std::size_t k = 0; k < part.nodes.size(); ++k)
     node[std::size_t(part.nodes[k].segment)] = std::int32_t(k);
 
   const bool clamped = state.inflowClamped && tree.supply.flow > 0;
-  for (Part::Node& n : part.nodes) {
+  const auto feed = [&](std::int32_t from, std::int32_t to, double conductance, bool cutOff) {
+    if (to == SegmentPart::kCrumb || !(conductance > 0)) return;
+    part.feeds.push_back({from, to, conductance});
+    if (!cutOff) fed[std::size_t(to)] = true;
+  };
+  for (std::size_t k = 0; k < part.nodes.size(); ++k) {
+    Part::Node& n = part.nodes[k];
     const std::int32_t number = n.segment + first;
     const VesselSegment& s = anatomy_->segments[std::size_t(number)];
     if (s.parent >= 0) n.parent = node[std::size_t(s.parent - first)];
@@ -157,37 +185,43 @@ VesselFlow::Part VesselFlow::concernedPart(const Tree& tree, const VesselState& 
       severed = injury->severed();
     }
     n.shut = !severed && state.clipped(number);
-    n.backwards = clamped || severed || n.shut ||
-                  (n.parent >= 0 && part.nodes[std::size_t(n.parent)].backwards);
-    if (s.leaf)
-      n.healthy += tree.leafConductance * (n.backwards && tree.supply.flow > 0 ? kBackwards : 1);
+    n.cutOff = severed || n.shut || (n.parent >= 0 && part.nodes[std::size_t(n.parent)].cutOff);
+    const bool backwards = clamped || n.cutOff;
     const std::size_t i = std::size_t(n.segment);
+    if (s.leaf)
+      feed(std::int32_t(k), place[i],
+           tree.leafConductance * (backwards && tree.supply.flow > 0 ? kBackwards : 1), n.cutOff);
     for (std::int32_t c = tree.firstChild[i]; c < tree.firstChild[i + 1]; ++c) {
       const std::size_t child = std::size_t(tree.children[std::size_t(c)]);
-      if (node[child] < 0) n.healthy += tree.seen[n.backwards][child];
+      if (node[child] < 0)
+        feed(std::int32_t(k), place[child], tree.seen[backwards][child], n.cutOff);
     }
   }
   for (const std::int32_t root : tree.roots)
-    if (node[std::size_t(root)] < 0) part.healthy += tree.seen[clamped][std::size_t(root)];
+    if (node[std::size_t(root)] < 0)
+      feed(-1, place[std::size_t(root)], tree.seen[clamped][std::size_t(root)], false);
   return part;
 }
 
-// One pass from the ends of the part up to the root, and one down. Returns what flows into the
-// sinusoids, m^3/s. keep: writes the flows.
-double VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
-                             std::span<const EndOutside> outside, double sourceShare,
-                             double sinusoids, bool keep, double& air) const {
+// One pass from the ends of the part up to the root, and one down. Adds to `into` what flows into
+// the sinusoids, m^3/s, by part of the tissue. keep: writes the flows.
+void VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
+                           std::span<const EndOutside> outside, double sourceShare,
+                           std::span<const double> sinusoids, bool keep, std::span<double> into,
+                           double& air) const {
   using Node = Part::Node;
   const bool clamped = state.inflowClamped && tree.supply.flow > 0;
   const auto injuryAt = [&](const Node& n) -> VesselInjury& {
     return state.injuries[std::size_t(n.injury)];
   };
   for (Node& n : part.nodes) n.g = n.j = 0;
-  double gRoot = part.healthy, jRoot = part.healthy * sinusoids;
+  double gRoot = 0, jRoot = 0;
   const auto join = [&](std::int32_t node, double g, double j) {
     (node < 0 ? gRoot : part.nodes[std::size_t(node)].g) += g;
     (node < 0 ? jRoot : part.nodes[std::size_t(node)].j) += j;
   };
+  for (const Part::Feed& feed : part.feeds)
+    join(feed.node, feed.conductance, feed.conductance * sinusoids[std::size_t(feed.place)]);
   // Where the outside pressure is higher, veins collapse: such an end was closed in this call,
   // unless it is a wide hepatic vein, which the tissue holds open, and which draws air. An end of
   // an injury lies beyond `resistance`.
@@ -222,8 +256,6 @@ double VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
 
   for (std::size_t k = part.nodes.size(); k-- > 0;) {
     Node& n = part.nodes[k];
-    n.g += n.healthy;
-    n.j += n.healthy * sinusoids;
     if (n.shut) continue;
     const double r = tree.resistance[std::size_t(n.segment)];
     if (n.injury < 0) {
@@ -247,8 +279,6 @@ double VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
   const double root =
       clamped ? (gRoot > 0 ? jRoot / gRoot : 0)
               : (source / tree.supply.resistance + jRoot) / (1 / tree.supply.resistance + gRoot);
-  const double inflow = clamped ? 0 : (source - root) / tree.supply.resistance;
-  double out = 0;
   for (Node& n : part.nodes) {
     const double before = n.parent < 0 ? root : part.nodes[std::size_t(n.parent)].pressure;
     const double r = tree.resistance[std::size_t(n.segment)];
@@ -277,7 +307,6 @@ double VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
       flow[0] = near.g * (hole - near.pressure);
       flow[1] = 0;
     }
-    out += flow[0] + flow[1];
     if (!keep) continue;
     VesselInjury& injury = injuryAt(n);
     for (int end = 0; end < 2; ++end) {
@@ -291,32 +320,70 @@ double VesselFlow::solveTree(const Tree& tree, Part& part, VesselState& state,
       injury.flow[end] = std::clamp(flow[end], 0.0, kFastest * e.area);
     }
   }
-  if (keep) tree.inflow = inflow;
-  return inflow - out;
+  if (keep) tree.inflow = clamped ? 0 : (source - root) / tree.supply.resistance;
+  for (const Part::Feed& feed : part.feeds) {
+    const double pressure = feed.node < 0 ? root : part.nodes[std::size_t(feed.node)].pressure;
+    into[std::size_t(feed.place)] +=
+        feed.conductance * (pressure - sinusoids[std::size_t(feed.place)]);
+  }
 }
 
 double VesselFlow::solve(VesselState& state, std::span<const EndOutside> outside,
-                         const SourceShares& sources, double& sinusoids) const {
+                         const SourceShares& sources, std::vector<double>& sinusoids) const {
   double air = 0;
   collapsed_.assign(state.injuries.size(), {false, false});
+  std::size_t places = 1;
+  for (const SegmentPart& apart : state.apart)
+    places = std::max(places, std::size_t(apart.part + 1));
+  sinusoids.resize(places, 0);
+  std::vector<bool> fed(places, false);
   std::array<Part, kVesselKinds> parts;
   for (const VesselKind kind : kBlood)
-    parts[std::size_t(kind)] = concernedPart(trees_[std::size_t(kind)], state);
+    parts[std::size_t(kind)] = concernedPart(trees_[std::size_t(kind)], state, fed);
+  for (const VesselKind kind : kBlood)
+    std::erase_if(parts[std::size_t(kind)].feeds,
+                  [&](const Part::Feed& feed) { return !fed[std::size_t(feed.place)]; });
+  std::vector<std::size_t> unknown;  // parts of the tissue of which the pressure is sought
+  for (std::size_t p = 0; p < places; ++p)
+    if (fed[p])
+      unknown.push_back(p);
+    else
+      sinusoids[p] = 0;
+
+  const Eigen::Index count = Eigen::Index(unknown.size());
+  std::vector<double> into(places);
+  const auto flowInto = [&](const std::vector<double>& pressures, bool keep) {
+    std::ranges::fill(into, 0.0);
+    for (const VesselKind kind : kBlood)
+      solveTree(trees_[std::size_t(kind)], parts[std::size_t(kind)], state, outside,
+                kind == VesselKind::HepaticArtery ? sources.artery
+                : kind == VesselKind::PortalVein  ? sources.portal
+                                                  : sources.vein,
+                pressures, keep, into, air);
+    Eigen::VectorXd flow(count);
+    for (Eigen::Index i = 0; i < count; ++i) flow[i] = into[unknown[std::size_t(i)]];
+    return flow;
+  };
   for (int round = 0; round < kRounds; ++round) {
+    // The flows are affine in the pressures: those are sought at which nothing gathers.
+    std::vector<double> probe(places, 0.0);
+    const Eigen::VectorXd none = flowInto(probe, false);
+    Eigen::MatrixXd gain(count, count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      double& pressure = probe[unknown[std::size_t(i)]];
+      pressure = kMmHg;
+      gain.col(i) = (flowInto(probe, false) - none) / kMmHg;
+      pressure = 0;
+    }
+    Eigen::VectorXd right = -none;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      gain(i, i) -= kStays;
+      right[i] -= kStays * sinusoids[unknown[std::size_t(i)]];
+    }
+    const Eigen::VectorXd pressures = gain.partialPivLu().solve(right);
+    for (Eigen::Index i = 0; i < count; ++i) sinusoids[unknown[std::size_t(i)]] = pressures[i];
     air = 0;
-    const auto net = [&](double pressure, bool keep) {  // flow into the sinusoids
-      double sum = 0;
-      for (const VesselKind kind : kBlood)
-        sum += solveTree(trees_[std::size_t(kind)], parts[std::size_t(kind)], state, outside,
-                         kind == VesselKind::HepaticArtery ? sources.artery
-                         : kind == VesselKind::PortalVein  ? sources.portal
-                                                           : 1,
-                         pressure, keep, air);
-      return sum;
-    };
-    const double none = net(0, false), unit = net(kMmHg, false);  // it is affine in the pressure
-    if (unit < none) sinusoids = none / (none - unit) * kMmHg;
-    net(sinusoids, true);
+    flowInto(sinusoids, true);
   }
   return air;
 }

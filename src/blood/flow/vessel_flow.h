@@ -1,9 +1,10 @@
 // Pressure and flow in injured vessels.
 //
 // A vessel resists by Poiseuille's law. An open end resists besides by the energy that leaves with
-// the jet: dp = 1.56 rho |Q| Q / (2 A^2). All leaves end in sinusoids of one pressure, which is
-// such that what flows in flows out. Where blood runs backwards out of the sinusoids, these
-// collapse: a leaf of a portal branch or artery then carries a fifth (an estimate).
+// the jet: dp = 1.56 rho |Q| Q / (2 A^2). All leaves in a connected part of the tissue end in
+// sinusoids of one pressure, which is such that what flows in flows out. Nothing flows in a part to
+// which no vessel leads any more. Where blood runs backwards out of the sinusoids, these collapse:
+// a leaf of a portal branch or artery then carries a fifth (an estimate).
 //
 // The part of a tree without injuries is condensed once: seen from its parent, it is a conductance
 // to the sinusoids. So the cost of a frame is that of the injured segments and those between them
@@ -27,23 +28,19 @@ struct EndOutside {
   bool closed[2] = {false, false};  // pressed shut, or inside tissue
 };
 
-// Pressures of the sources over those at rest.
-struct SourceShares {
-  double artery = 1, portal = 1;
-};
-
 class VesselFlow {
  public:
   VesselFlow() = default;
   VesselFlow(std::shared_ptr<const VesselMap> map, const Circulation& circulation);
 
   // Solves for the flows out of all open ends, and writes them to state.injuries: never below 0.
-  // outside: one per injury. sources: their pressures over those at rest. sinusoids: the pressure
-  // in them after the last call, Pa; updated. The loss at the ends grows with the flow, so a call
-  // makes some rounds from the flows of the last one; after a change some calls are needed until
-  // the flow is steady. Returns the flow of air into open hepatic veins, m^3/s.
+  // outside: one per injury. sources: their pressures over those at rest. sinusoids: the pressures
+  // in them after the last call, Pa, by part (SegmentPart), the body first; updated. The loss at
+  // the ends grows with the flow, so a call makes some rounds from the flows of the last one; after
+  // a change some calls are needed until the flow is steady. Returns the flow of air into open
+  // hepatic veins, m^3/s.
   double solve(VesselState& state, std::span<const EndOutside> outside, const SourceShares& sources,
-               double& sinusoids) const;
+               std::vector<double>& sinusoids) const;
 
   // Flow into the organ through the root of a kind after the last solve(), m^3/s.
   double inflow(VesselKind kind) const { return trees_[std::size_t(kind)].inflow; }
@@ -68,10 +65,11 @@ class VesselFlow {
 
   void condense(Tree& tree) const;
   double conductance(Tree& tree, double leaf) const;
-  Part concernedPart(const Tree& tree, const VesselState& state) const;
-  double solveTree(const Tree& tree, Part& part, VesselState& state,
-                   std::span<const EndOutside> outside, double source, double sinusoids, bool keep,
-                   double& air) const;
+  Part concernedPart(const Tree& tree, const VesselState& state, std::vector<bool>& fed) const;
+  void solveTree(const Tree& tree, Part& part, VesselState& state,
+                 std::span<const EndOutside> outside, double source,
+                 std::span<const double> sinusoids, bool keep, std::span<double> into,
+                 double& air) const;
 
   // Work of solve(): per injury, the ends into which the outside would press blood.
   mutable std::vector<std::array<bool, 2>> collapsed_;

@@ -173,7 +173,7 @@ double flowOut(const VesselFlow& flow, std::int32_t segment, bool clip, bool cla
   state.inflowClamped = clamp;
   if (clip) state.addClip({segment, 0.25});
   const std::vector<EndOutside> outside(1);
-  double sinusoids = Circulation().sinusoids;
+  std::vector<double> sinusoids{Circulation().sinusoids};
   for (int i = 0; i < 30; ++i) flow.solve(state, outside, {}, sinusoids);
   return 1e6 * (state.injuries[0].flow[0] + state.injuries[0].flow[1]);
 }
