@@ -15,6 +15,7 @@
 #include <QMenuBar>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
@@ -105,7 +106,7 @@ MainWindow::MainWindow(const WindowOptions& options) : options_(options) {
   makeExercises();
   makeMenus();
   qApp->installEventFilter(this);
-  resize(options.width, options.height);
+  resize(QSize(options.width, options.height).boundedTo(screen()->availableSize()));
   QSettings settings;
   dark_->setChecked(options.dark.value_or(settings.value("dark", true).toBool()));
   setTheme(dark_->isChecked());

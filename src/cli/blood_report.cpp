@@ -58,7 +58,7 @@ std::string toText(const BloodSummary& summary) {
   const BloodLedger& l = summary.ledger;
   std::string text = fmt::format(
       "  {:<10} {:.1f} ml bled, now {:.0f} ml/min (grade {} of 4): {:.1f} ml on organs, {:.1f} ml "
-      "clotted, {:.1f} ml on the table\n",
+      "clotted, {:.1f} ml in pools\n",
       "blood", ml(l.bled), mlPerMinute(summary.rate), bleedingGrade(summary.rate),
       ml(l.film + l.drops), ml(l.clotted), ml(l.pools + l.lost));
   if (l.sucked > 0 || l.absorbed > 0)

@@ -114,7 +114,7 @@ TEST_CASE("an aspirator takes thin vessels with the tissue") {
   CHECK(simulation.organ().vessels.injuries[0].severed());
 }
 
-TEST_CASE("a clip goes to the end that bleeds most within reach") {
+TEST_CASE("a clip goes to a bleeding end within its reach") {
   Simulation simulation = block(list(instrument("clip_applier", true)));
   StepReport report = step(simulation, {away()}, {cutAcross()});
   for (int i = 0; i < 5; ++i) report = step(simulation, {away()});
@@ -127,6 +127,35 @@ TEST_CASE("a clip goes to the end that bleeds most within reach") {
   CHECK(vessels.clipped(vessels.injuries[0], VesselEnd::Root));
   report = step(simulation, {away()});
   CHECK(report.blood.ends.empty());
+}
+
+TEST_CASE("clips and forceps take the bleeding end at their tips, not a larger one beside it") {
+  // An artery of 1.4 mm, and 7 mm beside it a vein of 6 mm that bleeds more.
+  const auto both = [](std::unique_ptr<Tool> tool) {
+    Discretization cells = test::fullBlock({12, 6, 12}, kSide);
+    cells.lattice.origin = Vec3::Constant(0.5 * kSide);
+    Organ organ = makeOrgan(std::move(cells), {});
+    const auto along = [](VesselKind kind, double z, double radius) {
+      return VesselSegment{kind, -1, Vec3(-0.02, kHeight, z), Vec3(0.05, kHeight, z), radius, true};
+    };
+    organ.map = makeVesselMap(makeAnatomy({along(VesselKind::PortalVein, kDepth + 0.007, 0.003),
+                                           along(VesselKind::HepaticArtery, kDepth, 0.0007)}));
+    return Simulation(std::move(organ), list(std::move(tool)));
+  };
+  const Vec3 artery(0.0321, kHeight, kDepth);
+  for (const char* kind : {"clip_applier", "bipolar"}) {
+    CAPTURE(kind);
+    Simulation simulation = both(instrument(kind, true));
+    StepReport report = step(simulation, {away()}, {cutAcross()});
+    for (int i = 0; i < 10; ++i) report = step(simulation, {away()});
+    REQUIRE(report.blood.ends.size() == 2);
+    CHECK(report.blood.ends[0].flow > 2 * report.blood.ends[1].flow);
+    step(simulation, {at(artery + Vec3(0, 0.001, -0.002), 0)});
+    for (int i = 0; i < 150; ++i)
+      report = step(simulation, {at(artery + Vec3(0, 0.001, -0.002), 1)});
+    REQUIRE(report.blood.ends.size() == 1);
+    CHECK(report.blood.ends[0].segment == 0);  // the vein
+  }
 }
 
 TEST_CASE("bipolar forceps seal a cut vein while their tips are closed, and only then") {

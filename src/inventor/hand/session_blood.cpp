@@ -2,6 +2,7 @@
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "inventor/gl/vectors.h"
@@ -9,6 +10,23 @@
 #include "tools/parts/clip_part.h"
 
 namespace resect {
+namespace {
+
+// Of ends that lie so close that their rings would cover each other, the one that bleeds most
+// stays; when it is closed, the next one shows.
+void keepApart(std::vector<BleedingEnd>& ends) {
+  constexpr double kApart = 0.004;  // m
+  std::ranges::stable_sort(ends, std::greater(), &BleedingEnd::flow);
+  std::vector<BleedingEnd> kept;
+  for (const BleedingEnd& end : ends)
+    if (std::ranges::none_of(kept, [&](const BleedingEnd& other) {
+          return (end.place - other.place).norm() < kApart;
+        }))
+      kept.push_back(end);
+  ends = std::move(kept);
+}
+
+}  // namespace
 
 // Draws the puddles and drops, and what lay where they were.
 void OperatingSession::followLooseBlood() {
@@ -53,6 +71,7 @@ void OperatingSession::showBleeding() {
     for (const BleedingEnd& end : state_.bleedingEnds)
       if (end.flow >= kLeastMarkedFlow && (!clips || holdsClip(end.radius))) ends.push_back(end);
   }
+  keepApart(ends);
   std::vector<Vec3> targets;
   for (const BleedingEnd& end : ends) targets.push_back(end.place);
   const Vec3 eye = toVec(room().camera()->position.getValue());

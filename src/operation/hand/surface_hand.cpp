@@ -49,6 +49,7 @@ HandStyle handStyleOf(const ToolModel& tool) {
   } else if (tool.kind == "gauze") {
     style = {.upright = 0.8, .forward = -0.6, .hover = 0.012, .depth = 0.005};
     style.seeks = kSeeks;
+    style.staysOutside = true;
   } else if (tool.kind == "aspirator") {
     style = {.upright = 0.8, .forward = -0.6, .hover = 0.006, .depth = 0.004};
   } else if (tool.kind == "forceps") {
@@ -141,7 +142,9 @@ void seek(SurfaceHand& hand, std::span<const Vec3> targets, const Vec3& towardsE
       least = distance, hand.target = target;
 }
 
-Vec3 workPoint(const SurfaceHand& hand) { return hand.target.value_or(hand.at.point); }
+Vec3 workPoint(const SurfaceHand& hand) {
+  return hand.target && !hand.style.staysOutside ? *hand.target : hand.at.point;
+}
 
 void goDeeper(SurfaceHand& hand, double more) {
   hand.depth = std::clamp(hand.depth + more, 0.0, hand.style.mostDepth);
@@ -186,10 +189,10 @@ Pose poseOf(const SurfaceHand& hand) {
   Mat3 axes;  // the tool's edge faces its -y, its handle its +z
   axes << -edge.cross(handle), -edge, handle;
   double depth = -style.hover;
+  const bool goesTo = hand.target && !style.staysOutside;
   // Hovering over the surface above the target.
-  if (!hand.pressing && hand.target)
-    depth -= std::max(0.0, (hand.at.point - *hand.target).dot(hand.up));
-  if (hand.pressing && hand.target)
+  if (!hand.pressing && goesTo) depth -= std::max(0.0, (hand.at.point - *hand.target).dot(hand.up));
+  if (hand.pressing && goesTo)
     depth = 0;
   else if (hand.pressing)
     depth = style.entersSlowly ? std::min(hand.depth, kDescent * (hand.way - kStart)) : hand.depth;

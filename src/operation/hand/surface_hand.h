@@ -28,6 +28,7 @@ struct HandStyle {
   bool headsForWay = false;   // the first millimetres of a stroke set the heading
   bool closesJaws = false;    // pressing closes the jaws
   double seeks = 0;           // m: how far beside a target the hand may point (seek())
+  bool staysOutside = false;  // presses on the surface over a target, and does not go to it
 };
 // By the model's kind or else its geometry: a blade has an edge, scissors have jaws, a hook has a
 // bend.
@@ -59,7 +60,8 @@ void turnHeading(SurfaceHand& hand, double angle);
 // within style.seeks of it and lies at most style.mostDepth behind or before it. towardsEye: unit,
 // from that point. A hand that presses keeps its target while that holds, and takes up no other.
 void seek(SurfaceHand& hand, std::span<const Vec3> targets, const Vec3& towardsEye);
-// The point at which the instrument works: the target, or else the point on the surface.
+// The point at which the instrument works: the target, unless it stays outside, or else the point
+// on the surface.
 Vec3 workPoint(const SurfaceHand& hand);
 
 // Where the hand has the instrument: the pose of the tool's frame, whose origin is the tip. The

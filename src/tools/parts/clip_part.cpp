@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "tools/bleeding_end.h"
 #include "tools/rest_place.h"
 #include "tools/tool.h"
 
@@ -32,33 +33,29 @@ PlaceClip behind(const Anatomy& anatomy, std::int32_t segment, double share, dou
 void ClipPart::act(const Touch& touch, std::vector<TissueEdit>& edits) const {
   const bool closes = touch.way.from.squeeze < kClipCloses && touch.way.to.squeeze >= kClipCloses;
   if (!closes || !touch.organ.map) return;
-  const std::optional<Vec3> place =
-      restPlace(touch.organ, touch.tissue, touch.way.to.pose * touch.model.tip);
+  const Vec3 tip = touch.way.to.pose * touch.model.tip;
+  const std::optional<Vec3> place = restPlace(touch.organ, touch.tissue, tip);
   if (!place) return;
   const VesselMap& map = *touch.organ.map;
+  if (const auto end = bleedingEndNear(touch.organ, touch.tissue, tip, kClipReach, holdsClip)) {
+    const VesselInjury& injury = *touch.organ.vessels.injury(end->segment);
+    const double length = map.anatomy.segments[std::size_t(end->segment)].length();
+    edits.push_back(
+        touch.edit(end->end == VesselEnd::Root
+                       ? behind(map.anatomy, end->segment, injury.from, kBehind)
+                       : PlaceClip{end->segment, std::min(1.0, injury.to + kBehind / length)}));
+    return;
+  }
+  // No end that bleeds: a vessel that is whole.
   std::vector<std::int32_t> near;
   Aabb box;
   box.grow(*place);
   map.index.near(box.padded(kClipReach), near);
-  // The end that bleeds most, else a vessel that is whole.
   std::optional<PlaceClip> clip;
-  double most = 0, best = 0;
+  double best = 0;
   for (const std::int32_t i : near) {
     const VesselSegment& s = map.anatomy.segments[std::size_t(i)];
-    if (!holdsClip(s.radius)) continue;
-    if (const VesselInjury* injury = touch.organ.vessels.injury(i)) {
-      for (const VesselEnd end : {VesselEnd::Root, VesselEnd::Far}) {
-        const double share = end == VesselEnd::Root ? injury->from : injury->to;
-        if ((s.at(share) - *place).norm() > kClipReach || injury->isSealed(end) ||
-            touch.organ.vessels.clipped(*injury, end) || injury->flow[int(end)] <= most)
-          continue;
-        most = injury->flow[int(end)];
-        clip = end == VesselEnd::Root ? behind(map.anatomy, i, share, kBehind)
-                                      : PlaceClip{i, std::min(1.0, share + kBehind / s.length())};
-      }
-      continue;
-    }
-    if (most > 0) continue;
+    if (!holdsClip(s.radius) || touch.organ.vessels.injury(i)) continue;
     const Vec3 way = s.end - s.start;
     const double share = std::clamp((*place - s.start).dot(way) / way.squaredNorm(), 0.0, 1.0);
     const double distance = (s.at(share) - *place).norm();

@@ -146,6 +146,21 @@ TEST_CASE("a hand that stops bleeding goes to the vessel near the pointer, and w
   CHECK(workPoint(hand) == hand.at.point);
 }
 
+TEST_CASE("a swab is pressed on the skin over a vessel, not into the depth to it") {
+  ToolModel gauze;
+  gauze.kind = "gauze";
+  const Vec3 normal = Vec3(0.2, 1, -0.3).normalized();
+  SurfaceHand hand = takeUp(handStyleOf(gauze), Vec3::UnitX());
+  const std::vector<Vec3> deep = {-0.02 * normal};
+  pointAt(hand, {Vec3::Zero(), normal});
+  seek(hand, deep, normal);
+  CHECK(hand.target == deep[0]);  // its ring shows what is aimed at
+  CHECK(workPoint(hand) == hand.at.point);
+  CHECK(depthOf(hand, normal) == doctest::Approx(-hand.style.hover));
+  press(hand);
+  CHECK(depthOf(hand, normal) == doctest::Approx(hand.style.depth));
+}
+
 TEST_CASE("a vessel deep under the point that is pointed at is reached along the line of sight") {
   ToolModel clip;
   clip.jaws.opening = 0.5;
