@@ -19,6 +19,7 @@
 #include "io/scenario/length.h"
 #include "io/scenario/scenario_file.h"
 #include "io/structures.h"
+#include "operation/first_wounds.h"
 #include "operation/frame_estimate.h"
 #include "operation/room.h"
 #include "operation/setting_ranges.h"
@@ -337,6 +338,8 @@ std::vector<TissueJoint> makeJoints(const Scenario& scenario,
 
 Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
                     std::vector<TissueJoint> joints, std::vector<std::unique_ptr<Tool>> tools) {
+  for (std::size_t i = 0; i < organs.size() && i < scenario.organs.size(); ++i)
+    makeWounds(scenario.organs[i].source.wounds, organs[i]);
   Simulation simulation(std::move(organs), std::move(tools), std::move(joints), scenario.table);
   if (!scenario.toolBox || !simulation.moves()) return simulation;
   const TriangleMesh walls = toolBoxWalls();

@@ -41,6 +41,16 @@ struct BroughtStructure {
   double unit = 1;   // metres per unit of the file
 };
 
+// A straight cut that an organ has before the operation begins: what lies between a line and the
+// same line `depth` farther on.
+struct OrganWound {
+  // The line's ends: fractions of the organ's box at rest, or m, world, if `inWorld`.
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();
+  bool inWorld = false;
+  Vec3 into = -Vec3::UnitY();  // unit, world
+  double depth = 0;            // m
+};
+
 // Where an organ comes from, how it is placed, and the size of its cells.
 struct OrganSource {
   std::string name = "organ";     // its name in the scenario
@@ -67,6 +77,7 @@ struct OrganSource {
   std::vector<OrganLabel> labels;
   // Not kept in recordings, which hold the cells and vessels that were made.
   std::vector<BroughtStructure> structures;
+  std::vector<OrganWound> wounds;  // not kept either: a recording's first state has them
   // Sentences for people about how all this was chosen; not kept either.
   std::vector<std::string> notes;
 

@@ -178,31 +178,25 @@ def two_hands_scenario(operator):
                    close_up="[[-0.015, 0, -0.03], [0.095, 0.07, 0.08]]", bleeds=False) + "\n" + text
 
 
-# Where the branch and two thin arteries bleed after the stab of `control-bleeding`.
-STABBED, SEALED = (-0.0185, 0.0280, 0.0429), ((-0.0204, 0.0282, 0.0440), (-0.0003, 0.0355, 0.0441), (-0.0246, 0.0339, 0.0446))
-
-
-def stab(dy=0.0, dz=0.0, wait=0.9):
-    """A short cut down to the branch of the portal vein."""
-    path = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
-    path.wait(wait)
-    z = VESSEL[2] + dz
-    path.to(-0.05, 0.2, z).to(-0.034, 0.075, z)
-    for x, y in ((-0.030, 0.046), (-0.022, 0.030), (-0.015, 0.0245), (-0.010, 0.030)):
-        path.to(x, y + dy, z, speed=0.05)
-    return path.to(0.01, 0.1, z, speed=0.3).to(0.05, 0.24, 0.14, speed=0.4)
+# The wound of `control-bleeding`, which crosses the branch of `bleed`: the ends of its line and the way into the liver;
+# and where the branch and two thin arteries bleed in it.
+WOUND = ((-0.0053, 0.0556, 0.044), (0.0043, 0.0484, 0.044), (-0.6, -0.8, 0.0), 0.032)
+WOUNDED, SEALED = (-0.0185, 0.0280, 0.0429), ((-0.0204, 0.0282, 0.0440), (-0.0003, 0.0355, 0.0441), (-0.0246, 0.0339, 0.0446))
 
 
 def control_bleeding(operator):
-    """A stab cuts a branch of the portal vein; suction, clip and bipolar forceps stop the bleeding."""
+    """A branch of the portal vein bleeds in a wound; suction, clip and bipolar forceps stop the bleeding."""
     good, hurried, clumsy, reckless = (operator == one for one in OPERATORS)
     x, y, z = VESSEL
-    scalpel = stab()
-    suction = suck_at_vessel(scalpel.time - 1.0, 1.0)
+    suction = Path3(handle=(-0.5, 0.86, 0.1), edge=(0, -0.1, 0.86), speed=0.3)
+    suction.wait(0.5)
+    suction.to(-0.1, 0.2, 0.1).to(0.002, 0.049, 0.046).to(0.012, 0.042, 0.050, speed=0.02)
+    suction.wait(1.0)
+    suction.to(0.012, 0.042, 0.050).to(0.018, 0.034, 0.056, speed=0.02).to(-0.03, 0.09, 0.06, speed=0.1)
     clip = Path3(handle=(0.2, 0.9, 0.4), edge=(0, -0.4, 0.9), speed=0.2)
-    clip.wait(scalpel.time - 0.3)
-    above = (STABBED[0] + 0.004, STABBED[1] + 0.03, STABBED[2] + 0.01)
-    clip.to(x + 0.03, 0.15, z + 0.06).to(*above).to(*STABBED, speed=0.08).snip(0.2).to(*above)
+    clip.wait(1.2)
+    above = (WOUNDED[0] + 0.004, WOUNDED[1] + 0.03, WOUNDED[2] + 0.01)
+    clip.to(x + 0.03, 0.15, z + 0.06).to(*above).to(*WOUNDED, speed=0.08).snip(0.2).to(*above)
     clip.to(x + 0.05, 0.2, z + 0.1, speed=0.4)
     bipolar = Path3(handle=(0.1, 0.9, 0.42), edge=(0, -0.42, 0.9), speed=0.2)
     bipolar.wait(clip.time - 0.5)
@@ -212,17 +206,21 @@ def control_bleeding(operator):
         bipolar.to(place[0], place[1] + 0.012, place[2])
     bipolar.to(x + 0.02, 0.2, z + 0.12, speed=0.4)
     tools = {name: None for name in INSTRUMENTS}
-    tools.update(scalpel=scalpel, suction=suction, clip_applier=clip, bipolar=bipolar)
+    tools.update(suction=suction, clip_applier=clip, bipolar=bipolar)
     if hurried:  # the clip, and nothing after it
         tools["bipolar"] = None
     if clumsy:  # the clip comes late
         for name in ("suction", "clip_applier", "bipolar"):
             tools[name].keys = [(round(time + 6, 5), *rest) for time, *rest in tools[name].keys]
             shaken(tools[name], 0.006, 1.2, 7)
-    if reckless:  # cuts again, and leaves
-        again = stab(dy=-0.004, dz=0.008, wait=scalpel.time + 0.2)
-        scalpel.keys += again.keys
-        tools.update(suction=None, clip_applier=None, bipolar=None)
+    if reckless:  # cuts after the vessel, and leaves
+        scalpel = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
+        scalpel.wait(0.9)
+        scalpel.to(-0.05, 0.2, z + 0.008).to(-0.034, 0.075, z + 0.008)
+        for px, py in ((-0.030, 0.042), (-0.022, 0.026), (-0.015, 0.0205), (-0.010, 0.026)):
+            scalpel.to(px, py, z + 0.008, speed=0.05)
+        scalpel.to(0.01, 0.1, z, speed=0.3).to(0.05, 0.24, 0.14, speed=0.4)
+        tools.update(scalpel=scalpel, suction=None, clip_applier=None, bipolar=None)
     return list(tools.items())
 
 
@@ -231,15 +229,19 @@ def control_bleeding_scenario(operator):
     text = task("Control of a bleeding vessel: clear the wound, close the vessel, then what is left.", goal,
                 {"blood_loss_ml": 20, "vessels_open": 0, "bleeding_s": 18, "total_time_s": 30},
                 {"easy": {"blood_loss_ml": 40, "bleeding_s": 40, "total_time_s": 60}, "hard": {"blood_loss_ml": 12}},
-                ["scalpel", "suction", "clip_applier", "bipolar"],
-                ["Cut down to the branch.", "Suck the blood away to see where it comes from.",
+                ["suction", "clip_applier", "bipolar", "gauze"],
+                ["Suck the blood away to see where it comes from, or press a swab on it.",
                  "Close the branch with a clip.", "Seal what still bleeds with the bipolar forceps."],
                 bands=("lefor-2022",))
-    return elastic("Control of a bleeding vessel", "A branch of the portal vein is cut, and the bleeding is stopped",
+    line = ", ".join("{} = [{}]".format(key, ", ".join(f"{v:g}" for v in value))
+                     for key, value in zip(("from", "to", "into"), WOUND))
+    wound = "[[organ.wound]]\nframe = \"world\"\n{}\ndepth = {:g}\n\n".format(line.replace("], ", "]\n"), WOUND[3])
+    return elastic("Control of a bleeding vessel",
+                   "The liver has a wound in which a branch of the portal vein bleeds; it is to be stopped",
                    8.0, control_bleeding(operator), ligaments(ASIDE),
                    organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\n",
                    duration=22 if operator in ("hurried", "reckless") else None,
-                   close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]") + "\n" + text
+                   close_up="[[-0.09, 0, -0.02], [0.05, 0.09, 0.12]]").replace("[tissue]", wound + "[tissue]", 1) + "\n" + text
 
 
 # A branch of a hepatic vein of 2.1 mm that runs 10 mm under the skin: its middle and its direction at rest, m; and the

@@ -27,6 +27,23 @@ Vec3i readDims(const TomlTable& t) {
   return dims.cast<int>();
 }
 
+OrganWound readWound(const TomlTable& t) {
+  OrganWound wound;
+  const std::string frame = t.text("frame", "organ");
+  if (frame != "organ" && frame != "world")
+    t.complain("frame", "is \"" + frame + "\"; use \"organ\" or \"world\"");
+  wound.inWorld = frame == "world";
+  wound.from = t.place("from", ranges::kFarthestPose);
+  wound.to = t.place("to", ranges::kFarthestPose);
+  if ((wound.to - wound.from).norm() < 1e-6) t.complain("to", "is where `from` is; give a line");
+  const Vec3 into = t.place("into", ranges::kFarthestPose, wound.into);
+  if (into.norm() < 1e-6) t.complain("into", "has no length; give a direction");
+  wound.into = into.normalized();
+  wound.depth = t.number("depth", 1e-4, 1);
+  t.refuseUnknownKeys();
+  return wound;
+}
+
 OrganSource readOrgan(const TomlTable& t) {
   OrganSource organ;
   organ.name = t.text("name", "organ");
@@ -56,6 +73,7 @@ OrganSource readOrgan(const TomlTable& t) {
                               organsWithVessels());
   organ.landmarks = readLandmarks(t);
   readLabels(t, organ);
+  for (const TomlTable& wound : t.tables("wound")) organ.wounds.push_back(readWound(wound));
   return organ;
 }
 
