@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::int64_t kFewestTerminals = 20;
 constexpr double kMainBranch = 0.08;  // of all terminals, from which a hepatic vein is a main one
+constexpr double kAtOnce = 0.012;     // m: from a fork of the portal vein to the next one
 constexpr double kCaudate = 0.025;    // m: radius of the caudate round its axis (setting)
 // A vessel supplies a segment if more than kMinor of its terminals lie there, or more than kMost of
 // the segment's terminals are its own.
@@ -246,7 +247,26 @@ void LiverSegments::setSections(const Anatomy& anatomy, std::int32_t fork) {
     std::ranges::sort(next, {}, meanTurn);
     return next;
   };
+  // Branches of a branch that divides again at once, as where three branches leave nearly together.
+  const auto dividesAtOnce = [&](std::int32_t branch) {
+    const double least =
+        0.15 * double(count[std::size_t(fork)]) / double(count[std::size_t(branch)]);
+    double way = 0;
+    for (;;) {
+      way += anatomy.segments[std::size_t(branch)].length();
+      std::vector<std::int32_t> next = branches(branch, least);
+      if (way > kAtOnce || next.empty()) return std::vector<std::int32_t>{};
+      if (next.size() > 1) return next;
+      branch = next.front();
+    }
+  };
   std::vector<std::int32_t> main = branches(fork, 0.15);
+  for (std::size_t b = 0; b < 2 && main.size() == 2; ++b)
+    if (const auto next = dividesAtOnce(main[b]); next.size() == 2) {
+      main.erase(main.begin() + std::ptrdiff_t(b));
+      main.insert(main.end(), next.begin(), next.end());
+      std::ranges::sort(main, {}, meanTurn);
+    }
   std::vector<Section> section(anatomy.segments.size(), Section::Anterior);
   if (main.size() >= 2) {
     section[std::size_t(main.back())] = Section::Left;

@@ -296,11 +296,11 @@ std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& rea
         source.settings);
     if (!source.spacing && !source.dims)  // what was chosen
       scenario.organs[i].source.spacing = organ.rest.lattice.spacing.x();
+    organ.map = vesselsOf(source, place, surface, readModel, notes);
     if (hasWays(scenario))
       placeWays(scenario, i,
                 {surface.triangles.empty() ? organ.surface.mesh() : std::move(surface),
                  organ.rest.landmarks, organ.rest.lattice.spacing});
-    organ.map = vesselsOf(source, place, readModel, notes);
     std::unique_ptr<TissueModel> tissue = doubting(source, particleBox(organ.rest), [&] {
       return makeTissue(scenario.organs[i].tissue, organ, notes);
     });

@@ -20,10 +20,13 @@ void addLabels(Discretization& cells, const OrganSource& source, const std::opti
 
 // The organ's vessels where it lies: those of the source's file of vessels, of its file of cells,
 // or of the built-in organ, and the centre lines of vessels that the source brings as model files.
-// A kind that is brought replaces that kind. Null if there are none. `notes` gets sentences for
-// people.
+// A kind that is brought replaces that kind. Where portal vein and hepatic veins are brought,
+// smaller vessels grow from them into the rest of the organ, and artery and duct beside the portal
+// vein, if source.smallVessels. surface: of the organ where it lies, closed; empty for a file of
+// particles, where none grow. Null if there are no vessels. `notes` gets sentences for people.
 std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
                                            const std::optional<Pose>& place,
+                                           const TriangleMesh& surface,
                                            const ModelReader& readModel,
                                            std::vector<std::string>* notes);
 

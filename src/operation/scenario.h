@@ -77,6 +77,7 @@ struct OrganSource {
   std::vector<OrganLabel> labels;
   // Not kept in recordings, which hold the cells and vessels that were made.
   std::vector<BroughtStructure> structures;
+  bool smallVessels = true;        // grow from vessels among these
   std::vector<OrganWound> wounds;  // not kept either: a recording's first state has them
   // Sentences for people about how all this was chosen; not kept either.
   std::vector<std::string> notes;

@@ -41,6 +41,26 @@ def info(*args):
 
 
 class Brought(unittest.TestCase):
+    def test_small_vessels_grow_from_the_veins_that_a_liver_is_brought_with(self):
+        """The built-in liver as model files, and its veins' shapes, of which thinning finds the wide ones alone."""
+        FOLDER.mkdir(parents=True, exist_ok=True)
+        liver, trees = FOLDER / "liver.ply", FOLDER / "trees"
+        resect("liver", "-o", liver)
+        resect("anatomy", "--meshes", trees)
+        brought = ("anatomy", "--json", "--organ", liver, "--structure", f"portal-vein={trees / 'portal-vein.ply'}",
+                   "--structure", f"hepatic-vein={trees / 'hepatic-vein.ply'}")
+        found = json.loads(resect(*brought, "--only-found").stdout)["vessels"]
+        self.assertLess(found["portal-vein"]["terminals"], 100)
+        self.assertEqual(found["hepatic-artery"]["terminals"], 0)
+        grown = json.loads(resect(*brought).stdout)
+        for kind, least in (("portal-vein", 1000), ("hepatic-vein", 1000), ("hepatic-artery", 950), ("bile-duct", 950)):
+            self.assertGreaterEqual(grown["vessels"][kind]["terminals"], least, kind)
+            self.assertEqual(grown["vessels"][kind]["outside_mm"], 0, kind)
+        self.assertEqual(set(grown["crossings"].values()), {0})
+        own = json.loads(resect("anatomy", "--json").stdout)["couinaud"]["segments_ml"]
+        for segment, ml in grown["couinaud"]["segments_ml"].items():
+            self.assertLess(abs(ml - own[segment]), 0.3 * own[segment], segment)
+
     def test_parts_that_are_named_several_times_are_joined_by_every_command(self):
         model = write("patches.obj", points((0.1, 0.1, 0.1)) + "o capsule\n" + faces(FACES[:10]) + "o bare area\n" +
                       faces(FACES[10:]) + "o sheet\nv 0.05 0.02 0.02\nv 0.05 0.08 0.02\nv 0.05 0.05 0.08\nf 9 10 11\n")

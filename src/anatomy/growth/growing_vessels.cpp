@@ -33,6 +33,7 @@ Vec3 fork(const Vec3& a, const Vec3& b, const Vec3& c, double wa, double wb, dou
 
 GrowingVessels::GrowingVessels(const OrganInside& inside, const VesselGrowth& settings)
     : inside_(inside), settings_(settings) {
+  widest_ = std::max(outer(settings.portalRadius, 0), settings.trunkRadius);
   leafRadius_ = {settings.portalRadius / murrayShare(settings.terminals),
                  settings.trunkRadius / murrayShare(double(settings.terminals) / kHepaticTrunks)};
   const Lattice& places = inside.places();
@@ -52,10 +53,14 @@ double GrowingVessels::radius(int terminals, int kind) const {
   return r;
 }
 
+double GrowingVessels::radiusOf(const GrowingNode& node, int more) const {
+  if (node.given > 0) return node.given;
+  return std::min(node.most, radius(node.terminals + more, kindOf(node.tree)));
+}
+
 // The radius that is kept free round a segment.
 double GrowingVessels::checkRadius(const GrowingNode& node) const {
-  const int kind = kindOf(node.tree);
-  return node.leaf ? kLeafSpare * leafRadius(kind) : radius(node.terminals, kind);
+  return node.leaf ? kLeafSpare * leafRadius(kindOf(node.tree)) : radiusOf(node);
 }
 
 template <typename Visit>
@@ -105,6 +110,18 @@ int GrowingVessels::add(const Vec3& place, int parent, int tree, int terminals, 
   return node;
 }
 
+void GrowingVessels::addGiven(std::span<const VesselSegment> vessels) {
+  std::vector<int> node;  // by segment, at its end
+  int tree = !vessels.empty() && vessels[0].kind == VesselKind::HepaticVein ? 1 : 0;
+  for (const VesselSegment& s : vessels) {
+    if (s.parent < 0 && !node.empty() && tree > 0) ++tree;
+    const int from = s.parent < 0 ? addRoot(s.start, tree) : node[std::size_t(s.parent)];
+    node.push_back(add(s.end, from, nodes_[std::size_t(from)].tree, 0, false));
+    nodes_.back().given = s.radius;
+    widest_ = std::max(widest_, outer(s.radius, kindOf(tree)));
+  }
+}
+
 void GrowingVessels::addTrunk(int from, const Vec3& to) {
   const int tree = nodes_[std::size_t(from)].tree;
   const std::vector<Vec3> way = route(nodes_[std::size_t(from)].place, to, tree);
@@ -124,11 +141,9 @@ bool GrowingVessels::kin(int segment, int node) const {
 
 bool GrowingVessels::clearOfOthers(const Vec3& a, const Vec3& b, double outerRadius,
                                    int tree) const {
-  const double widest =
-      1.2 * std::max(tree == 0 ? 0 : outer(settings_.portalRadius, 0), settings_.trunkRadius);
   const Aabb box = boxOf(a, b);
   bool clear = true;
-  visitBins(a, b, outerRadius + widest + settings_.gap, [&](std::size_t bin) {
+  visitBins(a, b, outerRadius + 1.2 * widest_ + settings_.gap, [&](std::size_t bin) {
     for (const int i : bins_[bin]) {
       const GrowingNode& other = nodes_[std::size_t(i)];
       if (other.tree == tree) continue;
@@ -147,9 +162,8 @@ bool GrowingVessels::clearOfOthers(const Vec3& a, const Vec3& b, double outerRad
 // `second` (-1: none).
 bool GrowingVessels::clearOfOwn(const Vec3& a, const Vec3& b, double radius, int tree, int first,
                                 int second) const {
-  const double widest = 1.2 * std::max(settings_.portalRadius, settings_.trunkRadius);
   bool clear = true;
-  visitBins(a, b, radius + widest, [&](std::size_t bin) {
+  visitBins(a, b, radius + 1.2 * widest_, [&](std::size_t bin) {
     for (const int i : bins_[bin]) {
       const GrowingNode& other = nodes_[std::size_t(i)];
       if (other.tree != tree || kin(i, first) || (second >= 0 && kin(i, second))) continue;
@@ -180,7 +194,12 @@ std::vector<GrowingVessels::Join> GrowingVessels::joins(const Vec3& place, int k
   for (const auto& [distance, i] : near) {
     const GrowingNode& n = nodes_[std::size_t(i)];
     const Vec3& start = nodes_[std::size_t(n.parent)].place;
-    const double r1 = radius(n.terminals, kind), r0 = radius(n.terminals + 1, kind);
+    const double r1 = radiusOf(n), r0 = radiusOf(n, 1);
+    if (n.given > 0) {
+      if ((n.place - place).norm() > std::max(1.5 * r1, 0.002))
+        found.push_back({leafArea * (n.place - place).norm(), i, n.place});
+      continue;
+    }
     Vec3 p = fork(start, n.place, place, r0 * r0, r1 * r1, leafArea);
     const double shortest = std::max(kShortest, 1.2 * r0);  // forks keep apart
     if ((p - start).norm() < shortest) p = start + (p - start).normalized() * shortest;
@@ -191,7 +210,7 @@ std::vector<GrowingVessels::Join> GrowingVessels::joins(const Vec3& place, int k
                   leafArea * (p - place).norm() - r1 * r1 * (n.place - start).norm();
     for (int j = n.parent; nodes_[std::size_t(j)].parent >= 0; j = nodes_[std::size_t(j)].parent) {
       const GrowingNode& up = nodes_[std::size_t(j)];
-      const double q0 = radius(up.terminals, kind), q1 = radius(up.terminals + 1, kind);
+      const double q0 = radiusOf(up), q1 = radiusOf(up, 1);
       cost += (q1 * q1 - q0 * q0) * (up.place - nodes_[std::size_t(up.parent)].place).norm();
     }
     found.push_back({cost, i, p});
@@ -202,12 +221,24 @@ std::vector<GrowingVessels::Join> GrowingVessels::joins(const Vec3& place, int k
   return found;
 }
 
-bool GrowingVessels::fits(const Join& join, const Vec3& place, int kind) {
+// Of a segment there is nothing to test but the new vessel: what was given stays.
+bool GrowingVessels::fitsOnGiven(const GrowingNode& from, int node, const Vec3& place,
+                                 int kind) const {
+  const double leaf = kLeafSpare * leafRadius(kind), length = (place - from.place).norm();
+  const auto after = [&](double way) {
+    return Vec3(from.place + (place - from.place) * std::min(0.9, way / length));
+  };
+  return inside_.deep(after(from.given), place, outer(leaf, kind) + settings_.margin) &&
+         clearOfOthers(after(from.given), place, outer(leaf, kind), from.tree) &&
+         clearOfOwn(after(2 * from.given), place, leaf, from.tree, node, -1);
+}
+
+bool GrowingVessels::fits(const Join& join, const Vec3& place, int kind) const {
   const GrowingNode& n = nodes_[std::size_t(join.node)];
+  if (n.given > 0) return fitsOnGiven(n, join.node, place, kind);
   const Vec3 start = nodes_[std::size_t(n.parent)].place, end = n.place;
   const bool stem = nodes_[std::size_t(n.parent)].parent < 0;  // it comes from outside
-  const double r0 = radius(n.terminals + 1, kind), r1 = checkRadius(n),
-               leaf = kLeafSpare * leafRadius(kind);
+  const double r0 = radiusOf(n, 1), r1 = checkRadius(n), leaf = kLeafSpare * leafRadius(kind);
   const double o0 = outer(r0, kind), o1 = outer(r1, kind), ol = outer(leaf, kind);
   const auto least = [&](double wanted, const Vec3& end) {
     return std::min(wanted + settings_.margin, 0.9 * inside_.depth(end));
@@ -239,14 +270,18 @@ bool GrowingVessels::fits(const Join& join, const Vec3& place, int kind) {
 
 void GrowingVessels::apply(const Join& join, const Vec3& place) {
   const int i = join.node, tree = nodes_[std::size_t(i)].tree;
-  takeFromBins(i);
-  const int middle = int(nodes_.size());
-  nodes_.push_back(
-      {join.fork, nodes_[std::size_t(i)].parent, nodes_[std::size_t(i)].terminals, tree, false});
-  nodes_[std::size_t(i)].parent = middle;
-  putIntoBins(middle);
-  putIntoBins(i);
+  const GrowingNode n = nodes_[std::size_t(i)];
+  int middle = i;
+  if (n.given == 0) {
+    takeFromBins(i);
+    middle = int(nodes_.size());
+    nodes_.push_back({join.fork, n.parent, n.terminals, tree, false, 0, n.most});
+    nodes_[std::size_t(i)].parent = middle;
+    putIntoBins(middle);
+    putIntoBins(i);
+  }
   add(place, middle, tree, 1, true);
+  nodes_.back().most = n.given > 0 ? n.given : n.most;
   for (int j = middle; j >= 0; j = nodes_[std::size_t(j)].parent)
     ++nodes_[std::size_t(j)].terminals;
   ++terminals_[std::size_t(kindOf(tree))];
@@ -266,7 +301,8 @@ std::vector<double> GrowingVessels::finalRadii() const {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const GrowingNode& n = nodes_[i];
     if (n.parent < 0) continue;
-    r[i] = radius(n.terminals, kindOf(n.tree));
+    r[i] = radiusOf(n);
+    if (n.given > 0) continue;
     const GrowingNode& from = nodes_[std::size_t(n.parent)];
     if (from.parent < 0) continue;
     const int steps = 1 + int((n.place - from.place).norm() / 0.001);
@@ -276,24 +312,25 @@ std::vector<double> GrowingVessels::finalRadii() const {
       r[i] = std::min(r[i], std::max(kThinnest, (depth - 0.2e-3) / spare));
     }
   }
-  const double widest = std::max(outer(settings_.portalRadius, 0), settings_.trunkRadius);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const GrowingNode& n = nodes_[i];
     if (n.parent < 0) continue;
     const Vec3& a = nodes_[std::size_t(n.parent)].place;
-    visitBins(a, n.place, outer(r[i], kindOf(n.tree)) + widest, [&](std::size_t bin) {
+    visitBins(a, n.place, outer(r[i], kindOf(n.tree)) + widest_, [&](std::size_t bin) {
       for (const int j : bins_[bin]) {
         const GrowingNode& other = nodes_[std::size_t(j)];
         if (j <= int(i) || kindOf(other.tree) == kindOf(n.tree)) continue;
         const double d =
             segmentDistance(a, n.place, nodes_[std::size_t(other.parent)].place, other.place);
         const double room = d - 0.25 * settings_.gap;
-        const double wanted =
-            outer(r[i], kindOf(n.tree)) + outer(r[std::size_t(j)], kindOf(other.tree));
-        if (wanted <= room) continue;
-        const double share = std::max(0.1, room / wanted);
-        r[i] *= share;
-        r[std::size_t(j)] *= share;
+        const double own = outer(r[i], kindOf(n.tree)),
+                     others = outer(r[std::size_t(j)], kindOf(other.tree));
+        if (own + others <= room) continue;
+        // What was given keeps its radius.
+        const double fixed = (n.given > 0 ? own : 0) + (other.given > 0 ? others : 0);
+        const double share = std::max(0.1, (room - fixed) / (own + others - fixed));
+        if (n.given == 0) r[i] *= share;
+        if (other.given == 0) r[std::size_t(j)] *= share;
       }
       return true;
     });

@@ -7,6 +7,8 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <vector>
 
 #include "anatomy/growth/organ_inside.h"
@@ -20,6 +22,10 @@ struct GrowingNode {
   int terminals;  // below this node
   int tree;       // 0: portal vein; from 1: the trunks of the hepatic veins
   bool leaf;
+  // Of the segment that ends here, m. A vessel that was given keeps its radius; what grows from it
+  // is no wider.
+  double given = 0;
+  double most = std::numeric_limits<double>::infinity();
 };
 
 class GrowingVessels {
@@ -31,6 +37,8 @@ class GrowingVessels {
   int addStem(const Vec3& place, int root) {
     return add(place, root, nodes_[std::size_t(root)].tree, 0, false);
   }
+  // Vessels of one kind that are there already; their parents count from the first one.
+  void addGiven(std::span<const VesselSegment> vessels);
   // A first branch with one terminal from a node to a place, round corners.
   void addTrunk(int from, const Vec3& to);
   // The place nearest to p that is `depth` deep and where a first branch of the tree has room.
@@ -51,15 +59,18 @@ class GrowingVessels {
  private:
   struct Join {  // of a terminal with a segment
     double cost;
-    int node;  // at the segment's end
-    Vec3 fork;
+    int node;   // at the segment's end
+    Vec3 fork;  // within the segment; of one that was given, its end
   };
 
   double radius(int terminals, int kind) const;  // when all have grown
+  // The same for a segment, if so many terminals are added to it.
+  double radiusOf(const GrowingNode& node, int more = 0) const;
   double checkRadius(const GrowingNode& node) const;
   int add(const Vec3& place, int parent, int tree, int terminals, bool leaf);
   std::vector<Join> joins(const Vec3& place, int kind) const;
-  bool fits(const Join& join, const Vec3& place, int kind);
+  bool fits(const Join& join, const Vec3& place, int kind) const;
+  bool fitsOnGiven(const GrowingNode& from, int node, const Vec3& place, int kind) const;
   void apply(const Join& join, const Vec3& place);
   struct Obstacle {  // to a first branch: a vessel of another tree, and the distance to keep
     Vec3 start, end;
@@ -84,6 +95,7 @@ class GrowingVessels {
   std::vector<GrowingNode> nodes_;
   std::array<int, 2> terminals_{};
   std::array<double, 2> leafRadius_{};
+  double widest_ = 0;  // m: outer radius of the widest vessel
   struct KnownRadii {  // by terminals, while as many have grown; 0: not asked for yet
     int grown = 0;
     std::vector<double> radius;

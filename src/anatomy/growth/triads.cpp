@@ -184,20 +184,21 @@ struct Kept {
 // Appends the piece, narrowed where it is too near to another vessel or to the organ's surface.
 // Returns false if it has no room.
 bool keep(VesselSegment s, const Surroundings& around, Kept& kept) {
-  std::vector<std::int32_t> near;
-  around.index.near(boxOf(s).padded(s.radius + kApart), near);
+  const bool within = s.parent >= 0 && kept.within[std::size_t(s.parent)];
+  const bool comesIn = around.inside.depth(s.end) >= s.radius;
+  std::vector<std::int32_t> near;  // outside the organ vessels may meet
+  if (within || comesIn) around.index.near(boxOf(s).padded(s.radius + kApart), near);
   for (const std::int32_t j : near) {
     const VesselSegment& o = around.others[std::size_t(j)];
     s.radius =
         std::min(s.radius, segmentDistance(s.start, s.end, o.start, o.end) - o.radius - kApart);
   }
-  const bool within = s.parent >= 0 && kept.within[std::size_t(s.parent)];
   const int steps = within ? 1 + int(s.length() / kLook) : 0;
   for (int k = 1; k <= steps; ++k)
     s.radius = std::min(s.radius, around.inside.depth(s.at(double(k) / steps)) - kApart);
   if (s.radius < kThinnest) return false;
   kept.tree.push_back(s);
-  kept.within.push_back(within || around.inside.depth(s.end) >= s.radius);
+  kept.within.push_back(within || comesIn);
   return true;
 }
 
@@ -261,6 +262,7 @@ void addTriads(std::vector<VesselSegment>& segments, const VesselGrowth& setting
                                                  {VesselKind::BileDuct, settings.ductShare}};
   double sign = 1;
   for (const auto& [kind, share] : trees) {
+    if (std::ranges::count(segments, kind, &VesselSegment::kind) > 0) continue;  // it was given
     std::vector<VesselSegment> tree = beside(veins, side, kind, share, sign, 0.25 * settings.gap);
     const VesselIndex index(segments);
     for (int pass = 0; pass < kPasses; ++pass) {

@@ -144,20 +144,45 @@ std::vector<VesselSegment> segmentsOf(const GrowingVessels& vessels) {
         const std::int32_t number = std::int32_t(segments.size());
         segments.push_back({kind ? VesselKind::HepaticVein : VesselKind::PortalVein, parent,
                             nodes[std::size_t(n.parent)].place, n.place, radii[std::size_t(node)],
-                            n.leaf});
+                            children[std::size_t(node)].empty()});
         for (const int child : children[std::size_t(node)]) open.emplace_back(child, number);
       }
     }
   return segments;
 }
 
+// Those of a kind, with parents that count from the first of them.
+std::vector<VesselSegment> ofKind(std::span<const VesselSegment> all, VesselKind kind) {
+  std::vector<std::int32_t> number(all.size(), -1);
+  std::vector<VesselSegment> own;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].kind != kind) continue;
+    number[i] = std::int32_t(own.size());
+    own.push_back(all[i]);
+    if (all[i].parent >= 0) own.back().parent = number[std::size_t(all[i].parent)];
+  }
+  return own;
+}
+
+double widestOf(std::span<const VesselSegment> vessels) {
+  double widest = 0;
+  for (const VesselSegment& s : vessels) widest = std::max(widest, s.radius);
+  return widest;
+}
+
 }  // namespace
 
-Anatomy growVessels(const TriangleMesh& surface, const VesselGrowth& settings) {
-  require(settings.terminals >= 30 && settings.terminals <= 5000,
-          "vessels of {} terminals were asked for; give 30 to 5000", settings.terminals);
-  for (const Vec3* place : {&settings.hilum, &settings.hilumOut, &settings.cava, &settings.cavaOut})
+Anatomy growVessels(const TriangleMesh& surface, const VesselGrowth& wanted,
+                    std::span<const VesselSegment> given) {
+  require(wanted.terminals >= 30 && wanted.terminals <= 5000,
+          "vessels of {} terminals were asked for; give 30 to 5000", wanted.terminals);
+  for (const Vec3* place : {&wanted.hilum, &wanted.hilumOut, &wanted.cava, &wanted.cavaOut})
     require(place->allFinite(), "the place of hilum or vena cava is not a number; give metres");
+  const auto portal = ofKind(given, VesselKind::PortalVein),
+             hepatic = ofKind(given, VesselKind::HepaticVein);
+  VesselGrowth settings = wanted;
+  if (!portal.empty()) settings.portalRadius = std::min(wanted.portalRadius, widestOf(portal));
+  if (!hepatic.empty()) settings.trunkRadius = std::min(wanted.trunkRadius, widestOf(hepatic));
   const OrganInside inside(surface);
   GrowingVessels vessels(inside, settings);
   Random random(settings.seed);
@@ -168,10 +193,19 @@ Anatomy growVessels(const TriangleMesh& surface, const VesselGrowth& settings) {
   require(int(places.size()) >= settings.terminals,
           "this organ has room for {} of {} terminals; ask for fewer", places.size(),
           settings.terminals);
-  addPortalStem(vessels, inside, places, settings);
-  addHepaticStems(vessels, inside, places, settings);
+  vessels.addGiven(portal);
+  vessels.addGiven(hepatic);
+  if (portal.empty()) addPortalStem(vessels, inside, places, settings);
+  if (hepatic.empty()) addHepaticStems(vessels, inside, places, settings);
   addTerminals(vessels, places, settings.terminals, random);
   std::vector<VesselSegment> segments = segmentsOf(vessels);
+  for (const VesselKind kind : {VesselKind::HepaticArtery, VesselKind::BileDuct}) {
+    const auto first = std::int32_t(segments.size());
+    for (VesselSegment s : ofKind(given, kind)) {
+      if (s.parent >= 0) s.parent += first;
+      segments.push_back(s);
+    }
+  }
   addTriads(segments, settings, inside);
   return makeAnatomy(std::move(segments));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "anatomy/anatomy.h"
 #include "geometry/triangle_mesh.h"
@@ -29,6 +30,11 @@ struct VesselGrowth {
 // `surface`: closed, oriented outwards, m. The same input gives the same bits on every machine.
 // Throws Error if a setting is out of range or the organ is too small. Cost: about a second
 // for 1000 terminals. Method: docs/methods/vessels.md.
-Anatomy growVessels(const TriangleMesh& surface, const VesselGrowth& settings);
+//
+// given: vessels that are there already, with parents as in an Anatomy. Those of the portal vein
+// and the hepatic veins stay as they are, and smaller ones grow from them; hilum or vena cava are
+// then not used. A given artery or duct stays as it is, and nothing grows from it.
+Anatomy growVessels(const TriangleMesh& surface, const VesselGrowth& settings,
+                    std::span<const VesselSegment> given = {});
 
 }  // namespace resect

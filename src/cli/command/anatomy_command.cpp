@@ -34,7 +34,7 @@ struct Options {
   std::vector<std::string> structures;  // KIND=FILE
   std::vector<double> hilum, cava;
   int terminals = 1000, seed = 1;
-  bool json = false, flows = false;
+  bool json = false, flows = false, onlyFound = false;
 };
 
 constexpr double kOut = 0.02;  // m: how far outside the organ its large vessels begin
@@ -63,9 +63,10 @@ struct Grown {
   Anatomy anatomy;
 };
 
-// The centre lines of vessels in model files.
-Anatomy broughtVessels(const Options& options, double metres) {
+// The centre lines of vessels in model files, with smaller vessels.
+Anatomy broughtVessels(const Options& options, const TriangleMesh& organ, double metres) {
   OrganSource source;
+  source.smallVessels = !options.onlyFound;
   for (const std::string& one : options.structures) {
     const std::size_t sign = one.find('=');
     const std::string word = one.substr(0, sign);
@@ -77,7 +78,7 @@ Anatomy broughtVessels(const Options& options, double metres) {
           one);
     source.structures.push_back({*kind, 0, "", one.substr(sign + 1), "", metres});
   }
-  return vesselsOf(source, Pose(), modelReader(), nullptr)->anatomy;
+  return vesselsOf(source, Pose(), organ, modelReader(), nullptr)->anatomy;
 }
 
 Grown anatomyOf(const Options& options) {
@@ -88,15 +89,16 @@ Grown anatomyOf(const Options& options) {
     return {merged(readPlainMesh(folder / "liver.ply")), readVessels(folder / "liver.vessels")};
   }
   const double metres = parseUnit(options.unit, "--unit");
-  if (!options.structures.empty())
-    return {prepareOrganMesh(modelReader()(options.organ, {}), {"", false, metres}).mesh,
-            broughtVessels(options, metres)};
+  TriangleMesh organ = prepareOrganMesh(modelReader()(options.organ, {}), {"", false, metres}).mesh;
+  if (!options.structures.empty()) {
+    Anatomy brought = broughtVessels(options, organ, metres);
+    return {std::move(organ), std::move(brought)};
+  }
   VesselGrowth growth;
   growth.hilum = placeFrom(options.hilum, "--hilum", metres);
   growth.cava = placeFrom(options.cava, "--cava", metres);
   growth.terminals = options.terminals;
   growth.seed = std::uint64_t(options.seed);
-  TriangleMesh organ = prepareOrganMesh(modelReader()(options.organ, {}), {"", false, metres}).mesh;
   growth.hilumOut = outside(organ, growth.hilum);
   growth.cavaOut = outside(organ, growth.cava);
   Anatomy anatomy = growVessels(organ, growth);
@@ -271,8 +273,9 @@ void addAnatomyCommand(Command app) {
       .values(3);
   command.option("--cava", options->cava, "Where the hepatic veins leave: x y z").values(3);
   command.option("--structure", options->structures,
-                 "Instead of growing: KIND=FILE, a model file of vessels, whose centre lines "
-                 "are taken; may be given for each kind");
+                 "KIND=FILE, a model file of vessels, whose centre lines are taken; may be given "
+                 "for each kind. From portal vein and hepatic veins smaller vessels grow");
+  command.flag("--only-found", options->onlyFound, "Let no vessels grow from those of --structure");
   command.option("--terminals", options->terminals, "Ends of each tree, 30 to 5000").showDefault();
   command.option("--seed", options->seed, "Another seed gives other vessels").showDefault();
   command.option("-o,--output", options->out, "File to write the vessels to (.vessels)");

@@ -58,8 +58,9 @@ void makeOrganFile(const Options& options, const OrganOptions& organ) {
   std::vector<std::string> notes;
   std::optional<Pose> place;
   KeptCells kept;
-  kept.cells = loadCells(source, modelReader(), progressBar("particles"), &notes, &place);
-  if (const auto vessels = vesselsOf(source, place, modelReader(), &notes))
+  TriangleMesh surface;
+  kept.cells = loadCells(source, modelReader(), progressBar("particles"), &notes, &place, &surface);
+  if (const auto vessels = vesselsOf(source, place, surface, modelReader(), &notes))
     kept.vessels = vessels->anatomy;
   kept.origin = {"resect " RESECT_VERSION, std::filesystem::path(source.file).filename().string(),
                  source.unit, inputsOf(source)};

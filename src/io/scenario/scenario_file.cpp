@@ -71,6 +71,7 @@ OrganSource readOrgan(const TomlTable& t) {
                               "\" comes without vessels; name a file of vessels, or take an organ "
                               "that has them: " +
                               organsWithVessels());
+  organ.smallVessels = t.flag("small_vessels", true);
   organ.landmarks = readLandmarks(t);
   readLabels(t, organ);
   for (const TomlTable& wound : t.tables("wound")) organ.wounds.push_back(readWound(wound));
