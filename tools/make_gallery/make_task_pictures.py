@@ -14,7 +14,7 @@ sys.path.insert(0, str(ROOT / "test" / "app"))
 from screen import Screen, Window  # noqa: E402
 
 PROGRAM = Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/resect").resolve()
-MOMENTS = {"touch-and-hold": 6.2, "two-hands": 3.4, "clip-and-divide": 2.6, "control-bleeding": 4.2,
+MOMENTS = {"touch-and-hold": 6.2, "two-hands": 3.4, "clip-and-divide": 2.6, "control-bleeding": 3.2,
            "wedge-resection": 2.9, "left-lateral": 3.2}  # s
 
 with tempfile.TemporaryDirectory() as made:

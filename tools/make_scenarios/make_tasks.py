@@ -211,7 +211,7 @@ def control_bleeding(operator):
         tools["bipolar"] = None
     if clumsy:  # the clip comes late
         for name in ("suction", "clip_applier", "bipolar"):
-            tools[name].keys = [(round(time + 6, 5), *rest) for time, *rest in tools[name].keys]
+            tools[name].keys = [(round(time + 10, 5), *rest) for time, *rest in tools[name].keys]
             shaken(tools[name], 0.006, 1.2, 7)
     if reckless:  # cuts after the vessel, and leaves
         scalpel = Path3(handle=(0.6, 0.8, 0), edge=(0.8, -0.6, 0), speed=0.12)
@@ -227,8 +227,9 @@ def control_bleeding(operator):
 def control_bleeding_scenario(operator):
     goal = {"kind": '"stop-bleeding"', "rate_ml_min": 10, "from_ml_min": 60, "hold": 1}
     text = task("Control of a bleeding vessel: clear the wound, close the vessel, then what is left.", goal,
-                {"blood_loss_ml": 20, "vessels_open": 0, "bleeding_s": 18, "total_time_s": 30},
-                {"easy": {"blood_loss_ml": 40, "bleeding_s": 40, "total_time_s": 60}, "hard": {"blood_loss_ml": 12}},
+                {"blood_loss_ml": 30, "vessels_open": 0, "bleeding_s": 30, "total_time_s": 60},
+                {"easy": {"blood_loss_ml": 60, "bleeding_s": 60, "total_time_s": 120},
+                 "hard": {"blood_loss_ml": 12, "bleeding_s": 18, "total_time_s": 30}},
                 ["suction", "clip_applier", "bipolar", "gauze"],
                 ["Suck the blood away to see where it comes from, or press a swab on it.",
                  "Close the branch with a clip.", "Seal what still bleeds with the bipolar forceps."],

@@ -143,7 +143,8 @@ void ToolHandling::guidedButton(SoEventCallback& node, bool down) {
   if (dragger) return;
   pointer_ = at;
   viewport_ = viewport;
-  if (tool >= 0 && tool != held_) {
+  // Over a ring the instrument in hand works, even if a swab lies there.
+  if (tool >= 0 && tool != held_ && !(held_ >= 0 && surfaceHand() && hand_.target)) {
     take(tool);
   } else if (held_ >= 0) {
     aim(at, viewport);

@@ -16,7 +16,7 @@ namespace {
 // stays; when it is closed, the next one shows.
 void keepApart(std::vector<BleedingEnd>& ends) {
   constexpr double kApart = 0.004;  // m
-  std::ranges::stable_sort(ends, std::greater(), &BleedingEnd::flow);
+  std::ranges::stable_sort(ends, std::greater(), &BleedingEnd::radius);
   std::vector<BleedingEnd> kept;
   for (const BleedingEnd& end : ends)
     if (std::ranges::none_of(kept, [&](const BleedingEnd& other) {
@@ -74,11 +74,11 @@ void OperatingSession::showBleeding() {
   keepApart(ends);
   std::vector<Vec3> targets;
   for (const BleedingEnd& end : ends) targets.push_back(end.place);
+  tools_.setTargets(std::move(targets));
   const Vec3 eye = toVec(room().camera()->position.getValue());
   damage_.boxes.push_back(bleeding_.show(
       ends.empty() ? std::vector<MarkLine>()
                    : bleedingRings(ends, hand->target, (eye - organBox_.centre()).normalized())));
-  tools_.setTargets(std::move(targets));
 }
 
 std::optional<double> OperatingSession::guideDistance() const {

@@ -19,6 +19,10 @@ inline double squeezeTowards(double wanted, double now, double duration) {
   return std::clamp(wanted, now - most, now + most);
 }
 
+// Jaws that close at a place do not close farther than this before the tip is there.
+constexpr double kOpenOnTheWay = 0.5;  // squeeze
+constexpr double kArrived = 0.004;     // m: a tip this near is there
+
 constexpr double kHandTime = 0.04;   // s: time in which a hand covers 63 % of what is left of a way
 constexpr double kHandTurning = 12;  // rad/s: most that a hand turns
 constexpr double kTurnsFirst = 0.35;  // rad: by more than this a hand turns before it moves on

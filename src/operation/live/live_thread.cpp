@@ -116,10 +116,14 @@ void LiveOperation::operate(Task task) {
       ToolInput& tool = task.input.tools[i];
       const ToolState& now = simulation_->tools()[i];
       tool.squeeze = squeezeTowards(tool.squeeze, now.way.to.squeeze, task.input.duration);
-      if (const auto& motion = task.motions[i])
-        tool.pose = now.inHand
-                        ? poseTowards(tool.pose, now.pose(), task.input.duration, motion->fastest)
-                        : motion->from;
+      const auto& motion = task.motions[i];
+      if (!motion) continue;
+      const Vec3 wanted = tool.pose.position;
+      tool.pose = now.inHand
+                      ? poseTowards(tool.pose, now.pose(), task.input.duration, motion->fastest)
+                      : motion->from;
+      if ((tool.pose.position - wanted).norm() > kArrived)
+        tool.squeeze = std::min(tool.squeeze, std::max(now.way.to.squeeze, kOpenOnTheWay));
     }
   StageClock clock;
   std::string refusal;

@@ -7,8 +7,8 @@ namespace resect {
 namespace {
 
 constexpr double kSmallest = 0.0018, kLargest = 0.005;  // m
-constexpr double kSame = 0.5e-3;                        // m
-constexpr double kFlowOfLargest = 1e-6;                 // m^3/s
+constexpr double kSame = 0.006;          // m: so far tissue may have moved since an end was chosen
+constexpr double kFlowOfLargest = 1e-6;  // m^3/s
 const Vec3f kColour(1.0f, 0.85f, 0.2f);  // is told from blood by colour-blind people too
 const Vec3f kChosen(1.0f, 1.0f, 1.0f);
 
@@ -16,11 +16,17 @@ const Vec3f kChosen(1.0f, 1.0f, 1.0f);
 
 std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends,
                                     const std::optional<Vec3>& chosen, const Vec3& towardsEye) {
+  const BleedingEnd* nearest = nullptr;
+  for (const BleedingEnd& end : ends) {
+    if (!chosen || (end.place - *chosen).norm() > kSame) continue;
+    if (!nearest || (end.place - *chosen).norm() < (nearest->place - *chosen).norm())
+      nearest = &end;
+  }
   std::vector<MarkLine> rings;
   for (const BleedingEnd& end : ends) {
     const double share = std::min(1.0, std::cbrt(end.flow / kFlowOfLargest));
     const double radius = kSmallest + share * (kLargest - kSmallest);
-    const bool goesThere = chosen && (end.place - *chosen).norm() < kSame;
+    const bool goesThere = &end == nearest;
     rings.push_back({goesThere ? kChosen : kColour, circle(end.place, radius, towardsEye)});
     if (goesThere) rings.push_back({kChosen, circle(end.place, 1.5 * radius, towardsEye)});
   }

@@ -13,8 +13,8 @@ namespace resect {
 
 inline constexpr double kLeastMarkedFlow = 3e-9;  // m^3/s: ends that bleed less have no ring
 
-// A ring for each end. chosen: the end at which the instrument in hand works when it is pressed;
-// its ring is white and double. towardsEye: unit; the rings face it.
+// A ring for each end. chosen: where the instrument in hand works when it is pressed; the ring of
+// the end nearest to it is white and double. towardsEye: unit; the rings face it.
 std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends,
                                     const std::optional<Vec3>& chosen, const Vec3& towardsEye);
 
