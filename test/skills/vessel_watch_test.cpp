@@ -27,4 +27,6 @@ TEST_CASE("places that heat has closed are no clips") {
   step({0, -1, PlaceClip{0, 0.2}});
   REQUIRE(attempt.clips.size() == 1);
   CHECK(attempt.clips[0].place.x() == doctest::Approx(-0.02 + 0.2 * 0.07));
+  CHECK(attempt.clips[0].vessel == "portal vein");
+  CHECK(attempt.clips[0].diameter == doctest::Approx(0.002));
 }

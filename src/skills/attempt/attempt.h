@@ -54,6 +54,8 @@ struct ClipPlaced {
   double time = 0;  // s
   std::int32_t organ = 0, segment = -1;
   Vec3 place = Vec3::Zero();  // at rest, m
+  std::string vessel;         // for people
+  double diameter = 0;        // of the vessel, m
 };
 
 // Tissue and blood after a frame; once a second, and at the end.

@@ -70,7 +70,10 @@ void VesselWatch::addClips(const Simulation& simulation, Attempt& attempt) {
         return c.organ == std::int32_t(o) && c.segment == clip.segment && c.place == place;
       });
       if (!known)
-        attempt.clips.push_back({simulation.time(), std::int32_t(o), clip.segment, place});
+        attempt.clips.push_back(
+            {simulation.time(), std::int32_t(o), clip.segment, place,
+             organ.map->nameOf(clip.segment),
+             2 * organ.map->anatomy.segments[std::size_t(clip.segment)].radius});
     }
     clips_[o] = clips.size();
   }

@@ -79,11 +79,16 @@ std::string happenings(const Attempt& attempt) {
     std::string text;
   };
   std::vector<Line> lines;
-  for (const ClipPlaced& clip : attempt.clips) lines.push_back({clip.time, "a clip was placed"});
-  for (const VesselStory& v : attempt.vessels)
-    if (v.diameter >= kNotableVessel)
-      lines.push_back({v.cut, fmt::format("{} of {:.1f} mm cut, {}", v.name, 1e3 * v.diameter,
-                                          v.clippedRoot ? "clipped before" : "not clipped")});
+  for (const ClipPlaced& clip : attempt.clips)
+    lines.push_back({clip.time, fmt::format("a clip was placed on the {} of {:.1f} mm", clip.vessel,
+                                            1e3 * clip.diameter)});
+  for (const VesselStory& v : attempt.vessels) {
+    if (v.diameter < kNotableVessel) continue;
+    lines.push_back({v.cut, fmt::format("{} of {:.1f} mm cut, {}", v.name, 1e3 * v.diameter,
+                                        v.clippedRoot ? "clipped before" : "not clipped")});
+    if (v.closed && !v.clippedRoot)
+      lines.push_back({*v.closed, fmt::format("{} of {:.1f} mm closed", v.name, 1e3 * v.diameter)});
+  }
   if (const auto work = workOf(attempt)) {
     lines.push_back({attempt.time[work->first], "first contact"});
     lines.push_back({attempt.time[work->last], "last contact"});
