@@ -324,6 +324,7 @@ void MainWindow::followPanels(const LiveState& state, qint64 now) {
   // An exercise's step comes first; how to use what is in hand follows, not that something should
   // be.
   const bool empty = session_->tools().how() == ToolHandling::Hold::None && !session_->showing();
+  hint_->reserve(exercising() ? 3 : 2);
   hint_->say(step.isEmpty() ? nextStep() : empty ? step : step + "   " + nextStep());
   // A slow second may have other causes, such as a program that starts.
   constexpr qint64 kLong = 2000;  // ms
@@ -331,7 +332,9 @@ void MainWindow::followPanels(const LiveState& state, qint64 now) {
   const int wanted = smoothCells(state, session_->scenario().frameRate, cell);
   if (wanted == 0) slowSince_ = 0;
   if (wanted > 0 && slowSince_ == 0) slowSince_ = now;
-  const int offered = slowSince_ > 0 && now - slowSince_ > kLong ? wanted : 0;
+  // Not in an exercise, whose cells are the same for everybody.
+  const bool slow = slowSince_ > 0 && now - slowSince_ > kLong && !exercising();
+  const int offered = slow ? wanted : 0;
   if (offered != hint_->offered() && (offered == 0 || hint_->offered() == 0)) {
     hint_->offerCells(offered);
     if (options_.reports && offered > 0) {

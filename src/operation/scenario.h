@@ -49,6 +49,11 @@ struct OrganWound {
   bool inWorld = false;
   Vec3 into = -Vec3::UnitY();  // unit, world
   double depth = 0;            // m
+
+  template <class Visitor>
+  void visit(Visitor& v) {
+    v("from", from), v("to", to), v("inWorld", inWorld), v("into", into), v("depth", depth);
+  }
 };
 
 // Where an organ comes from, how it is placed, and the size of its cells.
@@ -75,10 +80,10 @@ struct OrganSource {
   // overlap, the last one counts.
   std::vector<Landmark> landmarks;
   std::vector<OrganLabel> labels;
+  std::vector<OrganWound> wounds;
   // Not kept in recordings, which hold the cells and vessels that were made.
   std::vector<BroughtStructure> structures;
-  bool smallVessels = true;        // grow from vessels among these
-  std::vector<OrganWound> wounds;  // not kept either: a recording's first state has them
+  bool smallVessels = true;  // grow from vessels among these
   // Sentences for people about how all this was chosen; not kept either.
   std::vector<std::string> notes;
 
@@ -88,7 +93,7 @@ struct OrganSource {
     v("repair", repair), v("spacing", spacing), v("dims", dims), v("resample", resample);
     v("pose", pose), v("onTable", onTable), v("settle", settle), v("settings", settings);
     v("vessels", vessels);
-    v("landmarks", landmarks), v("labels", labels);
+    v("landmarks", landmarks), v("labels", labels), v("wounds", wounds);
   }
 };
 

@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import shutil
 import signal
 import sqlite3
@@ -51,6 +52,16 @@ class Recordings(unittest.TestCase):
             self.assertLessEqual({tool["tool"] for tool in played["tool_forces_n"]}, names)
             for time_s in [summary["simulated_s"], played["time_s"], *(event["time_s"] for event in played["events"])]:
                 self.assertLessEqual(len(str(time_s)), len("12.123456789"))
+
+    def test_a_wound_that_the_organ_has_at_the_start_is_in_the_recording(self):
+        text = (pathlib.Path(__file__).resolve().parents[2] / "data/tasks/control-bleeding.toml").read_text()
+        scenario, file = self.folder / "wound.toml", self.folder / "wound.resect"
+        scenario.write_text(re.sub(r"\nduration = [\d.]+", "\nduration = 0.5", text))
+        run = resect("run", scenario, "--record", file, "--json", "-")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertGreater(json.loads(run.stdout)["blood"]["bled_ml"], 0.3)
+        proof = resect("verify", file)
+        self.assertEqual((proof.returncode, proof.stderr), (0, ""))
 
     def test_a_piece_that_comes_off_is_an_event(self):
         file, summary = self.recorded("resect-segment-elastic")

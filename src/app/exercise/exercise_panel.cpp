@@ -171,6 +171,7 @@ void ExercisePanel::showEnd(const QString& why) {
   for (QWidget* one :
        std::initializer_list<QWidget*>{finish_, guidance_, ghosts_, next_, distance_})
     one->hide();
+  end_->setStyleSheet("font-weight: bold");  // no verdict yet; an earlier one had a colour
   end_->setText(why + " The attempt is being scored ...");
   end_->show();
   scoring_->show();
