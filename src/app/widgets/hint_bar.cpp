@@ -7,6 +7,8 @@
 
 namespace resect {
 
+constexpr int kFewestLines = 2;  // most sentences need no more beside the buttons
+
 HintBar::HintBar(QWidget* parent)
     : QWidget(parent),
       exercises_(new QPushButton("Exercises", this)),
@@ -44,13 +46,6 @@ void HintBar::say(const QString& sentence) {
   keepHeight();
 }
 
-void HintBar::reserve(int lines) {
-  if (lines == fewest_) return;
-  fewest_ = lines;
-  lines_ = std::max(lines_, lines);
-  keepHeight();
-}
-
 void HintBar::offerCells(int millimetres) {
   if (millimetres == offered_) return;
   offered_ = millimetres;
@@ -65,7 +60,7 @@ QPoint HintBar::buttonPlace() const {
 
 void HintBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  lines_ = fewest_;
+  lines_ = kFewestLines;
   keepHeight();
 }
 
