@@ -324,6 +324,7 @@ void MainWindow::followPanels(const LiveState& state, qint64 now) {
   // An exercise's step comes first; how to use what is in hand follows, not that something should
   // be.
   const bool empty = session_->tools().how() == ToolHandling::Hold::None && !session_->showing();
+  hint_->reserve(exercising() ? 3 : 2);
   hint_->say(step.isEmpty() ? nextStep() : empty ? step : step + "   " + nextStep());
   // A slow second may have other causes, such as a program that starts.
   constexpr qint64 kLong = 2000;  // ms

@@ -207,6 +207,8 @@ void Viewer::drawChanges(double looked) {
 }
 
 void Viewer::drawStrip(int strip) {
+  // The picture was resized since it was drawn: its strips are no longer those of the image.
+  if (image_.size() != pictureSize()) return;
   const PixelRect part = picture_.drawSmooth(session_->root(), strip, kStrips);
   repaint(fetch(std::span(&part, 1)));
 }

@@ -7,8 +7,6 @@
 
 namespace resect {
 
-constexpr int kFewestLines = 2;  // most sentences need no more beside the buttons
-
 HintBar::HintBar(QWidget* parent)
     : QWidget(parent),
       exercises_(new QPushButton("Exercises", this)),
@@ -46,6 +44,13 @@ void HintBar::say(const QString& sentence) {
   keepHeight();
 }
 
+void HintBar::reserve(int lines) {
+  if (lines == fewest_) return;
+  fewest_ = lines;
+  lines_ = std::max(lines_, lines);
+  keepHeight();
+}
+
 void HintBar::offerCells(int millimetres) {
   if (millimetres == offered_) return;
   offered_ = millimetres;
@@ -60,7 +65,7 @@ QPoint HintBar::buttonPlace() const {
 
 void HintBar::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  lines_ = kFewestLines;
+  lines_ = fewest_;
   keepHeight();
 }
 

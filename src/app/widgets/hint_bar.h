@@ -14,6 +14,8 @@ class HintBar : public QWidget {
  public:
   explicit HintBar(QWidget* parent = nullptr);
   void say(const QString& sentence);
+  // From now on there is room for so many lines, so that longer sentences do not move the picture.
+  void reserve(int lines);
   // Offers to begin again with cells of this side, mm; 0: nothing is offered.
   void offerCells(int millimetres);
   int offered() const { return offered_; }
@@ -31,7 +33,7 @@ class HintBar : public QWidget {
   QPushButton* exercises_;
   QLabel* sentence_;
   QPushButton* mend_;
-  int offered_ = 0, lines_ = 1;
+  int offered_ = 0, lines_ = 1, fewest_ = 2;  // most sentences need no more beside the buttons
 };
 
 }  // namespace resect
