@@ -99,7 +99,10 @@ void Bleeding::remake(std::span<const OperatedOrgan> organs) {
     check(organs_[i].film.ready() || organs_[i].film.wet().empty());
     for (const WetCell& w : organs_[i].film.wet())
       check(w.cell >= 0 && w.cell < cells && w.liquid >= 0 && w.clotted >= 0);
-    for (const Oozing& o : organs_[i].oozing) check(o.cell >= 0 && o.cell < cells);
+    for (const Oozing& o : organs_[i].oozing) check(o.cell >= 0 && o.cell < cells && o.part >= 0);
+    for (const SegmentPart& apart : organ.vessels.apart)
+      check(apart.segment >= 0 && apart.segment < segments && apart.part >= SegmentPart::kCrumb &&
+            apart.part <= cells);
     for (const VesselInjury& v : organ.vessels.injuries)
       check(v.segment >= 0 && v.segment < segments);
     for (const VesselClip& clip : organ.vessels.clips)

@@ -6,6 +6,7 @@
 
 #include "anatomy/growth/murray.h"
 #include "anatomy/measure_anatomy.h"
+#include "anatomy/none_crosses.h"
 #include "base/error.h"
 #include "geometry/primitives.h"
 
@@ -45,13 +46,7 @@ TEST_CASE("the vessels of any seed stay inside the organ and cross none of anoth
     // Artery and duct reach nearly all of the portal vein's terminals.
     CHECK(m.kinds[2].terminals >= 196);
     CHECK(m.kinds[3].terminals >= 196);
-    for (const VesselMeasures& kind : m.kinds) CHECK(kind.outside == 0);
-    for (int a = 0; a < kVesselKinds; ++a)
-      for (int b = 0; b < a; ++b) {
-        CAPTURE(a);
-        CAPTURE(b);
-        CHECK(m.crossings[std::size_t(a)][std::size_t(b)] == 0);
-      }
+    test::checkNoneCrosses(m);
     // Wider towards the root, order by order.
     for (const VesselMeasures& kind : m.kinds)
       for (std::size_t o = 1; o < kind.radiusByOrder.size(); ++o)
