@@ -2,15 +2,23 @@
 # test_<layer>.
 # Which layer may include which is written once, in tools/layers.txt, and checked by a test.
 
-# Two thirds of compiling a file is reading Eigen and the standard headers: they are read once, in the lowest layer.
+# Two thirds of compiling a file is reading headers: Eigen and the standard ones, and in the upper layers the simulation.
+# They are read once for each of four groups: the core below operation/, the layers from there on, the program with its
+# window (Qt asks for options of its own in all that uses it), and the tests.
 function(resect_precompile target)
-  # Qt asks for options of its own in all that uses it: that needs headers of its own.
-  if(target STREQUAL "resect_base" OR target STREQUAL "resect_app")
-    target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/src/base/precompiled.h)
-  elseif(target STREQUAL "resect")
-    target_precompile_headers(resect REUSE_FROM resect_app)
+  set(headers ${PROJECT_SOURCE_DIR}/src)
+  if(target STREQUAL "resect_base")
+    target_precompile_headers(${target} PRIVATE ${headers}/base/precompiled.h)
+  elseif(target STREQUAL "resect_operation")
+    target_precompile_headers(${target} PRIVATE ${headers}/operation/precompiled.h)
+  elseif(target STREQUAL "resect_app")
+    target_precompile_headers(${target} PRIVATE ${headers}/app/precompiled.h)
   elseif(target STREQUAL "test_base")
     target_precompile_headers(${target} PRIVATE ${PROJECT_SOURCE_DIR}/test/support/precompiled.h)
+  elseif(target MATCHES "^(resect_(haptics|io|formats|record|skills|inventor)|bench_.*)$")
+    target_precompile_headers(${target} REUSE_FROM resect_operation)
+  elseif(target STREQUAL "resect")
+    target_precompile_headers(${target} REUSE_FROM resect_app)
   elseif(target MATCHES "^test_")
     target_precompile_headers(${target} REUSE_FROM test_base)
   else()

@@ -16,7 +16,7 @@ struct Lever {
   Vec3 place;       // where it is now
   Vec3 way, speed;  // how far and how fast beyond the simulated instrument
 };
-Lever leverAt(const LocalModel& model, const HandMotion& hand, const Vec3& place) {
+Lever leverAt(const LocalModel& model, const HandState& hand, const Vec3& place) {
   const Vec3 now = hand.pose * (model.pose.inverse() * place);
   const Vec3 speed = hand.velocity + hand.spin.cross(now - hand.pose.position);
   const Vec3 before = model.velocity + model.spin.cross(place - model.pose.position);
@@ -30,7 +30,7 @@ Vec3 shortened(const Vec3& v, double most) {
 
 }  // namespace
 
-Wrench forceAt(const LocalModel& model, const HandMotion& hand) {
+Wrench forceAt(const LocalModel& model, const HandState& hand) {
   Wrench sum;
   if (!model.inHand) return sum;
   const auto add = [&](const Vec3& place, const Vec3& force) {
@@ -63,7 +63,7 @@ ForceRenderer::ForceRenderer(double mostForce) : mostForce_(mostForce) {
   require(mostForce > 0, "the largest force is {} N; give more than 0", mostForce);
 }
 
-void ForceRenderer::take(const LocalModel& model, const HandMotion& hand, double now) {
+void ForceRenderer::take(const LocalModel& model, const HandState& hand, double now) {
   const Wrench before = render(hand, now), expected = forceAt(model_, hand);
   const double since = now - taken_;
   model_ = model;
@@ -74,7 +74,7 @@ void ForceRenderer::take(const LocalModel& model, const HandMotion& hand, double
   fadeTime_ = std::clamp(since, model.duration, kMostFrames * model.duration);
 }
 
-Wrench ForceRenderer::render(const HandMotion& hand, double now) const {
+Wrench ForceRenderer::render(const HandState& hand, double now) const {
   Wrench wrench = forceAt(model_, hand);
   const double left = fadeTime_ > 0 ? std::clamp(1 - (now - taken_) / fadeTime_, 0.0, 1.0) : 0;
   wrench.force += left * fading_.force;

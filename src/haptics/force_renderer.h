@@ -7,7 +7,7 @@
 namespace resect {
 
 // Where a hand holds its instrument, and how it moves; world, m, m/s and rad/s.
-struct HandMotion {
+struct HandState {
   Pose pose;
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
 };
@@ -19,7 +19,7 @@ struct Wrench {
 
 // The model's force on an instrument whose pose differs from that of the simulation. Planes push
 // and never pull; friction keeps to Coulomb's limit; grips pull both ways. Allocates nothing.
-Wrench forceAt(const LocalModel& model, const HandMotion& hand);
+Wrench forceAt(const LocalModel& model, const HandState& hand);
 
 class ForceRenderer {
  public:
@@ -28,9 +28,9 @@ class ForceRenderer {
 
   // Takes over a new model. hand, now: those of the render() that follows. The force does not jump:
   // the change fades in over the time between two models.
-  void take(const LocalModel& model, const HandMotion& hand, double now);
+  void take(const LocalModel& model, const HandState& hand, double now);
   // The force on the hand. now: time of a steady clock, s, not before that of earlier calls.
-  Wrench render(const HandMotion& hand, double now) const;
+  Wrench render(const HandState& hand, double now) const;
 
   const LocalModel& model() const { return model_; }
   // When the last model arrived: how far its force at the hand's pose was from that of the previous

@@ -24,7 +24,7 @@ class HandCycle {
  private:
   ForceRenderer renderer_;
   PassivityGuard guard_;
-  HandMotion motion_;
+  HandState motion_;
   double read_;  // when the pose was read last, s
 };
 

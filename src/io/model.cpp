@@ -26,9 +26,9 @@ void putText(std::string& bytes, const std::string& text) {
   bytes += text;
 }
 
-class ByteReader {
+class PipeReader {
  public:
-  ByteReader(std::string_view bytes, const std::string& path) : bytes_(bytes), path_(path) {}
+  PipeReader(std::string_view bytes, const std::string& path) : bytes_(bytes), path_(path) {}
 
   // `count` values of type T; Error if the bytes end before.
   template <typename T>
@@ -89,7 +89,7 @@ void putPose(std::string& bytes, const Pose& pose) {
   put(bytes, n.data(), n.size());
 }
 
-Pose takePose(ByteReader& reader) {
+Pose takePose(PipeReader& reader) {
   PoseNumbers n;
   reader.take(n.data(), n.size());
   return {Vec3(n[0], n[1], n[2]), Eigen::Quaterniond(n[3], n[4], n[5], n[6])};
@@ -104,7 +104,7 @@ void putPlaces(std::string& bytes, const ScenePlaces& places) {
   put(bytes, &places.focalDistance, 1);
 }
 
-ScenePlaces takePlaces(ByteReader& reader) {
+ScenePlaces takePlaces(PipeReader& reader) {
   ScenePlaces places;
   places.tools.resize(reader.takeCount(sizeof(PoseNumbers)));
   for (Pose& tool : places.tools) tool = takePose(reader);
@@ -290,7 +290,7 @@ std::string modelToBytes(const Model& model) {
 Model bytesToModel(std::string_view bytes, const std::string& path) {
   Model model;
   model.path = path;
-  ByteReader reader(bytes, path);
+  PipeReader reader(bytes, path);
   model.format = reader.takeText();
   model.parts.resize(reader.takeCount(4 * sizeof(std::uint64_t)));
   for (ModelPart& part : model.parts) {

@@ -153,7 +153,7 @@ TEST_CASE("planes push and never pull, and friction keeps to its limit") {
   model.rest = Vec3(0.1, 0, 0);
   model.restStiffness = 100;
   model.friction = 0.3;
-  HandMotion hand;
+  HandState hand;
   CHECK((forceAt(model, hand).force - Vec3(0.1, 1, 0)).norm() < 1e-12);
   hand.pose.position = Vec3(0, -0.001, 0);
   CHECK(forceAt(model, hand).force.y() == doctest::Approx(1.2));
@@ -174,7 +174,7 @@ TEST_CASE("a new model changes the force by nothing at once, and wholly after a 
   weak.rest = Vec3(1, 0, 0);
   strong.rest = Vec3(2, 0, 0);
   ForceRenderer renderer;
-  const HandMotion hand;
+  const HandState hand;
   for (const double arrival : {1.0, 1.1, 1.12}) renderer.take(weak, hand, arrival);
   renderer.take(strong, hand, 1.14);
   CHECK(renderer.render(hand, 1.14).force.x() == doctest::Approx(1));

@@ -9,7 +9,7 @@ namespace {
 constexpr double kReach = 0.025;  // m
 constexpr int kMostOpen = 1;      // directions in which the organ may be missing
 
-enum : std::uint8_t { Outside, Vessel, Organ };
+enum : std::uint8_t { kOutside, kVessel, kOrgan };
 
 // Adds one to `met` of each vessel voxel from which the organ lies within `reach` voxels down
 // (step < 0) or up one line of voxels.
@@ -18,9 +18,9 @@ void lookAlong(const std::vector<std::uint8_t>& kind, std::vector<std::uint8_t>&
   int since = reach + 1;  // voxels since the organ
   std::ptrdiff_t at = std::ptrdiff_t(first);
   for (int i = 0; i < count; ++i, at += step) {
-    if (kind[std::size_t(at)] == Organ)
+    if (kind[std::size_t(at)] == kOrgan)
       since = 0;
-    else if (++since <= reach && kind[std::size_t(at)] == Vessel)
+    else if (++since <= reach && kind[std::size_t(at)] == kVessel)
       ++met[std::size_t(at)];
   }
 }
@@ -29,10 +29,10 @@ void lookAlong(const std::vector<std::uint8_t>& kind, std::vector<std::uint8_t>&
 
 LabelImage withEnclosed(LabelImage image, std::span<const int> organ,
                         std::span<const int> vessels) {
-  std::vector<std::uint8_t> kinds(image.labels.size() + 1, Outside);
-  for (const int i : vessels) kinds[std::size_t(i) + 1] = Vessel;
-  for (const int i : organ) kinds[std::size_t(i) + 1] = Organ;
-  std::vector<std::uint8_t> kind(std::size_t(image.voxelCount()), Outside), met(kind.size(), 0);
+  std::vector<std::uint8_t> kinds(image.labels.size() + 1, kOutside);
+  for (const int i : vessels) kinds[std::size_t(i) + 1] = kVessel;
+  for (const int i : organ) kinds[std::size_t(i) + 1] = kOrgan;
+  std::vector<std::uint8_t> kind(std::size_t(image.voxelCount()), kOutside), met(kind.size(), 0);
   for (const RawArray<std::uint16_t>& layer : image.layers)
     for (std::size_t i = 0; i < layer.size(); ++i) kind[i] = std::max(kind[i], kinds[layer[i]]);
 
@@ -53,7 +53,7 @@ LabelImage withEnclosed(LabelImage image, std::span<const int> organ,
   RawArray<std::uint16_t>& layer =
       image.layers[std::size_t(image.labels[std::size_t(organ[0])].layer)];
   for (std::size_t i = 0; i < kind.size(); ++i)
-    if (kind[i] == Vessel && met[i] >= 6 - kMostOpen) layer[i] = organNumber;
+    if (kind[i] == kVessel && met[i] >= 6 - kMostOpen) layer[i] = organNumber;
   return image;
 }
 

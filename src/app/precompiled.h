@@ -1,0 +1,11 @@
+// The precompiled header of the window and of the program resect. No file includes this one by
+// name.
+#pragma once
+
+#include "inventor/hand/operating_session.h"
+#include "operation/precompiled.h"
+
+// Qt after Inventor.
+#include <QMainWindow>
+#include <QString>
+#include <QTimer>
