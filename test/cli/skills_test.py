@@ -170,6 +170,16 @@ class Skills(unittest.TestCase):
         for words in ("Not passed", "What to change", "cut without a clip on either side", "All attempts", "reference"):
             self.assertTrue(words in text, words)
 
+    def test_the_debrief_as_pdf(self):
+        paper = FOLDER / "report.pdf"
+        report = resect("report", self.attempt("clip-and-divide", "reckless")[0], "-o", paper)
+        self.assertEqual((report.returncode, report.stderr), (0, ""))
+        data = paper.read_bytes()
+        self.assertTrue(data.startswith(b"%PDF-") and data.rstrip().endswith(b"%%EOF"))
+        self.assertGreater(len(re.findall(rb"/Type /Page\b", data)), 2)
+        self.assertGreater(data.count(b"/Subtype /Image"), 8)  # five charts, four views, pictures of moments
+        self.assertLess(len(data), 5_000_000)
+
     def test_foreign_text_stays_text(self):
         text = make_tasks.clip_and_divide_scenario("good").replace(
             'title = "Clip and divide"', 'title = "<script>alert(1)</script> & \\u202e"')

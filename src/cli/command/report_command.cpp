@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <ostream>
 
+#include "app/exercise/report_pdf.h"
 #include "base/error.h"
 #include "base/parallel.h"
 #include "base/state/field_hashes.h"
@@ -143,6 +146,12 @@ KeyMoments momentsOf(const Scored& scored) {
   }
 }
 
+bool isPdf(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending == ".pdf";
+}
+
 void printSummary(std::FILE* to, const Scored& s) {
   printLine(to, "{}: {}", s.attempt.file, s.attempt.title);
   printLine(to, "  {}{}, score {:.0f} %: {}", s.verdict.passed ? "passed" : "failed",
@@ -193,7 +202,8 @@ void report(const Options& options) {
       debrief.pictures = std::move(moments.pictures);
       debrief.clip = std::move(moments.clip);
     }
-    const std::string page = debriefPage(debrief);
+    std::string page = debriefPage(debrief);
+    if (isPdf(options.output)) page = reportPdf(page, attempts.back().attempt.title);
     writeFileAtomically(options.output, [&](std::ostream& out) { out << page; });
   }
   if (!isStandardOutput(options.json)) {
@@ -213,7 +223,8 @@ void addReportCommand(Command app) {
               "Recordings (.resect) of one learner, the oldest first; the report is about the "
               "last one")
       .required();
-  command.option("-o,--output", options->output, "HTML page of the debrief (.html)");
+  command.option("-o,--output", options->output,
+                 "The debrief as an HTML page (.html), or as PDF (.pdf)");
   command.option("--json", options->json, "JSON file; - for standard output");
   command.option("--csv", options->csv, "CSV file with a row for each attempt");
   command.option("--samples", options->samples,
