@@ -114,6 +114,7 @@ void Viewer::tick() {
   if (!session_) return;
   const double looked = steadySeconds();
   damage_.add(session_->update());
+  session_->noteSight(viewport());
   takeSlowDamage();
   const double still = double(still_.elapsed()) * 1e-3;
   if (!isVisible() || window()->isMinimized()) {

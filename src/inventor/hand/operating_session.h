@@ -43,6 +43,8 @@ class OperatingSession {
   // Takes from the operation what has changed since the last call of update(), and runs Inventor's
   // sensors. Returns the damage since that call.
   Damage update();
+  // Tells the operation which tips are in the picture.
+  void noteSight(const SbViewportRegion& viewport);
   bool pending() const { return !damage_.empty(); }  // there is damage to draw
 
   // Plays the scenario's motions, frame by frame, up to the scenario time `until`, s. Begins where

@@ -165,6 +165,7 @@ class OperatingRoom {
   void closeUp(RoomView view, const Vec3& centre, double silhouette, double share, double aspect);
   // Moves the camera so that all of the box is in a picture. The camera's direction stays.
   void viewAll(const Aabb& box, double aspect);
+  bool throughScope() const;  // whether the picture is the round one of a laparoscope
 
  private:
   void requireTool(int tool) const;
@@ -176,7 +177,7 @@ class OperatingRoom {
   SoPerspectiveCamera* camera_;
   SoSpotLight* lamps_[2];
   SoSpotLight* head_;  // at the eye
-  SoSwitch* scope_;
+  SoSwitch* scope_;    // the mask round a laparoscope's picture
   SoShadowMaps* shadows_;
   SoSeparator* casters_;
   SoSeparator* table_;

@@ -121,6 +121,8 @@ void OperatingRoom::viewAll(const Aabb& box, double aspect) {
   camera_->farDistance = float(20.0 * distance);
 }
 
+bool OperatingRoom::throughScope() const { return scope_->whichChild.getValue() == SO_SWITCH_ALL; }
+
 // A laparoscope looks into a dark belly by its own light.
 void OperatingRoom::setLights(RoomView view) {
   const bool scope = view == RoomView::Laparoscope;

@@ -70,6 +70,11 @@ void LiveOperation::setIso(float iso) {
   input_.iso = iso;
 }
 
+void LiveOperation::setSight(std::vector<Sight> sight) {
+  const std::lock_guard lock(mutex_);
+  sight_ = std::move(sight);
+}
+
 void LiveOperation::play(Motion motion) {
   const std::lock_guard lock(mutex_);
   if (!motion) {  // also one that is to come

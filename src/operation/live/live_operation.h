@@ -23,6 +23,7 @@
 #include "operation/live/hand_speed.h"
 #include "operation/live/live_state.h"
 #include "operation/live/operation_history.h"
+#include "operation/live/sight.h"
 #include "operation/live/surface_publisher.h"
 #include "simulation/simulation.h"
 
@@ -65,6 +66,8 @@ class LiveOperation {
   // is there at the end of the next frame. LiveState::poses tells where the tools are.
   void setTool(int tool, const ToolInput& input, std::optional<HandMotion> motion = {});
   void setIso(float iso);
+  // Which tips are seen, one per tool, from the next frame on. Recordings keep it (sight.h).
+  void setSight(std::vector<Sight> sight);
   // From the next frame on `motion` moves the tools. It is called once per frame, in the
   // operation's thread, until it returns nothing. play({}) ends it earlier. Of the FrameInput that
   // it returns, only `tools` is used. If a step refuses these tools, the motion ends too, and
@@ -136,7 +139,8 @@ class LiveOperation {
     bool operated = false;     // no moment of the history was shown before
     FrameInput input;
     std::vector<std::optional<HandMotion>> motions;  // as setTool() got them
-    bool byMotion = false;                           // a motion gave the input's tools
+    std::vector<Sight> sight;
+    bool byMotion = false;  // a motion gave the input's tools
   };
   std::int64_t ask(Request request);
   void work();
@@ -154,6 +158,7 @@ class LiveOperation {
   std::unique_ptr<Simulation> simulation_;
   OperationHistory history_;           // used by the thread alone
   std::optional<LedgerWatch> ledger_;  // from here to timelineFrame_: also used by the thread alone
+  std::vector<Sight> sightSaid_;
   const std::vector<Pose> rests_;
   LastSecond lastSecond_;
   StepReport report_;
@@ -165,6 +170,7 @@ class LiveOperation {
   std::condition_variable newFrame_, wake_;
   FrameInput input_;
   std::vector<std::optional<HandMotion>> motions_;  // one per tool, as setTool() got it
+  std::vector<Sight> sight_;                        // as setSight() got it
   Motion motion_;
   // fresh_: a frame has ended since the last take().
   bool paused_ = false, ending_ = false, fresh_ = false;

@@ -45,6 +45,7 @@ std::optional<LiveOperation::Task> LiveOperation::nextTask(
   }
   task.input = input_;
   task.motions = motions_;
+  task.sight = sight_;
   input_.iso.reset();
   input_.strokeEnds = false;
   if (const auto next = motion_ ? motion_() : std::nullopt) {
@@ -134,7 +135,12 @@ void LiveOperation::operate(Task task) {
     if (begun && ledger_) history_.note(ledger_->ledger());
     if (begun && watch_.began) watch_.began(*begun, *simulation_);
     simulation_->step(task.input, report_, &clock);
-    const auto events = history_.afterStep(task.input, report_, *simulation_);
+    std::vector<OperationEvent> events = history_.afterStep(task.input, report_, *simulation_);
+    if (begun) sightSaid_.clear();
+    for (OperationEvent& event : sightEvents(task.sight, *simulation_, sightSaid_)) {
+      event.branch = history_.now().branch;
+      events.push_back(std::move(event));
+    }
     if (watch_.stepped) watch_.stepped(history_.now(), task.input, report_, events, *simulation_);
   } catch (const Cancelled&) {
     throw;

@@ -15,7 +15,7 @@ struct OperationEvent {
   double time = 0;                     // at the frame's end, s
   std::int64_t tool = -1, organ = -1;  // -1: none
   std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault,
-                      // smoke, smoke_clears
+                      // smoke, smoke_clears; in_view, out_of_view (sight.h)
   double amount = 0;  // remove: particles; cut, tear: bonds; piece: number of new pieces
   std::string text;   // fault: the sentence
 };

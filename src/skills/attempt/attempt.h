@@ -33,6 +33,8 @@ struct InstrumentRecord {
   std::string model;  // as tasks name it: "scalpel"
   Vec3 axis = Vec3::UnitZ();
   std::vector<ToolMoment> moments;  // one per frame
+  // s: in hand, and its tip outside the picture; none: nobody looked, or it was not recorded.
+  std::optional<double> unseen = {};
 };
 
 // What became of a vessel that was cut.
@@ -111,9 +113,13 @@ struct Attempt {
   bool tissueMoves = false;
   std::vector<TissueMoment> tissue;
   std::vector<Specimen> specimens;  // the largest first
-  std::int64_t torn = 0;            // bonds
-  double targetBefore = 0;          // m^3 of the goal's structure before the operation
-  std::optional<double> margin;     // m, of the goal's structure; none if nothing was cut
+  // Other structures than the goal's: whether there are any, and names of those that were cut, or
+  // of which something was destroyed.
+  bool otherStructures = false;
+  std::vector<std::string> hurt;
+  std::int64_t torn = 0;         // bonds
+  double targetBefore = 0;       // m^3 of the goal's structure before the operation
+  std::optional<double> margin;  // m, of the goal's structure; none if nothing was cut
   // Where the cuts came near the goal's structure; and this: middle and reach, at rest, m.
   std::vector<MarginPlace> margins;
   Vec3 targetMiddle = Vec3::Zero();

@@ -36,8 +36,8 @@ AttemptReader::AttemptReader(Attempt& attempt, const Scenario& scenario,
     rests_.push_back(scenario.tools[t].rest);
   }
   if (attempt_.task) goal_.emplace(attempt_.task->goal, scenario, simulation);
+  if (attempt_.task) targetOrgan_ = goalOrgan(attempt_.task->goal, scenario);
   if (attempt_.task && attempt_.task->goal.kind == TaskGoal::Kind::Resect) {
-    targetOrgan_ = goalOrgan(attempt_.task->goal, scenario);
     targetLabel_ =
         labelNamed(simulation.organs()[targetOrgan_].organ, attempt_.task->goal.structure);
   }
@@ -115,8 +115,27 @@ void AttemptReader::takeLedger(const Simulation& simulation) {
                              all.removed.volume + all.debris.volume, ledger.cut()});
   attempt_.specimens.clear();
   attempt_.margin.reset();
-  for (std::size_t o = 0; o < ledger.organs.size(); ++o) addSpecimens(ledger.organs[o], o);
+  attempt_.hurt.clear();
+  for (std::size_t o = 0; o < ledger.organs.size(); ++o) {
+    addSpecimens(ledger.organs[o], o);
+    addHurt(ledger.organs[o], o);
+  }
   std::ranges::stable_sort(attempt_.specimens, std::greater<>(), &Specimen::volume);
+}
+
+// Of the goal's organ its structures count, of the others all tissue.
+void AttemptReader::addHurt(const OrganLedger& organ, std::size_t number) {
+  if (!attempt_.task) return;
+  const auto note = [&](const std::string& name, bool hurt) {
+    attempt_.otherStructures = true;
+    if (hurt) attempt_.hurt.push_back(name);
+  };
+  if (number != targetOrgan_) {
+    note(organ.name, organ.cut > 0 || organ.tissue.removed.particles > 0);
+    return;
+  }
+  for (const LabelLedger& label : organ.labels)
+    if (label.margin && label.label != targetLabel_) note(label.name, *label.margin <= 0);
 }
 
 void AttemptReader::addSpecimens(const OrganLedger& organ, std::size_t number) {

@@ -36,6 +36,7 @@ class AttemptReader {
   ToolMoment momentOf(const Simulation& simulation, const StepReport& report, std::size_t t) const;
   void takeLedger(const Simulation& simulation);
   void addSpecimens(const OrganLedger& organ, std::size_t number);
+  void addHurt(const OrganLedger& organ, std::size_t number);
 
   Attempt& attempt_;
   std::vector<Pose> rests_;  // of the instruments
@@ -43,7 +44,7 @@ class AttemptReader {
   std::int64_t second_;  // frames
   VesselWatch vessels_;
   std::optional<GoalWatch> goal_;
-  std::size_t targetOrgan_ = 0;
+  std::size_t targetOrgan_ = 0;  // of the goal
   int targetLabel_ = 0;
 };
 

@@ -34,6 +34,8 @@ constexpr Advice kAdvice[] = {
      "Have the clip ready before the wound is cleared."},
     {"seal_time_s", "What was done between the cut and the clip?",
      "Close a vessel before the next step."},
+    {"structures_hurt", "How could this structure have been seen, or held out of the way?",
+     "Find what lies near before you cut, and keep it in sight."},
     {"margin_mm", "How was the distance from the target judged while cutting?",
      "Mark the margin on the surface before the first cut."},
     {"target_left_ml", "Where was the target expected?",
@@ -65,6 +67,8 @@ constexpr Advice kAdvice[] = {
     {"ldlj", "When was the hand not steady?", "Move in one go, and rest the hand between."},
     {"path_length_m", "Which way was not needed?", "Bring the tip in on one straight way."},
     {"movements", "Which movements were searches?", "Look where to go before you move."},
+    {"out_of_view_s", "What was the instrument doing while nobody saw it?",
+     "Bring the tip into the picture before you move it, and turn the view with it."},
     {"idle_s", "What were you waiting for?", "Say the next step aloud before the last one ends."},
     {"time_s", "Which step took longest?", kQuicker},
     {"total_time_s", "Which step took longest?", kQuicker},
@@ -78,6 +82,8 @@ constexpr std::string_view kAmounts[] = {"time_s",
                                          "rotation_deg",
                                          "depth_m",
                                          "idle_s",
+                                         "out_of_view_s",
+                                         "structures_hurt",
                                          "rotational_actions",
                                          "force_errors",
                                          "force_error_s",
@@ -176,6 +182,10 @@ void tellOff(const Attempt& attempt, Deduction& d) {
   d.time = attempt.time[worst->frame];
 }
 
+void tellHurt(const Attempt& attempt, Deduction& d) {
+  for (const std::string& name : attempt.hurt) d.fact += fmt::format(" The {} was hurt.", name);
+}
+
 Deduction findingFor(const Attempt& attempt, const Check& check) {
   const Advice* advice = adviceFor(check.measure);
   Deduction d{check.measure,
@@ -186,6 +196,7 @@ Deduction findingFor(const Attempt& attempt, const Check& check) {
   if (check.measure.starts_with("force_")) tellForce(attempt, d);
   if (check.measure.starts_with("blood_") || check.measure == "bleeding_s") tellBlood(attempt, d);
   if (check.measure.starts_with("off_")) tellOff(attempt, d);
+  if (check.measure == "structures_hurt") tellHurt(attempt, d);
   return d;
 }
 

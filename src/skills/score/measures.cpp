@@ -131,12 +131,15 @@ void putInstruments(Sheet& sheet, const Attempt& attempt) {
   Motion all;
   std::vector<double> forces;
   Errors errors;
+  std::optional<double> unseen;
   for (const InstrumentRecord& one : attempt.instruments) {
     Motion own;
     for (const Track& track : tracksOf(attempt, one)) own.add(track), all.add(track);
     if (!own.inHand) continue;
     sheet.of(one.name);
     putMotion(sheet, own);
+    sheet.put("out_of_view_s", one.unseen);
+    if (one.unseen) unseen = unseen.value_or(0) + *one.unseen;
     if (!attempt.tissueMoves) continue;
     const std::vector<double> force = forcesOf(one);
     const Errors mine = errorsOf(force, attempt);
@@ -146,6 +149,7 @@ void putInstruments(Sheet& sheet, const Attempt& attempt) {
   }
   sheet.of("");
   putMotion(sheet, all);
+  sheet.put("out_of_view_s", unseen);
   if (attempt.tissueMoves && all.inHand) putForces(sheet, forces, errors, attempt);
 }
 
@@ -230,6 +234,7 @@ std::vector<Measured> measuresOf(const Attempt& attempt) {
   sheet.put("hands_correlation", handsTogether(attempt));
   putBlood(sheet, attempt);
   putTissue(sheet, attempt, workTime);
+  if (attempt.otherStructures) sheet.put("structures_hurt", double(attempt.hurt.size()));
   sheet.put("undos", attempt.undos);
   return all;
 }

@@ -1,0 +1,29 @@
+// Which tips of instruments the picture shows.
+#include <Inventor/SbViewportRegion.h>
+
+#include <cmath>
+
+#include "inventor/gl/vectors.h"
+#include "inventor/hand/operating_session.h"
+
+namespace resect {
+
+void OperatingSession::noteSight(const SbViewportRegion& viewport) {
+  constexpr double kScopeRadius = 0.97;  // of half the picture's height (scope.frag)
+  const SbViewVolume volume = viewVolumeOf(*room().camera(), viewport);
+  const double aspect = viewport.getViewportAspectRatio();
+  std::vector<Sight> sight(toolModels_.size(), Sight::Unknown);
+  for (std::size_t t = 0; t < sight.size() && t < state_.poses.size(); ++t) {
+    const Vec3 tip = state_.poses[t] * toolModels_[t].tip;
+    SbVec3f screen;  // 0 to 1, in depth too
+    volume.projectToScreen(toSb(tip), screen);
+    const double x = 2 * screen[0] - 1, y = 2 * screen[1] - 1;
+    const bool ahead = screen[2] > 0 && screen[2] < 1;
+    const bool seen = room().throughScope() ? std::hypot(aspect * x, y) < kScopeRadius
+                                            : std::abs(x) < 1 && std::abs(y) < 1;
+    sight[t] = ahead && seen ? Sight::Seen : Sight::Unseen;
+  }
+  operation_.setSight(std::move(sight));
+}
+
+}  // namespace resect
