@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPlainTextEdit>
 #include <QSettings>
 #include <QStatusBar>
 
@@ -203,6 +204,7 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
   }
   if (code == Qt::Key_Space && event->type() == QEvent::ShortcutOverride) {
     event->setAccepted(qobject_cast<const QAbstractButton*>(widget) ||
+                       qobject_cast<const QPlainTextEdit*>(widget) ||
                        (qobject_cast<const QLineEdit*>(widget) &&
                         !qobject_cast<const QAbstractSpinBox*>(widget->parentWidget())));
     return true;

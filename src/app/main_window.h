@@ -48,6 +48,12 @@ struct MadeMark {
   Vec3 view = Vec3::UnitZ();          // direction of the camera then, unit
 };
 
+// A teacher's own attempt at the exercise that is being made.
+struct MadeTry {
+  std::filesystem::path recording;
+  std::vector<Measured> measures;
+};
+
 class MainWindow : public QMainWindow {
  public:
   explicit MainWindow(const WindowOptions& options);
@@ -82,6 +88,7 @@ class MainWindow : public QMainWindow {
   void showLaboratory(bool shown);
   void arrangePanels();
   QString nextStep() const;
+  QString howLongClosed() const;
   void followPanels(const LiveState& state, qint64 now);
   bool begin(OrganLoader::Result result);  // false: it cannot be shown; the user was told
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
@@ -143,6 +150,7 @@ class MainWindow : public QMainWindow {
   void endExerciseUnscored();
   void makeMaker();
   void openMaker();
+  void showMaker();
   void closeMaker();
   void setMadeMarks(std::vector<MadeMark> marks);
   void markPlace(const SbVec2s& pixel, const SbViewportRegion& viewport);
@@ -150,6 +158,8 @@ class MainWindow : public QMainWindow {
   Scenario exerciseMade();
   void tryMade();
   void saveMade();
+  void keepTry(const AttemptResult& result);
+  void forgetTries();
   bool isDraft() const;  // the exercise on the screen is one that is being made
   void reportPlaces();
   void reportButtons(const QWidget* in);
@@ -198,6 +208,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* makerDock_;
   Scenario made_;  // of which an exercise is made
   std::vector<MadeMark> madeMarks_;
+  std::vector<MadeTry> madeTries_;
   bool marking_ = false;                  // the next click marks a place
   std::shared_ptr<LiveAttempt> attempt_;  // at the exercise that was begun last; null: none
   bool attemptEnded_ = false;
@@ -207,6 +218,7 @@ class MainWindow : public QMainWindow {
   std::vector<BleedingEnd> endsBefore_;
   bool clipperClosed_ = false;
   int clipperHeld_ = -1;
+  double jawsOpen_ = 0;     // time when the jaws of the instrument in hand were open last, s
   double clipPlaced_ = -1;  // time of a clip whose effect is to be told, s; -1: none
   bool asTest_ = false, startedAsTest_ = false;  // of this exercise; of the one being loaded
   std::filesystem::path page_;                   // report of the last attempt

@@ -88,7 +88,7 @@ void MainWindow::makeExercises() {
     load(session_->scenario());
   };
   exercise_->exercisesWanted = [this] { showExercises(); };
-  exercise_->nextWanted = [this] { nextExercise(); };
+  exercise_->nextWanted = [this] { isDraft() ? showMaker() : nextExercise(); };
   exercise_->pageWanted = [this] { openPage(page_); };
   exercise_->evidenceChosen = [this](double seconds) { replayFrom(seconds); };
   makeMaker();
@@ -165,7 +165,8 @@ void MainWindow::beginExercise() {
   if (!attempt_) return;
   const Task& task = *session_->scenario().task;
   const bool guided = task.guidance && task.level != TaskLevel::Hard && !asTest_;
-  exercise_->begin(shown(session_->scenario().title), task, guided, session_->hasGhosts());
+  exercise_->begin(shown(session_->scenario().title), task, guided, session_->hasGhosts(),
+                   isDraft());
   if (options_.reports)
     say("exercise {} level {} guidance {}", session_->scenario().name, wordOf(task.level),
         guided ? "on" : "off");
@@ -272,6 +273,7 @@ void MainWindow::endExercise(const QString& why) {
 
 void MainWindow::showResult(const AttemptResult& result) {
   exercise_->showResult(result);
+  if (isDraft()) keepTry(result);
   std::vector<TimelinePanel::Mark> marks;
   for (std::size_t i = 0; i < result.evidence.size(); ++i)
     if (const Evidence& one = result.evidence[i]; one.time)

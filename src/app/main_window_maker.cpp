@@ -23,8 +23,10 @@
 #include "io/scenario/task_writer.h"
 #include "io/whole_file.h"
 #include "organ/region_placer.h"
+#include "record/recorded_motions.h"
 #include "record/session_recordings.h"
 #include "skills/attempt/goal_places.h"
+#include "skills/score/bands.h"
 #include "skills/score/goal_result.h"
 #include "tools/rest_place.h"
 
@@ -56,6 +58,21 @@ std::string modelOf(const ScenarioTool& tool) {
   return std::filesystem::path(tool.model).stem().string();
 }
 
+// Gives the scenario's instruments the motions that those of the same models have in a recording.
+void takeMotions(Scenario& scenario, const std::filesystem::path& recording) {
+  RecordingFile file = RecordingFile::open(recording);
+  const Scenario recorded = file.setup().scenario;
+  std::vector<std::vector<ToolKey>> motions = recordedMotions(file, file.moment().branch);
+  auto tool = scenario.tools.begin();  // the recording lacks some of them, in the same order
+  for (std::size_t t = 0; t < motions.size(); ++t) {
+    tool = std::find_if(tool, scenario.tools.end(), [&](const ScenarioTool& one) {
+      return modelOf(one) == modelOf(recorded.tools[t]);
+    });
+    if (tool == scenario.tools.end()) return;
+    (tool++)->keys = std::move(motions[t]);
+  }
+}
+
 }  // namespace
 
 bool MainWindow::isDraft() const {
@@ -71,9 +88,11 @@ void MainWindow::makeMaker() {
   };
   maker_->goalChanged = [this] {
     marking_ = false;
+    forgetTries();
     setMadeMarks({});
   };
   maker_->lastMarkRemoved = [this] {
+    forgetTries();
     std::vector<MadeMark> marks = madeMarks_;
     if (!marks.empty()) marks.pop_back();
     setMadeMarks(std::move(marks));
@@ -99,6 +118,8 @@ void MainWindow::openMaker() {
     return complain(e.what());
   }
   made_ = withInstruments(std::move(made_));
+  for (ScenarioTool& tool : made_.tools) tool.keys.clear(), tool.way.reset();
+  forgetTries();
   std::vector<std::string> instruments, structures;
   for (const ScenarioTool& tool : made_.tools) instruments.push_back(modelOf(tool));
   const OrganSource& organ = made_.organs[0].source;
@@ -107,8 +128,16 @@ void MainWindow::openMaker() {
   maker_->begin(instruments, structures, !organ.vessels.empty());
   setMadeMarks({});
   makerDock_->show();
+  showMaker();
+}
+
+// Brings the maker's panel before that of the exercise.
+void MainWindow::showMaker() {
   for (QDockWidget* panel : traineePanels_) panel->hide();
-  QTimer::singleShot(0, this, [this] { arrangePanels(); });
+  QTimer::singleShot(0, this, [this] {
+    arrangePanels();
+    makerDock_->raise();
+  });
   if (options_.reports)
     QTimer::singleShot(300, this, [this] {
       reportButtons(maker_);
@@ -169,6 +198,7 @@ void MainWindow::markPlace(const SbVec2s& pixel, const SbViewportRegion& viewpor
   SbVec3f away;
   session_->room().camera()->orientation.getValue().multVec(SbVec3f(0, 0, -1), away);
   mark->view = toVec(away);
+  forgetTries();
   std::vector<MadeMark> marks = madeMarks_;
   marks.push_back(*mark);
   setMadeMarks(std::move(marks));
@@ -203,6 +233,13 @@ Scenario MainWindow::exerciseMade() {
   scenario.task = maker_->task();
   scenario.task->goal = goalMade();
   scenario.description = goalSentence(*scenario.task);
+  if (const std::vector<std::size_t> references = maker_->references(); !references.empty()) {
+    takeMotions(scenario, madeTries_[references.back()].recording);
+    std::vector<std::vector<Measured>> runs;
+    for (const std::size_t number : references) runs.push_back(madeTries_[number].measures);
+    if (maker_->bandWanted()) scenario.task->bands = bandsOf(runs);
+    scenario.task->bandRuns = int(runs.size());
+  }
   OrganSource& organ = scenario.organs[0].source;
   if (scenario.task->goal.kind == Kind::Resect && maker_->marksStructure() && !madeMarks_.empty()) {
     OrganLabel tumour;
@@ -225,6 +262,26 @@ Scenario MainWindow::exerciseMade() {
   const std::string text = exerciseText(scenario);
   writeFileAtomically(draft, [&](std::ostream& out) { out << text; });
   return readScenario(draft);
+}
+
+// An attempt at the exercise that is being made has been scored.
+void MainWindow::keepTry(const AttemptResult& result) {
+  std::filesystem::path recording = page_;
+  recording.replace_extension(".resect");
+  madeTries_.push_back({recording, result.measures});
+  QString words =
+      QString("Try %1: %2").arg(madeTries_.size()).arg(result.passed ? "passed" : "not passed");
+  if (const auto time = valueOf(result.measures, "time_s"))
+    words += QString(", %1 s").arg(*time, 0, 'f', 1);
+  if (const auto path = valueOf(result.measures, "path_length_m"))
+    words += QString(", way %1 m").arg(*path, 0, 'f', 2);
+  maker_->addTry(words, result.passed);
+}
+
+// They were at another exercise than it is now.
+void MainWindow::forgetTries() {
+  madeTries_.clear();
+  maker_->clearTries();
 }
 
 void MainWindow::tryMade() {

@@ -26,6 +26,7 @@
 namespace resect {
 namespace {
 
+constexpr double kClosed = 0.9;    // squeeze of jaws
 constexpr int kTallWindow = 1000;  // pixels: in a lower one the laboratory's panels share one place
 constexpr int kPanelLetters = 33;  // width of the panels
 constexpr int kWideLetters = 44;   // of those of exercises, which have sentences
@@ -156,7 +157,7 @@ void MainWindow::makeDocks() {
   both->addWidget(force_, 1);
   exerciseDock_ = dock("Exercise", exercise_, kWideLetters);
   maker_ = new TaskMakerPanel;
-  makerDock_ = dock("Make an exercise", maker_, kWideLetters);
+  makerDock_ = dock("Maker", maker_, kWideLetters);
   tabifyDockWidget(makerDock_, exerciseDock_);
   for (QDockWidget* hidden : {exerciseDock_, makerDock_}) hidden->hide();
   traineePanels_ = {dock("Operation", operation_), dock("Instruments", instruments_)};
@@ -272,7 +273,8 @@ QString MainWindow::nextStep() const {
       return name +
              ": drag moves it, the wheel brings it nearer, Shift turns it; Escape puts it back.";
     case ToolHandling::Hold::Guided:
-      if (tools.pressing()) return name + " at work, " + depth + "; F leaves it there.";
+      if (tools.pressing())
+        return name + " at work, " + depth + howLongClosed() + "; F leaves it there.";
       return name + ": " + useOf(session_->toolModels()[std::size_t(tools.held())].kind) + ", " +
              depth + ".";
     case ToolHandling::Hold::HandleBox:
@@ -281,6 +283,14 @@ QString MainWindow::nextStep() const {
       return name + " in a trackball: drag it to turn it; middle click to move it.";
   }
   return {};
+}
+
+// Of forceps that seal, whose heat takes its time.
+QString MainWindow::howLongClosed() const {
+  const int held = session_->tools().held();
+  if (held < 0 || session_->toolModels()[std::size_t(held)].kind != "bipolar") return {};
+  const double closed = session_->state().time - jawsOpen_;
+  return QString(", closed for %1 s of about 2").arg(std::max(0.0, closed), 0, 'f', 1);
 }
 
 // Says what closing the clip applier has done.
@@ -319,6 +329,8 @@ void MainWindow::followClips(const LiveState& state) {
 void MainWindow::followPanels(const LiveState& state, qint64 now) {
   const int felt = session_->playing() ? playedTool(state) : workingTool(state);
   operation_->follow(state, felt);
+  const auto held = std::size_t(session_->tools().held());
+  if (held >= state.squeeze.size() || state.squeeze[held] < kClosed) jawsOpen_ = state.time;
   timeline_->follow(state, session_->showing(), session_->answered());
   const QString step = exercising() ? exercise_->nextStep() : QString();
   // An exercise's step comes first; how to use what is in hand follows, not that something should

@@ -8,6 +8,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QSocketNotifier>
 #include <QTabBar>
 #include <sstream>
@@ -113,9 +114,9 @@ void MainWindow::reportButtons(const QWidget* in) {
     const QString name = !one->accessibleName().isEmpty() ? one->accessibleName()
                          : button                         ? button->text()
                                                           : QString();
-    const bool used = button || qobject_cast<const QComboBox*>(one) ||
-                      qobject_cast<const QLineEdit*>(one) ||
-                      qobject_cast<const QAbstractSpinBox*>(one);
+    const bool used =
+        button || qobject_cast<const QComboBox*>(one) || qobject_cast<const QLineEdit*>(one) ||
+        qobject_cast<const QPlainTextEdit*>(one) || qobject_cast<const QAbstractSpinBox*>(one);
     if (!used || name.isEmpty() || !one->isVisible() || one->visibleRegion().isEmpty()) continue;
     const QPoint at = one->mapToGlobal(one->visibleRegion().boundingRect().center());
     say("place {} {} {}", name.toStdString(), int(at.x() * ratio), int(at.y() * ratio));

@@ -48,6 +48,10 @@ void replaceOrgans(Scenario& scenario, const OrganSource& source) {
   keepFirstOrgan(scenario);
   ScenarioOrgan& organ = scenario.organs[0];
   const OrganSource before = organ.source;
+  if (source.file != before.file) {  // what was said of the other organ, and where it was looked at
+    scenario.description.clear();
+    scenario.closeUp.reset();
+  }
   organ.source = source;
   organ.source.name = before.name;
   if (source.onTable) organ.source.pose.position = before.pose.position;

@@ -256,7 +256,8 @@ bool showsField(const Scenario& scenario);
 // Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
 // Replaces all organs by one. Its tissue moves as that of the first organ did, without the
-// attachments and the labels' materials, whose places and labels were those of the old organ.
+// attachments and the labels' materials, whose places and labels were those of the old organ. If it
+// is of another file, the description and the close-up go too.
 void replaceOrgans(Scenario& scenario, const OrganSource& source);
 // Sets the spacing of the first organ, m, and drops its dims. Scales the spacings of the other
 // organs in proportion. An organ that has dims instead of a spacing keeps its dims. before: the

@@ -45,6 +45,27 @@ void checkSame(const TaskGoal& a, const TaskGoal& b) {
   }
 }
 
+void checkSame(const std::vector<TaskLimit>& a, const std::vector<TaskLimit>& b) {
+  REQUIRE(a.size() == b.size());
+  for (const TaskLimit& limit : b) {
+    const auto at = std::ranges::find(a, limit.measure, &TaskLimit::measure);
+    REQUIRE(at != a.end());
+    CHECK(at->most == limit.most);
+    CHECK(at->least == limit.least);
+  }
+}
+
+void checkSame(const std::vector<ToolKey>& a, const std::vector<ToolKey>& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    CHECK(a[i].time == doctest::Approx(b[i].time));
+    CHECK((a[i].pose.position - b[i].pose.position).norm() < 1e-6);
+    CHECK(angleBetween(a[i].pose.rotation, b[i].pose.rotation) < 1e-5);
+    CHECK(a[i].squeeze == doctest::Approx(b[i].squeeze));
+    CHECK(a[i].pedal == doctest::Approx(b[i].pedal));
+  }
+}
+
 }  // namespace
 
 TEST_CASE("each shipped task is the same after it was written and read") {
@@ -60,15 +81,17 @@ TEST_CASE("each shipped task is the same after it was written and read") {
     CHECK(after.task->instruments == before.task->instruments);
     CHECK(after.task->undo == before.task->undo);
     CHECK(after.task->forceLimit == before.task->forceLimit);
-    REQUIRE(after.task->limits.size() == before.task->limits.size());
-    for (const TaskLimit& limit : before.task->limits) {
-      const auto at = std::ranges::find(after.task->limits, limit.measure, &TaskLimit::measure);
-      REQUIRE(at != after.task->limits.end());
-      CHECK(at->most == limit.most);
-      CHECK(at->least == limit.least);
-    }
+    checkSame(after.task->limits, before.task->limits);
+    for (const TaskLevel level : kTaskLevels)
+      checkSame(after.task->levels[std::size_t(level)], before.task->levels[std::size_t(level)]);
+    CHECK(after.task->published == before.task->published);
+    CHECK(after.task->pass == before.task->pass);
     CHECK(after.title == before.title);
-    CHECK(after.tools.size() == before.tools.size());
+    REQUIRE(after.tools.size() == before.tools.size());
+    for (std::size_t t = 0; t < before.tools.size(); ++t)
+      checkSame(after.tools[t].keys, before.tools[t].keys);
+    for (const ScenarioTool& tool : before.tools)
+      CHECK((tool.keys.empty() || after.duration > tool.keys.back().time));
     const OrganSource &a = after.organs[0].source, &b = before.organs[0].source;
     CHECK(a.spacing == b.spacing);
     CHECK(a.vessels == b.vessels);
@@ -98,6 +121,8 @@ TEST_CASE(
   scenario.task->teaches = "Nothing.";
   scenario.task->goal.kind = TaskGoal::Kind::Resect;
   scenario.task->goal.structure = "tumour";
+  scenario.task->bands = {{"path_length_m", 0.92, 0.08}, {"movements", 7, 1.5}};
+  scenario.task->bandRuns = 4;
   const Scenario after = writtenAndRead(scenario, folder / "own.toml");
   CHECK(after.title == scenario.title);
   CHECK(test::bytesOf(folder / "own.toml").find("spacing = 0.012\n") != std::string::npos);
@@ -107,6 +132,12 @@ TEST_CASE(
   CHECK(after.organs[0].source.labels[0].label == 3);
   CHECK(after.organs[0].tissue.elastic == scenario.organs[0].tissue.elastic);
   CHECK(after.task->goal.structure == "tumour");
+  REQUIRE(after.task->bands.size() == 2);
+  CHECK(after.task->bandRuns == 4);
+  for (const TaskBand& band : after.task->bands) {
+    CHECK(band.mean == (band.measure == "movements" ? 7 : 0.92));
+    CHECK(band.deviation == (band.measure == "movements" ? 1.5 : 0.08));
+  }
 
   scenario.file = folder / "none.toml";
   CHECK(test::sentenceOf([&] { exerciseText(scenario); }).find("no such file") !=

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "skills/class/class_book.h"
+#include "skills/score/bands.h"
 #include "skills/score/findings.h"
 #include "skills/score/verdict.h"
 #include "support/temporary_folder.h"
@@ -329,6 +330,28 @@ TEST_CASE("a band lets pass what is no worse than so many deviations") {
   CHECK(!score(attempt).verdict.passed);
   attempt.task->bands = {{"path_length_m", 0.5, 0.025}};  // much better than the mean
   CHECK(score(attempt).verdict.passed);
+}
+
+TEST_CASE("bands of a teacher's runs: mean and deviation of what all of them have") {
+  const auto run = [](double time, double path, double moves) {
+    return std::vector<Measured>{{"time_s", "", time},
+                                 {"path_length_m", "", path},
+                                 {"path_length_m", "scalpel", 99},
+                                 {"movements", "", moves},
+                                 {"sparc", "", -path}};
+  };
+  std::vector<std::vector<Measured>> runs{run(10, 0.5, 4), run(12, 0.7, 4)};
+  CHECK(bandsOf(runs).empty());  // two are too few
+  runs.push_back(run(14, 0.6, 4));
+  runs[0].push_back({"blood_loss_ml", "", 3});  // the others lack it
+  const std::vector<TaskBand> bands = bandsOf(runs);
+  REQUIRE(bands.size() == 2);  // movements are the same in all
+  CHECK(bands[0].measure == "time_s");
+  CHECK(bands[0].mean == doctest::Approx(12));
+  CHECK(bands[0].deviation == doctest::Approx(2));
+  CHECK(bands[1].measure == "path_length_m");
+  CHECK(bands[1].mean == doctest::Approx(0.6));
+  CHECK(bands[1].deviation == doctest::Approx(0.1));
 }
 
 TEST_CASE("a vessel that was cut unclipped is told with its size, time and blood") {

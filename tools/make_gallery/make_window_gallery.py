@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Plays the figures of the original thesis in the window, on a virtual screen, and writes docs/gallery/window/*.png:
-before, during and after, side by side; and into docs/images window.png, the whole window, and window.gif, an operation
-in motion.
+before, during and after, side by side; and into docs/images window.png and exercise.png, the whole window, and
+window.gif, an operation in motion.
 
-    make_window_gallery.py [--program PROGRAM] [NAME ...]      names as in FIGURES, "window" or "gif"; all without a name
+    make_window_gallery.py [--program PROGRAM] [NAME ...]      names as in FIGURES, "window", "exercise" or "gif"; all without
 
 Needs Xvfb, xdotool and ImageMagick's convert.
 """
@@ -55,22 +55,23 @@ def make_figure(program, screen, folder, name, scenario, during):
     print(target.relative_to(ROOT), target.stat().st_size // 1024, "KB", flush=True)
 
 
-def make_window(program, folder):
+def make_window(program, folder, name, scenario, until, rest):
+    """The whole window, `rest` seconds after the scenario's motions were played until then."""
     screen = Screen(folder, 1240, 800)  # no larger than the window
     try:
-        window = Window(program, screen, "--size", "1240x800")
+        window = Window(program, screen, *scenario, "--size", "1240x800")
         try:
             window.wait("ready", 300)
-            window.tell("play 5.6")
+            window.tell(f"play {until}")
             window.wait("played", 120)
-            time.sleep(4)  # the wound bleeds
-            screen.picture("window")
+            time.sleep(rest)
+            screen.picture(name)
         finally:
             window.quit()
     finally:
         screen.close()
-    target = ROOT / "docs" / "images" / "window.png"
-    subprocess.run(["convert", folder / "window.png", "-resize", "930x", "-colors", "200", f"PNG8:{target}"], check=True)
+    target = ROOT / "docs" / "images" / f"{name}.png"
+    subprocess.run(["convert", folder / f"{name}.png", "-resize", "930x", "-colors", "200", f"PNG8:{target}"], check=True)
     print(target.relative_to(ROOT), target.stat().st_size // 1024, "KB", flush=True)
 
 
@@ -96,7 +97,7 @@ def main():
     arguments.add_argument("--program", default=str(ROOT / "build" / "release" / "resect"))
     arguments.add_argument("names", nargs="*", metavar="NAME")
     options = arguments.parse_args()
-    known = [name for name, _, _ in FIGURES] + ["window", "gif"]
+    known = [name for name, _, _ in FIGURES] + ["window", "exercise", "gif"]
     for name in options.names:
         if name not in known:
             sys.exit(f"there is no {name}; choose from {', '.join(known)}")
@@ -108,7 +109,9 @@ def main():
                 if not options.names or figure[0] in options.names:
                     make_figure(options.program, screen, folder, *figure)
             if not options.names or "window" in options.names:
-                make_window(options.program, folder)
+                make_window(options.program, folder, "window", [], 5.6, 4)  # the wound bleeds meanwhile
+            if not options.names or "exercise" in options.names:
+                make_window(options.program, folder, "exercise", ["control-bleeding"], 2.2, 0.2)
             if not options.names or "gif" in options.names:
                 make_gif(options.program, screen, folder)
         finally:

@@ -22,13 +22,8 @@ std::optional<AttemptResult> readResult(const QByteArray& json) {
   result.reason = last["reason"].toString();
   result.score = last["score"].toDouble();
   const QJsonObject whole = last["measures"].toObject()["whole"].toObject();
-  const auto measured = [&](const char* measure) {
-    const QJsonValue value = whole[measure];
-    return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
-  };
-  result.time = measured("total_time_s");
-  result.blood = measured("blood_loss_ml");
-  result.force = measured("force_peak_n");
+  for (auto one = whole.begin(); one != whole.end(); ++one)
+    if (one->isDouble()) result.measures.push_back({one.key().toStdString(), {}, one->toDouble()});
   for (const QJsonValue& one : last["good"].toArray()) result.good << one.toString();
   for (const QJsonValue& one : last["deductions"].toArray()) {
     const QJsonObject d = one.toObject();

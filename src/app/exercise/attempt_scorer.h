@@ -11,6 +11,8 @@
 #include <optional>
 #include <vector>
 
+#include "skills/score/measures.h"
+
 namespace resect {
 
 // One thing that was not as wanted, as Deduction (skills/score/verdict.h).
@@ -24,7 +26,7 @@ struct AttemptResult {
   QString reason;
   double score = 0;  // 0 to 1
   // Of the whole recording, which may go on a few frames after the window's last picture.
-  std::optional<double> time, blood, force;  // s, ml, N
+  std::vector<Measured> measures;
   QStringList good;
   std::vector<Evidence> evidence;
 };

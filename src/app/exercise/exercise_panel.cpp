@@ -60,10 +60,12 @@ ExercisePanel::ExercisePanel(QWidget* parent) : QWidget(parent), column_(new QVB
   bold.setBold(true);
   title_->setFont(bold);
   goal_ = addLine("Goal");
+  steps_ = addLine("Steps");
   next_ = addLine("Next step");
   next_->setForegroundRole(QPalette::Link);
   time_ = addLine("Time");
   blood_ = addLine("Blood");
+  bleeding_ = addLine("Time of bleeding");
   force_ = addLine("Largest force");
   distance_ = addLine("Distance");
   end_ = addLine("End of the exercise");
@@ -80,9 +82,6 @@ ExercisePanel::ExercisePanel(QWidget* parent) : QWidget(parent), column_(new QVB
   scoring_->setRange(0, 0);
   scoring_->setToolTip("The recording is played and scored");
   column_->addWidget(scoring_);
-  results_ = new QVBoxLayout;
-  results_->setSpacing(4);
-  column_->addLayout(results_);
   auto* buttons = new QGridLayout;
   const auto button = [&](const char* text, const char* tip, int row, int at, auto act) {
     auto* made = new QPushButton(text, this);
@@ -99,24 +98,35 @@ ExercisePanel::ExercisePanel(QWidget* parent) : QWidget(parent), column_(new QVB
   button("Again", "The same exercise from its start", 0, 1, [this] { restarted(); });
   button("All exercises", "The list of exercises; this one waits", 1, 0,
          [this] { exercisesWanted(); });
-  nextExercise_ = button("Next exercise", "The one after this, at the same level", 1, 1,
-                         [this] { nextWanted(); });
+  nextExercise_ = button("", "", 1, 1, [this] { nextWanted(); });
   column_->addLayout(buttons);
+  results_ = new QVBoxLayout;
+  results_->setSpacing(4);
+  column_->addLayout(results_);
   column_->addStretch();
 }
 
-void ExercisePanel::begin(const QString& title, const Task& task, bool guided, bool ghosts) {
+void ExercisePanel::begin(const QString& title, const Task& task, bool guided, bool ghosts,
+                          bool draft) {
   task_ = task;
+  nextExercise_->setText(draft ? "Back to the maker" : "Next exercise");
+  nextExercise_->setToolTip(draft ? "Changes and saves this exercise"
+                                  : "The one after this, at the same level");
   clearResult();
   title_->setText(
       QString("%1 (%2)").arg(title, QString::fromStdString(std::string(wordOf(task.level)))));
   goal_->setText(shown(goalSentence(task), kLongestSentence));
+  QStringList steps;
+  for (const std::string& step : task.steps)
+    steps << QString("%1. %2").arg(steps.size() + 1).arg(shown(step, kLongestSentence));
+  steps_->setText(steps.join('\n'));
+  steps_->setVisible(guided && !steps.isEmpty());
   next_->setText("Read the goal, then take an instrument.");
   guidance_->setVisible(guided);
   guidance_->setChecked(guided);
   ghosts_->setVisible(guided && ghosts);
   ghosts_->setChecked(guided && ghosts && task.level == TaskLevel::Easy);
-  for (QWidget* one : {end_, distance_}) one->hide();
+  for (QWidget* one : {end_, distance_, bleeding_}) one->hide();
   next_->setVisible(guided);
   for (QWidget* one : std::initializer_list<QWidget*>{page_, nextExercise_, scoring_}) one->hide();
   finish_->show();
@@ -138,7 +148,7 @@ void ExercisePanel::follow(const LiveState& state, double seconds, const Attempt
   double force = 0;
   for (const double one : state.peakForces) force = std::max(force, one);
   force_->setVisible(state.moves);
-  showAmounts(seconds, 1e6 * state.bled, force);
+  showAmounts(seconds, 1e6 * state.bled, force, progress.bleeding);
   const bool near = guidance() && distance;
   distance_->setVisible(near);
   if (!near) return;
@@ -151,10 +161,13 @@ void ExercisePanel::follow(const LiveState& state, double seconds, const Attempt
 }
 
 void ExercisePanel::showAmounts(std::optional<double> seconds, std::optional<double> blood,
-                                std::optional<double> force) {
+                                std::optional<double> force, std::optional<double> bleeding) {
   if (seconds) setAmount(time_, "Time", *seconds, mostOf(task_, "total_time_s"), "s", 0);
   if (blood) setAmount(blood_, "Blood lost", *blood, mostOf(task_, "blood_loss_ml"), "ml", 1);
   if (force) setAmount(force_, "Largest force", *force, mostOf(task_, "force_peak_n"), "N", 1);
+  const std::optional<double> longest = mostOf(task_, "bleeding_s");
+  bleeding_->setVisible(bleeding && longest);
+  if (bleeding && longest) setAmount(bleeding_, "Bleeding for", *bleeding, longest, "s", 0);
 }
 
 void ExercisePanel::clearResult() {
@@ -169,7 +182,7 @@ void ExercisePanel::addResult(QWidget* widget) {
 
 void ExercisePanel::showEnd(const QString& why) {
   for (QWidget* one :
-       std::initializer_list<QWidget*>{finish_, guidance_, ghosts_, next_, distance_})
+       std::initializer_list<QWidget*>{finish_, guidance_, ghosts_, steps_, next_, distance_})
     one->hide();
   end_->setStyleSheet("font-weight: bold");  // no verdict yet; an earlier one had a colour
   end_->setText(why + " The attempt is being scored ...");
@@ -222,13 +235,18 @@ void ExercisePanel::showResult(const AttemptResult& result) {
                           .arg(result.passed ? "have passed" : "not have passed"));
   end_->setStyleSheet(result.passed ? "font-weight: bold; color: #35b36b"
                                     : "font-weight: bold; color: #f0603c");
-  showAmounts(result.time, result.blood, result.force);
-  add(result.reason);
+  showAmounts(valueOf(result.measures, "total_time_s"), valueOf(result.measures, "blood_loss_ml"),
+              valueOf(result.measures, "force_peak_n"), valueOf(result.measures, "bleeding_s"));
+  const bool told = std::ranges::any_of(
+      result.evidence, [&](const Evidence& one) { return one.fact == result.reason; });
+  if (!told) add(result.reason);
   if (!result.evidence.empty()) add("What to change", bold);
   for (std::size_t i = 0; i < result.evidence.size(); ++i)
     addEvidence(result.evidence[i], QString("%1.  ").arg(i + 1));
-  if (!result.good.isEmpty()) add("What was good", bold);
-  for (const QString& one : result.good) add(one);
+  QStringList good = result.good;
+  good.removeAll(result.reason);
+  if (!good.isEmpty()) add("What was good", bold);
+  for (const QString& one : good) add(one);
   scoring_->hide();
   nextExercise_->show();
   page_->show();

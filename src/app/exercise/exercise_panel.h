@@ -23,8 +23,9 @@ class ExercisePanel : public QWidget {
  public:
   explicit ExercisePanel(QWidget* parent = nullptr);
 
-  // An attempt begins. guided: guidance may be shown; ghosts: the exercise has a reference run.
-  void begin(const QString& title, const Task& task, bool guided, bool ghosts);
+  // An attempt begins. guided: guidance may be shown; ghosts: the exercise has a reference run;
+  // draft: it is being made.
+  void begin(const QString& title, const Task& task, bool guided, bool ghosts, bool draft);
   // keeping, distance: of the instrument in hand; none: it has nothing to keep to.
   void follow(const LiveState& state, double seconds, const AttemptProgress& progress,
               std::optional<double> distance, Keeping keeping);
@@ -45,12 +46,13 @@ class ExercisePanel : public QWidget {
   QLabel* addLine(const char* name);
   void clearResult();
   void showAmounts(std::optional<double> seconds, std::optional<double> blood,
-                   std::optional<double> force);  // s, ml, N
+                   std::optional<double> force,
+                   std::optional<double> bleeding);  // s, ml, N, s
   void addResult(QWidget* widget);
   void addEvidence(const Evidence& one, const QString& number);
 
   QVBoxLayout *column_, *results_;
-  QLabel *title_, *goal_, *next_, *time_, *blood_, *force_, *distance_, *end_;
+  QLabel *title_, *goal_, *steps_, *next_, *time_, *blood_, *bleeding_, *force_, *distance_, *end_;
   QCheckBox *guidance_, *ghosts_;
   QPushButton *finish_, *nextExercise_, *page_;
   QProgressBar* scoring_;

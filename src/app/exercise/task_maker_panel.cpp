@@ -7,11 +7,14 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/say.h"
+#include "skills/score/bands.h"
 
 namespace resect {
 namespace {
@@ -45,20 +48,53 @@ QDoubleSpinBox* TaskMakerPanel::number(const char* name, const char* tip, double
   field->setSuffix(QString(" ") + unit);
   field->setToolTip(tip);
   field->setAccessibleName(name);
-  if (least == 0) field->setSpecialValueText("no limit");
   form_->addRow(name, field);
   return field;
+}
+
+// A row of three fields, for the levels.
+TaskMakerPanel::Limit TaskMakerPanel::limit(const char* name, const char* measure, const char* tip,
+                                            double most, const char* unit, int digits,
+                                            std::array<double, 3> values) {
+  Limit made{measure, {}, new QWidget(this)};
+  made.row->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  auto* row = new QHBoxLayout(made.row);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(3);
+  for (const TaskLevel level : kTaskLevels) {
+    auto* field = new QDoubleSpinBox(made.row);
+    field->setRange(0, most);
+    field->setDecimals(digits);
+    field->setValue(values[std::size_t(level)]);
+    field->setSpecialValueText("any");
+    field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    field->setMinimumWidth(40);
+    const QString word = QString::fromStdString(std::string(wordOf(level)));
+    field->setToolTip(QString("%1, at the level %2, in %3; 0: any").arg(tip, word, unit));
+    field->setAccessibleName(QString("%1, %2").arg(name, word));
+    row->addWidget(field);
+    made.fields[std::size_t(level)] = field;
+  }
+  form_->addRow(QString("%1 (%2)").arg(name, unit), made.row);
+  return made;
 }
 
 TaskMakerPanel::TaskMakerPanel(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
   form_->setVerticalSpacing(4);
   form_->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  addButtons();  // first, so that no scrolling hides them
   title_ = new QLineEdit("My exercise", this);
   title_->setAccessibleName("Title");
   form_->addRow("Title", title_);
   teaches_ = new QLineEdit("What the learner is to learn.", this);
   teaches_->setAccessibleName("Teaches");
   form_->addRow("Teaches", teaches_);
+  steps_ = new QPlainTextEdit(this);
+  steps_->setPlaceholderText("How it is done, a step a line");
+  steps_->setAccessibleName("Steps");
+  steps_->setTabChangesFocus(true);
+  steps_->setFixedHeight(3 * steps_->fontMetrics().lineSpacing() + 12);
+  form_->addRow("Steps", steps_);
   kind_ = new QComboBox(this);
   kind_->setAccessibleName("Goal");
   for (const KindWords& one : kKinds) kind_->addItem(one.words, int(one.kind));
@@ -84,9 +120,13 @@ TaskMakerPanel::TaskMakerPanel(QWidget* parent) : QWidget(parent), form_(new QFo
   size_ = number("Radius", "Of the tumour", 3, 40, 10, "mm", 0);
   depth_ = number("Depth", "Of the tumour's middle under the surface", 1, 60, 12, "mm", 0);
   margin_ = number("Margin", "Least distance of the cuts from the tumour", 0.1, 50, 10, "mm", 0);
-  time_ = number("Time", "Most time in all", 0, 3600, 60, "s", 0);
-  blood_ = number("Blood", "Most blood lost", 0, 5000, 0, "ml", 0);
-  force_ = number("Force", "Largest force on the tissue", 0, 50, 0, "N", 1);
+  auto* levels = new QHBoxLayout;
+  for (const TaskLevel level : kTaskLevels)
+    levels->addWidget(new QLabel(QString::fromStdString(std::string(wordOf(level))), this));
+  form_->addRow("At most", levels);
+  limits_ = {limit("Time", "total_time_s", "Most time in all", 3600, "s", 0, {120, 60, 40}),
+             limit("Blood", "blood_loss_ml", "Most blood lost", 5000, "ml", 0, {}),
+             limit("Force", "force_peak_n", "Largest force on the tissue", 50, "N", 1, {})};
   guidance_ = new QCheckBox("Guidance in the picture", this);
   guidance_->setChecked(true);
   form_->addRow(guidance_);
@@ -98,6 +138,59 @@ TaskMakerPanel::TaskMakerPanel(QWidget* parent) : QWidget(parent), form_(new QFo
   new QGridLayout(instruments_);
   instruments_->layout()->setContentsMargins(0, 0, 0, 0);
   form_->addRow(instruments_);
+  addTries();
+  connect(mark_, &QPushButton::clicked, this, [this](bool on) { markingWanted(on); });
+  connect(remove_, &QPushButton::clicked, this, [this] { lastMarkRemoved(); });
+  connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
+    goalChanged();
+    showFields();
+  });
+  connect(structure_, &QComboBox::currentIndexChanged, this, [this] {
+    goalChanged();
+    showFields();
+  });
+}
+
+void TaskMakerPanel::addTries() {
+  triesAdvice_ = new QLabel(this);
+  triesAdvice_->setWordWrap(true);
+  form_->addRow("Reference", triesAdvice_);
+  tries_ = new QListWidget(this);
+  tries_->setAccessibleName("Tries");
+  tries_->setFixedHeight(4 * tries_->fontMetrics().lineSpacing() + 12);
+  tries_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  form_->addRow(tries_);
+  band_ = new QCheckBox("A pass must come near to them", this);
+  band_->setToolTip(
+      "Time, path, movements, force and blood at most two standard deviations above the mean of "
+      "the checked tries, three or more");
+  form_->addRow(band_);
+  connect(tries_, &QListWidget::itemChanged, this, [this] { showFields(); });
+}
+
+void TaskMakerPanel::addTry(const QString& words, bool good) {
+  auto* item = new QListWidgetItem(words, tries_);
+  item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable);
+  item->setCheckState(good ? Qt::Checked : Qt::Unchecked);
+  tries_->scrollToBottom();
+  showFields();
+}
+
+void TaskMakerPanel::clearTries() {
+  tries_->clear();
+  showFields();
+}
+
+std::vector<std::size_t> TaskMakerPanel::references() const {
+  std::vector<std::size_t> checked;
+  for (int row = 0; row < tries_->count(); ++row)
+    if (tries_->item(row)->checkState() == Qt::Checked) checked.push_back(std::size_t(row));
+  return checked;
+}
+
+bool TaskMakerPanel::bandWanted() const { return band_->isEnabled() && band_->isChecked(); }
+
+void TaskMakerPanel::addButtons() {
   auto* buttons = new QHBoxLayout;
   const auto button = [&](const char* text, const char* tip, auto act) {
     auto* made = new QPushButton(text, this);
@@ -111,16 +204,6 @@ TaskMakerPanel::TaskMakerPanel(QWidget* parent) : QWidget(parent), form_(new QFo
   auto* close = button("Close", "Gives up what has not been saved", [this] { closed(); });
   close->setAccessibleName("Close the maker");
   form_->addRow(buttons);
-  connect(mark_, &QPushButton::clicked, this, [this](bool on) { markingWanted(on); });
-  connect(remove_, &QPushButton::clicked, this, [this] { lastMarkRemoved(); });
-  connect(kind_, &QComboBox::currentIndexChanged, this, [this] {
-    goalChanged();
-    showFields();
-  });
-  connect(structure_, &QComboBox::currentIndexChanged, this, [this] {
-    goalChanged();
-    showFields();
-  });
 }
 
 void TaskMakerPanel::begin(const std::vector<std::string>& instruments,
@@ -192,7 +275,13 @@ void TaskMakerPanel::showFields() {
   form_->setRowVisible(size_, fresh);
   form_->setRowVisible(depth_, fresh);
   form_->setRowVisible(margin_, now == Kind::Resect);
-  form_->setRowVisible(blood_, vessels_);
+  form_->setRowVisible(limits_[1].row, vessels_);
+  triesAdvice_->setText(tries_->count() == 0
+                            ? "Try it yourself: learners then see your try as a ghost."
+                            : "Learners see the last checked try as a ghost.");
+  tries_->setVisible(tries_->count() > 0);
+  band_->setVisible(tries_->count() > 0);
+  band_->setEnabled(references().size() >= kLeastBandRuns);
   mark_->setEnabled(most > 0 && !lacks);
   remove_->setEnabled(marks_ > 0);
   for (QPushButton* one : {try_, save_}) one->setEnabled(!lacks && marks_ >= least);
@@ -212,14 +301,24 @@ Task TaskMakerPanel::task() const {
   for (const QCheckBox* box : boxes_)
     if (box->isChecked())
       task.instruments.push_back(box->property("model").toString().toStdString());
-  const auto limit = [&](const char* measure, const QDoubleSpinBox* field) {
-    if (field->value() > 0) task.limits.push_back({measure, {}, field->value()});
-  };
-  limit("total_time_s", time_);
-  if (vessels_) limit("blood_loss_ml", blood_);
-  limit("force_peak_n", force_);
-  if (force_->value() > 0) task.forceLimit = force_->value();
+  const QStringList lines = steps_->toPlainText().split('\n', Qt::SkipEmptyParts);
+  for (const QString& line : lines)
+    if (!line.trimmed().isEmpty()) task.steps.push_back(line.trimmed().toStdString());
+  for (const Limit& limit : limits_)
+    if (vessels_ || &limit != &limits_[1]) takeLimits(limit, task);
   return task;
+}
+
+// A limit that is the same at all levels is one of the task; 0 is none.
+void TaskMakerPanel::takeLimits(const Limit& limit, Task& task) const {
+  const auto value = [&](TaskLevel level) { return limit.fields[std::size_t(level)]->value(); };
+  const bool same = std::ranges::all_of(
+      kTaskLevels, [&](TaskLevel level) { return value(level) == value(TaskLevel::Easy); });
+  if (same && value(TaskLevel::Easy) > 0)
+    task.limits.push_back({limit.measure, {}, value(TaskLevel::Easy)});
+  for (const TaskLevel level : kTaskLevels)
+    if (!same && value(level) > 0)
+      task.levels[std::size_t(level)].push_back({limit.measure, {}, value(level)});
 }
 
 }  // namespace resect

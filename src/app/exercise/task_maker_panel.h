@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -14,6 +15,8 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
+class QListWidget;
+class QPlainTextEdit;
 class QPushButton;
 
 namespace resect {
@@ -34,9 +37,15 @@ class TaskMakerPanel : public QWidget {
   bool marksStructure() const;     // a new one is marked, instead of one that the organ has
   double structureRadius() const;  // m
   double structureDepth() const;   // m: of its middle under the surface
-  // What the fields say; the goal's places, normal and vessel are left to the window.
+  // What the fields say; the goal's places, normal and vessel, and bands are left to the window.
   Task task() const;
   std::string title() const;
+
+  // Lists a try at the exercise. Those that are checked are the reference. good: it is checked.
+  void addTry(const QString& words, bool good);
+  void clearTries();
+  std::vector<std::size_t> references() const;  // numbers of the checked tries, in order
+  bool bandWanted() const;                      // a pass takes figures like those of the references
 
   std::function<void(bool)> markingWanted;
   std::function<void()> goalChanged, lastMarkRemoved, tried, saved, closed;
@@ -44,15 +53,29 @@ class TaskMakerPanel : public QWidget {
  private:
   QDoubleSpinBox* number(const char* name, const char* tip, double least, double most, double value,
                          const char* unit, int digits);
+  struct Limit {
+    const char* measure;
+    std::array<QDoubleSpinBox*, 3> fields;  // per level
+    QWidget* row;
+  };
+  Limit limit(const char* name, const char* measure, const char* tip, double most, const char* unit,
+              int digits, std::array<double, 3> values);
+  void addTries();
+  void addButtons();
   void showFields();
+  void takeLimits(const Limit& limit, Task& task) const;
 
   QFormLayout* form_;
   QLineEdit *title_, *teaches_;
   QComboBox *kind_, *structure_;
   QLabel* advice_;
   QPushButton *mark_, *remove_, *try_, *save_;
-  QDoubleSpinBox *within_, *hold_, *size_, *depth_, *margin_, *time_, *blood_, *force_;
-  QCheckBox *guidance_, *undo_;
+  QPlainTextEdit* steps_;
+  QDoubleSpinBox *within_, *hold_, *size_, *depth_, *margin_;
+  std::vector<Limit> limits_;
+  QCheckBox *guidance_, *undo_, *band_;
+  QLabel* triesAdvice_;
+  QListWidget* tries_;
   QWidget* instruments_;
   std::vector<QCheckBox*> boxes_;
   bool vessels_ = false;

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <regex>
 
 #include "base/error.h"
@@ -94,6 +97,21 @@ std::string labelText(const OrganLabel& label) {
   return "{" + out + "}";
 }
 
+std::string bandText(const Task& task) {
+  std::string out = fmt::format("runs = {}, deviations = {:g}", task.bandRuns, task.bandWidth);
+  for (const TaskBand& band : task.bands)
+    out += fmt::format(", {} = [{:.6g}, {:.6g}]", band.measure, band.mean, band.deviation);
+  return "{" + out + "}";
+}
+
+std::string levelsText(const Task& task) {
+  std::string out;
+  for (const TaskLevel level : kTaskLevels)
+    if (const auto& limits = task.levels[std::size_t(level)]; !limits.empty())
+      out += fmt::format("{}{} = {}", out.empty() ? "" : ", ", wordOf(level), limitsText(limits));
+  return "{" + out + "}";
+}
+
 // What goes into the file as the value of `task`.
 std::string taskValue(const Task& task) {
   std::string out = "teaches = " + quoted(task.teaches);
@@ -107,12 +125,35 @@ std::string taskValue(const Task& task) {
     out += fmt::format(", force_limit = {:g}, force_limit_source = {}", *task.forceLimit,
                        quoted(task.forceLimitSource));
   out += ", limits = " + limitsText(task.limits);
+  if (const std::string levels = levelsText(task); levels != "{}") out += ", levels = " + levels;
+  if (!task.bands.empty()) out += ", band = " + bandText(task);
+  if (!task.published.empty()) out += ", published = " + listed(task.published, quoted);
+  out += ", pass = " + listed(task.pass, quoted);
+  return "{" + out + "}";
+}
+
+std::string keyText(const ToolKey& key) {
+  const Vec3 turn = rotationVector(key.pose.rotation);
+  std::string out =
+      fmt::format("time = {:.6g}, position = {}", key.time, vector(key.pose.position));
+  if (const double angle = turn.norm(); angle > 1e-6)
+    out += fmt::format(", rotation = {{axis = {}, degrees = {:.6g}}}", vector(turn / angle),
+                       angle * 180 / std::numbers::pi);
+  if (key.squeeze > 0) out += fmt::format(", squeeze = {:.4g}", key.squeeze);
+  if (key.pedal > 0) out += fmt::format(", pedal = {:.4g}", key.pedal);
   return "{" + out + "}";
 }
 
 std::string whole(const std::string& file) {
   std::error_code ec;
   return std::filesystem::exists(file, ec) ? std::filesystem::absolute(file, ec).string() : file;
+}
+
+std::string toolText(const ScenarioTool& tool) {
+  std::string out = "model = " + quoted(whole(tool.model));
+  if (tool.response) out += ", response = " + quoted(*tool.response);
+  if (!tool.keys.empty()) out += ", keys = " + listed(tool.keys, keyText);
+  return "{" + out + "}";
 }
 
 TomlTable withOrgan(const TomlTable& file, const std::string& key, const OrganSource& organ) {
@@ -163,9 +204,11 @@ std::string exerciseText(const Scenario& scenario) {
   if (!many && !t.has("organ")) t = t.with("organ", "{}");
   for (std::size_t o = 0; o < scenario.organs.size(); ++o)
     t = withOrgan(t, many ? fmt::format("organ[{}]", o) : "organ", scenario.organs[o].source);
-  t = t.with("tool", listed(scenario.tools, [](const ScenarioTool& tool) {
-               return fmt::format("{{model = {}}}", quoted(whole(tool.model)));
-             }));
+  t = t.with("tool", listed(scenario.tools, toolText));
+  double end = 0;
+  for (const ScenarioTool& tool : scenario.tools)
+    if (!tool.keys.empty()) end = std::max(end, tool.keys.back().time);
+  if (end > 0) t = t.with("duration", fmt::format("{:g}", std::ceil(end + 1))).with("after", "");
   t = t.with("task", taskValue(*scenario.task));
   return "# An exercise made in Resect's window; docs/scenarios.md explains the keys.\n" +
          withShortNumbers(t.asText());

@@ -75,6 +75,11 @@ void LiveAttempt::publish(const Simulation& simulation) {
   now.time = simulation.time();
   now.reached = goal.reached;
   now.next = nextStep(attempt_, goal);
+  const auto bled = std::ranges::find_if(attempt_.bled, [](double b) { return b > 0; });
+  if (bled != attempt_.bled.end())
+    now.bleeding =
+        valueOf(goal.measures, "bleeding_s")
+            .value_or(now.time - attempt_.time[std::size_t(bled - attempt_.bled.begin())]);
   now.rested = simulation.time() - worked_;
   now.target = nextTarget(goal);
   for (const TissuePoint& point : reader_.goal()->present()) {

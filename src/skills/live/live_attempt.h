@@ -17,13 +17,14 @@
 namespace resect {
 
 struct AttemptProgress {
-  double time = 0;            // s from the start; 0: nothing is known yet
-  bool reached = false;       // the goal
-  std::string next;           // what to do next, a sentence
-  double rested = 0;          // s: for so long no instrument has been at work
-  std::size_t target = 0;     // number of the target that is next, from 0
-  std::vector<Vec3> places;   // targets, plane or line; world, m
-  std::vector<Vec3> normals;  // of the surface there, unit
+  double time = 0;                 // s from the start; 0: nothing is known yet
+  bool reached = false;            // the goal
+  std::string next;                // what to do next, a sentence
+  std::optional<double> bleeding;  // s: for so long it has bled, or bled until it was stopped
+  double rested = 0;               // s: for so long no instrument has been at work
+  std::size_t target = 0;          // number of the target that is next, from 0
+  std::vector<Vec3> places;        // targets, plane or line; world, m
+  std::vector<Vec3> normals;       // of the surface there, unit
   // The structure of the goal: its middle, and how far it reaches from there; world, m.
   std::optional<Vec3> structure;
   double structureRadius = 0;

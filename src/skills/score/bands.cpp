@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "io/data_folder.h"
@@ -32,6 +33,25 @@ PublishedStudy readPublishedStudy(const std::string& name) {
   }
   t.refuseUnknownKeys();
   return study;
+}
+
+std::vector<TaskBand> bandsOf(std::span<const std::vector<Measured>> runs) {
+  std::vector<TaskBand> bands;
+  if (runs.size() < kLeastBandRuns) return bands;
+  for (const char* measure :
+       {"time_s", "path_length_m", "movements", "force_p95_n", "blood_loss_ml"}) {
+    double sum = 0, squares = 0;
+    std::size_t count = 0;
+    for (const std::vector<Measured>& run : runs)
+      if (const auto value = valueOf(run, measure)) sum += *value, ++count;
+    if (count < runs.size()) continue;
+    const double mean = sum / double(count);
+    for (const std::vector<Measured>& run : runs)
+      squares += std::pow(*valueOf(run, measure) - mean, 2);
+    const double deviation = std::sqrt(squares / double(count - 1));
+    if (deviation > 0) bands.push_back({measure, mean, deviation});
+  }
+  return bands;
 }
 
 }  // namespace resect

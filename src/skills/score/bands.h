@@ -3,10 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "io/scenario/toml_table.h"
+#include "operation/task/task.h"
+#include "skills/score/measures.h"
 
 namespace resect {
 
@@ -29,5 +32,11 @@ struct PublishedStudy {
 
 // Throws Error if data/bands has no such file, naming those that there are, or if a value is wrong.
 PublishedStudy readPublishedStudy(const std::string& name);
+
+// A task's own bands, of runs that a teacher has marked as reference: mean and standard deviation
+// (of a sample) of time, path length, movements, force and blood. A measure that a run lacks, or
+// that is the same in all of them, has none.
+inline constexpr std::size_t kLeastBandRuns = 3;
+std::vector<TaskBand> bandsOf(std::span<const std::vector<Measured>> runs);
 
 }  // namespace resect
