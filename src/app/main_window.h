@@ -131,6 +131,7 @@ class MainWindow : public QMainWindow {
   void showExercises();
   void hideExercises();
   void followClips(const LiveState& state);
+  void showAbout(const Exercise& exercise);
   void startExercise(const Exercise& exercise, TaskLevel level);
   void beginExercise();
   void followExercise(const LiveState& state);

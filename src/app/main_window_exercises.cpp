@@ -18,8 +18,10 @@
 #include "app/viewer.h"
 #include "app/widgets/timeline_panel.h"
 #include "base/error.h"
+#include "io/atomic_file.h"
 #include "io/scenario/scenario_file.h"
 #include "io/scenario/task_writer.h"
+#include "skills/report/task_page.h"
 
 namespace resect {
 namespace {
@@ -60,6 +62,7 @@ void MainWindow::makeExercises() {
   exercises_->started = [this](const Exercise& exercise, TaskLevel level) {
     startExercise(exercise, level);
   };
+  exercises_->aboutWanted = [this](const Exercise& exercise) { showAbout(exercise); };
   exercises_->closed = [this] { hideExercises(); };
   exercises_->learnerChosen = [this] {
     const QString name = QString::fromStdString(learnerName(exercises_->learner().toStdString()));
@@ -133,6 +136,19 @@ void MainWindow::hideExercises() {
   if (session_) session_->operation().setPaused(waitsForHand_);
   viewer_->setFocus();
   if (options_.reports) say("exercises hidden");
+}
+
+// The page of what an exercise teaches; kept beside the attempts, where a browser can read it.
+void MainWindow::showAbout(const Exercise& exercise) {
+  try {
+    const std::string page = taskPage(readScenario(exercise.file));
+    const std::filesystem::path file = attemptsFolder() / ("about-" + exercise.name + ".html");
+    std::filesystem::create_directories(file.parent_path());
+    writeFileAtomically(file, [&](std::ostream& out) { out << page; });
+    openPage(file);
+  } catch (const std::exception& e) {
+    complain(e.what());
+  }
 }
 
 void MainWindow::startExercise(const Exercise& exercise, TaskLevel level) {

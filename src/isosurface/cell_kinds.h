@@ -15,8 +15,9 @@
 
 namespace resect {
 
-// Keeps the compiler from loading several words as one vector. If the words were just stored one by
-// one, such a load waits until the stores are done (no store forwarding). That would take as long
+// Keeps the compiler from loading several words as one vector. If the words were stored one by
+// one a moment before, such a load cannot be forwarded from the stores and waits until they are
+// done. That would take as long
 // as all work on the 64 cells.
 [[gnu::always_inline]] inline std::uint64_t keptAlone(std::uint64_t word) {
   asm("" : "+r"(word));
@@ -121,12 +122,13 @@ using CellKinds = std::array<std::uint8_t, kBrickSize>;
 
 // Per case: its number of triangles minus (its number of crossed edges - 2). A loop of n edges
 // gives n - 2 triangles. So the value is 0 for a case with one loop, and each further loop lowers
-// it by 2. It is also 0 for a case without crossed edges.
+// it by 2. For a case without crossed edges, where the formula would give 2, it is 0.
 const std::array<std::int8_t, 256>& trianglesBeyondOneLoop();
 
 // Number of triangles in the cells of the mask `cells`; the surface must cross all of these. c: as
-// given by cornerMasks(). A cell can have several loops only in two cases: the inside corners of
-// one of its faces lie on a diagonal, or two opposite corners are both unlike all their neighbours.
+// given by cornerMasks(). A cell can have several loops only if, on one of its faces, exactly two
+// diagonally opposite corners are inside, or if two opposite corners of the cell both differ from
+// all three corners to which edges join them.
 // Such cells are few; for them trianglesBeyondOneLoop() is added. Some 110 instructions.
 [[gnu::always_inline]] inline int countTriangles(const std::array<std::uint64_t, 8>& c,
                                                  std::uint64_t cells) {

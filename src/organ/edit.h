@@ -69,7 +69,8 @@ struct DivideVessel {  // cuts through a vessel at a place of it
   double share = 0;  // of the segment's length, 0 to 1
 };
 
-struct TearBond {  // as SeverBond, but vessels of at least the radius `spares`, m, stay, bare
+// As SeverBond, but vessels with a radius of `spares` (m) or more are not cut; they are left bare.
+struct TearBond {
   std::int64_t cell = -1;
   std::int32_t direction = -1;
   double spares = 1;

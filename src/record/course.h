@@ -8,7 +8,8 @@
 
 namespace resect {
 
-// Frames of one branch, from the state `first` to the state `last`.
+// The frames first + 1 to last of one branch. They lead from the state after frame `first` to the
+// state after frame `last`.
 struct CourseSpan {
   std::int64_t branch = 0, first = 0, last = 0;
 };

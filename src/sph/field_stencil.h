@@ -30,7 +30,8 @@ struct FieldStencil {
   // cells have different weights. The weight is 0 where the cell is out of the reach of the node.
   struct Tap {
     std::array<HalfPlane, 2> weight;
-    int offset;  // index in the table of the cells round a brick (CellTable in field_stencil.cpp)
+    // The offset as an index into CellTable (field_stencil.cpp), counted from the node's own cell.
+    int offset;
   };
 
   int refine;  // nodes per cell along each axis, 1 to 4
@@ -63,8 +64,8 @@ void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const float* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 
 // The same for cells stored as levels (sph/colour_values.h), with the same bits. alongY and alongZ
-// are counted in cells. Reads up to 16 cells along x. sumBrick() uses AVX2 where the machine has
-// it. sumBrickPlainly() does not, and serves for comparison.
+// are counted in cells. Reads up to 16 cells along x. This overload uses AVX2 where the machine has
+// it. sumBrickPlainly() computes the same bits without it; tests and benchmarks compare the two.
 void sumBrick(const FieldStencil& stencil, const Vec3i& phase, const std::uint8_t* low,
               std::ptrdiff_t alongY, std::ptrdiff_t alongZ, unsigned planes, float* out);
 

@@ -9,7 +9,7 @@ namespace resect {
 // Hands out ranges of indices. Sizes are rounded up to multiples of 8, so that a range can take a
 // few elements more without moving. take() gives the range that was released last among those with
 // the rounded size asked for. If there is none, it gives new indices at the end. Each call costs
-// O(1). The same calls give the same ranges.
+// O(1). The same sequence of calls gives the same ranges.
 class RangeAllocator {
  public:
   static constexpr std::int32_t kStep = 8;
@@ -27,8 +27,8 @@ class RangeAllocator {
     end_ += roundedUp(count);
     return first;
   }
-  // Releases the range that take() gave with `first`. `count` must round up to the same size as in
-  // that call.
+  // Releases the range for which take() returned `first`. `count` must round up to the same size as
+  // in that call.
   void release(std::int32_t first, std::int32_t count) {
     const std::size_t size = std::size_t(roundedUp(count) / kStep);
     if (size >= free_.size()) free_.resize(size + 1);

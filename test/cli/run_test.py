@@ -31,17 +31,12 @@ def run(scenario, *args):
 
 
 class Scenarios(unittest.TestCase):
-    def test_every_scenario_gives_the_same_state_and_a_closed_surface(self):
+    def test_each_scenario_has_a_known_state_which_one_thread_reaches_too(self):
         names = [line.split()[0] for line in resect("run", "--list").stdout.splitlines()]
         golden = STILL | ELASTIC
         self.assertEqual(sorted(names), sorted(golden))
-        for name in names:
-            first = run(name, "--threads", 1)  # at two threads: the test of the ledger
-            self.assertTrue(first["surface"]["closed"] and first["surface"]["oriented"], name)
-            self.assertEqual(first["removed"] > 0, name in STILL or name in ("transect", "cautery"), name)
-            self.assertEqual(first["faults"], [], name)
-            self.assertEqual(first["state_hash"], golden[name], f"{name}: the operation has come out otherwise; "
-                             "if that was meant, look at its pictures and write the new state down here")
+        for name in (*STILL, "press", "snip", "bleed", "liver-and-gallbladder"):  # all at two: the next test
+            self.assertEqual(run(name, "--threads", 1)["state_hash"], golden[name], name)
 
     def test_the_sizes_of_the_thesis_are_met(self):
         self.assertAlmostEqual(run("cut-120")["particles"], 120, delta=3)
@@ -102,12 +97,16 @@ class Scenarios(unittest.TestCase):
             # The surface of a piece bounds about its tissue.
             self.assertAlmostEqual(info["volume_ml"] / ledger["parts"][i - 1]["tissue_ml"], 1, delta=0.04)
 
-    def test_the_ledger_closes_in_every_scenario_and_what_is_printed_is_what_was_reckoned(self):
+    def test_every_scenario_keeps_its_state_and_the_ledger_closes_as_it_is_printed(self):
         for name in STILL | ELASTIC:
             file = FOLDER / "summary.json"
             printed = resect("run", name, "--threads", 2, "--json", file).stdout
             summary = json.loads(file.read_text())
-            self.assertEqual(summary["state_hash"], (STILL | ELASTIC)[name], name)
+            self.assertEqual(summary["state_hash"], (STILL | ELASTIC)[name], f"{name}: the operation has come out "
+                             "otherwise; if that was meant, look at its pictures and write the new state down")
+            self.assertTrue(summary["surface"]["closed"] and summary["surface"]["oriented"], name)
+            self.assertEqual(summary["removed"] > 0, name in STILL or name in ("transect", "cautery"), name)
+            self.assertEqual(summary["faults"], [], name)
             whole = {"particles": 0, "tissue_ml": 0, "mass_g": 0}
             sums = dict.fromkeys(("before", "body", "pieces", "debris", "removed"), 0)
             sums = {part: dict(whole) for part in sums}

@@ -14,6 +14,7 @@ import sqlite3
 import subprocess
 import sys
 import threading
+import tomllib
 import unittest
 
 PROGRAM, FOLDER = None, None
@@ -207,6 +208,7 @@ class Skills(unittest.TestCase):
         statements = json.loads(xapi.read_text())
         self.assertEqual([s["verb"]["id"].split("/")[-1] for s in statements], ["attempted", "completed", "passed"])
         for s in statements:
+            self.check_statement(s)
             self.assertRegex(s["id"], "^[0-9a-f]{8}-[0-9a-f]{4}-4[0-9a-f]{3}-[89ab][0-9a-f]{3}-[0-9a-f]{12}$")
             self.assertRegex(s["timestamp"], r"^\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z$")
             self.assertEqual(s["actor"]["account"]["name"], "L-17")
@@ -215,6 +217,38 @@ class Skills(unittest.TestCase):
         again = FOLDER / "again.json"
         resect("report", recording, "--graded", "--xapi", again, "--learner", "L-17")
         self.assertEqual([s["id"] for s in json.loads(again.read_text())], [s["id"] for s in statements])
+
+    def check_statement(self, s):
+        """The properties that the specification of xAPI 1.0.3 knows (part two, section 2), and their forms."""
+        def keys(table, required, allowed=()):
+            self.assertTrue(set(required) <= set(table) <= {*required, *allowed}, table.keys())
+
+        def iri(text):
+            self.assertRegex(text, r"^[a-z][a-z0-9+.-]*:[^\s<>]+$")
+
+        def words(table):
+            self.assertTrue(table and all(re.fullmatch("[a-z]{2,3}(-[A-Za-z0-9]+)*", key) for key in table), table)
+
+        keys(s, ("id", "actor", "verb", "object", "context", "timestamp", "version"), ("result",))
+        keys(s["actor"], ("objectType", "account"))
+        keys(s["actor"]["account"], ("homePage", "name"))
+        keys(s["verb"], ("id", "display"))
+        keys(s["object"], ("objectType", "id", "definition"))
+        keys(s["object"]["definition"], ("type", "name", "description"))
+        keys(s["context"], ("platform", "language", "extensions"))
+        for one in (s["actor"]["account"]["homePage"], s["verb"]["id"], s["object"]["id"], s["object"]["definition"]["type"],
+                    *s["context"]["extensions"], *s.get("result", {}).get("extensions", ())):
+            iri(one)
+        for one in (s["verb"]["display"], s["object"]["definition"]["name"], s["object"]["definition"]["description"]):
+            words(one)
+        self.assertEqual((s["actor"]["objectType"], s["object"]["objectType"], s["version"]), ("Agent", "Activity", "1.0.3"))
+        if result := s.get("result"):
+            keys(result, ("completion",), ("score", "success", "duration", "response", "extensions"))
+            self.assertRegex(result["duration"], r"^PT\d+(\.\d\d?)?S$")
+            score = result["score"]
+            keys(score, ("scaled", "raw", "min", "max"))
+            self.assertTrue(-1 <= score["scaled"] <= 1 and score["min"] <= score["raw"] <= score["max"])
+            self.assertTrue(all(isinstance(result[key], bool) for key in ("completion", "success") if key in result))
 
     def test_statements_are_sent_to_a_store(self):
         class Store(http.server.BaseHTTPRequestHandler):
@@ -325,6 +359,21 @@ class Skills(unittest.TestCase):
             self.assertTrue(task["teaches"] and task["title"] and task["level"])
         check = resect("task", "check", "clip-and-divide")
         self.assertEqual(check.returncode, 0, check.stderr)
+
+    def test_the_page_of_what_a_task_teaches(self):
+        for name in make_tasks.TASKS:
+            page = FOLDER / "about.html"
+            shown = resect("task", "show", name, "-o", page)
+            self.assertEqual((shown.returncode, shown.stderr), (0, ""), name)
+            text = page.read_text()
+            parsed = Page(text)
+            self.assertEqual(parsed.open, [])
+            self.assertEqual([a for a in parsed.asked if not a.startswith("data:")], [])
+            task = tomllib.loads((ROOT / "data" / "tasks" / f"{name}.toml").read_text())["task"]
+            for words in (task["teaches"], task["background"], *task["steps"], "Why", "easy"):
+                self.assertIn(html.escape(words), text)
+            self.assertIn("<img", text)
+        self.assertIn("at most 30 s", text)  # of the last one, at the level medium
 
     def test_a_wrong_task_is_refused_with_file_line_and_key(self):
         good = make_tasks.clip_and_divide_scenario("good")

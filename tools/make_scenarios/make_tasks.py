@@ -16,6 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from bleeding import VESSEL, suck_at_vessel  # noqa: E402
 from paths import FRAME_RATE, Path3  # noqa: E402
 from scenario_text import ASIDE, INSTRUMENTS, elastic, ligaments  # noqa: E402
+from reasons import WHY_CLIP, WHY_CONTROL, WHY_LATERAL, WHY_TOUCH, WHY_TWO_HANDS, WHY_WEDGE  # noqa: E402
 from soft import cut_under_traction, incise_under_traction, resect_segment_elastic  # noqa: E402
 
 OPERATORS = ("good", "hurried", "clumsy", "reckless")
@@ -133,7 +134,7 @@ def touch_and_hold_scenario(operator):
                 {"easy": {"total_time_s": 45, "force_peak_n": 3}, "hard": {"total_time_s": 18, "force_peak_n": 1}},
                 ["baton"],
                 ["Bring the tip over the first target.", "Touch it, and stay for a second.",
-                 "Go on to the next one, in order."],
+                 "Go on to the next one, in order."], background=WHY_TOUCH,
                 force_limit=1.5, source="setting of the task: no limit is published for the liver")
     return elastic("Touch and hold", "Four targets on the liver are touched one after the other and held", 10.0,
                    touch_and_hold(operator), ligaments(ASIDE),
@@ -170,7 +171,7 @@ def two_hands_scenario(operator):
                 {"easy": {"off_line_mm": 5, "off_line_most_mm": 12, "total_time_s": 30}, "hard": {"off_line_mm": 2}},
                 ["scalpel", "hook"],
                 ["Catch the lobe beside the line with the hook, and pull a little.",
-                 "Draw the scalpel along the line while the hook holds."], force_limit=4,
+                 "Draw the scalpel along the line while the hook holds."], background=WHY_TWO_HANDS, force_limit=4,
                 source="setting of the task: no limit is published for the liver")
     return elastic("Two hands", "The hook holds the left lobe, the scalpel follows a line over it", 8.0,
                    two_hands(operator), ligaments(-0.035),
@@ -233,7 +234,7 @@ def control_bleeding_scenario(operator):
                 ["suction", "clip_applier", "bipolar", "gauze"],
                 ["Suck the blood away to see where it comes from, or press a swab on it.",
                  "Close the branch with a clip.", "Seal what still bleeds with the bipolar forceps."],
-                bands=("lefor-2022",))
+                background=WHY_CONTROL, bands=("lefor-2022",))
     line = ", ".join("{} = [{}]".format(key, ", ".join(f"{v:g}" for v in value))
                      for key, value in zip(("from", "to", "into"), WOUND))
     wound = "[[organ.wound]]\nframe = \"world\"\n{}\ndepth = {:g}\n\n".format(line.replace("], ", "]\n"), WOUND[3])
@@ -287,7 +288,7 @@ def clip_and_divide_scenario(operator):
                 {"easy": {"clips": "{ least = 2, most = 4 }", "blood_loss_ml": 30, "total_time_s": 60}, "hard": {"total_time_s": 14}},
                 ["scalpel", "clip_applier"],
                 ["Find the vein, and close it with a clip on the side of the heart.",
-                 "Close it with a second clip a centimetre away.", "Cut between the two clips."])
+                 "Close it with a second clip a centimetre away.", "Cut between the two clips."], background=WHY_CLIP)
     return elastic("Clip and divide", "A branch of a hepatic vein is clipped twice and cut between the clips", 6.0,
                    clip_and_divide(operator), "", duration=None,
                    organ=f"position = [{ASIDE:g}, 0, 0]  # clear of the tray\n",
@@ -329,7 +330,7 @@ def left_lateral_scenario(operator):
                 ["scalpel", "hook"],
                 ["Mark the plane left of the ligament.", "Cut from the upper margin to the lower one.",
                  "Pull the section aside with the hook, cut the strands that are left, and lift it away."],
-                bands=("takayama", "lefor-2022"), force_limit=6,
+                background=WHY_LATERAL, bands=("takayama", "lefor-2022"), force_limit=6,
                 source="setting of the task: no limit is published for the liver")
     return elastic("Left lateral sectionectomy", "The left lateral section is parted along a plane and lifted away",
                    8.0, left_lateral(operator), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE,
@@ -376,7 +377,8 @@ def wedge_scenario(operator):
                 {"easy": {"specimen_ml": 100, "total_time_s": 60}, "hard": {"specimen_ml": 50}},
                 ["scalpel", "hook"],
                 ["Mark a margin of a centimetre round the tumour.", "Cut one side of the wedge, then the other.",
-                 "Take the specimen off and look at its margin."], bands=("lefor-2022",), force_limit=6,
+                 "Take the specimen off and look at its margin."], background=WHY_WEDGE, bands=("lefor-2022",),
+                force_limit=6,
                 source="setting of the task: no limit is published for the liver")
     text = elastic("Wedge resection of a tumour", "A marked tumour is taken out of the left lobe with a margin", 6.0,
                    wedge(operator), ligaments(ASIDE), "cut_energy = 17  # a new blade\n", x=ASIDE,

@@ -181,6 +181,12 @@ QWidget* ExercisesPage::makeCard(const Exercise& exercise, const std::vector<His
   level->setToolTip("Easy, medium: guidance is shown; hard: none. Limits differ by level");
   connect(level, &QComboBox::currentIndexChanged, this, [this, key](int i) { levels_[key] = i; });
   row->addWidget(level);
+  auto* about = new QPushButton("About", card);
+  about->setAccessibleName("About " + shown(exercise.title));
+  about->setToolTip(
+      "What this exercise teaches, its limits, and what studies have measured: a page");
+  connect(about, &QPushButton::clicked, this, [this, exercise] { aboutWanted(exercise); });
+  row->addWidget(about);
   row->addStretch();
   auto* start = new QPushButton("Start", card);
   start->setAccessibleName("Start " + shown(exercise.title));

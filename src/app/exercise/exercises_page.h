@@ -31,6 +31,7 @@ class ExercisesPage : public QWidget {
   void say(const QString& sentence);
 
   std::function<void(const Exercise&, TaskLevel)> started;
+  std::function<void(const Exercise&)> aboutWanted;
   std::function<void()> learnerChosen, closed, folderWanted, addWanted, makeWanted;
   std::function<void(bool names)> classWanted;
 

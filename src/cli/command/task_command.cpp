@@ -3,19 +3,26 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <filesystem>
 #include <memory>
+#include <ostream>
 
 #include "base/error.h"
 #include "cli/command/commands.h"
 #include "cli/command_output.h"
 #include "cli/organ_options.h"
 #include "cli/progress_bar.h"
+#include "io/atomic_file.h"
 #include "io/data_folder.h"
 #include "io/operation_setup.h"
+#include "io/output/output_target.h"
+#include "io/output/run_files.h"
 #include "io/scenario/scenario_file.h"
 #include "io/scenario/task_files.h"
 #include "skills/attempt/goal_places.h"
 #include "skills/attempt/goal_watch.h"
+#include "skills/report/task_page.h"
 #include "skills/score/bands.h"
 #include "skills/score/goal_result.h"
 
@@ -69,6 +76,14 @@ void check(const std::string& file) {
               level == task.level ? ", unless another level is asked for" : "");
 }
 
+void show(const std::string& file, const std::string& output) {
+  const Scenario scenario = taskScenario(file);
+  const std::vector<std::filesystem::path> inputs{scenario.file};
+  checkOutputs({{{"--output", output}}}, inputs);
+  const std::string page = taskPage(scenario);
+  writeFileAtomically(output, [&](std::ostream& out) { out << page; });
+}
+
 }  // namespace
 
 void addTaskCommand(Command app) {
@@ -83,7 +98,15 @@ void addTaskCommand(Command app) {
   checker.option("FILE", *file, "Scenario file, or the name of a task that comes with Resect")
       .required();
   checker.action([file] { check(*file); });
-  command.footer("Examples:\n  resect task list\n  resect task check my_task.toml");
+  auto shown = std::make_shared<std::array<std::string, 2>>();
+  Command shower = command.subcommand("show", "Write a page of what an exercise teaches");
+  shower.option("FILE", (*shown)[0], "Scenario file, or the name of a task that comes with Resect")
+      .required();
+  shower.option("-o,--output", (*shown)[1], "HTML page (.html)").required();
+  shower.action([shown] { show((*shown)[0], (*shown)[1]); });
+  command.footer(
+      "Examples:\n  resect task list\n  resect task show two-hands -o two_hands.html\n  resect "
+      "task check my_task.toml");
 }
 
 }  // namespace resect

@@ -7,10 +7,10 @@
 
 namespace resect {
 
-// Windows of 0.2 s are taken from the times in which the hand has wanted to hold still for 0.1 s
-// already and the force is above 0.05 N throughout. In each window every component of the force is
-// fitted by a polynomial of degree 4 in time, which follows changes up to about 8 Hz, such as
-// relaxation and the swinging of an organ. The noise is the rms of what is left, divided by the
+// Noise is measured in windows of 0.2 s. In every sample of a window the force is at least 0.05 N,
+// and the hand's wanted pose is what it was 0.1 s before. In each window every component of the
+// force is fitted by a polynomial of degree 4 in time, which follows changes up to about 8 Hz, such
+// as relaxation and the swinging of an organ. The noise is the rms of what is left, divided by the
 // mean magnitude of the force.
 struct ForceNoise {
   std::int64_t windows = 0;

@@ -95,8 +95,9 @@ class NodeOwners {
     return (own->owner & near) | (kNobody & ~near);
   }
   // Searches up to `edges` away for the owner of node i. If the owner is d edges away, it also owns
-  // a neighbour of i along a whole edge, and is d - 1 edges away from that neighbour. So the owner
-  // of i is the lowest index among the owners of neighbours that are d - 1 edges away from them.
+  // a neighbour of i along a whole edge, and is d - 1 edges away from that neighbour. Of the
+  // neighbours of i along whole edges whose owner is d - 1 edges away, the owners are compared: the
+  // one with the lowest index is the owner of i.
   void search(int edges, std::int32_t i);
 
   std::int64_t particleAt(const Vec3i& node) const;
