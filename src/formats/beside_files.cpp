@@ -22,13 +22,16 @@ void addFilesBeside(std::vector<fs::path>& files) {
   constexpr std::array kImageHeaders{".hdr", ".nhdr", ".mhd"};
   std::error_code ec;
   for (std::size_t i = 0, all = files.size(); i < all; ++i) {
-    const bool model = isGltf(files[i]), image = endsInOne(files[i], kImageHeaders);
-    if (!model && !image) continue;
+    if (!isGltf(files[i]) && !endsInOne(files[i], kImageHeaders)) continue;
     const fs::path folder = files[i].has_parent_path() ? files[i].parent_path() : ".";
     for (const auto& entry : fs::directory_iterator(folder, ec))
-      if (model ? isGltfBuffer(entry.path()) : isVoxelFile(entry.path()))
-        files.push_back(entry.path());
+      if (mayReferTo(files[i], entry.path())) files.push_back(entry.path());
   }
+}
+
+bool mayReferTo(const fs::path& path, const fs::path& name) {
+  const fs::path unpacked = lowerCase(path.extension().string()) == ".gz" ? path.stem() : path;
+  return isGltf(unpacked) ? isGltfBuffer(name) : isVoxelFile(name);
 }
 
 bool isVoxelFile(const fs::path& name) {

@@ -26,6 +26,9 @@ struct LacksFile {
 // Which of them it uses is not known here, since only a reader in its sandbox parses it.
 void addFilesBeside(std::vector<std::filesystem::path>& files);
 
+// Whether a file of this name may be one that the file at `path` refers to, by the endings of both.
+bool mayReferTo(const std::filesystem::path& path, const std::filesystem::path& name);
+
 // Whether the name is one that files of voxels have: .raw, .zraw, .img, or .gz after another.
 bool isVoxelFile(const std::filesystem::path& name);
 

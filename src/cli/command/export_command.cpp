@@ -25,8 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// At 10 a second, 10 s in which the surface of 3000 elastic particles changes all the time take 30
-// to 50 MB as .glb; it is the rate of the pictures of run and replay, too.
+// At 10 a second, 10 s in which the surface of 3000 elastic particles changes all the time take 20
+// to 30 MB as .glb; it is the rate of the pictures of run and replay, too.
 constexpr double kUsualRate = 10;
 
 enum class Kind { Glb, Vtp, Csv };

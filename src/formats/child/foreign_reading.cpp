@@ -46,6 +46,11 @@ std::string readForeign(const std::filesystem::path& path, const ForeignReading&
     if (beside.size() == kMostBeside || beside.contains(lacking))
       throw error("{}: refers to more than {} files; export it as one file", path.string(),
                   kMostBeside);
+    // The reader has checked this too; but the sandbox is for a reader that a file has taken over.
+    if (!mayReferTo(path, lacking))
+      throw error(
+          "{}: refers to '{}', which holds neither buffers nor voxels; export it as one file",
+          path.string(), lacking);
     RawArray<char> more = readForeignFileBeside(path, lacking, kLargestFile - size);
     size += more.size();
     beside.emplace(lacking, std::move(more));

@@ -19,7 +19,7 @@ namespace resect {
 // A file that the cells were made from.
 struct CellsInput {
   std::string file;    // name without folder
-  std::string role;    // what was taken from it: "parenchyma", "tumour", "portal-vein"
+  std::string role;    // what was taken from it: "organ", "tumour", "portal-vein"
   std::string format;  // "NIfTI-1 label image, 147 x 120 x 53 voxels of 1.5 x 1.5 x 3 mm, axes RAS"
   std::string crc32;   // of its bytes, eight hexadecimal digits
 
