@@ -136,7 +136,7 @@ class MainWindow : public QMainWindow {
   void beginExercise();
   void followExercise(const LiveState& state);
   void guideHand(const AttemptProgress& progress);
-  void endExercise(const QString& why);
+  void endExercise(const QString& why, std::optional<double> end = {});
   void showResult(const AttemptResult& result);
   void replayFrom(double seconds);
   void nextExercise();

@@ -197,6 +197,7 @@ void MainWindow::followExercise(const LiveState& state) {
   if (attemptEnded_ && attempt_ && !session_->showing() && session_->answered()) {
     attemptEnded_ = false;
     attempt_.reset();
+    session_->setGuide({});
     statusBar()->showMessage("The exercise is over: what is done now does not count", 8000);
   }
   if (!exercising()) return;
@@ -214,9 +215,13 @@ void MainWindow::followExercise(const LiveState& state) {
     reportPlaces();
     say("target {}", targetSaid_ + 1);
   }
-  if (progress.reached && progress.rested > kRest) return endExercise("The goal is reached.");
-  if (const auto most = mostOf(task, "total_time_s"); most && seconds > *most)
-    endExercise("The time is up.");
+  const auto most = mostOf(task, "total_time_s");
+  const bool late = most && seconds > *most;
+  // The rest after the work does not count.
+  if (progress.reached && (progress.rested > kRest || late))
+    return endExercise("The goal is reached.",
+                       std::max(progress.since, progress.time - progress.rested));
+  if (late) endExercise("The time is up.");
 }
 
 void MainWindow::guideHand(const AttemptProgress& progress) {
@@ -247,10 +252,10 @@ void MainWindow::endExerciseUnscored() {
 }
 
 // The attempt is over: it is kept, scored, and stays to be looked at.
-void MainWindow::endExercise(const QString& why) {
+// end: s from the start, after which nothing counts; none: now.
+void MainWindow::endExercise(const QString& why, std::optional<double> end) {
   if (!exercising()) return;
-  attemptEnded_ = true;
-  session_->setGuide({});
+  attemptEnded_ = true;  // the guide stays, for what is looked at again
   session_->setGhosts(false);
   if (options_.reports) say("exercise ended: {}", why.toStdString());
   try {
@@ -265,11 +270,13 @@ void MainWindow::endExercise(const QString& why) {
     page_ = recording;
     page_.replace_extension(".html");
     attemptBranch_ = session_->state().moment.branch;
-    recorder_->saveAs(recording, {attemptBranch_, kEndOfBranch});
+    const std::int64_t last =
+        end ? std::llround(std::ceil(*end * session_->scenario().frameRate)) : kEndOfBranch;
+    recorder_->saveAs(recording, {attemptBranch_, last});
     session_->show(session_->state().moment);  // nothing happens any more
     exercise_->showEnd(why);
     scorer_.score(
-        {recording, page_, historyIn(folder), name, asTest_},
+        {recording, page_, historyIn(folder), name, asTest_ || isDraft()},
         [this](const AttemptResult& result) { showResult(result); },
         [this] {
           exercise_->showPage();
@@ -351,9 +358,11 @@ void MainWindow::tabulateClass(bool names) {
 
 void MainWindow::openPage(const std::filesystem::path& page) {
   if (options_.reports) return say("open {}", page.string());
-  if (QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(page.string()))))
-    statusBar()->showMessage("The browser opens " + shown(page.string()), 15000);
-  else
+  if (QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(page.string())))) {
+    const QString sentence = "The browser opens " + shown(page.string());
+    statusBar()->showMessage(sentence, 15000);
+    if (exercises_->isVisible()) exercises_->say(sentence);
+  } else
     complain(page.string() + ": no browser could be started; open this file in one");
 }
 

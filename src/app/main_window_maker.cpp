@@ -133,6 +133,7 @@ void MainWindow::openMaker() {
 
 // Brings the maker's panel before that of the exercise.
 void MainWindow::showMaker() {
+  setMadeMarks(madeMarks_);
   for (QDockWidget* panel : traineePanels_) panel->hide();
   QTimer::singleShot(0, this, [this] {
     arrangePanels();
@@ -271,7 +272,7 @@ void MainWindow::keepTry(const AttemptResult& result) {
   madeTries_.push_back({recording, result.measures});
   QString words =
       QString("Try %1: %2").arg(madeTries_.size()).arg(result.passed ? "passed" : "not passed");
-  if (const auto time = valueOf(result.measures, "time_s"))
+  if (const auto time = valueOf(result.measures, "total_time_s"))
     words += QString(", %1 s").arg(*time, 0, 'f', 1);
   if (const auto path = valueOf(result.measures, "path_length_m"))
     words += QString(", way %1 m").arg(*path, 0, 'f', 2);

@@ -146,6 +146,9 @@ class Exercises(ScreenTest):
         self.assertEqual(resect("class", ATTEMPTS, "--history", ATTEMPTS / "scores.sqlite").returncode, 0)
         kept = resect("history", ATTEMPTS / "scores.sqlite", "--learner", "L-17").stdout
         self.assertEqual((kept.count("failed"), kept.count("passed")), (1, 1), kept)
+        # The command line says the same of an attempt as the window did.
+        for number, words in ((1, "failed (first attempt, for practice"), (2, "passed, score 100 %")):
+            self.assertIn(words, resect("report", ATTEMPTS / "L-17" / f"touch-and-hold-{number}.resect").stdout)
 
     def test_a_graded_test_shows_no_guidance_and_takes_nothing_back(self):
         window = self.opened("--exercises")

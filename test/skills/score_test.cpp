@@ -368,6 +368,53 @@ TEST_CASE("a vessel that was cut unclipped is told with its size, time and blood
   CHECK(*valueOf(scored.measures, "seal_time_s") == doctest::Approx(2.8));
 }
 
+TEST_CASE("a wound from the start is no cut of the learner's, and is open until it is closed") {
+  Attempt attempt = bleeding(20);
+  attempt.vessels = {vesselCut(0, false, false)};
+  attempt.vessels[0].before = true;
+  attempt.tissue = {{0, 1, 0, 0, 3e-4}, {10, 1, 0, 0, 4e-4}};
+  const auto value = [&](const char* measure) { return valueOf(score(attempt).measures, measure); };
+  CHECK(*value("vessels_cut") == 0);
+  CHECK(*value("vessels_unsealed") == 0);
+  CHECK(*value("vessels_open") == 1);
+  CHECK(*value("cut_cm2") == doctest::Approx(1));
+  attempt.vessels[0].closed = 7;
+  CHECK(*value("vessels_open") == 0);
+  CHECK(*value("seal_time_s") == doctest::Approx(7));
+  attempt.vessels[0].closed.reset();
+  attempt.vessels[0].bled = 0.5e-7;  // a nick in a vein
+  CHECK(*value("vessels_open") == 0);
+}
+
+TEST_CASE("evidence of lost time is the longest wait, and advice follows what was done") {
+  Attempt attempt = bleeding(20);  // 60 ml/min from 2 s on
+  attempt.task->limits = {{"blood_loss_ml", {}, 1}};
+  attempt.task->steps = {"Press on it.", "Clip it.", "Seal the rest."};
+  for (ToolMoment& m : attempt.instruments[0].moments) m.works = false;
+  const Scored idle = score(attempt);
+  CHECK(idle.verdict.deductions[0].next == "Press on it.");
+  const Deduction* blood = about(idle.verdict, "blood_loss_ml");
+  REQUIRE(blood);
+  CHECK(blood->fact.find(
+            "For 10 s from 0:00.1 on no instrument touched the organ, while it bled at") !=
+        std::string::npos);
+  for (std::size_t f = 20; f < 30; ++f) attempt.instruments[0].moments[f].works = true;
+  const Scored one = score(attempt);
+  CHECK(one.verdict.deductions[0].next == "Clip it.");
+  CHECK(about(one.verdict, "blood_loss_ml")->fact.find("For 7 s from 0:03.1 on") !=
+        std::string::npos);
+
+  Attempt slow = touching({{10, 25}});
+  slow.task->limits = {{"time_s", {}, 5}};
+  for (std::size_t f = 30; f < 60; ++f) slow.instruments[0].moments[f].works = false;
+  const Scored late = score(slow);
+  const Deduction* time = about(late.verdict, "time_s");
+  REQUIRE(time);
+  CHECK(*time->time == doctest::Approx(3.1));
+  CHECK(time->fact.find("For 3 s from 0:03.1 on no instrument touched the organ.") !=
+        std::string::npos);
+}
+
 TEST_CASE("of the blood the largest source is told, and called most of it only if it is") {
   Attempt attempt = bleeding(9);  // 7 ml
   attempt.task->limits = {{"blood_loss_ml", {}, 5}};

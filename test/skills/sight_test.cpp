@@ -9,6 +9,7 @@
 #include "io/scenario/scenario_file.h"
 #include "record/recorder.h"
 #include "record/replay.h"
+#include "skills/attempt/attempt_reader.h"
 #include "skills/attempt/read_attempt.h"
 #include "skills/score/verdict.h"
 #include "support/temporary_folder.h"
@@ -67,6 +68,36 @@ TEST_CASE("the time in which nobody saw the tip is kept, and the recording stays
 
   record(scenario, folder / "nobody.resect", 120, [](std::int64_t) { return Sight::Unknown; });
   CHECK(!valueOf(score(readAttempt(folder / "nobody.resect")).measures, "out_of_view_s"));
+}
+
+TEST_CASE("what comes after the moment at which the window ended an attempt does not count") {
+  const test::TemporaryFolder folder;
+  const Scenario scenario = coarse("tasks", "touch-and-hold");
+  record(scenario, folder / "all.resect", 300,
+         [](std::int64_t frame) { return frame >= 200 ? Sight::Unseen : Sight::Seen; });
+  CHECK(readAttempt(folder / "all.resect").duration() == doctest::Approx(5));
+  RecordingFile all = RecordingFile::open(folder / "all.resect");
+  std::ofstream(folder / "ended.resect").close();
+  all.copyTo(folder / "ended.resect", "ended.resect", Moment{0, 240});
+  const Attempt ended = readAttempt(folder / "ended.resect");
+  CHECK(ended.duration() == doctest::Approx(4));
+  double unseen = 0;
+  for (const InstrumentRecord& one : ended.instruments) unseen += one.unseen.value_or(0);
+  CHECK(unseen == doctest::Approx(40 / 60.0));
+}
+
+TEST_CASE("the wound with which an exercise begins is known before the first step") {
+  Scenario scenario = coarse("tasks", "control-bleeding");
+  Simulation simulation = makeSimulation(scenario, readPlainMesh);
+  Attempt attempt;
+  attempt.task = scenario.task;
+  AttemptReader reader(attempt, scenario, simulation);
+  REQUIRE(!attempt.vessels.empty());
+  for (const VesselStory& v : attempt.vessels) {
+    CHECK(v.before);
+    CHECK(v.cut == 0);
+    CHECK(!v.name.empty());
+  }
 }
 
 TEST_CASE("structures beside the goal's that were cut are told by name") {

@@ -134,7 +134,8 @@ def touch_and_hold_scenario(operator):
                 {"easy": {"total_time_s": 45, "force_peak_n": 3}, "hard": {"total_time_s": 18, "force_peak_n": 1}},
                 ["baton"],
                 ["Bring the tip over the first target.", "Touch it, and stay for a second.",
-                 "Go on to the next one, in order."], background=WHY_TOUCH,
+                 "Go on to the next one, in order; where one lies behind the liver, turn the view (Ctrl + 3: from the top)."],
+                background=WHY_TOUCH,
                 force_limit=1.5, source="setting of the task: no limit is published for the liver")
     return elastic("Touch and hold", "Four targets on the liver are touched one after the other and held", 10.0,
                    touch_and_hold(operator), ligaments(ASIDE),

@@ -233,8 +233,9 @@ void ExercisePanel::showResult(const AttemptResult& result) {
                               "%1 %, and would %2.")
                           .arg(percent)
                           .arg(result.passed ? "have passed" : "not have passed"));
-  end_->setStyleSheet(result.passed ? "font-weight: bold; color: #35b36b"
-                                    : "font-weight: bold; color: #f0603c");
+  end_->setStyleSheet(!result.graded  ? bold
+                      : result.passed ? "font-weight: bold; color: #35b36b"
+                                      : "font-weight: bold; color: #f0603c");
   showAmounts(valueOf(result.measures, "total_time_s"), valueOf(result.measures, "blood_loss_ml"),
               valueOf(result.measures, "force_peak_n"), valueOf(result.measures, "bleeding_s"));
   const bool told = std::ranges::any_of(

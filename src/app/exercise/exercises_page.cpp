@@ -22,7 +22,7 @@ namespace {
 
 constexpr int kCardWidth = 320, kPictureHeight = 180;  // pixels
 
-// "Best: passed, 92 %; 3 attempts", or that there is none.
+// "Best: passed, 92 %, easy; 3 attempts", or that there is none.
 QString bestText(const std::string& scenario, const std::vector<HistoryEntry>& done) {
   int attempts = 0;
   const ClassAttempt* best = nullptr;
@@ -34,9 +34,10 @@ QString bestText(const std::string& scenario, const std::vector<HistoryEntry>& d
       best = &one;
   }
   if (!best) return "Not tried yet";
-  return QString("Best: %1, %2 %; %3 %4")
+  return QString("Best: %1, %2 %, %3; %4 %5")
       .arg(best->passed ? "passed" : "not passed")
       .arg(std::lround(100 * best->score))
+      .arg(QString::fromStdString(std::string(wordOf(best->level))))
       .arg(attempts)
       .arg(attempts == 1 ? "attempt" : "attempts");
 }

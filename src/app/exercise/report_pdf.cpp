@@ -27,6 +27,7 @@ constexpr const char* kStyle =
     ".kept { color: #1f7a4d; } .missed { color: #b3362b; }"
     ".question { font-style: italic; }"
     ".mark, .badge { color: #ffffff; background-color: #b3362b; font-weight: bold; }"
+    ".neutral { color: #ffffff; background-color: #5d6873; font-weight: bold; }"
     ".passed { color: #ffffff; background-color: #1f7a4d; font-weight: bold; }";
 
 QImage drawn(const QString& svg, int width) {
@@ -74,6 +75,7 @@ QString withImages(const QString& html, QTextDocument& document) {
 QString asRichText(QString html) {
   html = html.mid(html.indexOf("<main>")).replace("</html>", "");
   if (html.contains("<header class=\"passed\">")) html.replace("\"badge\"", "\"passed\"");
+  if (html.contains("<header class=\"\">")) html.replace("\"badge\"", "\"neutral\"");
   html.replace("; it turns, and stops under the pointer", "");
   struct Change {
     const char *from, *to;

@@ -42,6 +42,7 @@ namespace {
 struct Options {
   std::vector<std::string> files;
   std::string output, json, csv, samples, xapi, lrs, history, task, level, learner;
+  std::string known;  // a history that is only read; "": none
   std::vector<std::string> references;
   int threads = 0;
   bool graded = false, plain = false;
@@ -90,22 +91,40 @@ void keepHistory(const Options& options, const std::vector<Scored>& attempts) {
     history.keep(historyEntry(one, scoreKey(one.attempt.file, task, levelOf(options))));
 }
 
+// The history that the window keeps above the folders of its learners, if the recording lies in one
+// and no other history is named; and the learner then. So both say the same of an attempt.
+void useHistoryBeside(Options& options) {
+  if (!options.history.empty() || options.files.empty()) return;
+  const std::filesystem::path folder =
+      std::filesystem::absolute(options.files.back()).parent_path();
+  const std::filesystem::path history = folder.parent_path() / "scores.sqlite";
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(history, none)) return;
+  options.known = history.string();
+  if (options.learner.empty()) options.learner = folder.filename().string();
+}
+
 // What the history tells of the attempts' task besides them: of this learner, and of the others.
 struct Known {
   std::vector<ClassAttempt> earlier, others;
+  std::optional<bool> graded;  // the first of the attempts, when it was scored before
 };
 Known knownOf(const Options& options, const std::vector<Scored>& attempts) {
   Known known;
-  if (options.history.empty()) return known;
+  const std::string& file = options.history.empty() ? options.known : options.history;
+  if (file.empty()) return known;
   const std::optional<Task> task = attemptOptions(options).task;
   std::vector<std::string> reported;
   for (const Scored& one : attempts)
     reported.push_back(scoreKey(one.attempt.file, task, levelOf(options)));
   const Attempt& last = attempts.back().attempt;
-  for (HistoryEntry& entry : LearnerHistory(options.history).entries()) {
+  for (HistoryEntry& entry : LearnerHistory(file).entries()) {
     if (entry.scenario != last.scenario) continue;
     const bool own = entry.learner == last.learner;
-    if (own && std::ranges::count(reported, entry.key) > 0) continue;
+    if (own && std::ranges::count(reported, entry.key) > 0) {
+      if (entry.key == reported.front()) known.graded = entry.attempt.graded;
+      continue;
+    }
     (own ? known.earlier : known.others).push_back(std::move(entry.attempt));
   }
   if (!known.earlier.empty() && last.task->familiarisation && !options.graded)
@@ -161,7 +180,8 @@ void printSummary(std::FILE* to, const Scored& s) {
     printLine(to, "  {:>7}  {}", d.time ? timeText(*d.time) : "", d.fact);
 }
 
-void report(const Options& options) {
+void report(Options options) {
+  useHistoryBeside(options);
   const ThreadLimit threads(options.threads);
   checkOutputs({{{"--output", options.output},
                  {"--json", options.json},
@@ -173,7 +193,9 @@ void report(const Options& options) {
   for (const std::string& file : options.files) attempts.push_back(scoredFile(file, options, true));
   const Known known = knownOf(options, attempts);
   if (known.earlier.empty() && !options.graded)
-    attempts.front().verdict.graded = !attempts.front().attempt.task->familiarisation;
+    attempts.front().verdict.graded = !options.known.empty() && known.graded
+                                          ? *known.graded
+                                          : !attempts.front().attempt.task->familiarisation;
   std::vector<Scored> references;
   for (const std::string& file : options.references)
     references.push_back(scoredFile(file, options, true));

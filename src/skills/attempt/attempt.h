@@ -46,6 +46,7 @@ struct VesselStory {
   Vec3 place = Vec3::Zero();                     // of its middle, at rest, m
   double cut = 0;                                // s: when it was first cut
   int tool = -1;                                 // that was cutting then; -1: not known
+  bool before = false;                           // the operation began with this cut
   bool clippedRoot = false, clippedFar = false;  // before it was cut
   bool severed = false;
   std::optional<double> closed;  // s: since when all its ends have been closed by clips or heat

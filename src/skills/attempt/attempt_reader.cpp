@@ -42,6 +42,7 @@ AttemptReader::AttemptReader(Attempt& attempt, const Scenario& scenario,
         labelNamed(simulation.organs()[targetOrgan_].organ, attempt_.task->goal.structure);
   }
   takeLedger(simulation);
+  if (attempt_.bleeds) vessels_.begin(simulation, attempt_);
 }
 
 void AttemptReader::add(const Simulation& simulation, const StepReport& report) {

@@ -47,7 +47,30 @@ int cuttingTool(const StepReport& report) {
   return tool;
 }
 
+VesselStory storyOf(const Simulation& simulation, std::int32_t o, const VesselInjury& injury) {
+  const Organ& organ = simulation.organs()[std::size_t(o)].organ;
+  const VesselSegment& s = organ.map->anatomy.segments[std::size_t(injury.segment)];
+  VesselStory story;
+  story.organ = o, story.segment = injury.segment;
+  story.kind = s.kind, story.diameter = 2 * s.radius;
+  story.name = organ.map->nameOf(injury.segment);
+  story.place = s.at(0.5 * (injury.from + injury.to));
+  story.cut = simulation.time();
+  story.clippedRoot = isClosed(organ, injury, VesselEnd::Root);
+  story.clippedFar = isClosed(organ, injury, VesselEnd::Far);
+  return story;
+}
+
 }  // namespace
+
+void VesselWatch::begin(const Simulation& simulation, Attempt& attempt) const {
+  for (std::size_t o = 0; o < simulation.organs().size(); ++o)
+    for (const VesselInjury& injury : simulation.organs()[o].organ.vessels.injuries) {
+      VesselStory story = storyOf(simulation, std::int32_t(o), injury);
+      story.before = true;
+      attempt.vessels.push_back(std::move(story));
+    }
+}
 
 bool isClosed(const Organ& organ, const VesselInjury& injury, VesselEnd end, double reach) {
   if (injury.isSealed(end) || organ.vessels.clipped(injury, end)) return true;
@@ -88,17 +111,9 @@ void VesselWatch::addCuts(const Simulation& simulation, const StepReport& report
     const Organ& organ = simulation.organs()[std::size_t(cut.organ)].organ;
     const VesselInjury* injury = organ.vessels.injury(cut.segment);
     if (known || !injury) continue;
-    const VesselSegment& s = organ.map->anatomy.segments[std::size_t(cut.segment)];
-    VesselStory story;
-    story.organ = cut.organ, story.segment = cut.segment;
-    story.kind = s.kind, story.diameter = 2 * s.radius;
-    story.name = organ.map->nameOf(cut.segment);
-    story.place = s.at(0.5 * (injury->from + injury->to));
-    story.cut = simulation.time();
+    VesselStory story = storyOf(simulation, cut.organ, *injury);
     story.tool = cuttingTool(report);
-    story.clippedRoot = isClosed(organ, *injury, VesselEnd::Root);
-    story.clippedFar = isClosed(organ, *injury, VesselEnd::Far);
-    attempt.vessels.push_back(story);
+    attempt.vessels.push_back(std::move(story));
   }
 }
 

@@ -11,6 +11,8 @@ namespace resect {
 
 class VesselWatch {
  public:
+  // To be called before the first step: takes the vessels that are cut already.
+  void begin(const Simulation& simulation, Attempt& attempt) const;
   // To be called after each step.
   void add(const Simulation& simulation, const StepReport& report, Attempt& attempt);
   // Brings the amounts that each vessel has bled up to date.

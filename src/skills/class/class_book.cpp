@@ -55,7 +55,8 @@ ClassAttempt classAttempt(const Scored& scored) {
                    scored.verdict.reason,
                    {},
                    scored.verdict.checks,
-                   scored.attempt.undos};
+                   scored.attempt.undos,
+                   scored.level};
   for (const Measured& m : scored.measures)
     if (m.instrument.empty()) one.measures.push_back(m);
   return one;

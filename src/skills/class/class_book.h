@@ -19,6 +19,7 @@ struct ClassAttempt {
   std::vector<Measured> measures;  // of the whole
   std::vector<Check> checks;
   int undos = 0;
+  TaskLevel level = TaskLevel::Medium;
 };
 ClassAttempt classAttempt(const Scored& scored);
 

@@ -24,6 +24,7 @@ std::string digestOf(const std::string& bytes) {
 Json toJson(const ClassAttempt& one) {
   Json json{{"file", one.file},   {"passed", one.passed}, {"goal_reached", one.goalReached},
             {"score", one.score}, {"reason", one.reason}, {"undos", one.undos}};
+  json["graded"] = one.graded, json["level"] = wordOf(one.level);
   for (const Measured& m : one.measures) json["measures"][m.measure] = m.value;
   json["checks"] = Json::array();
   for (const Check& c : one.checks)
@@ -37,6 +38,8 @@ ClassAttempt fromJson(const Json& json) {
   one.file = json.at("file"), one.passed = json.at("passed");
   one.goalReached = json.at("goal_reached"), one.score = json.at("score");
   one.reason = json.at("reason"), one.undos = json.at("undos");
+  one.graded = json.value("graded", true);  // histories of older versions lack these two
+  one.level = taskLevel(json.value("level", "")).value_or(TaskLevel::Medium);
   if (json.contains("measures"))
     for (const auto& [name, value] : json.at("measures").items())
       one.measures.push_back({name, "", value.get<double>()});

@@ -16,7 +16,7 @@ namespace resect {
 
 // To be increased when a measure, a goal or the verdict is defined in another way: older scores are
 // then made again.
-inline constexpr int kScoringVersion = 2;
+inline constexpr int kScoringVersion = 3;
 
 struct HistoryEntry {
   std::string key;      // scoreKey()

@@ -74,6 +74,9 @@ void LiveAttempt::publish(const Simulation& simulation) {
   AttemptProgress now;
   now.time = simulation.time();
   now.reached = goal.reached;
+  if (!goal.reached) reachedSince_.reset();
+  if (goal.reached && !reachedSince_) reachedSince_ = now.time;
+  now.since = reachedSince_.value_or(0);
   now.next = nextStep(attempt_, goal);
   const auto bled = std::ranges::find_if(attempt_.bled, [](double b) { return b > 0; });
   if (bled != attempt_.bled.end())

@@ -19,6 +19,7 @@ namespace resect {
 struct AttemptProgress {
   double time = 0;                 // s from the start; 0: nothing is known yet
   bool reached = false;            // the goal
+  double since = 0;                // s from the start: for so long it has been reached
   std::string next;                // what to do next, a sentence
   std::optional<double> bleeding;  // s: for so long it has bled, or bled until it was stopped
   double rested = 0;               // s: for so long no instrument has been at work
@@ -53,6 +54,7 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   std::int64_t every_;                   // frames from one progress to the next
   std::int64_t branch_ = 0;              // that is followed
   bool lost_ = false;                    // the operation went on where this object has not been
+  std::optional<double> reachedSince_;   // s from the start
   double worked_ = 0;                    // s: when an instrument was at work last
   mutable std::mutex mutex_;             // guards what follows
   AttemptProgress progress_;

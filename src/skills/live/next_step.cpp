@@ -44,8 +44,9 @@ std::string nextStop(const Attempt& attempt, const TaskGoal& goal) {
     return fmt::format("It does not bleed enough yet: {:.0f} of {:g} ml/min. {}", 60e6 * most,
                        60e6 * goal.from, steps.empty() ? "Cut deeper." : steps.front());
   const double rate = bleedingRate(attempt, attempt.bled.size() - 1);
-  return rate < goal.rate ? fmt::format("Dry: watch it for {:g} s.", goal.hold)
-                          : fmt::format("Stop the bleeding of {:.0f} ml/min.", 60e6 * rate);
+  return rate < goal.rate
+             ? fmt::format("Below {:g} ml/min: watch it for {:g} s.", 60e6 * goal.rate, goal.hold)
+             : fmt::format("Stop the bleeding of {:.0f} ml/min.", 60e6 * rate);
 }
 
 std::string nextDivide(const Attempt& attempt) {

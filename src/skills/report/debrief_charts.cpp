@@ -84,8 +84,9 @@ std::string happenings(const Attempt& attempt) {
                                             1e3 * clip.diameter)});
   for (const VesselStory& v : attempt.vessels) {
     if (v.diameter < kNotableVessel) continue;
-    lines.push_back({v.cut, fmt::format("{} of {:.1f} mm cut, {}", v.name, 1e3 * v.diameter,
-                                        v.clippedRoot ? "clipped before" : "not clipped")});
+    if (!v.before)
+      lines.push_back({v.cut, fmt::format("{} of {:.1f} mm cut, {}", v.name, 1e3 * v.diameter,
+                                          v.clippedRoot ? "clipped before" : "not clipped")});
     if (v.closed && !v.clippedRoot)
       lines.push_back({*v.closed, fmt::format("{} of {:.1f} mm closed", v.name, 1e3 * v.diameter)});
   }

@@ -154,7 +154,7 @@ std::string vesselSection(const Attempt& attempt) {
     }
     table.rows.push_back({text(v.name),
                           number(fmt::format("{:.1f}", 1e3 * v.diameter)),
-                          number(timeText(v.cut)),
+                          number(v.before ? "before" : timeText(v.cut)),
                           {v.clippedRoot ? "yes" : "no", v.clippedRoot ? "kept" : "missed"},
                           text(v.severed ? "through" : "in part"),
                           number(v.closed ? fmt::format("{:.1f} s", *v.closed - v.cut) : "open"),

@@ -27,7 +27,7 @@ constexpr Advice kAdvice[] = {
     {"vessels_open", "What shows that a vessel still bleeds?",
      "Look at the wound for a while before you leave it."},
     {"blood_loss_ml", "What was in the way of closing the vessel earlier?",
-     "Press or suck first, see where it bleeds, then close it."},
+     "Press on it or suck it dry, see where it bleeds, and close that at once."},
     {"blood_rate_ml_min", "Where does this blood come from?",
      "Clear the wound and look for the last source."},
     {"bleeding_s", "Which step took longest between the cut and the closed vessel?",
@@ -171,15 +171,53 @@ void tellBlood(const Attempt& attempt, Deduction& d) {
   if (!worst) return;
   d.time = worst->cut;
   const bool most = !attempt.bled.empty() && worst->bled > 0.5 * attempt.bled.back();
-  d.fact += fmt::format(" {}, {} ml, came from the {} that was cut at {}.",
+  d.fact += fmt::format(" {}, {} ml, came from the {} that {}.",
                         most ? "Most of the blood" : "The largest share of one vessel",
-                        bloodText(worst->bled), vesselText(*worst), timeText(worst->cut));
+                        bloodText(worst->bled), vesselText(*worst),
+                        worst->before ? std::string("was cut from the start")
+                                      : fmt::format("was cut at {}", timeText(worst->cut)));
+  if (worst->before) d.time.reset();
 }
 
 void tellOff(const Attempt& attempt, Deduction& d) {
   const auto worst = std::ranges::max_element(attempt.goal.work, {}, &WorkMoment::off);
   if (worst == attempt.goal.work.end()) return;
   d.time = attempt.time[worst->frame];
+}
+
+// The longest stretch within a range of frames in which no instrument touched or cut the organ.
+SampleRange longestWait(const Attempt& attempt, std::size_t first, std::size_t last) {
+  SampleRange longest{first, first}, now{first, first};
+  for (std::size_t f = first; f <= last && f < attempt.time.size(); ++f) {
+    const bool works = std::ranges::any_of(
+        attempt.instruments, [&](const InstrumentRecord& one) { return one.moments[f].works; });
+    if (works) now.first = f + 1;
+    now.last = f;
+    if (!works && now.last - now.first > longest.last - longest.first) longest = now;
+  }
+  return longest;
+}
+
+// Where time was lost: the longest wait, if it was long.
+void tellWait(const Attempt& attempt, Deduction& d, bool bleeding) {
+  constexpr double kLong = 2;  // s
+  if (attempt.time.empty()) return;
+  std::size_t first = 0, last = attempt.time.size() - 1;
+  if (bleeding) {
+    const double rate = attempt.task->goal.rate;
+    while (last > 0 && bleedingRate(attempt, last) < rate) --last;
+  } else if (const auto work = workOf(attempt)) {
+    first = work->first, last = work->last;
+  }
+  const SampleRange wait = longestWait(attempt, first, last);
+  const double length = attempt.interval * double(wait.count());
+  if (length < kLong) return;
+  d.time = attempt.time[wait.first];
+  d.fact += fmt::format(" For {:.0f} s from {} on no instrument touched the organ", length,
+                        timeText(attempt.time[wait.first]));
+  d.fact += bleeding ? fmt::format(", while it bled at {:.0f} ml/min.",
+                                   60e6 * bleedingRate(attempt, (wait.first + wait.last) / 2))
+                     : ".";
 }
 
 void tellHurt(const Attempt& attempt, Deduction& d) {
@@ -194,7 +232,10 @@ Deduction findingFor(const Attempt& attempt, const Check& check) {
               advice ? advice->question : "What led to this?",
               advice ? advice->next : "Watch this figure in the next attempt."};
   if (check.measure.starts_with("force_")) tellForce(attempt, d);
-  if (check.measure.starts_with("blood_") || check.measure == "bleeding_s") tellBlood(attempt, d);
+  if (check.measure.starts_with("blood_")) tellBlood(attempt, d);
+  if (check.measure == "bleeding_s" || (check.measure == "blood_loss_ml" && !d.time))
+    tellWait(attempt, d, true);
+  if (check.measure == "time_s" || check.measure == "total_time_s") tellWait(attempt, d, false);
   if (check.measure.starts_with("off_")) tellOff(attempt, d);
   if (check.measure == "structures_hurt") tellHurt(attempt, d);
   return d;
@@ -204,7 +245,8 @@ Deduction findingFor(const Attempt& attempt, const Check& check) {
 std::vector<Deduction> vesselFindings(const Attempt& attempt) {
   std::vector<const VesselStory*> cut;
   for (const VesselStory& v : attempt.vessels)
-    if (v.diameter >= kNotableVessel && v.kind != VesselKind::BileDuct && !v.clippedRoot)
+    if (!v.before && v.diameter >= kNotableVessel && v.kind != VesselKind::BileDuct &&
+        !v.clippedRoot)
       cut.push_back(&v);
   std::ranges::stable_sort(cut, std::greater<>(), &VesselStory::bled);
   cut.resize(std::min<std::size_t>(cut.size(), 3));
@@ -221,15 +263,26 @@ std::vector<Deduction> vesselFindings(const Attempt& attempt) {
   return found;
 }
 
+// What to try after a goal that was missed: the step after those for which instruments were used.
+std::string nextTime(const Attempt& attempt) {
+  const Task& task = *attempt.task;
+  if (task.goal.kind == TaskGoal::Kind::Touch)
+    return "Turn the view until the depth of the target can be seen, then bring the tip in.";
+  if (task.steps.empty()) return "Do the task's steps one after the other.";
+  const auto used = std::ranges::count_if(attempt.instruments, [](const InstrumentRecord& one) {
+    return std::ranges::any_of(one.moments, &ToolMoment::works);
+  });
+  return task.steps[std::min(std::size_t(used), task.steps.size() - 1)];
+}
+
 }  // namespace
 
 std::vector<Deduction> findings(const Attempt& attempt, const GoalResult& goal,
                                 const std::vector<Check>& checks) {
   std::vector<Deduction> found;
   if (!goal.reached)
-    found.push_back({"", goal.time, goal.sentence, "What would have been the next step?",
-                     attempt.task->steps.empty() ? "Do the task's steps one after the other."
-                                                 : attempt.task->steps.back()});
+    found.push_back(
+        {"", goal.time, goal.sentence, "What would have been the next step?", nextTime(attempt)});
   std::vector<Check> failed;
   std::ranges::copy_if(checks, std::back_inserter(failed), [](const Check& c) { return !c.kept; });
   std::ranges::stable_sort(failed, {}, [](const Check& c) { return weightOf(c.measure); });

@@ -255,7 +255,7 @@ std::string goalSentence(const Task& task) {
                          goal.structure, 1e3 * goal.margin);
     case Kind::StopBleeding:
       return fmt::format(
-          "Stop a bleeding of {:g} ml/min or more: less than {:g} ml/min for {:g} s.",
+          "Stop a bleeding of {:g} ml/min or more: bring it below {:g} ml/min, for {:g} s.",
           60e6 * goal.from, 60e6 * goal.rate, goal.hold);
     case Kind::Divide:
       return fmt::format("Divide the {} between two clips.", nameOf(goal.vessel));

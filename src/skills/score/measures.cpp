@@ -179,16 +179,16 @@ void putVessels(Sheet& sheet, const Attempt& attempt) {
   double longest = 0;
   for (const VesselStory& v : attempt.vessels) {
     if (v.diameter < kNotableVessel || v.kind == VesselKind::BileDuct) continue;
-    ++cut;
-    if (!v.clippedRoot) ++unsealed;
-    if (!v.closed) ++open;
+    if (!v.before) ++cut;
+    if (!v.before && !v.clippedRoot) ++unsealed;
+    if (!v.closed && v.bled > kBleeds) ++open;
     if (v.closed) longest = std::max(longest, *v.closed - v.cut);
   }
   sheet.put("vessels_cut", cut);
   sheet.put("vessels_unsealed", unsealed);
   sheet.put("vessels_open", open);
   // As long as one is open, there is no such time.
-  if (cut > 0 && open == 0) sheet.put("seal_time_s", longest);
+  if (longest > 0 && open == 0) sheet.put("seal_time_s", longest);
   sheet.put("clips", double(attempt.clips.size()));
 }
 
@@ -212,7 +212,7 @@ void putTissue(Sheet& sheet, const Attempt& attempt, std::optional<double> workT
   }
   sheet.put("removed_ml", 1e6 * end.removed);
   sheet.put("torn_bonds", double(attempt.torn));
-  const double cut = 1e4 * end.cut;  // cm^2
+  const double cut = 1e4 * (end.cut - attempt.tissue.front().cut);  // cm^2, by the learner
   sheet.put("cut_cm2", cut);
   if (cut > 0 && workTime && *workTime > 0) sheet.put("cut_speed_cm2_min", cut / (*workTime / 60));
   if (cut > 0 && attempt.bleeds && !attempt.bled.empty())

@@ -20,6 +20,10 @@ struct Measured {
 // Vessels thinner than this are not counted one by one; a setting of ours.
 inline constexpr double kNotableVessel = 0.002;  // m
 
+// A vessel that has lost less does not count as open: a nick in a vein that holds back blood. A
+// setting of ours.
+inline constexpr double kBleeds = 1e-7;  // m^3
+
 // Measures that cannot be computed are left out: those of forces if no tissue moves, for example.
 // Those of the goal come from goalResult() (skills/score/goal_result.h).
 std::vector<Measured> measuresOf(const Attempt& attempt);
