@@ -128,8 +128,8 @@ class Skills(unittest.TestCase):
                                            "reckless": "with the tissue held: 0 %"})
             self.check_ranks("control-bleeding", {"hurried": "still bled", "clumsy": "Blood lost",
                                                   "reckless": "Blood lost"})
-            self.check_ranks("wedge-resection", {"hurried": "3.0 of 3.0 ml were left behind", "clumsy": "left behind",
-                                                "reckless": "1.0 of 3.0 ml were left behind"})
+            self.check_ranks("wedge-resection", {"hurried": "0.9 of 0.9 ml were left behind", "clumsy": "left behind",
+                                                "reckless": "smallest margin is"})
             self.check_ranks("left-lateral", {"hurried": "No part came off", "clumsy": "No part came off",
                                               "reckless": "distance from the plane"})
 

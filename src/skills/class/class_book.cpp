@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "skills/score/findings.h"
 
 namespace resect {
 namespace {
@@ -102,6 +103,7 @@ std::vector<CheckDifficulty> difficulties(const TaskCourse& task) {
       ++all[0].attempts;
       all[0].kept += one.goalReached;
       for (const Check& check : one.checks) {
+        if (check.kept && !one.goalReached && addsUp(check.measure)) continue;
         auto at = std::ranges::find(all, check.measure, &CheckDifficulty::measure);
         if (at == all.end()) at = all.insert(all.end(), {check.measure, 0, 0});
         ++at->attempts;

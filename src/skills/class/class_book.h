@@ -54,7 +54,8 @@ std::vector<ClassFile> classFiles(const std::filesystem::path& folder);
 // Replaces the learners' names by "learner 1" and so on, in the order of the names.
 void usePseudonyms(std::vector<ClassFile>& files);
 
-// How hard a check is: of the graded attempts at a task the share that kept it.
+// How hard a check is: of the graded attempts at a task the share that kept it. Little time, way or
+// blood of an attempt that missed its goal does not count as kept.
 struct CheckDifficulty {
   std::string measure;  // "": the goal
   int kept = 0, attempts = 0;

@@ -17,17 +17,18 @@ HtmlCell text(std::string_view plain) { return {htmlText(plain)}; }
 HtmlCell number(const std::string& plain) { return {htmlText(plain), "number"}; }
 
 std::string bestScore(const LearnerCourse& course) {
-  double best = -1;
+  const ClassAttempt* best = nullptr;
   for (const ClassAttempt& one : course.attempts)
-    if (one.graded) best = std::max(best, one.score);
-  return best < 0 ? "" : fmt::format("{:.0f} %", 100 * best);
+    if (one.graded && (!best || one.score > best->score)) best = &one;
+  return best ? fmt::format("{:.0f} %, {}", 100 * best->score, wordOf(best->level)) : "";
 }
 
-// "passed at attempt 3", of all attempts, the ungraded ones included.
+// "passed at attempt 3, easy", of all attempts, the ungraded ones included.
 HtmlCell resultCell(const LearnerCourse& course) {
   for (std::size_t i = 0; i < course.attempts.size(); ++i)
     if (course.attempts[i].graded && course.attempts[i].passed)
-      return {fmt::format("passed at attempt {}", i + 1), "kept"};
+      return {fmt::format("passed at attempt {}, {}", i + 1, wordOf(course.attempts[i].level)),
+              "kept"};
   return {"not yet", "missed"};
 }
 
@@ -64,6 +65,9 @@ std::size_t mostAttempts(const TaskCourse& task) {
 }
 
 std::string curves(const TaskCourse& task, const LearningTest& test) {
+  if (std::ranges::none_of(task.learners,
+                           [](const LearnerCourse& course) { return passes(course).size() > 1; }))
+    return "<p class=\"quiet\">Learning curves begin with a second graded attempt.</p>\n";
   const double most = double(mostAttempts(task));
   TimeChart lc{"LC-CUSUM", "", most, {}, {}, test.signal, ""};
   TimeChart sum{"CUSUM of failures", "", most, {}, {}, {}, ""};
@@ -119,7 +123,8 @@ std::string classPage(const ClassBook& book, const LearningTest& test) {
 }
 
 void writeClassRows(CsvWriter& csv, const ClassBook& book, const LearningTest& test) {
-  csv.cell("task").cell("learner").cell("attempt").cell("file").cell("graded").cell("passed");
+  csv.cell("task").cell("learner").cell("attempt").cell("file").cell("level").cell("graded").cell(
+      "passed");
   csv.cell("goal_reached").cell("score").cell("lc_cusum");
   for (const MeasureKind& kind : measureKinds()) csv.cell(kind.id);
   csv.end();
@@ -131,7 +136,10 @@ void writeClassRows(CsvWriter& csv, const ClassBook& book, const LearningTest& t
       for (std::size_t i = 0; i < course.attempts.size(); ++i) {
         const ClassAttempt& one = course.attempts[i];
         csv.cell(task.scenario).cell(course.learner).cell(i + 1).cell(one.file);
-        csv.cell(flag(one.graded)).cell(flag(one.passed)).cell(flag(one.goalReached));
+        csv.cell(wordOf(one.level))
+            .cell(flag(one.graded))
+            .cell(flag(one.passed))
+            .cell(flag(one.goalReached));
         csv.cell(printed(one.score));
         if (one.graded)
           csv.cell(printed(curve[graded++]));

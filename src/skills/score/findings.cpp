@@ -296,14 +296,15 @@ std::vector<Deduction> findings(const Attempt& attempt, const GoalResult& goal,
   return found;
 }
 
+bool addsUp(std::string_view measure) { return std::ranges::count(kAmounts, measure) > 0; }
+
 std::vector<std::string> praise(const Attempt& attempt, const GoalResult& goal,
                                 const std::vector<Check>& checks) {
   std::vector<std::string> good;
   if (goal.reached) good.push_back(goal.sentence);
   if (!goal.reached && !workOf(attempt)) return good;
   for (const Check& check : checks)
-    if (check.kept && (goal.reached || std::ranges::count(kAmounts, check.measure) == 0))
-      good.push_back(gapText(check));
+    if (check.kept && (goal.reached || !addsUp(check.measure))) good.push_back(gapText(check));
   if (attempt.undos == 0 && attempt.task->undo == false) good.push_back("Nothing was taken back.");
   return good;
 }

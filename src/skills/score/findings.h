@@ -16,6 +16,10 @@ std::vector<Deduction> findings(const Attempt& attempt, const GoalResult& goal,
 // a fault besides.
 bool ranOut(const Check& check, const GoalResult& goal);
 
+// Whether a measure adds up while work goes on, such as time, way and blood: little of it is good
+// only if the goal was reached.
+bool addsUp(std::string_view measure);
+
 // What was reached, and kept. Little of what adds up while work goes on, such as time, way and
 // blood, is good only if the goal was reached; nothing is good of an attempt without any work.
 std::vector<std::string> praise(const Attempt& attempt, const GoalResult& goal,
