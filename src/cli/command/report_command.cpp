@@ -125,6 +125,8 @@ Known knownOf(const Options& options, const std::vector<Scored>& attempts) {
       if (entry.key == reported.front()) known.graded = entry.attempt.graded;
       continue;
     }
+    // The entries of a learner come in the order of time: what follows was done later.
+    if (own && !options.known.empty() && known.graded) continue;
     (own ? known.earlier : known.others).push_back(std::move(entry.attempt));
   }
   if (!known.earlier.empty() && last.task->familiarisation && !options.graded)
@@ -192,10 +194,10 @@ void report(Options options) {
   std::vector<Scored> attempts;
   for (const std::string& file : options.files) attempts.push_back(scoredFile(file, options, true));
   const Known known = knownOf(options, attempts);
-  if (known.earlier.empty() && !options.graded)
-    attempts.front().verdict.graded = !options.known.empty() && known.graded
-                                          ? *known.graded
-                                          : !attempts.front().attempt.task->familiarisation;
+  if (!options.known.empty() && known.graded && !options.graded)
+    attempts.front().verdict.graded = *known.graded;
+  else if (known.earlier.empty() && !options.graded)
+    attempts.front().verdict.graded = !attempts.front().attempt.task->familiarisation;
   std::vector<Scored> references;
   for (const std::string& file : options.references)
     references.push_back(scoredFile(file, options, true));
