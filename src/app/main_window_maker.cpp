@@ -62,7 +62,7 @@ std::string modelOf(const ScenarioTool& tool) {
 void takeMotions(Scenario& scenario, const std::filesystem::path& recording) {
   RecordingFile file = RecordingFile::open(recording);
   const Scenario recorded = file.setup().scenario;
-  std::vector<std::vector<ToolKey>> motions = recordedMotions(file, file.moment().branch);
+  std::vector<std::vector<ToolKey>> motions = recordedMotions(file, file.moment());
   auto tool = scenario.tools.begin();  // the recording lacks some of them, in the same order
   for (std::size_t t = 0; t < motions.size(); ++t) {
     tool = std::find_if(tool, scenario.tools.end(), [&](const ScenarioTool& one) {

@@ -1,6 +1,7 @@
 #include "record/course.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace resect {
 
@@ -15,6 +16,11 @@ std::vector<CourseSpan> courseOf(RecordingFile& file, std::int64_t branch) {
     branch = one.parent < branch ? one.parent : -1;
   }
   return course;
+}
+
+std::vector<CourseSpan> courseTo(RecordingFile& file, const Moment& moment) {
+  std::vector<CourseSpan> course = courseOf(file, moment.branch);
+  return moment.frame > 0 ? partOf(std::move(course), 0, moment.frame) : course;
 }
 
 std::vector<CourseSpan> partOf(std::vector<CourseSpan> course, std::int64_t first,

@@ -19,6 +19,10 @@ struct CourseSpan {
 // or if no frame leads to the branch's end.
 std::vector<CourseSpan> courseOf(RecordingFile& file, std::int64_t branch);
 
+// The course that leads to a moment: to the end of its branch, or only to its frame if that is
+// earlier. An attempt that the window has ended is its recording up to RecordingFile::moment().
+std::vector<CourseSpan> courseTo(RecordingFile& file, const Moment& moment);
+
 // The part of a course from frame `first` to frame `last`; both are clamped to the course. If the
 // course has spans, the part has at least one. If first equals last, that span holds a single
 // state.

@@ -24,14 +24,14 @@ double missed(const ToolKey& from, const ToolKey& to, const ToolKey& key,
                    off(from.pedal, to.pedal, key.pedal)});
 }
 
-// The inputs of all frames that lead to the end of the branch, in order, with their times.
+// The inputs of all frames that lead to the moment, in order, with their times.
 struct TimedInput {
   double time = 0;  // s
   FrameInput input;
 };
-std::vector<TimedInput> inputsOf(RecordingFile& file, std::int64_t branch) {
+std::vector<TimedInput> inputsOf(RecordingFile& file, const Moment& moment) {
   std::vector<TimedInput> inputs;
-  for (const CourseSpan& span : courseOf(file, branch))
+  for (const CourseSpan& span : courseTo(file, moment))
     for (std::int64_t frame = span.first + 1; frame <= span.last; ++frame) {
       const auto recorded = file.frame(span.branch, frame);
       if (!recorded) throw error("{}: lacks frame {}; take an earlier copy", file.name(), frame);
@@ -70,9 +70,9 @@ std::vector<ToolKey> thinned(const std::vector<ToolKey>& keys, const MotionToler
   return fewer;
 }
 
-std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, std::int64_t branch,
+std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, const Moment& moment,
                                                   const MotionTolerance& tolerance) {
-  const std::vector<TimedInput> inputs = inputsOf(file, branch);
+  const std::vector<TimedInput> inputs = inputsOf(file, moment);
   const std::size_t tools = inputs.empty() ? 0 : inputs.front().input.tools.size();
   std::vector<std::vector<ToolKey>> motions(file.setup().scenario.tools.size());
   for (std::size_t t = 0; t < std::min(tools, motions.size()); ++t) {

@@ -17,11 +17,11 @@ struct MotionTolerance {
   double share = 0.02;     // of squeeze and pedal
 };
 
-// Keys per tool of RecordingFile::setup().scenario, along the course that leads to the end of the
-// branch. Keys begin where the tool is in hand for the first time and end where it is for the last
-// time; none if it never is. While it was put back in between, it lies where it was put. Throws
-// Error if the recording is damaged.
-std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, std::int64_t branch,
+// Keys per tool of RecordingFile::setup().scenario, along the course that leads to the moment
+// (courseTo()). Keys begin where the tool is in hand for the first time and end where it is for the
+// last time; none if it never is. While it was put back in between, it lies where it was put.
+// Throws Error if the recording is damaged.
+std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, const Moment& moment,
                                                   const MotionTolerance& tolerance = {});
 
 // The fewest keys that stay within the tolerance of all of these, found by halving (Douglas and

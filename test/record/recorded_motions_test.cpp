@@ -44,7 +44,7 @@ TEST_CASE("motions of a recording: keys that are few and play the same") {
     recorder.finish();
   }
   RecordingFile file = RecordingFile::open(folder / "run.resect");
-  const std::vector<std::vector<ToolKey>> motions = recordedMotions(file, 0);
+  const std::vector<std::vector<ToolKey>> motions = recordedMotions(file, file.moment());
   REQUIRE(motions.size() == scenario.tools.size());
   Scenario again = scenario;
   for (std::size_t t = 0; t < motions.size(); ++t) {

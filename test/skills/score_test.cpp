@@ -384,6 +384,12 @@ TEST_CASE("a wound from the start is no cut of the learner's, and is open until 
   attempt.vessels[0].closed.reset();
   attempt.vessels[0].bled = 0.5e-7;  // a nick in a vein
   CHECK(*value("vessels_open") == 0);
+  CHECK(!value("seal_time_s"));       // nothing was closed
+  attempt.vessels[0].before = false;  // but what the learner cuts is to be closed
+  CHECK(*value("vessels_open") == 1);
+  attempt.vessels = {vesselCut(3, true, true)};
+  attempt.vessels[0].closed = 3;  // by the clips that were there before
+  CHECK(*value("seal_time_s") == 0);
 }
 
 TEST_CASE("evidence of lost time is the longest wait, and advice follows what was done") {

@@ -305,7 +305,7 @@ Task TaskMakerPanel::task() const {
   for (const QString& line : lines)
     if (!line.trimmed().isEmpty()) task.steps.push_back(line.trimmed().toStdString());
   for (const Limit& limit : limits_)
-    if (vessels_ || &limit != &limits_[1]) takeLimits(limit, task);
+    if (!limit.row->isHidden()) takeLimits(limit, task);
   return task;
 }
 

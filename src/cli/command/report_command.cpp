@@ -4,13 +4,13 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <ostream>
 
+#include "app/exercise/attempt_folder.h"
 #include "app/exercise/report_pdf.h"
 #include "base/error.h"
 #include "base/parallel.h"
@@ -22,6 +22,7 @@
 #include "cli/process/standard_streams.h"
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
+#include "formats/meshes/word_reader.h"
 #include "io/atomic_file.h"
 #include "io/output/output_target.h"
 #include "io/output/run_files.h"
@@ -97,7 +98,7 @@ void useHistoryBeside(Options& options) {
   if (!options.history.empty() || options.files.empty()) return;
   const std::filesystem::path folder =
       std::filesystem::absolute(options.files.back()).parent_path();
-  const std::filesystem::path history = folder.parent_path() / "scores.sqlite";
+  const std::filesystem::path history = historyIn(folder.parent_path());
   std::error_code none;
   if (!std::filesystem::is_regular_file(history, none)) return;
   options.known = history.string();
@@ -168,9 +169,7 @@ KeyMoments momentsOf(const Scored& scored) {
 }
 
 bool isPdf(const std::string& file) {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending == ".pdf";
+  return lowerCase(std::filesystem::path(file).extension().string()) == ".pdf";
 }
 
 void printSummary(std::FILE* to, const Scored& s) {

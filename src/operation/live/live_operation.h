@@ -158,7 +158,7 @@ class LiveOperation {
   std::unique_ptr<Simulation> simulation_;
   OperationHistory history_;           // used by the thread alone
   std::optional<LedgerWatch> ledger_;  // from here to timelineFrame_: also used by the thread alone
-  std::vector<Sight> sightSaid_;
+  std::vector<Sight> sightSaid_;       // memory of sightEvents()
   const std::vector<Pose> rests_;
   LastSecond lastSecond_;
   StepReport report_;

@@ -56,10 +56,7 @@ Attempt readAttempt(const std::filesystem::path& path, const AttemptOptions& opt
   attempt.complete = file.complete();
   attempt.task = taskOf(file, setup, options);
   attempt.undos = int(std::max<std::size_t>(1, file.branches().size())) - 1;
-  // Of an attempt that the window has ended, not the frames after its end.
-  const Moment ended = file.moment();
-  std::vector<CourseSpan> course = courseOf(file, ended.branch);
-  if (ended.frame > 0) course = partOf(std::move(course), 0, ended.frame);
+  const std::vector<CourseSpan> course = courseTo(file, file.moment());
   if (course.empty())
     throw error("{}: holds no frames, so there is no attempt to score; record one", path.string());
 

@@ -119,7 +119,7 @@ std::string debriefPage(const Debrief& debrief) {
                               {"paths", pathViews(last)},
                               {"margin", marginSection(last.attempt)},
                               {"figures", figureTable(debrief)},
-                              {"studies", studyTable(debrief)},
+                              {"studies", studyTable(debrief.studies, last.measures)},
                               {"vessels", vesselSection(last.attempt)},
                               {"ledger", ledgerTable(last.attempt)},
                               {"history", historySection(debrief)},

@@ -119,19 +119,21 @@ std::string figureTable(const Debrief& debrief) {
   return wholeTable(debrief) + instrumentTable(debrief.attempts.back());
 }
 
-std::string studyTable(const Debrief& debrief) {
-  const Scored& last = debrief.attempts.back();
+std::string studyTable(std::span<const PublishedStudy> studies, std::span<const Measured> own) {
   std::string html;
-  for (const PublishedStudy& study : debrief.studies) {
+  for (const PublishedStudy& study : studies) {
     HtmlTable table;
-    table.head = {text("published"), number("this attempt"), text("group"), number("mean"),
-                  number("deviation")};
+    table.head = {text("published"), text("group"), number("mean"), number("deviation")};
+    if (!own.empty()) table.head.insert(table.head.begin() + 1, number("this attempt"));
     for (const PublishedBand& band : study.bands)
-      for (const PublishedBand::Group& group : band.groups)
-        table.rows.push_back({text(findMeasure(band.measure)->title),
-                              number(valueText(last, band.measure)), text(group.name),
-                              number(measureText(band.measure, group.mean)),
-                              number(group.deviation > 0 ? numberText(group.deviation) : "")});
+      for (const PublishedBand::Group& group : band.groups) {
+        std::vector<HtmlCell> row{text(findMeasure(band.measure)->title), text(group.name),
+                                  number(measureText(band.measure, group.mean)),
+                                  number(group.deviation > 0 ? numberText(group.deviation) : "")};
+        const auto value = valueOf(own, band.measure);
+        if (!own.empty()) row.insert(row.begin() + 1, number(value ? numberText(*value) : ""));
+        table.rows.push_back(std::move(row));
+      }
     html +=
         fmt::format("<p class=\"quiet\">{}: {} <a href=\"{}\">{}</a></p>\n", htmlText(study.study),
                     htmlText(study.about), htmlText(study.source), htmlText(study.source)) +

@@ -8,6 +8,7 @@
 #include "io/whole_file.h"
 #include "operation/task/measure.h"
 #include "skills/report/debrief.h"
+#include "skills/report/debrief_tables.h"
 #include "skills/report/html.h"
 #include "skills/score/bands.h"
 #include "skills/score/findings.h"
@@ -77,23 +78,9 @@ std::string rulesOf(const Task& task) {
 }
 
 std::string studiesOf(const Task& task) {
-  std::string html;
-  for (const std::string& name : task.published) {
-    const PublishedStudy study = readPublishedStudy(name);
-    HtmlTable table;
-    table.head = {{"measure"}, {"group"}, {"mean", "number"}, {"deviation", "number"}};
-    for (const PublishedBand& band : study.bands)
-      for (const PublishedBand::Group& group : band.groups)
-        table.rows.push_back({{htmlText(findMeasure(band.measure)->title)},
-                              {htmlText(group.name)},
-                              {htmlText(measureText(band.measure, group.mean)), "number"},
-                              {group.deviation > 0 ? numberText(group.deviation) : "", "number"}});
-    html +=
-        fmt::format("<p class=\"quiet\">{}: {} <a href=\"{}\">{}</a></p>\n", htmlText(study.study),
-                    htmlText(study.about), htmlText(study.source), htmlText(study.source)) +
-        toHtml(table);
-  }
-  return html.empty() ? "" : htmlSection("What studies have measured", html);
+  std::vector<PublishedStudy> studies;
+  for (const std::string& name : task.published) studies.push_back(readPublishedStudy(name));
+  return studies.empty() ? "" : htmlSection("What studies have measured", studyTable(studies, {}));
 }
 
 }  // namespace

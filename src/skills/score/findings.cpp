@@ -169,14 +169,13 @@ std::string vesselText(const VesselStory& v) {
 void tellBlood(const Attempt& attempt, Deduction& d) {
   const VesselStory* worst = worstOf(attempt);
   if (!worst) return;
-  d.time = worst->cut;
+  if (!worst->before) d.time = worst->cut;
   const bool most = !attempt.bled.empty() && worst->bled > 0.5 * attempt.bled.back();
   d.fact += fmt::format(" {}, {} ml, came from the {} that {}.",
                         most ? "Most of the blood" : "The largest share of one vessel",
                         bloodText(worst->bled), vesselText(*worst),
                         worst->before ? std::string("was cut from the start")
                                       : fmt::format("was cut at {}", timeText(worst->cut)));
-  if (worst->before) d.time.reset();
 }
 
 void tellOff(const Attempt& attempt, Deduction& d) {

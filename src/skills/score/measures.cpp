@@ -176,19 +176,19 @@ std::optional<double> handsTogether(const Attempt& attempt) {
 
 void putVessels(Sheet& sheet, const Attempt& attempt) {
   int cut = 0, unsealed = 0, open = 0;
-  double longest = 0;
+  std::optional<double> longest;  // until one was closed
   for (const VesselStory& v : attempt.vessels) {
     if (v.diameter < kNotableVessel || v.kind == VesselKind::BileDuct) continue;
     if (!v.before) ++cut;
     if (!v.before && !v.clippedRoot) ++unsealed;
-    if (!v.closed && v.bled > kBleeds) ++open;
-    if (v.closed) longest = std::max(longest, *v.closed - v.cut);
+    if (!v.closed && (!v.before || v.bled > kBleeds)) ++open;
+    if (v.closed) longest = std::max(longest.value_or(0), *v.closed - v.cut);
   }
   sheet.put("vessels_cut", cut);
   sheet.put("vessels_unsealed", unsealed);
   sheet.put("vessels_open", open);
   // As long as one is open, there is no such time.
-  if (longest > 0 && open == 0) sheet.put("seal_time_s", longest);
+  if (open == 0) sheet.put("seal_time_s", longest);
   sheet.put("clips", double(attempt.clips.size()));
 }
 

@@ -20,8 +20,8 @@ struct Measured {
 // Vessels thinner than this are not counted one by one; a setting of ours.
 inline constexpr double kNotableVessel = 0.002;  // m
 
-// A vessel that has lost less does not count as open: a nick in a vein that holds back blood. A
-// setting of ours.
+// A vessel in a wound from the start that has lost less does not count as open: a nick in a vein
+// that does not bleed is nothing to be closed. A setting of ours.
 inline constexpr double kBleeds = 1e-7;  // m^3
 
 // Measures that cannot be computed are left out: those of forces if no tissue moves, for example.
