@@ -144,9 +144,11 @@ bool MainWindow::begin(OrganLoader::Result result) {
       attempt = std::make_shared<LiveAttempt>(result.scenario, *result.simulation);
       watch = attempt->watch(std::move(watch));
     }
+    // An exercise's time begins with the first instrument that is taken.
+    const bool waits = attempt != nullptr;
     auto session = std::make_unique<OperatingSession>(result.scenario, std::move(result.simulation),
                                                       viewer_->aspect(), std::move(watch),
-                                                      std::move(result.history));
+                                                      std::move(result.history), waits);
     // The thesis's way of working has the laboratory, unless the user has chosen.
     session->setBleedingMarks(marks_->isChecked());
     session->showScale(laboratoryChosen_.value_or(result.scenario.mode == OperationMode::Thesis));

@@ -80,7 +80,7 @@ Aabb boxOfOrgans(const Simulation& simulation) {
 
 OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation,
                                    double aspect, OperationWatch watch,
-                                   std::optional<OperationHistory> history)
+                                   std::optional<OperationHistory> history, bool paused)
     : scenario_(scenario),
       toolModels_(modelsOf(*simulation)),
       cells_(simulation->organ().rest),
@@ -97,7 +97,7 @@ OperatingSession::OperatingSession(const Scenario& scenario, std::unique_ptr<Sim
       events_(SbViewportRegion(640, 480)),
       ledger_(scenario, *simulation),
       operation_(std::move(simulation), restsOf(scenario), scenario.frameRate, std::move(watch),
-                 std::move(history), std::move(ledger_)) {
+                 std::move(history), std::move(ledger_), paused) {
   for (const ToolModel& model : toolModels_) toolSlices_.push_back(slicesOf(model.mesh));
   if (scenario.mode == OperationMode::Operation) tools_.guide(toolModels_);
   tools_.changed = [this] { handMoved(); };

@@ -32,9 +32,10 @@ namespace resect {
 class OperatingSession {
  public:
   // The tools start at their rest poses. `aspect`, here and below: width / height of the picture.
-  // watch, history: as LiveOperation takes them.
+  // watch, history, paused: as LiveOperation takes them.
   OperatingSession(const Scenario& scenario, std::unique_ptr<Simulation> simulation, double aspect,
-                   OperationWatch watch = {}, std::optional<OperationHistory> history = {});
+                   OperationWatch watch = {}, std::optional<OperationHistory> history = {},
+                   bool paused = false);
 
   // Handles an event of mouse or keyboard. The event's position is in pixels from the lower left of
   // the viewport. Returns whether a tool, a dragger or the camera used the event.

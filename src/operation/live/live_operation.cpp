@@ -19,7 +19,7 @@ double restVolume(const Simulation& simulation) {
 LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                              double frameRate, OperationWatch watch,
                              std::optional<OperationHistory> history,
-                             std::optional<LedgerWatch> ledger)
+                             std::optional<LedgerWatch> ledger, bool paused)
     : simulation_(std::move(simulation)),
       history_(history ? std::move(*history) : OperationHistory(*simulation_, frameRate)),
       ledger_(std::move(ledger)),
@@ -29,6 +29,7 @@ LiveOperation::LiveOperation(std::unique_ptr<Simulation> simulation, const std::
       frameRate_(frameRate),
       wholeVolume_(restVolume(*simulation_)),
       motions_(rests.size()),
+      paused_(paused),
       publishers_(simulation_->organs().size()) {
   require(frameRate >= 1 && frameRate <= 1000, "{} frames a second were asked for; give 1 to 1000",
           frameRate);

@@ -51,11 +51,12 @@ class LiveOperation {
   // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
   // frameRate: simulated frames per second, 1 to 1000. history: that of an operation which is to go
   // on; `simulation` must be at history.now(). That moment is then shown until goOn() is called.
-  // ledger: computes LiveState::ledger; without it there is none.
+  // ledger: computes LiveState::ledger; without it there is none. paused: as setPaused(), from
+  // before the first frame.
   LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                 double frameRate = 60, OperationWatch watch = {},
                 std::optional<OperationHistory> history = {},
-                std::optional<LedgerWatch> ledger = {});
+                std::optional<LedgerWatch> ledger = {}, bool paused = false);
   ~LiveOperation();  // stops the thread within the current frame
   LiveOperation(const LiveOperation&) = delete;
   LiveOperation& operator=(const LiveOperation&) = delete;

@@ -163,3 +163,16 @@ TEST_CASE("a tool out of hand touches nothing, and a paused operation stands sti
   live.operation.setPaused(false);
   live.operation.waitFor(frame + 1);
 }
+
+TEST_CASE("an operation that begins paused computes no frame before it goes on") {
+  LiveOperation operation(Live::simulation(test::fullBlock({12, 8, 12})), {kAway}, 240, {}, {}, {},
+                          true);
+  std::vector<SurfaceUpdate> updates;
+  LiveState state;
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  CHECK_FALSE(operation.take(updates, state));
+  operation.setPaused(false);
+  operation.waitFor(2);
+  CHECK(operation.take(updates, state));
+  CHECK(state.frame >= 2);
+}
