@@ -35,6 +35,8 @@ constexpr std::array kUsual{
     Word{"cyst", StructureKind::Cyst},
     Word{"gallbladder", StructureKind::Gallbladder},
     Word{"gall bladder", StructureKind::Gallbladder},
+    Word{"cavity", StructureKind::Cavity},
+    Word{"lumen", StructureKind::Cavity},
     Word{"portal", StructureKind::PortalVein},
     Word{"hepatic vein", StructureKind::HepaticVein},
     Word{"vena cava", StructureKind::HepaticVein},
@@ -48,7 +50,7 @@ constexpr std::array kUsual{
 
 std::string_view wordOf(StructureKind kind) {
   constexpr std::array<std::string_view, kFirstVessel> kWords{"parenchyma", "tumour", "cyst",
-                                                              "gallbladder"};
+                                                              "gallbladder", "cavity"};
   if (const auto vessel = vesselKind(kind)) return wordOf(*vessel);
   return kWords[std::size_t(kind)];
 }

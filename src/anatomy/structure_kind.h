@@ -15,12 +15,13 @@ enum class StructureKind {
   Tumour,
   Cyst,
   Gallbladder,
+  Cavity,  // without tissue, as the lumen of a hollow organ
   PortalVein,
   HepaticVein,
   HepaticArtery,
   BileDuct
 };
-inline constexpr int kStructureKinds = 8;
+inline constexpr int kStructureKinds = 9;
 
 // The word of a kind in files, such as "tumour" or "portal-vein"; vessels have those of VesselKind.
 std::string_view wordOf(StructureKind kind);

@@ -98,6 +98,9 @@ void MainWindow::askOrgan(const QString& file) {
     }
     say("report {}", report);
   };
+  dialog->surfaceShown = [this] {
+    if (options_.reports) say("surface turns");
+  };
   dialog->open();
 }
 

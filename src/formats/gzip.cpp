@@ -8,7 +8,7 @@ namespace resect {
 
 namespace {
 
-// window: as inflateInit2() takes it, which tells gzip and zlib apart.
+// window: as inflateInit2() takes it, which tells gzip, zlib and raw deflate apart.
 std::string unpack(const std::string& path, std::string_view bytes, std::size_t most, int window) {
   z_stream stream{};
   if (inflateInit2(&stream, window) != Z_OK)
@@ -71,6 +71,10 @@ std::string unpackGzip(const std::string& path, std::string_view bytes, std::siz
 
 std::string unpackZlib(const std::string& path, std::string_view bytes, std::size_t most) {
   return unpack(path, bytes, most, kWindow);
+}
+
+std::string unpackDeflate(const std::string& path, std::string_view bytes, std::size_t most) {
+  return unpack(path, bytes, most, -kWindow);
 }
 
 }  // namespace resect

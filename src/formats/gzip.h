@@ -1,4 +1,4 @@
-// Decompresses gzip files and zlib streams.
+// Decompresses gzip files, zlib streams and raw deflate streams.
 #pragma once
 
 #include <string>
@@ -15,5 +15,7 @@ bool isGzip(std::string_view bytes);
 std::string unpackGzip(const std::string& path, std::string_view bytes, std::size_t most);
 // The same for a zlib stream (RFC 1950).
 std::string unpackZlib(const std::string& path, std::string_view bytes, std::size_t most);
+// The same for a raw deflate stream (RFC 1951), as ZIP archives have them.
+std::string unpackDeflate(const std::string& path, std::string_view bytes, std::size_t most);
 
 }  // namespace resect

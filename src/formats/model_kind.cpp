@@ -13,6 +13,7 @@
 #include "formats/meshes/off_file.h"
 #include "formats/meshes/ply_file.h"
 #include "formats/meshes/stl_file.h"
+#include "formats/meshes/three_mf_file.h"
 #include "formats/meshes/vtk_file.h"
 #include "formats/meshes/word_reader.h"
 
@@ -25,7 +26,7 @@ struct Ending {
   std::string_view ending;  // of the file's name
   ModelKind kind;
 };
-constexpr std::array<Ending, 16> kEndings{{{".iv", ModelKind::Inventor},
+constexpr std::array<Ending, 17> kEndings{{{".iv", ModelKind::Inventor},
                                            {".wrl", ModelKind::Inventor},
                                            {".vtk", ModelKind::Vtk},
                                            {".obj", ModelKind::Obj},
@@ -34,6 +35,7 @@ constexpr std::array<Ending, 16> kEndings{{{".iv", ModelKind::Inventor},
                                            {".off", ModelKind::Off},
                                            {".glb", ModelKind::Glb},
                                            {".gltf", ModelKind::Gltf},
+                                           {".3mf", ModelKind::ThreeMf},
                                            {".nii", ModelKind::Nifti},
                                            {".hdr", ModelKind::Nifti},
                                            {".nrrd", ModelKind::Nrrd},
@@ -56,14 +58,13 @@ struct OtherKind {
   const char* what;
   const char* todo;
 };
-constexpr std::array<OtherKind, 15> kOthers{{
+constexpr std::array<OtherKind, 14> kOthers{{
     {".vtp", "", 0, "a surface in VTK's XML form", kBySlicer},
     {".vtu", "", 0, "a volume mesh in VTK's XML form",
      "extract its surface (ParaView: Extract Surface) and save it as .vtk or .stl"},
     {".vti", "", 0, "an image in VTK's XML form",
      "open it in 3D Slicer and save its labels as .nrrd"},
     {".msh", "$MeshFormat", 0, "a volume mesh of Gmsh", kByGmsh},
-    {".3mf", "", 0, "a model for 3D printing", kByPrinting},
     {".amf", "", 0, "a model for 3D printing", kByPrinting},
     {".fbx", "Kaydara FBX", 0, "a scene (FBX)", kByBlender},
     {".blend", "BLENDER", 0, "a scene of Blender", kByBlender},
@@ -99,6 +100,7 @@ std::optional<ModelKind> kindByContent(std::string_view bytes) {
   if (startsAsMetaImage(text)) return ModelKind::MetaImage;
   if (startsAsDicom(bytes)) return ModelKind::Dicom;
   if (bytes.starts_with("glTF")) return ModelKind::Glb;
+  if (isThreeMf(bytes)) return ModelKind::ThreeMf;
   if (startsAsPly(bytes)) return ModelKind::Ply;
   if (startsAsOff(bytes)) return ModelKind::Off;
   if (startsAsTextStl(bytes)) return ModelKind::Stl;
@@ -128,7 +130,7 @@ ModelKind modelKind(const fs::path& path, std::string_view bytes) {
   if (ours != kEndings.end()) return ours->kind;
   throw error(
       "{}: is of no kind that can be read; use .iv, .wrl, .obj, .stl, .ply, .off, .glb, .gltf, "
-      ".vtk, or a label image .nii, .nrrd, .mha or DICOM",
+      ".3mf, .vtk, or a label image .nii, .nrrd, .mha or DICOM",
       path.string());
 }
 

@@ -16,6 +16,7 @@ enum class ModelKind : std::uint8_t {
   Off,
   Glb,
   Gltf,
+  ThreeMf,
   Nifti,
   Nrrd,
   MetaImage,

@@ -157,6 +157,7 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
     mesh = organ.mesh;
     if (notes) notes->insert(notes->end(), organ.notes.begin(), organ.notes.end());
   }
+  mesh = hollowed(std::move(mesh), source, readModel, notes);
   if (place && *place) return transformed(std::move(mesh), **place);
   Eigen::Quaterniond turn = source.pose.rotation;
   mesh = transformed(std::move(mesh), {Vec3::Zero(), turn});
@@ -183,6 +184,10 @@ Discretization sourceCells(const OrganSource& source, const ModelReader& readMod
   }
   if (!source.beside.empty())
     throw usageError("{} holds particles, which lie as their file says; leave out beside",
+                     source.file);
+  if (std::ranges::find(source.structures, StructureKind::Cavity, &BroughtStructure::kind) !=
+      source.structures.end())
+    throw usageError("{} holds particles: cavities are taken from a model file; leave them out",
                      source.file);
   if (!source.part.empty() || source.repair)
     throw usageError("{} holds particles: it has no parts and needs no repair; leave {} out",

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "collision/signed_distance.h"
 #include "geometry/measures.h"
+#include "geometry/repair/crossings.h"
 #include "io/cells/particle_file.h"
 #include "io/data_folder.h"
 #include "io/organ_mesh.h"
@@ -23,7 +24,31 @@ namespace {
 
 constexpr double kVesselCell = 0.4e-3;  // m: of the lattice in which centre lines are found
 
-// The closed surface of a structure in the room. Open ends of vessels are closed.
+// The closed surface of a structure in the coordinates of its file, m. Open ends of vessels are
+// closed.
+TriangleMesh ownSurface(const BroughtStructure& one, const ModelReader& readModel) {
+  const bool openEnds = vesselKind(one.kind).has_value();
+  return prepareOrganMesh(readModel(one.file, one.part), {one.part, openEnds, one.unit}).mesh;
+}
+
+// The volume that two closed surfaces have in common, from samples at the centres of kSteps^3 boxes
+// in b's bounding box, m^3.
+double commonVolume(const TriangleMesh& a, const TriangleMesh& b) {
+  constexpr int kSteps = 24;
+  const Aabb box = bounds(b);
+  const Vec3 step = box.size() / kSteps;
+  std::vector<Vec3> points;
+  for (int z = 0; z < kSteps; ++z)
+    for (int y = 0; y < kSteps; ++y)
+      for (int x = 0; x < kSteps; ++x)
+        points.push_back(box.min + step.cwiseProduct(Vec3(x + 0.5, y + 0.5, z + 0.5)));
+  const std::vector<int> inA = crossingNumbers(a, points), inB = crossingNumbers(b, points);
+  int both = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) both += inA[i] > 0 && inB[i] > 0;
+  return both * step.prod();
+}
+
+// The closed surface of a structure in the room.
 TriangleMesh placedSurface(const BroughtStructure& one, const std::optional<Pose>& place,
                            const ModelReader& readModel) {
   if (!place)
@@ -31,9 +56,7 @@ TriangleMesh placedSurface(const BroughtStructure& one, const std::optional<Pose
         "{}: the organ is a file of particles, which tells no place for other files; leave this "
         "structure out, or take a model file for the organ",
         one.file);
-  const bool openEnds = vesselKind(one.kind).has_value();
-  return transformed(
-      prepareOrganMesh(readModel(one.file, one.part), {one.part, openEnds, one.unit}).mesh, *place);
+  return transformed(ownSurface(one, readModel), *place);
 }
 
 // Labels the particles inside the surface; returns their number.
@@ -121,6 +144,28 @@ Vec3 placedBy(const OrganSource& source, const Aabb& box) {
 std::string boxText(const Aabb& box) {
   return fmt::format("[[{:.3f}, {:.3f}, {:.3f}], [{:.3f}, {:.3f}, {:.3f}]] m", box.min.x(),
                      box.min.y(), box.min.z(), box.max.x(), box.max.y(), box.max.z());
+}
+
+TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const ModelReader& readModel,
+                      std::vector<std::string>* notes) {
+  TriangleMesh cavities;
+  for (const BroughtStructure& one : source.structures) {
+    if (one.kind != StructureKind::Cavity) continue;
+    TriangleMesh cavity = ownSurface(one, readModel);
+    const double taken = commonVolume(organ, cavity);
+    if (taken == 0)
+      throw error(
+          "{}: the cavity fills {}, where the organ has no tissue (it fills {}); check its unit, "
+          "and whether it was made in the organ's coordinates",
+          one.file, boxText(bounds(cavity)), boxText(bounds(organ)));
+    if (notes)
+      notes->push_back(
+          fmt::format("{}: a cavity of {:.3g} ml holds no tissue", one.file, 1e6 * taken));
+    flip(cavity);
+    append(cavities, cavity);
+  }
+  append(organ, cavities);
+  return organ;
 }
 
 void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,

@@ -12,6 +12,13 @@
 
 namespace resect {
 
+// The organ's surface with that of the source's cavities, whose triangles face into the cavities:
+// no tissue lies in a cavity, also where it reaches out of the organ. All in the coordinates of the
+// files, m. `notes` gets a sentence for each cavity. Throws Error if a cavity and the organ have no
+// tissue in common, or if the cavity leaves none.
+TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const ModelReader& readModel,
+                      std::vector<std::string>* notes);
+
 // Adds the source's landmarks, labels and structures to the cells. place: of the organ's file in
 // the room; empty for a file of particles. Throws Error if one of them marks no particle, or if a
 // structure's file is needed and has no place.

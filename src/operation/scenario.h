@@ -34,7 +34,7 @@ struct OrganLabel {
 // vessel, whose centre lines are taken, or another structure, whose inside gets a label.
 struct BroughtStructure {
   StructureKind kind = StructureKind::Tumour;
-  int label = 0;     // 1 to 255; 0 for vessels
+  int label = 0;     // 1 to 255; 0 for vessels and cavities
   std::string name;  // of the label
   std::string file;
   std::string part;  // names of parts, one a line; "": all

@@ -256,6 +256,7 @@ class AtTheWindow(ScreenTest):
         other = self.another_organ("other.stl")
         name("Open", "ctrl+o", other)
         window.wait("report ")
+        window.wait("surface turns")
         screen.focus("^Open organ$")
         screen.picture("dialog_report")
         screen.key("Return")
@@ -286,12 +287,13 @@ class AtTheWindow(ScreenTest):
         window = self.opened(size="1100x800")
         window.tell(f"open {image}")
         self.assertIn("Which label is the organ?", window.wait("report "))
-        for row, steps in enumerate((1, 2, 5)):  # the organ, tumour, portal vein
+        for row, steps in enumerate((1, 2, 6)):  # the organ, tumour, portal vein
             window.drain()
             screen.click(*window.places[f"role{row}"])
             time.sleep(0.3)
             screen.key(*["Down"] * steps, "Return")
             report = window.wait("report ")
+        window.wait("surface turns")
         screen.picture("labels_roles")
         self.assertIn("30 x 30 x 30 voxels of 4 x 4 x 4 mm", report)
         window.drain()

@@ -67,7 +67,7 @@ TEST_CASE("what is not read is named, with the way to what is") {
   refuses("a.VTU", "<?xml version=\"1.0\"?>", "Extract Surface");
   refuses("a.msh", "$MeshFormat\n4.1 0 8\n", "gmsh FILE");
   refuses("a", "$MeshFormat\n4.1 0 8\n", "gmsh FILE");
-  refuses("a.3mf", "PK\3\4", "export it as .stl");
+  refuses("a.amf", "PK\3\4", "export it as .stl");
   refuses("a.vti", "<VTKFile type=\"ImageData\">", "3D Slicer");
   refuses("a.fbx", "Kaydara FBX Binary", "Blender");
   refuses("a.step", "ISO-10303-21;", "FreeCAD");

@@ -40,6 +40,9 @@ Model readShape(const std::filesystem::path& path, const std::string& /*parts*/)
   TriangleMesh mesh;
   if (path == "organ.stl") mesh = boxMesh(kBox);
   if (path == "tumour.stl") mesh = sphereMesh(kTumour, 0.015, 32);
+  if (path == "lumen.stl") mesh = sphereMesh(kBox.centre(), 0.03, 64);
+  if (path == "mouth.stl")
+    mesh = sphereMesh(Vec3(kBox.centre().x(), kBox.max.y(), kBox.centre().z()), 0.03, 64);
   if (path == "elsewhere.stl") mesh = sphereMesh(Vec3(0.5, 0.5, 0.5), 0.015, 32);
   if (path == "vein.stl") mesh = vesselMesh(makeAnatomy({vein()}), VesselKind::PortalVein);
   REQUIRE(!mesh.triangles.empty());
@@ -155,4 +158,32 @@ TEST_CASE("structures that cannot be used are refused in a sentence") {
   refused("[[organ.structure]]\nkind = \"portal-vein\"\n", "file");
   refused("[[organ.structure]]\nkind = \"tumour\"\n", "centre and radius");
   refused("[[organ.tumour]]\ncentre = [0, 0.04, 0]\nradius = 0.01\nkind = \"cyst\"\n", "kind");
+}
+
+TEST_CASE("no tissue lies in a cavity, also where it reaches out of the organ") {
+  const auto load = [](const std::string& text, std::vector<std::string>* notes = nullptr) {
+    return loadCells(parseScenario(kStart + text, "test.toml").organs[0].source, readShape, {},
+                     notes);
+  };
+  const auto tissue = [](const Discretization& cells) {
+    double ml = 0;
+    for (std::int64_t i = 0; i < cells.lattice.cellCount(); ++i)
+      ml += cells.inside[std::size_t(i)] ? 1e6 * cells.lattice.cellVolume() : 0;
+    return ml;
+  };
+  const auto cavity = [](const std::string& file) {
+    return "[[organ.structure]]\nkind = \"cavity\"\nfile = \"" + file + "\"\n";
+  };
+  const double ball = 1e6 * 4 * std::numbers::pi / 3 * std::pow(0.03, 3);  // ml
+  const double whole = tissue(load(""));
+  CHECK(whole == doctest::Approx(960).epsilon(0.01));
+  std::vector<std::string> notes;
+  CHECK(whole - tissue(load(cavity("lumen.stl"), &notes)) == doctest::Approx(ball).epsilon(0.02));
+  REQUIRE_FALSE(notes.empty());
+  CHECK(notes[0].starts_with("lumen.stl: a cavity of 11"));
+  // Half of the ball lies outside, and no tissue comes into being there.
+  CHECK(whole - tissue(load(cavity("mouth.stl"))) == doctest::Approx(ball / 2).epsilon(0.03));
+  CHECK(whole - tissue(load(cavity("lumen.stl") + cavity("lumen.stl"))) ==
+        doctest::Approx(ball).epsilon(0.02));
+  CHECK(test::refuses([&] { load(cavity("elsewhere.stl")); }, "where the organ has no tissue"));
 }

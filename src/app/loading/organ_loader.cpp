@@ -34,6 +34,19 @@ std::string sentenceOf(QProcess& process) {
   return text.empty() ? "the file's reader ended without a word; try another file" : text;
 }
 
+void addParts(const std::string& part, QStringList& arguments) {
+  for (const std::string& name : partNames(part))
+    arguments << "--part=" + QString::fromStdString(name);
+}
+
+// Writes a .ply in the file's own numbers, so that a doubt about its size names its unit.
+QStringList convertArguments(const std::string& file, const std::string& part,
+                             const std::string& ply) {
+  QStringList arguments{"convert", QString::fromStdString(file), QString::fromStdString(ply)};
+  addParts(part, arguments);
+  return arguments;
+}
+
 bool isModelFile(const OrganSource& source) {
   return !isBuiltIn(source) && !isParticleFile(source.file);
 }
@@ -198,11 +211,7 @@ void OrganLoader::readNext() {
                                          .arg(QCoreApplication::applicationPid())
                                          .arg(++files_))
                            .toStdString());
-  // In the file's own numbers, so that a doubt about its size names its unit.
-  QStringList arguments{"convert", QString::fromStdString(*model.file),
-                        QString::fromStdString(converted_.back())};
-  for (const std::string& name : partNames(*model.part))
-    arguments << "--part=" + QString::fromStdString(name);
+  QStringList arguments = convertArguments(*model.file, *model.part, converted_.back());
   if (model.repair) arguments << "--repair";
   reader_ = std::make_unique<QProcess>();
   reader_->start(QCoreApplication::applicationFilePath(), arguments);
@@ -253,8 +262,8 @@ void FileExaminer::cancel() {
   process_.reset();
 }
 
-void FileExaminer::examine(
-    const std::string& file, const std::string& part, const std::string& slices,
+void FileExaminer::start(
+    const QStringList& arguments,
     const std::function<void(const std::string& json, const std::string& problem)>& done) {
   cancel();
   process_ = std::make_unique<QProcess>();
@@ -266,11 +275,23 @@ void FileExaminer::examine(
                      else
                        done("", sentenceOf(*process));
                    });
-  QStringList arguments{"info", "--json", QString::fromStdString(file)};
-  for (const std::string& name : partNames(part))
-    arguments << "--part=" + QString::fromStdString(name);
-  if (!slices.empty()) arguments << "--slices=" + QString::fromStdString(slices);
   process->start(QCoreApplication::applicationFilePath(), arguments);
+}
+
+void FileExaminer::examine(
+    const std::string& file, const std::string& part, const std::string& slices,
+    const std::function<void(const std::string& json, const std::string& problem)>& done) {
+  QStringList arguments{"info", "--json", QString::fromStdString(file)};
+  addParts(part, arguments);
+  if (!slices.empty()) arguments << "--slices=" + QString::fromStdString(slices);
+  start(arguments, done);
+}
+
+void FileExaminer::writeSurface(const std::string& file, const std::string& part,
+                                const std::string& ply,
+                                const std::function<void(const std::string& problem)>& done) {
+  start(convertArguments(file, part, ply),
+        [done](const std::string&, const std::string& problem) { done(problem); });
 }
 
 }  // namespace resect

@@ -78,8 +78,9 @@ class OrganLoader {
   QTimer timer_;
 };
 
-// Examines a file: runs `resect info` on it, or on one of its parts, in a separate process. `done`
-// gets the JSON that the process prints, and an empty `problem`. On failure it gets an empty
+// Examines a file in a separate process, one at a time: a new call ends the one before, whose
+// `done` is then not called. examine() runs `resect info` on the file, or on one of its parts.
+// `done` gets the JSON that the process prints, and an empty `problem`. On failure it gets an empty
 // `json`, and the sentence of the error as `problem`. slices: where a picture of a label image's
 // slices is to be written; "": nowhere.
 class FileExaminer {
@@ -88,9 +89,16 @@ class FileExaminer {
   void examine(
       const std::string& file, const std::string& part, const std::string& slices,
       const std::function<void(const std::string& json, const std::string& problem)>& done);
+  // Writes the surface of the file, or of its parts, to `ply`, by `resect convert`. `done`
+  // gets an empty `problem`, or the sentence of the error.
+  void writeSurface(const std::string& file, const std::string& part, const std::string& ply,
+                    const std::function<void(const std::string& problem)>& done);
   void cancel();
 
  private:
+  void start(const QStringList& arguments,
+             const std::function<void(const std::string& json, const std::string& problem)>& done);
+
   std::unique_ptr<QProcess> process_;
 };
 

@@ -7,11 +7,13 @@
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
 #include <QPixmap>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
 #include <QTimer>
@@ -21,10 +23,14 @@
 
 #include "app/say.h"
 #include "app/widgets/parts_table.h"
+#include "app/widgets/surface_view.h"
+#include "base/error.h"
 #include "formats/labels/brought_organ.h"
 #include "inventor/scene/scene_file.h"
 #include "io/organ_size.h"
+#include "io/plain_mesh.h"
 #include "io/scenario/length.h"
+#include "io/scenario/orientation.h"
 
 namespace resect {
 namespace {
@@ -46,6 +52,12 @@ QString reportOf(const QJsonObject& info) {
   return text;
 }
 
+// What keeps a part from having a volume; "" if nothing does.
+std::string openText(int boundaryEdges) {
+  if (boundaryEdges == 0) return "";
+  return fmt::format("open, {} edge{}", boundaryEdges, boundaryEdges == 1 ? "" : "s");
+}
+
 // What was taken from a label image: the notes about it.
 QString aboutImage(const QJsonObject& info) {
   QString text = info["format"].toString();
@@ -60,20 +72,35 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
                                  QWidget* parent)
     : QDialog(parent), file_(file), before_(before) {
   setWindowTitle("Open organ");
-  setMinimumWidth(460);
-  auto* form = form_ = new QFormLayout(this);
+  auto* columns = new QHBoxLayout(this);
+  auto* form = form_ = new QFormLayout;
+  auto* left = new QVBoxLayout;
+  left->addLayout(form);
+  left->addStretch();
+  columns->addLayout(left, 1);
+  auto* pictures = new QVBoxLayout;
+  columns->addLayout(pictures);
+  surface_ = new SurfaceView;
+  pictures->addWidget(surface_, 0, Qt::AlignHCenter);
   form->addRow(
       new QLabel("<b>" + shownInHtml(std::filesystem::path(file).filename().string()) + "</b>"));
   report_ = new QLabel("Reading ...");
   report_->setTextFormat(Qt::PlainText);
   report_->setWordWrap(true);
+  report_->setMinimumWidth(440);
   form->addRow(report_);
   slices_ = new QLabel;
   slices_->setToolTip(
       "From below, from the front and from the left; the patient's right is on the left");
   slices_->setAlignment(Qt::AlignCenter);
   slices_->hide();
-  form->addRow(slices_);
+  pictures->addWidget(slices_);
+  pictures->addStretch();
+  busy_ = new QProgressBar;
+  busy_->setRange(0, 0);
+  busy_->setTextVisible(false);
+  busy_->setFixedHeight(6);
+  form->addRow(busy_);
   unit_ = new QComboBox;
   const std::pair<const char*, double> units[] = {{"metre", 1},
                                                   {"centimetre", 0.01},
@@ -114,6 +141,7 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, [this] {
     examiner_.cancel();
+    surfaceReader_.cancel();
     reject();
   });
   connect(unit_, &QComboBox::currentIndexChanged, this, [this] { unitChanged(); });
@@ -128,16 +156,43 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
 // Examines the file or its chosen part.
 void OpenOrganDialog::examine() {
   open_->setEnabled(false);
+  busy_->setRange(0, 0);
   const bool image = isLabelled(file_) && slices_->isHidden();
   const QString picture = image && folder_.isValid() ? folder_.filePath("slices.png") : "";
   examiner_.examine(file_, chosenPart(), picture.toStdString(),
                     [this](const std::string& json, const std::string& problem) {
                       // A finished process must not be replaced from its own signal.
                       if (!show(json, problem))
-                        QTimer::singleShot(0, this, [this] { examine(); });
-                      else if (examined)
-                        examined(report_->text().toStdString());
+                        return QTimer::singleShot(0, this, [this] { examine(); });
+                      busy_->setRange(0, 1);
+                      if (problem.empty()) readSurface();
+                      if (examined) examined(report_->text().toStdString());
                     });
+}
+
+// The surface of what is opened, for its picture.
+void OpenOrganDialog::readSurface() {
+  const std::string part = chosenPart();
+  if (surfacePart_ == part || !folder_.isValid() || (hasRoles() && !roles_->hasOrgan())) return;
+  surfacePart_ = part;
+  busy_->setRange(0, 0);
+  const std::string ply = folder_.filePath("surface.ply").toStdString();
+  surfaceReader_.writeSurface(file_, part, ply, [this, ply](const std::string& problem) {
+    busy_->setRange(0, 1);
+    if (problem.empty()) showSurface(ply);
+  });
+}
+
+// Without OpenGL there is no picture, and the organ can be opened all the same.
+void OpenOrganDialog::showSurface(const std::string& ply) {
+  try {
+    const TriangleMesh mesh = merged(readPlainMesh(ply));
+    const Pose upright{Vec3::Zero(),
+                       isImage_ ? orientationOf("LPS") : Eigen::Quaterniond::Identity()};
+    surface_->setSurface(transformed(mesh, upright));
+    if (surfaceShown) surfaceShown();
+  } catch (const Error&) {
+  }
 }
 
 // Shows text and enlarges the dialog for it.
@@ -158,6 +213,11 @@ void OpenOrganDialog::unitChanged() {
                      .arg(area_ * metres * metres * 1e4, 0, 'g', 4);
   if (volume_ > 0) size += QString(", %1 ml").arg(volume_ * std::pow(metres, 3) * 1e6, 0, 'g', 5);
   size_->setText(size);
+  // An open part has none.
+  for (std::size_t i = 0; roles_->filled() && i < partVolumes_.size(); ++i)
+    if (partVolumes_[i] > 0)
+      roles_->setAbout(int(i),
+                       QString("%1 ml").arg(partVolumes_[i] * std::pow(metres, 3), 0, 'g', 4));
 }
 
 // False if the result changes the choice of part, so that another examination follows.
@@ -207,31 +267,31 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
 void OpenOrganDialog::showSlices() {
   const QPixmap picture(folder_.filePath("slices.png"));
   if (picture.isNull() || !slices_->isHidden()) return;
-  constexpr int kWidth = 480;
+  constexpr int kWidth = 450;
   slices_->setPixmap(picture.scaledToWidth(kWidth, Qt::SmoothTransformation));
-  setMinimumWidth(kWidth + 40);
   slices_->show();
 }
 
 // A table of the parts of a model or the labels of an image, if there are several.
 void OpenOrganDialog::listRoles(const QJsonObject& info) {
   std::vector<FilePart> parts;
-  const auto size = [](const QJsonValue& ml) {
-    return ml.isNull() ? std::string("open") : fmt::format("{:.4g} ml", ml.toDouble());
-  };
+  partVolumes_.clear();
   for (const QJsonValue label : info["labels"].toArray()) {
     const std::string value = std::to_string(qint64(label["value"].toDouble()));
     const std::string name = label["name"].toString().toStdString();
-    parts.push_back({value, name.empty() ? "label " + value : name, size(label["volume_ml"])});
+    parts.push_back({value, name.empty() ? "label " + value : name,
+                     fmt::format("{:.4g} ml", label["volume_ml"].toDouble())});
   }
   if (isImage_) {  // whose numbers are metres, and whose surfaces are closed
     unit_->setEnabled(false);
     repair_->setEnabled(false);
     form_->setRowVisible(part_, false);
   } else {
-    for (const QJsonValue part : info["part_health"].toArray())
+    for (const QJsonValue part : info["part_health"].toArray()) {
+      partVolumes_.push_back(part["volume_ml"].toDouble());
       parts.push_back({part["name"].toString().toStdString(), part["name"].toString().toStdString(),
-                       size(part["volume_ml"])});
+                       openText(part["boundary_edges"].toInt())});
+    }
   }
   if (parts.size() < 2) return;
   roles_->fill(parts, isImage_);

@@ -5,6 +5,7 @@
 #include <QDialog>
 #include <QTemporaryDir>
 #include <functional>
+#include <optional>
 
 #include "app/loading/organ_loader.h"
 #include "operation/scenario.h"
@@ -16,11 +17,13 @@ class QFormLayout;
 class QJsonArray;
 class QJsonObject;
 class QLabel;
+class QProgressBar;
 class QPushButton;
 
 namespace resect {
 
 class PartsTable;
+class SurfaceView;
 
 class OpenOrganDialog : public QDialog {
  public:
@@ -37,6 +40,8 @@ class OpenOrganDialog : public QDialog {
   // Called after the file, or the chosen part, was examined. Gets the sentence that the dialog
   // shows about it: a report or an error.
   std::function<void(const std::string&)> examined;
+  // Called when the surface of what is opened turns in the dialog.
+  std::function<void()> surfaceShown;
 
  private:
   bool show(const std::string& json, const std::string& problem);
@@ -49,11 +54,16 @@ class OpenOrganDialog : public QDialog {
   bool hasRoles() const;           // the table of roles is to be followed
   std::string chosenPart() const;  // as OrganSource::part
   void showSlices();
+  void readSurface();
+  void showSurface(const std::string& ply);
 
   std::string file_;
   OrganSource before_;
-  FileExaminer examiner_;
-  QTemporaryDir folder_;  // for the picture of slices
+  FileExaminer examiner_, surfaceReader_;
+  QTemporaryDir folder_;                    // for the picture of slices and the surface
+  std::optional<std::string> surfacePart_;  // whose surface is shown, or read now
+  SurfaceView* surface_;
+  QProgressBar* busy_;
   QLabel *report_, *slices_, *size_;
   QFormLayout* form_;
   QComboBox *unit_, *part_;
@@ -61,10 +71,11 @@ class OpenOrganDialog : public QDialog {
   QCheckBox* repair_;
   QDoubleSpinBox* spacing_;
   QPushButton* open_;
-  double longest_ = 0;            // longest side of the bounding box, in units of the file
-  double area_ = 0, volume_ = 0;  // in units squared and units cubed; volume 0: open surface
-  bool unitChosen_ = false;       // the user has chosen a unit
-  bool isImage_ = false;          // a label image
+  double longest_ = 0;               // longest side of the bounding box, in units of the file
+  double area_ = 0, volume_ = 0;     // in units squared and units cubed; volume 0: open surface
+  std::vector<double> partVolumes_;  // of a model's parts, ml if one unit is 1 m; 0: open
+  bool unitChosen_ = false;          // the user has chosen a unit
+  bool isImage_ = false;             // a label image
 };
 
 }  // namespace resect

@@ -29,7 +29,9 @@ PartsTable::PartsTable(QWidget* parent) : QTableWidget(parent) {
   horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
   horizontalHeader()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
-  setToolTip("Vessels bleed when they are cut; tumours and cysts are tissue of their own");
+  setToolTip(
+      "Vessels bleed when they are cut; tumours and cysts are tissue of their own; a cavity holds "
+      "no tissue");
 }
 
 void PartsTable::fill(const std::vector<FilePart>& parts, bool image) {
@@ -43,7 +45,7 @@ void PartsTable::fill(const std::vector<FilePart>& parts, bool image) {
     setItem(row, 1, new QTableWidgetItem(QString::fromStdString(part.about)));
     auto* role = new QComboBox;
     role->addItem("left out", kLeftOut);
-    role->addItem("the organ", kOrgan);
+    role->addItem("the organ's surface", kOrgan);
     for (int k = int(StructureKind::Tumour); k < kStructureKinds; ++k) {
       const std::string word(wordOf(StructureKind(k)));
       role->addItem(QString::fromStdString(word).replace('-', ' '), 1 + k);

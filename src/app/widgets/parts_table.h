@@ -14,7 +14,7 @@ namespace resect {
 struct FilePart {
   std::string part;   // as OrganSource::part names it
   std::string name;   // for people
-  std::string about;  // "1378 ml", "open"
+  std::string about;  // "1378 ml", "open, 12 edges"
 };
 
 class PartsTable : public QTableWidget {
@@ -24,6 +24,7 @@ class PartsTable : public QTableWidget {
   // Roles are proposed by the names. If no name tells an organ, all parts of a model are the organ,
   // as one body, and no label of an image is.
   void fill(const std::vector<FilePart>& parts, bool image);
+  void setAbout(int row, const QString& about) { item(row, 1)->setText(about); }
   bool filled() const { return !parts_.empty(); }
 
   bool hasOrgan() const;  // whether a part is the organ

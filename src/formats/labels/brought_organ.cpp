@@ -75,9 +75,10 @@ std::vector<std::string> imagesIn(const std::string& folder) {
   return files;
 }
 
-// Whether a structure is part of an organ with vessels.
+// Whether a structure lies in an organ.
 bool isWithin(StructureKind kind) {
-  return kind == StructureKind::Tumour || kind == StructureKind::Cyst || vesselKind(kind);
+  return kind == StructureKind::Tumour || kind == StructureKind::Cyst ||
+         kind == StructureKind::Cavity || vesselKind(kind);
 }
 
 constexpr std::size_t kFew = 4;  // names, in a note
@@ -175,8 +176,10 @@ void take(OrganSource& source, const Found& organ, const std::vector<Found>& all
       left.push_back(one.name);
       continue;
     }
+    const std::size_t before = source.structures.size();
     addStructure(source, *one.kind, one.name, one.file == organ.file ? "" : one.file, one.part);
-    source.structures.back().unit = isImageFile(one.file) ? 1 : unit;
+    if (source.structures.size() > before)
+      source.structures.back().unit = isImageFile(one.file) ? 1 : unit;
     within += fmt::format("{}{} ({})", within.empty() ? "" : ", ", inWords(one), wordOf(*one.kind));
   }
   source.notes.push_back(fmt::format("{}: the organ is {}{}{}", organ.file, inWords(organ),
@@ -234,11 +237,14 @@ void takeFiles(OrganSource& source, const std::vector<std::string>& files) {
 
 void addStructure(OrganSource& source, StructureKind kind, const std::string& name,
                   const std::string& file, const std::string& part) {
+  // What an image labels otherwise is none of the organ's tissue.
+  if (kind == StructureKind::Cavity && file.empty() && isImageFile(source.file)) return;
   int label = 0;
   for (const OrganLabel& one : source.labels) label = std::max(label, one.label);
   for (const BroughtStructure& one : source.structures) label = std::max(label, one.label);
   require(label < 255, "there are more than 255 structures; leave some out");
   const bool vessel = vesselKind(kind).has_value();
+  const bool labelled = !vessel && kind != StructureKind::Cavity;
   if (file.empty() && isImageFile(source.file)) {
     require(!source.part.empty(),
             "{}: \"{}\" is a label of the image; name the organ's too, by --part", source.file,
@@ -246,7 +252,7 @@ void addStructure(OrganSource& source, StructureKind kind, const std::string& na
     source.part += "\n" + (vessel ? std::string(kWithin) + part : part);
   }
   source.structures.push_back(
-      {kind, vessel ? 0 : label + 1, name, file.empty() ? source.file : file, part, source.unit});
+      {kind, labelled ? label + 1 : 0, name, file.empty() ? source.file : file, part, source.unit});
 }
 
 std::vector<CellsInput> inputsOf(const OrganSource& source) {

@@ -33,8 +33,9 @@ void takeFiles(OrganSource& source, const std::vector<std::string>& files);
 
 // Adds a structure that lies in the organ: a file, or with `file` empty a part of the organ's own
 // file. Of an image, the structure's label also becomes part of the organ's body, since no voxel
-// has two labels; source.part must then name the organ's. name: of the structure. Throws a usage
-// Error if it does not, or if there are more than 255 structures.
+// has two labels; source.part must then name the organ's. A cavity that is a label of the organ's
+// own image adds nothing, since its voxels are not the organ's anyway. name: of the structure.
+// Throws a usage Error if it does not, or if there are more than 255 structures.
 void addStructure(OrganSource& source, StructureKind kind, const std::string& name,
                   const std::string& file, const std::string& part);
 

@@ -26,6 +26,8 @@ Colour colourOf(const std::string& name, std::size_t number) {
         return {150, 200, 210};
       case StructureKind::Gallbladder:
         return {110, 150, 70};
+      case StructureKind::Cavity:
+        return {60, 66, 78};
       case StructureKind::PortalVein:
         return {150, 110, 200};
       case StructureKind::HepaticVein:

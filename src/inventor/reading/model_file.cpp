@@ -13,6 +13,7 @@
 #include "formats/meshes/off_file.h"
 #include "formats/meshes/ply_file.h"
 #include "formats/meshes/stl_file.h"
+#include "formats/meshes/three_mf_file.h"
 #include "formats/meshes/vtk_file.h"
 #include "formats/meshes/word_reader.h"
 #include "formats/model_kind.h"
@@ -64,6 +65,8 @@ Model readHere(const fs::path& path, const ForeignFile& file, const std::string&
       return readPlyFile(name, bytes);
     case ModelKind::Off:
       return readOffFile(name, bytes);
+    case ModelKind::ThreeMf:
+      return readThreeMfFile(name, bytes);
     default:
       return readGltfFile(name, bytes, file.beside);
   }

@@ -39,10 +39,10 @@ std::string freeName(const OrganSource& organ, std::string_view word) {
 }
 
 void addStructure(const TomlTable& t, StructureKind kind, OrganSource& organ) {
-  const bool vessel = vesselKind(kind).has_value();
-  const int label = vessel ? 0 : freeLabel(t, organ);
-  const std::string name = vessel ? "" : freeName(organ, wordOf(kind));
-  if (vessel || t.has("file")) {
+  const bool labelled = !vesselKind(kind) && kind != StructureKind::Cavity;
+  const int label = labelled ? freeLabel(t, organ) : 0;
+  const std::string name = labelled ? freeName(organ, wordOf(kind)) : "";
+  if (!labelled || t.has("file")) {
     BroughtStructure one{kind, label, name, t.text("file"), "", organ.unit};
     one.part = partLines(t.isList("part") ? t.texts("part") : partNames(t.text("part", "")));
     if (t.has("unit")) one.unit = parseUnit(t.text("unit"), "unit");

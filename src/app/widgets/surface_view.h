@@ -1,0 +1,51 @@
+// A small picture of a closed or open surface that turns about the vertical, so that a person sees
+// what a file holds before it becomes an organ. The mouse turns it, too.
+#pragma once
+
+#include <Inventor/nodes/SoRotation.h>
+#include <Inventor/nodes/SoSeparator.h>
+
+#include <QElapsedTimer>
+#include <QPoint>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "geometry/triangle_mesh.h"
+#include "inventor/picture/offscreen_view.h"
+
+namespace resect {
+
+class SurfaceView : public QWidget {
+ public:
+  static constexpr int kSide = 300;  // pixels
+
+  explicit SurfaceView(QWidget* parent = nullptr);
+  ~SurfaceView() override;
+
+  // mesh: +Y is up in the picture, +Z towards the viewer. Coordinates in any unit. Throws Error if
+  // OpenGL is missing.
+  void setSurface(const TriangleMesh& mesh);
+  int turned() const { return turned_; }  // number of pictures drawn, for tests
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+
+ private:
+  void turn();
+  void draw();
+
+  std::unique_ptr<OffscreenView> view_;
+  SoSeparator* root_ = nullptr;
+  SoRotation *about_ = nullptr, *tilt_ = nullptr;
+  QImage picture_;
+  QTimer timer_;
+  QElapsedTimer clock_;
+  QPoint grabbed_;
+  double angle_ = 0, slope_ = 0;  // rad
+  int turned_ = 0;
+};
+
+}  // namespace resect
