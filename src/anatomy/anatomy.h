@@ -1,8 +1,8 @@
-// The anatomy inside an organ: its vessels, as trees of straight segments in the tissue at rest.
+// The anatomy of an organ: its vessels, as trees of straight segments in rest space.
 //
-// Vessels are far thinner than cells, so cells do not hold them: a segment has its place and its
-// radius to the micrometre, whatever the lattice. The order is such that a segment comes after the
-// one that feeds it, and that segments of one kind stand together.
+// Vessels are far thinner than cells, so cells cannot represent them. A segment has its own
+// position and radius, to the micrometre, whatever the lattice. Segments of one kind are stored
+// together, and each segment comes after its parent.
 #pragma once
 
 #include <array>
@@ -18,17 +18,17 @@ namespace resect {
 enum class VesselKind : std::uint8_t { PortalVein, HepaticVein, HepaticArtery, BileDuct };
 inline constexpr int kVesselKinds = 4;
 
-// Words for the kinds: in files ("portal-vein"), and for people ("portal vein").
+// Names of the kinds: wordOf() for files ("portal-vein"), nameOf() for people ("portal vein").
 std::string_view wordOf(VesselKind kind);
 std::string_view nameOf(VesselKind kind);
 
 struct VesselSegment {
   VesselKind kind = VesselKind::PortalVein;
-  std::int32_t parent = -1;   // segment at whose end this one begins; -1: it begins at the root
-  Vec3 start = Vec3::Zero();  // towards the root, m
+  std::int32_t parent = -1;   // segment at whose end this one begins; -1: root of a tree
+  Vec3 start = Vec3::Zero();  // end on the side of the root, rest space, m
   Vec3 end = Vec3::Zero();    // m
   double radius = 0;          // of the lumen, m
-  bool leaf = false;          // it ends among the sinusoids
+  bool leaf = false;          // whether it ends among the sinusoids; also called a terminal
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -40,7 +40,7 @@ struct VesselSegment {
   Vec3 at(double share) const { return start + share * (end - start); }  // share: 0 to 1
 };
 
-// Range of the segments of a kind.
+// The consecutive segments of one kind: their first index and their number.
 struct VesselRange {
   std::int32_t first = 0, count = 0;
 };
@@ -53,19 +53,20 @@ struct Anatomy {
   VesselRange range(VesselKind kind) const { return ranges[std::size_t(kind)]; }
 };
 
-// Finds the ranges of the kinds. Throws Error unless segments of one kind stand together, each
-// parent comes before and has the same kind, and all numbers are finite with radius > 0.
+// Sets the ranges of the kinds. Throws Error unless segments of one kind are stored together, each
+// parent comes before its child and has the same kind, and all numbers are finite with radius > 0.
 Anatomy makeAnatomy(std::vector<VesselSegment> segments);
 
-// The same anatomy in another place.
+// The anatomy with every position transformed by the pose.
 Anatomy transformed(Anatomy anatomy, const Pose& pose);
 
-// The nearest places of the segments p-q and a-b, as shares of their lengths.
+// The points of the segments p-q and a-b that are nearest to each other, as fractions of the
+// lengths: first from p to q, second from a to b.
 struct NearestPlaces {
   double first = 0, second = 0;
 };
 NearestPlaces nearestPlaces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b);
-// Distance between these places, m.
+// Distance between these points, m.
 double segmentDistance(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b);
 
 }  // namespace resect

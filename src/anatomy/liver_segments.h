@@ -1,17 +1,21 @@
-// Couinaud's segments of a liver, and the names of its vessels, from its portal vein and hepatic
-// veins alone.
+// Couinaud's segments of a liver and the names of its vessels, found from its portal vein and
+// hepatic veins alone.
 //
-// Couinaud (1957) divides a liver by the portal vein's branches, and hepatic veins run between them
-// (terms: Strasberg et al. 2000, doi:10.1080/136518200750032032). Three territories of the portal
-// vein come first: the left liver is that of the leftmost main branch; of the right liver, the
-// posterior section (VI, VII) is that of its rightmost branch, the anterior section (V, VIII) the
-// rest. A place belongs to the territory of the branches that end nearest to it. The left liver is
-// parted by the plane of the left hepatic vein: IV, and II with III. A plane level with the portal
-// vein's fork parts VII from VI, VIII from V, and II from III. The caudate, I, lies round the way
-// from the fork to the vena cava, behind the fork.
+// Couinaud (1957) divides a liver into segments that branches of the portal vein supply, with
+// hepatic veins between them (terms: Strasberg et al. 2000, doi:10.1080/136518200750032032). First
+// the liver is divided into three territories, each supplied by branches of the portal vein. The
+// leftmost branch supplies the left liver. In the right liver, the rightmost branch supplies the
+// posterior section (VI, VII), the other branches the anterior section (V, VIII). A point belongs
+// to the territory to which most of the branch ends near it belong. The plane of the left hepatic
+// vein divides the left liver into IV and II with III. Planes at the height of the portal vein's
+// fork divide VI from VII, V from VIII, and III from II; a plane is moved up or down until at least
+// 30 % of the terminals concerned lie on each side. The caudate, I, lies round the line from the
+// fork to the vena cava, behind that line.
 //
-// The axis of the vena cava leads from the portal vein's fork to where the hepatic veins meet.
-// Right is the side of the middle hepatic vein with more terminals of the portal vein. So a liver
+// The axis of the vena cava is the line from the portal vein's fork to the point where the hepatic
+// veins meet. The right is the side of the middle hepatic vein with more terminals of the portal
+// vein. So left and right are exchanged for a liver whose left half is the larger one, and for a
+// mirrored liver.
 // whose left half is the larger one gets its sides wrong; so does a mirrored one.
 #pragma once
 
@@ -33,16 +37,18 @@ std::string_view romanNumber(int segment);
 
 class LiverSegments {
  public:
-  // Nothing unless the portal vein has twenty terminals and the hepatic veins three main branches.
+  // Empty unless the portal vein has at least 20 terminals and the hepatic veins have three main
+  // branches.
   static std::optional<LiverSegments> find(const Anatomy& anatomy);
 
-  // 1 to 8: the segment in which a place of the tissue at rest lies.
+  // The number, 1 to 8, of the segment in which a point in rest space lies.
   int at(const Vec3& place) const;
-  // A vessel's name by what it supplies or drains, such as "right anterior portal vein" or "portal
-  // branch of segment VI". segment: index in the anatomy.
+  // The name of a vessel by what it supplies or drains, such as "right anterior portal vein" or
+  // "portal branch of segment VI". segment: index in the anatomy, of any piece of the vessel.
   std::string nameOf(const Anatomy& anatomy, std::int32_t segment) const;
-  // Bit s - 1: the vessel supplies or drains segment s; those that make less than a tenth of it are
-  // left out.
+  // Bit s - 1: the vessel supplies or drains Couinaud's segment s. It does so if more than a tenth
+  // of its terminals lie there, or if more than half of the segment's terminals are its own. The
+  // set is never larger than that of the vessel's parent.
   std::uint8_t territory(std::int32_t segment) const { return territory_[std::size_t(segment)]; }
 
  private:
@@ -57,13 +63,13 @@ class LiverSegments {
   void setLevels();
   void nameVessels(const Anatomy& anatomy);
   Section sectionAt(const Vec3& place) const;
-  double height(const Vec3& place) const { return (place - fork_).dot(up_); }  // over the fork, m
-  double angle(const Vec3& place) const;  // about the cava's axis, from the middle to the left, rad
+  double height(const Vec3& place) const { return (place - fork_).dot(up_); }  // above the fork, m
+  double angle(const Vec3& place) const;  // about the axis of the cava, rad, from ahead_ to left_
 
-  Vec3 fork_ = Vec3::Zero(), cava_ = Vec3::Zero();  // of the portal vein; where hepatic veins meet
-  Vec3 up_ = Vec3::Zero(), ahead_ = Vec3::Zero(), left_ = Vec3::Zero();  // unit
+  Vec3 fork_ = Vec3::Zero(), cava_ = Vec3::Zero();  // the fork; the hepatic veins' meeting point; m
+  Vec3 up_ = Vec3::Zero(), ahead_ = Vec3::Zero(), left_ = Vec3::Zero();  // unit; up_: cava's axis
   std::array<double, 3> veins_{};   // angles of the right, middle and left hepatic vein
-  std::array<double, 2> levels_{};  // heights that part VI from VII, V from VIII and II from III
+  std::array<double, 2> levels_{};  // heights, m, of the planes: [0] right liver, [1] left liver
   std::vector<Terminal> terminals_;
   std::vector<std::uint8_t> territory_;
   std::vector<std::int8_t> trunk_;  // of hepatic veins: 0 right, 1 middle, 2 left; else -1

@@ -1,5 +1,5 @@
-// Kinds of structures in and at an organ: one list of words for scenarios, parts of models and
-// label images.
+// The kinds of structures in and on an organ, with one name each. Scenarios, the parts of model
+// files and label images all use these names.
 #pragma once
 
 #include <optional>
@@ -23,17 +23,18 @@ enum class StructureKind {
 };
 inline constexpr int kStructureKinds = 9;
 
-// The word of a kind in files, such as "tumour" or "portal-vein"; vessels have those of VesselKind.
+// The name of a kind in files, such as "tumour" or "portal-vein"; vessels have the names of their
+// VesselKind.
 std::string_view wordOf(StructureKind kind);
-// All words, "parenchyma, tumour, ...", for messages.
+// All names, as "parenchyma, tumour, ...", for messages.
 std::string structureWords();
 
-// The kind that a name tells: it is, or begins with, the word of a kind or a usual word for it,
-// with any case, and blanks, "-" or "_" between words: "Tumour 2", "metastasis",
-// "portal_vein_left". Nothing if it tells none.
+// The kind that a name stands for: the name is, or begins with, the name of a kind or a usual
+// synonym of it. Case does not matter; words may be separated by spaces, "-" or "_". Examples:
+// "Tumour 2", "metastasis", "portal_vein_left". Empty if the name stands for no kind.
 std::optional<StructureKind> structureKind(std::string_view name);
 
-// Nothing if the kind is no vessel.
+// The kind of the vessel; empty if the structure is no vessel.
 std::optional<VesselKind> vesselKind(StructureKind kind);
 
 }  // namespace resect

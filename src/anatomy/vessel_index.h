@@ -1,4 +1,4 @@
-// Finds the vessel segments near a place.
+// Finds the vessel segments near a point.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,15 @@
 
 namespace resect {
 
-// A grid of bins over the segments' box; each bin lists the segments whose box, with their radius,
-// meets it.
+// A grid of bins over the bounding box of all segments. Each bin lists the segments whose bounding
+// box, enlarged by their radius, meets the bin.
 class VesselIndex {
  public:
   VesselIndex() = default;
   explicit VesselIndex(std::span<const VesselSegment> segments);
 
-  // The segments that may meet the box, ascending. `found` is overwritten; its memory is reused.
+  // The segments that may meet the box, ascending, each once. `found` is overwritten; its memory is
+  // reused.
   void near(const Aabb& box, std::vector<std::int32_t>& found) const;
   std::size_t bytes() const {
     return first_.capacity() * sizeof(std::int32_t) + listed_.capacity() * sizeof(std::int32_t);

@@ -1,5 +1,5 @@
-// An organ's anatomy with the index that finds its vessels by place. It never changes; copies of an
-// organ share it.
+// An organ's anatomy together with the index that finds vessels by position. A VesselMap never
+// changes after it was made, so copies of an organ share it.
 #pragma once
 
 #include <memory>
@@ -12,11 +12,12 @@
 namespace resect {
 
 struct VesselMap {
-  Anatomy anatomy;  // in the tissue at rest
+  Anatomy anatomy;  // in rest space
   VesselIndex index;
-  std::optional<LiverSegments> segments;  // Couinaud's, if the vessels tell them
+  std::optional<LiverSegments> segments;  // Couinaud's; empty if they cannot be found
 
-  // What a vessel is called, by its segment: "right portal vein", or its kind.
+  // The name of the vessel that a segment belongs to, such as "right portal vein". If Couinaud's
+  // segments are not known, it is the name of the kind.
   std::string nameOf(std::int32_t segment) const {
     if (segments) return segments->nameOf(anatomy, segment);
     return std::string(resect::nameOf(anatomy.segments[std::size_t(segment)].kind));

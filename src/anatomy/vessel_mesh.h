@@ -1,4 +1,4 @@
-// Vessels as tubes, to be looked at.
+// Vessels as meshes of tubes, to be drawn.
 #pragma once
 
 #include "anatomy/anatomy.h"
@@ -6,7 +6,8 @@
 
 namespace resect {
 
-// A closed prism of eight sides round each segment of the kind; prisms overlap where segments meet.
+// A closed prism with eight sides round each segment of the kind; prisms overlap where segments
+// meet.
 TriangleMesh vesselMesh(const Anatomy& anatomy, VesselKind kind);
 
 }  // namespace resect

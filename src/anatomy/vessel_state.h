@@ -1,8 +1,10 @@
-// What an operation does to vessels: cuts, clips and seals, and the functions that cut.
+// Changes to the vessels of an organ during an operation: cuts, clips and seals, and the functions
+// that make them.
 //
-// A vessel is cut as 19 filaments along its axis: one in the middle, six at half its radius and
-// twelve at 0.87 of it, each for the same area. So a cut may open a part of the wall only; a vessel
-// with more than nine tenths cut is severed, and has two open ends.
+// To compute cuts, a vessel is represented by 19 lines parallel to its axis, its filaments: one in
+// the middle, six at half its radius and twelve at 0.87 of it. Each stands for the same share of
+// the cross-section. So a cut may open only a part of the wall. A vessel with more than nine tenths
+// of its filaments cut is severed and has two open ends.
 #pragma once
 
 #include <bit>
@@ -17,20 +19,20 @@
 namespace resect {
 
 inline constexpr int kFilaments = 19;
-inline constexpr double kSevered = 0.9;  // open share from which a vessel is severed
+inline constexpr double kSevered = 0.9;  // share of cut filaments above which a vessel is severed
 
-// The ends of a severed vessel: towards the root, and away from it. A hole in the wall has the
-// first one only.
+// The two ends of a severed vessel: towards the root, and away from it. An injury that does not
+// sever the vessel is a hole in the wall and has only the first end.
 enum class VesselEnd : std::uint8_t { Root, Far };
 
 // A segment that was cut.
 struct VesselInjury {
   std::int32_t segment = -1;
   std::uint32_t cut = 0;    // bit f: filament f is cut
-  double from = 1, to = 0;  // shares of its length between which the wall is gone
-  std::uint8_t sealed = 0;  // bit 0: the end at the root, bit 1: the far end
+  double from = 1, to = 0;  // fractions of its length between which the wall is open
+  std::uint8_t sealed = 0;  // bit 0: the end towards the root; bit 1: the far end
   double flow[2] = {0, 0};  // out of the ends in the last frame, m^3/s
-  double bled = 0;          // since it was cut, m^3
+  double bled = 0;          // volume since it was cut, m^3
 
   double share() const { return double(std::popcount(cut)) / kFilaments; }
   bool severed() const { return share() > kSevered; }
@@ -43,10 +45,11 @@ struct VesselInjury {
   }
 };
 
-// A clip closes a segment at one place; so does heat that welds its walls together.
+// A clip, which closes a segment at one position. Heat that welds the vessel's walls together has
+// the same effect.
 struct VesselClip {
   std::int32_t segment = -1;
-  double share = 0;  // of the segment's length
+  double share = 0;  // fraction of the segment's length
   bool byHeat = false;
 
   template <class Visitor>
@@ -55,12 +58,12 @@ struct VesselClip {
   }
 };
 
-// A segment that ends in another part of the organ's tissue than the body.
+// A segment that lies in another part of the organ's tissue than the body.
 struct SegmentPart {
   std::int32_t segment = -1;
-  std::int32_t part = kCrumb;  // from 1 on: a piece
+  std::int32_t part = kCrumb;  // from 1 on: a piece; or kCrumb
 
-  static constexpr std::int32_t kCrumb = -1;  // the tissue there is gone, or no piece
+  static constexpr std::int32_t kCrumb = -1;  // debris, or no tissue is left there
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -71,13 +74,13 @@ struct SegmentPart {
 struct VesselState {
   std::vector<VesselInjury> injuries;  // ascending by segment
   std::vector<VesselClip> clips;       // ascending by segment and share
-  std::vector<std::int32_t> bared;     // segments of which tissue was taken away, ascending
+  std::vector<std::int32_t> bared;     // bare segments, ascending
   std::vector<SegmentPart> apart;      // ascending by segment
-  bool inflowClamped = false;          // portal vein and artery are closed before the organ
-  double clampedTime = 0;              // for which they were closed so far, s
+  bool inflowClamped = false;          // portal vein and artery are closed outside the organ
+  double clampedTime = 0;              // how long they have been closed in all, s
 
   const VesselInjury* injury(std::int32_t segment) const;
-  // Whether an end of an injured vessel is closed by a clip.
+  // Whether a clip closes an end of an injured vessel.
   bool clipped(const VesselInjury& injury, VesselEnd end) const;
   bool clipped(std::int32_t segment) const;
   void addClip(const VesselClip& clip);
@@ -89,35 +92,38 @@ struct VesselState {
   }
 };
 
-// Where a filament (0 to kFilaments - 1) of a segment begins and ends.
+// Start and end of a filament (0 to kFilaments - 1) of a segment, rest space, m.
 struct Filament {
   Vec3 start, end;
 };
 Filament filamentOf(const VesselSegment& segment, int filament);
 
-// Each of these cuts what it meets, and appends the segments of which it cut a filament. The place
-// of blade, box or face is that of the tissue at rest. Cost: the segments near it.
+// The next three functions cut the filaments that a blade, a box or a face crosses (rest space, m).
+// They append the segments of which they cut a filament for the first time to `cut`. Cost:
+// proportional to the number of segments near.
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& blade,
                 VesselState& state, std::vector<std::int32_t>& cut);
-// Vessels thinner than `spared`, m of radius, are cut where they run in the box; the others are
-// bared there.
+// Cuts the vessels with a radius below `spared`, m, where they run in the box. The others become
+// bare there.
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box, double spared,
                 VesselState& state, std::vector<std::int32_t>& cut);
 
-// A face along which tissue tore: cuts vessels thinner than `spared`, m of radius, that cross it;
-// the others are bared there.
+// face: along which tissue tore. Cuts the vessels with a radius below `spared`, m, that cross it.
+// The others become bare there.
 void tearVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& face,
                  double spared, VesselState& state, std::vector<std::int32_t>& cut);
 
-// Cuts through a segment at a share of its length.
+// Cuts all filaments of a segment at a fraction `share` of its length.
 void divideVessel(std::int32_t segment, double share, VesselState& state,
                   std::vector<std::int32_t>& cut);
 
-// Radius of the widest vessel that heat seals, m: bipolar sealing is approved for up to 7 mm.
+// Radius of the widest vessel that heat seals, m: bipolar sealing devices are approved for vessels
+// of up to 7 mm diameter.
 inline constexpr double kWidestSealed = 0.0035;
 
-// Closes vessels where tissue is coagulated all round their lumen: ends that are open, and whole
-// vessels in a box at rest. coagulated: the share, 0 to 1, at a place at rest.
+// Seals vessels where tissue is coagulated all round their lumen: open ends of injuries anywhere,
+// and places along the uninjured vessels in a box in rest space. coagulated: the coagulated share,
+// 0 to 1, of the tissue at a point in rest space.
 void sealVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box,
                  const std::function<double(const Vec3&)>& coagulated, VesselState& state);
 

@@ -42,10 +42,10 @@ class Viewer;
 
 // A place that a teacher has marked on the organ.
 struct MadeMark {
-  Vec3 rest, seen;                    // of the organ at rest; in the world, m
+  Vec3 rest, seen;                    // in rest space, m; in the world, m
   Vec3 normal;                        // of the surface there, unit
-  std::optional<VesselPlace> vessel;  // that is to be divided there
-  Vec3 view = Vec3::UnitZ();          // direction of the camera then, unit
+  std::optional<VesselPlace> vessel;  // the vessel to be divided there
+  Vec3 view = Vec3::UnitZ();          // camera's direction when it was marked, unit
 };
 
 // A teacher's own attempt at the exercise that is being made.
@@ -61,7 +61,7 @@ class MainWindow : public QMainWindow {
 
   bool load(const Scenario& scenario);  // false: the user keeps the present operation
   // Shows a sentence over the picture until the user clicks it, another sentence replaces it, or
-  // holds() is false. Without holds(): until the user has gone on for some seconds.
+  // holds() is false. Without holds(), it disappears 8 s after the user's next input elsewhere.
   void complain(const std::string& sentence, std::function<bool()> holds = {});
   // Plays the scenario's motions up to the scenario time `until`, s. Begins where the last call
   // ended, or at the start of the motions if they are over or were stopped.
@@ -92,7 +92,7 @@ class MainWindow : public QMainWindow {
   void followPanels(const LiveState& state, qint64 now);
   bool begin(OrganLoader::Result result);  // false: it cannot be shown; the user was told
   std::shared_ptr<Recorder> record(const OrganLoader::Result& result);
-  // anew: the operation starts again from its beginning, without what was done.
+  // anew: the operation starts again from its beginning, and the recorded work is not repeated.
   void openOperation(const QString& file, bool anew = false);
   // Whether the operation may be discarded: nothing would be lost, or the user agrees.
   bool mayEnd();
@@ -145,7 +145,8 @@ class MainWindow : public QMainWindow {
   void openPage(const std::filesystem::path& page);
   std::filesystem::path attemptsFolder() const;
   std::string learner() const;
-  // Whether an exercise goes on; and whether it forbids to go back, which is then said.
+  // Whether an exercise is in progress; and whether it forbids going back to an earlier moment. If
+  // it does, refusesGoingBack() tells the user.
   bool exercising() const { return attempt_ && !attemptEnded_; }
   bool refusesGoingBack();
   void endExerciseUnscored();
@@ -161,7 +162,7 @@ class MainWindow : public QMainWindow {
   void saveMade();
   void keepTry(const AttemptResult& result);
   void forgetTries();
-  bool isDraft() const;  // the exercise on the screen is one that is being made
+  bool isDraft() const;  // whether the exercise on the screen is still being made
   void reportPlaces();
   void reportButtons(const QWidget* in);
   void reportCutText();
@@ -192,7 +193,7 @@ class MainWindow : public QMainWindow {
   HintBar* hint_;
   OperationPanel* operation_;
   QList<QDockWidget*> traineePanels_, laboratoryPanels_;
-  std::optional<bool> laboratoryChosen_;  // whether the user wants it; none: not chosen yet
+  std::optional<bool> laboratoryChosen_;  // whether the user wants the laboratory; none: not chosen
   QMenu* instrumentMenu_;
   std::vector<QAction*> instrumentActions_;
   InstrumentsPanel* instruments_;
@@ -207,24 +208,24 @@ class MainWindow : public QMainWindow {
   AttemptScorer scorer_;
   TaskMakerPanel* maker_;
   QDockWidget* makerDock_;
-  Scenario made_;  // of which an exercise is made
+  Scenario made_;  // scenario from which an exercise is made
   std::vector<MadeMark> madeMarks_;
   std::vector<MadeTry> madeTries_;
   bool marking_ = false;                  // the next click marks a place
-  std::shared_ptr<LiveAttempt> attempt_;  // at the exercise that was begun last; null: none
+  std::shared_ptr<LiveAttempt> attempt_;  // at the exercise begun last; null: none
   bool attemptEnded_ = false;
-  bool waitsForHand_ = false;  // an exercise: its time starts when an instrument is taken
-  // Clips on vessels, and what bled, before the clip applier was closed.
+  bool waitsForHand_ = false;  // an exercise's time starts when an instrument is taken
+  // Number of clips on vessels, and the bleeding ends, before the clip applier was closed.
   int clipsBefore_ = 0;
   std::vector<BleedingEnd> endsBefore_;
   bool clipperClosed_ = false;
   int clipperHeld_ = -1;
-  double jawsOpen_ = 0;     // time when the jaws of the instrument in hand were open last, s
-  double clipPlaced_ = -1;  // time of a clip whose effect is to be told, s; -1: none
-  bool asTest_ = false, startedAsTest_ = false;  // of this exercise; of the one being loaded
+  double jawsOpen_ = 0;     // last time when the jaws of the instrument in hand were open, s
+  double clipPlaced_ = -1;  // time of a clip whose effect is still to be reported, s; -1: none
+  bool asTest_ = false, startedAsTest_ = false;  // for this exercise; for the one being loaded
   std::filesystem::path page_;                   // report of the last attempt
-  std::int64_t attemptBranch_ = 0;               // on which it ended
-  std::int64_t replayUntil_ = -1;                // frame where a replay stops; -1: none is played
+  std::int64_t attemptBranch_ = 0;               // branch on which that attempt ended
+  std::int64_t replayUntil_ = -1;                // frame where the replay stops; -1: no replay runs
   std::unique_ptr<VideoWriter> video_;
   QSize videoSize_;
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // times, ms since 1970
@@ -236,7 +237,7 @@ class MainWindow : public QMainWindow {
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
   std::vector<std::uint8_t> leftSaid_;  // per tool, as ToolHandling::left()
   std::string script_, faultSaid_, recorderSaid_;
-  qint64 faultSeen_ = 0;       // when the operation had a fault last, ms since 1970
+  qint64 faultSeen_ = 0;       // last time the operation had a fault, ms since 1970
   std::string operationFile_;  // file where the user saved the operation; empty: none yet
   std::string madeFrom_;       // recording that the operation was opened from; empty: none
   static constexpr std::size_t kNoTarget = ~std::size_t(0);

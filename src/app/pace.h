@@ -1,8 +1,8 @@
 // Measures how many pictures are shown per second, and how soon a picture shows the effect of an
 // input or of a removal of tissue.
 //
-// The latency of an input counts from the display server's time stamp of that input. So it includes
-// the time for which the input waited in queues.
+// The latency of an input is counted from the display server's time stamp of that input. So the
+// latency includes the time for which the input waited in queues.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,9 @@ double steadySecondsOf(std::uint64_t stamp);
 class Pace {
  public:
   void inputCame(double at);
-  // The drawing of a picture begins. The picture includes all inputs that came before this call.
-  // looked: when the changes in it were taken from the operation. lastRemoval: time of the newest
-  // removal in it.
+  // To be called when the drawing of a picture begins. The picture shows all inputs that came
+  // before this call. looked: when the changes in the picture were taken from the operation.
+  // lastRemoval: time of the newest removal of tissue in the picture.
   void pictureBegins(double looked, double lastRemoval);
   void pictureIsDrawn();
   void pictureShown();
@@ -38,7 +38,8 @@ class Pace {
     // Inputs whose effect was shown, and how many of these were shown by the third picture or
     // later.
     int inputs = 0, late = 0;
-    // Largest number of pictures begun after a removal, up to and including the one that shows it.
+    // Largest number of pictures begun after a removal of tissue, up to and including the one that
+    // shows the removal.
     int removal = 0;
   };
   // Gives the figures of the last second: at most once a second, and only if a picture was shown.

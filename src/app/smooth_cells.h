@@ -5,9 +5,11 @@
 
 namespace resect {
 
-// Side of the cells, mm, with which an operation would keep real time; 0 if it does already.
-// frameRate: simulated frames per second. cell: present side of the cells, m. The work grows with
-// the number of cells and with the number of time steps, so with the fourth power of 1 / side.
+// Side of the cells, mm, with which an operation would keep real time. 0 if the operation already
+// keeps it, if its tissue is still, if an earlier moment is shown, or if more than 20 mm would be
+// needed. frameRate: simulated frames per second. cell: present side of the cells, m. The work is
+// proportional to the number of cells and to the number of time steps, so to the inverse fourth
+// power of the side.
 int smoothCells(const LiveState& state, double frameRate, double cell);
 
 }  // namespace resect

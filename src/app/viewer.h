@@ -1,6 +1,6 @@
 // The picture in the window: draws the operation, and turns mouse and keyboard input into Inventor
-// events. When nothing moves, the picture is drawn antialiased. This is done strip by strip, so
-// that input never waits for a whole picture.
+// events. When nothing moves, the picture is drawn antialiased, strip by strip, so that input never
+// waits for a whole picture.
 //
 // The picture is drawn offscreen, and only changed pixels go to the screen. A QOpenGLWidget would
 // compose the whole window for each picture. In software rendering that takes two fifths of all
@@ -36,7 +36,7 @@ class Viewer : public QWidget {
 
   // Shows this session; nullptr: nothing. The session must exist as long as it is shown.
   void show(OperatingSession* session);
-  // While no session is shown: says what is being waited for.
+  // Sets the text that is shown while there is no session: what the user is waiting for.
   void sayWaiting(const QString& what);
   void setFpsLimit(double framesPerSecond);
 
@@ -86,18 +86,18 @@ class Viewer : public QWidget {
   double interval_ = 1.0 / 60;  // from one update to the next, s
   QElapsedTimer clock_, still_;
   LivePicture picture_;
-  QImage image_;  // what is on the screen
+  QImage image_;  // the picture on the screen
   Damage damage_;
   // Sets of strips of the picture: bit i is strip i, counted from below.
-  std::uint32_t rough_ = 0;   // not antialiased yet
-  std::uint32_t behind_ = 0;  // those that are antialiased while something moves
+  std::uint32_t rough_ = 0;   // strips that are not antialiased yet
+  std::uint32_t behind_ = 0;  // strips still to be antialiased while other strips move
   int sinceStrip_ = 0;        // pictures drawn since the last strip
-  bool shadowsDue_ = false;   // the next strip draws what has changed of the shadows
-  double slowDrawn_ = 0;      // when slow damage was taken last, s
-  double stripDrawn_ = 0;     // when the last strip was drawn while something moved, s
-  double lastInput_ = 0;      // s
-  double pauseEnds_ = 0;      // before this, no sharp picture of what moves is begun, s
-  QString waiting_;           // what is said in place of a picture
+  bool shadowsDue_ = false;   // the next strip also draws the changed shadows
+  double slowDrawn_ = 0;      // last time when slow damage was taken, s
+  double stripDrawn_ = 0;     // last time when a strip was drawn while something moved, s
+  double lastInput_ = 0;      // time of the last input, s
+  double pauseEnds_ = 0;      // time before which no sharp picture of moving parts is begun, s
+  QString waiting_;           // text shown in place of a picture
   Qt::MouseButtons down_;
   // For each of the last pictures: when it was finished, and how long it took, s.
   std::vector<std::pair<double, double>> drawn_;

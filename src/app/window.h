@@ -10,7 +10,7 @@ namespace resect {
 
 struct WindowOptions {
   Scenario scenario;               // what the window shows first
-  std::string operation;           // file of a recorded operation to show instead; empty: none
+  std::string operation;           // recording whose operation is shown instead; empty: none
   int width = 1280, height = 720;  // of the window, pixels
   int historyMemory = 512;         // most memory for showing earlier moments, MB
   double fpsLimit = 60;            // most pictures per second

@@ -1,6 +1,6 @@
-// Blood in an operation: out of cut vessels and cut tissue, over the organs, in drops through the
-// air, and onto the table. The ledger is exact: what has bled is what lies somewhere, to the
-// picolitre.
+// Bleeding during an operation. Blood flows out of cut vessels and cut tissue, over the organs, in
+// drops through the air, and onto the table. The ledger is exact: the blood that has bled equals
+// the blood in all places together, to the picolitre.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,21 @@
 
 namespace resect {
 
-// Where the blood is that an operation has lost: bled = film + clotted + drops + pools + sucked +
-// absorbed + lost.
+// Where the lost blood is: bled = film + clotted + drops + pools + sucked + absorbed + lost.
 struct BloodLedger {
-  Picolitres bled = 0;      // out of vessels and cut tissue
-  Picolitres film = 0;      // liquid on organs
+  Picolitres bled = 0;      // flowed out of vessels and cut tissue
+  Picolitres film = 0;      // liquid, on organs
   Picolitres clotted = 0;   // on organs
   Picolitres drops = 0;     // in the air
   Picolitres pools = 0;     // on the table
-  Picolitres sucked = 0;    // by suction
-  Picolitres absorbed = 0;  // by gauze
-  Picolitres lost = 0;      // beside the table
+  Picolitres sucked = 0;    // removed by suction
+  Picolitres absorbed = 0;  // soaked up by gauze
+  Picolitres lost = 0;      // fell beside the table
 
   Picolitres found() const { return film + clotted + drops + pools + sucked + absorbed + lost; }
 };
 
-// A vessel end that bleeds.
+// An open end of a vessel, out of which blood flows.
 struct BleedingEnd {
   std::int32_t organ = 0, segment = -1;
   VesselEnd end = VesselEnd::Root;
@@ -40,12 +39,13 @@ struct BleedingEnd {
 
 struct BloodReport {
   BloodLedger ledger;
-  double rate = 0;                // out of vessels and tissue, mean over the frame, m^3/s
-  double airRate = 0;             // drawn into open hepatic veins, m^3/s
-  std::vector<BleedingEnd> ends;  // those that bleed, by organ and segment
+  double rate = 0;                // flow out of vessels and tissue, mean over the frame, m^3/s
+  double airRate = 0;             // flow of air drawn into open hepatic veins, m^3/s
+  std::vector<BleedingEnd> ends;  // those that bleed, sorted by organ and segment
 };
 
-// Grade of bleeding by its rate, m^3/s: 0 none to 4 life-threatening (VIBe; Lewis et al. 2017).
+// Grade of bleeding for a rate in m^3/s: from 0 (none) to 4 (life-threatening), on the VIBe scale
+// (Lewis et al. 2017).
 int bleedingGrade(double rate);
 
 class Bleeding {
@@ -55,8 +55,10 @@ class Bleeding {
   explicit Bleeding(std::span<const OperatedOrgan> organs, const Circulation& circulation = {});
   bool any() const { return any_; }
 
-  // A frame, after the tissue has moved. `organs`: those of the constructor; their vessels' flows
-  // are written. edits: all that were applied in the frame. time: at the end of the frame, s.
+  // Computes a frame of `duration`, s, after the tissue has moved. organs: those of the
+  // constructor; the flows out of their injured vessels are updated. edits: all edits applied in
+  // the frame. time: at the end of the frame, s. table: whether there is a table. report: is
+  // overwritten.
   void step(std::span<OperatedOrgan> organs, std::span<const TissueEdit> edits, double duration,
             double time, bool table, BloodReport& report);
 
@@ -74,12 +76,12 @@ class Bleeding {
   void remake(std::span<const OperatedOrgan> organs);  // after a state was loaded
 
  private:
-  // A cell whose cut faces ooze.
+  // A cell with cut faces that ooze.
   struct Oozing {
     std::int64_t cell = -1;
-    double area = 0;        // of the faces, m^2
-    double since = 0;       // when they were cut, s
-    std::int32_t part = 0;  // of the tissue, as SegmentPart has it
+    double area = 0;        // of the cut faces, m^2
+    double since = 0;       // time at which they were cut, s
+    std::int32_t part = 0;  // part of the tissue: 0 is the body; from 1 on as in SegmentPart
 
     template <class Visitor>
     void visit(Visitor& v) {
@@ -89,8 +91,8 @@ class Bleeding {
   struct OrganBlood {
     BloodFilm film;
     std::vector<Oozing> oozing;
-    std::vector<double> sinusoids;  // Pa, by part of the tissue (SegmentPart)
-    std::int32_t unsought = 0;      // frames since edits that may have parted tissue; 0: none came
+    std::vector<double> sinusoids;  // their pressures, Pa, by part of the tissue (as Oozing::part)
+    std::int32_t unsought = 0;      // frames since an edit that may have divided tissue; 0: none
     VesselFlow flow;                // set up once
 
     template <class Visitor>
@@ -118,7 +120,7 @@ class Bleeding {
   Picolitres bled_ = 0, sucked_ = 0, absorbed_ = 0, lost_ = 0;
   bool any_ = false;
   Circulation circulation_;
-  std::vector<Press> pressing_;  // in this frame
+  std::vector<Press> pressing_;  // Press edits of this frame
 };
 
 }  // namespace resect

@@ -13,7 +13,8 @@ nlohmann::ordered_json toJson(const BloodSummary& summary);
 std::string toText(const BloodSummary& summary);  // lines, each ends with a line break
 
 nlohmann::ordered_json toJson(const std::vector<SegmentAmount>& segments);
-// A line about the segments of which a millilitre or more was parted from the body, or none.
+// A line about the segments of Couinaud of which 1 ml or more was separated from the body of the
+// organ; "" if there are none.
 std::string toText(const std::vector<SegmentAmount>& segments);
 
 }  // namespace resect

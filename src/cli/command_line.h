@@ -1,4 +1,4 @@
-// Commands and their options: a thin face on CLI11, whose headers take ten seconds to compile in
+// Commands and their options: a thin wrapper of CLI11, whose headers take ten seconds to compile in
 // each file that includes them.
 #pragma once
 
@@ -20,16 +20,16 @@ class Option {
   explicit Option(CLI::Option* option) : option_(option) {}
 
   Option required() const;
-  Option showDefault() const;                                   // in the help: the value it has now
+  Option showDefault() const;                                   // the help shows the present value
   Option range(int least, int most) const;                      // both included
   Option range(double least, double most) const;                // both included
-  Option notNegative() const;                                   // a number
+  Option notNegative() const;                                   // a number, 0 or more
   Option oneOf(const std::vector<std::string>& choices) const;  // the value must be one of these
-  Option values(int count) const;       // takes so many values, one after the other
-  Option oneValueEach() const;          // takes one value each time that it is given
-  Option needs(Option other) const;     // only together with the other
-  Option excludes(Option other) const;  // not together with the other
-  bool given() const;                   // once the command line has been parsed
+  Option values(int count) const;       // takes this number of values, one after the other
+  Option oneValueEach() const;          // takes one value each time it is given
+  Option needs(Option other) const;     // allowed only together with the other option
+  Option excludes(Option other) const;  // not allowed together with the other option
+  bool given() const;                   // valid after the command line was parsed
 
  private:
   CLI::Option* option_;
@@ -41,20 +41,21 @@ class Command {
   explicit Command(CLI::App* command) : command_(command) {}
 
   Command subcommand(const std::string& name, const std::string& help) const;
-  void requireSubcommand() const;  // one of those added
+  void requireSubcommand() const;  // one of the added subcommands must be given
   // name: "--x", "-x,--long", or "NAME" for a positional argument. `value` holds the default; it
   // must live as long as the command. T: std::string, float, double, int, unsigned, std::int64_t,
   // std::uint64_t, or a std::vector of std::string or double.
   template <typename T>
   Option option(const std::string& name, T& value, const std::string& help) const;
+  // `given` is called with the option's values.
   Option option(const std::string& name, std::function<void(std::vector<std::string>)> given,
                 const std::string& help) const;
-  // name as in option(); "--no-x,!--x" makes a pair.
+  // name: as in option(); "--no-x,!--x" adds two flags, of which --x sets `value` to false.
   Option flag(const std::string& name, bool& value, const std::string& help) const;
-  void footer(const std::string& text) const;  // of the help
-  // Takes all that follows on the command line as it is, --help too.
+  void footer(const std::string& text) const;  // sets the text at the end of the help
+  // Passes everything that follows on the command line, --help too, to `perform`, unparsed.
   void passOn(std::function<void(const std::vector<std::string>&)> perform) const;
-  void action(std::function<void()> perform) const;  // what the command does
+  void action(std::function<void()> perform) const;  // sets what the command does
 
  private:
   CLI::App* command_;

@@ -35,8 +35,8 @@ class PictureWriter {
   // Call after every step. Draws a picture when one is due: every 1 / rate simulated seconds.
   void follow(const Simulation& simulation, const StepReport& step);
 
-  // Draws a picture of the last frame, unless there is one, and finishes the video. Returns the
-  // names of what was written, as lines for people: one line for the numbered pictures and one for
+  // Draws a picture of the last frame, if this was not done yet, and finishes the video. Returns
+  // lines for people that name the written files: one line for the numbered pictures and one for
   // the video.
   std::vector<std::string> finish();
 

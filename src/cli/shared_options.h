@@ -12,7 +12,8 @@
 
 namespace resect {
 
-// Options about the pictures of an operation: their files and their look, as the user wrote them.
+// Options about the pictures of an operation: their files and how they look, as the user wrote
+// them.
 struct PictureOptions {
   std::string frames, video;  // folder, file; "": no such pictures
   std::string size = "1280x720", view, setting;
@@ -35,14 +36,14 @@ void addPictureOptions(Command command, PictureOptions& options);
 
 // Adds --setting, one of kSettingNames (operation/scenario.h).
 void addSettingOption(Command command, std::string& setting);
-// Throws a usage Error unless it is one of them, or empty.
+// Throws a usage Error unless `setting` is one of these names, or empty.
 void requireSetting(const std::string& setting);
 
 // Adds --threads, 0 to 1024.
 void addThreadsOption(Command command, int& threads);
 
-// Adds --part, which may be given several times; `part`: as OrganMeshOptions::part
-// (io/organ_mesh.h).
+// Adds --part, which may be given several times. part: gets the value in the form of
+// OrganMeshOptions::part (io/organ_mesh.h).
 void addPartOption(Command command, std::string& part);
 
 // Adds --overwrite. numbered: says in the help what the option may remove, for example "the
@@ -59,8 +60,8 @@ struct RecordedPart {
 
   void check() const;                                // throws a usage Error unless 0 <= from <= to
   std::int64_t branchIn(RecordingFile& file) const;  // the branch's number
-  // The frames of this part, through the branches that led to its branch. Throws Error if there are
-  // none.
+  // The frames of this part, along the course that leads to the end of its branch. Throws Error if
+  // there are none.
   std::vector<CourseSpan> of(RecordingFile& file, double frameRate) const;
 };
 

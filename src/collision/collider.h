@@ -41,8 +41,8 @@ struct LayeredDepthImage {
   // Per pixel the index of its first interval; then one entry more, the number of intervals.
   std::vector<std::uint32_t> offsets{0};
   std::vector<DepthInterval> intervals;
-  // Number of pixels at which the mesh is open: the pixel's column enters the mesh more often than
-  // it leaves it, or less often.
+  // Number of pixels at which the mesh is open: the pixel's column does not enter the mesh as often
+  // as it leaves it.
   std::int64_t openPixels = 0;
 
   // The intervals of a pixel, ascending; no two of them touch. Pixel i of row j has the number j *

@@ -1,7 +1,7 @@
 // Scanline rasteriser: finds all crossings of columns (lines along +z) with a closed mesh. First
-// the x and y of the mesh's points and of the columns are snapped to an integer raster. It is
-// decided exactly which triangles of the snapped mesh a column crosses. Only the depth of a
-// crossing is rounded, as any floating-point number.
+// the x and y of the mesh's points and of the columns are snapped to an integer raster. Then the
+// rasteriser decides exactly which triangles of the snapped mesh a column crosses. Only the depth
+// of a crossing is rounded, as any floating-point number.
 //
 // The raster has 2^30 steps over the larger of the mesh's extents in x and y; on a liver a step is
 // 0.2 nm. With these integers every edge function is an exact 64-bit integer. A column through an

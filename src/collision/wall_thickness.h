@@ -1,9 +1,10 @@
 // How thick the tissue of an organ is behind its surface.
 //
-// From points that are spread evenly over the surface, straight inwards to where the tissue ends.
-// Each point looks along the one of 13 directions (axes and diagonals of a cube) that is nearest to
-// its normal, and the length found is multiplied by the cosine between the two. So the thickness of
-// a flat wall is exact; the diameter of a ball comes out up to a quarter too small.
+// The thickness is measured from points that are spread evenly over the surface, along a straight
+// line inwards to where the tissue ends. The line has that one of 13 directions (axes and diagonals
+// of a cube) that is nearest to the normal of the surface. The measured length is multiplied by the
+// cosine of the angle between the line and the normal. So the thickness of a flat wall is exact;
+// the diameter of a ball comes out up to a quarter too small.
 #pragma once
 
 #include <vector>
@@ -13,16 +14,18 @@
 namespace resect {
 
 struct WallThickness {
-  std::vector<double> ascending;  // m; some 2000, for points that stand for the same area each
+  std::vector<double> ascending;  // at some 2000 points, m; each point stands for the same area
 
-  // The thickness that this share of the surface, 0 to 1, does not exceed, m; 0 without points.
+  // Quantile of the thickness, m: the share `share`, 0 to 1, of the surface is at most so thick. 0
+  // if the mesh has no area.
   double at(double share) const;
-  // Share of the tissue, 0 to 1, that is missing from the surface of an organ made with cubic cells
-  // of this side, m: walls thinner than a cell fall into crumbs. Measured on hollow balls; a wall
-  // of 1, 0.8, 0.7, 0.6 and 0.5 cells keeps 94, 84, 64, 34 and 13 % of its volume.
+  // The share of the tissue, 0 to 1, that is missing if the organ is made of cubic cells with the
+  // side `cell`, m: walls thinner than a cell break up into separate crumbs. The share was measured
+  // on hollow balls: a wall of 1, 0.8, 0.7, 0.6 and 0.5 cells keeps 94, 84, 64, 34 and 13 % of its
+  // volume.
   double lostAt(double cell) const;
-  // The largest side, m, of cubic cells with which no more than this share is lost, in whole
-  // hundredths of a millimetre; at most 1 m.
+  // The largest side, m, of cubic cells with which at most the share `lost` of the tissue is
+  // missing; a multiple of 0.01 mm, at most 1 m.
   double cellFor(double lost) const;
 };
 

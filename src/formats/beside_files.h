@@ -1,5 +1,5 @@
-// Files that a model or image refers to and that lie beside it: the buffers of a .gltf, the voxels
-// of an image whose header is a file of its own.
+// Files in the same folder that a model or image refers to: the buffers of a .gltf, or the voxels
+// of an image whose header is a separate file.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 namespace resect {
 
-// Content of the files. Key: the name as the referring file gives it, for a .gltf with codes such
-// as %20 decoded.
+// Content of these files, by name. The name is the one in the referring file; in a .gltf, codes
+// such as %20 are decoded.
 using BesideFiles = std::map<std::string, RawArray<char>>;
 
 // Thrown by a reader that needs a file that is not in its BesideFiles.
@@ -23,13 +23,14 @@ struct LacksFile {
 };
 
 // For each file that may refer to others, appends all files in its folder that it may refer to.
-// Which of them it uses is not known here, since only a reader in its sandbox parses it.
+// Only a reader in its sandbox parses the file, so this function cannot know which of them it uses.
 void addFilesBeside(std::vector<std::filesystem::path>& files);
 
-// Whether a file of this name may be one that the file at `path` refers to, by the endings of both.
+// Whether the file at `path` may refer to a file with this name. Only the extensions of both are
+// compared.
 bool mayReferTo(const std::filesystem::path& path, const std::filesystem::path& name);
 
-// Whether the name is one that files of voxels have: .raw, .zraw, .img, or .gz after another.
+// Whether a file with this name may hold voxels: its extension is .raw, .zraw, .img or .gz.
 bool isVoxelFile(const std::filesystem::path& name);
 
 }  // namespace resect

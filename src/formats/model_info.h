@@ -1,4 +1,4 @@
-// Facts about a model file that tell whether its mesh can be an organ.
+// Facts about a model file, which show whether its mesh can be an organ.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -37,14 +37,14 @@ struct ModelInfo {
   bool closed = false, oriented = false, insideOut = false;
   int boundaryEdges = 0, nonManifoldEdges = 0;
   std::string unitHint;  // unit in which the model would have an organ's size; empty: metres
-  // What prepareOrganMesh() makes of it: the volume of the organ's tissue, m^3, and the notes about
-  // it; or the sentence with which it refuses the model.
+  // Result of prepareOrganMesh() for the model: the volume of the organ's tissue, m^3, and the
+  // notes about it; or the error message with which it refuses the model.
   std::optional<double> organVolume;
   std::vector<std::string> notes;
   std::string refusal;
 };
 
-// About the parts that options.part names.
+// Facts about the parts of the model that options.part names.
 ModelInfo modelInfo(const Model& model, const OrganMeshOptions& options = {});
 
 // The fields of `resect info --json`, lengths in m, area in m^2, volume in ml.

@@ -1,4 +1,4 @@
-// Finds of which kind a model file is.
+// Finds out the kind of a model file.
 #pragma once
 
 #include <cstdint>
@@ -26,10 +26,10 @@ enum class ModelKind : std::uint8_t {
 // Whether files of the kind are images: label images or scans.
 constexpr bool isImage(ModelKind kind) { return kind >= ModelKind::Nifti; }
 
-// The kind of a file with this content (decompressed), by its first bytes where these are
-// sufficient, otherwise by the extension of its name, in upper or lower case, before a .gz. Throws
-// Error for all other files. For those that people often have (volume meshes, other surfaces) the
-// Error says what they are and how to make a model of them.
+// The kind of a file with this content (decompressed). It is recognised by the first bytes if these
+// are sufficient, otherwise by the extension of the name (upper or lower case, without .gz). Throws
+// Error for all other files. For common kinds among those (volume meshes, other surfaces) the Error
+// says what the file is and how to convert it.
 ModelKind modelKind(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace resect

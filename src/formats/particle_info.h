@@ -9,7 +9,7 @@
 namespace resect {
 
 // The report as JSON. Lengths are in m, volumes in ml, landmarks in fractions of the organ's box.
-// kept: what the file holds. path: the file's name; it is shown, and its extension tells the
+// kept: the content of the file. path: the file's name, which is shown; its extension gives the
 // format.
 nlohmann::ordered_json toJson(const KeptCells& kept, const std::string& path);
 

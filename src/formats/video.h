@@ -1,4 +1,5 @@
-// Writes pictures to a video file by the program ffmpeg, which must be installed (haveFfmpeg()).
+// Writes pictures to a video file through the program ffmpeg, which must be installed
+// (haveFfmpeg()).
 #pragma once
 
 #include <filesystem>

@@ -18,7 +18,7 @@ class FarthestPoint {
   // points: at least one, fewer than 2^32; all finite.
   explicit FarthestPoint(std::span<const Vec3> points);
 
-  // Index of the point p with the largest p.dot(direction). If several points have the same value,
+  // Index of the point p with the largest p.dot(direction); if several points have the same value,
   // the lowest of their indices. The result is exactly that of a loop over all points.
   std::uint32_t along(const Vec3& direction) const;
 

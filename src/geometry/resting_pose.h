@@ -5,10 +5,10 @@
 
 namespace resect {
 
-// The rotation that turns the body from its present orientation to a nearby one in which it rests
-// on a horizontal table (Y up). There the height of its centre of mass, at uniform density, is a
-// local minimum. The minimum is found by descent, to about 0.1 degrees. The rotation is the
-// identity for a mesh that encloses no volume.
+// The rotation that turns the body from its present orientation to a nearby one in which it can
+// rest on a horizontal table (Y up): one in which the height of the centre of mass, at uniform
+// density, is a local minimum. The minimum is found by descent, to about 0.1 degrees. The result is
+// the identity for a mesh that encloses no volume.
 Eigen::Quaterniond restingRotation(const TriangleMesh& mesh);
 
 // The pose with this rotation in which the mesh stands on the table. The bottom of the bounding box

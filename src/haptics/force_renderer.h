@@ -1,12 +1,14 @@
-// The force on the hand between two frames of the simulation: a local model evaluated where the
-// hand is now, 1000 times a second, without steps when the next model arrives.
+// Renders the force on the hand between two frames of the simulation. 1000 times a second, the
+// local model is evaluated at the present pose of the hand. The force does not jump when a new
+// model arrives.
 #pragma once
 
 #include "haptics/local_model.h"
 
 namespace resect {
 
-// Where a hand holds its instrument, and how it moves; world, m, m/s and rad/s.
+// Pose and motion of the instrument that a hand holds, in the coordinates of the local model; m,
+// m/s and rad/s.
 struct HandState {
   Pose pose;
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
@@ -17,30 +19,32 @@ struct Wrench {
   Vec3 torque = Vec3::Zero();  // about the position of the hand's pose, N m
 };
 
-// The model's force on an instrument whose pose differs from that of the simulation. Planes push
-// and never pull; friction keeps to Coulomb's limit; grips pull both ways. Allocates nothing.
+// The force of the model on the instrument at the hand's pose, which may differ from the pose that
+// the instrument has in the simulation. Planes push and never pull, friction is limited by
+// Coulomb's law, and grips act in all directions. Allocates nothing.
 Wrench forceAt(const LocalModel& model, const HandState& hand);
 
 class ForceRenderer {
  public:
-  // mostForce: N, > 0; forces are shortened to it. Throws Error if it is not.
+  // mostForce: N; a larger force is scaled down to it. Throws Error unless mostForce > 0.
   explicit ForceRenderer(double mostForce = 20);
 
-  // Takes over a new model. hand, now: those of the render() that follows. The force does not jump:
-  // the change fades in over the time between two models.
+  // Takes over a new model. hand, now: the same as for the render() that follows. The force does
+  // not jump: its change fades in over the time between the last two models, which is limited to 1
+  // to 4 frames.
   void take(const LocalModel& model, const HandState& hand, double now);
-  // The force on the hand. now: time of a steady clock, s, not before that of earlier calls.
+  // The force on the hand. now: time of a steady clock, s, not before the time of earlier calls.
   Wrench render(const HandState& hand, double now) const;
 
   const LocalModel& model() const { return model_; }
-  // When the last model arrived: how far its force at the hand's pose was from that of the previous
-  // model, N.
+  // The difference between the forces of the last two models at the hand's pose when the last one
+  // arrived: its magnitude, N.
   double correction() const { return correction_; }
 
  private:
   double mostForce_;
   LocalModel model_;
-  Wrench fading_;  // added to the model's force when it arrived
+  Wrench fading_;  // difference from the previous force when the model arrived
   double taken_ = 0, fadeTime_ = 0, correction_ = 0;
 };
 

@@ -1,4 +1,5 @@
-// One cycle of 1 kHz for one hand: from the pose that was read to the force to write.
+// One cycle of the loop of 1 kHz for one hand: computes the force to write from the pose that was
+// read.
 #pragma once
 
 #include "haptics/passivity_guard.h"
@@ -7,15 +8,16 @@ namespace resect {
 
 inline constexpr double kHapticPeriod = 1e-3;  // s
 
-// Allocates nothing. For one thread.
+// Allocates nothing. To be used by one thread only.
 class HandCycle {
  public:
-  // mostForce: that the device renders, N, > 0. start: pose of the hand, world or workspace, m; the
-  // local models are in the same coordinates. now: time of a steady clock, s.
+  // mostForce: largest force that the device renders, N, > 0. start: first pose of the hand, m; in
+  // the world or in the device's workspace, as all poses and local models that follow. now: time of
+  // a steady clock, s.
   HandCycle(double mostForce, const Pose& start, double now);
 
-  // pose: as just read. arrived: a local model that has arrived since the last cycle, or null.
-  // Returns the force to write at once.
+  // pose: just read from the device. arrived: a local model that has arrived since the last cycle,
+  // or null. Returns the force, which is to be written at once.
   Wrench next(const Pose& pose, const LocalModel* arrived, double now);
 
   const ForceRenderer& renderer() const { return renderer_; }
@@ -25,7 +27,7 @@ class HandCycle {
   ForceRenderer renderer_;
   PassivityGuard guard_;
   HandState motion_;
-  double read_;  // when the pose was read last, s
+  double read_;  // time of the last pose, s
 };
 
 }  // namespace resect

@@ -12,17 +12,18 @@ struct LocalModuli {
   double poisson = 0;  // Poisson's ratio in a motion of that duration
   double plane = 0;    // E / (1 - nu^2), Pa
 };
-// time: in which the instrument moves at an even speed, s, > 0.
+// The secant moduli at the end of a motion at constant speed that lasts `time`, s, > 0.
 LocalModuli moduliWithin(const TissueMaterial& material, double time);
 
-// Stiffness that a patch of `area` m^2 meets when it is pressed, and when it is dragged along the
-// surface; the cells' splines spread its force; N/m.
+// Stiffness of a contact patch of `area`, m^2, that is pressed into the surface, or dragged along
+// it; N/m. spacing: side of a cell, m. The cells' splines spread the force, so the patch acts as a
+// larger one.
 double pressedStiffness(const LocalModuli& moduli, double area, double spacing);
 double draggedStiffness(const LocalModuli& moduli, double area, double spacing);
-// Of a number of gripped cells; N/m in any direction.
+// Stiffness of a number of gripped cells, N/m; the same in all directions.
 double heldStiffness(const LocalModuli& moduli, int cells, double spacing);
 
-// Two springs one after the other; 0 if one of them is 0.
+// Stiffness of two springs in series; 0 if one of them is 0.
 inline double inSeries(double a, double b) { return a > 0 && b > 0 ? a * b / (a + b) : 0; }
 
 }  // namespace resect

@@ -1,10 +1,11 @@
-// Keeps the hand from ever receiving more energy than it has given: time-domain passivity after
-// Hannaford and Ryu 2002.
+// Limits the force so that the hand never receives more energy than it has given: time-domain
+// passivity control after Hannaford and Ryu 2002.
 //
 // The observer adds up the work that the force does on the hand. A device holds a force until the
-// next one is written, so the work of a cycle is exactly the force times the way. The controller
-// looks one cycle ahead: before the account is overdrawn it makes the force smaller, and lets it
-// grow again slowly.
+// next one is written, so the work of a cycle is exactly the force times the displacement of the
+// hand. From this work the controller keeps an account of the energy that the hand may still
+// receive. It looks one cycle ahead: it reduces the force before the account becomes negative, and
+// lets the force grow again slowly.
 #pragma once
 
 #include "haptics/force_renderer.h"
@@ -13,30 +14,32 @@ namespace resect {
 
 class PassivityGuard {
  public:
-  // mostForce: of all that is written, N, > 0.
+  // mostForce: upper limit of every force that is written, N, > 0.
   explicit PassivityGuard(double mostForce) : mostForce_(mostForce) {}
 
   // To be called first in each cycle, with the pose just read from the device.
   void moved(const Pose& pose);
-  // The force to write in this cycle: `wanted`, or less; or one that brakes the hand. dt: time to
-  // the next cycle, s, > 0. The hand is expected to move in the next cycle as in the last one.
+  // The force to write in this cycle: `wanted`, a smaller force, or, if the account is negative, a
+  // force that also brakes the hand. dt: time to the next cycle, s, > 0. The hand is expected to
+  // move in the next cycle as in the last one.
   Wrench allow(const Wrench& wanted, double dt);
 
-  // Work of the forces on the hand, J; below 0 when the hand has given energy. And its largest
-  // value so far, at least 0.
+  // energyToHand(): work of the forces on the hand, J; negative if the hand has given energy.
+  // mostEnergyToHand(): its largest value so far, at least 0.
   double energyToHand() const { return energy_; }
   double mostEnergyToHand() const { return most_; }
-  std::int64_t interventions() const { return interventions_; }  // cycles with less than wanted
+  std::int64_t interventions() const { return interventions_; }  // cycles with reduced force
 
  private:
   double mostForce_;
   bool started_ = false;
   Pose last_;
-  Vec3 way_ = Vec3::Zero(), turn_ = Vec3::Zero();  // in the last cycle, m and rad
-  double largestWay_ = 0;                          // in recent cycles, m
+  Vec3 way_ = Vec3::Zero(), turn_ = Vec3::Zero();  // of the hand in the last cycle, m and rad
+  double largestWay_ = 0;                          // largest way in recent cycles, m
   double share_ = 1;                               // of the wanted force that is written
   Wrench written_;
-  // Energy that the hand may still be given, J. As -energy_, but at most kMostAccount.
+  // The account: energy that the hand may still receive, J. It changes as -energy_ does, but is at
+  // most kMostAccount.
   double account_ = 0;
   double energy_ = 0, most_ = 0;
   std::int64_t interventions_ = 0;

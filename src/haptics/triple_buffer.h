@@ -1,7 +1,7 @@
-// Hands the newest value of one thread to another, without a lock: a triple buffer.
+// A triple buffer: hands the newest value of one thread to another, without a lock.
 //
-// One thread writes, one other thread reads; neither ever waits for the other, and the reader never
-// sees a value that is half written. Values that the reader was too slow for are overwritten.
+// One thread writes, one other thread reads. Neither ever waits for the other, and the reader never
+// sees a value that is half written. Values that the reader was too slow to read are overwritten.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace resect {
 template <typename T>
 class TripleBuffer {
  public:
-  // Writer: the value to fill before publish(). It still holds an older value.
+  // Writer: the value to fill before publish(). Until then it holds an older value.
   T& draft() { return slots_[writing_].value; }
   // Writer: makes draft() the newest value.
   void publish() {
@@ -25,7 +25,8 @@ class TripleBuffer {
     publish();
   }
 
-  // Reader: goes on to the newest value. Returns whether there was one that it has not seen.
+  // Reader: makes newest() the last value published. Returns whether the reader had not seen it
+  // yet.
   bool update() {
     if (!(waiting_.load(std::memory_order_relaxed) & kFresh)) return false;
     reading_ = waiting_.exchange(reading_, std::memory_order_acq_rel) & kIndex;
@@ -43,7 +44,7 @@ class TripleBuffer {
   std::array<Slot, 3> slots_;
   alignas(kCacheLine) std::uint8_t writing_ = 0;
   alignas(kCacheLine) std::uint8_t reading_ = 1;
-  // The slot that neither thread holds, and whether the reader has not seen it yet.
+  // Index of the slot that neither thread uses; with kFresh if the reader has not seen its value.
   alignas(kCacheLine) std::atomic<std::uint8_t> waiting_ = 2;
 };
 

@@ -1,15 +1,20 @@
-// Temperature of tissue and what heat has done to it, round the places that were heated.
+// The temperature of tissue round the places that were heated, and how far the tissue there is
+// coagulated, dried out and charred.
 //
-// The bioheat equation (Pennes 1948) on a lattice of its own, in the tissue at rest, whatever the
-// size of the organ's cells:
+// The bioheat equation (Pennes 1948) is solved for the tissue at rest, on a lattice that does not
+// depend on the size of the organ's cells (T in C; the other symbols are named at the constants
+// below):
 //
 //     rho c dT/dt = k laplacian(T) - w rho_b c_b (1 - coagulated) (T - 37) + source
 //
-// Water boils at 100 C: until it is gone, more heat makes steam instead of a higher temperature.
-// Coagulation is a reaction of first order, whose rate follows Eyring's law with the enthalpy and
-// entropy that were measured on pig liver by Jacques, Newman and He (1991). Dry tissue chars.
+// Water boils at 100 C: as long as any is left, further heat makes steam and does not raise the
+// temperature. Coagulation is a first-order reaction. Its rate follows Eyring's law, with the
+// enthalpy and entropy that Jacques, Newman and He (1991) measured on pig liver. Dry tissue chars
+// above 150 C.
 //
-// Only spots that are warm or changed are held; elsewhere tissue is at 37 C. Nothing flows through
+// Only cells of this lattice that are warm or changed, or beside warm ones, are stored (as
+// HeatedSpot); elsewhere the tissue is at 37 C. No heat flows through the tissue's surface. Single
+// vessels do not cool the tissue; the perfusion w stands for all of them.
 // the tissue's surface. Vessels do not cool it (an estimate of their effect is the perfusion).
 #pragma once
 
@@ -22,21 +27,22 @@
 
 namespace resect {
 
-// Of liver: Duck 1990; perfusion 1 ml/(ml min) and less by Ebbini et al. 1988.
+// Properties of liver after Duck 1990; the perfusion after Ebbini et al. 1988: 0.38 ml of blood per
+// ml of tissue and minute.
 inline constexpr double kBodyTemperature = 37;         // C
 inline constexpr double kConductivity = 0.52;          // k, W/(m K)
 inline constexpr double kHeatCapacity = 1060 * 3600;   // rho c, J/(m^3 K)
 inline constexpr double kPerfusion = 6.4e-3;           // w, 1/s
 inline constexpr double kBloodCapacity = 1060 * 3640;  // rho_b c_b, J/(m^3 K)
 
-// Rate at which tissue coagulates at a temperature in C, 1/s.
+// Rate of the coagulation reaction at a temperature in C, 1/s.
 double coagulationRate(double temperature);
 
-// A place of the heat lattice.
+// A cell of the heat lattice.
 struct HeatedSpot {
   std::int64_t index = -1;                // in HeatField::lattice()
   double temperature = kBodyTemperature;  // C
-  double water = 1;                       // share of its water that is left
+  double water = 1;                       // share of its water that is left, 0 to 1
   double coagulated = 0, charred = 0;     // shares, 0 to 1
 
   template <class Visitor>
@@ -46,30 +52,31 @@ struct HeatedSpot {
   }
 };
 
-// Heat that is brought into a ball in a frame.
+// Heat that is brought into a ball of tissue during a frame.
 struct HeatSource {
-  Vec3 place = Vec3::Zero();  // in the tissue at rest, m
-  double radius = 0;          // m
+  Vec3 place = Vec3::Zero();  // centre of the ball, in rest space, m
+  double radius = 0;          // of the ball, m
   double power = 0;           // W
 };
 
 class HeatField {
  public:
-  static constexpr double kSpacing = 0.0015;  // m, of the lattice
+  static constexpr double kSpacing = 0.0015;  // spacing of the heat lattice, m
 
   HeatField() = default;
-  // box: round the organ at rest, m.
+  // box: the bounding box of the organ at rest, m.
   explicit HeatField(const Aabb& box);
 
-  // A frame. isTissue: whether there is tissue at a place at rest. Cost: the spots; nothing if no
-  // spot is warm and nothing heats.
+  // Computes a frame. duration: of the frame, s. isTissue: whether there is tissue at a point in
+  // rest space. Cost: proportional to the number of spots; nothing if no spot is warm and there is
+  // no source.
   void step(std::span<const HeatSource> sources, double duration,
             const std::function<bool(const Vec3&)>& isTissue);
 
-  // Forgets the spots without tissue.
+  // Drops the spots at which there is no tissue any more.
   void keepIn(const std::function<bool(const Vec3&)>& isTissue);
 
-  // At a place at rest, between the spots round it.
+  // Values at a point in rest space, interpolated between the 8 nearest lattice points.
   double temperature(const Vec3& place) const;
   double coagulated(const Vec3& place) const;
   double charred(const Vec3& place) const;
@@ -77,11 +84,12 @@ class HeatField {
   const Lattice& lattice() const { return lattice_; }
   std::span<const HeatedSpot> spots() const { return spots_; }  // ascending
   bool empty() const { return spots_.empty(); }
-  // Whether anything has coagulated or charred further in the last step().
+  // Whether the coagulated or charred share of any spot has grown in the last step().
   bool changed() const { return changed_; }
   // Water that became steam in the last step(), kg.
   double steam() const { return steam_; }
-  // Heat above 37 C and that of the steam, J.
+  // The heat that all spots hold beyond 37 C, and the latent heat of the water that has become
+  // steam, J.
   double energy() const;
 
   template <class Visitor>
@@ -92,7 +100,8 @@ class HeatField {
   void visitMade(Visitor& v) {
     v.made(lattice_, changed_, steam_, added_, flux_);
   }
-  // Throws Error if spots that were loaded do not belong to the lattice.
+  // Throws Error unless the loaded spots are cells of the lattice, in ascending order, with finite
+  // temperatures.
   void requireSound() const;
 
  private:
@@ -110,8 +119,8 @@ class HeatField {
   Lattice lattice_;
   bool changed_ = false;
   double steam_ = 0;
-  std::vector<std::int64_t> added_;  // work
-  std::vector<double> flux_;         // work: into each spot, W
+  std::vector<std::int64_t> added_;  // work of step()
+  std::vector<double> flux_;         // work of step(): heat flow into each spot, W
 };
 
 }  // namespace resect

@@ -7,12 +7,12 @@
 
 namespace resect {
 
-// Lets `write` fill a temporary file beside `path`, puts that file on the disk and renames it to
+// Lets `write` fill a temporary file beside `path`, flushes that file to the disk and renames it to
 // `path`. Creates missing folders. If something fails, the temporary file is removed, and an
-// earlier file at `path` stays as it was. A failure to write (as on a full disk) gives an Error
-// that says so; what `write` throws is passed on. A symbolic link stays: the file to which it leads
-// is replaced. Into devices, named pipes and /dev/stdout `write` writes straight
-// (io/output/output_target.h); they stay what they are.
+// earlier file at `path` does not change. If writing fails, for example because the disk is full,
+// throws an Error that says so. Exceptions that `write` throws are passed on. If `path` is a
+// symbolic link, the link stays and the file to which it leads is replaced. If `path` is a device,
+// a named pipe or /dev/stdout (io/output/output_target.h), `write` writes directly into it.
 void writeFileAtomically(const std::filesystem::path& path,
                          const std::function<void(std::ostream&)>& write);
 

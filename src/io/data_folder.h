@@ -9,16 +9,16 @@ namespace resect {
 
 // The data folder, which is the first of these that exists:
 // 1. the folder that the environment variable RESECT_DATA names; if it is set and does not name a
-//    data folder, this is an Error;
+//    data folder, throws Error;
 // 2. the folder beside the program, where the program is installed or in its build tree;
 // 3. the folder of the sources that the program was built from;
 // 4. the folder of the install location.
-// If there is none, an Error lists the folders that were tried.
+// If none exists, throws an Error that lists the folders that were tried.
 std::filesystem::path dataFolder();
 
-// Returns `name` itself if there is a file of this name. Otherwise returns the shipped file
-// dataFolder() / folder / (name + extension); `extension` begins with a dot. If there is neither,
-// an Error lists the shipped names.
+// Returns `name` itself if there is a file with this name. Otherwise returns the shipped file
+// dataFolder() / folder / (name + extension); `extension` begins with a dot. If neither file
+// exists, throws an Error that lists the shipped names.
 std::filesystem::path findDataFile(const std::string& name, const std::string& folder,
                                    const std::string& extension);
 

@@ -12,14 +12,14 @@ namespace resect {
 // (io/output/output_target.h).
 void checkWritableMeshFile(const std::filesystem::path& path);
 
-// Writes the mesh, atomically (io/atomic_file.h) and in metres. The extension decides the format; a
-// device or pipe without an extension, as /dev/stdout, gets .obj.
-//  .obj  text, every coordinate with enough digits to restore the same double
+// Writes the mesh, atomically (io/atomic_file.h) and in metres. The extension decides the format. A
+// device or pipe without an extension, such as /dev/stdout, gets the format .obj.
+//  .obj  text; each coordinate has enough digits to restore the same double
 //  .ply  binary little-endian, doubles: exact
 //  .vtk  legacy PolyData, binary big-endian, doubles: exact
 //  .iv   Inventor V2.1 ascii, an IndexedFaceSet; digits as in .obj, though Inventor reads single
 //        precision
-//  .stl  binary; the format itself has single precision and no shared points
+//  .stl  binary; this format has single precision and no shared points
 // Any other extension is a usage Error.
 void writeMeshFile(const std::filesystem::path& path, const TriangleMesh& mesh);
 

@@ -16,9 +16,9 @@
 namespace resect {
 
 // Function that reads any model file. It comes from a layer that knows all formats, such as
-// readModel() in inventor/reading/model_file.h. `parts`: the names of the parts that are needed,
-// one a line; empty: all. The function may ignore them, or give all of them as one part of this
-// name.
+// readModel() in inventor/reading/model_file.h. `parts`: the names of the needed parts, one per
+// line; empty: all parts. The function may ignore `parts`, or return the needed parts joined to one
+// part whose name is `parts`.
 using ModelReader = std::function<Model(const std::filesystem::path&, const std::string& parts)>;
 
 // The organ's closed surface, oriented outwards, in the world. It is placed in four steps:
@@ -27,23 +27,23 @@ using ModelReader = std::function<Model(const std::filesystem::path&, const std:
 // 3. If source.onTable, its lowest point gets y = 0 and its bounding box is centred over the
 //    origin.
 // 4. It is moved by source.pose.position.
-// `place` may be null. If *place holds a pose, that pose is used and the four steps are left out.
-// If *place is empty, it receives the pose that the four steps give. `notes` gets a sentence for
-// each repair or finding.
+// `place` may be null. If *place holds a pose, that pose is used instead of the four steps. If
+// *place is empty, it receives the pose that results from the four steps. `notes` gets a sentence
+// for each repair or finding.
 TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readModel,
                            std::vector<std::string>* notes = nullptr,
                            std::optional<Pose>* place = nullptr);
 
 // The organ's cells, with the labels of the source. The cells are sampled from the mesh of
 // loadOrganMesh() unless the source is a file of particles (io/cells/particle_file.h). Such a file
-// gives its own cells; if source.resample, cells are sampled anew from their surface. In both cases
-// the source is not rotated and `place` is not used: only steps 3 and 4 of loadOrganMesh() are
+// contains cells; if source.resample, new cells are sampled from their surface. With such a file
+// the organ is not rotated and `place` is not used: only steps 3 and 4 of loadOrganMesh() are
 // applied, with the box of the file's lattice. If the source has neither spacing nor dims, the
-// spacing is chosen (collision/coarsest_cell.h) and a note says which. `surface` may be null; it
-// receives the surface that the cells were sampled from, or nothing if they come from a file. Walls
-// that are thinner than two cells get a note (collision/wall_thickness.h). Throws Error if a label
-// marks no particle, if there is no particle, or if the cells are so large that half of the tissue
-// would be lost.
+// spacing is chosen (collision/coarsest_cell.h), and a note gives it. `surface` may be null. It
+// receives the surface from which the cells were sampled, or nothing if they come from a file.
+// Walls that are thinner than two cells get a note (collision/wall_thickness.h). Throws Error if a
+// label marks no particle, if there is no particle, or if the cells are so large that half of the
+// tissue would be lost.
 Discretization loadCells(const OrganSource& source, const ModelReader& readModel,
                          const Progress& progress = {}, std::vector<std::string>* notes = nullptr,
                          std::optional<Pose>* place = nullptr, TriangleMesh* surface = nullptr);
@@ -63,12 +63,12 @@ std::vector<std::unique_ptr<Tool>> loadTools(const Scenario& scenario,
 std::unique_ptr<TissueModel> makeTissue(const TissueSetup& setup, const Organ& organ,
                                         std::vector<std::string>* notes = nullptr);
 
-// All organs of the scenario, at rest. Ways of tools that are given in their coordinates become
-// keys of the scenario (operation/way/place_ways.h).
+// All organs of the scenario, at rest. Ways of tools are converted to keys in the scenario
+// (operation/way/place_ways.h).
 std::vector<OperatedOrgan> loadOrgans(Scenario& scenario, const ModelReader& readModel,
                                       const Progress& progress = {},
                                       std::vector<std::string>* notes = nullptr);
-// The springs of the scenario's joints. In thesis mode there are none. Throws Error if a joint
+// The springs of all joints of the scenario. In thesis mode there are none. Throws Error if a joint
 // names an organ that does not exist, or if no two cells are near enough for it.
 std::vector<TissueJoint> makeJoints(const Scenario& scenario,
                                     const std::vector<OperatedOrgan>& organs);
@@ -83,8 +83,8 @@ Simulation assemble(const Scenario& scenario, std::vector<OperatedOrgan> organs,
 void noteSlowFrames(const Simulation& simulation, const Scenario& scenario,
                     std::vector<std::string>* notes);
 
-// Does all of the above. The simulation is ready for its first frame, and the scenario for its
-// inputs (frameInput()).
+// Makes the whole simulation of a scenario by the functions above. The simulation is then ready for
+// its first frame, and the scenario for frameInput().
 Simulation makeSimulation(Scenario& scenario, const ModelReader& readModel,
                           const Progress& progress = {}, std::vector<std::string>* notes = nullptr);
 

@@ -1,5 +1,4 @@
-// Makes the closed surface of an organ from a model, oriented outwards, with a report of what was
-// changed.
+// Makes the closed surface of an organ from a model, oriented outwards, and reports the changes.
 #pragma once
 
 #include <string>
@@ -13,16 +12,16 @@
 namespace resect {
 
 struct OrganMeshOptions {
-  std::string part;     // names of the parts to use, joined, one a line; empty: all parts together
-  bool repair = false;  // close holes instead of refusing an open surface
+  std::string part;     // names of the parts to join, one per line; empty: all parts
+  bool repair = false;  // holes are closed; false: an open surface is an error
   double metresPerUnit = 1;  // > 0; metres per unit of the model's coordinates
 };
 
 struct OrganMesh {
   TriangleMesh mesh;          // welded, closed, consistently oriented outwards
   MeshHealth health;          // of `mesh`
-  double volume = 0;          // of its tissue, m^3: without cavities, and nothing counted twice
-  std::vector<Shell> shells;  // of `mesh`, if there are several
+  double volume = 0;          // of its tissue, m^3: without cavities; overlaps count once
+  std::vector<Shell> shells;  // of `mesh`, if it has more than one
   RepairReport repairs;
   std::vector<std::string> notes;  // one sentence for people about each repair or doubt
 };
@@ -38,14 +37,15 @@ struct WeldedSurface {
 // of the original only up to rounding.
 WeldedSurface weldSurface(const TriangleMesh& mesh);
 
-// Takes the chosen parts, or all parts, and scales and welds the surface. Drops triangles that lie
-// on others if all do (dropDoubled()). Then closes its holes if `repair` is on, drops specks
-// (components without volume) and orients the rest outwards. Throws Error in these cases:
-// - The surface is open and `repair` is off. The Error has the number of boundary edges and the
-//   position of the first. If several parts were taken, it also has their names. It ends with the
-//   doubt about the size, if any (sizeDoubt()).
-// - The surface is open, several parts were taken, and more than two triangles meet at some edge.
-// Its holes are then not closed, even if `repair` is on. The Error is as above.
+// Joins the chosen parts, or all parts, and scales and welds the surface. In components whose
+// triangles are all there more than once, drops the copies (dropDoubled()). Then closes the holes
+// if `repair` is on, drops specks (components without volume) and orients the rest outwards. Throws
+// Error in these cases:
+// - The surface is open and `repair` is off. The Error gives the number of boundary edges and the
+//   position of the first one. If several parts were joined, it also gives their names. If the size
+//   is not that of an organ, it ends with a sentence about this (sizeDoubt()).
+// - The surface is open, several parts were joined, and more than two triangles meet at some edge.
+//   Such holes are not closed, even if `repair` is on. The Error is as above.
 // - The triangles cannot be oriented consistently.
 // - The triangles enclose no volume.
 OrganMesh prepareOrganMesh(const Model& model, const OrganMeshOptions& options = {});

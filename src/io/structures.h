@@ -1,5 +1,5 @@
-// Structures inside an organ: labels of its cells, and its vessels, from regions and files that a
-// scenario names.
+// Adds structures to an organ: labels of its cells, and vessels, from the regions and files that a
+// scenario gives.
 #pragma once
 
 #include <memory>
@@ -12,33 +12,35 @@
 
 namespace resect {
 
-// The organ's surface with that of the source's cavities, whose triangles face into the cavities:
-// no tissue lies in a cavity, also where it reaches out of the organ. All in the coordinates of the
-// files, m. `notes` gets a sentence for each cavity. Throws Error if a cavity and the organ have no
-// tissue in common, or if the cavity leaves none.
+// Adds the surfaces of the source's cavities to the organ's surface, with triangles that face into
+// the cavities. So a cavity contains no tissue, also where it extends beyond the organ. All in the
+// coordinates of the files, m. `notes` gets a sentence for each cavity. Throws Error if a cavity
+// and the organ have no volume in common.
 TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const ModelReader& readModel,
                       std::vector<std::string>* notes);
 
-// Adds the source's landmarks, labels and structures to the cells. place: of the organ's file in
-// the room; empty for a file of particles. Throws Error if one of them marks no particle, or if a
-// structure's file is needed and has no place.
+// Adds the source's landmarks, labels and structures to the cells. place: pose of the organ's file
+// in the world; empty for a file of particles. Throws Error if a label or structure marks no
+// particle, or if a structure has a file and `place` is empty.
 void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,
                const ModelReader& readModel);
 
-// The organ's vessels where it lies: those of the source's file of vessels, of its file of cells,
-// or of the built-in organ, and the centre lines of vessels that the source brings as model files.
-// A kind that is brought replaces that kind. Where portal vein and hepatic veins are brought,
-// smaller vessels grow from them into the rest of the organ, and artery and duct beside the portal
-// vein, if source.smallVessels. surface: of the organ where it lies, closed; empty for a file of
-// particles, where none grow. Null if there are no vessels. `notes` gets sentences for people.
+// The organ's vessels, in the world. They come from the source's file of vessels, from its file of
+// cells or from the built-in organ. Vessels that the source gives as model files
+// (OrganSource::structures) replace those of the same kind, by their centre lines. If these files
+// give both portal vein and hepatic veins, and source.smallVessels is set, smaller vessels grow
+// from them into the rest of the organ, and an artery and a bile duct grow beside the portal vein.
+// surface: closed surface of the organ in the world; empty for a file of particles, for which no
+// vessels grow. Null if there are no vessels. `notes` gets sentences for people.
 std::shared_ptr<const VesselMap> vesselsOf(const OrganSource& source,
                                            const std::optional<Pose>& place,
                                            const TriangleMesh& surface,
                                            const ModelReader& readModel,
                                            std::vector<std::string>* notes);
 
-// Translation of a body whose box is `box`: onto the table, centred over the origin with its lowest
-// point on the top, if source.onTable; then by the source's position.
+// The translation by which a body with this box, m, is placed: if source.onTable, onto the table,
+// with its lowest point on the table's top and centred over the origin; then by
+// source.pose.position.
 Vec3 placedBy(const OrganSource& source, const Aabb& box);
 
 // A box as text, for messages about regions.

@@ -24,7 +24,8 @@ namespace resect {
 // before: value of the colour field at the point before any edit. iso: the iso level.
 float cutShare(float before, float iso);
 
-// Instead of a cut share: a vertex of the skin at the rim of a cut, which is drawn as a thin line.
+// Stands in place of a cut share at a vertex of the organ's outer surface on the rim of a cut. The
+// rim is drawn as a thin line.
 constexpr float kRimShare = -1;
 
 // Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: the number

@@ -15,10 +15,9 @@
 
 namespace resect {
 
-// Keeps the compiler from loading several words as one vector. If the words were stored one by
-// one a moment before, such a load cannot be forwarded from the stores and waits until they are
-// done. That would take as long
-// as all work on the 64 cells.
+// Keeps the compiler from loading several words as one vector. If the words were stored one by one
+// a moment before, such a load cannot be forwarded from the stores and waits until they are done.
+// That would take as long as all work on the 64 cells.
 [[gnu::always_inline]] inline std::uint64_t keptAlone(std::uint64_t word) {
   asm("" : "+r"(word));
   return word;
@@ -128,8 +127,8 @@ const std::array<std::int8_t, 256>& trianglesBeyondOneLoop();
 // Number of triangles in the cells of the mask `cells`; the surface must cross all of these. c: as
 // given by cornerMasks(). A cell can have several loops only if, on one of its faces, exactly two
 // diagonally opposite corners are inside, or if two opposite corners of the cell both differ from
-// all three corners to which edges join them.
-// Such cells are few; for them trianglesBeyondOneLoop() is added. Some 110 instructions.
+// all three corners to which edges join them. Such cells are few; for them trianglesBeyondOneLoop()
+// is added. Some 110 instructions.
 [[gnu::always_inline]] inline int countTriangles(const std::array<std::uint64_t, 8>& c,
                                                  std::uint64_t cells) {
   // Crossed edges along x, y and z, by their lower corners.

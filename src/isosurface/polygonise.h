@@ -4,8 +4,9 @@
 // into tetrahedra that are congruent and nearly regular. Each tetrahedron with corners on both
 // sides of the surface gives one or two triangles. So the mesh is closed, oriented and manifold for
 // any function. The mesh is then smoothed, and edges that cut off a corner or a sharp margin of the
-// body are split (isosurface/relax.h). Cost: at most 2 evaluations of the function per cube of
-// the lattice, and about 30 per point of the mesh. Same bits at any number of threads.
+// body are split (isosurface/relax.h). Cost: at most 2 evaluations of the function per cube of the
+// lattice, and about 30 per point of the mesh. The results have the same bits at any number of
+// threads.
 //
 // Sources: marching tetrahedra, Doi, Koide (1991); the lattice, Labelle, Shewchuk (2007).
 #pragma once

@@ -23,28 +23,29 @@ struct BenchReport {
   // Frames in which edits changed the surface.
   struct Updates {
     std::int64_t frames = 0, bricks = 0;  // bricks: those evaluated again in these frames
-    double seconds = 0;  // of the stages updateField and updateSurface in these frames
+    double seconds = 0;  // time of the stages updateField and updateSurface in these frames
   };
   double spacing = 0;  // cube root of a cell's volume in the first organ, m
-  // Before the operation. bytes: memory that the simulation holds.
+  // Counts before the operation. bytes: memory that the simulation holds then.
   std::int64_t particles = 0, triangles = 0, bytes = 0;
   bool tissueMoves = false;
-  std::int64_t frames = 0, missed = 0;  // missed: frames that took longer than frameDuration
+  std::int64_t frames = 0, missed = 0;  // missed: frames computed slower than frameDuration
   double frameDuration = 0;             // s
-  TimeSummary frame;                    // time of a frame: all stages together
-  std::vector<Stage> stages;            // in the order of the step
+  TimeSummary frame;                    // computing time of a frame: sum of all stages
+  std::vector<Stage> stages;            // in the order in which a step runs them
   std::int64_t inHand = 0;              // frames with an instrument in hand
   Updates updates;
-  std::int64_t substeps = 0;         // of tissue that moves, all organs together
-  double perParticleAndSubstep = 0;  // s, of the stage moveTissue; 0 for still tissue
-  std::string instructionSet;        // of the kernels that move tissue
-  std::uint64_t stateHash = 0;       // at the end; runScenario() gives the same
+  std::int64_t substeps = 0;         // of moving tissue, sum over all organs
+  double perParticleAndSubstep = 0;  // mean time of the stage moveTissue, s; 0 for still tissue
+  std::string instructionSet;        // that the kernels for moving tissue use
+  std::uint64_t stateHash = 0;       // at the end; the same as after runScenario()
 
   double bytesPerParticle() const { return double(bytes) / double(particles); }
   bool realTime() const { return frame.p95 <= frameDuration; }
 };
 
-// Runs all frames of the scenario on a simulation made for it; nothing but the steps is timed.
+// Runs all frames of the scenario. simulation: made from this scenario, at its start. Only the
+// steps are timed. observer: called after each frame (operation/run.h).
 BenchReport benchScenario(Simulation& simulation, const Scenario& scenario,
                           const FrameObserver& observer = {});
 
@@ -55,10 +56,10 @@ struct RealTimeLimit {
 };
 
 // Searches for the largest organ that keeps real time. `first`: the report of the operation with
-// the present spacing. `measure`: runs the operation with another spacing, m. Tries at most
-// `trials` more spacings, with at most `mostParticles` particles. Ends earlier if the organ that
-// fails has at most 15 % more particles than the one that holds, or if the next spacing would be
-// almost that of the previous run.
+// the present spacing. `measure`: runs the operation with another spacing, m, and reports. Tries at
+// most `trials` more spacings, with at most `mostParticles` particles. Ends earlier if `fails` has
+// at most 15 % more particles than `holds`, or if the next spacing would be almost that of the
+// previous run.
 RealTimeLimit findRealTimeLimit(const BenchReport& first,
                                 const std::function<BenchReport(double spacing)>& measure,
                                 int trials = 4, double mostParticles = 1e6);

@@ -7,8 +7,8 @@
 
 namespace resect {
 
-// Cuts the organ, which must not have moved yet, and the vessels there. Throws Error if a wound
-// meets no tissue.
+// Makes these cuts in the organ and in its vessels. The organ must not have moved yet. Throws Error
+// if a wound meets no tissue.
 void makeWounds(std::span<const OrganWound> wounds, OperatedOrgan& organ);
 
 }  // namespace resect

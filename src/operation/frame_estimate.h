@@ -1,4 +1,4 @@
-// Estimates how long the computation of a frame will take, before the first one is computed.
+// Estimates how long the computation of a frame will take, before the first frame is computed.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace resect {
 
-inline constexpr double kSlowFrame = 2;  // s; if a frame will take longer, people are told
+inline constexpr double kSlowFrame = 2;  // s; slowFrameNote() warns of slower frames
 
-// Estimated time to compute a frame, s. It counts elastic tissue only, since no other work follows
-// from the settings: substeps x particles x 20 ns (docs/methods/tissue.md), divided by the number
-// of threads. The estimate is right to about a factor of three. duration: simulated time of the
-// frame, s.
+// Estimated time to compute a frame, s: substeps x particles x 20 ns (docs/methods/tissue.md),
+// divided by the number of threads. Only elastic tissue is counted, since other work cannot be
+// estimated from the settings. The estimate is right to about a factor of three. duration:
+// simulated time of the frame, s.
 double expectedFrameSeconds(const Simulation& simulation, double duration);
 
-// A sentence that compares the estimate with the simulated time of the frame.
+// A sentence that compares the estimate with `duration`, the simulated time of the frame, s.
 std::string paceNote(const Simulation& simulation, double duration);
 
 // A sentence with the estimate and with settings to change; empty if the estimate is at most

@@ -1,5 +1,5 @@
-// The precompiled header of the layers from operation/ on: what base/precompiled.h has, and the
-// simulation. No file includes this one by name.
+// The precompiled header of the layers from operation/ on: base/precompiled.h and the simulation.
+// No file includes this header by name.
 #pragma once
 
 #include "base/precompiled.h"

@@ -1,4 +1,4 @@
-// What a scenario's title promises, and whether a run kept it.
+// What a scenario's title promises, and whether a run fulfilled it.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 namespace resect {
 
 struct PromiseKind {
-  std::string_view word;      // in files
-  std::string_view sentence;  // what happened if it was not kept, for people
+  std::string_view word;      // name of the promise in files
+  std::string_view sentence;  // what happened in a run that did not keep it; for people
 };
-// removal: tissue is removed. cut: tissue is cut, and none is removed. push: an instrument pushes
-// with a force, and tissue is neither cut nor removed. parts: the organ is in several pieces at the
-// end. blood: blood is lost.
+// removal: tissue is removed. cut: tissue is cut, and none is removed. push: the force on an
+// instrument exceeds 0.01 N, and tissue is neither cut nor removed. parts: an organ has at least
+// one piece besides its body at the end. blood: blood is lost.
 inline constexpr std::array kPromises{
     PromiseKind{"removal", "no tissue was removed"},
     PromiseKind{"cut", "tissue was removed, or none was cut"},
@@ -24,7 +24,7 @@ inline constexpr std::array kPromises{
     PromiseKind{"parts", "the organ is still in one piece"},
     PromiseKind{"blood", "no blood was lost"}};
 
-// One sentence for each tool that has keys but touched nothing, and for each promise of the
+// One sentence for each tool that has keys but touched no organ, and one for each promise of the
 // scenario that was not kept.
 std::vector<std::string> findings(const RunSummary& summary, const Scenario& scenario);
 

@@ -1,7 +1,8 @@
-// Positions of things in the operating room. The scenario's defaults and the pictures use these.
+// Positions of the objects in the operating room. The scenario's defaults and the pictures use
+// them.
 //
-// World coordinates in m, Y up: the table's top is at y = 0, the patient's left at +X, the surgeon
-// at +Z. The organ lies round the origin.
+// World coordinates, m, Y up: the table's top is at y = 0, the patient's left is towards +X, the
+// surgeon towards +Z. The organ lies round the origin.
 #pragma once
 
 #include <numbers>
@@ -16,8 +17,8 @@ namespace resect {
 inline Pose toolBoxPose() { return {Vec3(0.27, 0.0, 0.02), Eigen::Quaterniond::Identity()}; }
 
 // The four walls of the tool box as one closed mesh in the box's frame, an obstacle for tissue.
-// Outside they measure 30 x 22 cm; they are 25 mm high and 12 mm thick. Walls of a millimetre would
-// hold back no cell. The mesh has no floor, since the box stands on the table.
+// Their outside measures 30 x 22 cm; they are 25 mm high and 12 mm thick. Walls of 1 mm would be
+// too thin to stop cells. The mesh has no floor, since the box stands on the table.
 TriangleMesh toolBoxWalls();
 
 // Pose in which tool number i, from 0, lies when it is not in hand. The tools lie on their sides,

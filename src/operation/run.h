@@ -22,38 +22,38 @@ struct SurfaceSummary {
 };
 SurfaceSummary summarise(const TriangleMesh& surface);
 
-// The force on a tool in each frame, N.
+// The forces on a tool, N.
 struct ToolForces {
   std::string tool;
   double peak = 0;              // the largest of perFrame
-  std::vector<float> perFrame;  // magnitude of the mean force in the frame
+  std::vector<float> perFrame;  // for each frame, the magnitude of the mean force in it
 };
 
 struct RunSummary {
   Ledger ledger;  // at the end of the run
-  // Largest overlap of a tool and still tissue at the end of a frame, m^3.
+  // Largest volume that a tool and still tissue shared at the end of a frame, m^3.
   double deepestOverlap = 0;
-  // Whether any instrument touched, removed or cut tissue; and which of them touched it or,
-  // where tissue moves, came near it; one for each tool.
+  // touched: whether any instrument touched, removed or cut tissue. toolTouched: for each tool,
+  // whether it touched tissue or, if tissue moves, came near it.
   bool touched = false;
   std::vector<bool> toolTouched;
   std::int64_t frames = 0;
   double simulatedSeconds = 0;
   double computedSeconds = 0;  // time spent in the steps, without pictures
-  // The surface of all organs, before the operation and at the end. Its volume differs from that of
-  // the tissue in cells, which the ledger has.
+  // The surface of all organs, before the operation and at the end. Its volume differs a little
+  // from that in the ledger, which is the volume of the tissue in cells.
   SurfaceSummary surfaceBefore, surface;
   std::vector<StageTimes> stages;
   std::vector<std::string> faults;         // each sentence once
   bool tissueMoves = false;                // whether any tissue is elastic
-  std::vector<ToolForces> forces;          // one per tool; none if no tissue moves
+  std::vector<ToolForces> forces;          // one per tool; empty if no tissue moves
   std::int64_t severed = 0, torn = 0;      // bonds that edits severed; bonds that tore
   std::int64_t substeps = 0, retries = 0;  // sums over all frames and organs
   std::optional<BloodSummary> blood;       // if any organ has vessels
-  std::vector<SegmentAmount> segments;     // of the first organ that has them
+  std::vector<SegmentAmount> segments;     // of the first organ with segmentAmounts()
   std::uint64_t stateHash = 0;
 
-  // Simulated time over the time that it took to compute.
+  // Simulated time divided by the time spent in the steps.
   double realTimeFactor() const {
     return computedSeconds > 0 ? simulatedSeconds / computedSeconds : 0;
   }
@@ -62,8 +62,8 @@ struct RunSummary {
 // Called after each frame. If it returns false, the operation ends with this frame.
 using FrameObserver = std::function<bool(const Simulation&, const FrameInput&, const StepReport&)>;
 
-// Runs all frames of the scenario. `simulation` must have been made from this scenario by the
-// caller, since the layer `operation` reads no files.
+// Runs all frames of the scenario. simulation: made by the caller from this scenario (see
+// io/operation_setup.h; the layer `operation` reads no files).
 RunSummary runScenario(Simulation& simulation, const Scenario& scenario,
                        const FrameObserver& observer = {});
 

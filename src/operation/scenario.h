@@ -30,21 +30,21 @@ struct OrganLabel {
   }
 };
 
-// A structure of the organ that is given by a model file in the coordinates of the organ's file: a
-// vessel, whose centre lines are taken, or another structure, whose inside gets a label.
+// A structure of the organ that is given by a model file in the coordinates of the organ's file. Of
+// vessels the centre lines are used; the particles inside any other structure get a label.
 struct BroughtStructure {
   StructureKind kind = StructureKind::Tumour;
   int label = 0;     // 1 to 255; 0 for vessels and cavities
   std::string name;  // of the label
   std::string file;
-  std::string part;  // names of parts, one a line; "": all
-  double unit = 1;   // metres per unit of the file
+  std::string part;  // names of parts, one per line; "": all
+  double unit = 1;   // metres per unit of the file's coordinates
 };
 
-// A straight cut that an organ has before the operation begins: what lies between a line and the
-// same line `depth` farther on.
+// A straight cut that an organ has before the operation begins. The cut is the rectangle or
+// parallelogram between a line and the same line moved by `depth` in the direction `into`.
 struct OrganWound {
-  // The line's ends: fractions of the organ's box at rest, or m, world, if `inWorld`.
+  // The line's ends, in fractions of the organ's box at rest; if inWorld, in world coordinates, m.
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();
   bool inWorld = false;
   Vec3 into = -Vec3::UnitY();  // unit, world
@@ -59,32 +59,32 @@ struct OrganWound {
 // Where an organ comes from, how it is placed, and the size of its cells.
 struct OrganSource {
   std::string name = "organ";     // its name in the scenario
-  std::string beside;             // organ whose pose in the room it takes; "": it uses `pose`
+  std::string beside;             // name of the organ whose pose it takes over; "": it uses `pose`
   std::string file = "liver";     // a built-in organ (isBuiltIn), a model file or particle file
   std::string part;               // name of a part of the model file; "": all parts
   double unit = 1;                // metres per unit of the file
-  bool repair = false;            // close the holes of an open mesh instead of refusing it
+  bool repair = false;            // the holes of an open mesh are closed; false: it is an error
   std::optional<double> spacing;  // side of a cell, m; give this or dims
   std::optional<Vec3i> dims;      // samples per axis of the thesis's grid over the bounding box
-  // A particle file contains cells. If `resample` is true, new cells are made instead of them, by
-  // spacing or dims.
+  // A particle file contains cells. If `resample` is true, new cells are made from their surface
+  // instead, by spacing or dims.
   bool resample = false;
   Pose pose;            // the rotation applies before onTable and settle, the position after them
-  bool onTable = true;  // put it on the table top, y = 0, with its box centred over the origin
-  bool settle = true;   // if onTable: roll it to the nearest pose in which it lies still
+  bool onTable = true;  // it is put on the table's top, y = 0, its box centred over the origin
+  bool settle = true;   // if onTable: it first rolls to the nearest pose in which it lies still
   OrganSettings settings;
-  // Vessels, with which the organ bleeds: "" none, kBuiltInVessels, or a file of vessels
-  // (io/vessels_file.h) in the coordinates of the organ's file, in mm.
+  // Vessels, with which the organ bleeds: "" for none, kBuiltInVessels, or the name of a file of
+  // vessels (io/vessels_file.h), whose coordinates are those of the organ's file, in mm.
   std::string vessels;
-  // These are added to the landmarks and labels of a particle file. Where the regions of labels
-  // overlap, the last one counts.
+  // `landmarks` and `labels` are added to those of a particle file. Where the regions of labels
+  // overlap, the last label counts.
   std::vector<Landmark> landmarks;
   std::vector<OrganLabel> labels;
   std::vector<OrganWound> wounds;
-  // Not kept in recordings, which hold the cells and vessels that were made.
+  // Not kept in recordings, which hold the resulting cells and vessels.
   std::vector<BroughtStructure> structures;
-  bool smallVessels = true;  // grow from vessels among these
-  // Sentences for people about how all this was chosen; not kept either.
+  bool smallVessels = true;  // smaller vessels grow from the vessels in `structures`
+  // Sentences for people about how these values were chosen. Not kept in recordings.
   std::vector<std::string> notes;
 
   template <class Visitor>
@@ -97,12 +97,13 @@ struct OrganSource {
   }
 };
 
-// The organs that come with Resect, and whether the source is one of them.
+// The organs that come with Resect; and whether the source is one of these.
 inline constexpr std::string_view kBuiltInOrgans[] = {"liver", "gallbladder"};
 inline bool isBuiltIn(const OrganSource& source) {
   return std::ranges::find(kBuiltInOrgans, source.file) != std::end(kBuiltInOrgans);
 }
-// Whether the source is a built-in organ that comes with vessels; and the names of these, for
+// isVesselsFile(): whether the source's vessels come from a file. hasVessels(): whether the source
+// is a built-in organ that comes with vessels. organsWithVessels(): the names of these organs, for
 // messages.
 inline constexpr std::string_view kBuiltInVessels = "built-in";
 inline bool isVesselsFile(const OrganSource& source) {
@@ -112,8 +113,8 @@ inline bool hasVessels(const OrganSource& source) { return source.file == "liver
 inline std::string organsWithVessels() { return "liver"; }
 std::string builtInOrgans();  // "liver, gallbladder", for messages
 
-// Pose, squeeze and pedal of a tool at one time. Between two keys rotations are interpolated along
-// the shorter great circle, and all else linearly.
+// Pose, squeeze and pedal of a tool at one time. Between two keys, rotations are interpolated along
+// the shorter great circle, and the other values linearly.
 struct ToolKey {
   double time = 0;     // s from the start
   Pose pose;           // of the tool's frame, whose origin is the tip; world
@@ -131,15 +132,15 @@ struct ToolKey {
 enum class OperationMode { Thesis, Operation };
 
 struct ScenarioTool {
-  std::string model;  // path or name of its description file (.toml)
-  // If given, replaces the response in the description file. "": the tool's working parts act.
-  // "remove": the tool removes what it touches.
+  std::string model;  // path of its description file (.toml), or name of one that comes with Resect
+  // If given, replaces the response in the description file (ToolModel::response). "": the tool's
+  // working parts act. "remove": the tool removes every particle that it touches.
   std::optional<std::string> response;
-  Pose rest;  // where it lies while not in hand
+  Pose rest;  // its pose while it is not in hand, world
   // The keys in ascending order of time. The tool is in hand from the first key to the last one.
   std::vector<ToolKey> keys;
-  // If given, the keys are made of it when the organs are loaded (operation/way/place_ways.h). Not
-  // kept in recordings, which hold these keys.
+  // If given, the keys are made from this way when the organs are loaded
+  // (operation/way/place_ways.h). Not kept in recordings, which hold the keys.
   std::optional<OrganWay> way = {};
 
   template <class Visitor>
@@ -161,14 +162,15 @@ struct LabelMaterial {
 
 // How the organ's tissue moves.
 struct TissueSetup {
-  bool elastic = false;  // false: the tissue does not move, as in the original system
+  bool elastic = false;  // false: the tissue does not move, as in the thesis
   TissueMaterial material = liverTissue();  // of label 0, and of labels not in `materials`
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;
   std::vector<LabelMaterial> materials;  // at most one per label
-  // A sentence for people about each older key that was read; not kept in recordings.
+  // A sentence for people about each outdated key that was read. Not kept in recordings.
   std::vector<std::string> notes;
 
+  // The material of the cells with a label.
   const TissueMaterial& materialOf(int label) const {
     for (const LabelMaterial& one : materials)
       if (one.label == label) return one.material;
@@ -192,8 +194,8 @@ struct ScenarioOrgan {
   }
 };
 
-// Springs that hold two organs together. Each leads from a particle of the first organ to the
-// nearest particle of the second organ.
+// Springs that hold two organs together. Each spring leads from a particle of the first organ to
+// the nearest particle of the second organ.
 struct OrganJoint {
   std::string organs[2];    // names of the two organs
   double reach = 0.01;      // m: particles farther apart at rest are not joined
@@ -207,27 +209,27 @@ struct OrganJoint {
 
 struct Scenario {
   std::string name;         // the file's name without extension
-  std::string file;         // the file that it was read from; "": it was not read from a file
+  std::string file;         // path of the file that it was read from; "": none
   std::string title;        // one line for people
   std::string description;  // what the scenario shows, for people
-  // What must happen for the title to be true: words of kPromises (operation/promises.h). Not kept
-  // in recordings.
+  // What must happen in a run for the title to be true: words of kPromises (operation/promises.h).
+  // Not kept in recordings.
   std::vector<std::string> promises = {};
   OperationMode mode = OperationMode::Thesis;
   std::vector<ScenarioOrgan> organs = std::vector<ScenarioOrgan>(1);  // at least one
-  std::vector<OrganJoint> joints;  // hold moving tissue together; still tissue needs none
+  std::vector<OrganJoint> joints;  // they act on moving tissue only
   std::vector<ScenarioTool> tools;
   double frameRate = 60;  // frames per simulated second, 1 to 1000
-  double duration = 1;    // s
-  // s: if given, the duration lasts so long after the last key of any tool; see endAfterKeys().
+  double duration = 1;    // simulated time of a run, s
+  // s: if given, the run ends this long after the last key of any tool; see endAfterKeys().
   std::optional<double> after = {};   // not kept in recordings
   bool table = true, toolBox = true;  // whether the room has a table, and a tool box
-  // What stands round the organs in pictures: "table", or "field", an opened abdomen. Forces and
-  // cuts are the same. A recording keeps it as text.
+  // The surroundings of the organs in pictures: "table", or "field", an opened abdomen. They have
+  // no effect on the simulation. A recording keeps this word as text.
   std::string setting = "table";
   std::string view = "surgeon";  // name of the camera's view (docs/scenarios.md)
-  std::optional<Aabb> closeUp;   // box that pictures show, world, m; empty: the organs
-  // What is to be done. A recording keeps it as text (RecordingFile::task()), not among the fields.
+  std::optional<Aabb> closeUp;   // box that fills the pictures, world, m; none: the organs do
+  // The task, if any. A recording keeps it as text (RecordingFile::task()), not among the fields.
   std::optional<Task> task;
 
   template <class Visitor>
@@ -239,32 +241,33 @@ struct Scenario {
   }
 };
 
-// Each of these throws Error unless all numbers are in their ranges (setting_ranges.h) and all
-// names of organs are known. They are for scenarios that a program has made. When a scenario is
-// read from a file, its reader makes the same checks (io/scenario/scenario_file.h).
+// Each of these functions throws Error unless all numbers are in their ranges (setting_ranges.h)
+// and all names of organs are known. They are for scenarios that a program has made. The reader of
+// scenario files (io/scenario/scenario_file.h) makes the same checks.
 void requireSound(const OrganSource& source);
 void requireSound(const TissueSetup& tissue);
 void requireSound(const Scenario& scenario);
 
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
-// The names of Scenario::setting.
+// The values of Scenario::setting, for messages; and whether a word is one of them.
 constexpr const char* kSettingNames = "table or field";
 bool isSetting(std::string_view name);
-// Whether pictures show the operative field. Thesis mode always has the table.
+// Whether pictures show the opened abdomen. In thesis mode they always show the table.
 bool showsField(const Scenario& scenario);
 // Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
-// Replaces all organs by one. Its tissue moves as that of the first organ did, without the
-// attachments and the labels' materials, whose places and labels were those of the old organ. If it
-// is of another file, the description and the close-up go too.
+// Replaces all organs by one. The new organ gets the name and the tissue of the first organ and, if
+// it lies on the table, its position. It does not get the materials of labels, nor attachments
+// unless their regions are given in fractions of the organ's box. If the new organ comes from
+// another file, the scenario's description and close-up are removed, too.
 void replaceOrgans(Scenario& scenario, const OrganSource& source);
-// Sets the spacing of the first organ, m, and drops its dims. Scales the spacings of the other
-// organs in proportion. An organ that has dims instead of a spacing keeps its dims. before: the
-// first organ's spacing until now, m.
+// Sets the spacing of the first organ, m, and removes its dims. Scales the spacings of the other
+// organs in proportion; an organ with dims keeps its dims. before: the first organ's spacing until
+// now, m.
 void setSpacing(Scenario& scenario, double before, double spacing);
-// If the scenario is to end some time after its last key, sets its duration to that, rounded up to
-// a tenth of a second.
+// If Scenario::after is given, sets the duration to the time of the last key plus `after`, rounded
+// up to a tenth of a second.
 void endAfterKeys(Scenario& scenario);
 // Makes the tissue of all organs elastic, and sets operation mode.
 void makeElastic(Scenario& scenario);
@@ -273,11 +276,11 @@ void makeStill(Scenario& scenario);
 // Makes the tissue of all organs still, and sets thesis mode.
 void makeThesis(Scenario& scenario);
 
-// Pose, squeeze and pedal of a tool at a time, s, and whether it is in hand then.
+// Pose, squeeze and pedal of a tool at `time`, s, and whether it is in hand then.
 ToolInput toolInputAt(const ScenarioTool& tool, double time);
 
-// Input of the frame with number `frame`, counted from 0; it ends at (frame + 1) / frameRate, s. In
-// thesis mode only one tool is in hand: the first one whose keys say so.
+// Input of the frame with number `frame`, counted from 0. The frame ends at (frame + 1) /
+// frameRate, s. In thesis mode only one tool is in hand: the first tool whose keys say so.
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame);
 // Number of frames, at least 1.
 std::int64_t frameCount(const Scenario& scenario);

@@ -1,5 +1,6 @@
-// The ranges of a scenario's numbers. They are wide enough for any tissue, organ or instrument, and
-// narrow enough to detect a wrong unit. docs/scenarios.md, "Ranges", has the same table.
+// The allowed ranges of a scenario's numbers. They are wide enough for any tissue, organ or
+// instrument, and narrow enough to detect a wrong unit. docs/scenarios.md, "Ranges", has the same
+// table.
 #pragma once
 
 #include "tissue/material.h"
@@ -13,25 +14,26 @@ struct SettingRange {
 
 namespace ranges {
 
-// Tissue: fat has 1 kPa, liver 5 kPa, cartilage 10 MPa, tendon 1 GPa; lung 200 kg/m^3, bone 2000.
+// Tissue. Young's modulus: fat 1 kPa, liver 5 kPa, cartilage 10 MPa, tendon 1 GPa. Density: lung
+// 200 kg/m^3, bone 2000 kg/m^3.
 inline constexpr SettingRange kYoung{10, 1e9};               // Pa
 inline constexpr SettingRange kPoisson{0, 0.4999};           // 1
 inline constexpr SettingRange kDensity{100, 5000};           // kg/m^3
 inline constexpr SettingRange kTearEnergy{0.1, 1e6};         // J/m^2; liver 164, rubber 1e4
-inline constexpr SettingRange kTearStretch{1, 100};          // 1; the older name of the energy
+inline constexpr SettingRange kTearStretch{1, 100};          // 1; outdated, gives kTearEnergy
 inline constexpr SettingRange kCapsule{0, 1e5};              // N/m
 inline constexpr SettingRange kCapsuleStrength{1, 1e6};      // N/m
 inline constexpr SettingRange kCutEnergy{0, 1e6};            // J/m^2
 inline constexpr SettingRange kCapsuleCutEnergy{0, 1e4};     // J/m
 inline constexpr SettingRange kStiffening{0, 20};            // 1
 inline constexpr SettingRange kRelaxationShare{0, 10};       // 1
-inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; substeps do not resolve less
-inline constexpr double kFastestWave = 5000;  // m/s; pressure waves in liver 1600, in bone 4000
+inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; substeps resolve no shorter one
+inline constexpr double kFastestWave = 5000;  // m/s, of pressure waves; liver 1600, bone 4000
 inline constexpr SettingRange kGravity{-100, 100};  // m/s^2
 inline constexpr SettingRange kDrag{0, 1000};       // 1/s
 inline constexpr SettingRange kDamping{0, 0.5};     // 1
 inline constexpr SettingRange kSpringStiffness{0,
-                                               1e6};  // N/m, of a ligament or a joint; a knee's 2e5
+                                               1e6};  // N/m, of a ligament or a joint; a knee: 2e5
 
 // Organs.
 inline constexpr SettingRange kUnit{1e-9, 1000};     // m: nanometres to kilometres

@@ -14,13 +14,14 @@ struct CourseSpan {
   std::int64_t branch = 0, first = 0, last = 0;
 };
 
-// The spans that lead to the end of a branch, through the branches that it came from. Each span
-// begins at the frame at which the span before it ends. Empty if the recording has no such branch,
-// or if no frame leads to the branch's end.
+// The spans that lead from the start of the operation to the end of a branch, through its ancestor
+// branches. Each span begins at the frame at which the previous span ends. Empty if the recording
+// has no such branch, or if no frame leads to the branch's end.
 std::vector<CourseSpan> courseOf(RecordingFile& file, std::int64_t branch);
 
-// The course that leads to a moment: to the end of its branch, or only to its frame if that is
-// earlier. An attempt that the window has ended is its recording up to RecordingFile::moment().
+// The course that leads to a moment. If the moment's frame is 0 or after the end of its branch, the
+// course to the end of the branch. For an attempt that the window has ended, the moment is
+// RecordingFile::moment().
 std::vector<CourseSpan> courseTo(RecordingFile& file, const Moment& moment);
 
 // The part of a course from frame `first` to frame `last`; both are clamped to the course. If the

@@ -8,18 +8,19 @@
 
 namespace resect {
 
-// Whether a recording keeps the ledger after this frame. It does so once per simulated second; the
-// frame's number alone decides. A recording also keeps the ledger at the start of each branch and
-// where operating pauses at the end of a branch (Recorder::stood()).
+// Whether a recording keeps the ledger after this frame: true once per simulated second. The result
+// depends on the frame's number alone. A recording also keeps the ledger at the start of each
+// branch and where operating pauses at the end of a branch (Recorder::stood()).
 bool ledgerIsDue(std::int64_t frame, double frameRate);
 
 // Number of pieces in a ledger, of all organs together.
 std::int64_t piecesIn(const RecordedLedger& ledger);
-// The event "piece" if the ledger has more pieces than `before`; else nothing.
+// The event "piece" if the ledger has more pieces than `before`; otherwise nothing.
 std::optional<OperationEvent> pieceEvent(const RecordedLedger& ledger, std::int64_t before);
 
-// The rows of the ledger after the simulation's present frame. Amounts without volume are left out.
-// Margins are left out as long as they are infinite, that is, before anything was cut or bared.
+// The rows of `ledger`, which must be that of the simulation's present state. Amounts with the
+// volume 0 are left out. Infinite margins are left out, that is, all margins before anything was
+// cut or bared.
 RecordedLedger rowsOf(const Ledger& ledger, std::int64_t branch, const Simulation& simulation);
 
 }  // namespace resect

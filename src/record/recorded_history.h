@@ -1,4 +1,4 @@
-// Makes an operation that goes on from a recording.
+// Makes an operation from a recording, so that it can be continued.
 #pragma once
 
 #include "base/progress.h"
@@ -14,8 +14,8 @@ struct RecordedOperation {
 };
 
 // The operation at the end of `branch`; without `branch`, at RecordingFile::moment(). setup:
-// file.setup(). mostBytes: for the states that the history keeps. Throws Error if the recording is
-// damaged or has no such branch.
+// file.setup(). mostBytes: largest memory for the states that the history keeps. Throws Error if
+// the recording is damaged or has no such branch.
 RecordedOperation operationOf(RecordingFile& file, RecordedSetup setup,
                               std::optional<std::int64_t> branch = {},
                               const Progress& progress = {},

@@ -1,5 +1,5 @@
-// The motions of the instruments in a recorded operation, as keys of a scenario. So an attempt that
-// somebody has made becomes the reference run of an exercise: it can be played, and shown as
+// Converts the motions of the instruments in a recorded operation to keys of a scenario. So a
+// recorded attempt can become the reference run of an exercise, which can be played and shown as
 // ghosts.
 #pragma once
 
@@ -10,22 +10,24 @@
 
 namespace resect {
 
-// How far the motion of the keys may be from the recorded one.
+// Greatest deviation of the motion by keys from the recorded motion.
 struct MotionTolerance {
   double distance = 3e-4;  // m, of the tip
   double angle = 0.01;     // rad
   double share = 0.02;     // of squeeze and pedal
 };
 
-// Keys per tool of RecordingFile::setup().scenario, along the course that leads to the moment
-// (courseTo()). Keys begin where the tool is in hand for the first time and end where it is for the
-// last time; none if it never is. While it was put back in between, it lies where it was put.
-// Throws Error if the recording is damaged.
+// For each tool of RecordingFile::setup().scenario, its keys along the course that leads to the
+// moment (courseTo()). The keys begin when the tool is in hand for the first time and end when it
+// is in hand for the last time; a tool that is never in hand has no keys. While the tool was put
+// back in between, the keys keep it in the pose in which it was put. Throws Error if the recording
+// is damaged.
 std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, const Moment& moment,
                                                   const MotionTolerance& tolerance = {});
 
-// The fewest keys that stay within the tolerance of all of these, found by halving (Douglas and
-// Peucker 1973); the first and the last are kept. keys: in ascending order of time.
+// A subset of the keys whose interpolated motion deviates from all keys by at most the tolerance
+// (the algorithm of Douglas and Peucker 1973). It includes the first and the last key. keys: in
+// ascending order of time.
 std::vector<ToolKey> thinned(const std::vector<ToolKey>& keys, const MotionTolerance& tolerance);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Everything that an operation starts from, without references to files. A recording holds it, so
-// that the recording can be played on any machine.
+// The complete initial data of an operation, without references to files. A recording holds them,
+// so that it can be played on any machine.
 #pragma once
 
 #include <span>
@@ -24,13 +24,13 @@ inline std::string toolName(const RecordedSetup& setup, std::int64_t tool) {
   return there ? setup.tools[std::size_t(tool)].name : std::string();
 }
 
-// Takes the setup from a simulation that was made from `scenario`. Its organs and tools must still
-// be the ones that it was made with. Throws Error if their number differs from that in the
+// The setup of a simulation that was made from `scenario`. The simulation's organs and tools must
+// still be those with which it was made. Throws Error if their numbers differ from those in the
 // scenario.
 RecordedSetup setupOf(const Scenario& scenario, const Simulation& simulation);
 
 // Makes the simulation at the start of the operation. With equal inputs it computes the same bits
-// as the simulation that the setup was taken from. Throws Error if the setup cannot be run.
+// as the simulation from which the setup was taken. Throws Error if the setup cannot be run.
 Simulation simulationOf(const RecordedSetup& setup);
 
 // The setup as bytes. `scenario` holds the scenario and the tools as a saved state
@@ -40,7 +40,7 @@ struct SetupBytes {
   std::vector<std::string> cells;
 };
 SetupBytes toBytes(const RecordedSetup& setup);
-// Throws Error if anything is damaged or out of range.
+// Throws Error if the bytes are damaged or a value is out of range.
 RecordedSetup setupFromBytes(const SetupBytes& bytes);
 
 }  // namespace resect

@@ -2,8 +2,8 @@
 //
 // The thread that steps the simulation hands each frame to the recorder, and the recorder's own
 // thread writes it. If the program is killed, the file can still be opened, and lacks at most the
-// last quarter of a second. If the disk is full or the file cannot be written, the recording ends,
-// failure() says why, and the operation goes on.
+// last quarter of a second. If the file cannot be written, for example because the disk is full or
+// too slow, the recording ends, failure() says why, and the operation goes on.
 #pragma once
 
 #include <atomic>
@@ -41,33 +41,36 @@ class FrameHashes {
   FieldHashes hashes_;
 };
 
-// Position of the tip of each tool in hand, and the force on it, after the step of the report.
+// One sample for each tool in hand, after the step that `report` describes. RecordedSample::branch
+// is not set.
 std::vector<RecordedSample> samplesOf(const StepReport& report, const Simulation& simulation);
 
 class Recorder {
  public:
   // Creates the file; throws Error if that fails. Branch 0 begins at the present state of
-  // `simulation`, which must be the start of its operation.
+  // `simulation`, which must be at the start of its operation.
   Recorder(const std::filesystem::path& path, const Scenario& scenario,
            const Simulation& simulation);
-  // Creates a file with a copy of everything in `done`, for an operation that goes on from `done`.
-  // What happens from now on is added to it. Throws Error if that fails, or if the state of
-  // `simulation` has a field that the recording lacks (another version of the program made it).
+  // Creates a file with a copy of everything in `done`, for an operation that continues `done`.
+  // Later frames are added to this file. Throws Error if that fails, or if the state of
+  // `simulation` has a field that the recording lacks, because another version of the program made
+  // the recording.
   Recorder(const std::filesystem::path& path, RecordingFile& done, const Scenario& scenario,
            const Simulation& simulation);
   ~Recorder();  // calls finish()
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // begin(), rename(), stood() and record() are to be called by the thread that steps.
-  // A branch begins at the present state of `simulation`.
+  // begin(), rename(), stood() and record() must be called by the thread that steps the simulation.
+  // begin(): a branch begins at the present state of `simulation`. rename(): a branch has a new
+  // name.
   void begin(const Branch& branch, const Simulation& simulation);
   void rename(const Branch& branch);
-  // Operating pauses at the end of a branch. The recorder keeps the ledger of this moment.
+  // To be called when operating pauses at the end of a branch. Records the ledger of this moment.
   void stood(Moment moment, const Simulation& simulation);
-  // To be called after each step. The frame must follow the last one of its branch. Cost: 0.5 ms at
-  // 13 000 elastic particles; besides, the time of Simulation::save() and stateHash() once in
-  // kKeyStateSeconds.
+  // To be called after each step. The frame must follow the last frame of its branch. Cost: 0.5 ms
+  // with 13 000 elastic particles; in addition, the time of Simulation::save() and stateHash() once
+  // in kKeyStateSeconds.
   void record(Moment moment, const FrameInput& input, const StepReport& report,
               std::span<const OperationEvent> events, const Simulation& simulation);
   // The same for an operation that has only branch 0.
@@ -75,16 +78,16 @@ class Recorder {
 
   // Why the recording has ended; empty while it goes on.
   std::string failure() const;
-  // Size of the file and its write-ahead log at present, bytes.
+  // Present size of the file and its write-ahead log together, bytes.
   std::uintmax_t size() const;
   // Writes everything recorded so far to `path`, as a finished recording, and waits until that is
-  // done. A file at `path` is replaced, but only when the new one is complete. Throws Error if the
+  // done. A file at `path` is replaced, but only when the new file is complete. Throws Error if the
   // file cannot be written. Also throws Error if the recording has ended (failure()); the file at
-  // `path` then holds everything until that end.
+  // `path` then holds everything recorded until that end.
   // moment: the present moment of the operation, for RecordingFile::moment(). Its frame may be
   // kEndOfBranch.
   void saveAs(const std::filesystem::path& path, Moment moment);
-  // Waits until all is written and closes the file.
+  // Waits until everything is written, and closes the file.
   void finish();
 
   const std::filesystem::path& path() const { return path_; }
@@ -104,7 +107,7 @@ class Recorder {
   std::string keep(const std::deque<Item>& items, bool last);
 
   const std::filesystem::path path_;
-  FrameHashes hashes_;  // before file_, which asks for their fields
+  FrameHashes hashes_;  // declared before file_, whose initialisation needs their fields
   RecordingFile file_;
   LedgerBooks books_;
   double frameRate_;
@@ -118,17 +121,17 @@ class Recorder {
   std::vector<LastLedger> lastLedger_;  // by branch
   std::int64_t framesPerKey_;
   // size() is compared with this limit after each transaction. The remaining eighth of
-  // kLargestRecording has room for the transaction that exceeds it.
+  // kLargestRecording has room for the transaction that exceeds the limit.
   std::atomic<std::uintmax_t> mostBytes_ = kLargestRecording / 8 * 7;
 
   mutable std::mutex mutex_;  // guards all below
   std::condition_variable wake_;
   std::deque<Item> queue_;
-  std::size_t queued_ = 0;  // bytes, about
+  std::size_t queued_ = 0;  // approximate size of the queue, bytes
   bool ending_ = false;
   struct Save {
     std::filesystem::path file;  // an empty file; "": nothing is to be saved
-    std::string name;            // the name that the file gets, for messages
+    std::string name;            // the final name of the file, for messages
     Moment moment;
     std::string failure;
   };

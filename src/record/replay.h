@@ -1,4 +1,4 @@
-// Plays a recording, and verifies that playing it computes again what was recorded.
+// Plays a recording, and verifies that a replay gives the recorded states and measurements again.
 #pragma once
 
 #include <functional>
@@ -20,10 +20,10 @@ class Replay {
   Simulation& simulation() { return *simulation_; }
   std::int64_t branch() const { return branch_; }
 
-  // Restores the latest key state at or before the frame and plays from there; if the present frame
-  // is nearer, plays on from it. If another version of the program recorded the state and this one
-  // cannot restore it, plays from the start. Throws Error if the recording has no such frame or is
-  // damaged.
+  // Goes to a frame: restores the last key state at or before it and plays from there; if the
+  // present frame is nearer, plays on from the present frame. If the key state was recorded by
+  // another version of the program and this version cannot restore it, plays from the start. Throws
+  // Error if the recording has no such frame or is damaged.
   void goTo(std::int64_t branch, std::int64_t frame);
   // Plays the next frame of the present branch; returns false at its end. `input` and `report`, if
   // given, receive the frame's input and the step's report.
@@ -43,27 +43,27 @@ class Replay {
   StepReport report_;
 };
 
-// The first difference between a replay and what was recorded.
+// The first difference between a replay and the recording.
 struct Difference {
   std::int64_t branch = 0, frame = 0;
   // The stage of the step that writes the field; "measure" for events, samples and ledgers; "file"
   // if the recording is damaged.
   std::string stage;
-  std::string what;  // a field, as "organs.tissue.u", or a description
+  std::string what;  // a field, such as "organs.tissue.u", or a description
 };
 
 struct Verification {
   std::int64_t frames = 0, keyStates = 0, branches = 0;
   bool complete = true;  // RecordingFile::complete()
   std::optional<Difference> first;
-  std::string program;        // the one that recorded
-  bool otherProgram = false;  // not this version: digests are compared, key states are not
+  std::string program;        // the program that recorded, with its version
+  bool otherProgram = false;  // another version recorded: key states are not compared
 };
 
 // Plays every branch from its first key state until the first difference. Compares the digests of
-// every frame's input and state, all events, samples and ledgers, and every key state with its
-// surface. Throws Error if the file cannot be opened (RecordingFile::open()) or its setup cannot be
-// run.
+// every frame's input and state, all samples and ledgers, all events except those of sight
+// (operation/live/sight.h), and every key state with its surface. Throws Error if the file cannot
+// be opened (RecordingFile::open()) or its setup cannot be run.
 Verification verify(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace resect

@@ -5,8 +5,8 @@
 // weights. With one or two nodes per cell along an axis (refine 1 and 2), every node lies, along
 // each axis, at a cell centre or midway between two centres. Cells that are mirror images about the
 // node then have equal weights. Their values are added first, one axis after the other. This leaves
-// four to eight products per node instead of up to 36. With refine 3 and 4 each cell is weighed by
-// itself.
+// four to eight products per node instead of up to 36. With refine 3 and 4 each cell's value is
+// multiplied by a weight of its own.
 #pragma once
 
 #include <array>

@@ -1,20 +1,22 @@
-// The surface of an organ, kept up to date with the organ's edits. Also tells which ranges of the
-// surface's arrays the last update changed.
+// The surface of an organ, kept up to date with the organ's edits. The tracker also lists which
+// ranges of the surface's arrays the last update changed.
 //
-// Incremental marching cubes over the bricks of a colour field (Lorensen and Cline 1987). The mesh
-// is a function of the field, the iso level and the wound alone: after any edits mesh() equals the
-// mesh of a rebuild from scratch, bit for bit. It is closed and oriented outwards. The cost of an
-// update depends on the number of touched bricks, not on the size of the organ.
+// The method is incremental marching cubes (Lorensen and Cline 1987) over the bricks of a colour
+// field. The mesh is a function of the field, the iso level and the wound alone: after any edits
+// mesh() equals the mesh of a rebuild from scratch, bit for bit. The mesh is closed and oriented
+// outwards. The cost of an update depends on the number of touched bricks, not on the size of the
+// organ.
 //
 // Incisions are meshed in the same bricks (wound/wound_brick.h). An incision removes nothing: its
 // two lips coincide until the tissue moves. Bricks without cuts are meshed by marching cubes as
 // usual.
 //
 // points(), normals(), cut() and triangles() are arrays for viewers. Each brick owns a range of the
-// vertices and one of the triangles. It keeps these ranges as long as their rounded sizes stay the
-// same. So the arrays have unused elements ("holes"); an unused triangle is (0, 0, 0). changes()
-// lists the ranges that a viewer must copy again. Normals and cut shares are needed by pictures
-// only, so they are made on demand, by updateLook().
+// vertices and one of the triangles. It keeps these ranges as long as their rounded sizes
+// (surface/range_allocator.h) stay the same. So the arrays have unused elements ("holes"); an
+// unused triangle is (0, 0, 0). changes() lists the ranges that a viewer must copy again. Only
+// pictures need normals and cut shares (isosurface/brick_look.h), so updateLook() computes them on
+// demand.
 #pragma once
 
 #include <array>
@@ -45,7 +47,7 @@ class SurfaceTracker {
   // Meshes the bricks `touched` again; these are the bricks that field.update() returned.
   void update(const ColourField& field, std::span<const std::int64_t> touched);
   // The same for an organ with incisions. severed: the bricks that wound.severed.update() returned.
-  // Once a wound was given, every later call of update() and setIso() must get one.
+  // Once a wound was given, every later call of update() and setIso() must be given one.
   void update(const ColourField& field, std::span<const std::int64_t> touched, const Wound& wound,
               std::span<const TouchedBrick> severed);
   // Sets another iso level and meshes everything again.
@@ -57,7 +59,7 @@ class SurfaceTracker {
   void updateLook(const ColourField& field);
 
   std::span<const Vec3f> points() const { return points_; }  // rest space, m
-  // These two throw Error if the surface has changed since the last updateLook().
+  // normals() and cut() throw Error if the surface has changed since the last updateLook().
   std::span<const Vec3f> normals() const;  // unit, outwards
   std::span<const float> cut() const;      // cut shares, 0 to 1; kRimShare at rims of cuts
   std::span<const Triangle> triangles() const { return triangles_; }
@@ -89,7 +91,7 @@ class SurfaceTracker {
   }
 
   // Calls visit(triangle, lip) for each triangle of a brick. lip: whether it belongs to a lip of a
-  // wound; else it belongs to the organ's surface.
+  // wound; if not, it belongs to the organ's outer surface.
   template <typename Visit>
   void visitBrick(std::int64_t brick, Visit visit) const {
     const BrickMesh& mesh = meshOf(brick);
@@ -110,8 +112,8 @@ class SurfaceTracker {
     std::vector<IndexRange> vertices, triangles;
     std::int64_t bricks = 0;  // number of bricks that were meshed
     bool everything = false;  // the arrays were made anew; the ranges are empty
-    // Grows by 1 with each update. When the arrays are made anew it gets a number that no surface
-    // of this process had before, so a follower sees that it missed something.
+    // Grows by 1 with each update. When the arrays are made anew, it becomes a number that no
+    // surface of this process had before. So a viewer can tell that its copy is out of date.
     std::uint64_t number = 0;
   };
   const Changes& changes() const { return changes_; }
@@ -134,9 +136,9 @@ class SurfaceTracker {
   // For each point of mesh(), a node of the grid that lies in the same piece of tissue.
   std::vector<Vec3i> anchorNodes(const ColourField& field) const;
 
-  // A mesh (rest space) of all triangles that the wanted columns of a grid can meet, at any depth.
-  // Triangles elsewhere may be missing. wanted: one flag per column of the grid. The cost depends
-  // on the number of bricks over wanted columns.
+  // A mesh in rest space with all triangles that the wanted columns of a grid can meet, at any
+  // depth. Triangles elsewhere may be missing. wanted: one flag per column of the grid. The cost
+  // depends on the number of bricks that the wanted columns pass through.
   TriangleMesh meshOver(const ColourField& field, const ColumnGrid& grid,
                         std::span<const std::uint8_t> wanted) const;
 
@@ -153,7 +155,7 @@ class SurfaceTracker {
     std::int32_t firstVertex = 0, vertices = 0;
     std::int32_t firstTriangle = 0, triangles = 0;
     std::int16_t wholeTriangles = 0;  // triangles that the brick would have if no cell were cut
-    bool drawAgain = false;           // the brick is listed in retriangulate_
+    bool drawAgain = false;           // whether the brick is listed in retriangulate_
     std::int32_t wound = kNone;       // index into wounds_
   };
   // A brick and its seven upper neighbours, numbered as in cornerMasks().
@@ -241,7 +243,7 @@ class SurfaceTracker {
 };
 
 // Builds field and surface together. The result has the same bits as if they were built one after
-// the other. It is faster, since bricks are meshed while their nodes are still in the cache.
+// the other. This is faster, since bricks are meshed while their nodes are still in the cache.
 // refine: as for ColourField. iso: as for SurfaceTracker.
 struct FieldAndSurface {
   ColourField field;

@@ -2,9 +2,9 @@
 //
 // There are three kinds of change: new vertices, moved vertices and new triangles. For each kind
 // there is a list of ranges of the surface's arrays, and lists of the present values in these
-// ranges, range after range. If two ranges overlap, the later one counts. Tissue that only moves
-// needs points and normals alone: 24 bytes per vertex. The cost of each function here is
-// proportional to the size of the update.
+// ranges, range after range. If two ranges overlap, the later one counts. For tissue that only
+// moves, an update holds only points and normals: 24 bytes per vertex. The cost of each function
+// here is proportional to the size of the update.
 #pragma once
 
 #include <algorithm>
@@ -34,8 +34,8 @@ struct SurfaceUpdate {
   std::vector<IndexRange> newTriangles;
   std::vector<Triangle> triangles;  // indices of vertices of the whole surface; {0, 0, 0}: unused
 
-  std::shared_ptr<const TissueMap> blood, heat;  // on and in the organ, if they have changed
-  // In the organ, with the whole surface.
+  std::shared_ptr<const TissueMap> blood, heat;  // null: unchanged
+  // Labelled structures and vessels in the organ; given only if `everything` is true.
   std::shared_ptr<const TissueMap> structures;
   std::shared_ptr<const VesselPicture> vessels;
 
@@ -45,8 +45,8 @@ struct SurfaceUpdate {
   }
 };
 
-// Adds a range of the surface's arrays, and the values in this range. The arrays are given whole.
-// An empty range is left out.
+// These functions add a range of the surface's arrays to the update, with the values in this range.
+// The spans are the whole arrays. An empty range is left out.
 void addNewVertices(SurfaceUpdate& update, IndexRange range, std::span<const Vec3f> rest,
                     std::span<const float> cut);
 void addMovedVertices(SurfaceUpdate& update, IndexRange range, std::span<const Vec3f> points,
@@ -67,8 +67,8 @@ struct SurfaceCopy {
 };
 
 // Writes an update into a copy. If a range reaches beyond the end of the copy's arrays, the arrays
-// grow; triangles that this adds outside all ranges are unused, {0, 0, 0}. Throws Error, and
-// changes nothing, if the number of values differs from the sizes of the ranges.
+// grow; new triangles outside all ranges are unused, {0, 0, 0}. Throws Error, and changes nothing,
+// if the number of values differs from the sizes of the ranges.
 void apply(const SurfaceUpdate& update, SurfaceCopy& copy);
 
 }  // namespace resect

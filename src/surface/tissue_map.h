@@ -1,5 +1,6 @@
-// Two values at each place of an organ's tissue at rest, as bytes for viewers: how thick blood lies
-// on it, what heat has done to it, or which structure it belongs to.
+// A map over an organ's tissue at rest, for viewers: a grid of texels with two bytes each. They
+// give the thickness of the blood on the tissue, its damage by heat, or the structure that it
+// belongs to.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +11,17 @@
 namespace resect {
 
 struct TissueMap {
-  static constexpr float kDeepest = 2e-3f;  // m of blood that 255 stands for; more counts as this
+  static constexpr float kDeepest = 2e-3f;  // m: blood of this thickness or more has the value 255
 
-  // Texel (0, 0, 0) is at `low`, the next ones `spacing` apart, x fastest; m. Two bytes each. Of
-  // blood: liquid and clotted; places without skin have the mean of the skin beside them. Of heat:
-  // coagulated and charred, 255 for wholly. Of structures: tumour, and any other structure.
+  // Texel (0, 0, 0) is at `low` in rest space, the next ones `spacing` apart, x fastest; m. The two
+  // bytes of a texel, in a map of blood: thickness of liquid and of clotted blood, as the weighted
+  // mean over the skin at and beside the texel. Of heat: coagulated and charred share, 255 for all.
+  // Of structures: share of tumour, and of any other structure, 255 for all.
   Vec3f low = Vec3f::Zero();
   Vec3f spacing = Vec3f::Ones();
   Vec3i dims = Vec3i::Zero();
-  std::vector<std::uint8_t> texels;  // none: there is nothing to show
-  Aabb box;                          // round all that the map shows, world, m
+  std::vector<std::uint8_t> texels;  // empty: there is nothing to show
+  Aabb box;                          // of blood, heat: bounds of what the map shows, world, m
 };
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The vessels inside an organ, for viewers: a grid of bins over the tissue at rest, with the
-// vessels that pass through each.
+// The vessels inside an organ, for viewers: a grid of cubic bins over the tissue at rest. Each bin
+// lists the vessel segments that pass through it.
 #pragma once
 
 #include <array>
@@ -10,13 +10,14 @@
 namespace resect {
 
 struct VesselPicture {
-  // Bin (0, 0, 0) begins at `low`; x fastest; m.
+  // low: lowest corner of bin (0, 0, 0), rest space, m. bin: side of a bin, m. dims: number of bins
+  // along each axis.
   Vec3f low = Vec3f::Zero();
   float bin = 0.005f;
   Vec3i dims = Vec3i::Zero();
-  // Of each bin: its first entry, and how many there are.
+  // Per bin, x fastest: the index of its first entry, and the number of its entries.
   std::vector<std::array<float, 2>> bins;
-  // Start and radius, end and kind (VesselKind) of a segment; m.
+  // A segment: start (x, y, z), radius, end (x, y, z), and VesselKind as a number; rest space, m.
   std::vector<std::array<float, 8>> entries;
 };
 

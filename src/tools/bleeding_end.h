@@ -1,4 +1,4 @@
-// Which bleeding vessel an instrument has at its tip.
+// Finds the bleeding vessel end at an instrument's tip.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,13 @@ namespace resect {
 struct VesselAtTip {
   std::int32_t segment = -1;
   VesselEnd end = VesselEnd::Root;
-  Vec3 rest = Vec3::Zero();  // of the end, m
+  Vec3 rest = Vec3::Zero();  // position of the end in rest space, m
 };
 
-// The end of a vessel that bleeds within `reach`, m, of a place in the world: the nearest, and of
-// those that lie together the one that bleeds most. It looks where the ends are now, so it finds
-// the end that a viewer marks, however the tissue is pulled. accepts: for a radius, m.
+// The nearest bleeding end of a vessel within `reach`, m, of `place`, a point in the world. Among
+// ends at almost the same distance, returns the one that bleeds most. Distances are measured to the
+// present positions of the ends, so the result is an end that a viewer marks, even if the tissue is
+// pulled. accepts: whether a vessel of this radius, m, counts.
 std::optional<VesselAtTip> bleedingEndNear(const Organ& organ, const TissueModel& tissue,
                                            const Vec3& place, double reach,
                                            const std::function<bool(double radius)>& accepts);

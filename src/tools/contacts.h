@@ -1,9 +1,9 @@
 // Contacts: the particles that a tool's body touches on its way from one pose to the next.
 //
-// The broad phase finds the particles whose present positions are in the box of the moving tool;
-// for still tissue away from the tool it costs one box test. These particles are then tested
-// exactly against the tool's sweep (collision/inside.h). No particle is missed, however far the
-// tool jumps and however thin it is.
+// The broad phase finds the particles whose present positions are in the box round the tool's
+// motion. For still tissue away from the tool, it costs one box test. The particles found are then
+// tested exactly against the tool's sweep (collision/inside.h). No particle is missed, however far
+// the tool moves in a frame and however thin the tool is.
 #pragma once
 
 #include "tools/tool.h"
@@ -18,7 +18,7 @@ namespace resect {
 ToolContacts findContacts(const Organ& organ, const TissueModel& tissue, const Tool& tool,
                           const Pose& from, const Pose& to);
 
-// Whether the tool is able to enter tissue (Obstacle::enters): it has an edge, a hook or
+// Whether the tool is able to enter tissue (Obstacle::enters): true if it has an edge, a hook or
 // jaws.
 bool entersTissue(const ToolModel& tool);
 

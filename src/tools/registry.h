@@ -20,15 +20,15 @@ std::span<const PartKind> partKinds();
 struct ToolKind {
   std::string_view name;
   std::vector<std::string_view> parts;
-  bool stopsBleeding = false;  // of use only where organs bleed
+  bool stopsBleeding = false;  // useful only if an organ can bleed
 };
 // All kinds of instrument, in the order in which they are shown to people.
 std::span<const ToolKind> toolKinds();
 
 // Makes a tool. Its working parts are those that model.parts names; if model.parts is empty, those
-// of model.kind. But if model.response is "remove", its only part is a Remover. Throws Error for an
-// unknown name of a kind or part, with the list of the known ones; also for a model whose mesh or
-// numbers are wrong.
+// of model.kind. But if model.response is "remove", its only part is a Remover. Throws Error if the
+// name of a kind or part is unknown; the Error lists the known names. Also throws Error if the
+// model's mesh or numbers are wrong.
 std::unique_ptr<Tool> makeTool(ToolModel model);
 
 }  // namespace resect

@@ -13,11 +13,11 @@
 
 namespace resect {
 
-// Two blades that rotate against each other about a pivot; in the coordinates of the tool.
+// Two blades that rotate against each other about a pivot. In the tool's frame.
 struct Jaws {
   Vec3 pivot = Vec3::Zero();  // m
   Vec3 axis = Vec3::UnitX();  // unit
-  double opening = 0;         // angle of the edges when wide open, rad; 0: the tool has no jaws
+  double opening = 0;         // angle between the edges when wide open, rad; 0: it has no jaws
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -42,13 +42,13 @@ struct DrawnPart {
   }
 };
 
-// An instrument's shape and working parts. The coordinates are those of the tool, m: its tip is at
-// the origin, its handle along +Z.
+// An instrument's shape and working parts. Coordinates are those of the tool's frame, m: the tip is
+// at the origin, the handle along +Z.
 struct ToolModel {
   std::string name;                // shown to people
   std::string kind;                // chooses its working parts: see tools/registry.h
   std::vector<std::string> parts;  // names of its working parts; empty: those of its kind
-  std::string description;         // one sentence
+  std::string description;         // one sentence for people
   std::filesystem::path file;      // the model's file, for messages
   TriangleMesh mesh;               // closed, oriented outwards
   Vec3 tip = Vec3::Zero();
@@ -65,15 +65,15 @@ struct ToolModel {
   // instruments of the thesis did.
   std::string response;
   double friction = 0.3;  // Coulomb's coefficient, on tissue
-  // Of its edges: how much more energy a cut takes than with a new blade, 0 or more.
+  // Of its edges: energy that a cut takes, divided by what a new blade takes; 0 or more.
   double bluntness = 1;
-  double slipForce = 6.0;  // N: pull beyond which a hook releases its cells; 0: never
+  double slipForce = 6.0;  // N: pull at which a hook or forceps release their cells; 0: never
 };
 
 struct Tool {
   ToolModel model;
   Aabb bounds;  // of the mesh, in the tool's frame
-  // They act one after the other. Empty: the instrument only pushes with its shape.
+  // The parts act one after the other. Empty: the instrument only pushes with its shape.
   std::vector<std::unique_ptr<WorkingPart>> parts;
 };
 

@@ -1,6 +1,6 @@
-// Interface of working parts. Blade, jaws, hook and remover are the classes that come with Resect.
-// A working part finds the tissue that it acts on and queues edits, or it has edges that cut. It
-// changes nothing itself, and it need not know whether the tissue moves.
+// Interface of working parts. Those that come with Resect are in tools/parts/. A working part finds
+// the tissue that it acts on and queues edits, or it has edges that cut. It changes no tissue
+// itself, and it need not know whether the tissue moves.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct ToolModel;
 struct ToolStance {
   Pose pose;           // world
   double squeeze = 1;  // how far its jaws are closed: 0 wide open, 1 closed
-  double pedal = 0;    // how far the pedal of an energy device is pressed, 0 to 1
+  double pedal = 0;    // of an energy device: 0 released, 1 pressed
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -26,7 +26,7 @@ struct ToolStance {
   }
 };
 
-// The way of a tool: its stances at the start and at the end of this frame.
+// The way of a tool: its stances at the start and at the end of a frame.
 struct ToolWay {
   ToolStance from, to;
 
@@ -59,7 +59,7 @@ struct Touch {
   const Organ& organ;
   const TissueModel& tissue;
   const ToolContacts& contacts;
-  double force = 0;  // of the tissue on the tool, as a hand feels it, N
+  double force = 0;  // smoothed force of the tissue on the tool (ToolState::feltForce), N
 
   // Makes an edit by this tool, for this organ.
   TissueEdit edit(decltype(TissueEdit::what) what) const {
@@ -73,8 +73,8 @@ class WorkingPart {
   // Appends edits to `edits`. Called for each organ in each frame in which the tool is in hand.
   // When no tissue is near, it must be cheap and allocate nothing.
   virtual void act(const Touch&, std::vector<TissueEdit>&) const {}
-  // Appends the part's cutting edges. Called in each frame in which the tool is in hand. What they
-  // cut is up to the tissue (tissue/cutting_edge.h). Their points must stay valid in the frame.
+  // Appends the part's cutting edges. Called in each frame in which the tool is in hand. The tissue
+  // decides what they cut (tissue/cutting_edge.h). Their points must stay valid during the frame.
   virtual void addEdges(const ToolModel&, const ToolWay&, std::vector<CuttingEdge>&) const {}
 };
 

@@ -1,5 +1,5 @@
-// Dense arrays with the node values and the severed edges in a box of grid nodes. The box is a
-// brick with its halo, or any other. The rules of the wound read these arrays.
+// Dense arrays with the field values of the nodes and the severed edges in a box of grid nodes. The
+// box is a brick with its halo, or any other box. The code that meshes wounds reads these arrays.
 #pragma once
 
 #include "base/index_box.h"
@@ -9,9 +9,9 @@
 namespace resect {
 
 // A brick with its halo: the nodes -2 to 6 along each axis, counted from the brick's first node,
-// with their values and the severed edges between them. Outside the colour field's grid, values are
-// 0 and edges are whole. Not copyable, since `grid` points to the other members. Cost to make: some
-// microseconds.
+// with their field values and the severed edges between them. Outside the colour field's grid, the
+// values are 0 and the edges are whole. Not copyable, since `grid` points to the other members.
+// Cost to make: some microseconds.
 struct BrickWindow {
   static constexpr int kHalo = 2, kSide = 9, kNodes = kSide * kSide * kSide;
 

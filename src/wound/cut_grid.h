@@ -1,12 +1,12 @@
-// Field values and severed edges in a window, for the rules of the wound. A window is a box of
+// Field values and severed edges in a window, for the code that meshes wounds. A window is a box of
 // nodes of the colour field's grid: a brick with a halo of two nodes, any other box, or in tests
 // the whole grid.
 //
-// A CutGrid points to arrays that another object holds. Nodes outside the window count as empty,
-// and edges to them count as whole. Nodes are given by their index in the window. A cell here is a
-// cell of the grid; its lowest node identifies it. An edge or a face is identified by its lowest
-// node and an axis; a face's axis is that of its normal. Lengths are in node spacings. Positions
-// are relative to the window's first node.
+// A CutGrid points to arrays that another object holds. Nodes outside the window count as outside
+// the tissue, and edges to them count as whole. Nodes are given by their index in the window. A
+// cell here is a cell of the grid; its lowest node identifies it. An edge or a face is identified
+// by its lowest node and an axis; a face's axis is that of its normal. Lengths are in node
+// spacings. Positions are relative to the window's first node.
 #pragma once
 
 #include <array>
@@ -21,11 +21,11 @@ struct CutGrid {
   Vec3i first = Vec3i::Zero();  // node of the colour field's grid where the window begins
   Vec3i dims = Vec3i::Zero();   // nodes of the window along each axis
   float iso = 50;
-  const float* value = nullptr;  // per node, x fastest; inside where >= iso
+  const float* value = nullptr;  // field value per node, x fastest; inside where >= iso
   // Per axis, and by the index of an edge's lower node: the cut's position along the edge, 0 to 1,
   // or kWhole.
   std::array<const float*, 3> severed{};
-  const SeveredEdges* wound = nullptr;  // traces, and normals of cuts; null: neither
+  const SeveredEdges* wound = nullptr;  // has the traces and the normals of cuts; null: neither
 
   int stride(int axis) const { return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y(); }
   int index(const Vec3i& n) const { return (n.z() * dims.y() + n.y()) * dims.x() + n.x(); }
@@ -55,8 +55,8 @@ constexpr NearbyNodes nearbyNode(int x, int y, int z) {
 inline NearbyNodes nearbyNode(const Vec3i& offset) {
   return nearbyNode(offset.x(), offset.y(), offset.z());
 }
-// The same nodes, with another reference node: the one that is one lower along the axis. Nodes that
-// the mask cannot hold are dropped.
+// The mask of the same nodes round another reference node, which is one lower along the axis. Nodes
+// that the mask cannot hold are dropped.
 constexpr NearbyNodes seenFromBelow(NearbyNodes nodes, int axis) {
   return axis == 0   ? (nodes & 0x7777777777777777) << 1
          : axis == 1 ? (nodes & 0x0fff0fff0fff0fff) << 4

@@ -2,9 +2,9 @@
 //
 // The grid is that of the colour field's nodes. All lengths are in node spacings. A severed edge
 // keeps the position and the normal of its first cut, and never becomes whole again. An uncut organ
-// stores nothing. The first cut allocates a few bytes for every brick of the grid. Beyond that
-// there is one record for each brick that a blade went through. After the first cut, severing an
-// edge costs O(1).
+// stores nothing. The first cut allocates a few bytes for every brick of the grid. In addition,
+// each brick that a blade went through has a record. After the first cut, severing an edge costs
+// O(1).
 #pragma once
 
 #include <array>
@@ -23,14 +23,14 @@ constexpr float kWhole = -1;  // cut position of an edge that is not severed
 constexpr float kCutMargin = 0.03f;
 
 // A straight line that a blade left on a face. Each end has two coordinates in the face, from 0 to
-// 1: first along nextAxis(), then along lastAxis() of the face's axis (wound/cut_grid.h).
+// 1: the first along nextAxis(), the second along lastAxis() of the face's axis (wound/cut_grid.h).
 struct FaceTrace {
   Eigen::Vector2f from = Eigen::Vector2f::Zero(), to = Eigen::Vector2f::Zero();
 };
 
 struct TouchedBrick {
   std::int64_t brick;
-  bool within;  // true: a change in its own cells; false: only near them
+  bool within;  // true: the change is in the brick's own cells; false: only near them
 };
 
 class SeveredEdges {
@@ -50,14 +50,14 @@ class SeveredEdges {
   void trace(const Vec3i& node, int axis, const FaceTrace& line);
 
   // at(), betweenCells(), normal() and visitTraces() also accept nodes outside the grid, where
-  // nothing is severed. at(): the cut's position along an edge, 0 to 1.
+  // nothing is severed. at(): the cut's position as a fraction of the edge's length, 0 to 1.
   float at(const Vec3i& node, int axis) const;  // kWhole where not severed
   // Between the mid-planes of two neighbouring cells, a grid line has `refine` edges. Returns
-  // whether any edge is severed on the stretch that contains this one: a cut then lies between the
-  // two cells. The node must not lie before the first one along the axis.
+  // whether any of the edges is severed on the stretch that contains the given edge: a cut then
+  // lies between the two cells. The node's coordinate along the axis must not be negative.
   bool betweenCells(const Vec3i& node, int axis) const;
   Vec3f normal(const Vec3i& node,
-               int axis) const;  // of a severed edge: unit, not negative along it
+               int axis) const;  // of the cut in a severed edge; unit, not negative along `axis`
   // Calls visit(const FaceTrace&) for the traces on a face, in the order in which they were
   // recorded.
   template <typename Visit>
@@ -69,8 +69,9 @@ class SeveredEdges {
   }
 
   // mask() and shares() give data of the edges along an axis whose lower node is one of the brick's
-  // 64 nodes. mask(): which of them are severed; bit n stands for the edge whose lower node is node
-  // n of the brick. shares(): their cut positions; null if the brick has no record.
+  // 64 nodes. mask(): which of these edges are severed; bit n stands for the edge whose lower node
+  // is node n of the brick. shares(): their cut positions, as from at(), in the order of these
+  // nodes; null if the brick has no record.
   std::uint64_t mask(std::int64_t brick, int axis) const {
     const Record* r = recordOfBrick(brick);
     return r ? r->severed[std::size_t(axis)] : 0;
@@ -84,9 +85,9 @@ class SeveredEdges {
   // an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
-  // The bricks whose surface depends on what was severed or traced since the last update(), in
-  // ascending order, each once. Bricks for which near() is false are left out. Valid until the next
-  // call.
+  // The bricks whose surface depends on edges severed or traces recorded since the last update(),
+  // in ascending order, each once. Bricks for which near() is false are left out. The span is valid
+  // until the next call.
   std::span<const TouchedBrick> update();
   // The bricks that the next update() will consider, in any order.
   std::span<const std::int64_t> pending() const { return pending_; }

@@ -2,10 +2,10 @@
 //
 // A lattice cube has the centres of eight neighbouring cells as its corners. Far from wounds a
 // vertex follows the particles at the corners of the lattice cube that it lies in. Beside a cut it
-// must follow only the particles on its own side. To find these, a search starts at the anchors of
-// the vertex and goes over whole grid edges through tissue, within the cube. If the search reaches
-// no particle, it is widened. A vertex at the front of a cut has anchors on both sides, so it
-// follows particles on both sides.
+// must follow only the particles on its own side. The anchors of a vertex are grid nodes in the
+// same piece of tissue. To find the particles, a search starts at the anchors and goes over whole
+// grid edges through tissue, within the cube. If the search reaches no particle, it is widened. A
+// vertex at the front of a cut has anchors on both sides, so it follows particles on both sides.
 #pragma once
 
 #include <span>
@@ -26,8 +26,8 @@ struct VertexBinding {
   std::array<float, kMost> weight{};
 };
 
-// Binds vertices that lie in a window of the grid (wound/cut_grid.h). Positions of vertices are in
-// the coordinates of that window: node spacings from its first node.
+// Binds vertices that lie in a window of the grid (wound/cut_grid.h). Vertex positions are given in
+// node spacings from the window's first node.
 class VertexBinder {
  public:
   // grid: the window. refine: nodes per cell. particles: per lattice cell, 1 where there is a
@@ -36,13 +36,13 @@ class VertexBinder {
                std::span<const std::uint8_t> particles);
 
   // Binds the vertex at p. anchors: the vertex's anchors, relative to the node `place` of the
-  // window. Particles are searched in three ways, until one is found:
+  // window. Particles are searched for in three ways, until one is found:
   // 1. over whole edges, within the lattice cube that contains p;
   // 2. over whole edges, within the window;
   // 3. without regard to cuts, up to two cells away from p along each axis.
   // If no particle is found, `count` of the result is 0. The window must be that of a brick.
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
-  // The same, but searches only in the first way. The window may be any that holds the cube.
+  // The same, but searches only in the first way. The window may be any that contains the cube.
   VertexBinding bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
   // Whether any search so far went beyond the lattice cube of its vertex.
   bool lookedFar() const { return lookedFar_; }
@@ -77,7 +77,8 @@ class VertexBinder {
     std::array<std::int64_t, 8> particle;      // per corner: its lattice index, or -1
     std::array<std::uint8_t, 8> partOfCorner;  // per corner: `part` of its node
   };
-  // Number for nodes in no component. Other numbers are below, since a cube has at most 125 nodes.
+  // Number for nodes in no component. The numbers of components are lower, since a cube has at most
+  // 125 nodes.
   static constexpr std::uint8_t kOutside = 127;
 
   const CutGrid& grid_;

@@ -1,11 +1,11 @@
 // Vertices and triangles of wounds in one brick of the colour field.
 //
 // A brick's vertices are its iso vertices (isosurface/brick_mesher.h), followed by the vertices
-// that cuts make: two for each cut edge, then those of faces, then those of cells. Edges and faces
+// that cuts add: two for each cut edge, then those of faces, then those of cells. Edges and faces
 // are ordered by axis, then by node; cells are ordered by node. So neighbouring bricks find these
 // vertices by counting bits. Where a lip meets the organ's surface, a vertex has a twin at the same
-// position with the lip's normal and cut share, so that the edge of a wound looks sharp. Cost: 2 us
-// per cut cell, and some 10 us per brick.
+// position with the lip's normal and cut share (isosurface/brick_look.h), so that the edge of a
+// wound looks sharp. Cost: 2 us per cut cell, and about 10 us per brick.
 #pragma once
 
 #include <bit>
@@ -29,7 +29,7 @@ struct BrickWound {
     Vec3f position;     // rest space, m
     Vec3f normal;       // unit, out of the tissue
     float cut;          // cut share, 0 to 1, or kRimShare
-    bool twin = false;  // whether it is the twin of the vertex before it
+    bool twin = false;  // whether this is the twin of the vertex before it
   };
   // A corner below kFirstCellVertex is a CellVertex of the cell (wound_loops.h). From any other
   // corner, subtract kFirstCellVertex to get an index into `vertices`.
@@ -39,7 +39,7 @@ struct BrickWound {
     std::array<std::int16_t, 3> corners;
   };
 
-  std::uint64_t cells = 0;  // cells meshed by the wound's rules, bit = lowest node
+  std::uint64_t cells = 0;  // cut cells (isCutCell()); bit n: the cell whose lowest node is node n
   // One mask per axis. A bit stands for an edge by its lower node, or for a face by its lowest
   // node.
   std::array<std::uint64_t, 3> edges{};      // edges that are cut
@@ -48,7 +48,7 @@ struct BrickWound {
   std::vector<std::int16_t> firstOfFace;     // per face of `faces`, in order: its first vertex
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
-  // The binding and one anchor of each vertex: first of the brick's iso vertices, then of
+  // The binding and one anchor of each vertex: first for the brick's iso vertices, then for
   // `vertices`. An anchor is given as an offset from the brick's first node.
   std::vector<VertexBinding> bindings;
   std::vector<std::array<std::int8_t, 3>> anchors;
@@ -59,9 +59,9 @@ struct BrickWound {
   // Whether the last call of makeBrickWound() changed vertex numbers that neighbouring bricks use.
   bool renumbered = false;
 
-  // Both functions give indices into `vertices`. side: kLower or kUpper. number: that of the vertex
-  // among the vertices of the face. lip: true for the vertex with the lip's normal, if vertices
-  // have twins.
+  // Both functions return an index into `vertices`. side: kLower or kUpper. number: which of the
+  // face's vertices, from 0, twins not counted. lip: true for the twin, which has the lip's normal;
+  // without effect if the face's vertices have no twins.
   int edgeVertex(int axis, int node, int side) const {
     int before = std::popcount(edges[std::size_t(axis)] & ((std::uint64_t(1) << node) - 1));
     for (int a = 0; a < axis; ++a) before += std::popcount(edges[std::size_t(a)]);
@@ -75,7 +75,7 @@ struct BrickWound {
   }
 };
 
-// Computes the wound of a brick. signs: of this brick; its iso vertices are bound too. out: on
+// Computes the wound of a brick. signs: of this brick; its iso vertices get bindings too. out: on
 // entry the brick's previous result (empty if there is none), on return the new one.
 void makeBrickWound(const ColourField& field, const Wound& wound, const Vec3i& brick,
                     const BrickSigns& signs, float iso, BrickWound& out);

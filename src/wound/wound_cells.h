@@ -1,13 +1,13 @@
 // The surface of a cut organ inside one cell of the grid.
 //
-// Where the surface meets the six faces of the cell there are lines (wound/wound_faces.h). These
-// lines always join to closed loops. Each loop is capped with triangles. A loop that no cut touches
-// consists of the organ's surface ("skin") alone; it keeps the triangles of the marching cubes
-// table. The other loops are capped by fans. The part of a loop that is skin gets a fan round an
-// apex on the skin. The rest gets a fan round an inner apex, or round one of its own vertices in
-// simple cells. All loops of the cell have the same inner apex, so the two lips of a cut coincide.
-// The apex on the skin is placed so that the volume in the cell is the same as with the table's
-// triangles. Cost: 1 to 2 us per cell.
+// The surface meets the six faces of the cell in lines (wound/wound_faces.h). These lines always
+// form closed loops. Each loop is capped with triangles. A loop that no cut touches bounds only the
+// organ's surface ("skin"); it keeps the triangles of the marching cubes table. The other loops are
+// capped by fans. The part of a loop that is skin gets a fan round an apex on the skin. The rest
+// gets a fan round an inner apex, or in simple cells round one of its own vertices. All loops
+// of the cell have the same inner apex, so the two lips of a cut coincide. The apex on the skin is
+// placed so that the volume in the cell is the same as with the table's triangles. Cost: 1 to 2 us
+// per cell.
 #pragma once
 
 #include <span>
@@ -37,8 +37,8 @@ struct CellSurface {
   bool unbalanced = false;  // true: the volume could not be kept, see capCell()
 };
 
-// Whether the cell with lowest node i needs the rules of the wound: whether a cut goes through
-// tissue on one of its twelve edges.
+// Whether a cut goes through tissue on one of the twelve edges of the cell with lowest node i. If
+// so, the cell is meshed by capCell().
 bool isCutCell(const CutGrid& grid, int i);
 
 // Caps the loops of the cell with lowest node i. faces: the lines on the faces of the cell. Face

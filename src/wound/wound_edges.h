@@ -7,10 +7,10 @@
 // An edge may leave the tissue and also be severed inside it. Then the piece of the edge between
 // the cut and the surface has no grid node of its own, and the edge gives three points. The piece
 // goes with the inside node that is nearest to the edge's outside end and can be reached from there
-// over whole edges outside the tissue. Without the piece lips would be notched by up to a cell. In
-// three cases this edge gives only the point at the iso level:
+// over whole edges outside the tissue. Without this piece, lips would have notches of up to one
+// cell. In three cases such an edge gives only the point at the iso level:
 // - The piece is at most 0.04 of the edge long.
-// - No such node is found.
+// - No such inside node is found.
 // - A face beside the edge is ambiguous: its corners are alternately inside and outside.
 #pragma once
 

@@ -34,7 +34,7 @@ struct FaceLine {
   // whom the face's axis points.
   std::uint8_t end = 0, start = 0;
   bool bent = false;      // has a vertex at the face's point
-  NearbyNodes anchors{};  // anchors of that vertex, relative to the face's node
+  NearbyNodes anchors{};  // of that vertex (wound/vertex_binding.h), relative to the face's node
 };
 
 struct FaceLines {
@@ -74,9 +74,9 @@ inline RingEdge ringEdge(int axis, int i) {
 //   side.
 bool skinHolds(const CutGrid& grid, int i, int axis);
 
-// The lines of the face at node i. holds() must give the result of skinHolds(); in tests it may
-// give true or false, since the surface is closed with either. holds() is called only if the lines
-// depend on its result.
+// The lines of the face at node i. holds() must return the result of skinHolds(). Tests may let it
+// return either value, since the surface is closed with both. It is called only if the lines depend
+// on its result.
 template <typename Holds>
 FaceLines faceLines(const CutGrid& grid, int i, int axis, const Holds& holds);
 FaceLines faceLines(const CutGrid& grid, int i, int axis);

@@ -24,7 +24,7 @@ constexpr CellVertex faceVertex(int face, int number) {
   return CellVertex(kFirstFaceVertex + 8 * face + number);
 }
 
-// The number, in the cell, of ring edge `ring` of a face (RingEdge in wound_faces.h).
+// The number of the cell edge that is ring edge `ring` of a face (RingEdge in wound_faces.h).
 int cellEdgeOfRing(int face, int ring);
 
 // The loops of one cell. One object is used for one cell after another, so that it keeps its
@@ -34,11 +34,11 @@ struct CellLoops {
   struct Vertex {
     CellVertex vertex;
     bool iso;             // an edge point at the iso level
-    NearbyNodes anchors;  // the corner's own, and those of the line that begins here
+    NearbyNodes anchors;  // those of the corner and of the line that begins here
   };
 
-  // Finds the loops of the cell at node i. faces: the lines of the cell's faces; a face has the
-  // number 2 * axis + side.
+  // Finds the loops of the cell with lowest node i. faces: the lines of the cell's faces; a face
+  // has the number 2 * axis + side.
   void set(const CutGrid& grid, int i, const std::array<const FaceLines*, 6>& faces);
 
   Vec3i node;   // the cell's lowest node
@@ -50,7 +50,7 @@ struct CellLoops {
   std::vector<std::size_t> loopEnds;  // for each loop: where it ends in `loop`
   // A skin loop is a loop that the cell would have without cuts.
   std::array<int, 12> skinOf;    // per cell edge: number of its skin loop; -1: no iso point
-  int skins;                     // all numbers in skinOf are less; some may be unused
+  int skins;                     // all numbers in skinOf are below this; some may be unused
   std::array<bool, 4> touched;   // per skin loop: whether a cut changed it
   std::vector<CellVertex> rest;  // work space for capping
 

@@ -1,4 +1,4 @@
-// The way of a small vessel round those that are in its way.
+// Finds a way for a small vessel round other vessels.
 #pragma once
 
 #include <span>
@@ -13,12 +13,13 @@ struct Surroundings {
   std::span<const VesselSegment> others;  // vessels to keep clear of
   const VesselIndex& index;               // of `others`
   const OrganInside& inside;
-  double gap, depth;  // least gap to other vessels and least depth below the surface, m
+  double gap, depth;  // least gap to other vessels; least depth below the surface; m
 };
 
-// Corners of the shortest way from a place to another on which a vessel of `radius`, m, has room,
-// over places 0.7 mm apart; pieces of at most `longest`, m. The way begins at `from` and ends at
-// the place with room that is nearest to `to`. Empty if there is none within 1 cm of both.
+// Corners of the shortest way between two points on which a vessel of `radius`, m, has room. The
+// search goes over grid points 0.7 mm apart, within 1 cm of the box round `from` and `to`. Each
+// straight piece is at most `longest`, m. The way begins at `from` and ends at the grid point with
+// room that is nearest to `to`. Empty if there is none.
 std::vector<Vec3> detour(const Vec3& from, const Vec3& to, double radius, double longest,
                          const Surroundings& around);
 

@@ -1,4 +1,4 @@
-// Trees of vessels while they grow: nodes, their radii, and which segments may be added.
+// Trees of vessels while they grow: nodes, their radii, and whether a segment may be added.
 //
 // Constrained constructive optimisation (Schreiner and Buxbaum 1993; Jessen et al. 2022 for
 // competing trees): each new terminal is joined to the segment where the join adds the least
@@ -19,11 +19,12 @@ namespace resect {
 struct GrowingNode {
   Vec3 place;
   int parent;     // node at the other end of the segment; -1: this is a root
-  int terminals;  // below this node
-  int tree;       // 0: portal vein; from 1: the trunks of the hepatic veins
+  int terminals;  // of the subtree that begins at this node
+  int tree;       // 0: portal vein; from 1 on: one of the hepatic veins
   bool leaf;
-  // Of the segment that ends here, m. A vessel that was given keeps its radius; what grows from it
-  // is no wider.
+  // Radii of the segment that ends at this node, m. given: the radius of a vessel that was not
+  // grown, else 0; it is kept. most: upper limit of the radius; branches of a given vessel are no
+  // wider than the vessel.
   double given = 0;
   double most = std::numeric_limits<double>::infinity();
 };
@@ -37,34 +38,37 @@ class GrowingVessels {
   int addStem(const Vec3& place, int root) {
     return add(place, root, nodes_[std::size_t(root)].tree, 0, false);
   }
-  // Vessels of one kind that are there already; their parents count from the first one.
+  // Adds existing vessels of one kind. Their parents are indices in `vessels`.
   void addGiven(std::span<const VesselSegment> vessels);
-  // A first branch with one terminal from a node to a place, round corners.
+  // Adds a main branch with one terminal, which runs from a node to a place, past other vessels and
+  // through the middle of the organ.
   void addTrunk(int from, const Vec3& to);
-  // The place nearest to p that is `depth` deep and where a first branch of the tree has room.
+  // The point nearest to p that is at least `depth` deep and where a main branch of the tree has
+  // room; if there is none, the nearest point that is deep enough.
   Vec3 openPlace(const Vec3& p, double depth, int tree) const;
-  // Adds a terminal to the portal vein (kind 0) or to any trunk of the hepatic veins (1). Returns
-  // false if it fits nowhere.
+  // Adds a terminal to the portal vein (kind 0) or to one of the hepatic veins (kind 1). Returns
+  // false if no segment can be found to which it fits.
   bool grow(const Vec3& place, int kind);
 
   static int kindOf(int tree) { return tree > 0 ? 1 : 0; }
   int terminals(int kind) const { return terminals_[std::size_t(kind)]; }
   double leafRadius(int kind) const { return leafRadius_[std::size_t(kind)]; }
-  // Outer radius of a vessel of radius r: the portal vein's sheath holds artery and duct.
+  // Outer radius of a vessel with the radius r: the portal vein's sheath also contains artery and
+  // duct.
   double outer(double r, int kind) const { return kind ? r : r * settings_.sheath; }
-  // Radii of the segments that end at the nodes, narrowed where a vessel would still leave the
-  // organ or meet one of the other kind.
+  // Radii of the segments that end at the nodes, m; 0 for roots. They are narrowed where a vessel
+  // would otherwise leave the organ or meet one of the other kind.
   std::vector<double> finalRadii() const;
 
  private:
-  struct Join {  // of a terminal with a segment
+  struct Join {  // of a new terminal with a segment
     double cost;
-    int node;   // at the segment's end
-    Vec3 fork;  // within the segment; of one that was given, its end
+    int node;   // node at the segment's end
+    Vec3 fork;  // where the new branch leaves; for a given segment, its end
   };
 
-  double radius(int terminals, int kind) const;  // when all have grown
-  // The same for a segment, if so many terminals are added to it.
+  double radius(int terminals, int kind) const;  // scaled to the final number of terminals
+  // Present radius of the segment that ends at a node, m, if `more` terminals are added to it.
   double radiusOf(const GrowingNode& node, int more = 0) const;
   double checkRadius(const GrowingNode& node) const;
   int add(const Vec3& place, int parent, int tree, int terminals, bool leaf);
@@ -72,10 +76,10 @@ class GrowingVessels {
   bool fits(const Join& join, const Vec3& place, int kind) const;
   bool fitsOnGiven(const GrowingNode& from, int node, const Vec3& place, int kind) const;
   void apply(const Join& join, const Vec3& place);
-  struct Obstacle {  // to a first branch: a vessel of another tree, and the distance to keep
+  struct Obstacle {  // for a main branch: a vessel of another tree, and the distance to keep
     Vec3 start, end;
     double keep;
-    bool stem;  // it comes from outside
+    bool stem;  // it comes from outside the organ
   };
   std::vector<Obstacle> obstacles(int tree) const;
   std::vector<Vec3> route(const Vec3& from, const Vec3& to, int tree) const;
@@ -84,7 +88,7 @@ class GrowingVessels {
   bool clearOfOwn(const Vec3& a, const Vec3& b, double radius, int tree, int first,
                   int second) const;
 
-  // visit(bin) gives whether to go on.
+  // visit(bin) returns whether to continue.
   template <typename Visit>
   void visitBins(const Vec3& a, const Vec3& b, double reach, Visit visit) const;
   void putIntoBins(int node);
@@ -96,7 +100,7 @@ class GrowingVessels {
   std::array<int, 2> terminals_{};
   std::array<double, 2> leafRadius_{};
   double widest_ = 0;  // m: outer radius of the widest vessel
-  struct KnownRadii {  // by terminals, while as many have grown; 0: not asked for yet
+  struct KnownRadii {  // cache: radius by terminals, valid for `grown` terminals in all; 0: unknown
     int grown = 0;
     std::vector<double> radius;
   };

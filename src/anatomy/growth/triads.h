@@ -8,10 +8,11 @@
 
 namespace resect {
 
-// Appends the artery's segments and then the duct's. `segments`: the portal vein's, then those of
-// other kinds, parents first. The artery runs on one side of the plane of each fork and the duct on
-// the other, turning by less than 30 degrees a piece. Where they would meet a vessel they are
-// pushed aside, narrowed or led round it; a branch for which there is no way ends.
+// Appends the segments of the artery and then those of the bile duct; a kind that is already there
+// is not grown. segments: those of the portal vein, then those of other kinds, parents first. The
+// artery runs on one side of the plane of each fork, the duct on the other side. Each straight
+// piece turns about the vein by less than 30 degrees. A branch that would meet another vessel is
+// pushed aside, narrowed, or led round it; if no way is found, the branch ends there.
 void addTriads(std::vector<VesselSegment>& segments, const VesselGrowth& settings,
                const OrganInside& inside);
 

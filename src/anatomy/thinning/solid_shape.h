@@ -10,14 +10,15 @@ namespace resect {
 
 struct SolidShape {
   Lattice lattice;           // of cubic cells
-  std::vector<float> depth;  // per cell: distance to the nearest wall, m; 0 or less outside
+  std::vector<float> depth;  // per cell: distance from the wall, m; 0 or less outside
 
   double cell() const { return lattice.spacing.x(); }  // m
 };
 
-// All that lies inside any component of a closed surface, whichever way it faces: walls of vessels
-// that are drawn as two surfaces, and vessels that are drawn through each other, are filled. Cells
-// have a side of `cell` m, or more where there would be over two million of them.
+// The shape contains all points inside any component of a closed surface, whichever way the
+// component faces. So a vessel whose wall is drawn as two surfaces is filled, and vessels may
+// overlap. Cells have the side `cell`, m, or a larger one if there would be more than two million
+// of them.
 SolidShape solidShape(const TriangleMesh& surface, double cell);
 
 }  // namespace resect

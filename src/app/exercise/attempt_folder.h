@@ -13,18 +13,19 @@ namespace resect {
 // Where attempts are kept unless another folder was chosen: beside the window's recordings.
 std::filesystem::path usualAttemptsFolder();
 
-// The name as that of a folder: without characters that a file system might refuse; "learner" if
-// nothing is left.
+// The text as the name of a folder, without characters that a file system might refuse. "learner"
+// if nothing is left, or more than 60 bytes.
 std::string learnerName(const std::string& text);
 
-// Names of the sub-folders, in order.
+// Names of the learners' sub-folders, in alphabetical order.
 std::vector<std::string> learnersIn(const std::filesystem::path& folder);
 
-// A name for the learner's next recording of the exercise: "touch-and-hold-3.resect". Makes the
-// folder; throws Error if that fails.
+// Path of the learner's next recording of the exercise; its last part is, for example,
+// "touch-and-hold-3.resect". Creates the learner's folder; throws Error if that fails.
 std::filesystem::path newAttempt(const std::filesystem::path& folder, const std::string& learner,
                                  const std::string& exercise);
 
+// Path of the file with the history of scores.
 std::filesystem::path historyIn(const std::filesystem::path& folder);
 
 // The learner's scored attempts at all exercises; none if there is no history yet.

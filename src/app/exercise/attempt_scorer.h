@@ -1,5 +1,5 @@
-// Scores recorded attempts, and makes reports of them and of a class, by this program's own
-// commands in a process beside the window.
+// Scores recorded attempts, and writes the reports about an attempt and about a class. A separate
+// process does this: it runs this program's own commands `report` and `class`.
 #pragma once
 
 #include <QProcess>
@@ -15,9 +15,9 @@
 
 namespace resect {
 
-// One thing that was not as wanted, as Deduction (skills/score/verdict.h).
+// A fault of an attempt, as Deduction (skills/score/verdict.h).
 struct Evidence {
-  std::optional<double> time;  // s
+  std::optional<double> time;  // s from the start of the recording
   QString fact, question, next;
 };
 
@@ -25,7 +25,8 @@ struct AttemptResult {
   bool passed = false, graded = true;
   QString reason;
   double score = 0;  // 0 to 1
-  // Of the whole recording, which may go on a few frames after the window's last picture.
+  // Measures of the whole recording, which may end a few frames after the last frame that the
+  // window showed.
   std::vector<Measured> measures;
   QStringList good;
   std::vector<Evidence> evidence;
@@ -38,13 +39,15 @@ class AttemptScorer {
   struct Attempt {
     std::filesystem::path recording, page, history;
     std::string learner;
-    bool graded = true;  // even if it is the learner's first
+    bool graded = true;  // true: it is graded even if it is the learner's first
   };
-  // `done` gets the result as soon as there is one; `written` is called when the page is there.
-  // `failed` gets the sentence of an error. A new call gives up the one before.
+  // Scores the attempt and writes its debrief to `page`. `done` gets the result as soon as it is
+  // known. `written` is called when the page has been written. `failed` gets an error message. A
+  // new call of score() or tabulate() cancels the work of the call before.
   void score(const Attempt& attempt, std::function<void(AttemptResult)> done,
              std::function<void()> written, std::function<void(QString)> failed);
-  // The table of a class, as an HTML page.
+  // Writes the table of a class to `page`, in HTML. names: whether it shows the learners' names
+  // instead of pseudonyms.
   void tabulate(const std::filesystem::path& folder, const std::filesystem::path& page,
                 const std::filesystem::path& history, bool names, std::function<void()> written,
                 std::function<void(QString)> failed);
@@ -57,7 +60,8 @@ class AttemptScorer {
   std::unique_ptr<QProcess> process_;
 };
 
-// The result in what `resect report --json -` prints; none if that is not whole yet.
+// Reads the result from the output of `resect report --json -`; none if the output is not complete
+// yet.
 std::optional<AttemptResult> readResult(const QByteArray& json);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// The exercises that the window offers: those that the user has added or made, the last one first,
-// and those that come with Resect.
+// The exercises that the window offers: first those that the user has added or made, newest first,
+// then those that come with Resect.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,19 @@
 namespace resect {
 
 struct Exercise {
-  std::filesystem::path file, picture;  // the picture need not be there
+  std::filesystem::path file, picture;  // the picture may be missing
   std::string name;                     // of the scenario
   std::string title;
   Task task;
 };
 
-// complaints: sentences about files of the user that cannot be read any more.
+// complaints: gets a sentence about each file that can no longer be read.
 std::vector<Exercise> allExercises(std::vector<std::string>& complaints);
 
-// Adds a file of the user to the list. Throws Error if it is no scenario with a task.
+// Adds a file of the user to the list. Throws Error if the file is not a scenario with a task.
 void addExercise(const std::filesystem::path& file);
 
-// The scenario as an exercise: with those instruments only that its task allows.
+// Returns the scenario with only those instruments that its task allows.
 Scenario asExercise(Scenario scenario);
 
 }  // namespace resect

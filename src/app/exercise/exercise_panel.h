@@ -1,4 +1,4 @@
-// The panel of the exercise that goes on: goal, next step, limits; and its result at the end.
+// The panel of the exercise in progress: goal, next step and limits, and the result at the end.
 #pragma once
 
 #include <QWidget>
@@ -23,20 +23,24 @@ class ExercisePanel : public QWidget {
  public:
   explicit ExercisePanel(QWidget* parent = nullptr);
 
-  // An attempt begins. guided: guidance may be shown; ghosts: the exercise has a reference run;
-  // draft: it is being made.
+  // Called when an attempt begins. guided: whether guidance may be shown. ghosts: whether the
+  // exercise has a reference run, which can be shown as ghosts. draft: whether the user is still
+  // making the exercise.
   void begin(const QString& title, const Task& task, bool guided, bool ghosts, bool draft);
-  // keeping, distance: of the instrument in hand; none: it has nothing to keep to.
+  // Shows the present figures. seconds: time of the attempt. distance, keeping: how the instrument
+  // in hand keeps to the goal's marks (distanceFrom(), m, and keepingOf() of guide_marks.h). No
+  // distance: there is nothing to keep to.
   void follow(const LiveState& state, double seconds, const AttemptProgress& progress,
               std::optional<double> distance, Keeping keeping);
+  // Whether the user wants guidance, and ghosts, and the exercise has them.
   bool guidance() const;
   bool ghosts() const;
-  QString nextStep() const;  // empty: it is not to be shown
+  QString nextStep() const;  // empty: none is to be shown
 
-  // The attempt is over: why, and that it is being scored.
+  // Says why the attempt is over, and that it is being scored.
   void showEnd(const QString& why);
   void showResult(const AttemptResult& result);
-  void showPage();  // the report can be opened
+  void showPage();  // lets the user open the report
   void showFailure(const QString& sentence);
 
   std::function<void()> finished, restarted, nextWanted, pageWanted, exercisesWanted;

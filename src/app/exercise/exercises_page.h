@@ -22,12 +22,13 @@ class ExercisesPage : public QWidget {
  public:
   explicit ExercisesPage(QWidget* parent);
 
-  // What the cards show. done: the learner's attempts.
+  // Fills the page and its cards. done: the learner's scored attempts. folder: where the attempts
+  // are kept.
   void show(const std::vector<Exercise>& exercises, const std::vector<HistoryEntry>& done,
             const QStringList& learners, const QString& learner, const QString& folder);
   QString learner() const;
-  bool asTest() const;
-  // Says that something is being made; empty: nothing is.
+  bool asTest() const;  // whether exercises are started as tests
+  // Shows a sentence about work in progress; empty: no work is in progress.
   void say(const QString& sentence);
 
   std::function<void(const Exercise&, TaskLevel)> started;
@@ -50,7 +51,7 @@ class ExercisesPage : public QWidget {
   QWidget* inside_;
   QGridLayout* grid_;
   std::vector<QWidget*> cards_;
-  QHash<QString, int> levels_;  // chosen, by file of the exercise
+  QHash<QString, int> levels_;  // level chosen for an exercise, by its file
   int columns_ = 0;
 };
 

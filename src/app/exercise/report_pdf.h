@@ -1,13 +1,14 @@
-// The debrief of an attempt as PDF, for printing and for files of records.
+// The debrief of an attempt as PDF, for printing and for archives.
 #pragma once
 
 #include <string>
 
 namespace resect {
 
-// The bytes of a PDF file, A4, of a page that debriefPage() (skills/report/debrief.h) has made.
-// Charts become pictures, clips are left out, and of a picture that turns the first one is shown.
-// Makes an application object of Qt, of which a program has one: not to be called in the window.
+// Returns the bytes of an A4 PDF file. page: HTML from debriefPage() (skills/report/debrief.h).
+// Charts become bitmaps, video clips are left out, and of a rotating view only the first picture is
+// shown. Creates Qt's application object. A program may have only one, so the window must not call
+// this function.
 std::string reportPdf(const std::string& page, const std::string& title);
 
 }  // namespace resect

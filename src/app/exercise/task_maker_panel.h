@@ -1,5 +1,5 @@
-// The teacher's panel: an exercise is made from what is on the screen. What is marked on the organ
-// is kept by the window.
+// The teacher's panel, which makes an exercise of the operation on the screen. The window, not the
+// panel, keeps the marks that the teacher makes on the organ.
 #pragma once
 
 #include <QWidget>
@@ -25,27 +25,30 @@ class TaskMakerPanel : public QWidget {
  public:
   explicit TaskMakerPanel(QWidget* parent = nullptr);
 
-  // For an operation: its instruments, by model; its structures; whether organs have vessels.
+  // Fills the fields for an operation. instruments: names of their models. structures: names.
+  // vessels: whether an organ has any.
   void begin(const std::vector<std::string>& instruments,
              const std::vector<std::string>& structures, bool vessels);
-  // How many places are marked, and whether a click marks one.
+  // marks: number of marked places. marking: whether a click now marks a place.
   void setMarks(std::size_t marks, bool marking);
 
   TaskGoal::Kind kind() const;
-  // How many places its goal takes: at least, at most.
+  // The least and the largest number of places that the goal needs.
   std::pair<std::size_t, std::size_t> placesWanted() const;
-  bool marksStructure() const;     // a new one is marked, instead of one that the organ has
-  double structureRadius() const;  // m
-  double structureDepth() const;   // m: of its middle under the surface
-  // What the fields say; the goal's places, normal and vessel, and bands are left to the window.
+  bool marksStructure() const;     // a new tumour is marked; false: a structure is chosen
+  double structureRadius() const;  // m, of the new tumour
+  double structureDepth() const;   // m, of the new tumour's centre below the surface
+  // The task from the panel's fields. The window adds the goal's places, normal and vessel, and the
+  // bands.
   Task task() const;
   std::string title() const;
 
-  // Lists a try at the exercise. Those that are checked are the reference. good: it is checked.
+  // Adds one of the teacher's own attempts to the list. The checked attempts are the reference.
+  // good: whether it is checked at first.
   void addTry(const QString& words, bool good);
   void clearTries();
-  std::vector<std::size_t> references() const;  // numbers of the checked tries, in order
-  bool bandWanted() const;                      // a pass takes figures like those of the references
+  std::vector<std::size_t> references() const;  // indices of the checked tries, ascending
+  bool bandWanted() const;                      // to pass, figures must be near the references'
 
   std::function<void(bool)> markingWanted;
   std::function<void()> goalChanged, lastMarkRemoved, tried, saved, closed;

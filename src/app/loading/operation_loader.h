@@ -1,5 +1,5 @@
-// Opens a recorded operation in the background. The operation then goes on where it was, or starts
-// again from its beginning.
+// Opens a recorded operation in the background. The operation then goes on where the recording
+// ended, or starts again from its beginning.
 #pragma once
 
 #include <QTimer>
@@ -16,7 +16,7 @@ class OperationLoader {
 
   struct Wish {
     std::filesystem::path file;
-    bool anew = false;   // start again from the beginning, without what was done
+    bool anew = false;   // start again from the beginning, and repeat nothing
     bool record = true;  // unless anew: go on recording, into a new file (Result::recorder)
     std::size_t historyBytes = 0;  // mostBytes of operationOf()
   };

@@ -20,13 +20,13 @@
 
 namespace resect {
 
-// Gives a scenario without instruments all that come with Resect and are of use in it; a scenario
-// that has some keeps its own list. Sets the rest pose of every instrument to its place in the tool
+// If the scenario has no instruments, gives it those that come with Resect, without those that stop
+// bleeding if no organ can bleed. Sets the rest pose of every instrument to its place in the tool
 // box.
 Scenario withInstruments(Scenario scenario);
 
-// Returns the setup with half of the processor's threads for the tissue, so that the rest is left
-// for drawing. If the setup already has a number of threads, it is unchanged.
+// Returns the setup with half of the processor's threads for the tissue, which leaves the other
+// half for drawing. If the setup already has a number of threads, returns it unchanged.
 TissueSetup besideDrawing(TissueSetup setup);
 
 class OrganLoader {
@@ -36,10 +36,10 @@ class OrganLoader {
 
   struct Result {
     Scenario scenario;
-    std::unique_ptr<Simulation> simulation;  // null: `problem` says why
+    std::unique_ptr<Simulation> simulation;  // null if loading failed; `problem` says why
     std::vector<std::string> notes;
     std::string problem;
-    std::string recording = {};  // the recording that it was made from; empty: none
+    std::string recording = {};  // recording from which the operation was loaded; empty: none
     // Only for an operation that goes on (operation_loader.h): its history, and its recorder.
     std::optional<OperationHistory> history = {};
     std::shared_ptr<Recorder> recorder = {};
@@ -56,7 +56,7 @@ class OrganLoader {
 
  private:
   struct Job;
-  // A model file that the job needs, and what of it.
+  // A model file that the job needs, and the part of it that is read.
   struct ModelToRead {
     std::string* file;
     std::string* part;
@@ -69,10 +69,10 @@ class OrganLoader {
   std::function<void(double)> progress_;
   std::function<void(Result)> done_;
   std::unique_ptr<QProcess> reader_;
-  std::vector<ModelToRead> toRead_;     // they stand in the job's scenario
-  std::size_t next_ = 0;                // number of the one that is being read
-  std::vector<std::string> converted_;  // files that readers wrote
-  int files_ = 0;                       // files converted so far; numbers their names
+  std::vector<ModelToRead> toRead_;     // the pointers lead into the job's scenario
+  std::size_t next_ = 0;                // index in toRead_ of the file being read
+  std::vector<std::string> converted_;  // files that the reading processes wrote
+  int files_ = 0;                       // files converted so far; it numbers the next
   std::unique_ptr<Job> job_;
   std::vector<std::unique_ptr<Job>> givenUp_;  // abandoned jobs whose threads are still running
   QTimer timer_;

@@ -1,4 +1,4 @@
-// A sentence over the picture about what went wrong. It leaves by itself when it holds no more.
+// An error message over the picture. It disappears by itself when it no longer holds.
 #pragma once
 
 #include <QFrame>
@@ -11,13 +11,13 @@ namespace resect {
 class Banner : public QFrame {
  public:
   explicit Banner(QWidget* parent);
-  // Shows the sentence until the user closes it or holds() is false. Without holds(): until the
-  // user has gone on for some seconds.
+  // Shows the sentence until the user closes it or holds() is false. Without holds(), the sentence
+  // disappears 8 s after the first call of userWentOn().
   void say(const QString& sentence, std::function<bool()> holds = {});
-  void userWentOn();  // there was input elsewhere
+  void userWentOn();  // to be called when there was input elsewhere
   // Hides the banner if its time is over; returns whether it has been hidden now.
   bool leaves();
-  // As wide as its sentence needs, at the top of this area of the parent.
+  // Places the banner at the top of this area of the parent, as wide as its sentence needs.
   void place(const QRect& area);
 
  protected:
@@ -26,7 +26,7 @@ class Banner : public QFrame {
  private:
   QLabel* sentence_;
   std::function<bool()> holds_;
-  qint64 wentOn_ = 0;  // when the user went on, ms since 1970; 0: not yet
+  qint64 wentOn_ = 0;  // first userWentOn() after say(), ms since 1970; 0: none yet
 };
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// One line over the picture that says what to do next, a button for the exercises, and one that
-// mends slow settings.
+// The bar over the picture. It says what to do next, and has a button for the exercises and one
+// that makes a slow simulation faster.
 #pragma once
 
 #include <QWidget>
@@ -14,12 +14,12 @@ class HintBar : public QWidget {
  public:
   explicit HintBar(QWidget* parent = nullptr);
   void say(const QString& sentence);
-  // From now on there is room for so many lines, so that longer sentences do not move the picture.
+  // Reserves room for this number of lines, so that longer sentences do not move the picture.
   void reserve(int lines);
-  // Offers to begin again with cells of this side, mm; 0: nothing is offered.
+  // Offers to start the operation again with cells of this side, mm; 0: offers nothing.
   void offerCells(int millimetres);
   int offered() const { return offered_; }
-  QPoint buttonPlace() const;  // of the offer, in pixels of the screen
+  QPoint buttonPlace() const;  // centre of the offer's button, in pixels of the screen
 
   std::function<void(int millimetres)> accepted;  // the offer's button was pressed
   std::function<void()> exercisesWanted;
@@ -33,7 +33,8 @@ class HintBar : public QWidget {
   QPushButton* exercises_;
   QLabel* sentence_;
   QPushButton* mend_;
-  int offered_ = 0, lines_ = 1, fewest_ = 2;  // most sentences need no more beside the buttons
+  // The offered side, mm; present number of lines; its minimum: most sentences fit into two lines.
+  int offered_ = 0, lines_ = 1, fewest_ = 2;
 };
 
 }  // namespace resect

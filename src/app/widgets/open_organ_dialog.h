@@ -27,18 +27,18 @@ class SurfaceView;
 
 class OpenOrganDialog : public QDialog {
  public:
-  // before: source of an earlier organ. The dialog proposes its spacing and keeps its settings.
+  // before: source of an earlier organ. The dialog proposes its spacing and keeps its `settings`.
   OpenOrganDialog(const std::string& file, const OrganSource& before, QWidget* parent = nullptr);
 
-  // The user's choices; valid after accept(). Of a label image, with what lies in the organ. Throws
-  // Error if it cannot be read any more.
+  // The user's choices; valid after accept(). For a label image, they include the structures in the
+  // organ. Throws Error if the image can no longer be read.
   OrganSource source() const;
 
   QPoint openButton() const;        // centre of the Open button, in screen coordinates
   const PartsTable* roles() const;  // null unless the file's parts have roles
 
-  // Called after the file, or the chosen part, was examined. Gets the sentence that the dialog
-  // shows about it: a report or an error.
+  // Called after the file, or the chosen part, was examined. Gets the text that the dialog shows
+  // about the file: a report or an error.
   std::function<void(const std::string&)> examined;
   // Called when the surface of what is opened turns in the dialog.
   std::function<void()> surfaceShown;
@@ -51,7 +51,7 @@ class OpenOrganDialog : public QDialog {
   int likelyUnit() const;
   bool listParts(const QJsonArray& parts);
   void listRoles(const QJsonObject& info);
-  bool hasRoles() const;           // the table of roles is to be followed
+  bool hasRoles() const;           // whether source() uses the table of roles
   std::string chosenPart() const;  // as OrganSource::part
   void showSlices();
   void readSurface();

@@ -1,5 +1,5 @@
-// The panel of the operation, in the words of the operating room: the task, time, blood lost,
-// tissue removed, and the force on the instrument in hand.
+// The panel of the operation, in surgical terms: the task, time, blood lost, tissue removed, and
+// the force on the instrument in hand.
 #pragma once
 
 #include <QWidget>

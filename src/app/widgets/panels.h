@@ -35,9 +35,9 @@ class OrganPanel : public QWidget {
   void setOrgans(const std::vector<ScenarioOrgan>& organs, double spacing, const QString& notes);
   void follow(const LiveState& state);
   void setIso(float iso);
-  // Whether the panel shows settings that the operation does not have: they wait for beginAgain().
+  // Whether the panel shows changed settings, which take effect only when beginAgain() is called.
   bool waiting() const { return settings() != running_; }
-  // Calls rebuild(), so that the organs are made anew, uncut, with the panel's settings.
+  // Calls rebuild(), which makes the organs anew, uncut, with the panel's settings.
   void beginAgain();
   std::function<void(float)> isoChanged;
   // Called by beginAgain(). spacing: m; none if the user did not change it. refine: nodes per cell
@@ -80,8 +80,8 @@ class RemovedPanel : public QWidget {
   History history_;  // values in ml
 };
 
-// The force of the tissue on the tool in hand over the last ten seconds, and the largest one on any
-// tool so far.
+// The force of the tissue on the tool in hand over the last ten seconds, and the largest force on
+// any tool so far.
 class ForcePanel : public QWidget {
  public:
   explicit ForcePanel(QWidget* parent = nullptr);

@@ -1,4 +1,4 @@
-// What each part of a file is: the organ, something in it, or nothing that is wanted.
+// A table with the role of each part of a file: the organ, a structure in the organ, or left out.
 #pragma once
 
 #include <QTableWidget>
@@ -21,22 +21,22 @@ class PartsTable : public QTableWidget {
  public:
   explicit PartsTable(QWidget* parent = nullptr);
 
-  // Roles are proposed by the names. If no name tells an organ, all parts of a model are the organ,
-  // as one body, and no label of an image is.
+  // Fills the table and proposes a role for each part by its name. If no name means an organ, all
+  // parts of a model together are proposed as the organ, and all labels of an image as left out.
   void fill(const std::vector<FilePart>& parts, bool image);
   void setAbout(int row, const QString& about) { item(row, 1)->setText(about); }
   bool filled() const { return !parts_.empty(); }
 
-  bool hasOrgan() const;  // whether a part is the organ
-  // Sets part and structures of a source whose file has these parts.
+  bool hasOrgan() const;  // whether any part has the role of the organ
+  // Sets source.part and source.structures by the roles. The file of `source` has these parts.
   void applyTo(OrganSource& source) const;
 
-  QPoint rolePlace(int row) const;  // middle of the row's choice of roles, in screen coordinates
+  QPoint rolePlace(int row) const;  // centre of the row's list of roles, in screen coordinates
 
-  std::function<void()> changed;  // called when a role was chosen
+  std::function<void()> changed;  // called when the user has chosen a role
 
  private:
-  // Of a row: -1 if it is left out, 0 for the organ, else 1 + number of the kind.
+  // Role of a row: -1: left out; 0: the organ; 1 + number of a StructureKind: a structure.
   int roleOf(int row) const;
 
   std::vector<FilePart> parts_;

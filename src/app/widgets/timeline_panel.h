@@ -1,5 +1,5 @@
-// The timeline of the operation: strokes, faults and branches over time; any moment can be shown,
-// played again, and worked on from.
+// The timeline of the operation: strokes, faults and branches over time. The user can show any
+// moment, play the operation from there, or operate on from there.
 #pragma once
 
 #include <QWidget>
@@ -26,14 +26,15 @@ class TimelinePanel : public QWidget {
     QString number, text;
   };
   void setMarks(std::vector<Mark> marks);
-  // For a new operation, without marks. tools: names of its instruments.
+  // Starts the timeline of a new operation, without marks. tools: names of its instruments.
   void begin(const std::vector<QString>& tools, double frameRate);
-  // showing: a moment of the history is shown or was requested. answered: all requests are done.
+  // showing: whether a moment of the history is shown or was requested. answered: whether all
+  // requests are done.
   void follow(const LiveState& state, bool showing, bool answered);
 
-  // step() shows the moment that lies `frames` frames after the one shown or requested, or before
-  // it if `frames` is negative. toStart() shows the start, toEnd() the end of the branch. While
-  // somebody operates, there is no later moment.
+  // step() shows the moment `frames` frames after the one shown or requested; before it if `frames`
+  // is negative. toStart() shows the start, toEnd() the end of the branch. While the user operates,
+  // there is no later moment: then toEnd(), and step() with frames >= 0, do nothing.
   void step(std::int64_t frames);
   void toStart() { ask(0); }
   void toEnd();
@@ -49,7 +50,8 @@ class TimelinePanel : public QWidget {
   // The bar's ends, in pixels of the screen: the start and the end of the operation.
   std::pair<QPoint, QPoint> barEnds() const;
 
-  // Called when the user asks for a moment, a playback, to operate on, or to compare branches.
+  // Called when the user asks to show a moment, to play, to operate from the moment shown, or to
+  // compare branches.
   std::function<void(Moment)> wanted;
   std::function<void(double speed)> playback;
   std::function<void()> goOn, compare;
@@ -58,7 +60,7 @@ class TimelinePanel : public QWidget {
   friend class TimelineBar;
   void listBranches();
   static bool isListed(const Timeline::Course& course);
-  // Listed branches that begin on the way to the end of the one that is shown.
+  // Listed branches that begin at a moment on the course of the branch that is shown.
   std::vector<const Timeline::Course*> branchesBeside() const;
   void ask(std::int64_t frame);
 
@@ -76,7 +78,7 @@ class TimelinePanel : public QWidget {
   QComboBox *rate_, *branches_;
 };
 
-// "1:02.4": minutes, seconds.
+// A time in minutes and seconds: "1:02.4".
 QString clockText(double seconds);
 
 }  // namespace resect

@@ -21,9 +21,9 @@ class FieldHashes final : public StateVisitor {
   // Takes the paths that another object had, and seals them.
   explicit FieldHashes(std::vector<std::string> paths);
 
-  // Fixes the set of paths. A list that has had no entries until now is a single field from now on,
-  // with everything that its entries hold. So the number of digests does not depend on what happens
-  // later.
+  // Fixes the set of paths. From now on, a list that has never had an entry counts as a single
+  // field, together with all that its entries will hold. So the number of digests does not depend
+  // on what happens later.
   void seal();
   // Whether a field was visited whose path is not in the sealed set. Such a state was made by
   // another version of the program.

@@ -17,8 +17,8 @@ inline constexpr std::size_t kLongestShown = 200;       // of a name or a title
 inline constexpr std::size_t kLongestSentence = 900;    // of a sentence that contains foreign text
 inline constexpr std::size_t kLongestShownPath = 4200;  // of a path, or of a line of output
 
-// If the text has more than `most` characters, only its beginning and its end are shown, with " ...
-// " between them.
+// Only the beginning and the end of a text of more than `most` characters are shown, with
+// " ... " between them.
 std::string shownText(std::string_view text, std::size_t most = kLongestShown);
 
 // The same for the sentence of an error, a note or a fault.

@@ -1,10 +1,12 @@
 // Blood as a film on the skin of one organ.
 //
-// Each skin cell holds a volume in whole picolitres. In a frame the wet cells are visited from the
-// highest to the lowest; each gives on what its film's flow carries off, so one sweep is an
-// implicit step of the kinematic wave (film flow under gravity on a slope, q = rho g h^3 sin / (3
-// mu)). Dry skin is wetted only by a film thicker than its threshold, which makes rivulets. Where
-// there is no lower outlet blood levels into ponds. Under overhangs it hangs until it drips.
+// The volume of blood on each skin cell is a whole number of picolitres. In a frame the wet cells
+// are visited from the highest to the lowest. Each cell passes on to its lower neighbours what a
+// film of its thickness h carries down the slope: q = rho g h^3 sin(slope) / (3 mu) per width. This
+// flow is solved implicitly, so one sweep over the cells is a step of the kinematic wave equation.
+// Dry skin is wetted only by a film thicker than a threshold, so blood runs in rivulets. Where
+// there is no lower outlet, blood gathers in level ponds. Under an overhang blood hangs until it
+// drips.
 #pragma once
 
 #include <cstdint>
@@ -36,40 +38,43 @@ struct BloodDrop {
   }
 };
 
-// Volumes in a film.
+// The volumes of all blood in a film.
 struct FilmVolumes {
   Picolitres liquid = 0, clotted = 0;
 };
 
 class BloodFilm {
  public:
-  // Finds the organ's skin. Call once, or after the organ was restored.
+  // Finds the organ's skin. Call it once, and again after the organ was restored.
   void setUp(const OperatedOrgan& organ);
-  // The skin near these cells may have changed by edits. Blood on cells that have no skin any more
-  // goes to a skin cell beside, or falls. Appends the faces that edits opened.
+  // Updates the skin near `cells`, at which edits may have changed it. Blood on a cell that has no
+  // skin any more goes to the lowest skin cell beside it; if there is none, it falls as a drop,
+  // which is appended to `drops`. Appends the faces that the edits opened to `opened`.
   void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
              std::vector<BloodDrop>& drops, std::vector<OpenedFaces>& opened);
   bool ready() const { return !skin_.empty(); }
 
-  // Places and normals of the wet cells and those beside them. Call once a frame, after the tissue
-  // has moved.
+  // Computes the present position and normal of the skin at the wet cells and at those beside them.
+  // Call it once per frame, after the tissue has moved.
   void place(const OperatedOrgan& organ);
-  // A frame of `duration`, s. What drips is appended to `drops`; what runs onto the table, where
-  // the skin touches it, too: with its height 0.
+  // Computes a frame of `duration`, s. Appends the blood that drips to `drops`. If there is a table
+  // (`table`), the blood that runs onto it where skin touches it is also appended to `drops`, at
+  // height 0.
   void step(double duration, bool table, std::vector<BloodDrop>& drops);
 
-  // Call at the end of a frame: lists the wet cells as state.
+  // Call this at the end of a frame: it lists the wet cells as state.
   void collect();
 
   void add(std::int64_t cell, Picolitres volume);
-  // Takes liquid from the wet cells within `radius`, m, of a place in the world: at most `most` in
-  // all, each cell the same share. Returns what it took.
+  // Takes liquid blood from the wet cells within `radius`, m, of a point in the world: at most
+  // `most` in all, and the same share from each cell. Returns the volume taken.
   Picolitres take(const Vec3& place, double radius, Picolitres most);
 
-  // The skin cell nearest to a place of the tissue at rest, within three cells of it; -1 if none.
-  // beside: cells whose centres lie on this side of the place come first; zero: no side.
+  // The skin cell nearest to a point in rest space, at most three cells away along each axis; -1 if
+  // there is none. beside: a direction, or zero for none. A cell whose centre lies on the other
+  // side of the point than `beside` shows counts as one spacing farther away.
   std::int64_t skinNear(const Vec3& rest, const Vec3& beside) const;
-  // Where the skin of a cell is now, m, and its normal. The cell must be a skin cell.
+  // The present position of a cell's skin, world, m, and its normal. The cell must be a skin cell.
   struct SkinPlace {
     Vec3 place, normal;
   };
@@ -77,7 +82,7 @@ class BloodFilm {
 
   FilmVolumes volumes() const;
   const std::vector<WetCell>& wet() const { return wet_; }  // ascending by cell
-  // By SkinCells' number.
+  // The volumes on a cell, given by its number in skin().
   Picolitres liquidAt(std::int32_t number) const { return liquid_[std::size_t(number)]; }
   Picolitres clottedAt(std::int32_t number) const { return clotted_[std::size_t(number)]; }
   const SkinCells& skin() const { return skin_; }
@@ -87,15 +92,15 @@ class BloodFilm {
   void visit(Visitor& v) {
     v("wet", wet_);
   }
-  // After wet_ was loaded.
+  // Call this after a state was loaded into wet_.
   void remake(const OperatedOrgan& organ);
 
  private:
-  struct Spot {  // where the skin of a cell is in this frame
+  struct Spot {  // where the skin of a cell is in this frame, world
     Vec3f place, normal;
     float area = 0;        // m^2
     double height = 0;     // m
-    double perVolume = 0;  // rise of the film's surface, m per pl; 0 where it hangs
+    double perVolume = 0;  // rise of the film's surface, m/pl; 0 where blood hangs
   };
 
   Spot spotOf(const OperatedOrgan& organ, std::int32_t number) const;
@@ -112,7 +117,7 @@ class BloodFilm {
 
   std::vector<WetCell> wet_;  // state
 
-  // Derived, by padded number.
+  // Derived data, indexed by a cell's number in skin_.
   SkinCells skin_;
   std::vector<Picolitres> liquid_, clotted_;
   std::vector<std::uint8_t> listed_, outlet_, located_;

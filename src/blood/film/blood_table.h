@@ -1,4 +1,4 @@
-// Blood on the table: a puddle on a grid.
+// Blood on the table, as puddles on a grid of square patches.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace resect {
 
-struct TablePatch {  // of the table, kTableCell wide
+struct TablePatch {  // a square of the table with the side kTableCell
   std::int32_t number = 0;
   Picolitres volume = 0;
 
@@ -20,15 +20,17 @@ struct TablePatch {  // of the table, kTableCell wide
 };
 
 inline constexpr double kTableCell = 0.005;  // m
-inline constexpr int kTableCells = 200;      // along x and z; the table's middle is the origin
+inline constexpr int kTableCells = 200;      // patches along x and z; the origin is in the middle
 
 class BloodTable {
  public:
-  // False if the place is beside the table: then nothing is added.
+  // Adds blood at a point in the world. Returns false, and adds nothing, if the point is not on the
+  // table.
   bool add(const Vec3& place, Picolitres volume);
-  // A frame: puddles level, and spread over dry cloth where they are deep enough.
+  // Computes a frame: puddles level, and spread over dry cloth where they are deep enough.
   void step();
-  // Takes blood within `radius`, m, of a place in the world, at most `most`. Returns what it took.
+  // Takes blood from the patches whose middles are within `radius`, m, of a point in the world: at
+  // most `most` in all. Returns the volume taken.
   Picolitres take(const Vec3& place, double radius, Picolitres most);
 
   Picolitres volume() const;
@@ -43,13 +45,13 @@ class BloodTable {
   void visit(Visitor& v) {
     v("wet", wet_);
   }
-  void remake();  // after wet_ was loaded
+  void remake();  // to be called after a state was loaded into wet_
 
  private:
   void list();
 
   std::vector<TablePatch> wet_;      // state
-  std::vector<Picolitres> volumes_;  // derived: by number; empty until blood falls
+  std::vector<Picolitres> volumes_;  // derived: volume by number; empty until blood falls
 };
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// The blood of a film as viewers draw it.
+// The thickness of a film of blood, as a map that viewers draw.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace resect {
 
-// Cost: the wet cells and those beside them, and clearing the map.
+// Cost: proportional to the number of wet cells and of those beside them, and clearing the map.
 std::shared_ptr<const TissueMap> filmMap(const BloodFilm& film, const OperatedOrgan& organ);
 
 }  // namespace resect

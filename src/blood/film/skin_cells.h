@@ -1,4 +1,5 @@
-// The cells over which blood runs: particles with a free face, and the shape of the skin there.
+// The skin cells of an organ, over which blood runs: particles with a free face, with the shape of
+// the skin there.
 //
 // A particle's face is free where no bonded particle lies beyond it: on the organ's surface, on the
 // walls of a wound, and on the lips of an incision that is closed. Everything here is derived from
@@ -15,8 +16,8 @@
 
 namespace resect {
 
-// Cells are numbered as on the organ's lattice with a layer of empty cells round it, x fastest, so
-// that every cell has 26 neighbours.
+// Numbers of cells on the organ's lattice with a layer of empty cells round it, x fastest. So every
+// cell of the lattice has 26 neighbours.
 struct PaddedNumbers {
   Vec3i dims = Vec3i::Zero();  // of the lattice
   std::int32_t step(int direction) const {
@@ -37,17 +38,18 @@ struct PaddedNumbers {
 };
 
 struct SkinCell {
-  // At rest. normal: unit, out of the tissue. offset: from the cell's centre to its skin, m.
+  // Both at rest. normal: unit, pointing out of the tissue. offset: from the cell's centre to its
+  // skin, m.
   Vec3f normal = Vec3f::Zero(), offset = Vec3f::Zero();
-  float area = 0;          // of its skin, m^2
-  std::uint32_t free = 0;  // bit d: the neighbour in direction d is a particle no longer bonded
+  float area = 0;          // of the skin at this cell, at rest, m^2
+  std::uint32_t free = 0;  // bit d: a particle lies in direction d, but its bond is severed
   std::uint32_t ways = 0;  // bit d: blood can run to the skin cell in direction d
-  std::uint32_t open = 0;  // bit d: the face in direction d is free (face neighbours only)
+  std::uint32_t open = 0;  // bit d: the face in direction d is free (6 face neighbours)
   bool skin = false;
-  bool slit = false;  // all its free faces are lips of cuts
+  bool slit = false;  // all its free faces are lips of closed cuts
 };
 
-// Faces of a cell that were not free before an edit.
+// How many faces of a cell are free after an edit but were not free before it.
 struct OpenedFaces {
   std::int64_t cell = -1;
   int faces = 0;
@@ -58,15 +60,15 @@ class SkinCells {
   SkinCells() = default;
   explicit SkinCells(const OperatedOrgan& organ);  // finds all skin cells
 
-  // Finds again what may have changed after edits at these cells: their neighbours two cells away.
-  // Appends the faces that were opened.
+  // Updates all cells that edits at `cells` may have changed: those up to two cells away along each
+  // axis. Appends the faces that the edits opened to `opened`.
   void renew(const OperatedOrgan& organ, std::span<const std::int64_t> cells,
              std::vector<OpenedFaces>& opened);
 
   const SkinCell& operator[](std::int32_t number) const { return cells_[std::size_t(number)]; }
   bool isSkin(std::int32_t number) const { return cells_[std::size_t(number)].skin; }
   const PaddedNumbers& numbers() const { return numbers_; }
-  const std::int32_t* steps() const { return steps_.data(); }  // by direction
+  const std::int32_t* steps() const { return steps_.data(); }  // offset of numbers, by direction
   std::int32_t numberOf(std::int64_t cell) const { return numbers_.of(lattice_.cell(cell)); }
   std::int64_t latticeCell(std::int32_t number) const {
     return lattice_.index(numbers_.cell(number));
@@ -81,7 +83,7 @@ class SkinCells {
   Lattice lattice_;
   PaddedNumbers numbers_;
   std::array<std::int32_t, kDirections> steps_{};
-  std::vector<SkinCell> cells_;  // by padded number
+  std::vector<SkinCell> cells_;  // by number
 };
 
 }  // namespace resect

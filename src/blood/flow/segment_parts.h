@@ -1,4 +1,4 @@
-// In which parts of an organ's tissue its vessels end.
+// The parts of an organ's tissue in which its vessels end.
 #pragma once
 
 #include <span>
@@ -9,12 +9,14 @@
 
 namespace resect {
 
-// Per cell: 0 in the body, from 1 on in a piece, SegmentPart::kCrumb in debris and where there is
-// no tissue. Cost: that of tissueParts() (organ/parts/tissue_parts.h).
+// The part of the tissue that each cell belongs to: 0 for the body, from 1 on for a piece,
+// SegmentPart::kCrumb for debris and where there is no tissue. Cost: that of tissueParts()
+// (organ/parts/tissue_parts.h).
 std::vector<std::int32_t> partOfCells(const OperatedOrgan& organ);
 
-// The segments that do not lead into the body, ascending. A segment belongs to the part in which
-// its leaves end; where they end in several parts, to one of these. part: from partOfCells().
+// The segments that belong to another part than the body, ascending. A segment belongs to the part
+// in which its leaves end; if they end in several parts, to one of these. part: the result of
+// partOfCells().
 std::vector<SegmentPart> segmentsApart(const Organ& organ, std::span<const std::int32_t> part);
 
 }  // namespace resect

@@ -1,14 +1,16 @@
-// Pressure and flow in injured vessels.
+// Pressure and flow in vessels with injuries.
 //
-// A vessel resists by Poiseuille's law. An open end resists besides by the energy that leaves with
-// the jet: dp = 1.56 rho |Q| Q / (2 A^2). All leaves in a connected part of the tissue end in
-// sinusoids of one pressure, which is such that what flows in flows out. Nothing flows in a part to
-// which no vessel leads any more. Where blood runs backwards out of the sinusoids, these collapse:
-// a leaf of a portal branch or artery then carries a fifth (an estimate).
+// The resistance of a vessel follows Poiseuille's law. At an open end the kinetic energy of the jet
+// costs a further pressure, dp = 1.56 rho |Q| Q / (2 A^2), with the flow Q and the open area A. All
+// leaves in one connected part of the tissue end in sinusoids at one common pressure. At this
+// pressure as much blood flows into these sinusoids as out of them. In a part to which no vessel
+// leads any more, nothing flows. If blood flows from the sinusoids back into branches of the portal
+// vein or artery, the sinusoids collapse: the leaves of these branches then have a fifth of their
+// conductance (an estimate).
 //
-// The part of a tree without injuries is condensed once: seen from its parent, it is a conductance
-// to the sinusoids. So the cost of a frame is that of the injured segments and those between them
-// and the root, not that of the tree.
+// Each subtree without injuries is reduced in advance to one conductance between its parent and the
+// sinusoids. So the cost of a frame is that of the injured segments and of those between them and
+// the root, and not that of the whole tree.
 #pragma once
 
 #include <array>
@@ -22,10 +24,10 @@
 
 namespace resect {
 
-// The open ends of an injury: how hard it is to flow out.
+// Conditions outside the two ends of an injury (index: VesselEnd).
 struct EndOutside {
-  double pressure[2] = {0, 0};      // beyond the end, Pa, over the atmosphere
-  bool closed[2] = {false, false};  // pressed shut, or inside tissue
+  double pressure[2] = {0, 0};      // just outside the end, relative to the atmosphere, Pa
+  bool closed[2] = {false, false};  // nothing can flow out, as inside tissue
 };
 
 class VesselFlow {
@@ -33,18 +35,19 @@ class VesselFlow {
   VesselFlow() = default;
   VesselFlow(std::shared_ptr<const VesselMap> map, const Circulation& circulation);
 
-  // Solves for the flows out of all open ends, and writes them to state.injuries: never below 0.
-  // outside: one per injury. sources: their pressures over those at rest. sinusoids: the pressures
-  // in them after the last call, Pa, by part (SegmentPart), the body first; updated. The loss at
-  // the ends grows with the flow, so a call makes some rounds from the flows of the last one; after
-  // a change some calls are needed until the flow is steady. Returns the flow of air into open
-  // hepatic veins, m^3/s.
+  // Computes the flows out of all open ends and writes them to state.injuries; a flow is never
+  // below 0. outside: one entry per injury. sources: the present pressures of the sources, divided
+  // by those at rest. sinusoids: the pressures in the sinusoids, Pa, one per part of the tissue
+  // (SegmentPart), the body first; the caller passes those of the last call, and solve() updates
+  // them. The pressure loss at an end depends on the flow, so each call does some iterations that
+  // start from the last flows; after a change it takes some calls until the flow is steady. Returns
+  // the flow of air into open hepatic veins, m^3/s.
   double solve(VesselState& state, std::span<const EndOutside> outside, const SourceShares& sources,
                std::vector<double>& sinusoids) const;
 
-  // Flow into the organ through the root of a kind after the last solve(), m^3/s.
+  // Flow into the organ through the root of the tree of this kind, as of the last solve(), m^3/s.
   double inflow(VesselKind kind) const { return trees_[std::size_t(kind)].inflow; }
-  // Resistance of a leaf of the kind, Pa s/m^3.
+  // Resistance of a leaf of this kind to the sinusoids, Pa s/m^3.
   double leafResistance(VesselKind kind) const {
     return 1 / trees_[std::size_t(kind)].leafConductance;
   }
@@ -56,8 +59,8 @@ class VesselFlow {
     Supply supply;
     double leafConductance = 0;
     std::vector<std::int32_t> firstChild, children, roots;  // indices within the tree
-    std::vector<double> resistance;                         // per segment
-    // Per segment, seen from its start: conductance to the sinusoids, forwards and backwards.
+    std::vector<double> resistance;                         // of each segment, Pa s/m^3
+    // Per segment: the conductance from its start to the sinusoids, [0] forwards, [1] backwards.
     std::array<std::vector<double>, 2> seen;
     mutable double inflow = 0;
   };
@@ -71,7 +74,7 @@ class VesselFlow {
                  std::span<const double> sinusoids, bool keep, std::span<double> into,
                  double& air) const;
 
-  // Work of solve(): per injury, the ends into which the outside would press blood.
+  // Work of solve(): per injury, the ends closed because the pressure outside is the higher one.
   mutable std::vector<std::array<bool, 2>> collapsed_;
   std::shared_ptr<const VesselMap> map_;
   const Anatomy* anatomy_ = nullptr;  // of map_

@@ -14,10 +14,10 @@ struct KeyMoments {
   std::vector<std::string> pictures;  // bytes of PNG files; may be empty
   std::string clip;                   // bytes of an MP4 file; empty: there is none
 };
-// For each time, s, a picture of 640 x 400 pixels; none where there is no time, where an earlier
-// one is the same, and after the first kMostKeyPictures different times. Of the first time that
-// there is a clip of two seconds, if ffmpeg is installed. The course that leads to the recording's
-// moment is played. Throws Error if nothing can be drawn here.
+// Draws a picture of 640 x 400 pixels for each time, s. The picture is empty for an element without
+// a time, for a time that came before, and after the first kMostKeyPictures different times. If
+// ffmpeg is installed, makes a clip of two seconds about the first element with a time. Plays the
+// course that leads to RecordingFile::moment(). Throws Error if this machine cannot draw pictures.
 KeyMoments keyMoments(const std::filesystem::path& recording,
                       const std::vector<std::optional<double>>& times,
                       const Progress& progress = {});

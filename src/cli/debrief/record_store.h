@@ -7,11 +7,11 @@
 
 namespace resect {
 
-// url: of the store's xAPI endpoint, http or https, such as "https://lrs.example.org/xapi". body:
-// a JSON array of statements. credentials: "key:secret" for HTTP Basic authentication; empty for
-// none. Returns whether the store took the statements now; false: it had them already (409). Throws
-// Error if the URL is wrong, the store cannot be reached within 20 s, or it answers anything else
-// than success.
+// url: of the store's xAPI endpoint, http or https, such as "https://lrs.example.org/xapi". body: a
+// JSON array of statements. credentials: "key:secret" for HTTP Basic authentication; empty for
+// none. Returns true if the store accepted the statements, false if it had them already (HTTP
+// status 409). Throws Error if the URL is wrong, the store cannot be reached within 20 s, or it
+// answers with any other error.
 bool sendStatements(const std::string& url, const std::string& body,
                     const std::string& credentials);
 

@@ -34,8 +34,8 @@ struct ChildLimits {
 // take locks that other threads of this process may hold. What `work` changes in memory is lost.
 // `work` cannot open files: what it is to read must be in memory before the call.
 //
-// `prepare` runs in the child before the sandbox is entered. It is for libraries that load files of
-// their own when they are first used. It must not look at untrusted bytes.
+// `prepare` runs in the child before the sandbox is entered. It is meant for libraries that load
+// files of their own at their first use. It must not look at untrusted bytes.
 //
 // `meanwhile` is called in this process about ten times a second until the child is done. It is
 // called once more if the child ended without an answer. If it throws, the child is killed and the

@@ -17,8 +17,8 @@ enum class Links { Followed, Refused };
 RawArray<char> readForeignFile(const std::filesystem::path& path, std::size_t most,
                                Links links = Links::Followed);
 
-// The same for a second file, which the file at `path` refers to by `name`; a .gltf file refers to
-// its buffers so. The second file must lie in the same folder and must not be a link. `name` is
+// The same for a second file, which the file at `path` refers to by `name`, as a .gltf file refers
+// to its buffers. The second file must lie in the same folder and must not be a link. `name` is
 // refused if it is empty, begins with a dot, or contains a slash or a control character.
 RawArray<char> readForeignFileBeside(const std::filesystem::path& path, const std::string& name,
                                      std::size_t most);

@@ -13,22 +13,22 @@
 namespace resect {
 
 struct ForeignFile {
-  std::string_view bytes;     // of the file, as it is
-  const BesideFiles& beside;  // the files that it is known to refer to
-  SharedNumber& share;        // what has been read, 0 to 1; to be set by the reader
+  std::string_view bytes;     // content of the file
+  const BesideFiles& beside;  // files it refers to, as far as known yet
+  SharedNumber& share;        // share read, 0 to 1; the reader sets it
 };
 
 struct ForeignReading {
-  double seconds = 5;      // of processor time, and 1 s more for each MB
+  double seconds = 5;      // limit of processor time; 1 s is added for each MB of the files
   Progress progress = {};  // gets the share, or -1 while none is known
   // Runs in the child before the sandbox is entered (runInChild()).
   std::function<void(std::string_view bytes)> prepare = {};
 };
 
-// Runs `read` in a child process until it needs no further file beside the first one, and returns
-// its answer. `read` says which file it needs by throwing LacksFile. Throws the Errors of
-// readForeignFile() and runInChild(); and if the file and those beside it have more than 1 GB, or
-// are more than 17.
+// Runs `read` in a child process and returns its result. If `read` throws LacksFile, the named file
+// is loaded and `read` runs again, in a new child process. Throws the Errors of readForeignFile()
+// and runInChild(). Throws Error too if `read` needs more than 16 files beside the first one, or if
+// all files together have more than 1 GB.
 std::string readForeign(const std::filesystem::path& path, const ForeignReading& how,
                         const std::function<std::string(const ForeignFile&)>& read);
 

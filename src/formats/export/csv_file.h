@@ -39,7 +39,7 @@ class CsvWriter {
   bool first_ = true;  // the next cell is the first of its row
 };
 
-// Writes a file of these rows, whole or not at all. Throws Error if it cannot be written.
+// Writes a file with these rows, atomically. Throws Error if it cannot be written.
 void writeCsvFile(const std::filesystem::path& path, const std::function<void(CsvWriter&)>& rows);
 
 }  // namespace resect

@@ -67,7 +67,7 @@ class GlbFile {
   int addNode(const GlbNode& node);  // its children must have been added before
   void addToScene(int node);
 
-  // Motion::Shown: the scale, which keeps each value until the next time.
+  // Motion::Shown: the node's scale, which keeps each value until the next time.
   enum class Motion { Translation, Rotation, Shown };
   // Adds the motion of a node to the animation; a file has only one. times, values: numbers of
   // arrays, as the functions above return them.

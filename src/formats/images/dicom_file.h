@@ -1,7 +1,7 @@
 // Reads DICOM segmentations (DICOM SEG).
 //
-// DCMTK parses the file; here its frames are put together to an image. Source: DICOM PS3.3, A.51
-// and C.8.20.
+// DCMTK parses the file. This code assembles the file's frames into an image. Source: DICOM PS3.3,
+// A.51 and C.8.20.
 #pragma once
 
 #include <string>
@@ -11,15 +11,17 @@
 
 namespace resect {
 
+// Whether the bytes begin like a DICOM file.
 bool startsAsDicom(std::string_view bytes);
 
-// Loads DCMTK's dictionary, which it would do at its first use: for a child process that will not
-// be able to open files.
+// Loads DCMTK's dictionary, which DCMTK would otherwise load at its first use. To be called in a
+// child process before it loses the right to open files.
 void prepareDicom();
 
-// A file of any other kind than a segmentation is an Error that says what to do, as are compressed
-// frames and slices at uneven distances. Fractional segments are taken where they are at least a
-// half. Slices lie as their positions say, never as their thickness.
+// Throws Error, which says what to do, if the file is not a segmentation, has compressed frames or
+// has unevenly spaced slices. In a fractional segment, voxels with a fraction of at least a half
+// belong to the segment. The positions of the slices determine where they lie; the slice thickness
+// in the file is ignored.
 LabelImage readDicomFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

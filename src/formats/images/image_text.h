@@ -1,4 +1,5 @@
-// What the headers of label images have in common: words, numbers, and files of voxels beside them.
+// Functions for the headers of all label image formats: words, numbers, and separate files of
+// voxels.
 #pragma once
 
 #include <string>
@@ -11,16 +12,16 @@
 
 namespace resect {
 
-std::vector<std::string> words(std::string_view text);  // parted by blanks
+std::vector<std::string> words(std::string_view text);  // separated by blanks
 
-// "1, 0.5, 2" or "1 0.5 2". Throws Error if these are not three finite numbers.
+// Reads "1, 0.5, 2" or "1 0.5 2". Throws Error if the text is not three finite numbers.
 Vec3 threeNumbers(const std::string& path, std::string_view text);
 
-// The bytes that numbers written as text would have in a file of this type, little-endian.
+// Converts numbers written as text to binary numbers of this type, little-endian.
 std::string numbersFromText(const std::string& path, std::string_view text, VoxelType type);
 
-// The file of voxels that a header names. Throws Error unless isVoxelFile(name); LacksFile if it is
-// not in `beside`.
+// The content of the file of voxels that a header names. Throws Error unless isVoxelFile(name);
+// LacksFile if the file is not in `beside`.
 std::string_view besideVoxels(const std::string& path, const std::string& name,
                               const BesideFiles& beside);
 

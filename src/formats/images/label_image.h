@@ -33,11 +33,12 @@ struct LabelImage {
   Vec3i dims = Vec3i::Zero();    // voxels along each axis, > 0
   Vec3 origin = Vec3::Zero();    // centre of the first voxel, m
   Mat3 step = Mat3::Identity();  // column a: from one voxel to the next along axis a, m
-  // Voxels, the first axis fastest: 0, or 1 + index in `labels`. Labels that overlap stand in
-  // several layers.
+  // Voxels, the first axis fastest: 0, or 1 + index in `labels`. Labels that overlap are in
+  // different layers.
   std::vector<RawArray<std::uint16_t>> layers;
-  std::vector<ImageLabel> labels;  // with at least one voxel each
-  // Whether slices (third axis) without labels may be missing before the first and after the last.
+  std::vector<ImageLabel> labels;  // each has at least one voxel
+  // Whether the file may lack slices without labels before its first and after its last slice
+  // (third axis).
   bool slicesLeftOut = false;
 
   std::int64_t voxelCount() const { return std::int64_t(dims.x()) * dims.y() * dims.z(); }
@@ -45,18 +46,18 @@ struct LabelImage {
   Vec3 spacing() const { return step.colwise().norm(); }               // m
 };
 
-// What makes an image from a scan, for messages.
+// Programs that make a label image from a scan, for messages.
 inline constexpr const char* kLabelMakers = "TotalSegmentator, 3D Slicer or ITK-SNAP";
 
-// Turns coordinates that run to the right and the front (NIfTI: "RAS") into those above, and back.
+// Converts coordinates of NIfTI ("RAS": x to the patient's right, y to the front) to LPS, and back.
 inline Vec3 turnedRasLps(const Vec3& p) { return {-p.x(), -p.y(), p.z()}; }
 
 // Throws Error unless dims and step are those of an image: 1 to kMostVoxels voxels, and axes of
 // 1 um to 1 m a voxel that do not lie in one plane. `path`: for the message.
 void checkGrid(const std::string& path, const LabelImage& image);
 
-// Where the axes of the image lead: three of L, R, P, A, S, I, as "LPS"; and by how many degrees,
-// at most, they are turned from these directions.
+// The direction nearest to each axis of the image, as three of the letters L, R, P, A, S, I, such
+// as "LPS"; and the largest angle between an axis and its direction, degrees.
 std::string orientation(const LabelImage& image);
 double obliqueness(const LabelImage& image);
 

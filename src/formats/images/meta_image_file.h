@@ -1,4 +1,4 @@
-// Reads label images in MetaImage files (.mha, .mhd with a file of voxels).
+// Reads label images in MetaImage files (.mha, or .mhd with a separate file of voxels).
 //
 // Source: "MetaIO" (itk.org/Wiki/MetaIO/Documentation). Coordinates are left, posterior, superior
 // in mm, as ITK writes them.
@@ -15,8 +15,8 @@ namespace resect {
 // Whether the bytes begin with a line of a MetaImage's header.
 bool startsAsMetaImage(std::string_view bytes);
 
-// Throws Error if the image is none of labels, or uses what is not read; LacksFile if its voxels
-// are in a file of their own.
+// Throws Error if the image does not hold labels, or uses a feature that is not supported;
+// LacksFile if its voxels are in a separate file that is not in `beside`.
 LabelImage readMetaImageFile(const std::string& path, std::string_view bytes,
                              const BesideFiles& beside = {});
 

@@ -1,7 +1,8 @@
 // Reads label images in NIfTI files (.nii, .hdr with .img), versions 1 and 2.
 //
-// By a reader of our own: that of the format's authors (niftilib 3.0.1) overruns its stack on one
-// damaged header in some ten thousand. Source: nifti.nimh.nih.gov, nifti1.h and nifti2.h.
+// Resect has its own reader, because the reader of the format's authors (niftilib 3.0.1) overruns
+// its stack on about one damaged header in ten thousand. Source: nifti.nimh.nih.gov, nifti1.h and
+// nifti2.h.
 #pragma once
 
 #include <string>
@@ -12,11 +13,12 @@
 
 namespace resect {
 
-bool startsAsNifti(std::string_view bytes);  // decompressed
+// Whether the bytes begin like a NIfTI file; decompressed.
+bool startsAsNifti(std::string_view bytes);
 
-// The orientation is that of the sform if it is set, else of the qform. Names of labels are read
-// from an extension with a label table, as TotalSegmentator writes it. Throws Error if the image
-// has several volumes or is none of labels; LacksFile if a .hdr needs its .img.
+// The orientation is taken from the sform if it is set, otherwise from the qform. Names of labels
+// are read from an extension with a label table, as TotalSegmentator writes it. Throws Error if the
+// image has several volumes or does not hold labels; LacksFile if a .hdr needs its .img.
 LabelImage readNiftiFile(const std::string& path, std::string_view bytes,
                          const BesideFiles& beside = {});
 

@@ -1,8 +1,8 @@
-// Reads label images in NRRD files (.nrrd, .seg.nrrd, .nhdr with a file of voxels).
+// Reads label images in NRRD files (.nrrd, .seg.nrrd, or .nhdr with a separate file of voxels).
 //
-// Source: "Definition of NRRD File Format" (teem.sourceforge.net/nrrd/format.html); segments as 3D
-// Slicer writes them (keys Segment0_Name, Segment0_LabelValue, Segment0_Layer). Encodings raw, gzip
-// and text.
+// Source: "Definition of NRRD File Format" (teem.sourceforge.net/nrrd/format.html); names, values
+// and layers of segments as 3D Slicer writes them (keys Segment0_Name, Segment0_LabelValue,
+// Segment0_Layer). Reads the encodings raw, gzip and text.
 #pragma once
 
 #include <string>
@@ -13,10 +13,12 @@
 
 namespace resect {
 
+// Whether the bytes begin like an NRRD file.
 bool startsAsNrrd(std::string_view bytes);
 
-// Without a space the axes are taken as left, posterior, superior, in mm. Throws Error if the image
-// is none of labels, or uses what is not read; LacksFile if its voxels are in a file of their own.
+// If the header has no field `space`, coordinates are taken as left, posterior, superior, in mm.
+// Throws Error if the image does not hold labels, or uses a feature that is not supported;
+// LacksFile if its voxels are in a separate file that is not in `beside`.
 LabelImage readNrrdFile(const std::string& path, std::string_view bytes,
                         const BesideFiles& beside = {});
 

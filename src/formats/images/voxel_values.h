@@ -13,26 +13,28 @@ namespace resect {
 
 enum class VoxelType : std::uint8_t { U8, I8, U16, I16, U32, I32, U64, I64, F32, F64 };
 
-std::size_t bytesOf(VoxelType type);
+std::size_t bytesOf(VoxelType type);  // size of a number
 
-// Numbers of an image as they stand in a file.
+// Numbers of an image as they are stored in a file.
 struct VoxelNumbers {
   std::string_view bytes;
   VoxelType type = VoxelType::U8;
   bool bigEndian = false;
-  // Numbers between one voxel and the next, and number of the first voxel: for images whose first
-  // axis is none of space.
+  // Voxel i has the number with the index first + stride * i. A stride > 1 is for images whose
+  // first axis is not an axis of space.
   std::int64_t stride = 1, first = 0;
   double slope = 1, intercept = 0;  // value = slope * number + intercept
 };
 
-// Appends a layer to the image, whose dims are set, with the labels in it. `names`: by value.
-// Throws Error if bytes are missing, or if these are no labels: values that are not whole, or more
-// of them than kMostLabels, or neighbours that hardly ever agree.
+// Appends a layer, and the labels in it, to the image, whose dims must be set. names: of the
+// labels, by value. Throws Error if bytes are missing, or if the values cannot be labels:
+// fractions, negative values, more than kMostLabels different values, or many values of which most
+// neighbours differ.
 void addLayer(const std::string& path, LabelImage& image, const VoxelNumbers& numbers,
               const std::map<std::int64_t, std::string>& names);
 
-// The Error about an image of grey values. why: "it has values such as 0.5".
+// The Error for an image of grey values instead of labels. why: for example, "it has values such as
+// 0.5".
 Error notLabels(const std::string& path, const std::string& why);
 
 }  // namespace resect

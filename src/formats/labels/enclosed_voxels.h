@@ -1,4 +1,4 @@
-// Vessels within an organ, parted from those that lead to it.
+// Separates the parts of vessels inside an organ from those that lead to it.
 #pragma once
 
 #include <span>
@@ -7,10 +7,9 @@
 
 namespace resect {
 
-// The image, with the voxels of the labels `vessels` that lie within the labels `organ` given to
-// the first of these: from such a voxel the organ, or another vessel within it, is met within 25 mm
-// in at least five of the six directions of the axes. Both are indices in image.labels, and not
-// empty.
+// Returns the image in which the vessels' voxels inside the organ have the organ's first label. A
+// voxel is inside if, in at least five of the six directions along the axes, a voxel of the organ
+// lies within 25 mm. organ, vessels: indices in image.labels, not empty.
 LabelImage withEnclosed(LabelImage image, std::span<const int> organ, std::span<const int> vessels);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// What `resect info` tells about a label image.
+// The report of `resect info` about a label image.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// A line for the image and one for each label: number, name, ml, the role that the name tells, and
-// whether it reaches the border.
+// A line for the image and one for each label: number, name, volume in ml, the role that the name
+// implies, and whether the label reaches the border of the image.
 std::string toText(const LabelFacts& facts, const std::string& path);
 
 // {"file", "format", "labels": [{"value", "name", "voxels", "volume_ml", "kind", "cut_off"}]}

@@ -14,11 +14,12 @@
 
 namespace resect {
 
-// Whether the file is a label image or a scan by its name, or by its first bytes if it is DICOM,
-// whose files often have no extension. Its content may turn out to be something else.
+// Whether the file is a label image or a scan, judged by its name. DICOM files often have no
+// extension, so they are recognised by their first bytes. The content may turn out to be something
+// else.
 bool isImageFile(const std::filesystem::path& path);
 
-// kind: one for which isImage(). bytes: of the file, decompressed.
+// kind: one for which isImage() is true. bytes: content of the file, decompressed.
 LabelImage readLabelImage(ModelKind kind, const std::string& path, std::string_view bytes,
                           const BesideFiles& beside = {});
 
@@ -27,8 +28,8 @@ struct LabelFacts {
   std::string description;  // description() of the image
   double voxelVolume = 0;   // m^3
   std::vector<ImageLabel> labels;
-  // Whether the names are those of TotalSegmentator: the image has none, and more labels than
-  // anyone draws by hand (over 20).
+  // Whether the labels' names are guessed to be TotalSegmentator's: the image has no names, and
+  // more than 20 labels, which nobody draws by hand.
   bool guessed = false;
   std::vector<bool> cutOff;  // for each label: whether it reaches the border of the image
 
@@ -41,7 +42,8 @@ LabelFacts factsOf(const std::string& path, const LabelImage& image);
 std::string inImageReader(const std::filesystem::path& path, const Progress& progress,
                           const std::function<std::string(const LabelImage&)>& work);
 
-// Reads the file in a sandboxed child process. A single label without a name gets that of the file.
+// Reads the file in a sandboxed child process. A single label without a name gets the name of the
+// file.
 LabelFacts readLabelFacts(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Names of labels that images without names of their own may have.
+// Names that the labels of an image without names may have.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 namespace resect {
 
 // The number of a structure in images that TotalSegmentator 2 writes with all labels in one file
-// (task "total"): 5 for "liver". Any case; blanks and "-" count as "_". Nothing if it has none of
-// that name. Source: Wasserthal et al. 2023, 10.1148/ryai.230024, and its class map.
+// (task "total"): 5 for "liver". Any case; blanks and "-" count as "_". Nothing if there is no
+// structure with that name. Source: Wasserthal et al. 2023, 10.1148/ryai.230024, and its class map.
 std::optional<std::int64_t> totalSegmentatorLabel(std::string_view name);
 
 // The name of that number; empty if there is none.

@@ -1,4 +1,4 @@
-// Three slices through a label image, as a radiologist looks at them.
+// Three orthogonal slices through a label image, in the orientation that radiologists use.
 #pragma once
 
 #include <string>
@@ -16,18 +16,20 @@ struct SliceFrame {
   double side = 0;             // width and height of each; 0: nothing is labelled
 };
 
-// Through the middle of the parenchyma, or of the largest label if no name tells it, and as large
-// as all labels need.
+// The slices pass through the centroid of the parenchyma, or of the largest label if no name means
+// parenchyma. Each is large enough to contain all labels.
 SliceFrame sliceFrame(const LabelImage& image);
 
-// Beside each other: from below (the patient's right is on the left), from the front, and from the
-// left; `height` pixels high, > 0. Colours tell kinds of structures; labels without a kind have
-// colours of their own. Black where nothing is labelled. `name`: of a label without a name.
+// Draws the slices beside each other: axial seen from below (the patient's right is on the left),
+// coronal seen from the front, and sagittal seen from the patient's left. height: pixels, > 0. Each
+// kind of structure has a colour; each label without a kind has another one. Unlabelled voxels are
+// black. name: used for labels without a name.
 RgbImage labelSlices(const LabelImage& image, const SliceFrame& frame, int height,
                      const std::string& name = {});
 
-// The same of files in the same coordinates, later ones over earlier ones; in the frame of the
-// first. A sandboxed child process reads each. Empty if nothing is labelled in the first.
+// The same for several files in the same coordinates, in the SliceFrame of the first one. Later
+// files are drawn over earlier ones. A sandboxed child process reads each file. Empty if nothing is
+// labelled in the first one.
 RgbImage readLabelSlices(const std::vector<std::string>& files, int height);
 
 }  // namespace resect

@@ -1,12 +1,12 @@
 // The smooth closed surface round labels of an image.
 //
-// Marching cubes of the labels give steps of voxels. These are smoothed as far as the image leaves
-// it open where the border runs: each point may move half a voxel along each axis of the image
-// (after Gibson 1998, 10.1007/BFb0056277). Each coordinate is smoothed by itself, wider along an
-// axis with longer voxels, so that thick slices leave no terraces. Smoothing alone would shrink
-// curved parts; what it took away is smoothed, too, and given back (twicing, Tukey 1977). At the
-// end the surface is moved along its normals until it encloses as much as the voxels
-// have.
+// Marching cubes of the labels give a surface with steps of the size of voxels. The steps are
+// smoothed within the precision of the image: each point may move half a voxel along each axis of
+// the image (after Gibson 1998, 10.1007/BFb0056277). Each coordinate is smoothed by itself, more
+// widely along an axis with longer voxels, so that thick slices leave no terraces. Smoothing alone
+// would shrink curved parts; so the change that it made is smoothed too, and subtracted again
+// (twicing, Tukey 1977). At the end the surface is moved along its normals until its volume equals
+// that of the voxels.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@
 
 namespace resect {
 
-// chosen: indices in image.labels, whose voxels are taken together. The mesh is in the image's
-// coordinates, m; closed, oriented outwards; closed flat where the voxels reach the border of the
-// image. Empty if no label is chosen.
+// The surface round the union of the chosen labels. chosen: indices in image.labels. The mesh is in
+// the image's coordinates, m; closed, oriented outwards; where the voxels reach the border of the
+// image, it is closed by a flat face. Empty if no label is chosen.
 TriangleMesh labelSurface(const LabelImage& image, std::span<const int> chosen);
 
 }  // namespace resect

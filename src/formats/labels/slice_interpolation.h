@@ -1,5 +1,6 @@
-// Thick slices of a label, made thin: the border between two slices is found from the distances to
-// the borders in both ("shape-based interpolation", Raya and Udupa 1990, 10.1109/42.52980).
+// Interpolates thin slices of a label between thick ones: the border between two slices is found
+// from the distances to the borders in both ("shape-based interpolation", Raya and Udupa 1990,
+// 10.1109/42.52980).
 #pragma once
 
 #include <cstdint>
@@ -9,7 +10,7 @@
 
 namespace resect {
 
-// Voxels that belong to a label or not, the first axis fastest.
+// For each voxel whether it belongs to a label; the first axis fastest.
 struct Mask {
   Vec3i dims = Vec3i::Zero();
   std::vector<std::uint8_t> inside;  // 0 or 1
@@ -20,8 +21,9 @@ struct Mask {
   }
 };
 
-// Each voxel parted into `parts` >= 1 along one axis. spacing: lengths of the voxels. A slice in
-// which nothing is inside ends the body: in the middle it reaches halfway to that slice.
+// Divides each voxel into `parts` >= 1 along `axis`. spacing: lengths of the voxels of `mask`.
+// Beside a slice without any inside voxel, the body ends between the slices: where it is thickest
+// it reaches halfway to the empty slice.
 Mask withThinSlices(const Mask& mask, const Vec3& spacing, int axis, int parts);
 
 }  // namespace resect

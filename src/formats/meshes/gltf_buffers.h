@@ -12,7 +12,7 @@ namespace resect {
 bool isGltf(const std::filesystem::path& name);
 bool isGltfBuffer(const std::filesystem::path& name);
 
-// "my%20buffer.bin" as "my buffer.bin" (RFC 3986, 2.1).
+// Decodes percent codes: "my%20buffer.bin" becomes "my buffer.bin" (RFC 3986, 2.1).
 std::string withoutPercents(std::string_view text);
 
 // Throws Error, about the model at `path`, unless isGltfBuffer(name).

@@ -16,7 +16,7 @@ namespace resect {
 // The parts of the result are the file's nodes, in the order of the file, with transforms applied.
 // Polygons become triangles; points and lines are left out. Numbers are taken as metres. `bytes`:
 // content of the file, decompressed. `path`: for messages only. Opens no file. Throws Error if the
-// file requires an extension that changes shapes and is not followed
+// file requires an extension that changes shapes and is not supported
 // (formats/meshes/gltf_requirements.h); LacksFile if it needs a buffer that is not in `beside`.
 Model readGltfFile(const std::string& path, std::string_view bytes, const BesideFiles& beside = {});
 

@@ -1,4 +1,4 @@
-// Extensions of glTF that change a model's shape: they are refused by name, or obeyed before the
+// Extensions of glTF that change a model's shape. Each is refused by name, or applied before the
 // library reads the file.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace resect {
 
 // A glTF file whose positions are all single-precision numbers.
 struct PlainGltf {
-  std::string bytes;      // of the file; empty: the file is plain as it is
+  std::string bytes;      // the file; empty: the original file is plain already
   std::string positions;  // content of the buffer kPlainPositions that `bytes` refers to
 };
 
@@ -20,11 +20,11 @@ struct PlainGltf {
 inline constexpr const char* kPlainPositions = "resect/positions.bin";
 
 // Checks the lengths in a .glb file, and reads the JSON of a .glb or .gltf file. Undoes
-// KHR_mesh_quantization: positions of whole numbers become floats, and the other attributes of
-// their primitives are left out. Extensions of looks are left to the library. Throws Error if the
-// file is shorter than it says, if the JSON is damaged or if the file requires an extension that is
-// not followed; LacksFile (formats/beside_files.h) if quantized positions lie in a buffer file that
-// is not in `beside`.
+// KHR_mesh_quantization: integer positions become floats, and the other attributes of their
+// primitives are left out. Extensions that change only the appearance are left to the library.
+// Throws Error if the file is shorter than it says, if the JSON is damaged or if the file requires
+// an extension that is not supported; LacksFile (formats/beside_files.h) if quantized positions lie
+// in a buffer file that is not in `beside`.
 PlainGltf plainGltf(const std::string& path, std::string_view bytes, const BesideFiles& beside);
 
 }  // namespace resect

@@ -10,12 +10,13 @@
 
 namespace resect {
 
-// Whether the first word is one of a .off file: OFF, or with what its points also have, as COFF.
+// Whether the first word is that of a .off file: OFF, also with letters for the points' further
+// values, as in COFF.
 bool startsAsOff(std::string_view bytes);
 
-// One part without a name. Each point and each face has a line of its own; what follows its numbers
-// there (normals, colours) is ignored. Numbers are taken as metres. Throws Error if the file ends
-// early, is binary, or has points of four or more dimensions.
+// The model has one part, without a name. Each point and each face has a line of its own. The rest
+// of that line (normals, colours) is ignored. Numbers are taken as metres. Throws Error if the file
+// ends early, is binary, or has points of four or more dimensions.
 Model readOffFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

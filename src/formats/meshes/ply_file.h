@@ -13,10 +13,10 @@ namespace resect {
 // Whether the bytes begin as a .ply file does.
 bool startsAsPly(std::string_view bytes);
 
-// One part without a name, from the elements `vertex` (x, y, z) and `face` or `tristrips`
-// (vertex_indices or vertex_index), which may come in any order. All other elements and properties
-// are skipped, as is what follows the last element. Numbers are taken as metres. Throws Error if
-// the header is damaged, if the file ends early, or if it has points only.
+// The model has one part, without a name, from the elements `vertex` (x, y, z) and `face` or
+// `tristrips` (vertex_indices or vertex_index), which may come in any order. All other elements and
+// properties, and any bytes after the last element, are skipped. Numbers are taken as metres.
+// Throws Error if the header is damaged, if the file ends early, or if it has points only.
 Model readPlyFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

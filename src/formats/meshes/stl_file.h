@@ -10,15 +10,15 @@
 
 namespace resect {
 
-// Whether these bytes can only be a binary STL: their number is exactly the one that the count of
-// triangles in them asks for.
+// Whether the bytes can only be a binary STL: the file has exactly the size that its count of
+// triangles implies.
 bool isExactBinaryStl(std::string_view bytes);
-// Whether the bytes begin as a text STL does: "solid" in any case.
+// Whether the bytes begin like a text STL: "solid" in upper or lower case.
 bool startsAsTextStl(std::string_view bytes);
 
-// One part per solid of a text file, named as the solid is; solids of one name are one part. A
-// binary file has one part without a name. Numbers are taken as metres. Bytes after the last
-// triangle of a binary file are ignored. Throws Error if the file ends early.
+// A text file gives one part per solid, with the solid's name; solids with the same name are one
+// part. A binary file gives one part without a name. Numbers are taken as metres. Bytes after the
+// last triangle of a binary file are ignored. Throws Error if the file ends early.
 Model readStlFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

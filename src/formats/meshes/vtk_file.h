@@ -16,7 +16,7 @@ namespace resect {
 bool isVtkFile(std::string_view bytes);
 
 // The model has one part, without a name. Numbers are taken as metres. Every count and index is
-// checked; the Error names the section of the file that is wrong.
+// checked. Throws Error, which names the section of the file, if one is wrong.
 Model readVtkFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

@@ -1,9 +1,9 @@
 // Reads a text file word by word or line by line, and makes Errors that name the line.
 //
 // Words are separated by spaces, tabs and line ends; NULs and Ctrl-Z, which some programs append,
-// count as spaces. Lines end with LF, CR LF or CR. Numbers are read as programs print them: ".5",
-// "5.", "+5", "5E-1", Fortran's "5D-1", and what is no number ("nan", "-nan(ind)", "1.#QNAN") as
-// NaN.
+// count as spaces. Lines end with LF, CR LF or CR. Numbers are read in all forms in which programs
+// print them: ".5", "5.", "+5", "5E-1", Fortran's "5D-1", and for NaN "nan", "-nan(ind)" and
+// "1.#QNAN".
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,8 @@
 
 namespace resect {
 
-// The number that a word is, nothing if it is none. A value too large for a double is infinite, one
-// too small is 0.
+// Converts a word to a number; nothing if the word is not a number. A value too large for a double
+// becomes infinite, one too small becomes 0.
 std::optional<double> numberOf(std::string_view word);
 // The same for a whole number. Some programs print these as "3.0" or "1e+06"; they are accepted.
 std::optional<std::int64_t> wholeNumberOf(std::string_view word);
@@ -28,11 +28,12 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8
 std::string lowerCase(std::string_view text);  // ASCII letters only
 
 std::string_view trimmed(std::string_view text);  // without the spaces round it
-// The unsigned number in the four bytes at `at`, the lowest first. They must be there.
+// The unsigned number in the four bytes from offset `at` on, the lowest byte first. These bytes
+// must exist.
 std::uint32_t littleEndian(std::string_view bytes, std::size_t at);
 
-// The text of a file without what some programs put before and after it: a byte order mark of
-// UTF-8 and empty lines, NULs and Ctrl-Z. Throws Error if the text is UTF-16.
+// The text of a file without the characters that some programs put before and after it: a byte
+// order mark of UTF-8, blanks, empty lines, NULs and Ctrl-Z. Throws Error if the text is UTF-16.
 std::string_view plainText(const std::string& path, std::string_view bytes);
 
 class WordReader {
@@ -42,13 +43,14 @@ class WordReader {
 
   std::string_view word();  // empty at the end
   std::string_view line();  // the rest of the line, without its end; empty at the end
-  // Both throw Error if the next word is none, with `what` it should be, as "a coordinate".
+  // Both read the next word and throw Error if it is not a number. what: what it should be, for the
+  // message, such as "a coordinate".
   double number(const char* what);
   std::int64_t wholeNumber(const char* what);
   Vec3 point();  // three numbers
 
   bool atEnd() const { return at_ >= bytes_.size(); }
-  std::size_t place() const { return at_; }                 // of the next byte
+  std::size_t place() const { return at_; }                 // offset of the next byte
   void goTo(std::size_t place) { at_ = read_ = place; }     // place <= number of bytes
   std::size_t left() const { return bytes_.size() - at_; }  // bytes
 
@@ -60,13 +62,14 @@ class WordReader {
     return error("{}: {}; export the file again", where(),
                  fmt::format(format, std::forward<Args>(args)...));
   }
-  // For a word that stands where `what` should be. An empty one means that the file ends early.
+  // The Error about `word`, which stands where `what` should be. An empty word means that the file
+  // ends early.
   [[nodiscard]] Error unexpected(std::string_view word, std::string_view what) const;
 
  private:
   const std::string& path_;
   std::string_view bytes_;
-  std::size_t at_ = 0, read_ = 0;  // the next byte; the first of what was read last
+  std::size_t at_ = 0, read_ = 0;  // offset of the next byte; where the last read began
 };
 
 }  // namespace resect

@@ -35,8 +35,8 @@ MeshHealth examine(const TriangleMesh& mesh, const Topology& topology);
 bool isSpeck(const TriangleMesh& component);
 
 // For each closed component: the number of the outermost component that contains it, or its own
-// number if none does. One component counts as inside another if at least three of five of its
-// points are (crossings.h).
+// number if no component does. A component counts as inside another one if at least three of five
+// tested points of it are inside (crossings.h).
 std::vector<int> outermostOf(const std::vector<TriangleMesh>& components);
 
 }  // namespace resect

@@ -7,11 +7,11 @@
 namespace resect {
 
 struct RepairReport {
-  int trianglesDoubled = 0;  // that dropDoubled() dropped
-  int trianglesTurned = 0;   // by orientConsistently()
-  int componentsTurned = 0;  // by turnOutwards(); includes cavities
-  int specksDropped = 0;     // components that dropSpecks() dropped
-  int holesClosed = 0;       // by closeHoles(), as the fields below
+  int trianglesDoubled = 0;  // dropped by dropDoubled()
+  int trianglesTurned = 0;   // flipped by orientConsistently()
+  int componentsTurned = 0;  // flipped by turnOutwards(); includes cavities
+  int specksDropped = 0;     // dropped by dropSpecks()
+  int holesClosed = 0;       // by closeHoles(), as are the fields below
   int trianglesAdded = 0;
   double areaAdded = 0;     // m^2
   double volumeBefore = 0;  // m^3, see closeHoles()
@@ -22,10 +22,11 @@ struct RepairReport {
 // changed. The results are deterministic. Each function but closeHoles() takes O(n log n) for n
 // triangles.
 
-// Looks for components in which every triangle has another one with the same corners, turned the
-// same way or the other, as some programs write each face and its back. Keeps the first of these in
-// a component that is closed with them alone, and leaves all others as they are. (Two coincident
-// sheets are such a component that would be open: a speck.)
+// Drops duplicate triangles: those with the same three corners as an earlier one, in the same or
+// the opposite orientation. (Some programs write each face twice, once for each side.) A component
+// is changed only if every triangle of it has a duplicate, and if the first triangles of all sets
+// of duplicates form a closed surface. (A component of two coincident sheets is not changed, since
+// one sheet alone is open. It is a speck.)
 void dropDoubled(TriangleMesh& mesh, RepairReport& report);
 
 // Flips triangles so that two triangles that share an edge have the same orientation. Edges of more

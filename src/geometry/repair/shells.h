@@ -11,7 +11,7 @@ namespace resect {
 enum class ShellKind : std::uint8_t {
   Body,    // tissue lies inside it and none outside
   Cavity,  // tissue lies outside it and none inside
-  Within   // tissue lies on both sides: it faces outwards inside a body, or bodies overlap there
+  Within   // tissue on both sides or on neither, such as an outward shell inside a body
 };
 
 struct Shell {
@@ -21,13 +21,13 @@ struct Shell {
 };
 
 // One shell for each component, in the order of splitComponents() (geometry/topology.h). Tissue is
-// where the winding number is above zero (crossings.h). The mesh must be closed and oriented, its
-// components without specks and disjoint or nested. Cost: O(n log n), and O(components^2) tests of
-// boxes.
+// where the winding number is above zero (crossings.h). The mesh must be closed and oriented. Its
+// components must be disjoint or nested, and none may be a speck. Cost: O(n log n), and
+// O(components^2) tests of boxes.
 std::vector<Shell> shellsOf(const TriangleMesh& mesh);
 
-// The volume of tissue that the shells bound, m^3. The volume of a mesh (geometry/measures.h)
-// counts what lies in a shell Within twice.
+// The volume of tissue that the shells bound, m^3. It can be less than the volume of the mesh
+// (geometry/measures.h), which counts the inside of an outward shell inside a body twice.
 double tissueVolume(const std::vector<Shell>& shells);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// How noisy a force is while a hand holds an instrument still in contact.
+// Measures the noise of the force while a hand holds an instrument still in contact with tissue.
 #pragma once
 
 #include <span>
@@ -7,16 +7,17 @@
 
 namespace resect {
 
-// Noise is measured in windows of 0.2 s. In every sample of a window the force is at least 0.05 N,
-// and the hand's wanted pose is what it was 0.1 s before. In each window every component of the
-// force is fitted by a polynomial of degree 4 in time, which follows changes up to about 8 Hz, such
-// as relaxation and the swinging of an organ. The noise is the rms of what is left, divided by the
-// mean magnitude of the force.
+// Noise is measured in windows of 200 consecutive samples (0.2 s). A sample counts if its force is
+// at least 0.05 N and the hand wants to hold the instrument still (HapticSample::still). In each
+// window a polynomial of degree 4 in time is fitted to every component of the force. It follows
+// changes up to about 8 Hz, such as relaxation and the swinging of an organ. The noise is the rms
+// of the difference between force and polynomial, divided by the mean magnitude of the force.
 struct ForceNoise {
   std::int64_t windows = 0;
-  double typical = 0;  // rms over all windows, a share of the force
-  double worst = 0;    // in one window
+  double typical = 0;  // rms of the noise over all windows, a share of the force
+  double worst = 0;    // largest noise of a window, a share of the force
 };
+// samples: those of one hand, in the order of time.
 ForceNoise forceNoise(std::span<const HapticSample> samples);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Haptic devices whose plug-ins are opened at run time (resect_haptic_device.h). Nothing is linked.
+// Haptic devices, whose plug-ins are shared libraries opened at run time (resect_haptic_device.h).
 #pragma once
 
 #include <filesystem>
@@ -11,18 +11,18 @@
 
 namespace resect {
 
-// Finds a plug-in. name: a path if it holds a slash or ends with ".so"; otherwise the name of one
-// that comes with Resect, such as "simulated_hand". It is looked for in the folder of the program,
-// in ../lib/resect/ seen from there, and where plug-ins are installed. Throws Error with the places
-// if it is nowhere.
+// Returns the file of a plug-in. A name that contains a slash or ends with ".so" is a path, which
+// is returned unchanged. Any other name is that of a plug-in that comes with Resect, such as
+// "simulated_hand". Its file is searched for in the program's folder, in ../lib/resect/ relative to
+// that folder, and where plug-ins are installed. Throws Error with these places if it is in none.
 std::filesystem::path findHapticPlugin(const std::string& name);
 
-// A loaded plug-in. It stays loaded while a device of it is open.
+// A loaded plug-in. The library stays loaded while a HapticPlugin or a HapticDevice uses it.
 class HapticPlugin {
  public:
-  // Throws Error with one sentence if there is no such file, if it is no shared library, if it has
-  // no function resect_haptic_device(), if that is for another version of the interface, or if a
-  // function of the table is missing. The library's own initialisers have run by then.
+  // Throws Error with one sentence if the file does not exist, is no shared library, has no
+  // function resect_haptic_device(), was built for another version of the interface, or lacks a
+  // function in its table. Loading runs the library's initialisers before most of these checks.
   explicit HapticPlugin(const std::filesystem::path& file);
 
   const std::filesystem::path& file() const { return file_; }
@@ -39,10 +39,10 @@ class HapticPlugin {
 // An open device. read(), write() and intend() allocate nothing unless they fail.
 class HapticDevice {
  public:
-  // options: text for the plug-in. Throws Error with the plug-in's sentence if it cannot be opened,
-  // or if the force that it renders is not a number above 0.
+  // options: text for the plug-in. Throws Error with the plug-in's sentence if the device cannot be
+  // opened. Also throws Error if the device's largest force is not a finite number above 0.
   explicit HapticDevice(const HapticPlugin& plugin, const std::string& options = "");
-  // A device of a table of functions in this program, which must outlive it. name: for errors.
+  // A device whose functions are in this program. They must outlive the device. name: for Errors.
   HapticDevice(const ResectHapticDeviceFunctions& functions, const std::string& name,
                const std::string& options);
   ~HapticDevice();
@@ -50,13 +50,15 @@ class HapticDevice {
   HapticDevice& operator=(const HapticDevice&) = delete;
 
   double mostForce() const { return limits_.most_force; }  // N
+  // Whether the device plays a person.
   bool plays() const { return functions_->intend != nullptr; }
-  // For a device that plays a person; does nothing otherwise.
+  // Tells a device that plays a person where that person wants the tip, in the device's
+  // coordinates. Does nothing for other devices.
   void intend(const Pose& pose);
-  // Where the instrument is held, in the device's coordinates. Throws Error with the plug-in's
-  // sentence, or if the pose is not finite.
+  // The present pose of the instrument, in the device's coordinates, m. Throws Error if the plug-in
+  // reports a failure, or if the pose is not finite.
   Pose read();
-  // Throws Error with the plug-in's sentence.
+  // Sets the force on the hand. Throws Error if the plug-in reports a failure.
   void write(const Wrench& wrench);
 
  private:

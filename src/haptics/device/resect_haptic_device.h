@@ -1,15 +1,15 @@
-// The interface of a plug-in for a haptic device: all that its author needs, in C, with no other
+// The interface of a plug-in for a haptic device, in C. The author of a plug-in needs no other
 // header of Resect.
 //
 // A plug-in is a shared library with one function, resect_haptic_device(), which returns a table of
-// functions. Resect opens it at run time; neither is linked against the other. After open()
-// the same thread calls intend() and read() once. Then one thread of Resect's calls intend(),
-// read() and write(), 1000 times a second: none of them may wait, allocate, or take longer than 0.1
-// ms. docs/how-to/haptic_device.md has a complete example.
+// functions. Resect opens the library at run time; neither is linked against the other. The thread
+// that calls open() then calls intend() and read() once. After that, another thread calls intend(),
+// read() and write() 1000 times a second. None of these three may wait, allocate, or take longer
+// than 0.1 ms. docs/how-to/haptic_device.md has a complete example.
 //
 // Coordinates: metres, newtons, seconds; right-handed, X to the right, Y up, Z towards the person.
-// The plug-in turns and shifts the device's coordinates so that its workspace lies about the
-// origin; Resect places that origin in the room.
+// The plug-in rotates and moves the device's coordinates so that the centre of the workspace is at
+// the origin. Resect places that origin in the world.
 #pragma once
 
 #include <stdint.h>
@@ -21,12 +21,12 @@ extern "C" {
 // Changes whenever something below changes.
 #define RESECT_HAPTIC_DEVICE_VERSION 1
 
-// A device that is open; only the plug-in knows what it is.
+// An open device. Only the plug-in knows the content of this struct.
 typedef struct ResectHapticDevice ResectHapticDevice;
 
 typedef struct {
-  double most_force;   // that it renders for long, N, > 0
-  double most_torque;  // N m; 0: it renders no torque
+  double most_force;   // largest force that the device can hold for long, N, > 0
+  double most_torque;  // the same for the torque, N m; 0: the device renders no torque
 } ResectHapticLimits;
 
 typedef struct {
@@ -37,11 +37,10 @@ typedef struct {
 
 typedef struct {
   double force[3];   // on the hand, N
-  double torque[3];  // on the hand, about the position, N m
+  double torque[3];  // on the hand, about the tip, N m
 } ResectHapticForce;
 
-// Functions that return an int return 0 when all is well. Otherwise last_error() says what is
-// wrong.
+// Functions that return an int return 0 on success. Otherwise last_error() describes the failure.
 typedef struct {
   uint32_t version;  // RESECT_HAPTIC_DEVICE_VERSION
   const char* name;  // shown to people
@@ -56,13 +55,13 @@ typedef struct {
   // One sentence about the last failure. device: null after a failed open(). The text is valid
   // until the next call.
   const char* (*last_error)(ResectHapticDevice* device);
-  // For devices that play a person: where that person wants the tip to be, told before each read().
-  // Null for real devices.
+  // For devices that play a person: called before each read() with the pose that this person wants
+  // the tip to have. Null for real devices.
   void (*intend)(ResectHapticDevice* device, const ResectHapticPose* pose);
 } ResectHapticDeviceFunctions;
 
-// The table lives as long as the library is loaded. The plug-in defines this function, and exports
-// it under this name.
+// The plug-in defines this function and exports it under this name. The table must stay valid as
+// long as the library is loaded.
 const ResectHapticDeviceFunctions* resect_haptic_device(void);
 
 #ifdef __cplusplus

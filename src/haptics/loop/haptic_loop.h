@@ -1,9 +1,9 @@
 // The loop of 1 kHz between hands and simulation, on a thread of its own.
 //
-// In each cycle it reads where each hand is, evaluates the newest local model there, lets the
-// passivity guard look at the force, and writes it. The simulation gives models and takes poses
-// through triple buffers, so neither waits for the other: the loop keeps its pace while the
-// simulation is slow, or has stopped.
+// In each cycle, and for each hand, the loop reads the pose, evaluates the newest local model
+// there, limits the force by the passivity guard, and writes it to the device. Models and poses are
+// exchanged with the simulation through triple buffers, so neither side waits for the other. The
+// loop keeps its pace while the simulation is slow, or has stopped.
 #pragma once
 
 #include <atomic>
@@ -20,47 +20,49 @@
 
 namespace resect {
 
-// What a cycle did for one hand.
+// Results of one cycle for one hand.
 struct HapticSample {
   float time = 0;               // since the start of the loop, s
-  Vec3f force = Vec3f::Zero();  // written, N
-  float correction = 0;         // of the model that arrived in this cycle, N; 0: none
-  bool still = false;           // the hand wants to hold the instrument still
+  Vec3f force = Vec3f::Zero();  // written to the device, N
+  float correction = 0;         // ForceRenderer::correction() if a model has arrived, N; else 0
+  bool still = false;           // HandIntent::still; false without an intent
 };
 
 // Results of a loop that has ended.
 struct HapticTimes {
-  std::int64_t cycles = 0;      // that were due
-  std::int64_t missed = 0;      // of them: not finished 1 ms after they were due
+  std::int64_t cycles = 0;      // number of cycles that were due
+  std::int64_t missed = 0;      // of these: left out, or not finished 1 ms after they were due
   std::vector<float> lateness;  // how late each cycle began, s
   RealTimeRights rights;
 };
 
-// Where the person wants the instrument, and whether it is to stay there; for devices that play a
-// person. time: since the start of the loop, s.
+// What the hand is to do; for devices that play a person.
 struct HandIntent {
-  Pose pose;
-  bool still = false;
+  Pose pose;           // wanted pose of the instrument, in the device's coordinates
+  bool still = false;  // the hand is to hold the instrument still
 };
+// hand: number of the hand, from 0. time: since the start of the loop, s.
 using IntentAt = std::function<HandIntent(std::size_t hand, double time)>;
 
 class HapticLoop {
  public:
-  // devices: one per hand. seconds: for how long memory for samples is set aside; afterwards the
-  // loop goes on without keeping any. intent: may be empty; called once here and then on the loop's
-  // thread, where it must not allocate. Starts at once; each hand has a pose when the constructor
-  // returns.
+  // Starts the loop. When the constructor returns, pose() of each hand is valid. devices: one per
+  // hand. seconds: duration for which samples are kept; their memory is allocated here. Later
+  // cycles keep no samples. intent: may be empty. It is called once per hand here, and then on the
+  // loop's thread, where it must not allocate.
   HapticLoop(std::vector<std::unique_ptr<HapticDevice>> devices, double seconds, IntentAt intent);
   ~HapticLoop();  // stops, writes zero forces and waits for the thread
 
-  // For the simulation's thread. A hand's newest pose; a model for it.
+  // For the simulation's thread. pose(): the hand's newest pose, in the device's coordinates.
+  // give(): hands a new model, in the same coordinates, to the loop.
   const Pose& pose(std::size_t hand);
   void give(std::size_t hand, const LocalModel& model);
   double time() const;  // since the start of the loop, s
-  // Throws the Error with which the loop has ended, if it has.
+  // If the loop has ended with an Error, throws that Error.
   void check();
 
-  // Stops the loop. Then its results may be read. Throws the Error with which it has ended.
+  // Stops the loop; after that its results may be read. If the loop has ended with an Error, throws
+  // that Error.
   void stop();
   const HapticTimes& times() const { return times_; }
   const std::vector<HapticSample>& samples(std::size_t hand) const;

@@ -1,17 +1,17 @@
-// What a thread asks of the system so that it wakes up in time: priority, memory that is never
-// swapped out, and exact sleep.
+// Requests the rights that a thread needs to wake up in time: real-time priority and memory that is
+// never swapped out. Also gives a sleep of high precision.
 #pragma once
 
 namespace resect {
 
-// What the system has permitted.
+// The rights that the system has granted.
 struct RealTimeRights {
   bool priority = false;      // priority over all threads without real-time priority (SCHED_FIFO)
   bool lockedMemory = false;  // the program's memory stays in RAM
 };
 
-// Asks for both, for the calling thread; goes on without those that are refused. While the object
-// exists the memory stays locked.
+// The constructor requests both rights: priority for the calling thread, locked memory for the
+// whole program. A refused right is no error. The memory stays locked while the object exists.
 class RealTimeThread {
  public:
   RealTimeThread();
@@ -24,7 +24,8 @@ class RealTimeThread {
   RealTimeRights rights_;
 };
 
-// Sleeps until that time of steadySeconds() (base/stage_clock.h), s; returns at once if it is past.
+// Sleeps until steadySeconds() (base/stage_clock.h) reaches `time`, s; returns at once if it has
+// already.
 void sleepUntil(double time);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Inventor node that gives the blood on the table to the shaders of the nodes after it
-// (data/shaders/cloth.frag). In .iv files: `BloodPool {}`, which has none.
+// Inventor node that passes the blood on the table to the shaders of the nodes after it
+// (data/shaders/cloth.frag). In .iv files: `BloodPool {}`, without blood.
 #pragma once
 
 #include <Inventor/fields/SoSFInt32.h>
@@ -24,7 +24,7 @@ class SoBloodPool : public SoNode {
 
   SoSFInt32 revision;  // number of changes so far; set() writes it
 
-  // A square of bytes, x fastest: the depth of blood. Empty: none.
+  // Sets the depths of the blood: a square of bytes, x fastest. Empty: no blood.
   void set(std::vector<std::uint8_t> depths);
 
  protected:

@@ -16,7 +16,7 @@ struct TissueTexture {
   std::string name;  // the shader's uniforms are nameMap, nameLow and namePerMetre
   int unit = 0;
   GLuint texture = 0;
-  std::shared_ptr<const TissueMap> sent;  // the map in the texture
+  std::shared_ptr<const TissueMap> sent;  // the map that the texture holds
 
   // Binds the texture, and tells `program` where the map lies. map: null if it shows nothing. The
   // program must be in use.

@@ -12,9 +12,9 @@ namespace resect {
 inline constexpr int kVesselBinsUnit = 9, kVesselListUnit = 10;  // texture units
 
 struct VesselTexture {
-  GLuint textures[2] = {};  // bins and entries
-  float rows[2] = {1, 1};   // of these textures
-  std::shared_ptr<const VesselPicture> sent;
+  GLuint textures[2] = {};                    // bins and entries
+  float rows[2] = {1, 1};                     // heights of these textures, texels
+  std::shared_ptr<const VesselPicture> sent;  // the vessels that the textures hold
 
   // Binds the textures, and tells `program` where the vessels lie. picture: null if there are none.
   // The program must be in use.

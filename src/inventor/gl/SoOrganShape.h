@@ -66,8 +66,8 @@ class SoOrganShape : public SoShape {
   // Together they contain the changed parts at their former and at their present positions.
   std::vector<Aabb> takeChanged();
   // The highest speed of a vertex among those that update() moved since the last call of this
-  // function, m/s. A vertex's speed is the way that an update moves it, divided by the time since
-  // the update before it. If the surface changed in another way: infinite.
+  // function, m/s. A vertex's speed is the distance by which an update moves it, divided by the
+  // time since its previous update. Infinite if the surface changed in another way.
   double takeSpeed() { return std::exchange(speed_, 0.0); }
 
   // The first point, in object space, where a ray meets the present surface; none if there is no
@@ -79,7 +79,7 @@ class SoOrganShape : public SoShape {
   // Triangles drawn at the last rendering, unused elements of the array included. (An unused
   // element is the triangle (0, 0, 0); see surface/surface_tracker.h.)
   std::int64_t drawnTriangles() const { return drawnTriangles_; }
-  // What was uploaded to all graphics contexts together since the shape was made.
+  // Bytes and vertices uploaded to all graphics contexts together since the shape was made.
   std::uint64_t uploadedBytes() const { return uploadedBytes_; }
   std::uint64_t uploadedVertices() const { return uploadedVertices_; }
 
@@ -112,7 +112,8 @@ class SoOrganShape : public SoShape {
   std::uint64_t uploadedBytes_ = 0, uploadedVertices_ = 0;
   std::int64_t drawnTriangles_ = 0;
   TriangleBlocks blocks_;
-  // See takeChanged(): single places, and all blocks where most of the surface has moved.
+  // For takeChanged(): boxes of single changes, and boxes of all blocks, used when most of the
+  // surface moved.
   std::vector<TriangleBlocks::Box> changedPlaces_, changedBlocks_;
   double speed_ = 0;  // m/s, see takeSpeed()
   std::vector<double>

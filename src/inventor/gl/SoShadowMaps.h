@@ -3,8 +3,8 @@
 //
 // The node draws the shapes under `casters` and `movers` into two depth textures: one as seen from
 // the lamp, and one as seen from straight above. From these it computes, for each point of a square
-// grid over the table, how much is visible of the room and of the lamp. Shaders of the nodes that
-// follow find the results here:
+// grid over the table, which shares of the room and of the lamp are visible. Shaders of the nodes
+// that follow find the results here:
 // - Texture unit 7: depths seen from the lamp, for comparison (shadow2D). gl_TextureMatrix[7] leads
 //   from eye space to the coordinates and the depth in this texture.
 // - Texture unit 6: depths seen from above. gl_TextureMatrix[6] leads from eye space to x and y,
@@ -15,8 +15,8 @@
 // - gl_TextureMatrix[5] leads from eye space to world space (rotation and translation).
 //
 // In the scene this node must come after the camera. It redraws the textures only if a caster, a
-// mover or a field has changed, and then only the part given to changedIn(). The casters alone are
-// kept in depth maps of their own; to redraw, the movers are drawn over a copy of these maps.
+// mover or a field has changed, and then only the part given to changedIn(). Separate depth maps
+// hold the casters alone; for a redraw, the movers are drawn over a copy of these maps.
 //
 // Sources: shadow maps, Williams 1978; percentage-closer soft shadows, Fernando 2005; occlusion of
 // the room's light over a height field, Oat and Sander 2007.

@@ -3,7 +3,7 @@
 //   right button, dragged                      orbit
 //   left button, dragged                       orbit, if nothing else has used the event
 //   middle button, or Shift and any button     pan
-//   wheel                                      zoom; what is under the pointer stays there
+//   wheel                                      zoom; the point under the pointer stays there
 //
 // The camera stays upright. Its elevation is limited, so it cannot turn upside down.
 #pragma once
@@ -22,8 +22,8 @@ class SoPerspectiveCamera;
 
 namespace resect {
 
-// The view volume of the camera for a picture of the size of `viewport`. The picture may be higher
-// than it is wide.
+// The view volume of the camera for a picture of the size of `viewport`, which may be higher than
+// it is wide.
 SbViewVolume viewVolumeOf(const SoPerspectiveCamera& camera, const SbViewportRegion& viewport);
 
 class CameraMoves {

@@ -22,10 +22,10 @@ struct Damage {
   bool everything = false;    // the whole picture must be drawn again
   std::vector<Aabb> boxes;    // regions in which anything may have changed
   std::vector<Aabb> shadows;  // only soft shadows changed here; may be drawn some pictures later
-  // What is in here changes too slowly for the eye to follow, such as tissue that settles: it may
+  // Region whose content changes too slowly for the eye to follow, such as settling tissue. It may
   // be drawn a fraction of a second later, but then at full resolution.
   Aabb slow = {};
-  // Whether nothing must be drawn at once.
+  // Whether there is nothing to draw now, `slow` aside.
   bool empty() const { return !everything && boxes.empty() && shadows.empty(); }
   void add(const Damage& other);
 };

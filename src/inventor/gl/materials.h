@@ -33,7 +33,7 @@ SoShaderProgram* makeMaterial(RoomMaterial material);
 
 // A separator that keeps no render cache: its contents change often, or are drawn by shaders.
 SoSeparator* uncachedSeparator();
-// One that draws these nodes with the material.
+// The same, with the material and then these nodes.
 SoSeparator* withMaterial(RoomMaterial material, std::initializer_list<SoNode*> nodes);
 
 // GLSL source: the version line, followed by the given files of data/shaders. parts: their names.

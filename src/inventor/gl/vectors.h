@@ -1,4 +1,4 @@
-// Vectors of Inventor and of Resect.
+// Converts vectors between Resect's and Inventor's types.
 #pragma once
 
 #include <Inventor/SbVec3f.h>

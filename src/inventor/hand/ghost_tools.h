@@ -1,5 +1,5 @@
-// The instruments of a scenario's own motions, drawn as ghosts: what a good operator does, beside
-// what the hand does.
+// Ghosts: transparent copies of the instruments that follow the scenario's own motions. They show
+// the user what a good operator does.
 #pragma once
 
 #include <span>
@@ -22,9 +22,10 @@ class GhostTools {
   GhostTools(const GhostTools&) = delete;
   GhostTools& operator=(const GhostTools&) = delete;
 
-  bool any() const { return !ghosts_.empty(); }  // the scenario has motions
-  // The moment of the motions, s from their start; they begin again when they are over. Returns the
-  // box, world, m, of what has to be drawn again: empty if nothing changed visibly.
+  bool any() const { return !ghosts_.empty(); }  // whether the scenario has motions
+  // Shows the motions at `time`, s from their start; they repeat when they are over. hide() hides
+  // the ghosts. Both return the box that must be drawn again, world, m: empty if nothing changed
+  // visibly.
   Aabb show(double time);
   Aabb hide();
 
@@ -40,8 +41,8 @@ class GhostTools {
   SoSeparator* parent_;
   SoSwitch* root_;
   std::vector<Ghost> ghosts_;
-  double begin_ = 0, end_ = 0;  // s: of the motions
-  Aabb box_;                    // of what is shown
+  double begin_ = 0, end_ = 0;  // start and end of the motions, s
+  Aabb box_;                    // of the ghosts as shown now
 };
 
 }  // namespace resect

@@ -16,8 +16,9 @@ class SoTranslate1Dragger;
 
 namespace resect {
 
-// A place for the scale beside the organ: at the left of a camera in this direction, where it hides
-// nothing. It goes round the organ in steps. World, m.
+// A place for the scale beside the organ, at the left in the picture, where the scale does not hide
+// the organ. World, m. towardsCamera: direction from the organ to the camera; it is rounded to
+// steps of 10 degrees about the vertical.
 Vec3 scaleFoot(const Aabb& organ, const Vec3& towardsCamera);
 
 class IsoDragger {

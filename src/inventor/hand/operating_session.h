@@ -1,8 +1,8 @@
-// An interactive operation without its window: the room, the instruments in hand, the camera, the
-// iso scale and the live operation.
+// An interactive operation without its window: the operating room, the handling of instruments, the
+// camera, the iso scale and the live operation.
 //
-// The only inputs are Inventor events and calls of the functions below. So any window toolkit can
-// use it, and so can a test.
+// The only inputs are Inventor events and calls of the functions below. So any window toolkit, or a
+// test, can use this class.
 #pragma once
 
 #include <Inventor/actions/SoHandleEventAction.h>
@@ -54,8 +54,8 @@ class OperatingSession {
   void play(double until);
   bool playing() const { return playing_; }
 
-  // undo() shows the moment before the last stroke, redo() the moment at which undo() was called
-  // last, and show() any moment (LiveOperation::show()). The tools go where they were at that
+  // undo() shows the moment before the last stroke, redo() the moment at which the last undo() was
+  // called, and show() any moment (LiveOperation::show()). The tools go where they were at that
   // moment. Operating goes on from there when goOn() is called, or when the hand takes or moves an
   // instrument. undo() and redo() stop the motions; if there is nothing to undo or redo, the
   // operation stays at its moment.
@@ -64,14 +64,16 @@ class OperatingSession {
   void show(Moment moment);
   void setPlayback(double speed, std::int64_t branch) { operation_.setPlayback(speed, branch); }
   void goOn();
-  // Whether the places that bleed are marked while an instrument is in hand that stops bleeding,
-  // and whether it is guided to them. At first: yes.
+  // Whether bleeding ends of vessels are marked, and an instrument in hand that can stop bleeding
+  // is guided to them. There are no marks while the hand has no such instrument. At first: true.
   void setBleedingMarks(bool marks) { marksBleeding_ = marks; }
-  // Draws the guidance of a task, or none; and the instruments of the scenario's motions as ghosts.
+  // setGuide() sets the guidance of a task that is drawn, or none. setGhosts() shows or hides the
+  // ghosts of the scenario's instruments (GhostTools).
   void setGuide(std::optional<Guide> guide) { guide_ = std::move(guide); }
   void setGhosts(bool shown) { showsGhosts_ = shown; }
   bool hasGhosts() const { return ghosts_.any(); }
-  // How far the instrument in hand is from what guides it (distanceFrom()), m; none without either.
+  // Distance of the instrument in hand from the guide (distanceFrom()), m; none without instrument
+  // or guide.
   std::optional<double> guideDistance() const;
   void setIso(float iso);                                      // also calls goOn()
   bool answered() const { return asked_ == state_.answered; }  // all requests are done
@@ -86,10 +88,9 @@ class OperatingSession {
   // Moves the camera, without turning it, so that organs, tool box and iso scale are in the
   // picture.
   void viewAll(double aspect);
-  // Multiplies the camera's distance from its point of interest.
+  // Multiplies the camera's distance from its point of interest by `factor`.
   void zoom(double factor);
-  // Shows the scale of the iso level, or hides it. It stands at the left of the organs wherever the
-  // camera is.
+  // Shows or hides the scale of the iso level. In the picture it always stands left of the organs.
   void showScale(bool shown);
   // Stops the motions, puts all tools back to their rest poses, and shows the surgeon's view.
   void bringEverythingBack(double aspect);
@@ -138,8 +139,8 @@ class OperatingSession {
   std::vector<ToolModel> toolModels_;
   Discretization cells_;
   Aabb organBox_;
-  // Seen from the surgeon before the operation: middle of the organs' silhouette, world, m, and its
-  // area, m^2.
+  // The organs' silhouette in the surgeon's view before the operation: its middle, world, m, and
+  // its area, m^2.
   Vec3 fieldMiddle_ = Vec3::Zero();
   double fieldArea_ = 0;
   mutable OperationView view_;
@@ -162,7 +163,7 @@ class OperatingSession {
   Aabb markerBox_;                           // of the marker under the tip, as shown last, world, m
   std::int64_t asked_ = 0;                   // number of the last request to the operation
   bool goingOn_ = false;                     // goOn() was called, and no frame has ended since
-  bool following_ = false;                   // the tools are being put where the operation has them
+  bool following_ = false;                   // the tools are being set to the operation's poses
   bool playing_ = false;
   bool marksBleeding_ = true;
   std::optional<Guide> guide_;

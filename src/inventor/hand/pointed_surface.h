@@ -22,13 +22,14 @@ class PointedSurface {
   // within 5 m of the camera. The normal faces the camera.
   std::optional<SurfacePoint> under(const SbVec2s& pixel, const SbViewportRegion& viewport) const;
 
-  // A stroke begins at `first`: until end(), along() finds points on the organs' surfaces as they
-  // are now. Else an instrument that dents the surface would follow the dent down.
+  // To be called when a stroke begins at `first`. Until end(), along() finds points on copies of
+  // the organs' surfaces that are made now. On the moving surfaces an instrument that dents the
+  // tissue would follow its own dent down.
   void begin(const SurfacePoint& first);
   void end();
-  // The point under the pixel. A stroke that begins beside the organ goes on to it. Where the
-  // pointer then leaves the organ, or jumps to another part of it, the stroke goes on in the plane
-  // of the picture.
+  // The point under the pixel. A stroke that begins beside the organs continues on the first one
+  // that the pointer meets. If the pointer then leaves the organ, or jumps to another part of it,
+  // the stroke continues in the plane of the picture.
   std::optional<SurfacePoint> along(const SbVec2s& pixel, const SbViewportRegion& viewport);
 
  private:
@@ -37,7 +38,7 @@ class PointedSurface {
   OperatingRoom& room_;
   std::vector<std::pair<SurfaceCopy, TriangleBlocks>> kept_;  // of the organs, at begin()
   SurfacePoint last_;                                         // of the stroke
-  bool reached_ = false;                                      // it has been on an organ
+  bool reached_ = false;                                      // the stroke has been on an organ
 };
 
 }  // namespace resect

@@ -2,10 +2,10 @@
 //
 // A tool can be held with a manipulator, as in the original thesis. A left click on a tool replaces
 // its SoTransform by a handle box, which moves the tool. A middle click replaces the handle box by
-// a trackball, which turns the tool; another middle click brings the handle box again. The next
-// left click brings whichever of these two was used last. A click beside all tools lets go of the
-// tool and restores its SoTransform. A handle box would also scale the tool. The scale is ignored:
-// the tool keeps its size and its position.
+// a trackball, which turns the tool; another middle click brings back the handle box. The next left
+// click on a tool brings whichever of these two was used last. A click beside all tools lets go of
+// the tool and restores its SoTransform. If the user scales the tool with the handle box, the scale
+// is ignored: the tool keeps its size and its position.
 //
 // A tool can also be held directly. Dragging the tool moves it in the plane of the view; the wheel
 // moves it in depth. With Shift, dragging or the wheel turns the tool about its tip. The arrow keys
@@ -17,8 +17,8 @@
 // left button is down. The wheel and the page keys change how deep it works; with Shift the mouse
 // and the wheel turn its edge.
 //
-// One tool is in hand at a time. Others can be left where they are, holding or pressing: see
-// leave(). They are out of the hand, but go on working.
+// One tool is in hand at a time. Other tools can be left where they are, holding or pressing
+// (leave()): they go on working without the hand.
 //
 // Events come through an SoEventCallback at the start of the scene, so that a window and a test get
 // the same behaviour. Events that are not for tools, such as those that move the camera, stay
@@ -64,10 +64,10 @@ class ToolHandling {
   bool pedalling() const { return pedalling_; }  // whether the foot presses the pedal
   bool hasPedal() const;                         // whether the tool in hand has a pedal
   bool pressing() const { return how_ == Hold::Guided && hand_.pressing; }
-  // Whether the tool was left holding or pressing; for all tools, 1: it was.
+  // Whether the tool was left holding or pressing; left(): the same for all tools, 1: it was.
   bool isLeft(int tool) const { return left_[std::size_t(tool)] != 0; }
   const std::vector<std::uint8_t>& left() const { return left_; }
-  // How deep a tool works that is guided, m.
+  // Working depth of a guided tool below the surface, m.
   double depth(int tool) const { return depths_[std::size_t(tool)]; }
   // World pose of a tool, without the scale that a handle box may have set.
   Pose pose(int tool) const;
@@ -75,15 +75,16 @@ class ToolHandling {
   // From now on, tools that are taken follow the surface, and stay above the table. models: one per
   // tool; must outlive this object.
   void guide(std::span<const ToolModel> models);
-  // How tools are held that are taken by their number or dragged: Guided, or Direct without
+  // How a tool is held after it was taken by its number or dragged: Guided, or Direct without
   // guide().
   Hold usual() const { return models_.empty() ? Hold::Direct : Hold::Guided; }
-  // The hand over the surface; null unless the tool in hand is guided and pointed at something.
+  // The hand that guides the tool over the surface; null unless the tool in hand is guided and has
+  // been pointed at a surface.
   const SurfaceHand* surfaceHand() const;
   // The pose of the tool in hand at which it began to press; only while pressing().
   const Pose& pressedFrom() const { return pressedFrom_; }
-  // The pose to which the hand brings a tool. It differs from pose() for the tool in hand if this
-  // is guided: whoever moves the tools brings them there.
+  // The pose that the hand wants for a tool. It differs from pose() only for a guided tool in hand;
+  // the caller must move the tool there.
   Pose wanted(int tool) const;
 
   // Lets go of the tool in hand, and then holds `tool` in the way `how`. With tool -1 or Hold::None
@@ -96,14 +97,15 @@ class ToolHandling {
   void take(int tool);
   // Leaves the tool in hand where it is, holding or pressing, until it is taken again or put back.
   void leave();
-  // For a moment of the past: which tools are left, one value per tool.
+  // Sets which tools are left, one value per tool, when an earlier moment is shown.
   void setLeft(const std::vector<std::uint8_t>& left) { left_ = left; }
   // Moves the tool to its rest pose, and lets go of it if it is in hand.
   void putBack(int tool);
   void setPose(int tool, const Pose& pose);
-  // Points again at what is now under the pointer: the camera has moved.
+  // To be called after the camera moved: points at the surface that is now under the pointer.
   void aimAgain();
-  // Places that the tool in hand works at when the hand points near them (seek()); world, m.
+  // Sets places, world, m. When the hand points near one of them, the tool in hand works there
+  // (seek()).
   void setTargets(std::vector<Vec3> targets);
   // Ends a drag: the mouse moves no tool until a button is pressed again.
   void interrupt();
@@ -116,7 +118,7 @@ class ToolHandling {
 
   // Where take() puts the tip of a tool from the tool box; world, m.
   Vec3 readyPlace = Vec3(0, 0.25, 0);
-  // If set: replaces each pose that a tool is to get by a corrected one, so that the tool does not
+  // If set: returns a corrected pose for each pose that a tool is to get, so that the tool does not
   // go through the table. Poses from a manipulator and rest poses are not corrected.
   std::function<Pose(int tool, const Pose&)> constrain;
 
@@ -158,10 +160,10 @@ class ToolHandling {
   mutable std::vector<SoPath*> bodies_;  // path to each tool's body, found on demand
   int held_ = -1;
   Hold how_ = Hold::None;
-  bool squeezing_ = false;          // the key is down that closes jaws
-  bool pedalling_ = false;          // the key is down that presses the pedal
+  bool squeezing_ = false;          // the key that closes jaws is down
+  bool pedalling_ = false;          // the key that presses the pedal is down
   std::vector<std::uint8_t> left_;  // per tool; 1: left holding or pressing
-  Hold precise_ = Hold::HandleBox;  // the manipulator that the next left click brings
+  Hold precise_ = Hold::HandleBox;  // manipulator of the next left click
   SbVec3f place_;                   // the manipulator's translation before it last set a scale
 
   std::span<const ToolModel> models_;  // per tool; empty without guide()
@@ -170,14 +172,14 @@ class ToolHandling {
   std::vector<Vec3> targets_;
   Pose pressedFrom_;
   PointedSurface pointed_;
-  // Where the pointer was last, to which a tool is taken that follows the surface.
+  // Last position of the pointer. A guided tool goes there when it is taken.
   SbVec2s pointer_;
   std::optional<SbViewportRegion> viewport_;
 
   // The members below are valid from the press of the left button until its release.
   int pressed_ = -1;            // tool that the drag moves
-  bool elsewhere_ = false;      // pressed beside all tools while one was held
-  bool dragging_ = false;       // has moved too far for a click
+  bool elsewhere_ = false;      // pressed beside all tools while a tool was held
+  bool dragging_ = false;       // the pointer moved too far for a click
   SbVec2s pressedAt_, lastAt_;  // pixels
 };
 

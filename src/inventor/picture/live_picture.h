@@ -35,12 +35,12 @@ class LivePicture {
   LivePicture& operator=(const LivePicture&) = delete;
 
   bool processorDraws() const;             // whether OpenGL renders in software
-  void setProcessorDraws(bool draws);      // for tests: the result of processorDraws()
+  void setProcessorDraws(bool draws);      // for tests: sets processorDraws()
   void setLongestPicture(double seconds);  // a longer drawing time reduces the resolution
   void setSharp(bool sharp);  // sharp: the resolution is never reduced, and no shadow is late
 
   // Whether draw(), if it is called with this damage, will draw the changed soft shadows too. If
-  // not, the shadow maps need no update before.
+  // not, the shadow maps need no update before that call.
   bool shadowsAreDue(const Damage& damage) const;
   // Draws the damaged parts of the scene. The scene must contain `camera`. size: of the picture,
   // pixels. Returns rectangles that contain all pixels that may have changed; they are valid until

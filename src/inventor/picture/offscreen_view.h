@@ -1,7 +1,7 @@
 // Draws a scene to a picture without a display.
 //
-// Keeps an offscreen context and a multisampled framebuffer for many pictures. So buffers, textures
-// and shaders need not be made again. The scene must contain a camera and lights.
+// Keeps an offscreen context and a multisampled framebuffer, so that buffers, textures and shaders
+// are made only once for many pictures. The scene must contain a camera and lights.
 #pragma once
 
 #include <memory>
@@ -25,8 +25,9 @@ class OffscreenView {
   int width() const;
   int height() const;
 
-  // The same scene gives the same bytes with the same renderer. Throws Error if a shader of the
-  // scene does not compile; Inventor by itself would go on with flat colours.
+  // Draws a picture of the scene. The same scene gives the same bytes with the same renderer.
+  // Throws Error if a shader of the scene does not compile; Inventor by itself would go on with
+  // flat colours.
   RgbImage render(SoNode* scene);
 
   // Name of the renderer, e.g. "llvmpipe (LLVM 15.0.6, 256 bits)".

@@ -13,16 +13,16 @@ namespace resect {
 // Reads .iv and .wrl (any version of Inventor or VRML), .obj, .stl, .ply, .off, .glb, .gltf and
 // legacy .vtk; and label images: NIfTI, NRRD, MetaImage and DICOM segmentations. Each may be
 // gzip-compressed. The format is recognised by the first bytes if possible, otherwise by the
-// extension (formats/model_kind.h). The model is in metres: Units nodes of Inventor and the
-// millimetres of images are followed, and all other numbers are taken as metres.
+// extension (formats/model_kind.h). The model is in metres: Inventor's Units nodes are applied, the
+// millimetres of images are converted, and all other numbers are taken as metres.
 //
-// parts: as a ModelReader takes it (io/operation_setup.h). Only label images look at it
+// parts: as a ModelReader takes it (io/operation_setup.h). It has an effect only for label images
 // (formats/labels/label_model.h).
 //
-// A child process (formats/child/foreign_reading.h) reads the file. It may use 2 GB of memory, and
-// 5 s of processor time, 60 s for an image, plus 1 s for each MB of the file. If the file makes it
-// crash or exceed a limit, an Error is thrown. A file is refused if it and the files that it refers
-// to have more than 1 GB in all.
+// A child process (formats/child/foreign_reading.h) reads the file. It may use 2 GB of memory. Its
+// processor time is limited to 5 s (60 s for an image), plus 1 s for each MB of the file. If the
+// file makes it crash or exceed a limit, an Error is thrown. A file is refused if it and the files
+// that it refers to have more than 1 GB in all.
 Model readModel(const std::filesystem::path& path, const std::string& parts = {});
 
 // The same with progress reports. For an Inventor or VRML file `progress` gets the fraction of the

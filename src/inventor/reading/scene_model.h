@@ -15,7 +15,7 @@ namespace resect {
 enum class ShapeReading { Converted, ByCoin };
 
 // Adds to model.parts the triangles of all shapes that would be drawn. Switch, LevelOfDetail, USE,
-// Array, Units and all transforms are followed. Lines, points, flat text and draggers are left out.
+// Array, Units and all transforms are applied. Lines, points, flat text and draggers are left out.
 // A shape's triangles go to the part with the shape's DEF name. If the shape has no DEF name, they
 // go to the part named after the innermost node round the shape that has one. A part gets the
 // material of its first shape, and normals from each TriangleStripSet that has one per point. Sets

@@ -13,10 +13,10 @@ class SoTransform;
 namespace resect {
 
 // A scene graph that draws the triangles. An edge looks sharp if the normals of its two triangles
-// differ by more than `creaseDegrees`, else smooth.
+// differ by more than `creaseDegrees`, otherwise smooth.
 SoNode* makeModel(const TriangleMesh& mesh, double creaseDegrees = 30.0);
 
-// A part with its finish; its jaw is closed.
+// A scene graph that draws the part with its finish. If the part is a jaw, the jaw is closed.
 SoSeparator* makePart(const DrawnPart& part);
 
 // An instrument as a scene graph, and the transforms that turn its jaws. The jaws are closed at

@@ -51,7 +51,7 @@ enum class RoomView { Surgeon, Assistant, Top, Laparoscope };
 
 constexpr const char* kRoomViewNames = "surgeon, assistant, top or laparoscope";
 
-// Direction from what is looked at to the camera of a view, unit.
+// Direction from the centre of a view to its camera, unit.
 Vec3 towardsCamera(RoomView view);
 
 // The view of that name, if there is one.
@@ -83,7 +83,7 @@ class OperatingRoom {
   // The surface of an added organ must be closed, since its back faces are not drawn.
   void addOrgan(const Vec3f& colour);
 
-  // `model` replaces the present table, tool box or field. With nullptr there is none afterwards.
+  // `model` replaces the present table, tool box or field; nullptr removes it.
   void setTable(SoNode* model);
   void setToolbox(SoNode* model, const Pose& pose = {});
 
@@ -96,12 +96,12 @@ class OperatingRoom {
   int addTool(const ToolModel& tool);
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
-  // From now on the tool is drawn only while its pose is another than `rest`; without one, always.
+  // From now on the tool is drawn only while its pose differs from `rest`; without `rest`, always.
   void hideAtRest(int tool, const std::optional<Pose>& rest);
   // Opens or closes the jaws of a tool that has any. `squeeze`: 0 wide open to 1 closed. Returns
   // false if nothing turned.
   bool setToolSqueeze(int tool, double squeeze);
-  // How far from its tip the tool is bloody, m.
+  // Sets the distance from its tip up to which the tool is covered with blood, m.
   void setToolBlood(int tool, double reach);
   // The tool's SoTransform. If a manipulator has taken its place: the manipulator, which is an
   // SoTransform too.
@@ -114,9 +114,9 @@ class OperatingRoom {
   // Shows a mesh as the first organ, uncut, with smooth normals (geometry/normals.h). For an organ
   // that changes, update organ() instead.
   void setOrgan(const TriangleMesh& mesh, const Vec3f& colour = kLiverColour);
-  // Shows blood on the table and in the air. Null: there is none.
+  // Shows the blood on the table and in the air. Null: no blood.
   void setLooseBlood(const LooseBlood* blood);
-  // Null: there are none.
+  // Shows the bare vessels. Null: no vessels.
   void setBareVessels(const BareVessels* vessels);
   void setOrganColour(const Vec3f& colour);  // of the first organ
   void setOrganPose(const Pose& pose);       // of all organs and tissues
@@ -140,9 +140,9 @@ class OperatingRoom {
   // and are drawn without shaders.
   SoSeparator* aids() const { return aids_; }
 
-  // Call after a change of organs, tools or tool box. `box`: contains the change, world, m. If
-  // something has changed, the next picture redraws the shadows inside all boxes given since the
-  // last picture. It redraws all shadows if a box was empty, or if changedIn() was not called.
+  // Call after a change of organs, tools or tool box. `box`: contains the change, world, m. The
+  // next picture redraws the shadows inside all boxes given since the last picture. If a box was
+  // empty, or something changed without a call of changedIn(), it redraws all shadows.
   void changedIn(const Aabb& box);
 
   const SoShadowMaps& shadows() const { return *shadows_; }
@@ -160,8 +160,8 @@ class OperatingRoom {
   // As look(), but with the box in the middle, and with the camera as near as the box's corners
   // allow.
   void frame(RoomView view, const Aabb& box, double aspect);
-  // Aims the camera at `centre` (world, m) and places it where an object of that silhouette, m^2,
-  // seen from the view, fills `share` of a picture.
+  // Aims the camera at `centre` (world, m) and places it so that an object whose silhouette in this
+  // view has the area `silhouette`, m^2, fills the fraction `share` of the picture.
   void closeUp(RoomView view, const Vec3& centre, double silhouette, double share, double aspect);
   // Moves the camera so that all of the box is in a picture. The camera's direction stays.
   void viewAll(const Aabb& box, double aspect);
@@ -189,7 +189,7 @@ class OperatingRoom {
   SoSeparator* toolbox_;
   SoTransform* toolboxPose_;
   SoSeparator* tools_;
-  // Per tool: its transform and its model, without a manipulator, which casts no shadow.
+  // Per tool: its transform and its model. Manipulators are left out, since they cast no shadow.
   SoSeparator* toolShadows_;
   std::vector<std::vector<ToolNodes::Jaw>> jaws_;  // by tool
   std::vector<std::optional<Pose>> hiddenAt_;      // by tool

@@ -15,8 +15,8 @@ class SoNode;
 namespace resect {
 
 // Reads the model "table", "toolbox" or "field" from Resect's own data folder, and returns it as a
-// scene graph with its materials. Coin reads no other files in this process. All others are read by
-// readModel(), in a child process.
+// scene graph with its materials. Coin reads no other files in this process. All other model files
+// are read by readModel(), in a child process.
 SoNode* readRoomModel(const std::string& name);
 
 // Screen colour (sRGB) of an organ that has not been cut.
@@ -25,9 +25,9 @@ Vec3f organColour(const OrganSource& organ);
 class OperationView {
  public:
   // Sets up room, tools and organs. Aims the lamps at the organs. Aims the camera at
-  // scenario.closeUp if that is set, else at the organs. `aspect`: width / height of the picture.
-  // Calls simulation.keepLook(). If there is no view named scenario.view (roomView()), throws an
-  // Error that lists the views.
+  // scenario.closeUp if that is set, otherwise at the organs. `aspect`: width / height of the
+  // picture. Calls simulation.keepLook(). If there is no view named scenario.view (roomView()),
+  // throws an Error that lists the views.
   OperationView(const Scenario& scenario, Simulation& simulation, double aspect);
 
   // Call after every step. Moves the tools and applies the changes of all organs' surfaces.
@@ -47,9 +47,9 @@ class OperationView {
  private:
   OperatingRoom room_;
   std::vector<double> bloody_;  // per tool, m from its tip
-  Aabb organs_;                 // where they lie at rest, world, m
+  Aabb organs_;                 // box of the organs at rest, world, m
   std::vector<Pose> rests_;
-  bool table_, toolBox_;  // of the scenario
+  bool table_, toolBox_;  // whether the scenario has them
   // One per organ of the simulation. These publishers publish every motion, however small.
   std::vector<SurfacePublisher> publishers_;
 };

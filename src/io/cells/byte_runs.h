@@ -16,8 +16,8 @@ namespace resect {
 std::string toRuns(std::span<const std::uint8_t> values);
 std::string toRuns(std::span<const float> values);
 
-// Decodes the bytes into `values` and returns true. If the bytes are not complete runs of exactly
-// values.size() values in all, writes nothing and returns false.
+// Decodes the bytes into `values` and returns true. If the bytes do not consist of complete runs
+// with values.size() values in total, writes nothing and returns false.
 bool fromRuns(std::string_view bytes, std::span<std::uint8_t> values);
 bool fromRuns(std::string_view bytes, std::span<float> values);
 // Number of values in the runs; -1 if a run is incomplete. Call this before allocating memory for

@@ -1,5 +1,6 @@
 // Reads and writes files *.resect-cells. Such a file holds an organ's lattice, colour values,
-// particles, labels, names of labels, landmarks and vessels. It also says where these come from.
+// particles, labels, names of labels, landmarks and vessels. It also names the files that these
+// were made from.
 //
 // docs/cells_file.md describes the format: a text header, then runs (io/cells/byte_runs.h), then a
 // checksum. Lengths are in metres. The same cells give the same bytes on every machine; reading
@@ -16,10 +17,10 @@
 
 namespace resect {
 
-// A file that the cells were made from.
+// A file from which the cells were made.
 struct CellsInput {
   std::string file;    // name without folder
-  std::string role;    // what was taken from it: "organ", "tumour", "portal-vein"
+  std::string role;    // its content: "organ", "tumour", "portal-vein", ...
   std::string format;  // "NIfTI-1 label image, 147 x 120 x 53 voxels of 1.5 x 1.5 x 3 mm, axes RAS"
   std::string crc32;   // of its bytes, eight hexadecimal digits
 
@@ -38,7 +39,7 @@ struct CellsOrigin {
 struct KeptCells {
   Discretization cells;
   CellsOrigin origin;
-  Anatomy vessels{};  // in the coordinates of the cells; to a micrometre in the file
+  Anatomy vessels{};  // in the coordinates of the cells; rounded to a micrometre in the file
 };
 
 // Whether the file's name ends in .resect-cells.
@@ -52,7 +53,7 @@ inline bool isCellsFile(const std::filesystem::path& path) {
 std::string formatCells(const KeptCells& kept);
 
 // Reads the bytes of a *.resect-cells file. Throws Error if anything in them is wrong. Memory is
-// allocated only after all lengths are checked, and for kMaxCells cells at most. `name`: the file's
+// allocated only after all lengths are checked, and for at most kMaxCells cells. `name`: the file's
 // name, for Errors.
 KeptCells parseCells(std::string_view bytes, const std::string& name);
 

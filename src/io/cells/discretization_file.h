@@ -14,11 +14,12 @@
 // - for each axis (max - min) / dims of this axis;
 // - on all three axes the same spacing: the longest side of the box divided by the dims of that
 //   side's axis. The thesis's own files are of this kind.
-// The spacing that fits all rows better is taken (docs/decisions/0002-thesis-grid-is-cubic.md).
+// The reader takes the spacing that fits all rows better
+// (docs/decisions/0002-thesis-grid-is-cubic.md).
 // Positions in rows may be rounded by up to 1/50 of a cell; the exact positions of the lattice are
 // used instead.
 //
-// LevelSet is the colour value, 0 to 100. Line 3 declares the number of particles inside, N. If
+// LevelSet is the colour value, 0 to 100. Line 3 gives the number of particles inside, N. If
 // exactly N rows have LevelSet > 0, these rows are the particles. Otherwise the first N rows are
 // the particles, and the later rows with LevelSet > 0 are skin cells. A row with LevelSet 0 is a
 // cell without tissue.
@@ -42,21 +43,21 @@ inline bool isDiscretizationFile(const std::filesystem::path& path) {
 // - a wrong number of rows or a wrong order;
 // - a row with too few or too many numbers;
 // - a number that is invalid or not finite, or a value outside [0, 100];
-// - a position off the grid, or a cell listed twice;
+// - a position that is not on the lattice, or a cell that is listed twice;
 // - anything after the last row.
 Discretization readDiscretization(const std::filesystem::path& path, double unit = 1);
 
-// The same from text in memory; `name` stands for the file in errors.
+// The same from text in memory; `name` stands for the file in Errors.
 Discretization parseDiscretization(std::string_view text, const std::string& name, double unit = 1);
 
 // The text of a .dis file, in metres. Each number has the fewest digits that restore it exactly.
-// Particles come first, then skin cells, both in lattice order. A particle of value 0 holds no
-// tissue and is left out. Reading the text gives back lattice and values bit for bit if the lattice
-// is settled (sph/lattice_extent.h), as the lattices of organ/discretize.h are. Otherwise the
-// spacing may differ in its last bits.
+// Particles come first, then skin cells, both in lattice order. A particle with the value 0 holds
+// no tissue and is left out. Reading the text gives the same lattice and values bit for bit if the
+// lattice is settled (sph/lattice_extent.h), as the lattices of organ/discretize.h are. Otherwise
+// the spacing may differ in its last bits.
 std::string formatDiscretization(const Discretization& discretization);
 
-// Written atomically. Throws Error if writing fails.
+// Writes the file atomically (io/atomic_file.h). Throws Error if writing fails.
 void writeDiscretization(const std::filesystem::path& path, const Discretization& discretization);
 
 }  // namespace resect

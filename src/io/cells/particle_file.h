@@ -12,11 +12,11 @@ inline bool isParticleFile(const std::filesystem::path& path) {
 }
 
 // unit: metres per unit of a *.dis file. It must be 1 for a *.resect-cells file, which is always in
-// metres; else Error is thrown. Also throws the Errors of the format's own reader.
+// metres; any other unit is an Error. Also throws the Errors of the format's own reader.
 KeptCells readParticleFile(const std::filesystem::path& path, double unit = 1);
 
-// A file named *.resect-cells gets all data. A file of any other name is written in the thesis's
-// format, which has no labels, landmarks or origin.
+// Writes all data if the path ends in .resect-cells. A file with any other name is written in the
+// thesis's format, which has no labels, landmarks, origin or vessels.
 void writeParticleFile(const std::filesystem::path& path, const KeptCells& kept);
 
 }  // namespace resect

@@ -6,12 +6,12 @@
 
 namespace resect {
 
-// Does not close the descriptor. Once a write has failed, nothing more is written.
+// Does not close the descriptor. After a write has failed, nothing more is written.
 class DescriptorBuffer : public std::streambuf {
  public:
   explicit DescriptorBuffer(int descriptor);
 
-  // Writes what is buffered; returns 0, or the errno of the first write that failed.
+  // Writes the buffered bytes. Returns 0, or the errno of the first write that failed.
   int finish();
 
  private:

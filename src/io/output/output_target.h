@@ -15,14 +15,14 @@ struct OutputTarget {
   };
   Kind kind = Kind::File;
   std::filesystem::path
-      path;             // File: the name after following symbolic links; else the name as given
+      path;             // File: the name after following symbolic links; otherwise as given
   int descriptor = -1;  // of Kind::Descriptor
 };
 
-// To be called before long work: it opens and creates nothing. Throws Error if the name is that of
-// a folder, a disk (block device), a socket, a symbolic link that leads nowhere or a
-// write-protected file, or if the folder is write-protected. Folders that do not exist yet are no
-// error.
+// Finds the target of an output's name. To be called before long work: it opens and creates
+// nothing. Throws Error if the name is that of a folder, a disk (block device), a socket, a
+// symbolic link that leads nowhere or a write-protected file, or if the folder is write-protected.
+// Folders that do not exist yet are no error.
 OutputTarget findTarget(const std::filesystem::path& name);
 
 // A text that identifies the file to which a name leads. Two names get the same text if and only if
@@ -31,8 +31,8 @@ OutputTarget findTarget(const std::filesystem::path& name);
 // for /dev/null, and for "-" if standard output is closed.
 std::string identityOf(const std::filesystem::path& name);
 
-// Whether the name leads to standard output, as "-" and "/dev/stdout" do. What is written there
-// would mix with what this program prints.
+// Whether the name leads to standard output, as "-" and "/dev/stdout" do. An output there would be
+// mixed with the text that this program prints.
 bool isStandardOutput(const std::filesystem::path& name);
 
 }  // namespace resect

@@ -10,11 +10,11 @@
 namespace resect {
 
 struct OutputFile {
-  std::string option;          // as the user gave it: "--surface"
+  std::string option;          // the option that names it, for messages: "--surface"
   std::filesystem::path path;  // "" = not wanted; "-" = standard output
 };
 
-// Files of a folder that are numbered from 1 on: frame_0001.png, piece_1.stl.
+// Output files in a folder that are numbered from 1 on: frame_0001.png, piece_1.stl.
 struct NumberedOutputs {
   std::string option;             // "--frames"
   std::filesystem::path folder;   // "" = not wanted

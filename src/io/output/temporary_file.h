@@ -16,12 +16,12 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   int descriptor() const { return descriptor_; }               // open for reading and writing
-  const std::filesystem::path& path() const { return path_; }  // until it is renamed
+  const std::filesystem::path& path() const { return path_; }  // valid until it is renamed
 
   // Renames the file to the target. If the target exists, it is replaced; the file takes over the
-  // target's permissions, and the target's owner if this process may set it. Before the renaming
-  // all bytes are synchronised to the disk (fsync), afterwards the folder. Throws Error if this
-  // fails; the target is then unchanged.
+  // target's permissions, and the target's owner if this process may set it. The file is flushed to
+  // the disk (fsync) before the renaming, and the folder afterwards. Throws Error if this fails;
+  // the target is then unchanged.
   void rename();
   // The same, but throws Error if the target exists, and never replaces it.
   void publish();
@@ -35,9 +35,9 @@ class TemporaryFile {
   int slot_ = -1;  // in the list of removeTemporaryFiles()
 };
 
-// Removes every TemporaryFile of this process from its folder. This function is async-signal-safe:
-// handlers of signals that end the process call it. Does nothing in a forked child. If there are
-// more than 16 such files at once, only 16 of them are removed.
+// Removes the files of all TemporaryFiles of this process. This function is async-signal-safe: it
+// is called by handlers of signals that end the process. Does nothing in a forked child. If more
+// than 16 such files exist at once, only 16 of them are removed.
 void removeTemporaryFiles() noexcept;
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Parses lengths with units, such as "5mm", to metres.
+// Converts lengths with units, such as "5mm", to metres.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@ namespace resect {
 
 // The length in metres of a number with a unit (um, mm, cm, m, in, inch), such as "5mm" or "0.5
 // cm". A number without a unit is in metres. Throws a usage Error that names `what` (such as
-// "--spacing") if the text is no finite length.
+// "--spacing") if the text is not a finite length.
 double parseLength(std::string_view text, std::string_view what);
 
 // Metres per unit. "mm" gives 0.001, "cm" 0.01, "m" 1, "um" 1e-6, "in" or "inch" 0.0254. A plain
@@ -16,8 +16,8 @@ double parseLength(std::string_view text, std::string_view what);
 // text.
 double parseUnit(std::string_view text, std::string_view what);
 
-// A length as text for people, such as "5 mm": with three significant digits, in mm if it is below
-// 10 cm, else in m.
+// A length as text for people, such as "5 mm": with three significant digits, in mm below 10 cm,
+// otherwise in m.
 std::string lengthText(double metres);
 
 }  // namespace resect

@@ -7,16 +7,17 @@
 
 namespace resect {
 
-// Reads key = [[x, y, z], [x, y, z]], any two opposite corners of a box. If the key is missing, or
-// does not have two points, throws an Error that ends with `advice`: what to give instead.
+// Reads key = [[x, y, z], [x, y, z]], any two opposite corners of a box. If the key is missing or
+// does not have two points, throws an Error that ends with `advice`, which tells what to give
+// instead.
 Aabb readBox(const TomlTable& t, const std::string& key, const std::string& advice);
 
 // Reads the keys of a region; the caller reports unknown keys. Throws Error if a value is wrong, if
 // more than one shape is given, or if neither a shape nor a depth is given.
 Region readRegion(const TomlTable& t);
 
-// Reads the landmarks of an organ: for each a line name = [x, y, z] in the table [landmark] inside
-// `t`. The coordinates are fractions of the organ's box.
+// Reads the landmarks of an organ from the table [landmark] inside `t`. Each landmark is a line
+// name = [x, y, z], in fractions of the organ's box.
 std::vector<Landmark> readLandmarks(const TomlTable& t);
 
 }  // namespace resect

@@ -17,15 +17,15 @@ namespace resect {
 using MeshReader = std::function<TriangleMesh(const std::filesystem::path&)>;
 
 // Reads and checks a scenario; Errors name file and line. If the scenario names a file that lies
-// beside it, the result has the path to that file. Else the result has the name as given. A tool's
-// file that does not lie beside the scenario may be one that comes with Resect: loadTools()
-// (io/operation_setup.h) finds it.
+// in the scenario's folder, the result has the path to that file. Otherwise the result has the name
+// as given. A tool's file that does not lie in that folder may be one that comes with Resect, which
+// loadTools() (io/operation_setup.h) finds.
 Scenario readScenario(const std::filesystem::path& path);
 // Does the same with the text of a scenario. `name` stands for the file in Errors. The result has
 // the names of files as given.
 Scenario parseScenario(const std::string& text, const std::string& name);
 
-// Reads a tool's description file, and with `readMesh` the model file that it names.
+// Reads a tool's description file, and reads the model file that it names by `readMesh`.
 ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh);
 // The same from text; `name` stands for the file in Errors.
 ToolModel parseTool(const std::string& text, const std::string& name, const MeshReader& readMesh);

@@ -1,4 +1,4 @@
-// The files that a run of a scenario reads.
+// Lists the files that a run of a scenario reads.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@ namespace resect {
 
 // Returns the scenario's own file, the files of its organs, the descriptions of its instruments and
 // their models, and every file that comes with Resect (data_folder.h). A run must not write to any
-// of these (io/output/run_files.h). To find the models, reads the descriptions; throws Error as
-// loadTools() does if one is wrong. Files that a model file refers to are missing: layers that know
-// the model's format add them.
+// of these (io/output/run_files.h). To find the models, reads the descriptions; if one is wrong,
+// throws Error as loadTools() does. Files to which a model file refers are not in the list; layers
+// that know the model's format add them.
 std::vector<std::filesystem::path> filesRead(const Scenario& scenario);
 
-// Throws Error if the source is neither a built-in organ nor a file that exists. The Error names
-// the built-in organs.
+// Throws Error if the source is neither a built-in organ nor an existing file. The Error names the
+// built-in organs.
 void requireOrganThere(const OrganSource& source);
 
 // Every file that comes with Resect.

@@ -1,4 +1,4 @@
-// The scenarios and tasks that come with Resect, by name.
+// Finds the scenarios and tasks that come with Resect by their names.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,9 @@
 
 namespace resect {
 
-// `name` itself if there is a file of this name; else the shipped scenario or task of that name. If
-// there is neither, an Error lists the shipped scenarios.
+// Returns `name` itself if there is a file with this name; otherwise the file of the shipped
+// scenario or task with this name. If there is neither, throws an Error that lists the shipped
+// scenarios.
 std::filesystem::path findScenario(const std::string& name);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Writes tasks: an exercise that somebody makes in the window becomes a scenario file.
+// Writes tasks: the text of the scenario file for an exercise that a user has made in the window.
 #pragma once
 
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace resect {
 
-// The task at another level, its text too, so that a recording keeps the level.
+// The task with another level. Its text has that level, too, so that a recording keeps it.
 Task atLevel(const Task& task, TaskLevel level);
 
-// The text of a scenario file with the scenario's task: the file from which the scenario was read
-// (Scenario::file), with the scenario's title and description, the sources, cells and labels of its
-// organs, its instruments with their keys, and its task. Names of files that it needs are absolute.
-// Throws Error if that file cannot be read.
+// The text of a scenario file with the scenario's task. It is the text of the file from which the
+// scenario was read (Scenario::file), in which these are replaced by those of the scenario: title,
+// description, sources, cells and labels of the organs, instruments with their keys, and the task.
+// Names of files are absolute. Throws Error if Scenario::file cannot be read.
 std::string exerciseText(const Scenario& scenario);
 
 }  // namespace resect

@@ -1,7 +1,7 @@
 // Checks the size of a TOML text before it is parsed: bytes, values, nesting, keys and texts.
 //
-// The parser recurses per level and per part of a key, so that a file of brackets or dots would
-// overflow the stack. Cost: one pass over the bytes; allocates nothing.
+// The parser recurses for each level of nesting and each part of a key, so a file of many brackets
+// or dots would overflow the stack. Cost: one pass over the bytes; allocates nothing.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ inline constexpr std::size_t kMostTomlBytes = 16 << 20, kMostTomlValues = 1'000'
 inline constexpr std::size_t kLongestTomlText = 10'000, kLongestTomlWord = 200;  // bytes
 inline constexpr int kDeepestToml = 30;  // levels of brackets; parts of a key such as a.b.c
 
-// Throws Error, with `name` and the line, if the text exceeds a limit. Comments and texts in quotes
-// may hold any brackets and dots.
+// Throws Error, with `name` and the line, if the text exceeds a limit. Brackets and dots in
+// comments and in quoted texts do not count.
 void requireParsable(std::string_view text, const std::string& name);
 
 }  // namespace resect

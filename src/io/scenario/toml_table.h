@@ -27,7 +27,7 @@ namespace resect {
 class TomlTable {
  public:
   static TomlTable readFile(const std::filesystem::path& path);
-  // `name`: used in Errors as the name of the file.
+  // name: stands for the file in Errors.
   static TomlTable parse(const std::string& text, const std::string& name);
 
   bool has(const std::string& key) const;
@@ -51,13 +51,13 @@ class TomlTable {
                               double high) const;  // [1, 2, ...]; empty when missing
   // [[x, y, z], ...], each at most `farthest` from the origin on each axis; empty when missing
   std::vector<Vec3> points(const std::string& key, double farthest = 1e6) const;
-  // None of them empty; no texts when missing.
+  // ["a", "b", ...], none of them empty; an empty list when missing.
   std::vector<std::string> texts(const std::string& key) const;
   double length(const std::string& key, double low,
                 double high) const;  // "5mm", or a number of metres
   // { axis = [x, y, z], degrees = 30 }, or { handle = [x, y, z], edge = [x, y, z] }. The second
-  // form gives the directions in which a tool's handle (+Z of the tool's frame) and edge (-Y) are
-  // to point. Identity if the key is missing.
+  // form gives the directions, in the world, of a tool's handle (+Z of the tool's frame) and edge
+  // (-Y). Identity if the key is missing.
   Eigen::Quaterniond rotation(const std::string& key) const;
 
   std::optional<TomlTable> table(const std::string& key) const;
@@ -72,8 +72,8 @@ class TomlTable {
   std::string asText() const;             // this table as a TOML document, without comments
 
   // A copy of this table in which the key at `path`, such as "level" or "organ[0].spacing", has the
-  // value that `value` is in TOML; without value: lacks the key. Throws Error if there is no such
-  // path, or the value is none.
+  // value `value`, which is TOML text. If `value` is empty, the copy lacks the key. Throws Error if
+  // there is no such path, or if `value` is not a TOML value.
   TomlTable with(const std::string& path, const std::string& value) const;
 
   // Throws Error if this table has a key that was not read. Does not look into tables inside this

@@ -9,11 +9,11 @@
 
 namespace resect {
 
-inline constexpr std::size_t kMostKeys = 1'000'000;  // of a tool
-inline constexpr std::size_t kMostWayKeys = 10'000;  // of its way: each is searched on the organ
+inline constexpr std::size_t kMostKeys = 1'000'000;  // keys of a tool
+inline constexpr std::size_t kMostWayKeys = 10'000;  // keys of a way, which take longer to place
 
-// t: the table of the tool. Throws Error if it has no keys, or if they name an organ that is not in
-// `organs`.
+// t: the table of the tool. Throws Error if the table has no keys, or if it names an organ that is
+// not in `organs`.
 OrganWay readWay(const TomlTable& t, const std::vector<ScenarioOrgan>& organs);
 
 }  // namespace resect

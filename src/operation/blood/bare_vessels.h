@@ -1,4 +1,4 @@
-// Vessels that no tissue covers, and clips, for viewers.
+// Meshes of bare vessels and of clips, for viewers.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@
 namespace resect {
 
 struct BareVessels {
-  // Tubes of each kind, sealed places, and clips; world, m.
+  // tubes: vessels, by kind. sealed: places that heat has sealed. World, m.
   std::array<TriangleMesh, kVesselKinds> tubes;
   TriangleMesh sealed, clips;
   Aabb box;  // round all of them
 };
 
-// Null if there are none. Tubes run on into the tissue, which hides them. Cost: the bared segments
-// and the clips.
+// Null if there are no bare vessels and no clips. The ends of the tubes lie inside tissue, which
+// hides them. Cost: proportional to the number of bare segments and clips.
 std::shared_ptr<const BareVessels> bareVessels(const Simulation& simulation);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Where cut vessels bleed.
+// Lists the ends of cut vessels that bleed.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace resect {
 
-// The ends that bleed, with the flow of the last frame. Their places are those of the vessels' ends
-// in the tissue, where an instrument reaches them; StepReport::blood has those where the blood
-// comes out. From the state alone, so that they are known after the operation was brought to
-// another moment, too.
+// The bleeding ends, with the flow of the last frame. BleedingEnd::place is here the present place
+// of the vessel's end in the tissue, where an instrument reaches it. (In StepReport::blood it is
+// where the blood comes out.) The result depends on the state alone, so it can also be computed
+// after the operation was brought to another moment.
 std::vector<BleedingEnd> bleedingEnds(const Simulation& simulation);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// What bled in an operation, for people and programs.
+// Summary of the bleeding in an operation, for people and programs.
 #pragma once
 
 #include <optional>
@@ -15,19 +15,19 @@ struct CutVesselSummary {
   std::string name;           // for people, such as "right portal vein"
   double diameter = 0;        // of the lumen, m
   bool severed = false;       // false: a hole in its wall
-  bool closed = false;        // each of its ends is clipped or sealed
-  double bled = 0;            // m^3
+  bool closed = false;        // clipped or sealed at both ends; if not severed, towards the root
+  double bled = 0;            // blood lost so far, m^3
   double flow = 0;            // in the last frame, m^3/s
-  Vec3 place = Vec3::Zero();  // of its end towards the root, world, m
+  Vec3 place = Vec3::Zero();  // present place of its end towards the root, world, m
 };
 
-// A vessel that runs bare, without tissue round it.
+// A bare vessel: one without tissue round it.
 struct BareVesselSummary {
   VesselKind kind = VesselKind::PortalVein;
   std::string name;           // for people
   double diameter = 0;        // of the lumen, m
   Vec3 place = Vec3::Zero();  // middle of its bare part, world, m
-  Vec3 along = Vec3::Zero();  // unit, away from the root
+  Vec3 along = Vec3::Zero();  // direction away from the root, unit
   double length = 0;          // of its bare part, m
   bool divided = false;
   int closures = 0;  // clips on it, and places that heat has sealed
@@ -35,19 +35,20 @@ struct BareVesselSummary {
 
 struct BloodSummary {
   BloodLedger ledger;
-  double rate = 0;                        // at the end, mean over a second, m^3/s
-  double highest = 0;                     // highest mean over a second, m^3/s
-  double air = 0;                         // drawn into hepatic veins, m^3
+  double rate = 0;                        // loss at the end, mean over about a second, m^3/s
+  double highest = 0;                     // highest value of that mean, m^3/s
+  double air = 0;                         // air drawn into hepatic veins, m^3
   std::vector<CutVesselSummary> vessels;  // the widest first
   std::vector<BareVesselSummary> bare;    // the widest first
-  double inflowClamped = 0;               // for how long, s
+  double inflowClamped = 0;               // time for which the inflow was clamped, s
 };
 
 // Follows the blood of an operation, frame by frame.
 class BloodBooks {
  public:
+  // To be called after each step. duration: of the frame, s.
   void add(const StepReport& report, double duration);
-  // Nothing if no organ has vessels.
+  // The summary up to now. Nothing if no organ has vessels.
   std::optional<BloodSummary> summaryOf(const Simulation& simulation) const;
 
  private:
@@ -56,7 +57,7 @@ class BloodBooks {
 
 // The vessels that were cut, the widest first.
 std::vector<CutVesselSummary> cutVessels(const OperatedOrgan& organ);
-// The vessels that run bare, the widest first.
+// The bare vessels, the widest first.
 std::vector<BareVesselSummary> bareVesselsOf(const OperatedOrgan& organ);
 
 }  // namespace resect

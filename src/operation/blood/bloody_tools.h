@@ -7,9 +7,10 @@
 
 namespace resect {
 
-// Lengthens `reach`, one entry per tool, m along the tool's axis from its tip, to what wets it now:
-// blood on an organ within 5 mm of the axis. Nobody wipes tools. Cost: the wet cells, for each tool
-// in hand.
+// reach: one entry per tool: the length, m along the tool's axis from its tip, that is bloody. Each
+// entry is raised to the farthest place, up to 8 cm, at which blood on an organ is within 5 mm of
+// the axis now. It never becomes smaller, since tools are not wiped. Cost: proportional to the
+// number of wet cells, for each tool in hand.
 void followBlood(const Simulation& simulation, std::vector<double>& reach);
 
 }  // namespace resect

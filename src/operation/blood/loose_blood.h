@@ -10,15 +10,16 @@
 namespace resect {
 
 struct LooseBlood {
-  static constexpr double kDeepest = 5e-3;  // m: what the byte 255 stands for
+  static constexpr double kDeepest = 5e-3;  // m: the depth that the byte 255 stands for
 
-  // Depth on the table, smoothed over neighbours: kTableCells x kTableCells, x fastest.
+  // Depth of blood on the table, 0 to kDeepest, smoothed over neighbouring patches. kTableCells x
+  // kTableCells patches, x fastest.
   std::vector<std::uint8_t> pool;
   Aabb poolBox;              // round the puddles, world, m
   std::vector<Vec3f> drops;  // world, m
 };
 
-// Null if there is none.
+// Null if there is no such blood.
 std::shared_ptr<const LooseBlood> looseBlood(const Bleeding& blood);
 
 }  // namespace resect

@@ -1,10 +1,10 @@
 // The ledger of an operation: where all tissue is, in particles, in volume and in mass.
 //
 // In a ledger, volume is always the volume of the tissue in cells, skin cells included
-// (Discretization::cellVolume()). The volume that the surface bounds differs from it a little and
-// is no part of the ledger. Each cell keeps the label, and so the density, that it had before the
-// operation. Volumes are added as whole numbers of small units, so their sums do not depend on the
-// order of addition. For each label and for each organ the equation
+// (Discretization::cellVolume()). The volume inside the surface differs from it a little and is no
+// part of the ledger. The ledger counts each cell under the label, and with the density, that it
+// had before the operation. Volumes are added as whole numbers of small units, so their sums do not
+// depend on the order of addition. For each label and for each organ the equation
 //
 //   before = body + pieces + debris + removed
 //
@@ -32,15 +32,16 @@ struct TissueAmount {
   bool operator==(const TissueAmount&) const = default;
 };
 
-// Where the tissue of an organ or of a label is. A part is a set of particles that bonds connect;
-// which one is the body, a piece or debris, organ/parts/tissue_parts.h tells.
+// Where the tissue of an organ or of a label is. A part is a set of particles that bonds connect.
+// organ/parts/tissue_parts.h defines which part is the body, and which are pieces or debris.
 struct TissueSplit {
   TissueAmount before;   // before the operation
-  TissueAmount body;     // the largest part: what remains
-  TissueAmount pieces;   // all other parts except debris
-  TissueAmount debris;   // parts that are smaller than a piece
-  TissueAmount removed;  // by instruments
+  TissueAmount body;     // in the largest part
+  TissueAmount pieces;   // in all other parts except debris
+  TissueAmount debris;   // in parts that are too small to be a piece
+  TissueAmount removed;  // removed by instruments
 
+  // Body, pieces and debris together.
   TissueAmount left() const {
     TissueAmount sum = body;
     sum += pieces;
@@ -53,9 +54,9 @@ struct LabelLedger {
   int label = 0;
   std::string name;
   TissueSplit tissue;
-  // Only for labels from 1 on that have a name. Least distance of the structure from any cut and
-  // any bared face, m, in the tissue at rest. It is 0 if the structure itself was cut or some of it
-  // was removed. It is infinite if nothing was cut or bared. Accurate to half a cell.
+  // Only for labels from 1 on that have a name. Least distance of the structure from any cut or
+  // bared face, m, in the tissue at rest. It is 0 if the structure itself was cut or some of it was
+  // removed. It is infinite if nothing was cut or bared. Accurate to half a cell.
   std::optional<double> margin;
 
   bool operator==(const LabelLedger&) const = default;
@@ -69,7 +70,7 @@ struct PartLedger {
     bool operator==(const Share&) const = default;
   };
   TissueAmount tissue;
-  std::vector<Share> labels;  // ascending
+  std::vector<Share> labels;  // the tissue by label, ascending
   std::int64_t firstCell = -1;
 
   bool operator==(const PartLedger&) const = default;
@@ -78,7 +79,7 @@ struct PartLedger {
 struct OrganLedger {
   std::string name;
   TissueSplit tissue;
-  std::vector<LabelLedger> labels;  // that the organ had before the operation, ascending
+  std::vector<LabelLedger> labels;  // all labels before the operation, ascending
   // The body, then the pieces, the largest first. Empty if nothing is left.
   std::vector<PartLedger> parts;
   std::int64_t debrisParts = 0;
@@ -91,7 +92,7 @@ struct OrganLedger {
 struct Ledger {
   std::vector<OrganLedger> organs;
 
-  // Of all organs together; cut, bared: m^2.
+  // Sums over all organs. cut(), bared(): m^2.
   TissueSplit tissue() const;
   std::int64_t pieces() const;
   double cut() const;
@@ -102,7 +103,7 @@ struct Ledger {
 // The constant data from which the ledgers of an operation are computed.
 class LedgerBooks {
  public:
-  // simulation: in any state of the operation. scenario: the one that it was made from.
+  // simulation: in any state of the operation. scenario: the one that the simulation was made from.
   LedgerBooks(const Scenario& scenario, const Simulation& simulation);
   // One setup per organ.
   LedgerBooks(const std::vector<TissueSetup>& setups, const Simulation& simulation);
@@ -115,7 +116,7 @@ class LedgerBooks {
  private:
   struct Odd {  // a particle that does not have exactly one full cell of tissue
     std::int64_t cell = 0;
-    std::int64_t units = 0;  // its volume minus a full cell's, in small units
+    std::int64_t units = 0;  // its volume minus that of a full cell, in small units
     // -1: a skin cell that Organ treats as a particle; it is not counted as one.
     std::int32_t particles = 0;
   };
@@ -125,7 +126,7 @@ class LedgerBooks {
     std::uint8_t place[256] = {};       // per label: its index in before.labels
     std::vector<double> density;        // per entry of before.labels, kg/m^3
     std::vector<Structure> structures;  // of labels that have names
-    OrganLedger before;                 // with TissueSplit::before alone
+    OrganLedger before;                 // only TissueSplit::before is set
   };
   struct Counts;
   static OrganBooks booksOf(const OperatedOrgan& organ, const TissueSetup& setup);
@@ -134,9 +135,9 @@ class LedgerBooks {
   std::vector<OrganBooks> organs_;
 };
 
-// Checks that the sums in a ledger add up. Returns a sentence about the first one that does not;
-// empty if all do. simulation, if given: the one that the ledger describes; its own counts are
-// compared, too.
+// Checks the sums in a ledger. Returns a sentence about the first sum that is wrong; empty if all
+// are right. simulation, if given: the simulation that the ledger describes. Its own counts are
+// then compared with the ledger, too.
 std::string discrepancy(const Ledger& ledger, const Simulation* simulation = nullptr);
 
 }  // namespace resect

@@ -15,17 +15,17 @@ class LedgerWatch {
   LedgerWatch(const Scenario& scenario, const Simulation& simulation)
       : books_(scenario, simulation) {}
 
-  // Computes the ledger. To be called at the start, and after the simulation was restored to
+  // Computes the ledger now. To be called at the start, and after the simulation was restored to
   // another state.
   const Ledger& anew(const Simulation& simulation);
-  // To be called after each step. Returns the new ledger if one was due, else null.
+  // To be called after each step. Returns the new ledger if one was due, otherwise null.
   const Ledger* after(const StepReport& report, const Simulation& simulation);
   // For the end of the operation: returns a new ledger if something has changed since the last one
-  // was computed, else null.
+  // was computed, otherwise null.
   const Ledger* last(const Simulation& simulation) {
     return changed_ ? &anew(simulation) : nullptr;
   }
-  // The ledger that was computed last.
+  // The last ledger that was computed.
   const Ledger& ledger() const { return ledger_; }
 
  private:
@@ -33,7 +33,7 @@ class LedgerWatch {
   Ledger ledger_;
   std::vector<float> iso_;  // iso level of each organ in ledger_; areas of wounds depend on it
   double time_ = 0;         // simulated time of ledger_, s
-  bool changed_ = true;     // something has changed since then
+  bool changed_ = true;     // tissue or iso level has changed since then
 };
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// How much of each of Couinaud's segments an operation has parted from the liver.
+// How much of each of Couinaud's segments of the liver is left in the liver's body.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@ namespace resect {
 
 struct SegmentAmount {
   int segment = 0;              // 1 to 8 (anatomy/liver_segments.h)
-  double before = 0, body = 0;  // its volume before the operation, and in the largest part now, m^3
+  double before = 0, body = 0;  // its volume before the operation; in the largest part now; m^3
 };
 
-// One entry per segment, ascending; empty if the organ's vessels do not tell its segments. Volumes
-// are those of whole particles. Cost: that of tissueParts(), and 0.2 us per particle.
+// One entry per segment, ascending; empty if the segments cannot be found from the organ's vessels.
+// Each particle counts as a full cell. Cost: that of tissueParts(), and 0.2 us per particle.
 std::vector<SegmentAmount> segmentAmounts(const OperatedOrgan& organ);
 
 }  // namespace resect

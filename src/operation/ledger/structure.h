@@ -1,4 +1,5 @@
-// The shape of a labelled structure, such as a tumour, and its distance from points: the margin.
+// The shape of a labelled structure, such as a tumour, and its distance from points, which gives
+// the margin.
 //
 // The shape is a smooth surface through the lattice: the label's flags are averaged over each cell
 // and its neighbours (weights 1, 2, 1 along each axis), and the surface lies where the average is
@@ -18,14 +19,15 @@ namespace resect {
 
 class Structure {
  public:
-  // label: at least one particle of `rest` must have it.
+  // label: number of a label that at least one particle of `rest` has.
   Structure(const Discretization& rest, int label);
 
   int label() const { return label_; }
-  // The smaller of `best` and the distance of a point from the structure, m, at rest. The distance
-  // is 0 inside the structure. The cost is small if the distance is larger than `best`.
+  // The distance of a point from the structure, m, in rest space, or `best` if that is smaller. The
+  // distance is 0 inside the structure. The cost is small if the distance is larger than `best`.
   double distance(const Vec3& point, double best) const;
-  // Distance of a point from the box round the structure, m: no more than distance(). Cheap.
+  // Distance of a point from the box round the structure, m: a lower bound of the distance from the
+  // structure. Cheap.
   double boxDistance(const Vec3& point) const {
     const Vec3f p = point.cast<float>();
     return double((p - p.cwiseMax(low_).cwiseMin(high_)).norm());
@@ -40,7 +42,7 @@ class Structure {
   int label_ = 0;
   Vec3 origin_, spacing_;
   IndexBox box_;                     // all cells whose share can be above 0, and a halo of one cell
-  std::vector<std::uint8_t> share_;  // per cell of the box, in 64ths; 33 and more: labelled
+  std::vector<std::uint8_t> share_;  // per cell of the box: averaged flag in 64ths; inside from 33
   std::vector<Vec3f> points_;        // points of its surface, m, sorted as a k-d tree (sortInto())
   std::vector<std::uint8_t> axis_;   // per point: axis along which it divides its range
   Vec3f low_, high_;                 // box round the points

@@ -10,7 +10,7 @@
 
 namespace resect {
 
-// Areas, m^2, and margins. They are those of the present surface, in the tissue at rest.
+// Areas, m^2, and margins, measured on the present surface in rest space.
 struct WoundFaces {
   // Area of the cuts that blades, jaws and tears have opened without removing tissue. Of the two
   // sides of a cut only one is counted. Where the tissue on one side of a cut was removed later,
@@ -23,16 +23,17 @@ struct WoundFaces {
   std::vector<double> margins;
 };
 
-// Cost: 10 ns for each triangle in bricks where tissue was cut or removed; plus the distances of
-// its corners from the structures.
+// structures: those whose margins are wanted. Cost: 10 ns for each triangle in bricks where tissue
+// was cut or removed, plus the distances of its corners from the structures.
 WoundFaces woundFaces(const Organ& organ, std::span<const Structure> structures);
 
-// A place of a cut or bared face, in the tissue at rest, and its distance from a structure, m.
+// A point of a cut or bared face, in rest space, and its distance from a structure, m.
 struct MarginPlace {
   Vec3 place = Vec3::Zero();
   double distance = 0;
 };
-// The middles of all such faces that are no farther than `within`, m, from the structure.
+// The centres of all triangles of cut or bared faces that are nearer to the structure than
+// `within`, m.
 std::vector<MarginPlace> marginPlaces(const Organ& organ, const Structure& structure,
                                       double within);
 

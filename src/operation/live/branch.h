@@ -1,5 +1,5 @@
 // Branches: the different courses that an operation has taken. Branch 0 is the first. Another
-// branch begins wherever somebody went back to an earlier moment and operated on from there.
+// branch begins wherever the user went back to an earlier moment and operated on from there.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@ namespace resect {
 inline constexpr const char* kFirstBranch = "0, from the start";  // name of branch 0
 
 struct Branch {
-  std::int64_t number = 0, parent = -1;  // -1: none
-  std::int64_t from = 0;                 // frame of the parent at which it begins
+  std::int64_t number = 0, parent = -1;  // parent: number of another branch; -1: none
+  std::int64_t from = 0;                 // frame of the parent at which this branch begins
   std::string name;
 };
 
-// The end of a frame of a branch. Frames are numbered by Simulation::frame() after the step.
+// The end of a frame of a branch. A frame's number is Simulation::frame() after its step.
 struct Moment {
   std::int64_t branch = 0, frame = 0;
   bool operator==(const Moment&) const = default;
 };
 
-// As Moment::frame this value stands for the last frame of the branch (Recorder::saveAs()).
+// As a value of Moment::frame, stands for the last frame of the branch (Recorder::saveAs()).
 inline constexpr std::int64_t kEndOfBranch = std::numeric_limits<std::int64_t>::max();
 
 }  // namespace resect

@@ -10,7 +10,7 @@
 
 namespace resect {
 
-constexpr double kSqueezeTime = 0.25;  // s: least time from wide open to closed, or back
+constexpr double kSqueezeTime = 0.25;  // s: shortest time from wide open to closed, or back
 
 // The squeeze that jaws reach after `duration`, s, if they have the squeeze `now` and are to reach
 // `wanted`. A squeeze is 0 (wide open) to 1 (closed).
@@ -19,24 +19,24 @@ inline double squeezeTowards(double wanted, double now, double duration) {
   return std::clamp(wanted, now - most, now + most);
 }
 
-// Jaws that close at a place do not close farther than this before the tip is there.
+// Jaws that are to close at a place stay at most this far closed until the tip has arrived there.
 constexpr double kOpenOnTheWay = 0.5;  // squeeze
-constexpr double kArrived = 0.004;     // m: a tip this near is there
+constexpr double kArrived = 0.004;     // m: a tip this near to the place has arrived
 
-constexpr double kHandTime = 0.04;   // s: time in which a hand covers 63 % of what is left of a way
-constexpr double kHandTurning = 12;  // rad/s: most that a hand turns
-constexpr double kTurnsFirst = 0.35;  // rad: by more than this a hand turns before it moves on
+constexpr double kHandTime = 0.04;   // s: time in which a hand covers 63 % of the remaining way
+constexpr double kHandTurning = 12;  // rad/s: largest angular speed of a hand
+constexpr double kTurnsFirst = 0.35;  // rad: if a larger turn is left, the hand moves only after it
 
-// How a hand brings a tool to its pose.
+// How a hand moves a tool to its pose.
 struct HandMotion {
   Pose from;             // where the tool is when it is taken in hand; world
-  double fastest = 0.3;  // m/s, above 0
+  double fastest = 0.3;  // largest speed, m/s, above 0
 };
 
 // The pose that a tool reaches after `duration`, s, if it has the pose `now`, is to reach `wanted`
 // and moves at most `fastest`, m/s.
 inline Pose poseTowards(const Pose& wanted, const Pose& now, double duration, double fastest) {
-  constexpr double kNear = 1e-5, kAligned = 1e-3;  // m, rad: there
+  constexpr double kNear = 1e-5, kAligned = 1e-3;  // m, rad: the pose counts as reached
   const double length = (wanted.position - now.position).norm();
   const double angle = angleBetween(now.rotation, wanted.rotation);
   if (length < kNear && angle < kAligned) return wanted;

@@ -1,9 +1,9 @@
-// An operation that runs in a thread of its own while a person looks at it.
+// An operation that runs in a thread of its own while a window shows it.
 //
-// The thread steps the simulation at `frameRate` frames per second of real time. The window never
-// waits for a frame, except in surface(). Inputs can be set at any moment and apply from the next
-// frame on. take() gives surface changes as updates. Time lost by slow frames is not made up: the
-// operation then runs slower than the clock, and StepTimes::realTimeFactor is below 1.
+// The thread steps the simulation at `frameRate` frames per second of real time. The caller never
+// waits for a frame, except in surface() and look(). Inputs can be set at any moment and apply from
+// the next frame on. take() gives surface changes as updates. Time lost by slow frames is not made
+// up: the operation then runs slower than the clock, and StepTimes::realTimeFactor is below 1.
 #pragma once
 
 #include <atomic>
@@ -29,13 +29,13 @@
 
 namespace resect {
 
-// Functions that are called in the operation's thread when something new happens. Frames of the
-// history that are played again are not reported.
+// Functions that the operation's thread calls when something new happens. They are not called for
+// frames of the history that are played again.
 struct OperationWatch {
   std::function<void(const Branch&, const Simulation&)> began;
   std::function<void(const Branch&)> renamed;
-  // Operating pauses at this moment, the end of a branch: another moment will be shown, or the
-  // operation ends.
+  // Operating pauses at this moment, the end of a branch, because another moment will be shown or
+  // the operation ends.
   std::function<void(Moment, const Simulation&)> stood;
   // events: of this frame; moment: its end.
   std::function<void(Moment moment, const FrameInput&, const StepReport&,
@@ -45,7 +45,7 @@ struct OperationWatch {
 
 class LiveOperation {
  public:
-  // Returns the next frame of a motion; nothing at its end.
+  // Returns the input of the motion's next frame; nothing at the motion's end.
   using Motion = std::function<std::optional<FrameInput>()>;
 
   // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
@@ -63,16 +63,18 @@ class LiveOperation {
 
   // setTool() and setIso() take effect from the next frame on and may be called from any thread.
   // The jaws of a tool that is set here move no faster than a hand moves them (hand_speed.h).
-  // motion: if it is given, the tool goes to its pose as a hand does, over several frames; else it
-  // is there at the end of the next frame. LiveState::poses tells where the tools are.
+  // motion: if given, the tool moves to its pose as a hand would move it, over several frames.
+  // Otherwise the tool is at its pose at the end of the next frame. LiveState::poses has the
+  // present poses of the tools.
   void setTool(int tool, const ToolInput& input, std::optional<HandMotion> motion = {});
   void setIso(float iso);
-  // Which tips are seen, one per tool, from the next frame on. Recordings keep it (sight.h).
+  // Sets which tips are seen, one entry per tool, from the next frame on. Recordings keep this
+  // (sight.h).
   void setSight(std::vector<Sight> sight);
   // From the next frame on `motion` moves the tools. It is called once per frame, in the
-  // operation's thread, until it returns nothing. play({}) ends it earlier. Of the FrameInput that
-  // it returns, only `tools` is used. If a step refuses these tools, the motion ends too, and
-  // LiveState::faults says why.
+  // operation's thread, until it returns nothing. play({}) ends the motion earlier. Of the
+  // FrameInput that `motion` returns, only `tools` is used. If a step refuses these tools, the
+  // motion ends too, and LiveState::faults says why.
   void play(Motion motion);
   // Goes back to the start of the operation, then does what play() does. This is a request, as
   // explained below.
@@ -82,18 +84,19 @@ class LiveOperation {
   // undo(), redo(), show() and playFromStart() are requests. They are numbered from 1 on, and the
   // operation's thread does them in this order. Each call returns the number of its request.
   // LiveState::answered is the number of the last request done. A new show() replaces an earlier
-  // one that is not done yet.
+  // show() that is not done yet.
   //
   // A request brings the operation to a moment of its history, which is then shown: all tools are
-  // where they were at that moment, motions have ended, and nothing happens until goOn() is called.
-  // Only playFromStart() goes on by itself: it plays its motion from that moment on. undo() goes to
-  // the moment before the last stroke, redo() to the moment at which undo() was called last. If
-  // there is no such moment, nothing changes. show() goes to any moment of LiveState::timeline.
+  // where they were at that moment, motions have ended, and no new frame begins until goOn() is
+  // called. Only playFromStart() goes on by itself: it plays its motion from that moment on. undo()
+  // goes to the moment before the last stroke, redo() to the moment at which the last undo() was
+  // called. If there is no such moment, nothing changes. show() goes to any moment of
+  // LiveState::timeline.
   std::int64_t undo();
   std::int64_t redo();
   std::int64_t show(Moment moment);
   // While a moment is shown: plays the frames after it that lead to the end of `branch`. speed:
-  // seconds of the operation per second, 0 to 100; 0 stops the playback.
+  // seconds of the operation per second of real time, 0 to 100; 0 stops the playback.
   void setPlayback(double speed, std::int64_t branch);
   // Operating goes on from the moment that is shown. If the moment is the end of its branch, this
   // branch goes on; otherwise a new branch begins. Has no effect while a request is not done.
@@ -102,11 +105,11 @@ class LiveOperation {
   void endStroke();
   // Gives a branch of LiveState::timeline another name.
   void nameBranch(std::int64_t branch, const std::string& name);
-  // Most memory for the states of the history, bytes. The default is 512 MB.
+  // Sets the largest memory for the states of the history, bytes. The default is 512 MB.
   void setHistoryMemory(std::size_t most);
   void setPaused(bool paused);
 
-  // Gives what is new since the last call of take(): writes one surface update per organ to
+  // Gives the changes since the last call of take(): writes one surface update per organ to
   // `updates`, and copies the state to `state`. If no frame has ended since that call, returns
   // false and changes neither.
   bool take(std::vector<SurfaceUpdate>& updates, LiveState& state);
@@ -114,8 +117,8 @@ class LiveOperation {
   // The present surface of all organs, for saving. If a frame is being computed, or a request is
   // being answered, waits until that ends.
   SurfaceTracker::Compact surface();
-  // Calls `read` with the simulation between two frames. Waits as surface() does, and the next
-  // frame waits for it.
+  // Calls `read` with the simulation between two frames. Waits as surface() does. The next frame
+  // begins only after `read` has returned.
   void look(const std::function<void(const Simulation&)>& read);
   // For tests: waitFor() waits until this frame is done, waitForAnswer() until all requests are
   // done.
@@ -127,11 +130,11 @@ class LiveOperation {
     enum class Kind { Undo, Redo, Show };
     Kind kind = Kind::Undo;
     Moment moment;
-    Motion motion;  // to be played from that moment on; empty: none
+    Motion motion;  // to be played from `moment` on; empty: none
     std::int64_t number = 0;
   };
-  // What the thread does next. If names, request and playback are not set, it computes a frame of
-  // the operation.
+  // What the thread does next. If names, request and playback are not set, the thread computes a
+  // frame of the operation.
   struct Task {
     std::optional<Request> request;
     std::vector<std::pair<std::int64_t, std::string>> names;  // new names for branches
@@ -141,7 +144,7 @@ class LiveOperation {
     FrameInput input;
     std::vector<std::optional<HandMotion>> motions;  // as setTool() got them
     std::vector<Sight> sight;
-    bool byMotion = false;  // a motion gave the input's tools
+    bool byMotion = false;  // a motion gave input.tools
   };
   std::int64_t ask(Request request);
   void work();
@@ -159,7 +162,7 @@ class LiveOperation {
   std::unique_ptr<Simulation> simulation_;
   OperationHistory history_;           // used by the thread alone
   std::optional<LedgerWatch> ledger_;  // from here to timelineFrame_: also used by the thread alone
-  std::vector<Sight> sightSaid_;       // memory of sightEvents()
+  std::vector<Sight> sightSaid_;       // memory for sightEvents()
   const std::vector<Pose> rests_;
   LastSecond lastSecond_;
   StepReport report_;
@@ -182,7 +185,7 @@ class LiveOperation {
   std::int64_t asked_ = 0;
   std::vector<std::pair<std::int64_t, std::string>> names_;  // new names for branches
   std::optional<std::size_t> mostBytes_;                     // new limit for the history
-  // A show() is being answered and has shown a state, so that a newer one may stop it.
+  // A show() is being answered and has shown a state, so that a newer show() may stop it.
   bool replaceable_ = false;
   bool motionComes_ = false;  // the request that is being answered has a motion
   bool stepping_ = false;     // a frame is being computed: only the thread may use the simulation

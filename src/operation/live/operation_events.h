@@ -1,5 +1,5 @@
-// The events of a step: contacts that begin and end, tissue removed, cut and torn, instruments
-// taken and put back, faults.
+// The events of a step: contacts that begin and end; removal, cutting and tearing of tissue;
+// instruments taken and put back; smoke; faults.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace resect {
 
 struct OperationEvent {
   std::int64_t branch = 0, frame = 0;  // branch: the caller of eventsOf() sets it
-  double time = 0;                     // at the frame's end, s
+  double time = 0;                     // simulated time at the frame's end, s
   std::int64_t tool = -1, organ = -1;  // -1: none
   std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault,
                       // smoke, smoke_clears; in_view, out_of_view (sight.h)
@@ -21,23 +21,24 @@ struct OperationEvent {
 };
 
 // Whether a tool worked on an organ in the step that `report` describes: it touched or pushed
-// tissue, cut it, or changed tissue or vessels by another edit. Taking blood away alone does not
-// count.
+// tissue, cut it, or changed tissue or vessels by another edit. The edits Release, Suction and
+// Press do not count.
 bool worksOnOrgan(const StepReport& report, const Simulation& simulation, std::size_t tool);
 
-// What eventsOf() must know about the step before: one flag per tool, and whether there was smoke.
-// Empty lists mean that no tool was in hand, and that none touched an organ.
+// What eventsOf() must know about the previous step: two flags per tool, and whether there was
+// smoke. Empty lists mean that no tool was in hand and no tool touched an organ.
 struct EventMemory {
   std::vector<char> touching, inHand;
   bool smoking = false;
 };
 
-// The events of the step that `report` describes; `simulation` is in the state after it.
+// The events of the step that `report` describes. simulation: in the state after this step. Updates
+// the memory.
 std::vector<OperationEvent> eventsOf(const StepReport& report, const Simulation& simulation,
                                      EventMemory& memory);
 
-// Updates the memory by an event that was recorded, as eventsOf() did when it happened. tools:
-// number of tools.
+// Updates the memory by a recorded event, as eventsOf() did when the event happened. tools: number
+// of tools.
 void remember(EventMemory& memory, const OperationEvent& event, std::size_t tools);
 
 }  // namespace resect

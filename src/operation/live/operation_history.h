@@ -1,14 +1,14 @@
-// Keeps all that has happened in an operation, so that any moment of it can be shown again, bit for
-// bit.
+// Keeps everything that has happened in an operation, so that any of its moments can be shown
+// again, bit for bit.
 //
 // The history keeps the inputs of every frame of every branch, and some states. To reach a moment,
 // the last state before it is restored, and the inputs from there on are played. One state is kept
 // per second, one at the start of each branch, and one at most kFramesBetween frames before each
-// stroke. If the states need more memory than allowed, some are dropped. First dropped is the one
-// whose removal leaves the shortest gap. States of the present branch's last minute are dropped
-// last.
+// stroke. If the states need more memory than allowed, some are dropped. The first to be dropped is
+// the state whose removal leaves the shortest gap. States of the present branch's last minute are
+// dropped last.
 //
-// If somebody operates on from an earlier moment, a new branch begins. If the moment is the end of
+// If the user operates on from an earlier moment, a new branch begins. If this moment is the end of
 // its branch, that branch goes on instead. Undo and redo are two ways to choose the moment.
 #pragma once
 
@@ -27,7 +27,7 @@ namespace resect {
 
 class OperationHistory {
  public:
-  // What is kept of one branch.
+  // The data that are kept of one branch.
   struct Course {
     Branch branch;
     // The inputs of the frames branch.from + 1, branch.from + 2, ... Consecutive equal inputs share
@@ -42,8 +42,8 @@ class OperationHistory {
     // when a ledger is computed.
     double removedVolume = 0, piecesVolume = 0, cut = 0, bared = 0;
     std::int64_t pieces = 0;
-    // Largest force on each tool so far, N. There is a row for each frame in which one of them
-    // grew: the frame's number, and one force per tool.
+    // Largest force on each tool so far, N. There is a row for each frame in which one of these
+    // forces grew: the frame's number, and one force per tool.
     std::vector<std::pair<std::int64_t, std::vector<double>>> peaks;
 
     std::int64_t end() const { return branch.from + std::int64_t(inputs.size()); }
@@ -54,16 +54,16 @@ class OperationHistory {
              std::span<const double> forces);
   };
 
-  // simulation: at the start of its operation. frameRate: frames per second. mostBytes: most memory
-  // for the states.
+  // simulation: at the start of its operation. frameRate: frames per second. mostBytes: largest
+  // memory for the states.
   OperationHistory(const Simulation& simulation, double frameRate,
                    std::size_t mostBytes = std::size_t(512) << 20);
-  // The history in a recording. courses: by number of the branch, from 0 on, each with the state at
-  // its start. now: the present moment.
+  // The history that a recording holds. courses: one per branch, by number from 0 on, each with the
+  // state at its start. now: the present moment.
   OperationHistory(std::vector<Course> courses, double frameRate, Moment now,
                    std::size_t mostBytes = std::size_t(512) << 20);
 
-  // Call before each step of the operation. Returns a branch that begins here, if one does.
+  // Call before each step of the operation. If a branch begins here, returns it.
   std::optional<Branch> beforeStep(const FrameInput& input, const Simulation& simulation);
   // Call after each step of the operation. Returns the step's events.
   std::vector<OperationEvent> afterStep(const FrameInput& input, const StepReport& report,
@@ -75,18 +75,18 @@ class OperationHistory {
   std::size_t bytes() const { return bytes_; }  // memory of the states
   void setMostBytes(std::size_t most);
   void rename(std::int64_t branch, std::string name);
-  // Stores the areas and the number and volume of pieces of a ledger in the present branch. The
-  // ledger must be that of now(), and now() must be the end of the branch.
+  // Copies the areas of cuts and bared faces and the number and volume of pieces from a ledger to
+  // the present branch. The ledger must be that of now(), and now() must be the end of the branch.
   void note(const Ledger& ledger);
   // Largest force on each tool up to now, N.
   std::vector<double> peaks() const { return present().peaksAt(now_.frame); }
 
   // undoMoment(): the moment before the last stroke that has led to now(). redoMoment(): the moment
-  // at which the last undo was called. Nothing if there is no such stroke or undo. When a new
-  // stroke begins, nothing can be redone any more.
+  // at which the last undo was called. Both return nothing if there is no such stroke or undo. When
+  // a new stroke begins, nothing can be redone any more.
   std::optional<Moment> undoMoment() const;
   std::optional<Moment> redoMoment() const;
-  int undoable() const;  // strokes that have led to now()
+  int undoable() const;  // number of strokes that have led to now()
   int redoable() const { return int(undone_.size()); }
   // Call undone() when undoMoment() was reached; `from` is the moment at which undo was called.
   // Call redone() when redoMoment() was reached.
@@ -96,8 +96,8 @@ class OperationHistory {
   // Called while goTo() plays, after the first state and after each frame.
   using Shown = std::function<void()>;
   // Brings the simulation to that moment. Throws Error if there is no such moment. Throws Cancelled
-  // if stopped (base/stop.h). The simulation is then half changed; call goTo() or mend() before
-  // anything else.
+  // if stopped (base/stop.h). After Cancelled the simulation is not at any moment of the history;
+  // call goTo() or mend() before anything else.
   void goTo(Moment moment, Simulation& simulation, const Shown& shown = {});
   // Whether goTo() or playNext() was stopped or failed, so that the simulation is not at any moment
   // of the history. mend() then brings it back to now(); otherwise mend() does nothing.
@@ -110,7 +110,7 @@ class OperationHistory {
   // that way.
   bool playNext(Simulation& simulation, StepReport& report, std::int64_t towards);
 
-  static constexpr int kFramesBetween = 6;  // most frames between a state and a stroke
+  static constexpr int kFramesBetween = 6;  // greatest number of frames from a state to a stroke
   static constexpr double kProtectedSeconds = 60;
 
  private:
@@ -129,8 +129,8 @@ class OperationHistory {
   std::size_t mostBytes_, bytes_ = 0;
   Moment now_;
   bool broken_ = false;                   // see broken()
-  std::optional<std::int64_t> approach_;  // frame of a state kept in case that a stroke begins
-  std::int64_t regular_ = 0;  // frame of the last of the states that are kept once per second
+  std::optional<std::int64_t> approach_;  // frame of a state kept in case a stroke begins
+  std::int64_t regular_ = 0;  // frame of the last state that was kept because a second had passed
   std::vector<Moment> undone_;
 };
 

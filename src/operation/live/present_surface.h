@@ -1,4 +1,4 @@
-// The surface of an organ where its tissue is now.
+// The surface of an organ in its present position.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct PresentSurface {
   const BloodFilm* film = nullptr;  // null: the organ does not bleed
 };
 
-// organ: its number. Call simulation.keepLook() before, since the view has normals.
+// organ: its number. Call simulation.keepLook() before the step, since the view has normals.
 inline PresentSurface presentSurface(const Simulation& simulation, std::size_t organ = 0) {
   const OperatedOrgan& o = simulation.organs()[organ];
   return {o.organ,           o.points(), o.normals(),

@@ -1,5 +1,5 @@
-// Whether somebody sees the tips of the instruments in hand. No simulation knows: a window says so,
-// and recordings keep it as events, which a replay cannot compute again.
+// Whether the user sees the tips of the instruments in hand. The simulation does not know this; the
+// window sets it. Recordings keep it as events, since a replay cannot compute it again.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +18,9 @@ inline bool isSight(const OperationEvent& event) {
 
 enum class Sight : std::uint8_t { Unknown, Seen, Unseen };
 
-// The events of a frame: of each tool in hand whose sight is known and has changed, or that was
-// taken in this frame. memory: what was said before, of each tool; empty at the start of a branch.
-// sight: per tool; empty: unknown.
+// The events of a frame: one for each tool in hand whose sight is known, if the sight has changed
+// or the tool was taken in this frame. sight: one entry per tool; empty: unknown. memory: the sight
+// of each tool in the previous frame, which is updated; empty at the start of a branch.
 std::vector<OperationEvent> sightEvents(std::span<const Sight> sight, const Simulation& simulation,
                                         std::vector<Sight>& memory);
 

@@ -1,4 +1,4 @@
-// Speed of an operation, measured over its last steps: those of the last second of simulated time.
+// Speed of an operation, measured over the steps of the last second of simulated time.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace resect {
 
 struct StageTime {
   std::string name;
-  double median = 0;  // duration of the stage, s
+  double median = 0;  // median duration of the stage, s
 };
 
 struct StepTimes {
@@ -23,9 +23,9 @@ struct StepTimes {
 class LastSecond {
  public:
   explicit LastSecond(double frameRate);  // simulated frames per second
-  // Adds one step. clock: the laps of this step alone. arrival: when it ended, steady clock, s.
+  // Adds one step. clock: the laps of this step alone. arrival: steadySeconds() at its end, s.
   void add(const StageClock& clock, double arrival);
-  // The figures of the steps that are kept. Cost: a sort for each stage.
+  // The times of the steps that are kept. Cost: a sort for each stage.
   StepTimes times() const;
 
  private:

@@ -3,8 +3,8 @@
 //
 // A stroke begins when an instrument in hand touches or cuts an organ. It ends when the hand lets
 // go (FrameInput::strokeEnds), when no instrument has touched an organ for kEndSeconds, or when all
-// instruments are put back. After the hand has let go, a tool takes part in a stroke again only
-// when it is moved: a hook that was left holding does not.
+// instruments are put back. After the hand has let go, each tool takes part in a stroke again
+// only after it was moved. So a hook that was left holding tissue starts no stroke.
 #pragma once
 
 #include <cstdint>
@@ -17,29 +17,29 @@
 namespace resect {
 
 struct Stroke {
-  std::int64_t from = 0, to = 0;  // frames: the last one before contact; the last one in contact
+  std::int64_t from = 0, to = 0;  // last frame before contact; last frame in contact
   std::int64_t tool = -1;         // the first tool that touched; -1: a blade cut without touching
-  // So far: particles removed, bonds cut by instruments, bonds torn.
+  // Numbers so far: particles removed, bonds cut by instruments, bonds torn.
   std::int64_t removed = 0, severed = 0, torn = 0;
 };
 
-// Finds the strokes of one branch. The result depends on the inputs and events alone. So the
-// strokes found in a recording are those that were found during the operation.
+// Finds the strokes of one branch. The result depends on the inputs and events alone. So the same
+// strokes are found in a recording as during the operation.
 class StrokeTracker {
  public:
   // To be called after each step, with its events. frame: Simulation::frame() after the step.
   void add(std::int64_t frame, const FrameInput& input, std::span<const OperationEvent> events);
   const std::vector<Stroke>& strokes() const { return strokes_; }
-  bool inStroke() const { return inStroke_; }  // the last stroke goes on
+  bool inStroke() const { return inStroke_; }  // whether the last stroke has not ended yet
 
   static constexpr double kEndSeconds = 1;
-  static constexpr double kMoves = 0.008;  // m: a tool that moves less still rests
+  static constexpr double kMoves = 0.008;  // m: a tool that has moved less counts as not moved
 
  private:
   std::vector<Stroke> strokes_;
   EventMemory memory_;
-  // Per tool: what it did when the hand let go, until it moves on. (A tool that is left at work may
-  // still be on its last millimetre then.)
+  // Per tool: its input when the hand let go; none after it was moved again. (A tool that is
+  // left at work may still move by some millimetres after that moment.)
   std::vector<std::optional<ToolInput>> resting_;
   bool inStroke_ = false;
   double untouched_ = 0;  // s, since the last contact of the stroke

@@ -1,10 +1,10 @@
 // Collects the changes of an organ's surface for a viewer that takes them from time to time.
 //
-// follow() collects the changes of one step; take() hands out all that were collected. If the
-// tissue moves, its vertices are published in blocks of 64. A block is sent when one of its
+// follow() collects the changes of one step; take() returns all changes collected so far. If the
+// tissue moves, its vertices are published in blocks of 64. A block is published when one of its
 // vertices has moved visibly since the block was last published. Rest positions and cut shares are
-// sent only for new vertices. Cost of a step: proportional to its changes; for moving tissue also a
-// pass over all vertices. One publisher serves one organ and one viewer.
+// published only for new vertices. Cost of follow(): proportional to the changes; for moving tissue
+// also a pass over all vertices. One publisher serves one organ and one viewer.
 #pragma once
 
 #include <cstdint>
@@ -21,18 +21,18 @@ class SurfacePublisher {
   static constexpr int kChunk = 64;            // vertices of a block
   static constexpr float kSeenMotion = 5e-5f;  // m: smaller motions are not visible
 
-  // seenMotion, m: a block is sent only if one of its vertices has moved farther than this since
-  // the block was last published.
+  // seenMotion, m: a block is published only if one of its vertices has moved farther than this
+  // since the block was last published.
   explicit SurfacePublisher(float seenMotion = kSeenMotion) : seenMotion_(seenMotion) {}
 
   // Call after every step, since the surface keeps only the changes of the last step. In four
-  // cases the next update is the whole surface: after the first call, after the surface's arrays
-  // were made anew, after a step that was not followed (an undo restores a state and plays on), and
-  // when the collected changes exceed twice the surface.
+  // cases the next update is the whole surface: after the first call; after the surface's arrays
+  // were made anew; after a step for which follow() was not called (an undo restores a state and
+  // plays frames); and if the collected changes have become larger than twice the surface.
   void follow(const PresentSurface& surface);
 
-  // Returns the changes collected since take() was last called. A viewer that applies all updates
-  // in order has the surface, except for motions that were left out as too small.
+  // Returns the changes collected since the last call of take(). A viewer that applies all updates
+  // in order has the present surface, except for motions that are too small to be published.
   SurfaceUpdate take();
 
  private:
@@ -45,7 +45,7 @@ class SurfacePublisher {
   bool heated_ = false;         // whether heat changed tissue at the last follow()
   bool wet_ = false;            // whether there was blood at the last follow()
   std::uint64_t followed_ = 0;  // SurfaceTracker::Changes::number at the last follow()
-  std::shared_ptr<const VesselPicture> vessels_;  // made once
+  std::shared_ptr<const VesselPicture> vessels_;  // made only once
   SurfaceUpdate update_;
   std::vector<Vec3f> told_;           // for moving tissue: last published position of each vertex
   std::vector<std::uint8_t> unseen_;  // 1 for each block whose motion has not been taken yet

@@ -1,8 +1,8 @@
 // An overview of an operation's history, for showing it to people.
 //
-// The way to the end of a branch consists of all frames that led there: the branch's own frames,
-// before them those of its parent up to the frame at which the branch begins, and so on, back to
-// the start of the operation.
+// The way to the end of a branch consists of all frames that led there: the branch's own frames;
+// the frames of its parent up to the frame at which the branch begins; and so on, back to the start
+// of the operation.
 #pragma once
 
 #include <vector>
@@ -17,19 +17,19 @@ struct Timeline {
     std::int64_t end = 0;  // its last frame
     std::vector<Stroke> strokes;
     std::vector<std::int64_t> faults;  // frames
-    // The same as in OperationHistory::Course.
+    // As in OperationHistory::Course.
     double removedVolume = 0, piecesVolume = 0, cut = 0, bared = 0;
     std::int64_t pieces = 0;
-    double force = 0;  // largest on any tool on the way to its end, N
+    double force = 0;  // largest force on any tool on the way to the branch's end, N
   };
   std::vector<Course> courses;  // one per branch, by number
 
-  // The moment of that frame on the way to the end of `branch`.
+  // The moment with that frame's number on the way to the end of `branch`.
   Moment momentOn(std::int64_t branch, std::int64_t frame) const;
   // Whether the moment is on the way to the end of `branch`.
   bool leadsTo(std::int64_t branch, Moment moment) const;
   std::size_t strokeCount() const;  // in all branches
-  // The strokes, and the frames of faults, on the way to the end of `branch`, in order.
+  // The strokes, and the frames with faults, on the way to the end of `branch`, in order.
   std::vector<Stroke> strokesOn(std::int64_t branch) const;
   std::vector<std::int64_t> faultsOn(std::int64_t branch) const;
 

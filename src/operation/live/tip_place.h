@@ -1,8 +1,8 @@
-// What lies under the tip of a tool, and how near tissue is to the tip. The tissue's present
-// positions count.
+// The height of the tissue under the tip of a tool, and the distance of the tip from tissue, both
+// for the tissue's present position.
 //
-// Cost: for still tissue, the bricks round and under the tip. For moving tissue, a pass over all
-// triangles, since bricks are in rest space.
+// Cost: for still tissue, proportional to the bricks round and under the tip. For moving tissue, a
+// pass over all triangles, since bricks are in rest space.
 #pragma once
 
 #include "operation/live/present_surface.h"
@@ -10,14 +10,16 @@
 namespace resect {
 
 struct TipPlace {
-  // Height (y, m) of the tissue straight below the tip, or of the table top if there is no tissue.
-  // If the tip is inside tissue: the height of the tip itself.
+  // Height y, m, of the surface straight below the tip; if there is none, of the table's top. If
+  // the tip is inside tissue: the height of the tip itself.
   double below = 0;
-  // From the tip to the nearest vertex of the surface, m: 0 inside tissue, at most kTipReach.
+  // Distance of the tip from the nearest vertex of the surface, m: 0 inside tissue, at most
+  // kTipReach.
   double distance = 0;
 };
 constexpr double kTipReach = 0.03;  // largest distance that is searched, m
 
+// tip: world, m.
 TipPlace placeOf(const PresentSurface& surface, const Vec3& tip);
 
 }  // namespace resect

@@ -1,7 +1,8 @@
-// The measures of an attempt at a task: their names in files, and what they are for people.
+// The measures of an attempt at a task: their names in files, and their titles and units for
+// people.
 //
-// docs/methods/skills.md defines each and gives its source; src/skills/ computes them. A task's
-// limits and bands refer to them by `id`.
+// docs/methods/skills.md defines each measure and gives its source; src/skills/ computes them. A
+// task's limits and bands refer to a measure by its `id`.
 #pragma once
 
 #include <span>
@@ -14,15 +15,17 @@ struct MeasureKind {
   std::string_view id;     // in files: "path_length_m"
   std::string_view title;  // for people: "path length"
   std::string_view unit;   // "m"; "" for a pure number
+  // Which values are better.
   enum class Better { Less, More, Neither } better = Better::Less;
+  // Whether the measure is of the whole attempt, of each instrument, or both.
   enum class Of { Whole, Instrument, Both } of = Of::Whole;
 };
 
 // All measures, in the order in which reports show them.
 std::span<const MeasureKind> measureKinds();
-// Null if there is no measure of that name.
+// The measure with that `id`; null if there is none.
 const MeasureKind* findMeasure(std::string_view id);
-// All names, for messages: "time_s, total_time_s, ...".
+// All `id`s, for messages: "time_s, total_time_s, ...".
 std::string measureNames();
 
 }  // namespace resect

@@ -1,7 +1,8 @@
 // A task: what is to be done in a scenario, and what counts as done well, as plain data.
 //
-// Places are given in the organ's own coordinates, so a task fits any organ that has what it names.
-// io/scenario/task_reader.h reads a task; docs/scenarios.md lists the keys.
+// Places are usually given in the organ's own coordinates, so that a task fits any organ that has
+// the landmarks and structures that the task names. io/scenario/task_reader.h reads a task;
+// docs/scenarios.md lists the keys.
 #pragma once
 
 #include <array>
@@ -17,11 +18,11 @@ namespace resect {
 
 // A point of an organ at rest.
 struct TaskPlace {
-  std::string landmark;       // of the organ; "": `place` counts
-  Vec3 place = Vec3::Zero();  // fractions of the organ's box; m, world, if `inWorld`
+  std::string landmark;       // name of a landmark of the organ; "": `place` is used
+  Vec3 place = Vec3::Zero();  // fractions of the organ's box; if inWorld: world, m
   bool inWorld = false;
-  // If given, the point is moved to this depth under the surface point nearest to it, m; 0: onto
-  // the surface, negative: above it.
+  // If given, the point is moved: to this depth, m, under the surface point that is nearest to it.
+  // 0: onto the surface; negative: above it.
   std::optional<double> depth;
 };
 
@@ -32,80 +33,83 @@ struct TaskGoal {
     Resect,  // take out `structure` in one piece, with a margin
     StopBleeding,
     Divide,   // cut the vessel at places[0] between two clips
-    Transect  // part the organ along a plane through places[0]
+    Transect  // divide the organ along a plane through places[0]
   };
   Kind kind = Kind::Touch;
-  std::string organ;  // "": the first
+  std::string organ;  // its name; "": the first organ
   std::vector<TaskPlace> places;
-  double radius = 0.006;        // m: of a target, and of the strip along a line or plane
-  double hold = 1;              // s: that a target is to be held, or that nothing bleeds
+  double radius = 0.006;        // m: greatest distance from a target, from the line or the plane
+  double hold = 1;              // s: how long a target must be held, or bleeding stay stopped
   std::string structure;        // name of a label of the organ
-  double margin = 0.01;         // m
-  double rate = 5e-6 / 60;      // m^3/s: less than this counts as no bleeding
-  double from = 20e-6 / 60;     // m^3/s: it must have bled so fast before it can be stopped
-  Vec3 normal = Vec3::UnitX();  // of the plane; unit, in the world
+  double margin = 0.01;         // m: least margin round `structure`
+  double rate = 5e-6 / 60;      // m^3/s: a smaller blood flow counts as no bleeding
+  double from = 20e-6 / 60;     // m^3/s: least flow before, so that bleeding can count as stopped
+  Vec3 normal = Vec3::UnitX();  // of the plane; unit, world
   VesselKind vessel = VesselKind::PortalVein;
   double thinnest = 0.002;  // m: least diameter of the vessel
-  std::string with;         // model of the instrument that is to do it; "": any
-  std::string holdWith;     // model of the one that is to hold the tissue; "": none
+  std::string with;         // model of the instrument that must reach the goal; "": any
+  std::string holdWith;     // model of the instrument that must hold the tissue; "": none
 };
-// Words for the kinds, as in files.
+// The word for a kind in files.
 std::string_view wordOf(TaskGoal::Kind kind);
 inline constexpr std::array kGoalKinds{TaskGoal::Kind::Touch,  TaskGoal::Kind::Follow,
                                        TaskGoal::Kind::Resect, TaskGoal::Kind::StopBleeding,
                                        TaskGoal::Kind::Divide, TaskGoal::Kind::Transect};
 
-// A measure (operation/task/measure.h) that must stay between two values.
+// A measure that must stay between two values.
 struct TaskLimit {
-  std::string measure;
+  std::string measure;  // MeasureKind::id
   std::optional<double> least, most;
 };
 
-// Mean and standard deviation of a measure in runs that the teacher has marked as reference.
+// Mean and standard deviation of a measure in reference runs.
 struct TaskBand {
-  std::string measure;
+  std::string measure;  // MeasureKind::id
   double mean = 0, deviation = 0;
 };
 
 enum class TaskLevel { Easy, Medium, Hard };
 inline constexpr std::array kTaskLevels{TaskLevel::Easy, TaskLevel::Medium, TaskLevel::Hard};
+// The word for a level in files, and the level for a word; nothing if the word is none of these.
 std::string_view wordOf(TaskLevel level);
 std::optional<TaskLevel> taskLevel(std::string_view word);
 
 struct Task {
-  std::string teaches;             // one sentence
-  std::vector<std::string> steps;  // what is to be done next, a line each
-  std::string background;          // for the page of what it teaches; may be empty
+  std::string teaches;             // what the task teaches, one sentence
+  std::vector<std::string> steps;  // instructions, one line for each step
+  std::string background;          // text for the page about the task; may be empty
   TaskGoal goal;
-  TaskLevel level = TaskLevel::Medium;   // unless another one is asked for
+  TaskLevel level = TaskLevel::Medium;   // unless the user chooses another one
   std::vector<std::string> instruments;  // models that may be in hand; empty: all
   bool guidance = true;                  // target and next step may be shown
   bool familiarisation = true;           // the first attempt is not graded
-  bool undo = true;                      // work may be taken back
-  std::optional<double> forceLimit;  // N: above it, a force counts as an error; see forceLimitOf()
+  bool undo = true;                      // undo is allowed
+  std::optional<double> forceLimit;  // N: a larger force counts as an error; see forceLimitOf()
   std::string forceLimitSource = "setting of the task";
-  std::vector<TaskLimit> limits;                 // of all levels
-  std::array<std::vector<TaskLimit>, 3> levels;  // per level: these replace those in `limits`
+  std::vector<TaskLimit> limits;                 // for all levels
+  std::array<std::vector<TaskLimit>, 3> levels;  // per level; replace limits of the same measure
   std::vector<TaskBand> bands;                   // the task's own
-  double bandWidth = 2;                // standard deviations from the mean that still pass
-  int bandRuns = 0;                    // from so many runs
+  double bandWidth = 2;                // largest deviation that passes, in standard deviations
+  int bandRuns = 0;                    // number of reference runs that gave `bands`
   std::vector<std::string> published;  // names of files in data/bands
-  // What a pass takes besides the goal: names of measures; {"all"}: every limit and band.
+  // What a pass needs besides the goal: `id`s of measures whose limits and bands must be kept;
+  // {"all"}: every limit and band must be kept.
   std::vector<std::string> pass = {"all"};
   // The text that the task was read from, as TOML; recordings keep it.
   std::string text;
 };
 
-// The limits that count at a level.
+// The limits that apply at a level.
 std::vector<TaskLimit> limitsAt(const Task& task, TaskLevel level);
-// The most that a measure may be at the task's own level; none: it has no such limit.
+// The largest allowed value of a measure at the task's own level; nothing if there is no such
+// limit.
 std::optional<double> mostOf(const Task& task, std::string_view measure);
 
-// The force above which a force counts as an error at the task's own level, and whose it is: the
-// most of `force_peak_n` there, or else the task's `force_limit`. None if it has neither.
+// The force above which a force counts as an error at the task's own level: the largest allowed
+// value of the measure force_peak_n, or else Task::forceLimit. Nothing if the task has neither.
 struct ForceLimit {
-  double force = 0;  // N
-  std::string source;
+  double force = 0;    // N
+  std::string source;  // where the limit comes from, for people
 };
 std::optional<ForceLimit> forceLimitOf(const Task& task);
 

@@ -1,5 +1,5 @@
-// The outline of an organ in an upright plane across it: where it begins and ends from back to
-// front, and how high its top is.
+// The section of an organ with a vertical plane x = const: where the organ begins and ends from
+// back to front (along z), and the height of its top (y).
 #pragma once
 
 #include <vector>
@@ -14,19 +14,20 @@ class OrganSection {
   OrganSection(const TriangleMesh& surface, double x);
 
   bool empty() const { return lines_.empty(); }
-  // The longest stretch, from back (lower z) to front, over which the organ extends without a gap.
+  // The two ends, z, m, of the longest stretch from back (lower z) to front over which the organ
+  // extends without a gap.
   double back() const { return back_; }
   double front() const { return front_; }
 
   double lowest() const { return lowest_; }  // y of its lowest point, m
-  // Greatest height from underside to top at one place, m; what is hollow between counts as organ.
+  // Greatest height from underside to top at one z, m; hollows between these are included.
   double tallest() const { return tallest_; }
-  // Height y of the top at this z, m; where the section is empty, of the nearest place where it is
-  // not. Must not be called if empty().
+  // Height y of the top at this z, m. If the organ does not extend to this z, the height at the
+  // nearest z to which it does. Throws Error if empty().
   double topAt(double z) const;
 
  private:
-  struct Line {  // where the plane meets a triangle
+  struct Line {  // section of the plane with a triangle, m
     double z[2], y[2];
   };
   struct Heights {

@@ -1,6 +1,6 @@
-// The way of an instrument in an organ's own coordinates, so that one scenario fits any organ.
-// placeWays() (operation/way/place_ways.h) makes keys in the world of it, once the organ is there.
-// docs/scenarios.md, "Ways in the organ's coordinates", lists the keys with which files give one.
+// The way of an instrument in an organ's own coordinates, so that one scenario fits any organ. When
+// the organ is loaded, placeWays() (operation/way/place_ways.h) converts the way to keys in world
+// coordinates. docs/scenarios.md, "Ways in the organ's coordinates", describes ways in files.
 #pragma once
 
 #include <optional>
@@ -12,36 +12,39 @@
 namespace resect {
 
 struct WayKey {
-  // When the key is reached: at this time, s from the start; or with this speed of the tip, m/s,
-  // from the key before; or, if neither is given, so many seconds after the key before.
+  // When the key is reached. time: s from the start. speed: of the tip on the way from the previous
+  // key, m/s. wait: s after the previous key, used if neither time nor speed is given.
   std::optional<double> time, speed;
   double wait = 0;
 
-  // Where the tool's tip is, with the organ at rest as it lies in the room.
+  // Position of the tool's tip, relative to the organ at rest, in the pose in which it lies in the
+  // room.
   enum class Place {
-    Same,      // where it was at the key before
+    Same,      // as at the previous key
     Box,       // `place`, in fractions of the organ's box
-    Landmark,  // the organ's landmark of that name
-    Over       // over the organ: place.x of its box from left to right, and there place.z of its
-               // own extent from back to front (operation/way/organ_section.h)
+    Landmark,  // the organ's landmark with the name `landmark`
+    Over       // over the organ: place.x as a fraction of its box; place.z as a fraction of the
+               // organ's extent from back to front in that section (operation/way/organ_section.h)
   };
   Place kind = Place::Same;
   Vec3 place = Vec3::Zero();
   std::string landmark;
-  // If given, it replaces the height: depth below the organ's top there, m, negative above it; or,
-  // if `share`, as a share of the organ's greatest height in the upright plane there.
+  // If given, replaces the height of the tip: depth below the organ's top at this place, m,
+  // negative above the top. If `share`, the unit is the organ's greatest height in the section
+  // instead of 1 m.
   std::optional<double> depth;
   bool share = false;
-  // Added last: metres, and sides of the organ's cells, along the axes of the room.
+  // Added to the position last, along the axes of the world. offset: m. cells: in sides of the
+  // organ's cells.
   Vec3 offset = Vec3::Zero(), cells = Vec3::Zero();
 
-  std::optional<Eigen::Quaterniond> rotation;  // none: as at the key before
+  std::optional<Eigen::Quaterniond> rotation;  // in the world; none: as at the previous key
   double squeeze = 0, pedal = 0;               // as in ToolKey
 };
 
 struct OrganWay {
-  std::string organ;         // its name in the scenario; "": the first
-  std::vector<WayKey> keys;  // the first one has a time and a place
+  std::string organ;         // the organ's name in the scenario; "": the first organ
+  std::vector<WayKey> keys;  // the first key has a time and a place
 };
 
 }  // namespace resect

@@ -13,13 +13,13 @@ namespace resect {
 // Which part of a recording is exported, and how many moments of it.
 struct ExportedPart {
   std::vector<CourseSpan> course;  // from partOf(), not empty
-  double rate = 0;                 // moments per second of the operation; 0: every frame
+  double rate = 0;                 // moments per simulated second; 0: one at every frame
 };
 
-// Plays the part. Calls visit() for its first state and after its last frame. In between it calls
-// visit() for each whole number k, after the first frame that ends at the time k / rate or later;
-// once if this is the same frame for several k. If withLook is set, it first calls
-// Simulation::keepLook(). each(), if given, is called for every frame, before visit().
+// Plays the part. Calls visit() for its first state and after its last frame. In between, calls
+// visit() after each frame that is the first to end at or after a time k / rate, where k is a whole
+// number. If withLook is set, first calls Simulation::keepLook(). each(), if given, is called for
+// every frame, before visit().
 void playMoments(Replay& replay, const ExportedPart& part, bool withLook,
                  const std::function<void(const Simulation&)>& visit, const Progress& progress,
                  const std::function<void(const StepReport&)>& each = {});

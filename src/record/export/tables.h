@@ -1,4 +1,4 @@
-// A recorded operation as tables, for spreadsheets.
+// Exports a recorded operation as tables, for spreadsheets.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace resect {
 // the list in tables.cpp.
 struct RecordingTable {
   std::string name;    // the argument of --table
-  std::string oneRow;  // what a row holds, for people
+  std::string oneRow;  // what a row contains, for people
   bool rated;          // whether ExportedPart::rate thins its rows
   // Writes the table and returns the number of its rows, without the header.
   std::int64_t (*write)(Replay&, const ExportedPart&, CsvWriter&, const Progress&);

@@ -1,4 +1,4 @@
-// A recorded operation as a series of .vtp files with a .pvd, for ParaView.
+// Exports a recorded operation as a series of .vtp files and a .pvd file, for ParaView.
 #pragma once
 
 #include <filesystem>
@@ -16,9 +16,9 @@ struct VtpSeries {
 };
 VtpSeries seriesOf(const std::filesystem::path& name, const std::string& option);
 
-// Writes one .vtp file for each moment, with the surfaces of all organs, then the list. Times are
-// those of the operation. Files of an earlier run must be gone (removeNumberedFiles()). Returns the
-// number of .vtp files.
+// Writes one .vtp file for each moment, with the surfaces of all organs, and then the list. Times
+// are simulated times of the operation. The caller must have removed files of an earlier run
+// (removeNumberedFiles()). Returns the number of .vtp files.
 std::int64_t exportVtp(Replay& replay, const ExportedPart& part, const VtpSeries& series,
                        const Progress& progress = {});
 

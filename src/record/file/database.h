@@ -16,30 +16,30 @@ struct sqlite3_stmt;
 
 namespace resect {
 
-// A member that fails throws an Error whose sentence begins with the file's name.
+// Any member function that fails throws an Error whose sentence begins with the file's name.
 class Database {
  public:
-  // Opens a database file that this program has made itself. If the file is empty or missing, the
-  // database is empty. Fails if `path` is a symbolic link. name: the file's name in messages.
+  // Opens a database file that this program has written itself. If the file is empty or missing,
+  // the database is empty. Fails if `path` is a symbolic link. name: the file's name in messages.
   Database(const std::filesystem::path& path, const std::string& name);
   // Throws Error if a file exists at `path`, or under a name that SQLite uses beside it (`path`
   // with -wal, -shm or -journal at its end). SQLite would remove these files.
   static void requireNothingAt(const std::filesystem::path& path);
-  // Removes the files -wal, -shm and -journal of a database file that is about to be replaced.
-  // SQLite would take them for those of the new file.
+  // Removes the files `path` with -wal, -shm or -journal at its end. To be called before the
+  // database file at `path` is replaced: SQLite would take them for files of the new database.
   static void removeBeside(const std::filesystem::path& path);
   // An empty database in memory. name: used in messages.
   static Database inMemory(const std::string& name);
-  // Opens a database that somebody else made. `bytes` hold its file and its write-ahead log, which
+  // Opens a database from an untrusted source. `bytes` hold its file and its write-ahead log, which
   // SQLite applies. No trigger, view or function of its schema is run. Used in the child process
-  // that reads it (record/file/foreign_recording.h).
+  // that reads such files (record/file/foreign_recording.h).
   Database(RecordingBytes& bytes, const std::string& name);
 
   // Runs statements that return nothing.
   void run(const std::string& sql);
   // Writes the whole database into an empty file.
   void copyTo(const std::filesystem::path& path);
-  // The first value of the first row of the result; 0 if there is no row.
+  // Runs a query. Returns the first value of the first row of the result; 0 if there is no row.
   std::int64_t number(const std::string& sql);
   const std::string& name() const { return name_; }
   // Throws an Error that describes the last failure of SQLite.
@@ -75,8 +75,7 @@ class Statement {
     }
   }
 
-  // The type of the value that the present row has in a column. In SQLite each value has its own
-  // type.
+  // The type of the present row's value in a column. In SQLite each value has its own type.
   enum class Kind : char { Integer = 1, Real, Text, Blob, Nothing };
   Kind kind(int column) const;
   int columns() const;

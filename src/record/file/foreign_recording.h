@@ -1,4 +1,4 @@
-// Reads a recording that somebody else made.
+// Reads a recording from an untrusted source.
 //
 // SQLite reads the file's bytes in a child process, inside the sandbox
 // (formats/child/child_process.h). The child answers with the rows of all tables. This process
@@ -29,28 +29,28 @@ struct RecordingShape {
 };
 RecordingShape shapeOf(Database& own);
 
-// Adds all rows of the recording at `path`, with those in its write-ahead log (-wal), to the tables
-// of `own`, which must be empty. Returns what SQLite's integrity check finds wrong with the file,
-// in one line; empty if it finds nothing.
-// Throws Error if the file is not a recording, if its schema version or its tables are not those of
-// `own`, if file and log have more than 1 GB, or if a value is of another type than its column.
-// Throws Cancelled if `progress` returns false. Meanwhile it takes about three times the file's
-// size in memory.
+// Adds all rows of the recording at `path`, including those in its write-ahead log (-wal), to the
+// tables of `own`, which must be empty. Returns the errors that SQLite's integrity check finds in
+// the file, in one line; empty if there are none. Throws Error if the file is not a recording, if
+// its schema version or its tables are not those of `own`, if file and log have more than 1 GB, or
+// if a value is of another type than its column. Throws Cancelled if `progress` returns false.
+// Memory while it runs: about three times the file's size.
 std::string addForeignRows(const std::filesystem::path& path, Database& own,
                            const Progress& progress = {});
 
-// Decompresses bytes that zstd compressed, also in a child process. size: of the result, at most 1
-// GB. Throws Error if the bytes are damaged. Cost: some ms more than in this process.
+// Decompresses bytes that zstd compressed, also in a child process. size: bytes of the result, at
+// most 1 GB. name: the recording's name in Errors. Throws Error if the bytes are damaged. Cost:
+// some ms more than without a child process.
 Bytes unpackForeign(std::span<const std::byte> packed, std::int64_t size, const std::string& name);
 
 // The two halves of addForeignRows(), declared here for tests. rowsOf() runs in the child and
-// returns all rows as bytes. It throws Error if these are more than four times the bytes of the
+// returns all rows as bytes. It throws Error if the result has more bytes than four times the
 // recording plus 1 MB. addRows() runs in this process: it adds the rows to `own` and returns the
-// finding of the integrity check.
+// errors that the integrity check found.
 std::string rowsOf(RecordingBytes& bytes, const RecordingShape& shape, const std::string& name);
 std::string addRows(std::string_view rows, const RecordingShape& shape, Database& own);
 
-// Appends the values of the present row to `to`, each after its Statement::Kind.
+// Appends the values of the present row to `to`, with its Statement::Kind before each value.
 void appendRow(std::string& to, const Statement& row);
 
 }  // namespace resect

@@ -1,6 +1,6 @@
 // Converts the input of a frame to bytes and back. A recording keeps these bytes for each frame.
 //
-// Only tools whose input differs from that in the frame before are written. Reading gives back the
+// Only tools whose input differs from that in the previous frame are written. Reading gives the
 // same bits.
 #pragma once
 
@@ -11,7 +11,8 @@
 
 namespace resect {
 
-// before: the input of the frame before; an input without tools for the first frame of a sequence.
+// before: the input of the previous frame; for the first frame of a sequence, an input without
+// tools.
 Bytes frameToBytes(const FrameInput& input, const FrameInput& before);
 
 // before: as for frameToBytes(). Throws Error if the bytes are truncated or damaged: if their

@@ -1,6 +1,6 @@
 // The file of a recording: a SQLite database with the tables that docs/recording.md describes.
 //
-// A RecordingFile only stores rows and reads them. record/recorder.h fills it while an operation
+// RecordingFile only stores and reads rows. record/recorder.h fills the file while an operation
 // runs; record/replay.h plays it.
 #pragma once
 
@@ -21,7 +21,7 @@
 namespace resect {
 
 inline constexpr int kRecordingSchema = 8;
-// Most bytes that a recording may have, its write-ahead log included.
+// Largest size of a recording, bytes, including its write-ahead log.
 inline constexpr std::size_t kLargestRecording = std::size_t(1) << 30;
 
 // The files that may hold a recording: the database, and SQLite's write-ahead log, which has -wal
@@ -32,8 +32,8 @@ std::vector<std::filesystem::path> filesOfRecording(const std::filesystem::path&
 // A frame as stored. Frames of a branch are numbered by Simulation::frame() after the step.
 struct RecordedFrame {
   std::int64_t branch = 0, frame = 0;
-  double time = 0;     // s, at the frame's end
-  bool whole = false;  // `input` is complete, not the difference from the frame before
+  double time = 0;     // simulated time at the frame's end, s
+  bool whole = false;  // `input` is complete, not the difference from the previous frame
   Bytes input;         // record/file/frame_bytes.h
   // The digest of `input`, then one per field of the state (RecordingInfo::fields).
   std::vector<std::uint64_t> hashes;
@@ -46,7 +46,7 @@ struct KeyState {
   std::uint64_t stateHash = 0;  // of the state and the surface (Simulation::stateHash())
 };
 
-// Where a tool in hand was and what it felt.
+// Position of the tip of a tool in hand at the end of a frame, and the mean force on it.
 struct RecordedSample {
   std::int64_t branch = 0, frame = 0, tool = 0;
   double tip[3] = {}, force[3] = {};  // world, m and N
@@ -58,7 +58,7 @@ struct RecordedLedger {
   struct Amount {
     std::int64_t organ = 0, label = 0;
     std::string part;         // before, body, piece, debris, removed
-    std::int64_t number = 0;  // of a piece, from 1 on, the largest first; else 0
+    std::int64_t number = 0;  // of a piece, from 1 on, the largest first; otherwise 0
     std::int64_t particles = 0;
     double ml = 0, g = 0;
     bool operator==(const Amount&) const = default;
@@ -70,7 +70,7 @@ struct RecordedLedger {
     bool operator==(const Wound&) const = default;
   };
   std::int64_t branch = 0, frame = 0;
-  double time = 0;  // s
+  double time = 0;  // simulated time, s
   std::vector<Amount> amounts;
   std::vector<Wound> wounds;
   bool operator==(const RecordedLedger&) const = default;
@@ -78,13 +78,13 @@ struct RecordedLedger {
 
 struct RecordingInfo {
   std::string program;         // "resect 0.1.0"
-  std::string instructionSet;  // of the processor that recorded
+  std::string instructionSet;  // of the processor on which it was recorded
   double frameRate = 60;
   std::vector<std::string> fields;  // names of RecordedFrame::hashes from the second on
 };
 
-// Makes an empty database a recording without rows: sets the application id and the version of the
-// schema, and creates the tables.
+// Makes an empty database a recording without rows: sets the application id and the schema version,
+// and creates the tables.
 void makeRecordingTables(Database& database);
 
 class RecordingFile {
@@ -98,7 +98,7 @@ class RecordingFile {
                               const KeyState& start);
   // Creates a file at `path` with a copy of everything in `done`, so that more can be added. Throws
   // Error if a file exists at `path`. Does not check whether this program's state has the fields
-  // that `done` keeps; Recorder's constructor does that.
+  // whose digests `done` keeps; Recorder's constructor does that.
   static RecordingFile goOn(const std::filesystem::path& path, RecordingFile& done);
   // Reads a finished or an interrupted recording into memory, through the sandbox
   // (record/file/foreign_recording.h). Throws Error if the file is not a recording, if its schema
@@ -119,42 +119,42 @@ class RecordingFile {
 
   void begin();  // of a transaction
   void commit();
-  void rollback();  // undoes what was added since begin()
+  void rollback();  // removes everything that was added since begin()
   void add(const Branch& branch);
   void add(const RecordedFrame& frame);
-  void add(const KeyState& state);  // compressed
+  void add(const KeyState& state);  // stores it compressed
   void add(const OperationEvent& event);
   void add(const RecordedSample& sample);
   void add(const RecordedLedger& ledger);
   // Copies everything into an empty file and marks the copy as a finished recording. Must not be
-  // called between begin() and commit(). name: the file's name in messages. moment: what moment()
-  // of the copy is to return; a frame after the end of the branch becomes its last frame.
+  // called between begin() and commit(). name: the file's name in messages. moment: moment() of the
+  // copy returns it; a frame after the end of the branch is replaced by the branch's last frame.
   void copyTo(const std::filesystem::path& path, const std::string& name,
               std::optional<Moment> moment);
   // Marks the recording as complete and merges the write-ahead log into the file.
   void finish();
 
   std::vector<Branch> branches();
-  std::int64_t lastFrame(std::int64_t branch);  // -1 if it has none
+  std::int64_t lastFrame(std::int64_t branch);  // -1 if the branch has no frames
   // The moment that was given to copyTo(), if the file is such a copy. Otherwise the end of the
   // branch in which the last event happened, or of the last branch if there are no events.
   Moment moment();
   std::optional<RecordedFrame> frame(std::int64_t branch, std::int64_t number);
-  // The latest key state of the branch at `frame` or before.
+  // The last key state of the branch that is at `frame` or before it.
   std::optional<KeyState> keyState(std::int64_t branch, std::int64_t frame);
   std::vector<std::int64_t> keyFrames(std::int64_t branch);
   std::int64_t keyStateBytes();  // of all key states, decompressed
   std::vector<OperationEvent> events(std::int64_t branch);
-  std::vector<RecordedSample> samples(std::int64_t branch);  // frame by frame
+  std::vector<RecordedSample> samples(std::int64_t branch);  // in the order of frames
   std::vector<RecordedLedger> ledgers(std::int64_t branch);
-  // Whether the recording was marked as complete, by finish() or copyTo(). It was not if, for
+  // Whether finish() or copyTo() has marked the recording as complete. They have not if, for
   // example, the program was killed.
   bool complete();
   // What SQLite's integrity check found at open(), in one line; empty if it found nothing.
   std::string damagedPage();
 
  private:
-  std::string meta(std::string_view key);  // the value of that row of the table meta; empty: none
+  std::string meta(std::string_view key);  // the value of `key` in the table meta; empty: none
   explicit RecordingFile(Database database)
       : opened_(std::make_unique<Database>(std::move(database))), database_(*opened_) {}
   static RecordingFile appear(const std::filesystem::path& path,

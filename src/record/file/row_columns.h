@@ -82,7 +82,8 @@ Row rowOf(const Statement& statement) {
   return row;
 }
 
-// All rows that a statement gives. It begins with SELECT *, and its arguments are bound.
+// All rows that a statement gives. The statement must begin with SELECT *, and its parameters must
+// be bound.
 template <class Row>
 std::vector<Row> rowsOf(Statement& statement) {
   std::vector<Row> rows;

@@ -1,7 +1,7 @@
-// An attempt at a task, as far as a recording shows it: plain data from which all measures follow.
+// An attempt at a task, as a recording shows it: plain data from which all measures are computed.
 //
-// readAttempt() (skills/attempt/read_attempt.h) makes it by playing the recording. So an old
-// recording can be scored again, by new measures too.
+// readAttempt() (skills/attempt/read_attempt.h) makes an Attempt by playing the recording. So an
+// old recording can be scored again, also by measures that were added later.
 #pragma once
 
 #include <optional>
@@ -15,42 +15,43 @@
 
 namespace resect {
 
-// An instrument at the end of a frame.
+// State of an instrument at the end of a frame.
 struct ToolMoment {
   Vec3 tip = Vec3::Zero();  // world, m
   Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
   double force = 0;  // N, of the tissue on the instrument
   double squeeze = 0, pedal = 0;
-  bool inHand = false;  // and able to touch
-  // In hand, or carried over the organ by a hand that points at it: away from where it lies.
+  bool inHand = false;  // it is in hand and can touch tissue
+  // It is in hand or away from its rest pose, for example while it hovers over the organ.
   bool taken = false;
   bool works = false;  // it touches or cuts an organ
   bool grips = false;  // it holds tissue
 };
 
 struct InstrumentRecord {
-  std::string name;   // for people
-  std::string model;  // as tasks name it: "scalpel"
-  Vec3 axis = Vec3::UnitZ();
+  std::string name;                 // for people
+  std::string model;                // as tasks name it: "scalpel"
+  Vec3 axis = Vec3::UnitZ();        // from tip to handle, unit, in the instrument's frame
   std::vector<ToolMoment> moments;  // one per frame
-  // s: in hand, and its tip outside the picture; none: nobody looked, or it was not recorded.
+  // Time in hand with the tip outside the picture, s; none: there was no picture, or the recording
+  // lacks this time.
   std::optional<double> unseen = {};
 };
 
-// What became of a vessel that was cut.
+// The history of a vessel that was cut.
 struct VesselStory {
   std::int32_t organ = 0, segment = -1;
   VesselKind kind = VesselKind::PortalVein;
   std::string name;                              // for people, such as "right portal vein"
   double diameter = 0;                           // m
-  Vec3 place = Vec3::Zero();                     // of its middle, at rest, m
+  Vec3 place = Vec3::Zero();                     // middle of the cut, at rest, m
   double cut = 0;                                // s: when it was first cut
-  int tool = -1;                                 // that was cutting then; -1: not known
-  bool before = false;                           // the operation began with this cut
-  bool clippedRoot = false, clippedFar = false;  // before it was cut
+  int tool = -1;                                 // the tool that cut then; -1: not known
+  bool before = false;                           // it was cut before the operation began
+  bool clippedRoot = false, clippedFar = false;  // this end was closed before the cut
   bool severed = false;
   std::optional<double> closed;  // s: since when all its ends have been closed by clips or heat
-  double bled = 0;               // m^3
+  double bled = 0;               // m^3, lost by the vessel
 };
 
 struct ClipPlaced {
@@ -61,45 +62,47 @@ struct ClipPlaced {
   double diameter = 0;        // of the vessel, m
 };
 
-// Tissue and blood after a frame; once a second, and at the end.
+// Amounts of tissue after a frame; taken once a second, and at the end.
 struct TissueMoment {
   double time = 0;                           // s
-  double body = 0, pieces = 0, removed = 0;  // m^3, of all organs; removed: debris too
-  double cut = 0;                            // m^2
+  double body = 0, pieces = 0, removed = 0;  // m^3, all organs; removed includes debris
+  double cut = 0;                            // area cut or torn, m^2
 };
 
 // A piece that has come off an organ.
 struct Specimen {
   std::int32_t organ = 0;
   double volume = 0, mass = 0;  // m^3, kg
-  double target = 0;            // m^3 of the goal's structure in it
+  double target = 0;            // m^3, part of the goal's structure in the piece
 };
 
-// A moment at which the instrument of the goal was at work, seen from the goal's line or plane.
+// A frame in which the goal's instrument was at work, with its position relative to the goal's line
+// or plane.
 struct WorkMoment {
   std::size_t frame = 0;
-  double along = 0;  // m along the line, from its beginning
-  double off = 0;    // m from the line, aside; or from the plane
+  double along = 0;  // position along the line, m from its beginning
+  double off = 0;    // distance from the line or plane, m
 };
 
-// How near the goal was, frame by frame.
+// How near the instruments were to the goal, frame by frame.
 struct GoalTrace {
-  // Per target and frame: distance of the nearest tip that counts, m; infinite without one.
+  // Per target and frame: distance of the nearest tip of an instrument in hand that the goal
+  // accepts, m; infinite if no such instrument is in hand.
   std::vector<std::vector<float>> distance;
-  // Of the targets, line or plane, m: at rest; and in the world when the first instrument went to
-  // work, by when the tissue has settled.
+  // Points of the targets, line or plane, m: in rest space; and in the world, when the first
+  // instrument begins to work. By then the tissue has settled.
   std::vector<Vec3> restPlaces, places;
   double lineLength = 0;  // m
   std::vector<WorkMoment> work;
-  std::vector<char> held;  // per frame: the instrument that is to hold tissue grips some
+  std::vector<char> held;  // per frame: the goal's holding instrument grips tissue
 };
 
 struct Attempt {
   std::string file, title, scenario, program;
   std::string learner;         // pseudonym; may be empty
-  std::optional<Task> task;    // none: the recording has none, and none was given
-  bool complete = true;        // the recording was ended, and not cut short
-  int undos = 0;               // branches that begin where work was taken back
+  std::optional<Task> task;    // none: neither recorded nor given
+  bool complete = true;        // the recording is complete, not truncated
+  int undos = 0;               // number of times work was taken back
   double interval = 1.0 / 60;  // s, of a frame
   std::vector<double> time;    // at the end of each frame, s from the start
   std::vector<InstrumentRecord> instruments;
@@ -108,20 +111,22 @@ struct Attempt {
   std::vector<double> bled;          // per frame: lost so far, m^3
   std::vector<VesselStory> vessels;  // in the order in which they were cut
   std::vector<ClipPlaced> clips;
-  double inflowOccluded = 0;  // s
-  int inflowCycles = 0;
+  double inflowOccluded = 0;  // time with occluded inflow, s
+  int inflowCycles = 0;       // number of occlusions
 
   bool tissueMoves = false;
   std::vector<TissueMoment> tissue;
   std::vector<Specimen> specimens;  // the largest first
-  // Other structures than the goal's: whether there are any, and names of those that were cut, or
-  // of which something was destroyed.
+  // Structures other than the goal's: whether there are any, and the names of those that a cut or a
+  // removal of tissue reached. For organs other than the goal's: of those that were cut or lost
+  // tissue.
   bool otherStructures = false;
   std::vector<std::string> hurt;
-  std::int64_t torn = 0;         // bonds
+  std::int64_t torn = 0;         // number of torn bonds
   double targetBefore = 0;       // m^3 of the goal's structure before the operation
-  std::optional<double> margin;  // m, of the goal's structure; none if nothing was cut
-  // Where the cuts came near the goal's structure; and this: middle and reach, at rest, m.
+  std::optional<double> margin;  // margin of the goal's structure, m; none if nothing was cut
+  // Places where the cuts came near the goal's structure; centre of this structure, and largest
+  // distance of its cells from the centre; at rest, m.
   std::vector<MarginPlace> margins;
   Vec3 targetMiddle = Vec3::Zero();
   double targetReach = 0;
@@ -130,7 +135,7 @@ struct Attempt {
   double duration() const { return time.empty() ? 0 : time.back(); }
 };
 
-// The stretches in which an instrument was taken: its whole way, hovering included.
+// The tracks of an instrument, one for each period in which it was taken. They include hovering.
 std::vector<Track> tracksOf(const Attempt& attempt, const InstrumentRecord& instrument);
 // The first and the last frame in which any instrument was at work; nothing if none was.
 std::optional<SampleRange> workOf(const Attempt& attempt);

@@ -1,5 +1,5 @@
-// Follows an operation frame by frame and keeps what an attempt is scored by: of a recording that
-// is played, or of an operation while somebody works on it.
+// Follows an operation frame by frame and collects the data by which an attempt is scored. The
+// operation may be a recording that is played, or one in progress.
 #pragma once
 
 #include <optional>
@@ -19,14 +19,15 @@ class AttemptReader {
   // this object. Throws Error if the organ lacks what the task names.
   AttemptReader(Attempt& attempt, const Scenario& scenario, const Simulation& simulation);
 
-  // To be called after each step. Cost: that of a ledger once a second, besides some microseconds.
+  // To be called after each step. Cost: a few microseconds, and once a second that of a ledger.
   void add(const Simulation& simulation, const StepReport& report);
-  // Brings what is only counted once a second up to date.
+  // Brings the figures up to date that are otherwise taken only once a second.
   void finish(const Simulation& simulation);
-  // Measures where the cuts came near the goal's structure. Cost: up to a second.
+  // Finds the places where the cuts came near the goal's structure (Attempt::margins). Cost: up to
+  // a second.
   void measureMargins(const Simulation& simulation);
-  // Forgets all but the first `frames` frames: work was taken back. Torn bonds and the time of an
-  // occluded inflow keep what was taken back.
+  // To be called when work is taken back: forgets all but the first `frames` frames. The number of
+  // torn bonds and the time of occluded inflow still include the work taken back.
   void rewind(std::size_t frames);
 
   // Null without a task.

@@ -1,4 +1,4 @@
-// Follows how near the instruments come to a goal: its targets, its line, its plane.
+// Follows how near the instruments come to a goal's targets, line or plane.
 #pragma once
 
 #include <vector>
@@ -19,8 +19,8 @@ class GoalWatch {
   // Forgets all but the first `frames` frames.
   void rewind(std::size_t frames, Attempt& attempt) const;
 
-  // Targets, plane, or the points of a line every few millimetres, where they are in the world
-  // after the last frame; empty before the first one.
+  // The targets, the point of the plane, or points of the line every few millimetres, in the world
+  // after the last frame; empty before the first frame.
   const std::vector<TissuePoint>& present() const { return present_; }
 
  private:
@@ -30,10 +30,10 @@ class GoalWatch {
 
   const TaskGoal goal_;
   std::size_t organ_ = 0;
-  std::vector<TissuePoint> points_;   // of targets and plane; of a line: every few millimetres
+  std::vector<TissuePoint> points_;   // targets, plane, or line every few mm; at rest
   std::vector<TissuePoint> present_;  // the same, in the world
   std::vector<double> along_;         // per point of a line: m from its beginning, at rest
-  bool begun_ = false;                // an instrument has worked
+  bool begun_ = false;                // whether an instrument has worked
 };
 
 // Index of the organ that a goal is about.

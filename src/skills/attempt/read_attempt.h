@@ -13,9 +13,9 @@
 namespace resect {
 
 struct AttemptOptions {
-  std::optional<Task> task;  // to score by, instead of the recording's own
+  std::optional<Task> task;  // task to score by, instead of the recording's own
   std::string learner;       // pseudonym
-  // Called at the start, and after each frame: a picture may be drawn.
+  // Called at the start and after each frame; it may draw a picture. time: s.
   std::function<void(const Scenario&, Simulation&, double time)> watch;
 };
 

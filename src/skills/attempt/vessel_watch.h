@@ -1,4 +1,4 @@
-// Follows the vessels of an operation: which were cut, when each was closed, where clips were
+// Follows the vessels of an operation: which were cut, when each was closed, and where clips were
 // placed.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace resect {
 
 class VesselWatch {
  public:
-  // To be called before the first step: takes the vessels that are cut already.
+  // To be called before the first step: records the vessels that are cut already.
   void begin(const Simulation& simulation, Attempt& attempt) const;
   // To be called after each step.
   void add(const Simulation& simulation, const StepReport& report, Attempt& attempt);
@@ -22,13 +22,13 @@ class VesselWatch {
   void addClips(const Simulation& simulation, Attempt& attempt);
   void addCuts(const Simulation& simulation, const StepReport& report, Attempt& attempt);
 
-  std::vector<std::size_t> clips_;  // by organ: how many there were
+  std::vector<std::size_t> clips_;  // number of clips after the last step, by organ
   bool occluded_ = false;
 };
 
-// Whether blood is kept from an end of a cut vessel: the end is sealed, or a clip sits on its
-// segment or, at most `reach`, m, away, on one that feeds it (its end towards the root) or that it
-// feeds.
+// Whether an end of a cut vessel cannot bleed: the end is sealed, or a clip closes it. The clip is
+// on the vessel's segment, or at most `reach`, m, away: for the end towards the root on a segment
+// that feeds it, for the far end on a segment that it feeds.
 bool isClosed(const Organ& organ, const VesselInjury& injury, VesselEnd end, double reach = 0.03);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// A class: the attempts of several learners at several tasks, and what follows from them.
+// A class: the attempts of several learners at several tasks, and figures computed from them.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 
 namespace resect {
 
-// An attempt as a class keeps it: its verdict and its measures, without its tracks.
+// The part of an attempt that a class keeps: verdict and measures, but no tracks.
 struct ClassAttempt {
   std::string file;
   bool passed = false, graded = true, goalReached = false;
   double score = 0;
   std::string reason;
-  std::vector<Measured> measures;  // of the whole
+  std::vector<Measured> measures;  // of the whole attempt
   std::vector<Check> checks;
   int undos = 0;
   TaskLevel level = TaskLevel::Medium;
@@ -36,33 +36,34 @@ struct TaskCourse {
 struct ClassBook {
   std::string name;
   std::vector<TaskCourse> tasks;
-  std::vector<std::string> refused;  // sentences: recordings that could not be scored
+  std::vector<std::string> refused;  // error messages: recordings that could not be scored
 };
 
-// A recording in the folder of a class, and whose it is: the name of its sub-folder, or of the file
-// up to its last number ("anna-2.resect").
+// A recording in the folder of a class, and its learner. The learner's name is that of the
+// sub-folder, or for a file in the folder itself its name without the last number ("anna" for
+// "anna-2.resect").
 struct ClassFile {
   std::filesystem::path path;
-  std::string learner;  // for output
-  std::string name;     // of the learner
+  std::string learner;  // for output: `name`, or a pseudonym
+  std::string name;     // the learner's name
 };
-// All recordings in the folder and its sub-folders, by learner and then in the order of their
-// names, in which numbers count as numbers (2 before 10). Throws Error if there is no such folder,
-// or no recording in it.
+// All recordings in the folder and its sub-folders, by learner and then by path in natural order (2
+// before 10). Throws Error if there is no such folder, or no recording in it.
 std::vector<ClassFile> classFiles(const std::filesystem::path& folder);
 
 // Replaces the learners' names by "learner 1" and so on, in the order of the names.
 void usePseudonyms(std::vector<ClassFile>& files);
 
-// How hard a check is: of the graded attempts at a task the share that kept it. Little time, way or
-// blood of an attempt that missed its goal does not count as kept.
+// How hard a check is: in how many of the graded attempts at a task it was kept. If an attempt
+// missed its goal, a kept check of a measure that adds up (addsUp() in findings.h), such as time,
+// is not counted at all.
 struct CheckDifficulty {
   std::string measure;  // "": the goal
   int kept = 0, attempts = 0;
 };
 std::vector<CheckDifficulty> difficulties(const TaskCourse& task);
 
-// Passed or not, of the attempts that are graded.
+// For each graded attempt, in order, whether it passed.
 std::vector<bool> passes(const LearnerCourse& course);
 
 }  // namespace resect

@@ -8,7 +8,7 @@
 
 namespace resect {
 
-// Self-contained, as a debrief (skills/report/debrief.h).
+// The HTML page. Like a debrief (skills/report/debrief.h), it needs no other file.
 std::string classPage(const ClassBook& book, const LearningTest& test = {});
 
 // One row per attempt.

@@ -14,39 +14,39 @@
 
 namespace resect {
 
-// To be increased when a measure, a goal or the verdict is defined in another way: older scores are
-// then made again.
+// To be increased when the definition of a measure, a goal or the verdict changes. Older scores are
+// then computed again.
 inline constexpr int kScoringVersion = 3;
 
 struct HistoryEntry {
   std::string key;      // scoreKey()
-  std::string learner;  // as it was given
+  std::string learner;  // name as it was given
   std::string scenario, title;
   std::int64_t written = 0;     // when the recording was last written, s since 1970
   bool familiarisation = true;  // the task's: a first attempt is not graded
   ClassAttempt attempt;
 };
 
-// What a score depends on: the bytes of the recording, the task if it is another one than the
-// recording's own, the level, and kScoringVersion.
+// A digest of everything on which a score depends: the bytes of the recording, the task if it is
+// not the recording's own, the level, and kScoringVersion.
 std::string scoreKey(const std::filesystem::path& recording, const std::optional<Task>& task,
                      const std::optional<TaskLevel>& level);
+// When the file was last written, s since 1970.
 std::int64_t writtenAt(const std::filesystem::path& recording);
 HistoryEntry historyEntry(const Scored& scored, std::string key);
 
 class LearnerHistory {
  public:
-  // Opens or creates the file. Throws Error if it is something else than a history, or cannot be
-  // written.
+  // Opens or creates the file. Throws Error if it is not a history or cannot be written.
   explicit LearnerHistory(const std::filesystem::path& path);
 
   // Replaces the entry with the same key and learner.
   void keep(const HistoryEntry& entry);
   std::optional<HistoryEntry> find(const std::string& key, const std::string& learner);
-  // By learner, scenario and time; of one learner, or of all if `learner` is empty.
+  // The entries of one learner, or of all if `learner` is empty; sorted by learner, scenario and
+  // time.
   std::vector<HistoryEntry> entries(const std::string& learner = "");
-  // Deletes all entries of a learner, so that nothing of them is left in the file, and returns
-  // their number.
+  // Deletes all entries of a learner, without traces in the file, and returns their number.
   std::int64_t remove(const std::string& learner);
 
  private:

@@ -16,17 +16,18 @@ struct XapiContext {
   // Tasks have the IRI activities + name of the scenario.
   std::string activities = "https://resect.invalid/tasks/";
   std::chrono::system_clock::time_point time;  // of the attempt's end
-  std::string identity;  // that tells this attempt from others, such as the digest of its recording
+  // A text that is unique to this attempt, such as the digest of its recording.
+  std::string identity;
 };
 
-// "attempted", "completed" if the goal was reached, and "passed" or "failed" if the attempt is
-// graded. The ids of the statements follow from identity, actor and verb alone: a store that is
-// given the same attempt twice keeps it once.
+// The statements "attempted"; "completed" if the goal was reached; and "passed" or "failed" if the
+// attempt is graded. The ids of the statements depend only on identity, actor and verb, so a store
+// that gets the same attempt twice keeps it once.
 nlohmann::ordered_json xapiStatements(const Scored& scored, const XapiContext& context);
 
-// "PT12.35S".
+// A duration in ISO 8601: "PT12.35S".
 std::string isoDuration(double seconds);
-// "2022-03-04T05:06:07.890Z".
+// A time in ISO 8601: "2022-03-04T05:06:07.890Z".
 std::string isoTime(std::chrono::system_clock::time_point time);
 
 }  // namespace resect

@@ -1,8 +1,8 @@
-// An attempt while somebody works on it: whether the goal is reached, what is next, and where the
-// places of the goal are in the moving tissue.
+// An attempt in progress: whether the goal is reached, what to do next, and where the places of the
+// goal are in the moving tissue.
 //
-// The attempt is scored from its recording (read_attempt.h) and not from this, which forgets what
-// was taken back only in part.
+// A LiveAttempt forgets work that was taken back only in part. So the attempt is scored from its
+// recording (read_attempt.h) instead.
 #pragma once
 
 #include <memory>
@@ -18,15 +18,15 @@ namespace resect {
 
 struct AttemptProgress {
   double time = 0;                 // s from the start; 0: nothing is known yet
-  bool reached = false;            // the goal
-  double since = 0;                // s from the start: for so long it has been reached
+  bool reached = false;            // whether the goal is reached
+  double since = 0;                // s from the start: when it was reached; 0: it is not reached
   std::string next;                // what to do next, a sentence
-  std::optional<double> bleeding;  // s: for so long it has bled, or bled until it was stopped
-  double rested = 0;               // s: for so long no instrument has been at work
-  std::size_t target = 0;          // number of the target that is next, from 0
+  std::optional<double> bleeding;  // duration of the bleeding so far, or until it stopped, s
+  double rested = 0;               // s since an instrument was last in hand
+  std::size_t target = 0;          // number of the next target, from 0
   std::vector<Vec3> places;        // targets, plane or line; world, m
   std::vector<Vec3> normals;       // of the surface there, unit
-  // The structure of the goal: its middle, and how far it reaches from there; world, m.
+  // The structure of the goal: its centre, world, and its radius from there; m.
   std::optional<Vec3> structure;
   double structureRadius = 0;
 };
@@ -37,9 +37,10 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   // the task names.
   LiveAttempt(const Scenario& scenario, const Simulation& simulation);
 
-  // What tells this object of the operation, after `next` was told. It keeps this object alive.
+  // Returns a watch for the operation. It calls `next` first, then informs this object, which it
+  // keeps alive.
   OperationWatch watch(OperationWatch next);
-  // From any thread. Renewed ten times a second.
+  // May be called from any thread. The result changes ten times a second.
   AttemptProgress progress() const;
 
  private:
@@ -51,12 +52,12 @@ class LiveAttempt : public std::enable_shared_from_this<LiveAttempt> {
   AttemptReader reader_;
   std::size_t organ_ = 0;
   std::vector<std::int64_t> structure_;  // cells of the goal's structure
-  std::int64_t every_;                   // frames from one progress to the next
-  std::int64_t branch_ = 0;              // that is followed
-  bool lost_ = false;                    // the operation went on where this object has not been
+  std::int64_t every_;                   // frames from one update of progress_ to the next
+  std::int64_t branch_ = 0;              // branch that is followed
+  bool lost_ = false;                    // the operation went on in a branch not followed
   std::optional<double> reachedSince_;   // s from the start
-  double worked_ = 0;                    // s: when an instrument was at work last
-  mutable std::mutex mutex_;             // guards what follows
+  double worked_ = 0;                    // s: when an instrument was last in hand
+  mutable std::mutex mutex_;             // guards progress_
   AttemptProgress progress_;
 };
 

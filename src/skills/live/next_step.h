@@ -1,4 +1,4 @@
-// What is to be done next in an attempt that goes on.
+// The next step of an attempt in progress.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace resect {
 
-// One sentence. goal: goalResult(attempt).
+// One sentence that says what to do next. goal: goalResult(attempt).
 std::string nextStep(const Attempt& attempt, const GoalResult& goal);
 
-// Number of the target that is to be touched next, from 0; the number of targets if all are done.
+// Number, from 0, of the target to be touched next; if all are done, the number of targets.
 std::size_t nextTarget(const GoalResult& goal);
 
 }  // namespace resect

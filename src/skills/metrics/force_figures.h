@@ -14,10 +14,10 @@ struct ForceFigures {
   double mean = 0;       // N: of the forces above 0
   double deviation = 0;  // N: standard deviation of these
 };
-// force: sizes of the force, N, at equal intervals. All 0 if there is none above 0.
+// force: magnitudes of the force, N, at equal intervals. All figures are 0 if no value is above 0.
 ForceFigures forceFigures(std::span<const double> force);
 
-// Stretches in which the force was above the limit, N.
+// Ranges of samples in which the force was above the limit, N.
 std::vector<SampleRange> forceErrors(std::span<const double> force, double limit);
 
 }  // namespace resect

@@ -7,8 +7,8 @@
 
 namespace resect {
 
-// Cumulative sum of the differences from a target: S_i = S_(i-1) + (x_i - target). A curve that
-// turns shows when a learner passes the target.
+// Cumulative sum of the differences from a target: S_i = S_(i-1) + (x_i - target). The curve turns
+// where a learner's values cross the target.
 std::vector<double> cusum(std::span<const double> values, double target);
 
 // LC-CUSUM, a test whether a trainee has become competent (Biau, Williams, Schlup, Nizard and

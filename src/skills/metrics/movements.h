@@ -1,5 +1,5 @@
-// Movements: stretches of a track in which the instrument moves. PerkTutor's rule (its
-// PythonMetrics): a change between rest and motion counts only if it lasts.
+// Movements: ranges of a track in which the instrument moves. By PerkTutor's rule (its
+// PythonMetrics), a change between rest and motion counts only if it lasts.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct MovementRule {
   double threshold = 0.05;  // m/s, or rad/s for rotations
   double leastTime = 0.2;   // s: a shorter change of state is ignored
 };
-// For rotational actions; PerkTutor publishes no constant for angular speed: a setting of ours.
+// For rotations. PerkTutor publishes no threshold of angular speed, so this is a setting of ours.
 inline constexpr double kRotationThreshold = 0.5;  // rad/s
 
 // Ranges of samples in which the speed was above the threshold, after changes of state that lasted
@@ -22,7 +22,7 @@ inline constexpr double kRotationThreshold = 0.5;  // rad/s
 std::vector<SampleRange> movements(std::span<const double> speed, double interval,
                                    const MovementRule& rule = {});
 
-// Path length and distance of the ends of movements, m, added up.
+// Sums over movements, m: of the path length, and of the distance between start and end.
 struct Ways {
   double length = 0, distance = 0;
 };

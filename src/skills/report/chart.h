@@ -22,30 +22,30 @@ struct ChartMark {
 
 struct TimeChart {
   std::string title, unit;
-  double duration = 1;  // of the axis
+  double duration = 1;  // length of the horizontal axis, from 0
   std::vector<ChartCurve> curves;
   std::vector<ChartMark> marks;
   std::optional<double> limit;  // drawn as a dashed line
-  std::string across = "s";     // unit of the axis
+  std::string across = "s";     // unit of the horizontal axis
 };
-// 720 x 170, scales with the page. Long curves are thinned to what can be seen: of the points in a
-// column the lowest and the highest.
+// 720 x 170 pixels, scaled with the page. Long curves are thinned: of the points in a pixel column,
+// the lowest and the highest are kept.
 std::string toSvg(const TimeChart& chart);
 
 struct PathView {
   std::string title;
   int across = 0, up = 1;               // axes of the world, 0 to 2
-  bool upDown = false;                  // the vertical axis points down
+  bool upDown = false;                  // true: the vertical axis of the picture points down
   std::vector<ChartCurve> curves;       // in the two axes, m
   std::vector<Eigen::Vector2d> places;  // targets, or points of a line, m
   double radius = 0;                    // of a place, m
 };
-// 300 x 300, both axes to the same scale, with a bar for the scale.
+// 300 x 300 pixels, both axes to the same scale, with a scale bar.
 std::string toSvg(const PathView& view);
 
-// Curves and dots in space, which turn about the vertical by themselves, without a script: pictures
-// that style.css shows one after the other. On paper, and where motion is not wanted, the first
-// one.
+// Curves and dots in space, shown rotating about the vertical axis. No script is needed: style.css
+// shows several pictures one after the other. On paper, and where the reader prefers reduced
+// motion, it shows only the first one.
 struct TurningView {
   std::string title;
   struct Curve {
@@ -53,12 +53,12 @@ struct TurningView {
     std::vector<Vec3> points;  // world, m
   };
   std::vector<Curve> curves, dots;
-  std::vector<Vec3> balls;  // middles, m
+  std::vector<Vec3> balls;  // centres, world, m
   double radius = 0;        // of a ball, m
 };
 std::string toSvg(const TurningView& view);
 
-// Colours of instruments and curves, again and again.
+// The colour of the instrument or curve with this number; six colours repeat.
 std::string chartColour(std::size_t number);
 
 }  // namespace resect

@@ -9,7 +9,7 @@ namespace resect {
 
 std::string timelines(const Scored& scored);
 std::string pathViews(const Scored& scored);
-// A section about the margin round the goal's structure; empty if there is none.
+// A section about the margin round the goal's structure; "" if no margin was measured.
 std::string marginSection(const Attempt& attempt);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Pieces of HTML: text that is safe to put into a page, tables, and templates with places to fill.
+// Pieces of HTML: escaped text, tables, and templates with placeholders.
 #pragma once
 
 #include <initializer_list>
@@ -9,12 +9,12 @@
 
 namespace resect {
 
-// The text as one line that can be shown (base/text/shown_text.h), with & < > " ' as entities, so
-// that it is text wherever it stands, in attributes too.
+// The text as one printable line (base/text/shown_text.h), with & < > " ' as entities, so that it
+// is safe anywhere in a page, in attributes too.
 std::string htmlText(std::string_view text);
 
-// Fills the places {{name}} of a template in data/report with the values, which are HTML already.
-// Throws Error if the template has a place without value.
+// Replaces the placeholders {{name}} of a template in data/report by the values, which must be
+// HTML. Throws Error if a placeholder has no value.
 using HtmlPlaces = std::vector<std::pair<std::string_view, std::string>>;
 std::string filled(const std::string& templateFile, const HtmlPlaces& places);
 
@@ -29,11 +29,11 @@ struct HtmlTable {
   std::vector<HtmlCell> head;
   std::vector<std::vector<HtmlCell>> rows;
 };
-// A table that scrolls sideways where the page is narrow.
+// An HTML table that scrolls sideways if the page is narrow.
 std::string toHtml(const HtmlTable& table);
-// "<ul>...": each item is HTML.
+// An element <ul>; each item is HTML.
 std::string htmlList(const std::vector<std::string>& items);
-// "<section><h2>title</h2>...": title is plain text.
+// An element <section> that begins with <h2>title</h2>; title: plain text.
 std::string htmlSection(std::string_view title, const std::string& content);
 std::string htmlFigure(const std::string& content, std::string_view caption);
 

@@ -12,14 +12,15 @@ namespace resect {
 
 nlohmann::ordered_json toJson(const Scored& scored);
 
-// One row per attempt: file, task, learner, level, verdict, then the whole attempt's measures, all
-// of them in a fixed order.
+// One row per attempt: file, task, learner, level and verdict, then all measures of the whole
+// attempt in a fixed order.
 void writeAttemptRows(CsvWriter& csv, std::span<const Scored> attempts);
 
 // One row per frame and instrument in hand: time, instrument, pose, force, pedal.
 void writeSampleRows(CsvWriter& csv, const Attempt& attempt);
 
-// A number as it is printed: six significant digits, so that it is the same on every machine.
+// The number rounded to the six significant digits that are printed, so that it is the same on
+// every machine; 0 if it is not finite or below 1e-9 in size.
 double printed(double value);
 
 }  // namespace resect

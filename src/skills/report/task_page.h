@@ -1,5 +1,5 @@
-// What an exercise teaches, as one HTML page that needs nothing else, for learners before they
-// begin and for teachers who choose.
+// A self-contained HTML page that says what an exercise teaches, for learners before they begin and
+// for teachers who choose exercises.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// scenario: with a task. A picture beside its file (.png instead of .toml) is shown. Throws Error
-// if a template or a published study is missing.
+// scenario: with a task. If there is a picture beside the scenario's file (.png instead of .toml),
+// the page shows it. Throws Error if a template or a published study is missing.
 std::string taskPage(const Scenario& scenario);
 
 }  // namespace resect

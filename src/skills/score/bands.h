@@ -1,5 +1,6 @@
-// Published bands: what experts and novices reached in a study. Each is a data file with its source
-// (data/bands/*.toml); none is invented, and a measure without one is shown without one.
+// Published bands: the results of experts and novices in a study. Each study is a data file that
+// names its source (data/bands/*.toml). No band is invented; a measure without a published band is
+// shown without one.
 #pragma once
 
 #include <optional>
@@ -30,12 +31,13 @@ struct PublishedStudy {
   std::vector<PublishedBand> bands;
 };
 
-// Throws Error if data/bands has no such file, naming those that there are, or if a value is wrong.
+// Reads the study data/bands/<name>.toml. Throws Error if there is no such file (the Error lists
+// the files), or if a value in the file is wrong.
 PublishedStudy readPublishedStudy(const std::string& name);
 
-// A task's own bands, of runs that a teacher has marked as reference: mean and standard deviation
-// (of a sample) of time, path length, movements, force and blood. A measure that a run lacks, or
-// that is the same in all of them, has none.
+// A task's own bands from runs that a teacher marked as reference: mean and sample standard
+// deviation of time, path length, movements, force and blood. A measure that a run lacks, or that
+// is the same in all runs, gets no band. With fewer than kLeastBandRuns runs there are no bands.
 inline constexpr std::size_t kLeastBandRuns = 3;
 std::vector<TaskBand> bandsOf(std::span<const std::vector<Measured>> runs);
 

@@ -1,5 +1,6 @@
-// What a debrief says about an attempt: for each thing that was not as wanted one fact that the
-// recording shows, with its time, one open question, and what to try next; and what was good.
+// The statements of a debrief about an attempt. Each fault gets one fact that the recording shows,
+// with its time, one open question, and advice for the next attempt. Other statements say what was
+// good.
 #pragma once
 
 #include <vector>
@@ -8,33 +9,35 @@
 
 namespace resect {
 
-// The weightiest first: the goal, then vessels and blood, margin, force, path and time.
+// The faults of an attempt, the most important first: the goal, then vessels and blood, margin,
+// force, path and time.
 std::vector<Deduction> findings(const Attempt& attempt, const GoalResult& goal,
                                 const std::vector<Check>& checks);
 
-// Whether the check says that the time for the goal ran out, which is told with the goal and not as
-// a fault besides.
+// Whether the check says that the time for the goal ran out. This is reported with the goal and not
+// as a fault of its own.
 bool ranOut(const Check& check, const GoalResult& goal);
 
-// Whether a measure adds up while work goes on, such as time, way and blood: little of it is good
-// only if the goal was reached.
+// Whether a measure adds up during the work, such as time, path length and blood loss. A low value
+// of such a measure is good only if the goal was reached.
 bool addsUp(std::string_view measure);
 
-// What was reached, and kept. Little of what adds up while work goes on, such as time, way and
-// blood, is good only if the goal was reached; nothing is good of an attempt without any work.
+// Sentences about what was good: the goal, if it was reached, and the checks that were kept. If the
+// goal was not reached, measures that add up (addsUp()) are left out, and an attempt without any
+// work gets no praise.
 std::vector<std::string> praise(const Attempt& attempt, const GoalResult& goal,
                                 const std::vector<Check>& checks);
 
-// "path length 1.25 m"; with few digits, for people.
+// A measure for people, with few digits: "path length 1.25 m".
 std::string measureText(std::string_view measure, double value);
-// The value of a check as text without its unit, with so many digits that it differs from the
-// limit that it breaks; "never" if there is none.
+// The value of a check as text without its unit. It has enough digits to differ from the limit that
+// it breaks. "never" if the check has no value.
 std::string valueText(const Check& check);
 // The number alone, as in measureText().
 std::string numberText(double value);
-// "at most 3 N", "at least 10 mm", "30 to 40 ml".
+// The limits of a check as text: "at most 3 N", "at least 10 mm" or "30 to 40 ml".
 std::string limitText(const Check& check);
-// "1:05.3", minutes and seconds.
+// A time in minutes and seconds: "1:05.3".
 std::string timeText(double seconds);
 
 }  // namespace resect

@@ -13,13 +13,13 @@ struct GoalResult {
   bool reached = false;
   double done = 0;                 // share of the goal that was done, 0 to 1; 1 if it is reached
   std::string sentence;            // what was reached or missed, for people
-  std::optional<double> time;      // s: when the goal was reached, or where it was missed
-  std::vector<Measured> measures;  // that only this goal has
-  std::string missing;             // of a line: stretches that were not followed; else empty
-  std::vector<std::pair<double, double>> unfollowed;  // the same: from, to, m along the line
+  std::optional<double> time;      // s: when the goal was reached or was missed
+  std::vector<Measured> measures;  // measures that only this goal has
+  std::string missing;             // text: parts of the line that were not followed
+  std::vector<std::pair<double, double>> unfollowed;  // these parts: begin, end, m
 };
 
-// A line counts as followed if this share of it was.
+// A line counts as followed if at least this share of its length was followed.
 inline constexpr double kLineFollowed = 0.9;
 
 // attempt.task must be given.

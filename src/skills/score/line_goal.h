@@ -1,4 +1,4 @@
-// The goal of following a line, and how far work went from a line or plane.
+// The result of the goal to follow a line, and the distance of the work from a line or plane.
 #pragma once
 
 #include <string>
@@ -7,16 +7,18 @@
 
 namespace resect {
 
-// Mean and largest distance of the work from line or plane, m, and when it was largest, s.
+// Mean and largest distance of the work from the goal's line or plane, m, and the time of the
+// largest distance, s.
 struct OffLine {
   double mean = 0, most = 0, time = 0;
 };
 OffLine offLine(const Attempt& attempt);
 
-// How the line was followed: `goal` is the goal of attempt.task.
+// How well the line was followed. goal: the goal of attempt.task.
 GoalResult followResult(const Attempt& attempt, const TaskGoal& goal);
 
-// "no farther than 8 mm from it", or that the strip and the farthest place differ.
+// How near the line is to be followed, as text: "no farther than 8 mm from it", or two distances if
+// most of the line has a stricter limit than its farthest place.
 std::string nearText(const Task& task);
 
 }  // namespace resect

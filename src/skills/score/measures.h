@@ -1,4 +1,5 @@
-// All measures of an attempt (operation/task/measure.h), of each instrument and of the whole.
+// All measures of an attempt (operation/task/measure.h), for each instrument and for the whole
+// attempt.
 #pragma once
 
 #include <optional>
@@ -20,14 +21,15 @@ struct Measured {
 // Vessels thinner than this are not counted one by one; a setting of ours.
 inline constexpr double kNotableVessel = 0.002;  // m
 
-// A vessel in a wound from the start that has lost less does not count as open: a nick in a vein
-// that does not bleed is nothing to be closed. A setting of ours.
+// A vessel that was cut before the operation began counts as open only if it has lost more than
+// this: a nick in a vein that does not bleed need not be closed. A setting of ours.
 inline constexpr double kBleeds = 1e-7;  // m^3
 
-// Measures that cannot be computed are left out: those of forces if no tissue moves, for example.
-// Those of the goal come from goalResult() (skills/score/goal_result.h).
+// Measures that cannot be computed are left out, for example forces if no tissue moves. The goal's
+// own measures come from goalResult() (skills/score/goal_result.h) instead.
 std::vector<Measured> measuresOf(const Attempt& attempt);
 
+// The value of a measure among `all`; nothing if it is not there.
 std::optional<double> valueOf(std::span<const Measured> all, std::string_view measure,
                               std::string_view instrument = "");
 

@@ -1,4 +1,4 @@
-// Pass or fail, with the reason, and what each of them rests on.
+// Pass or fail, with the reason, the checks and the findings on which the verdict rests.
 #pragma once
 
 #include <optional>
@@ -14,19 +14,19 @@ namespace resect {
 // A measure that was compared with a limit or band of the task.
 struct Check {
   std::string measure;
-  // None: what it measures never came about, such as the closing of a vessel.
+  // None if the measured event never happened, such as the closing of a vessel.
   std::optional<double> value;
   std::optional<double> least, most;
   bool kept = true;
-  bool counts = true;  // for pass or fail
+  bool counts = true;  // whether it counts for pass or fail
   std::string source;  // "limit of the task, medium", "band of the task, 5 runs"
 };
 
-// One thing that was not as wanted: a fact that the recording shows, an open question, and what to
-// try next.
+// A fault of an attempt: a fact that the recording shows, an open question, and advice for the next
+// attempt.
 struct Deduction {
-  std::string measure;         // that it belongs to; "": the goal or a rule
-  std::optional<double> time;  // s, at which the recording shows it
+  std::string measure;         // measure concerned; "": the goal or a rule
+  std::optional<double> time;  // time of the fact in the recording, s
   std::string fact, question, next;
 };
 
@@ -34,13 +34,13 @@ struct Verdict {
   bool passed = false;
   bool graded = true;
   std::string reason;  // one sentence
-  // 0 to 1: half of it is the share of the goal that was done; the other half, which counts only if
-  // the goal was reached and no rule broken, the share of the checks that were kept.
+  // 0 to 1: half of the share of the goal that was done, plus half of the share of the checks that
+  // were kept. The second term is 0 unless the goal was reached and no rule was broken.
   double score = 0;
   GoalResult goal;
   std::vector<Check> checks;
-  std::vector<Deduction> deductions;  // the weightiest first
-  std::vector<std::string> good;
+  std::vector<Deduction> deductions;  // the most important first
+  std::vector<std::string> good;      // sentences about what was good
 };
 
 struct Scored {
@@ -50,8 +50,8 @@ struct Scored {
   Verdict verdict;
 };
 
-// attempt.task must be given. level: empty: the task's own. graded: false for a run that is a
-// familiarisation.
+// Scores the attempt; attempt.task must be given. level: empty: the task's own. graded: false for a
+// familiarisation run.
 Scored score(Attempt attempt, std::optional<TaskLevel> level = {}, bool graded = true);
 
 }  // namespace resect

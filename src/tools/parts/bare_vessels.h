@@ -1,4 +1,4 @@
-// Cutting vessels from which the tissue was taken away.
+// Cuts bare vessels: those from which the tissue was taken away.
 #pragma once
 
 #include "collision/swept_blade.h"
@@ -6,8 +6,9 @@
 
 namespace resect {
 
-// Appends the division of each bare vessel that the sweep of an edge, in the world, crosses where
-// no tissue is left. Cost: the bare vessels.
+// Appends a DivideVessel edit for each bare vessel that a sweeping edge crosses at a point where no
+// tissue is left. sweep: of the edge in this frame, world, m. Cost: proportional to the number of
+// bare vessels.
 void divideBareVessels(const Touch& touch, const SweptBlade& sweep, std::vector<TissueEdit>& edits);
 
 }  // namespace resect

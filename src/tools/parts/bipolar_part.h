@@ -1,5 +1,5 @@
-// Working part of bipolar forceps: when the tips are closed, current flows through what is between
-// them, as generators with automatic start do it. Its heat seals vessels and stops oozing.
+// Working part of bipolar forceps: while the tips are closed, current flows through the tissue
+// between them, as with a generator with automatic start. Its heat seals vessels and stops oozing.
 #pragma once
 
 #include "tools/working_part.h"

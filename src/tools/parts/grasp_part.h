@@ -1,9 +1,9 @@
-// Working part of tissue forceps: as the tips close they grip the tissue between them, so that the
-// forceps pull it; as they open they release it.
+// Working part of tissue forceps: when the tips close, they grip the tissue between them, so that
+// the forceps pull it. When the tips open, they release it.
 //
-// Forceps that close away from tissue hold nothing, and nothing that they meet later while they are
-// closed. The simulation releases the cells when the force on the grip exceeds
-// ToolModel::slipForce, or when the tool is put away.
+// The forceps grip only tissue that is between the tips in the frame in which they close. Tissue
+// that closed forceps touch later is not gripped. The simulation releases the cells when the force
+// on the grip exceeds ToolModel::slipForce, or when the tool is put away.
 #pragma once
 
 #include "tools/working_part.h"

@@ -1,5 +1,5 @@
-// Working part of a clamp for the inflow of the liver: closed on the tape round the vessels at its
-// hilum, it shuts portal vein and artery until it is opened again there (Pringle 1908).
+// Working part of a clamp for the inflow of the liver (Pringle 1908). When it is closed near the
+// liver's hilum, it shuts portal vein and artery. They stay shut until it is opened there again.
 #pragma once
 
 #include "tools/working_part.h"

@@ -1,4 +1,4 @@
-// Working part of a suction tube: while it is in hand, it takes the blood near its tip.
+// Working part of a suction tube: while the tube is in hand, it sucks up the blood near its tip.
 #pragma once
 
 #include "tools/working_part.h"

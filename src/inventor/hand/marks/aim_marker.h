@@ -1,6 +1,5 @@
-// Shows on an organ's surface where a guided instrument works and towards what its edge faces: a
-// ring at the point under the pointer, an arrow, and ticks on the ring's far side for the depth,
-// one per 5 mm.
+// Marks on an organ's surface where a guided instrument works: a ring at the working point, an
+// arrow in the direction of its edge, and opposite the arrow one tick per 5 mm of depth.
 #pragma once
 
 #include <vector>

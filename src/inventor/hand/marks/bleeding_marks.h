@@ -1,5 +1,5 @@
-// Marks where vessels bleed, for a hand that is to stop it: a ring round each end, the larger the
-// more it bleeds.
+// Marks the ends at which vessels bleed, for an instrument that can stop them: a ring round each
+// end, which is larger the more the end bleeds.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,9 @@ namespace resect {
 
 inline constexpr double kLeastMarkedFlow = 3e-9;  // m^3/s: ends that bleed less have no ring
 
-// A ring for each end. chosen: where the instrument in hand works when it is pressed; the ring of
-// the end nearest to it is white and double. towardsEye: unit; the rings face it.
+// A ring for each end. chosen: the point (world, m) at which the instrument in hand works when it
+// is pressed; the ring of the end nearest to this point is white and double. towardsEye: direction
+// that the rings face, unit.
 std::vector<MarkLine> bleedingRings(std::span<const BleedingEnd> ends,
                                     const std::optional<Vec3>& chosen, const Vec3& towardsEye);
 

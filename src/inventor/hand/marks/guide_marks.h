@@ -1,5 +1,5 @@
-// Guidance drawn into the scene: the places of a task's goal, coloured by how well the instrument
-// in hand keeps to them. Lines, seen through tissue too.
+// Guidance drawn into the scene: lines that mark the places of a task's goal. Their colour shows
+// how well the instrument in hand keeps to the goal. They are visible through tissue too.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,17 @@ namespace resect {
 
 struct Guide {
   enum class Kind {
-    Targets,  // `places`, of which `next` is to be touched, within `radius`
-    Line,     // through `places`, to be kept to within `radius`
-    Plane,    // through places[0] across `normal`, to be kept to within `radius`
-    Ball      // a structure round places[0] that reaches `radius`, and a margin round it
+    Targets,  // touch places[next] within `radius`
+    Line,     // keep within `radius` of the line through `places`
+    Plane,    // keep within `radius` of the plane through places[0]
+    Ball      // keep `margin` away from a structure: the ball of `radius` round places[0]
   };
   Kind kind = Kind::Targets;
   std::vector<Vec3> places;  // world, m
   std::size_t next = 0;
   double radius = 0.006;        // m
   double margin = 0;            // m
-  Vec3 normal = Vec3::UnitX();  // unit
+  Vec3 normal = Vec3::UnitX();  // of the plane, unit
   Aabb box;                     // within which a plane is drawn
 };
 
@@ -34,12 +34,14 @@ struct GuidedTip {
 // structure's surface (negative: within it). None if there is nothing to keep to.
 std::optional<double> distanceFrom(const Guide& guide, const GuidedTip& tip);
 
-// Far: it is not near yet. Well: within the radius, or just outside of the margin. Near: up to
-// twice the radius, or within the margin. Wrong: farther off, or in the structure.
+// How an instrument keeps to a guide. Targets: Well within the radius, otherwise Far. Line and
+// Plane: Well within the radius, Near within twice the radius, Wrong farther off, but Far beyond 30
+// mm. Ball: Wrong in the structure, Near within the margin, Well up to 10 mm outside it, Far
+// beyond.
 enum class Keeping { Far, Well, Near, Wrong };
 Keeping keepingOf(const Guide& guide, double distance);
 
-// towardsEye: unit; rings face it.
+// towardsEye: direction that the rings face, unit.
 std::vector<MarkLine> guideLines(const Guide& guide, Keeping keeping, const Vec3& towardsEye);
 
 }  // namespace resect

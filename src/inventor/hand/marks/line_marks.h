@@ -1,4 +1,4 @@
-// Lines in the scene that tell the person something: unlit, in plain colours, never picked.
+// Lines in the scene that inform the user: unlit, in plain colours, never picked.
 #pragma once
 
 #include <vector>
@@ -14,18 +14,18 @@ class SoSwitch;
 namespace resect {
 
 struct MarkLine {
-  Vec3f colour;              // as on a screen, 0 to 1
+  Vec3f colour;              // screen colour (sRGB), 0 to 1
   std::vector<Vec3> points;  // world, m
 };
 
-// A closed circle across `axis` (unit).
+// The points of a closed circle perpendicular to `axis` (unit); m.
 std::vector<Vec3> circle(const Vec3& middle, double radius, const Vec3& axis);
 
 class LineMarks {
  public:
   struct Style {
     float width = 2;            // pixels
-    bool throughTissue = true;  // also where tissue hides the lines
+    bool throughTissue = true;  // also draw the lines where tissue hides them
     double seen = 0.5e-3;       // m: smaller motions are not shown
   };
   LineMarks(SoSeparator* parent, const Style& style);
@@ -33,8 +33,8 @@ class LineMarks {
   LineMarks(const LineMarks&) = delete;
   LineMarks& operator=(const LineMarks&) = delete;
 
-  // Shows these lines instead of those before; an empty list hides them. Returns the box, world, m,
-  // of what has to be drawn again: empty if nothing changed visibly.
+  // Shows these lines instead of the previous ones; an empty list hides all. Returns the box that
+  // must be drawn again, world, m: empty if nothing changed visibly.
   Aabb show(std::vector<MarkLine> lines);
 
  private:
@@ -47,7 +47,7 @@ class LineMarks {
   SoLineSet* lines_;
   double seen_;
   std::vector<MarkLine> shown_;
-  Aabb box_;  // of what is shown
+  Aabb box_;  // of the lines as shown now
 };
 
 }  // namespace resect
