@@ -12,8 +12,8 @@
 namespace resect {
 
 struct OrganMeshOptions {
-  std::string part;     // names of the parts to join, one per line; empty: all parts
-  bool repair = false;  // holes are closed; false: an open surface is an error
+  std::string part;          // names of the parts to join, one per line; empty: all parts
+  bool repair = false;       // holes are closed; false: an open surface is an error
   double metresPerUnit = 1;  // > 0; metres per unit of the model's coordinates
 };
 

@@ -162,7 +162,7 @@ struct LabelMaterial {
 
 // How the organ's tissue moves.
 struct TissueSetup {
-  bool elastic = false;  // false: the tissue does not move, as in the thesis
+  bool elastic = false;                     // false: the tissue does not move, as in the thesis
   TissueMaterial material = liverTissue();  // of label 0, and of labels not in `materials`
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;

@@ -28,7 +28,7 @@ inline constexpr SettingRange kCapsuleCutEnergy{0, 1e4};     // J/m
 inline constexpr SettingRange kStiffening{0, 20};            // 1
 inline constexpr SettingRange kRelaxationShare{0, 10};       // 1
 inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; substeps resolve no shorter one
-inline constexpr double kFastestWave = 5000;  // m/s, of pressure waves; liver 1600, bone 4000
+inline constexpr double kFastestWave = 5000;        // m/s, of pressure waves; liver 1600, bone 4000
 inline constexpr SettingRange kGravity{-100, 100};  // m/s^2
 inline constexpr SettingRange kDrag{0, 1000};       // 1/s
 inline constexpr SettingRange kDamping{0, 0.5};     // 1

@@ -14,9 +14,8 @@ struct OutputTarget {
     Descriptor  // open descriptor of this process, such as /dev/stdout or /dev/fd/3
   };
   Kind kind = Kind::File;
-  std::filesystem::path
-      path;             // File: the name after following symbolic links; otherwise as given
-  int descriptor = -1;  // of Kind::Descriptor
+  std::filesystem::path path;  // File: the name after following symbolic links; otherwise as given
+  int descriptor = -1;         // of Kind::Descriptor
 };
 
 // Finds the target of an output's name. To be called before long work: it opens and creates

@@ -84,7 +84,7 @@ struct Task {
   bool guidance = true;                  // target and next step may be shown
   bool familiarisation = true;           // the first attempt is not graded
   bool undo = true;                      // undo is allowed
-  std::optional<double> forceLimit;  // N: a larger force counts as an error; see forceLimitOf()
+  std::optional<double> forceLimit;      // N: a larger force counts as an error; see forceLimitOf()
   std::string forceLimitSource = "setting of the task";
   std::vector<TaskLimit> limits;                 // for all levels
   std::array<std::vector<TaskLimit>, 3> levels;  // per level; replace limits of the same measure
