@@ -46,7 +46,7 @@ void MainWindow::makeMenus() {
         const QString name = QFileDialog::getOpenFileName(
             this, "Open", {},
             "All that can be opened (*.iv *.wrl *.obj *.stl *.ply *.off "
-            "*.glb *.gltf *.vtk *.dis *.resect-cells *.toml *.resect "
+            "*.glb *.gltf *.3mf *.vtk *.dis *.resect-cells *.toml *.resect "
             "*.nii *.nrrd *.nhdr *.mha *.mhd *.dcm *.gz);;All files (*)");
         if (!name.isEmpty()) openFile(name);
       });

@@ -66,7 +66,8 @@ void addShellNotes(const Model& model, double metresPerUnit, OrganMesh& organ) {
   };
   tell(ShellKind::Cavity, "facing inwards: a cavity without tissue", "");
   tell(ShellKind::Within, "facing outwards",
-       ", so that what it encloses is tissue; if it is a cavity, turn its faces inwards");
+       ", so that what it encloses is tissue; if it is a cavity, say so by --structure "
+       "cavity=PART, or turn its faces inwards");
 }
 
 void addNotes(const OrganMeshOptions& options, OrganMesh& organ) {

@@ -67,7 +67,7 @@ void convert(const Options& options) {
 void addConvertCommand(Command app) {
   auto options = std::make_shared<Options>();
   Command command = app.subcommand("convert", "Write a model in another format, in metres");
-  command.option("IN", options->in, ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk").required();
+  command.option("IN", options->in, ".iv .wrl .obj .stl .ply .off .glb .gltf .3mf .vtk").required();
   command.option("OUT", options->out, ".obj .stl .ply .vtk .iv").required();
   addPartOption(command, options->part);
   command

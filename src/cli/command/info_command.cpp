@@ -117,7 +117,7 @@ void addInfoCommand(Command app) {
   Command command = app.subcommand("info", "Tell what a file holds and whether it is sound");
   command
       .option("FILE", options->file,
-              ".iv .wrl .obj .stl .ply .off .glb .gltf .vtk; label images: .nii .nrrd .mha .dcm; "
+              ".iv .wrl .obj .stl .ply .off .glb .gltf .3mf .vtk; label images: .nii .nrrd .mha .dcm; "
               "particles: .dis .resect-cells")
       .required();
   addPartOption(command, options->part);

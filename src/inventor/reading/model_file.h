@@ -10,8 +10,8 @@
 
 namespace resect {
 
-// Reads .iv and .wrl (any version of Inventor or VRML), .obj, .stl, .ply, .off, .glb, .gltf and
-// legacy .vtk; and label images: NIfTI, NRRD, MetaImage and DICOM segmentations. Each may be
+// Reads .iv and .wrl (any version of Inventor or VRML), .obj, .stl, .ply, .off, .glb, .gltf, .3mf
+// and legacy .vtk; and label images: NIfTI, NRRD, MetaImage and DICOM segmentations. Each may be
 // gzip-compressed. The format is recognised by the first bytes if possible, otherwise by the
 // extension (formats/model_kind.h). The model is in metres: Inventor's Units nodes are applied, the
 // millimetres of images are converted, and all other numbers are taken as metres.
