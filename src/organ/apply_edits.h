@@ -1,4 +1,4 @@
-// The only function by which edits change tissue.
+// Applies edits to an organ. All edits change tissue by this one function.
 #pragma once
 
 #include <span>
@@ -9,22 +9,22 @@
 
 namespace resect {
 
-// What the edits did to an organ.
+// Result of the edits that were applied to an organ.
 struct EditSummary {
-  std::int64_t removed = 0;           // particles
-  double removedVolume = 0;           // m^3, skin cells included
-  std::int64_t severed = 0;           // bonds, by edits SeverBond and TearBond
-  std::int64_t incised = 0;           // bonds, by edits Incision
-  std::vector<std::int32_t> vessels;  // segments of vessels that were cut
+  std::int64_t removed = 0;           // number of particles removed
+  double removedVolume = 0;           // their volume, skin cells included, m^3
+  std::int64_t severed = 0;           // number of bonds severed by SeverBond and TearBond
+  std::int64_t incised = 0;           // number of bonds severed by Incision
+  std::vector<std::int32_t> vessels;  // vessel segments that were cut, or cut further
 };
 
 // Applies those edits that are for organ `number`, in the order of `edits`. These edits are
 // skipped:
-// - an edit of something that is already gone, since two tools may take the same particle;
-// - an edit of a cell that does not exist;
+// - an edit of a particle or bond that no longer exists: two tools may remove the same particle;
+// - an edit of a cell or vessel segment that does not exist;
 // - a Grip or Release without a tool.
-// Field and surface follow at the next updateField() and updateSurface(). The cells of removed
-// particles are appended to `removedCells`.
+// The field and the surface are updated by the next updateField() and updateSurface(). The cells of
+// removed particles are appended to `removedCells`.
 EditSummary applyEdits(OperatedOrgan& organ, std::int32_t number, std::span<const TissueEdit> edits,
                        std::vector<std::int64_t>& removedCells);
 

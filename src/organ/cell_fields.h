@@ -1,9 +1,9 @@
-// Cell fields: values that each cell has beside its colour value: the label of the structure that
-// the cell belongs to, and whether heat has coagulated it.
+// Cell fields: values that each cell has besides its colour value. They are the label of the
+// structure that the cell belongs to, and whether heat has coagulated it.
 //
 // A field takes no memory until one of its values differs from the start value. To add a field, add
-// a member to CellFields and mention it in visit() and fit(). Then saving, comparing and hashing
-// include it (docs/how-to/add_a_cell_field.md).
+// a member to CellFields and add it to visit() and fit(). Then saving, comparing and hashing
+// include the field (docs/how-to/add_a_cell_field.md).
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ template <typename T>
 class CellField {
  public:
   CellField() = default;
-  // values: one per cell. If the list is empty, all cells have the value `start`.
+  // values: one per cell; if empty, all cells have the value `start`.
   explicit CellField(std::vector<T> values, T start = T())
       : values_(std::move(values)), start_(start) {}
 

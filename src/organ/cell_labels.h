@@ -1,5 +1,5 @@
-// Labels of an organ's cells: gives labels to the cells in a region, and copies labels to another
-// discretisation of the same organ.
+// Labels of an organ's cells. The functions give a label to the cells in a region, and copy labels
+// to another discretisation of the same organ.
 #pragma once
 
 #include <array>

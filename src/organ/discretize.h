@@ -17,7 +17,7 @@ inline constexpr std::int64_t kMaxCells = 200'000'000;
 // there is one cell. An empty box is an Error.
 Lattice latticeForSpacing(const Aabb& box, double spacing);
 
-// The thesis's grid as its text describes it. Along each axis of the box there are dims >= 1
+// The thesis's grid as its text describes it. Along each axis of the box there are dims (>= 1)
 // samples. The first lies at the box's lowest corner, and the spacing is the box's side / dims. The
 // lattice has one more cell at the upper end of each axis, for the part of the box beyond the last
 // sample. Unless the three spacings are equal, the organ of this lattice can be shown and carved
@@ -33,8 +33,8 @@ Lattice cubicLatticeForDims(const Aabb& box, int dims);
 // the result `inside` says whether the centre of the cell is inside the mesh, which is decided
 // exactly (collision/columns.h). `value` is 100 times the share of the cell's 4 x 4 x 4 samples
 // that are inside the mesh, but at least 100/64 if the centre is inside. `progress` is called only
-// in the thread that calls discretize(). Same bits at any number of threads. Cost: 17 columns
-// (collision/columns.h) for each column of cells, and a pass over the cells.
+// in the thread that calls discretize(). The result has the same bits at any number of threads.
+// Cost: 17 columns (collision/columns.h) for each column of cells, and a pass over the cells.
 Discretization discretize(const TriangleMesh& mesh, const Lattice& lattice,
                           const Progress& progress = {});
 

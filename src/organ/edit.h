@@ -1,9 +1,9 @@
-// Edits: what can be done to tissue. Each edit is a value with the number of its organ and all data
-// that it needs.
+// Edits: changes to tissue. Each edit is a value with the number of its organ and all data that it
+// needs.
 //
-// Instruments queue edits. A script, a test or an undo may queue edits too: it makes no difference
-// who made an edit. Edits are applied in the order in which they were queued, by one function
-// (organ/apply_edits.h). A new kind of edit needs a struct here and a function in
+// Instruments queue edits. A script, a test or an undo may queue edits too: the effect of an edit
+// does not depend on who made it. Edits are applied in the order in which they were queued, by one
+// function (organ/apply_edits.h). A new kind of edit needs a struct here and a function in
 // organ/apply_edits.cpp.
 #pragma once
 
@@ -17,18 +17,18 @@
 namespace resect {
 
 // A cell is given by its index in the organ's lattice, the direction of a bond by its number in
-// tissue/stencil.h.
+// tissue/stencil.h, a vessel segment by its index in the organ's anatomy.
 
 struct RemoveCell {  // removes the particle of the cell
   std::int64_t cell = -1;
-  double spares = 1;  // m: vessels of at least this radius stay, bare
+  double spares = 1;  // m: vessels of at least this radius are not cut but left bare
 };
 struct SeverBond {  // severs the bond of the cell in this direction
   std::int64_t cell = -1;
   std::int32_t direction = -1;
 };
 struct Incision {    // cuts along a blade: the surface, and the bonds that cross it
-  SweptBlade blade;  // in the tissue at rest, m
+  SweptBlade blade;  // in rest space, m
 };
 struct Grip {  // the cell keeps its present position relative to the tool from now on
   std::int64_t cell = -1;
@@ -40,12 +40,12 @@ struct SetLabel {   // the cell gets another label (organ/cell_fields.h)
   std::uint8_t label = 0;
 };
 
-struct PlaceClip {  // closes a vessel at a place of it
+struct PlaceClip {  // closes a vessel at a point of a segment
   std::int32_t segment = -1;
   double share = 0;  // of the segment's length, 0 to 1
 };
 struct Heat {                 // heats tissue for the whole frame (heat/heat_field.h)
-  Vec3 place = Vec3::Zero();  // in the tissue at rest, m
+  Vec3 place = Vec3::Zero();  // centre of the heated ball, rest space, m
   double radius = 0;          // m
   double power = 0;           // W
 };
@@ -55,16 +55,16 @@ struct ClampInflow {  // closes or opens portal vein and artery before they ente
 struct Suction {              // takes blood for the whole frame
   Vec3 place = Vec3::Zero();  // world, m
   double radius = 0;          // m
-  double rate = 0;            // at most, m^3/s
+  double rate = 0;            // greatest rate at which blood is taken, m^3/s
 };
 
 struct Press {                // presses on bleeding vessels for the whole frame, and soaks up blood
   Vec3 place = Vec3::Zero();  // world, m
   double radius = 0;          // m
   double pressure = 0;        // Pa
-  double soaks = 0;           // at most, m^3/s
+  double soaks = 0;           // greatest rate at which blood is soaked up, m^3/s
 };
-struct DivideVessel {  // cuts through a vessel at a place of it
+struct DivideVessel {  // cuts through a vessel at a point of a segment
   std::int32_t segment = -1;
   double share = 0;  // of the segment's length, 0 to 1
 };

@@ -5,9 +5,9 @@
 // show in highlights. Here the values of the cells that the surface crosses are corrected until the
 // field is nearly 50 on the mesh. The method is simultaneous iterative reconstruction (Gilbert
 // 1972). The misfit of a point on the mesh is 50 minus the field there. In each round the value of
-// a cell changes in proportion to the mean misfit of the points near the cell, weighted by the
-// kernel. On a ball the height of the ripples falls to two fifths and the error of the normals to
-// two thirds (docs/methods/colour_field_and_surface.md).
+// a cell changes in proportion to the kernel-weighted mean misfit of the points near the cell. On a
+// ball the height of the ripples falls to two fifths and the error of the normals to two thirds
+// (docs/methods/colour_field_and_surface.md).
 #pragma once
 
 #include <vector>
@@ -19,11 +19,12 @@ namespace resect {
 
 // Changes only values that are above 0 and below 100, and keeps them in that range. So no cell
 // becomes empty or full, and no empty cell gets tissue. cells.skinScale is set so that the sum of
-// the cells' volumes stays the same. At the end values are rounded to whole levels
+// the cells' volumes stays the same. At the end the values are rounded to whole levels
 // (sph/colour_values.h), which moves the surface by about a thousandth of a cell. `mesh`: the mesh
 // that `cells` were made from. The result has the same bits at any number of threads. There are two
-// points for every piece of the surface of the size of a cell's face. Cost per point: 13 loops over
-// the 33 cells in its reach, and 12 bytes for each of these 33 cells until the function returns.
+// points (pointsToFit()) per piece of surface that has the area of a cell's face. Cost per point:
+// 13 loops over the 33 cells in its reach, and 12 bytes for each of these 33 cells until the
+// function returns.
 void fitSurface(const TriangleMesh& mesh, Discretization& cells);
 
 // The points on the mesh at which the field is fitted to 50, in cell space

@@ -1,5 +1,5 @@
-// An organ in an operation: its cells and surface, its tissue model, and the surface as the moved
-// tissue carries it.
+// An organ in an operation: its cells and surface at rest, its tissue model, and its surface moved
+// with the tissue.
 #pragma once
 
 #include <memory>
@@ -12,11 +12,11 @@
 
 namespace resect {
 
-// The wall of a vessel between two cells: a place of a segment of the organ's anatomy as a cord.
+// A cord that stands for the wall of a vessel between two cells.
 struct VesselCord {
   TissueCord cord;
-  std::int32_t segment = -1;
-  double share = 0;  // of the segment's length, of the middle
+  std::int32_t segment = -1;  // index in the organ's anatomy
+  double share = 0;           // where the segment enters cell b of `cord`: fraction of its length
 };
 
 struct OperatedOrgan {
@@ -24,10 +24,10 @@ struct OperatedOrgan {
   Organ organ;
   std::unique_ptr<TissueModel> tissue;
   SurfaceSkin skin;               // used if the tissue moves
-  std::vector<VesselCord> cords;  // as the tissue has them
+  std::vector<VesselCord> cords;  // the tissue's present cords
 
-  // points() has one point per vertex of the surface's arrays. After Simulation::keepLook(),
-  // normals() has one normal per vertex.
+  // points() gives one point per vertex of the surface's arrays. After Simulation::keepLook(),
+  // normals() gives one normal per vertex.
   std::span<const Vec3f> points() const {  // world, m
     return tissue->moves() ? skin.points() : organ.surface.points();
   }
@@ -46,13 +46,13 @@ struct OperatedOrgan {
   }
 };
 
-// tissue: null for still tissue.
+// Makes an operated organ. tissue: null for still tissue.
 OperatedOrgan operatedOrgan(std::string name, Organ organ,
                             std::unique_ptr<TissueModel> tissue = nullptr);
 
 // Call after a state was loaded into `organ.organ` and `organ.tissue`. Derives field, surface and
-// skin from it; with keepsLook, also normals and cut shares. Throws Error if the state does not fit
-// the organ.
+// skin from the state; if keepsLook is true, also normals and cut shares. Throws Error if the state
+// does not fit the organ.
 void remake(OperatedOrgan& organ, bool keepsLook);
 
 // Fingerprint of the organ before the operation. A state saved from an organ can be restored into

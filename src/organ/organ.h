@@ -49,7 +49,7 @@ struct Organ {
   float iso = 50;                   // level of the surface
   CellFields fields;
   std::shared_ptr<const VesselMap> map;  // vessels at rest; null: none are known
-  VesselState vessels;                   // what was done to them
+  VesselState vessels;                   // injuries, clips and bared segments
   HeatField heat;
 
   double volume() const { return rest.volume() - removedVolume; }  // of the tissue left, m^3
@@ -70,8 +70,8 @@ struct Organ {
   }
 };
 
-// Throws Error when `cells` has no particle, its lattice is too large, or a setting is out of
-// range.
+// Makes the organ before the operation. Throws Error if `cells` has no particle, its lattice is too
+// large, or a setting is out of range.
 Organ makeOrgan(Discretization cells, const OrganSettings& settings);
 
 // The particle that a cell with tissue belongs to. A particle belongs to itself. A skin cell
@@ -83,19 +83,20 @@ std::int64_t ownerCell(const Discretization& rest, std::int64_t cell);
 // Volume of the tissue in a particle and in its skin cells, m^3.
 double particleVolume(const Discretization& rest, std::int64_t cell);
 
-// Removes the particle in `cell`; there must be one. The field follows at the next updateField();
-// the bonds are left to the tissue model.
+// Result of removeParticle().
 struct RemovedParticle {
   std::int64_t particles = 0;  // 1; 0 if a skin cell was removed that had no particle
   double volume = 0;           // m^3, with its skin cells
 };
+// Removes the particle in `cell`; there must be one. The next updateField() updates the field. The
+// caller must remove the cell from the tissue model.
 RemovedParticle removeParticle(Organ& organ, std::int64_t cell);
-// Sets the colour values of the particle's cell and of its skin cells. there: true sets the values
-// that they had before the operation, false sets 0.
+// Sets the colour values of the particle's cell and of its skin cells: if `there` is true, to those
+// before the operation; if not, to 0.
 void setParticle(Organ& organ, std::int64_t cell, bool there);
 
-// Cuts the surface along the blade without removing anything; it follows at the next
-// updateSurface(). blade: in the tissue at rest. Returns the number of grid edges severed.
+// Severs the grid edges along the blade without removing anything. The surface shows the cut after
+// the next updateSurface(). blade: in rest space. Returns the number of grid edges severed.
 std::int64_t incise(Organ& organ, const SweptBlade& blade,
                     CutsBetweenCells cuts = CutsBetweenCells::Any);
 

@@ -1,4 +1,4 @@
-// Where an organ's tissue touches obstacles: on the surface that it had before the operation.
+// The surface on which an organ's tissue touches obstacles: that before the operation.
 #pragma once
 
 #include <vector>

@@ -17,11 +17,11 @@ std::int64_t nearestParticle(const Lattice& lattice, std::span<const std::uint8_
                              const Vec3& point);
 
 // One label per vertex of organ.surface.points(); the surface must be up to date. A vertex beside
-// an incision has the label of the particle with the greatest weight in the vertex's binding, so
-// that of a particle on its own side (wound/vertex_binding.h). Holes, which no triangle uses, have
-// label 0, and so have vertices without a particle near. In an organ that was made without labels
-// all vertices have label 0, even if edits have set labels since. Cost: 27 to 125 cells are looked
-// at per vertex.
+// an incision has the label of the particle with the greatest weight in the vertex's binding, which
+// is a particle on its own side (wound/vertex_binding.h). Holes, which no triangle uses, and
+// vertices without a particle near have label 0. In an organ that was made without labels
+// all vertices have label 0, even if edits have set labels since. Cost: 27 to 125 cells are
+// examined per vertex.
 std::vector<std::uint8_t> vertexLabels(const Organ& organ);
 
 }  // namespace resect

@@ -1,10 +1,10 @@
 // The simulation of an operation, frame by frame: tools move, touch and act; tissue moves; the
 // surface follows.
 //
-// A simulation uses no file, no window, and no clock but the one that times its stages. It is
-// driven by its inputs alone: it runs without a display, several simulations can run in one
-// process, and the same inputs give the same bits at any number of threads. docs/step.md walks
-// through a step.
+// A simulation uses no file, no window, and no clock except the one that measures the time of its
+// stages. Its inputs alone determine the results: it runs without a display, several simulations
+// can run in one process, and the same inputs give the same bits at any number of threads.
+// docs/step.md describes a step stage by stage.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct ToolInput {
   Pose pose;           // at the end of the frame, world, m
   bool inHand = true;  // false: the tool is in the tool box or on its way there; it touches nothing
   double squeeze = 0;  // of a tool with jaws, at the end of the frame: 0 wide open, 1 closed
-  double pedal = 0;    // of an energy device: 0 released to 1 pressed
+  double pedal = 0;    // of an energy device, at the end of the frame: 0 released, 1 pressed
 };
 
 inline constexpr double kLongestFrame = 1;  // greatest duration of a frame, s
@@ -38,20 +38,19 @@ struct FrameInput {
   double duration = 1.0 / 60;    // s, 0 (nothing moves) to kLongestFrame
   std::vector<ToolInput> tools;  // one per tool, in the order of Simulation::tools
   std::optional<float> iso;      // if given: another iso level from this frame on
-  // Edits from outside. They are applied before those that working parts queue in this frame. The
-  // working parts do not see their effect before the next frame.
+  // Edits from outside, such as those of a script. They are applied before the edits that working
+  // parts queue in this frame. The working parts do not see their effect before the next frame.
   std::vector<TissueEdit> edits;
-  // The hand let go before this frame: what follows is another stroke (operation/live/strokes.h).
-  // No stage of the step reads it.
+  // Whether the user let go of the input device before this frame, which ends a stroke
+  // (operation/live/strokes.h). No stage of the step reads this.
   bool strokeEnds = false;
 };
 
-// A vessel of which more was cut in a frame.
+// A vessel segment that was cut, or cut further, in a frame.
 struct CutVessel {
   std::int32_t organ = 0, segment = -1;
 };
 
-// Result of a frame. Output only: no stage reads it.
 // Smoke: steam out of tissue that boils.
 struct Smoke {
   std::int32_t organ = 0, tool = -1;  // the tool that heats it; -1: none
@@ -59,6 +58,7 @@ struct Smoke {
   double rate = 0;                    // kg/s
 };
 
+// Result of a frame. Output only: no stage reads the result of an earlier frame.
 struct StepReport {
   std::int64_t frame = 0;              // number of the frame, from 0
   double time = 0;                     // at the end of the frame, s
@@ -69,24 +69,24 @@ struct StepReport {
   // One entry per tool and organ: tool after tool, and for each tool organ after organ. The entry
   // of a tool that is not in hand has no particles.
   std::vector<ToolContacts> contacts;
-  std::vector<TissueEdit> edits;  // of input and tools, in order; skipped ones (apply_edits.h) too
+  std::vector<TissueEdit> edits;  // of input and tools, in order, with skipped ones (apply_edits.h)
   std::vector<TissueEdit>
-      caused;  // by the tissue's step: cuts, bonds that tore, grips that slipped
+      caused;  // edits that follow from the motion of tissue and edges: cuts, tears, slipped grips
   std::vector<TissueStep> tissue;   // one per organ
   std::vector<CutVessel> vessels;   // vessels that were cut further in the frame
   BloodReport blood;                // if any organ has vessels
-  std::vector<Smoke> smoke;         // one at most per instrument that heats
+  std::vector<Smoke> smoke;         // one per edit Heat, in organs whose tissue boils
   std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero if no tissue moves
-  std::vector<std::string> faults;  // sentences, each naming the setting to change
+  std::vector<std::string> faults;  // sentences: what went out of range, and what to change
 };
 
 struct ToolState {
   ToolWay way;
-  // Force on the tool, N. force: mean over the last frame. feltForce: smoothed over 0.05 s, as a
-  // hand feels it.
+  // Force on the tool, N. force: mean over the last frame. feltForce: smoothed with a time constant
+  // of 0.05 s, as a hand feels it.
   Vec3 force = Vec3::Zero(), feltForce = Vec3::Zero();
   bool inHand = false;
-  bool wasInHand = false;  // inHand in the frame before
+  bool wasInHand = false;  // `inHand` in the frame before
   std::unique_ptr<Tool> tool;
 
   const Pose& pose() const { return way.to.pose; }
@@ -104,10 +104,10 @@ struct ToolState {
 
 class Simulation {
  public:
-  // organs: at least one. joints: each joins cells of two organs, which it gives by their numbers.
-  // Throws Error if a joint names an organ or a cell that does not exist, or has a number that is
-  // out of range. table: whether there is a table, with its top at y = 0, on which moving tissue
-  // can rest.
+  // organs: at least one, each with tissue. tools: none is null. joints: each joins cells of two
+  // organs. Throws Error if one of these conditions does not hold, if a joint names an organ or a
+  // cell that does not exist, or if a joint has a value out of range. table: whether there is a
+  // table, with its top at y = 0, on which moving tissue can rest.
   Simulation(std::vector<OperatedOrgan> organs, std::vector<std::unique_ptr<Tool>> tools,
              std::vector<TissueJoint> joints = {}, bool table = true);
   // For one organ. tissue: null for still tissue.
@@ -125,10 +125,10 @@ class Simulation {
   //   - an edit names an organ or a tool that does not exist;
   //   - an edit is a grip with a pose that is not finite.
   //
-  // If it is stopped by base/stop.h, call restore(), or destroy the simulation.
+  // If the step is cancelled (base/stop.h), call restore() or destroy the simulation.
   StepReport step(const FrameInput& input, StageClock* clock = nullptr);
-  // The same with a report that the caller uses again and again. Then a frame of still tissue that
-  // no tool comes near allocates no memory.
+  // The same with a report that the caller reuses from frame to frame. Then a frame of still tissue
+  // that no tool comes near allocates no memory.
   void step(const FrameInput& input, StepReport& report, StageClock* clock = nullptr);
 
   const std::vector<OperatedOrgan>& organs() const { return organs_; }
@@ -138,7 +138,7 @@ class Simulation {
   std::int64_t frame() const { return frame_; }
   bool moves() const;  // whether the tissue of any organ moves
 
-  // For simulations with one organ: data of the first organ.
+  // Shortcuts for simulations with one organ: data of the first organ.
   const Organ& organ() const { return organs_[0].organ; }
   const TissueModel& tissue() const { return *organs_[0].tissue; }
   std::span<const Vec3f> surfacePoints() const { return organs_[0].points(); }
@@ -153,18 +153,19 @@ class Simulation {
   // called before.
   SurfaceTracker::Compact surface() const;
 
-  // Blood of this operation; organs without vessels do not bleed.
+  // The blood of all organs; organs without vessels do not bleed.
   const Bleeding& blood() const { return blood_; }
 
   // Memory held for organs, their tissue and surfaces, bytes.
   std::size_t bytes() const;
 
   // The whole state, for restore(). Size: at most 48 bytes per particle of elastic tissue, or one
-  // bit per particle of still tissue; and the data of cuts. Cost: about one pass over the state.
+  // bit per particle of still tissue, and in addition the data of cuts. Cost: about one pass over
+  // the state.
   Bytes save() const;
   // Continues from a state that save() gave for the same organs and the same number of tools. From
-  // then on the same inputs give the same bits. Normals and cut shares are made anew. If the state
-  // is of other organs or is damaged, Error is thrown and nothing changes.
+  // then on the same inputs give the same bits. Normals and cut shares are computed again. Throws
+  // Error, and changes nothing, if the state is of other organs or is damaged.
   void restore(std::span<const std::byte> state);
   // The state by its fields, for comparison (base/state/saved_state.h).
   SavedState fields() const { return saveState(*this, fingerprint()); }
@@ -189,7 +190,7 @@ class Simulation {
   struct Work {
     std::vector<ToolContacts> contacts;
     std::vector<TissueEdit> edits, caused;
-    std::vector<TissueEdit> applied;  // both, for heat and blood
+    std::vector<TissueEdit> applied;  // `edits`, then `caused`; read by the stages heat and blood
     std::vector<HeatSource> heat;
     std::vector<std::vector<std::int64_t>> removedCells;       // by organ
     std::vector<std::span<const std::int64_t>> touchedBricks;  // by organ

@@ -10,12 +10,12 @@ namespace resect {
 // attachment is given to ElasticTissue::attach().
 struct TissueAttachment : Region {
   enum class Kind {
-    Pin,      // the cells do not move
-    Ligament  // a spring pulls each cell to its rest position
+    Pin,      // cells wholly in the region do not move; a spring holds each that is partly in it
+    Ligament  // a spring pulls each cell to its rest position, if its centre is in the region
   };
   Kind kind = Kind::Pin;
   // For a ligament: the stiffness of all its springs together, N/m. Each spring gets an equal
-  // share.
+  // share, or less if that would be unstable.
   double stiffness = 200;
 
   template <class Visitor>

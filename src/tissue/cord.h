@@ -1,7 +1,7 @@
-// Cords: vessels as the tissue feels them.
+// Cords: springs between cells that stand for the walls of vessels in the tissue.
 //
-// A cord pulls two cells together along the line between them when it is longer than at rest; when
-// it is shorter it hangs slack. It does not resist bending.
+// A cord that is longer than at rest pulls its two cells together along the line between them. A
+// cord that is shorter than at rest exerts no force. Cords do not resist bending.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace resect {
 
 struct TissueCord {
-  std::int64_t a = -1, b = -1;  // its two cells, different: indices in the lattice
+  std::int64_t a = -1, b = -1;  // its two cells, which must differ: indices in the lattice
   double stiffness = 0;         // N/m
 };
 

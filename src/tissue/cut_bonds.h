@@ -1,4 +1,4 @@
-// Which bonds a cut severs.
+// Finds the bonds that a cut severs.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace resect {
 
-// The bonds that a cut crosses at rest, each once, by ascending cell and direction. A bond is the
-// segment between the centres of its two cells. Cost: that of the cells near the cut, times its
-// triangles. blade: in rest space, m.
+// The bonds that a cut crosses in rest space, each once, in ascending order of cell, then
+// direction. A bond is the line segment between the centres of its two cells. blade: the cut, in
+// rest space, m. Cost: proportional to the number of cells near the cut times the number of its
+// triangles.
 std::vector<TissueBond> crossedBonds(const TissueModel& tissue, const Lattice& lattice,
                                      const SweptBlade& blade);
 

@@ -1,4 +1,4 @@
-// Cutting edges of instruments, and what they cut.
+// Cutting edges of instruments, and the cuts that they make.
 #pragma once
 
 #include <cstdint>
@@ -9,29 +9,30 @@
 
 namespace resect {
 
-// An edge and its motion in one frame. It cuts towards `tangent x normal`, where the tangent leads
-// from its first point to its last.
+// An edge and its motion in one frame. The edge cuts in the direction `tangent x normal`; the
+// tangent points from the edge's first point to its last.
 struct CuttingEdge {
   std::span<const Vec3> points;  // corners of the edge, m, in its own coordinates; at least two
   Vec3 normal;                   // of the blade's plane, unit, in the same coordinates
   Pose from, to;                 // world, at the start and at the end of the frame
-  double bluntness = 1;          // factor on the energy that a cut takes, 0 or more
+  double bluntness = 1;          // factor on the energy that a cut needs, 0 or more
   // Whether the points are taken in reverse order, so that the cuts of two edges that meet have
   // normals on the same side.
   bool reversed = false;
-  // False: the edge goes on with the cut that it is in, but begins no other, as jaws that do not
-  // close.
+  // False: the edge begins no new cut, as with jaws that are not closing. It may continue a cut in
+  // elastic tissue; still tissue is not cut at all.
   bool begins = true;
 };
 
-// Whether the edge moves forwards in the plane of its blade, or along itself: neither sideways nor
-// back out of a cut. By the middle of the edge.
+// Whether the edge's motion can cut: the middle of the edge moves more in the plane of the blade
+// than across it, and in that plane less than 120 degrees away from the direction of the cut. So
+// the edge may slide along itself, but not move sideways or back out of a cut.
 bool movesToCut(const CuttingEdge& edge);
 
 // A cut that an edge made in one frame.
 struct TissueCut {
   std::int32_t tool = -1;
-  SweptBlade blade;  // in the tissue at rest, m
+  SweptBlade blade;  // in rest space, m
 };
 
 }  // namespace resect

@@ -2,7 +2,7 @@
 // to a cell of another organ.
 //
 // A joint exerts no elastic force as long as the vector between its two cells, in world axes, is
-// what it was at rest. So the organs behave as if glued together at points, not as if hinged. In
+// the same as at rest. So the organs behave as if glued together at points, not as if hinged. In
 // every substep the forces on the two cells are equal and opposite.
 #pragma once
 
@@ -36,9 +36,9 @@ struct JoinedOrgan {
   TissueModel* tissue = nullptr;
 };
 
-// Makes a joint from each solid cell of `a` to the nearest solid cell of `b`, if the distance of
-// the two at rest is at most `reach`, m. stiffness: of all these joints together, N/m. Each joint
-// gets an equal share of it. It gets less if that share would be unstable in a substep of
+// Makes a joint from each solid cell of `a` to the nearest solid cell of `b`, if the distance
+// between the two at rest is at most `reach`, m. stiffness: of all these joints together, N/m. Each
+// joint gets an equal share of the stiffness, less if that share would be unstable in a substep of
 // `shortest` s, and none if neither cell can move.
 std::vector<TissueJoint> joinNear(const JoinedOrgan& a, const JoinedOrgan& b, double reach,
                                   double stiffness, double shortest);

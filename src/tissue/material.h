@@ -1,18 +1,20 @@
 // Materials of tissue: stiffness, stiffening, relaxation, density, toughness.
 //
-// Under a lasting load the material is a solid with this energy per volume:
+// Under a lasting load the material is a solid with this elastic energy per volume at rest:
 //
 //     Psi(F) = mu/2 (x + b/2 x^2) + (lambda + mu)/2 (J - 1)^2,     x = F:F - 3 - 2 (J - 1)
 //
-// F is the deformation gradient, J its determinant; lambda and mu are Lame's constants. x is 0 at
-// rest and gamma^2 in a simple shear by gamma, so the shear modulus grows as 1 + b gamma^2; where x
-// is below 0, b counts as 0. Without stiffening (b = 0) this is a neo-Hookean solid whose energy
-// stays finite when a cell is inverted (after Smith, de Goes, Kim 2018, without their barrier
-// term). At small strain the solid has Young's modulus E and Poisson's ratio nu.
+// F is the deformation gradient, J its determinant; lambda and mu are Lame's constants; b is the
+// stiffening. x is 0 at rest and gamma^2 in a simple shear by gamma, so the shear modulus grows as
+// 1 + b gamma^2; where x is below 0, b counts as 0. Without stiffening (b = 0) this is a
+// neo-Hookean solid whose energy stays finite when a cell is inverted (after Smith, de Goes, Kim
+// 2018, without their barrier term). At small strain the solid has Young's modulus E and Poisson's
+// ratio nu.
 //
-// To the stress of this solid each Maxwell branch adds a deviatoric stress that decays with the
-// branch's time: at small strain the shear modulus is mu (1 + sum of share exp(-t / time)), a Prony
-// series. Defaults and their sources: docs/methods/tissue.md.
+// Each Maxwell branch adds to the stress of this solid a deviatoric stress that decays with the
+// branch's relaxation time. At small strain the shear modulus at time t after a sudden strain is
+// mu (1 + sum of share exp(-t / time)), a Prony series. Defaults and their sources:
+// docs/methods/tissue.md.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +29,8 @@ inline constexpr int kMostBranches = 3;
 
 // A Maxwell branch.
 struct Relaxation {
-  double share = 0;  // of the shear modulus, 0 to 10
-  double time = 1;   // s, 0.005 to 1000
+  double share = 0;  // modulus of the branch over the shear modulus mu, 0 to 10
+  double time = 1;   // relaxation time, s, 0.005 to 1000
 
   bool operator==(const Relaxation&) const = default;
   template <class Visitor>
@@ -39,20 +41,20 @@ struct Relaxation {
 
 struct TissueMaterial {
   std::string name = "liver";
-  double young = 5000;               // Pa, 1 to 1e9; under a lasting load
-  double poisson = 0.45;             // 0 to 0.4999; near 0.5 waves are fast, so substeps are short
+  double young = 5000;               // Young's modulus under a lasting load, Pa, 1 to 1e9
+  double poisson = 0.45;             // 0 to 0.4999; near 0.5 waves are fast and substeps short
   double density = 1060;             // kg/m^3, 1 to 1e5
   double stiffening = 0;             // b, 0 to 20
   std::vector<Relaxation> branches;  // at most kMostBranches
-  // Capsule on the skin of the material: Young's modulus times thickness, N/m, 0 to 1e5; 0: none.
-  // It tears where its tension is beyond its strength, N/m.
+  // Capsule on the skin of the material: Young's modulus times thickness, N/m, 0 to 1e5; 0: there
+  // is no capsule. It tears where its tension exceeds `capsuleStrength`, N/m.
   double capsule = 0;
   double capsuleStrength = 300;
-  // G: energy that a tear takes per area, J/m^2; above 0, infinity: it never tears. Liver: 164 +- 6
-  // (needles; Gokgol et al. 2012).
+  // G: energy per area that a tear needs, J/m^2, above 0; infinity: the material never tears.
+  // Liver: 164 +- 6 (measured with needles; Gokgol et al. 2012).
   double tearEnergy = 164;
-  // J: energy that a sharp edge takes per area that it cuts, J/m^2; 0: it meets no resistance.
-  // capsuleCutEnergy: what it takes besides per length of capsule that it cuts, J/m.
+  // Energy per area that a cut by a sharp edge needs, J/m^2. capsuleCutEnergy: further energy per
+  // length of capsule that is cut, J/m. If both are 0, the edge meets no resistance.
   double cutEnergy = 0;
   double capsuleCutEnergy = 0;
 
@@ -73,18 +75,19 @@ struct TissueMaterial {
   double waveSpeed() const;     // of pressure waves in undeformed tissue, m/s
 };
 
-// Tissue without a crack tears where its energy per volume exceeds the tear energy divided by this
-// length, m (docs/methods/tissue.md, "Tearing").
+// Tissue without a crack tears where its elastic energy per volume exceeds the tear energy divided
+// by this length, m (docs/methods/tissue.md, "Tearing").
 inline constexpr double kTearLength = 0.01;
 
-// Psi(F), with the end of stiffening (kMostStiffening), J/m^3; without branches.
+// Psi(F), J/m^3, without the Maxwell branches. The growth b x of the shear modulus is limited to
+// kMostStiffening (tissue/elastic/kernel/elastic_kernel.h).
 double heldEnergy(const TissueMaterial& material, const Mat3& f);
-// The tear energy of a material that, without a crack, tears when it is pulled slowly to `stretch`,
-// its length over its length at rest, 1 to 100; J/m^2.
+// The tear energy, J/m^2, with which this material, without a crack, tears when it is pulled slowly
+// to `stretch`. stretch: length divided by length at rest, 1 to 100.
 double energyOfStretch(const TissueMaterial& material, double stretch);
 
-// The materials of docs/methods/tissue.md, all with nu = 0.45. That page gives liver by its Young's
-// modulus, 5 kPa, and the others by their shear modulus.
+// The materials of docs/methods/tissue.md, all with nu = 0.45. That page specifies liver by its
+// Young's modulus, 5 kPa, and the others by their shear modulus.
 TissueMaterial liverTissue();
 TissueMaterial tumourTissue();
 TissueMaterial vesselWallTissue();

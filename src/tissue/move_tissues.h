@@ -20,7 +20,8 @@ struct MovingTissue {
 // Moves tissues through a frame of `duration` s, > 0. organs: by organ number; needed only with
 // joints. If a tissue explodes, that is, if its time integration becomes unstable, it is restored
 // to the frame's beginning, and the frame is repeated with substeps of half the length. With joints
-// all tissues are restored and repeat the frame. Looks at base/stop.h before each substep.
+// all tissues are restored and repeat the frame. Before each substep, throws Cancelled if a
+// stop was requested (base/stop.h).
 void moveTissues(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
                  std::span<const JoinedOrgan> organs, double duration);
 // The same for one tissue without joints.

@@ -18,11 +18,11 @@ struct Obstacle {
   // coordinates. False: the obstacle has no extent, and tissue never touches it.
   bool halfSpace = false;
   Pose from, to;  // at the start and at the end of the frame
-  // True for blades and hooks: only cell centres, not the surface, are kept out.
+  // True for blades and hooks: only cell centres, not the tissue's surface, are kept out of it.
   bool enters = false;
   double friction = 0.3;  // Coulomb's coefficient
   double slipForce = 0;   // force at which an instrument releases all cells it grips, N; 0: never
-  std::span<const CuttingEdge> edges{};  // of an instrument that cuts
+  std::span<const CuttingEdge> edges{};  // cutting edges of the instrument; empty: it does not cut
 };
 
 // The table's top at y = 0.

@@ -1,7 +1,7 @@
 // Tissue that never moves, as in the original system. It takes one byte of memory per cell.
 //
-// Edits change it as they change any tissue: cells can be removed, bonds can be severed, and tools
-// can grip cells. A cutting edge meets no resistance: it cuts along its whole way.
+// Edits change still tissue as they change any tissue: cells can be removed, bonds can be severed,
+// and tools can grip cells. A cutting edge meets no resistance: it cuts wherever it passes.
 #pragma once
 
 #include "sph/lattice.h"

@@ -31,9 +31,9 @@ struct TissueStep {
   std::int32_t retries = 0;  // how often the frame was repeated with shorter substeps
   bool calm = true;          // false: even the shortest substep exploded; the tissue was stopped
   std::vector<Vec3> force;   // on each obstacle, mean over the frame, N
-  std::vector<TissueBond> torn;     // bonds stretched beyond their limit: to be severed
+  std::vector<TissueBond> torn;     // bonds that tear: to be severed
   std::vector<std::int32_t> letGo;  // tools whose grip slipped: to be released
-  std::vector<TissueCut> cuts;      // what cutting edges cut, in the order of the obstacles
+  std::vector<TissueCut> cuts;      // cuts that edges made, in the order of the obstacles
 
   void forget() {  // resets to a frame without motion; keeps the memory
     substeps = retries = 0;
@@ -52,7 +52,7 @@ struct CellPlacement {
 // A small patch of the surface of tissue at rest.
 struct SurfacePatch {
   std::int64_t cell = -1;  // solid cell that the patch belongs to
-  // place: the patch's middle at rest, m. area: the patch's area times its outward normal, m^2.
+  // place: middle of the patch in rest space. area: the patch's area times its outward normal.
   Vec3f place = Vec3f::Zero();  // m
   Vec3f area = Vec3f::Zero();   // m^2
 };
@@ -65,12 +65,12 @@ class TissueModel {
   virtual bool moves() const = 0;
 
   // Tells the model where the surface of the tissue at rest is, so that obstacles touch the tissue
-  // there. To be called before the first frame; a model may ignore it. patches: ascending by cell.
+  // there. Call before the first frame. A model may ignore the call. patches: ascending by cell.
   virtual void setSurface(std::span<const SurfacePatch>) {}
 
-  // Replaces all cords. The model may make some less stiff, so that they are stable; it ignores
-  // those whose cells hold no tissue. Cords are no part of the state: they are to be set again
-  // after a state was restored. A model may ignore them.
+  // Replaces all cords. The model may make some cords less stiff, so that they are stable; it
+  // ignores those whose cells hold no tissue. Cords are not part of the state: set them again after
+  // a state was restored. A model may ignore all cords.
   virtual void setCords(std::span<const TissueCord>) {}
 
   // A frame lasts `duration` s, > 0. It consists of one call of beginFrame(), one call of substep()
@@ -88,11 +88,12 @@ class TissueModel {
   virtual bool startAgain(bool exploded) = 0;
   // Writes the frame's result to `step`, whose memory is reused.
   virtual void endFrame(TissueStep& step) = 0;
-  // How a tool presses and holds the tissue at the end of the last frame, in the order of the
-  // cells. To be called after endFrame(), before anything else changes the tissue than tears.
-  // `touch` is overwritten; its memory is reused. Tissue that does not move leaves it empty.
+  // Writes to `touch` how the tool presses and holds the tissue at the end of the last frame, in
+  // the order of the cells. Call after endFrame(); between the two calls, no other change of the
+  // tissue than tears is allowed. `touch` is overwritten; its memory is reused. Tissue that does
+  // not move leaves it empty.
   virtual void touchOf(std::int32_t, TissueTouch& touch) const { touch.clear(); }
-  // Applies an additional outside force, N, to a cell, for the next substep only. mayPull() must
+  // Applies an additional external force, N, to a cell, for the next substep only. mayPull() must
   // have been called for this cell before.
   virtual void pull(std::int64_t cell, const Vec3& force) = 0;
   virtual void mayPull(std::int64_t cell) = 0;
@@ -110,7 +111,7 @@ class TissueModel {
   // does nothing.
   virtual const TissueMaterial* material(std::int64_t cell) const = 0;
   virtual void setMaterial(std::int64_t cell, const TissueMaterial& material) = 0;
-  virtual std::int32_t gripped(std::int32_t tool) const = 0;  // cells that the tool holds
+  virtual std::int32_t gripped(std::int32_t tool) const = 0;  // number of cells that the tool grips
 
   virtual bool solid(std::int64_t cell) const = 0;           // whether the cell holds tissue now
   virtual std::uint32_t bonds(std::int64_t cell) const = 0;  // bit d: bonded in direction d

@@ -1,6 +1,6 @@
-// How an instrument presses and holds tissue at the end of a frame, point by point: what is known
-// of a contact beyond its mean force. Only those who ask for it (TissueModel::touchOf()) pay for
-// it, and no result of a step depends on it.
+// How an instrument presses and holds tissue at the end of a frame, point by point. A step computes
+// only the mean force of a contact; these details are computed on request
+// (TissueModel::touchOf()), and no result of a step depends on them.
 #pragma once
 
 #include <cstdint>
@@ -13,20 +13,20 @@ namespace resect {
 
 // A patch of the tissue's surface that an instrument presses.
 struct PressedPoint {
-  Vec3 place;                      // of its middle, world, m
+  Vec3 place;                      // middle of the patch, world, m
   Vec3 outwards;                   // normal of the instrument's surface there, unit
-  double area;                     // that the instrument covers, m^2, at rest
+  double area;                     // part of the patch that the instrument covers, m^2, at rest
   double force;                    // on the tissue along `outwards`, N, > 0
   double stiffness;                // of the patch's spring at this depth, N/m
-  double damping;                  // N s/m
-  const TissueMaterial* material;  // of the tissue below it; valid until the next step
+  double damping;                  // of the patch, N s/m
+  const TissueMaterial* material;  // of the tissue below the patch; valid until the next step
 };
 
 // A cell that the instrument grips.
 struct HeldPoint {
   Vec3 place;                      // of the cell's anchor, which moves with the tool; world, m
   Vec3 force;                      // on the instrument, N
-  double stiffness, damping;       // of the spring between them, N/m and N s/m
+  double stiffness, damping;       // of the spring from cell to anchor, N/m and N s/m
   const TissueMaterial* material;  // of the cell; valid until the next step
 };
 

@@ -16,13 +16,13 @@
 
 namespace resect {
 
-// What an ellipsoid does to the body made by the ellipsoids before it.
+// Whether an ellipsoid is added to the body made by the ellipsoids before it, or carved out of it.
 enum class Blend { Add, Carve };
 
 struct BlendedEllipsoid {
   Blend blend = Blend::Add;
   Vec3 centre = Vec3::Zero();           // m
-  Eigen::Vector4d turn = {0, 0, 0, 1};  // x, y, z, w: rotation from its own axes to the body's
+  Eigen::Vector4d turn = {0, 0, 0, 1};  // quaternion x, y, z, w: from its own axes to the body's
   Vec3 radii = Vec3::Constant(0.01);    // m, each > 0
   double fillet = 0.01;                 // m, > 0: width of the blend with the body
 };

@@ -7,16 +7,16 @@
 // millimetre outside the liver's surface. The fundus extends beyond the liver's inferior margin.
 // The neck bends down and to the left towards the porta hepatis. The size is that of an adult's
 // gallbladder: 7 to 10 cm long, about 3.5 cm wide, 30 to 50 ml (Gray's Anatomy, ed. Standring,
-// 2016). docs/methods/builtin_liver.md has the exact figures of the built-in one.
+// 2016). docs/methods/builtin_liver.md has the exact figures of this gallbladder.
 #pragma once
 
 #include "geometry/triangle_mesh.h"
 
 namespace resect {
 
-// The value, m, at the point p, m; negative inside. Within a few millimetres of the surface the
-// value is close to the distance; farther away only its sign has a meaning. Cost: about half a
-// microsecond.
+// Signed value, m, at the point p, m: negative inside. Within a few millimetres of the surface the
+// value is close to the distance from it; farther away only the sign has a meaning. Cost: about
+// half a microsecond.
 double builtinGallbladderDistance(const Vec3& p);
 
 // The gallbladder's surface: closed, oriented outwards, one piece of genus 0. `edge`, 0.0005 to

@@ -13,9 +13,9 @@
 
 namespace resect {
 
-// Signed value, m, at the point p, m: negative inside. Within some millimetres of the surface it is
-// close to the distance; farther away only its sign has a meaning. Cost: about a third of a
-// microsecond.
+// Signed value, m, at the point p, m: negative inside. Within a few millimetres of the surface the
+// value is close to the distance from it; farther away only the sign has a meaning. Cost: about a
+// third of a microsecond.
 double builtinLiverDistance(const Vec3& p);
 
 // The liver's surface: closed, oriented outwards, one piece of genus 0. `edge`, 0.0005 to 0.005 m:
@@ -23,8 +23,9 @@ double builtinLiverDistance(const Vec3& p);
 // in a fraction of a second.
 TriangleMesh builtinLiver(double edge = 0.0025);
 
-// Where the liver's vessels enter and leave it: hilum and vena cava as in the Visible Human Male.
-// The seed is that of five whose artery and duct reach most terminals.
+// Input for growing the liver's vessels: where they enter and leave it, with hilum and vena cava as
+// in the Visible Human Male, and the random seed. Of five seeds tried, it is the one whose hepatic
+// artery and bile duct reach most terminals.
 VesselGrowth builtinLiverVessels();
 
 }  // namespace resect

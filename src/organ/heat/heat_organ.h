@@ -1,4 +1,4 @@
-// What heat does to an organ: vessels are sealed, tissue becomes stiffer.
+// Effects of heat on an organ: vessels are sealed, and tissue becomes stiffer.
 #pragma once
 
 #include <span>
@@ -7,14 +7,15 @@
 
 namespace resect {
 
-// A frame of the organ's heat (heat/heat_field.h). removed: whether tissue was removed since the
-// last call. Cost: the heated spots.
+// Computes a frame of the organ's heat (heat/heat_field.h) and applies its effects. duration: of
+// the frame, s. removed: whether tissue was removed since the last call. Cost: proportional to the
+// number of heated spots.
 void heatOrgan(OperatedOrgan& organ, std::span<const HeatSource> sources, double duration,
                bool removed);
 
-// Tissue that heat has coagulated: stiffer, harder to cut, and more brittle (estimates;
-// elastography finds ablated liver several times as stiff, but the substep shortens with the
-// stiffness).
+// The material after heat has coagulated it: stiffer, harder to cut, and easier to tear. The
+// figures are estimates. Elastography finds ablated liver several times as stiff as before; here
+// the stiffness is only doubled, since stiffer tissue needs shorter substeps.
 TissueMaterial coagulated(const TissueMaterial& material);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Owners of grid nodes near cuts: for each node, the particle that it goes with.
+// Owners of grid nodes near cuts: for each node, the particle that it belongs to.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@
 namespace resect {
 
 // The nodes of a box that lie in tissue (inside, by the colour field), and the grid edges between
-// them that are whole, that is, not severed. Found on demand, for the 64 nodes of a brick at a
-// time.
+// them that are whole, that is, not severed. They are found on demand, for the 64 nodes of a brick
+// at a time.
 class TissueGrid {
  public:
-  // Answers for the nodes of the box and those next to it. A node outside the field is not in
-  // tissue.
+  // nodes: the box. Queries are valid for its nodes and those next to it. A node outside the colour
+  // field's grid is not in tissue.
   TissueGrid(const Organ& organ, const IndexBox& nodes);
 
   bool inTissue(const Vec3i& node) { return inside(brickOf(node)) >> bitOf(node) & 1; }
@@ -48,16 +48,17 @@ class TissueGrid {
   std::vector<Brick> bricks_;
 };
 
-// The owner of a grid node: the particle whose centre, which is a grid node, is reached over the
-// fewest edges. All edges on the way must be whole. Of several particles at the same distance it is
-// the one with the lowest index. -1 if no particle is within kFar edges.
+// Finds the owner of a grid node: the particle whose centre, itself a grid node, is reached from
+// the node over the fewest edges. All edges on the way must be whole. Of several particles at the
+// same distance, the owner is the one with the lowest index. If no particle is within kFar edges,
+// the result is -1.
 class NodeOwners {
  public:
   static constexpr int kFar = 6;  // greatest distance of an owner, edges
 
-  // Answers for the nodes of a box. grid: must cover the box and kFar nodes round it. Memory:
-  // four bytes per node that the grid must cover, and eight per node of the box. Work: proportional
-  // to the number of nodes that searches visit.
+  // box: the nodes whose owners can be asked for. grid: must cover the box and kFar nodes round it.
+  // Memory: four bytes per node that the grid must cover, and eight per node of `box`. Cost:
+  // proportional to the number of nodes that searches visit.
   NodeOwners(const Organ& organ, TissueGrid& grid, const IndexBox& box);
 
   // node: must lie in tissue.

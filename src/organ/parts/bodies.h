@@ -28,12 +28,11 @@ struct Body {
 // two cuts that holds no particle belongs to the body that it touches. The volumes of the meshes
 // add up to that of the surface, and `tissue` adds up to that of all particles. O(grid nodes).
 std::vector<Body> bodies(const Organ& organ);
-// The same for tissue that has moved. surface: the result of organ.surface.mesh() for the moved
-// points.
+// The same for tissue that has moved. surface: organ.surface.mesh(points) with the moved points.
 std::vector<Body> bodies(const Organ& organ, const TriangleMesh& surface);
 
 // Per node of the field's grid, x fastest: the number of the piece of tissue that contains the
-// node; -1 outside. Pieces are numbered in the order of their first node. `count`, if given,
+// node; -1 outside tissue. Pieces are numbered in the order of their first node. `count`, if given,
 // receives the number of pieces.
 std::vector<std::int32_t> tissuePieces(const Organ& organ, int* count = nullptr);
 

@@ -23,12 +23,12 @@ struct CellRun {
 
 struct TissueParts {
   std::vector<CellRun> runs;  // of all cells with tissue, ascending
-  std::int32_t count = 0;     // parts are numbered from 0, by their first cells
+  std::int32_t count = 0;     // number of parts; numbered from 0 in the order of their first cells
 };
 
 // Of the parts of an organ, the largest is its body. Another part is a piece if it has at least the
-// volume kPieceVolume, m^3, and also that of kPieceCells cells: where cells are large, one or two
-// of them are not a piece. A part that has at least the share kPieceShare of the organ's volume is
+// volume kPieceVolume, m^3, and also that of kPieceCells cells: so one or two large cells are not a
+// piece. A part that has at least the share kPieceShare of the organ's volume is
 // always a piece. All others are debris.
 inline constexpr double kPieceVolume = 0.5e-6, kPieceShare = 0.01;
 inline constexpr int kPieceCells = 4;

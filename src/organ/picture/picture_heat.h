@@ -1,4 +1,4 @@
-// What heat has done to an organ, as viewers draw it.
+// A map of the damage that heat has done to an organ, for viewers.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// Coagulated and charred shares round the heated spots; without texels if there are none. Cost: the
-// box round these spots.
+// Coagulated and charred shares round the heated spots; without texels if there are none. Cost:
+// proportional to the volume of the box round these spots.
 std::shared_ptr<const TissueMap> pictureHeat(const OperatedOrgan& organ);
 
 }  // namespace resect

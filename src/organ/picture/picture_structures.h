@@ -1,4 +1,4 @@
-// Structures inside an organ, as viewers draw them.
+// A map of the labelled structures inside an organ, for viewers.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// Where the labelled cells lie, by their present labels: tumours (structureKind() of the label's
-// name), and all others. Without texels if there are none. Cost: all cells.
+// The cells whose present label is above 0, in two classes: tumours (by structureKind() of the
+// label's name) and all others. Without texels if there are none. Cost: a pass over all cells.
 std::shared_ptr<const TissueMap> pictureStructures(const Organ& organ);
 
 }  // namespace resect

@@ -8,12 +8,13 @@
 
 namespace resect {
 
-// Thickness of a vessel's wall, m, with the sheath of connective tissue round portal triads. That
-// of a portal branch is a fifth of its radius, that of a hepatic vein hardly any (Gray's Anatomy,
-// 41st ed., ch. 67). radius: of the lumen, m.
+// Thickness of a vessel's wall, m, including the sheath of connective tissue round portal triads.
+// For a portal branch it is about a fifth of the radius; a hepatic vein has hardly any sheath
+// (Gray's Anatomy, 41st ed., ch. 67). radius: of the lumen, m.
 double wallOf(VesselKind kind, double radius);
 
-// Null for an anatomy without vessels. Cost: each segment and the bins near it.
+// Null for an anatomy without vessels. Cost: proportional to the number of segments and of the bins
+// near each.
 std::shared_ptr<const VesselPicture> pictureVessels(const Anatomy& anatomy);
 
 }  // namespace resect

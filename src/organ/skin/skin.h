@@ -4,11 +4,11 @@
 // A vertex with rest position X follows up to eight particles (organ/skin/bind_vertex.h). Its
 // present position is x = sum w_i (x_i + F_i (X - X_i)). Here X_i, x_i and F_i are the rest
 // position, present position and deformation gradient of particle i, w_i its weight; the weights
-// add up to 1. F_i of a particle with few bonds, as at a thin margin, is the mean over it and the
-// particles bonded to it. Beside a wound the surface tracker's bindings name the particles on the
-// vertex's own side (wound/vertex_binding.h). Normals are transformed by the cofactor matrix of the
-// weighted mean of the F_i. Cost: a few products per vertex and frame, and a search for each vertex
-// that changed.
+// add up to 1. For a particle with few bonds, as at a thin margin, the mean of F over the particle
+// and those bonded to it takes the place of F_i. Beside a wound, vertices use the surface
+// tracker's bindings, which hold only particles on the vertex's own side (wound/vertex_binding.h).
+// Normals are transformed by the cofactor matrix of the weighted mean of the F_i. Cost: a few
+// products per vertex and frame, and a search for each vertex that changed.
 #pragma once
 
 #include <array>

@@ -1,9 +1,9 @@
 // Memory layout of tissue cells: a dense box of cells with a halo. A cell's 26 neighbours are at
 // fixed index offsets from it, and rows can be read sixteen cells at a time.
 //
-// x is fastest. Each row ends with at least one empty cell, and each plane ends with an empty row.
-// The box has an empty plane at each end. So a neighbour outside the lattice is always an empty
-// cell of the box.
+// x is fastest. Each row (along x) ends with at least one empty cell, and each plane (x and y) ends
+// with an empty row. The box has an empty plane at each end. So a neighbour outside the lattice is
+// always an empty cell of the box.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ struct CellBox {
     const std::int32_t i = index - front;
     return {i % strideY, i / strideY % (dims.y() + 1), i / strideZ};
   }
-  // Whether the index is that of a cell of the lattice, not of the halo.
+  // Whether the index is that of a cell of the lattice; false for a cell of the halo.
   bool inLattice(std::int32_t index) const {
     if (index < front || index >= size) return false;
     const Vec3i c = cell(index);

@@ -1,4 +1,4 @@
-// Bounds of the present positions and of the speeds of a chunk's cells. By these bounds a search
+// Bounds of the present positions and of the speeds of a chunk's cells. With these bounds a search
 // can reject the sixteen cells of a chunk at once.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Sets up the state of elastic tissue and updates it after bonds are severed or cells removed.
 //
-// Edits change bonds. After that, refreshCells() updates the moment matrices of the cells whose
+// Edits change bonds. Afterwards, refreshCells() updates the moment matrices of the cells whose
 // bonds changed, and the chunks that contain these cells or neighbours of them. It takes some
 // microseconds per hundred cells. No other cells are computed again.
 #pragma once
@@ -21,14 +21,14 @@ void severBond(ElasticState& s, std::int32_t cell, int direction);
 // Removes the cell: it then has no bonds, no mass and no motion.
 void removeCell(ElasticState& s, std::int32_t cell);
 
-// Gives the state the arrays that the Maxwell branches of its materials need; those that it has
-// stay. Call after `materials` was changed.
+// Allocates the arrays that the Maxwell branches of the state's materials need; arrays that exist
+// already stay as they are. Call after `materials` was changed.
 void allocateBranches(ElasticState& s);
 
-// Throws Error when a value is out of range.
+// Throws Error if a value of the material is out of range.
 void checkMaterial(const TissueMaterial& material);
-// The material's index in s.materials; a new material is appended. Throws Error if there are 256
-// materials already.
+// Returns the material's index in s.materials; a new material is appended. Throws Error if there
+// are 256 materials already.
 std::uint8_t materialNumber(ElasticState& s, const TissueMaterial& material);
 // Computes masses, stiffnesses and plane weights of these cells. Call after their `solid` or
 // `material` was changed; call refreshCells() next. Cells that are not solid lose their motion and

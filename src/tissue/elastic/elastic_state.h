@@ -1,11 +1,11 @@
 // The state of elastic tissue between two substeps, as arrays over the cells of a box with a halo.
 //
-// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 5 = 173, and 4 * (7 + 8 n) more
-// where materials have n Maxwell branches, 20 more with a capsule (48 if there are no branches).
-// Lengths are in m, masses in kg; offsets to neighbours are counted in spacings. The letters A_i,
-// q_i and M_i are those of docs/methods/tissue.md. L_i is the inverse of M_i, and S_i the sum over
-// j of w_ij X_ij. w is the weight of an edge neighbour (bondWeights()). Sums are formed with
-// weights in units of w. The remaining factors are contained in the arrays.
+// Bytes per cell of the box: 4 * (3 * 4 + 9 + 6 + 3 * 3 + 6) + 5 = 173; 4 * (7 + 8 n) more if a
+// material has n Maxwell branches; 20 more with a capsule (48 if there are no branches). Lengths
+// are in m, masses in kg; offsets to neighbours are in spacings. The symbols A_i, q_i and M_i are
+// those of docs/methods/tissue.md. L_i is the inverse of M_i, and S_i the sum over j of w_ij X_ij.
+// w is the weight of an edge neighbour (bondWeights()). Sums are formed with weights in units of w.
+// The remaining factors are contained in the arrays.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ enum HeldAxis : std::int32_t { kHeldX = 1, kHeldY = 2, kHeldZ = 4, kHeldAll = 7 
 // Sixteen cells of a row, at least one of them solid.
 struct TissueChunk {
   std::int32_t start = 0;  // index in the box, a multiple of kChunk
-  // Whether any cell of the chunk is held or loaded.
+  // Whether any cell of the chunk has `held` or `loaded` set.
   bool steered = false;
   // Whether any cell of the chunk has no deformation gradient, or has a bond to a cell with another
   // kappa.
@@ -50,34 +50,35 @@ struct ElasticState {
   std::array<FloatArray, 3> bondForce;      // q, N
   std::array<FloatArray, 6> inverseMoment;  // L w / spacing: xx yy zz xy xz yz, 1/m
   std::array<FloatArray, 3> skew;           // S / w, in spacings
-  // Element i describes the plane of nine cells across the row whose middle cell is i. Each of the
-  // nine has the weight that it has for the cell before or after the plane in the row, in units of
-  // w. Only solid cells count; the middle cell itself need not be solid. [0]: sum of the weights.
-  // [1], [2]: sums of the weights times the offsets from the middle cell along y and z.
+  // Element i describes the plane of nine cells perpendicular to the row (x) whose middle cell is
+  // i. Each of the nine has the weight that it has as a neighbour of cell i - 1 or i + 1, in units
+  // of w. Only solid cells count; the middle cell itself need not be solid. [0]: sum of the
+  // weights. [1], [2]: sums of the weights times the offsets from the middle cell along y and z.
   std::array<FloatArray, 3> planeWeight;
-  std::array<FloatArray, 3> load;  // outside force on the cell, N
-  // Of tissue whose materials have Maxwell branches; else empty. relaxed[k]: B of branch k, whose
-  // stress is mu share (F (I + B) - cof F): xx yy zz xy xz yz. viscous: sum over the branches
-  // of modulus times V times B, J, where B is its mean over the substeps until the branches are
-  // advanced again.
+  std::array<FloatArray, 3> load;  // external force on the cell, N
+  // Empty unless a material has Maxwell branches or a capsule (relaxed: branches only). relaxed[k]:
+  // the symmetric matrix B of branch k, whose stress is mu share (F (I + B) - cof F), as xx yy zz
+  // xy xz yz. viscous: sum over the branches of modulus times V times B, J, where B is the mean
+  // over the substeps until the branches are advanced again.
   std::array<std::array<FloatArray, 6>, kMostBranches> relaxed;
   std::array<FloatArray, 6> viscous;
   FloatArray inverseMass;  // 1/kg; 0 where there is no tissue
-  // mu V and (lambda + mu + a third of the branches' moduli) V, J; V: volume of a cell
+  // shearVolume: mu V, J; V: volume of a cell. lameVolume: V times lambda + mu + a third of the
+  // branches' moduli, J.
   FloatArray shearVolume, lameVolume;
   FloatArray stiffening;     // b
-  FloatArray viscousVolume;  // the branches' moduli times V, J; empty without branches
-  std::array<FloatArray, kMostBranches> branchVolume;  // each of them; empty beyond branches
-  std::array<FloatArray, kMostBranches> branchRate;    // 1 / time, 1/s
-  // Of organs with a capsule; else empty. Modulus times thickness times area, J, 0 where there is
-  // none or it is torn; area of the skin, m^2, and its normal.
+  FloatArray viscousVolume;  // sum of the branches' moduli times V, J; empty as `viscous`
+  std::array<FloatArray, kMostBranches> branchVolume;  // modulus of branch k times V, J
+  std::array<FloatArray, kMostBranches> branchRate;    // 1 / relaxation time, 1/s
+  // Empty without a capsule. capsule: Young's modulus times thickness times area of the cell's
+  // capsule, J; 0 where it has none or it is torn. skinArea: m^2. skinNormal: unit.
   FloatArray capsule, skinArea;
   std::array<FloatArray, 3> skinNormal;
   FloatArray kappa;                            // alpha mu V, J; 0 for a cell without a gradient
   AlignedArray<std::uint32_t> bonds;           // bit d: bonded to the neighbour in direction d
   AlignedArray<std::uint8_t> solid, material;  // 1: solid; index in `materials`
   AlignedArray<std::uint8_t> capsuleTorn;      // 1: torn
-  AlignedArray<std::uint8_t> held, loaded;     // bits of HeldAxis; 1: `load` may act on the cell
+  AlignedArray<std::uint8_t> held, loaded;     // bits of HeldAxis; 1: `load` may be other than 0
   std::vector<TissueChunk> chunks;             // those with solid cells, ascending by `start`
 
   template <class Visitor>
@@ -92,7 +93,7 @@ struct ElasticState {
     constexpr const char* kNames[kMostBranches] = {"relaxed0", "relaxed1", "relaxed2"};
     for (int k = 0; k < kMostBranches; ++k) v.perCell(kNames[k], relaxed[std::size_t(k)], order);
   }
-  int branches() const;  // that the arrays have
+  int branches() const;  // number of Maxwell branches that have arrays
   template <class Visitor>
   void visitMade(Visitor& v) {
     v.made(box, spacing, penalty, ahead, stress, bondForce, inverseMoment, skew, planeWeight);

@@ -1,8 +1,8 @@
 // Elastic tissue: explicit total-Lagrangian SPH on the organ's lattice.
 //
-// docs/methods/tissue.md derives the method. A frame is divided into substeps. A substep is shorter
-// than the time in which a pressure wave passes from one cell to the next. Cost: two passes over
-// the solid cells per substep. The results have the same bits at any number of threads and with any
+// docs/methods/tissue.md derives the method. A frame is divided into substeps. Each is shorter than
+// the time in which a pressure wave passes from one cell to the next. Cost: two passes over the
+// solid cells per substep. The results have the same bits at any number of threads and with any
 // instruction set. `cell` is always the index of a cell in the lattice.
 #pragma once
 
@@ -26,30 +26,30 @@
 
 namespace resect {
 
-// How often the substep may be halved. If tissue still explodes then, it is stopped.
+// How many times the substep may be halved. If tissue still explodes, it is stopped.
 inline constexpr int kMostHalvings = 6;
-// How often the substep may be made shorter by a quarter for stiff cells.
+// How many times the substep may be divided by 1.26 for stiff cells.
 inline constexpr int kMostFineness = 3;
 
 struct TissueSettings {
   Vec3 gravity = Vec3(0, -9.81, 0);  // m/s^2
-  // Forces are evaluated at extrapolated positions. This is how far they are extrapolated, as a
-  // fraction of a substep, from 0 to 0.5. 0 conserves energy. 0.5 damps the fastest waves most, and
-  // slow motion hardly. More would be unstable.
+  // Forces are evaluated at extrapolated positions. `damping` is the time of extrapolation as a
+  // fraction of a substep, from 0 to 0.5. 0 conserves energy. 0.5 damps the fastest waves most and
+  // slow motion hardly at all. More would be unstable.
   double damping = 0.1;
   // Rate at which velocities decay by friction of the surroundings, 1/s; 0: no friction.
   double drag = 0;
   // Stiffness of the bonds against motions that the cells' gradients do not see (zero-energy
   // modes), as a multiple of the shear modulus: alpha in docs/methods/tissue.md. Above 0, up to 3.
-  // At 1.55 the second-order error of bending and torsion
-  // vanishes. With less, tissue is too soft and its lattice wrinkles. With more, it is too stiff.
+  // At 1.55 the second-order error of bending and torsion vanishes. With less, tissue is too soft
+  // and its lattice wrinkles. With more, it is too stiff.
   double penalty = 1.55;
   // Longest substep, as a fraction of the time in which a pressure wave passes from one cell to the
   // next; above 0, up to 1. Beyond 0.5, tissue that is sheared or stretched as a whole may become
   // unstable (docs/methods/tissue.md).
   double stepShare = 0.5;
-  // Largest number of threads for the two passes; 0: all threads that the program may use. If there
-  // are fewer idle cores than threads, the passes are slower than with one thread.
+  // Greatest number of threads for the two passes; 0: all threads that the program may use. If
+  // there are fewer idle cores than threads, the passes are slower than with one thread.
   int threads = 1;
 
   template <class Visitor>
@@ -71,8 +71,8 @@ class ElasticTissue final : public TissueModel {
   ElasticTissue(const TissueCells& cells, const TissueSettings& settings);
 
   // Attaches the solid cells of the region: pins them, or adds the springs of a ligament. A pin
-  // holds the cells that lie in the region as a whole; those that lie in it in part get a spring.
-  // Returns the number of these cells.
+  // holds the cells that lie wholly in the region; a cell that lies partly in it gets a spring.
+  // Returns the number of cells attached.
   std::int64_t attach(const TissueAttachment& attachment);
 
   struct Advance {  // as in TissueStep
@@ -107,7 +107,7 @@ class ElasticTissue final : public TissueModel {
   // Prescribes the velocity of the cell, m/s, along some axes. axes: bits of HeldAxis; 0 releases
   // the cell.
   void hold(std::int64_t cell, int axes, const Vec3& velocity = Vec3::Zero());
-  // Sets the outside force on the cell, N. It acts until it is set again.
+  // Sets the external force on the cell, N. It acts until it is set again.
   void setLoad(std::int64_t cell, const Vec3& force);
   void setDisplacement(std::int64_t cell, const Vec3& u);
   void setVelocity(std::int64_t cell, const Vec3& v);
@@ -127,16 +127,16 @@ class ElasticTissue final : public TissueModel {
   Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff stress, Pa
   Vec3 elasticForce(std::int64_t cell) const;          // as the last stress pass computed it, N
   TissueEnergy energy();
+  // The cutting edges with tissue near, and their work in the last frame.
   std::span<const CutFront> fronts() const { return fronts_.fronts(); }
-  // The cutting edges in the tissue, and what they did in the last frame.
-  CutWork cutWork() const { return fronts_.work(); }  // of the last frame
+  CutWork cutWork() const { return fronts_.work(); }
   void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override;
   void visit(StateVisitor& visitor) override;
   void visitMade(StateVisitor& visitor) override;
   void beginRestore() override;
   void endRestore(std::span<const std::uint8_t> alive) override;
-  double longestSubstep() const { return longestSubstep_; }  // s, of tissue that is not stiff
-  double presentSubstep() const;                             // s, at most
+  double longestSubstep() const { return longestSubstep_; }  // s, not shortened for stiff cells
+  double presentSubstep() const;                             // longest substep allowed now, s
 
   const Lattice& lattice() const { return lattice_; }
   const TissueSettings& settings() const { return settings_; }
@@ -155,11 +155,11 @@ class ElasticTissue final : public TissueModel {
     double duration = 0;
     std::span<const Obstacle> obstacles;
     SubstepConstants constants;
-    StiffCells stiff;  // when they were last counted
+    StiffCells stiff;  // as last counted
     std::int32_t substeps = 0, retries = 0;
     bool calm = true;
   };
-  // What the cells were before a restore. It serves to find the cells that the restore changed.
+  // Arrays of the state before a restore, to find the cells that the restore changed.
   struct Before {
     AlignedArray<std::uint8_t> solid, material, held, loaded, capsuleTorn;
     AlignedArray<std::uint32_t> bonds;
@@ -185,16 +185,16 @@ class ElasticTissue final : public TissueModel {
 
   // State.
   ElasticState state_;
-  int fineness_ = 0;    // substeps are shorter by kFinerBy to this power, for stiff cells
-  int halvings_ = 0;    // how often the substep is halved at present
-  int calmFrames_ = 0;  // while it is halved: calm frames since it last changed
+  int fineness_ = 0;    // for stiff cells: substeps are divided by kFinerBy to this power
+  int halvings_ = 0;    // how many times the substep is halved at present
+  int calmFrames_ = 0;  // frames since `halvings_` last changed, all calm
   CutFaces cutFaces_;
   CutFronts fronts_;
   TissueSprings springs_;
   std::vector<Fibre> fibres_;
   std::vector<std::int32_t> cut_;     // both cells of each severed bond
   std::vector<std::int32_t> pulled_;  // cells that joints may pull, ascending
-  double sinceTear_ = 0;              // s since bonds last tore, at most one step of a crack
+  double sinceTear_ = 0;  // time that a crack has to advance, s; at most enough for two cells
 
   // Data that are set up once, and data derived from the state.
   Lattice lattice_;

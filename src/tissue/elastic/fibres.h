@@ -17,7 +17,7 @@ struct Fibre {
   std::int32_t a = 0, b = 0;   // its two cells: indices in ElasticState::box
   float stiffness = 0;         // N/m
   Vec3f rest = Vec3f::Zero();  // from a to b in rest space, m
-  float length = 0;            // length at which the fibre pulls with no force, m
+  float length = 0;            // length at which the fibre exerts no force, m
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -37,9 +37,9 @@ std::vector<Fibre> findFibres(const ElasticState& state, std::span<const Fibre> 
 
 // Adds the fibres' forces to ElasticState::bondForce. Call after the stress pass.
 void pullFibres(std::span<const Fibre> fibres, ElasticState& state);
-// A cord (tissue/cord.h): a fibre that hangs slack when it is shorter than at rest.
+// A cord (tissue/cord.h): a fibre that exerts no force when it is shorter than at rest.
 struct Cord : Fibre {
-  float wanted = 0;  // stiffness, before it is limited to what is stable, N/m
+  float wanted = 0;  // stiffness before it is limited for stability, N/m
 };
 void pullCords(std::span<const Cord> cords, ElasticState& state);
 

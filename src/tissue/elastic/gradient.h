@@ -8,8 +8,8 @@ namespace resect {
 
 // Cells are given by their index in the CellBox.
 
-// Weights of neighbours by kind (tissue/stencil.h), relative to an edge neighbour's weight: the
-// unit that the arrays of ElasticState are made for.
+// Weights of neighbours by kind (tissue/stencil.h), in units of an edge neighbour's weight. The
+// arrays of ElasticState are made for this unit.
 std::array<double, 4> edgeWeights();
 
 // ElasticState::inverseMoment of a cell as a matrix, 1/m.
@@ -18,7 +18,8 @@ Mat3 inverseMomentAt(const ElasticState& state, std::int32_t cell);
 // H = F - I; zero for a cell without a gradient.
 Mat3 gradientAt(const ElasticState& state, std::int32_t cell);
 
-// The same in single precision, for many cells: those of a chunk are found at once.
+// The same in single precision, for many cells: at() computes all cells of a chunk together, and
+// keeps them until it is called for another chunk. The state must not change meanwhile.
 class ChunkGradients {
  public:
   ChunkGradients(const ElasticState& state, const ElasticKernel& kernel);
@@ -32,11 +33,11 @@ class ChunkGradients {
   float found_[12][kChunk];
 };
 
-// Elastic energy per volume at rest that the cell holds with gradient F, J/m^3: of the law and of
-// the Maxwell branches as they are now.
+// Elastic energy, per volume at rest, of the cell with the deformation gradient f, J/m^3:
+// heldEnergy() and the energy of the Maxwell branches in their present state.
 double freeEnergy(const ElasticState& state, std::int32_t cell, const Mat3& f);
 
-// cof F: it turns normals and scales areas.
+// cof F, the cofactor matrix: it maps area vectors at rest to present ones.
 Mat3 cofactors(const Mat3& f);
 
 }  // namespace resect

@@ -1,7 +1,7 @@
 // Springs on single cells, for ligaments and for the grips of tools.
 //
 // Each is a damped spring from a cell to an anchor. The anchor is fixed in the world or in a tool's
-// coordinate frame. While a cell has springs, its load (ElasticState::load) is computed anew in
+// coordinates. While a cell has springs, its load (ElasticState::load) is computed anew in
 // each substep from the forces of these springs and of the cell's joints.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace resect {
 struct TissueSpring {
   std::int32_t cell = 0;       // index in ElasticState::box
   std::int32_t tool = -1;      // number of the tool that grips the cell; -1: a ligament
-  Vec3 anchor = Vec3::Zero();  // m, in the tool's frame; of a ligament in the world
+  Vec3 anchor = Vec3::Zero();  // m, in the tool's coordinates; for a ligament in the world
   double stiffness = 0;        // N/m
   double damping = 0;          // N s/m
 
@@ -43,9 +43,9 @@ class TissueSprings {
   std::span<const TissueSpring> all() const { return springs_; }
 
   // Adds the springs' forces to the loads of their cells, for one substep. dt: duration of the
-  // substep, s. share: when it ends, as a fraction of the frame (0 to 1). frame: duration of the
-  // frame, s. origin: rest position of the centre of cell (0, 0, 0), m. A spring of a tool that is
-  // not among the obstacles exerts no force.
+  // substep, s. share: the fraction of the frame at which the substep ends, 0 to 1. frame: duration
+  // of the frame, s. origin: rest position of the centre of cell (0, 0, 0), m. A spring of a tool
+  // that is not among the obstacles exerts no force.
   void pull(ElasticState& state, const Vec3& origin, std::span<const Obstacle> obstacles,
             double share, double frame, double dt);
   // Per obstacle: the momentum that the springs have given to it since the last forgetImpulses(),

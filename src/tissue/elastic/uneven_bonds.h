@@ -1,6 +1,6 @@
 // Correction of the forces in uneven bonds: bonds between two cells of different penalty stiffness
-// kappa. Either the cells are of materials with different kappa, or one of them has no deformation
-// gradient and so a kappa of 0.
+// kappa. Either the materials of the two cells have different kappa, or one of the cells has no
+// deformation gradient and so a kappa of 0.
 //
 // In the stress pass a cell uses its own kappa for both ends of each of its bonds, so that one sum
 // is enough. The forces in the few uneven bonds are corrected afterwards.

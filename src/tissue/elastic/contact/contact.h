@@ -2,16 +2,19 @@
 //
 // Once per frame the points of the surface (contact/points.h) and the cells that can come near an
 // obstacle are listed. After every substep the depth of each point in the obstacle is found. A
-// point inside is pressed out by a spring; its force is spread to the cells that the point follows.
-// The spring stands for tissue that the lattice does not resolve: the half of a cell between the
-// outermost centres and the surface, and dents smaller than a cell (docs/methods/tissue.md).
+// point inside is pressed out by a spring; the spring's force is spread to the cells that the point
+// follows. The spring stands for tissue that the lattice does not resolve: the half of a cell
+// between the outermost centres and the surface, and dents smaller than a cell
+// (docs/methods/tissue.md).
 //
-// Friction is taken cell by cell: a pressed cell loses its tangential velocity, up to Coulomb's
-// limit; the displacement that this velocity caused in the substep is undone. The momentum that
-// cells lose, divided by the frame's duration, is the force on the obstacle.
+// Friction is computed cell by cell: a pressed cell loses its velocity tangential to and relative
+// to the obstacle, up to Coulomb's limit; the displacement that this velocity caused in the substep
+// is undone. The momentum that cells lose, divided by the frame's duration, is the force on the
+// obstacle.
 //
-// As a last resort, cells whose centres are inside an obstacle are moved out. For a blade or a hook
-// this is all, since it must be able to enter tissue.
+// As a last resort, the centre of a cell is moved out if it lies inside the table or the tool box,
+// or more than one spacing deep inside an instrument. Blades and hooks must be able to enter
+// tissue. So they press no points; only cell centres are kept a tenth of a spacing away from them.
 #pragma once
 
 #include <vector>
@@ -33,14 +36,15 @@ class TissueContacts {
     points_.setSurface(state, lattice, patches);
   }
 
-  // To be called once per frame: lists what can come near an obstacle in the frame. duration: of
-  // the frame, s. origin: rest position of cell (0, 0, 0), m. gripper: for each cell of the box the
-  // tool that holds it, or -1; may be empty. A tool does not push the cells that it holds.
+  // Call once per frame: lists the points and cells that can come near an obstacle in the frame.
+  // duration: of the frame, s. origin: rest position of cell (0, 0, 0), m. gripper: for each cell
+  // of the box the tool that grips it, or -1; may be empty. A tool does not push the cells that it
+  // grips.
   void list(const ElasticState& state, const ElasticKernel& kernel, const Vec3& origin,
             double duration, std::span<const Obstacle> obstacles,
             std::span<const std::int32_t> gripper);
 
-  // To be called after each substep: presses the tissue out of the obstacles. share: the fraction
+  // Call after each substep: presses the tissue out of the obstacles. share: the fraction
   // of the frame at which the substep ends, 0 to 1. dt: length of the substep, s. lookAhead:
   // SubstepConstants::lookAhead.
   void push(ElasticState& state, double share, double dt, double lookAhead);
@@ -50,7 +54,7 @@ class TissueContacts {
   std::span<const Vec3> impulse() const { return impulse_; }
   // Sets impulse() to zero.
   void forgetImpulses();
-  // Forgets what list() has listed.
+  // Discards the obstacles of the last list().
   void forgetObstacles() { bodyCount_ = 0; }
 
   // Appends the points at which the tool presses tissue now, at its pose at the end of the frame,
@@ -69,7 +73,7 @@ class TissueContacts {
   // A cell that an obstacle may push.
   struct Cell {
     std::int32_t cell;
-    bool near;  // its centre may come near the obstacle; else only points that it carries
+    bool near;  // true: its centre may come near the obstacle; false: only points that follow it
     Vec3 rest;  // rest position, m
   };
   // A point that an obstacle may press. Its position is `base` plus the mean displacement of the
@@ -77,7 +81,7 @@ class TissueContacts {
   struct Point {
     Vec3f base;                 // m
     Vec3f inwards;              // unit, into the tissue
-    float width;                // of its patch, m
+    float width;                // square root of its patch's area, m
     float stiffness, damping;   // N/m, N s/m
     std::int32_t first, count;  // its cells, as a range of Body::shares
   };
@@ -93,12 +97,12 @@ class TissueContacts {
     std::vector<Cell> cells;
     std::vector<Point> points;
     std::vector<Share> shares;
-    Pose back;   // from the world to the obstacle's coordinate frame at the end of the frame
-    Aabb box;    // where the obstacle can touch cells in the frame, in that coordinate frame
+    Pose back;   // from the world to the obstacle's coordinates at the end of the frame
+    Aabb box;    // where the obstacle can touch cells in the frame, in these coordinates
     Aabb world;  // bounds of `box` in the world
     Vec3 up[2];  // outward normal of a half-space at the start and at the end of the frame
   };
-  // An obstacle at the end of a substep.
+  // An obstacle's pose at the end of a substep, and its rotation as a matrix.
   struct Stance {
     Pose pose;
     Mat3 turn;
@@ -126,11 +130,11 @@ class TissueContacts {
 
   // Memory that is used again.
   std::vector<std::int32_t> slot_;   // per cell of the box: index in Body::cells, or -1
-  std::vector<ContactPoint> found_;  // of a cell
+  std::vector<ContactPoint> found_;  // of one cell
   MeanNormals mean_;
   std::vector<Column> moved_;  // displacements of Body::cells, m
-  // Given to them by points in this substep: impulse, kg m/s; the last component is above 0 for
-  // cells that were given something.
+  // Per entry of Body::cells: the impulse that points give to the cell in this substep, kg m/s. The
+  // last component is above 0 if the cell got an impulse.
   std::vector<Column> given_;
 };
 

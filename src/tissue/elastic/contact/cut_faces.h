@@ -1,4 +1,4 @@
-// The two faces of a cut, kept from passing through each other: the two ends of each cut bond are
+// Keeps the two faces of a cut from passing through each other: the two ends of each cut bond are
 // pushed apart like inelastic balls.
 #pragma once
 
@@ -11,16 +11,16 @@ namespace resect {
 // Cells are given by their index in the CellBox.
 class CutFaces {
  public:
-  // To be called when the bond from `cell` in `direction` is cut. From then on the two ends of the
-  // bond are pushed apart when they come nearer to each other than a minimum distance. This is nine
-  // tenths of their rest distance, or their distance at the time of the cut if that is less.
+  // Call when the bond from `cell` in `direction` is cut. From then on the two ends of the bond are
+  // pushed apart when they come nearer to each other than a minimum distance: nine tenths of their
+  // rest distance, or their distance at the time of the cut if that is less.
   void keepApart(const ElasticState& state, std::int32_t cell, int direction);
-  // Forgets the cut bonds that end at the cell.
+  // Removes the cut bonds that end at the cell.
   void forgetCell(std::int32_t cell);
   // Whether the ends of all cut bonds are valid indices in a box of `cells` cells.
   bool fit(std::int32_t cells) const;
 
-  // To be called after each substep. lookAhead: SubstepConstants::lookAhead.
+  // Pushes the ends apart. Call after each substep. lookAhead: SubstepConstants::lookAhead.
   void push(ElasticState& state, double lookAhead) const;
 
   template <class Visitor>

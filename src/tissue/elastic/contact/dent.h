@@ -1,8 +1,9 @@
-// How deep a patch of the surface of tissue is inside an obstacle.
+// The depth of a patch of the tissue's surface inside an obstacle.
 //
-// The depth is measured along the tissue's normal, inwards, to where the obstacle ends. The
-// nearest face of the obstacle would not do: beside the edge of an instrument it is the flank, and
-// the instrument would slip into the tissue.
+// The way out of the obstacle is followed from the patch along the tissue's normal, inwards. The
+// depth is the component of this way along the obstacle's normal. The distance to the nearest face
+// of the obstacle would be wrong: beside the edge of an instrument the nearest face is its flank,
+// so tissue would be pushed sideways and the instrument would slip into the tissue.
 #pragma once
 
 #include "collision/signed_distance.h"
@@ -10,23 +11,24 @@
 namespace resect {
 
 struct Dent {
-  double depth = 0;              // m, part of the way along the obstacle's normal; 0: no contact
-  Vec3 outwards = Vec3::Zero();  // normal of the obstacle's surface
-  double share = 0;              // of the patch that the obstacle covers, 0 to 1
+  double depth = 0;              // m; 0: no contact
+  Vec3 outwards = Vec3::Zero();  // normal of the obstacle's surface at the way out, unit
+  double share = 0;              // share of the patch that the obstacle covers, 0 to 1
 };
 
-// How the way out of an obstacle is looked for.
+// Limits of the search for the way out of an obstacle.
 struct WayOut {
-  double deepest;   // m; no depth is larger
-  double farthest;  // m; if the obstacle ends farther away, the patch is edge-on and not touched
-  // The same where a way longer than `deepest` leaves the obstacle more obliquely than this: cosine
-  // of the angle between the way and the obstacle's normal. The side of a block is edge-on to a
-  // plate on the block.
+  double deepest;   // m; larger depths are reduced to this
+  double farthest;  // m; if the way out is longer, the patch is edge-on and there is no contact
+  // Also no contact if the way out is longer than `deepest` and the cosine of the angle between the
+  // way and the obstacle's normal is below this. Example: the side of a block is edge-on to a plate
+  // that lies on the block.
   double leastSlope;
 };
 
-// All in the obstacle's coordinates. place: middle of the patch. inwards: unit, into the tissue.
-// width: of the patch, m.
+// All vectors are in the obstacle's coordinates. place: middle of the patch, m. inwards: the
+// tissue's normal, unit, into the tissue. width: of the patch, m. If the way out is longer than
+// `deepest`, the result has the depth `deepest` and the normal `inwards`.
 Dent dentIn(const SignedDistance& shape, const Vec3& place, const Vec3& inwards, double width,
             const WayOut& limits);
 

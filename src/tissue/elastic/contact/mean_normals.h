@@ -1,8 +1,8 @@
-// The normal of tissue's surface, as a mean over several cells.
+// The normal of the tissue's surface, as a mean over several cells.
 //
-// A tip that is narrower than a cell makes a dent that the lattice does not resolve: the surface
-// under it is as steep as the surface of a much wider dent, and it turns further the deeper the tip
-// goes. The mean over the cells around, by area, depends on the dent's rim alone.
+// A tip that is narrower than a cell makes a dent that the lattice does not resolve: the computed
+// surface under the tip is as steep as that of a much wider dent, and turns further as the tip goes
+// deeper. The area-weighted mean over the surrounding cells depends on the dent's rim alone.
 #pragma once
 
 #include <array>
@@ -14,8 +14,9 @@
 
 namespace resect {
 
-// Sums of area vectors, m^2: of the surface that faced +x, -x, +y, -y, +z, -z at rest. Surfaces
-// that faced apart, as both sides of a thin sheet or the lips of a cut, are kept apart.
+// Sums of present area vectors, m^2: one for each of the directions +x, -x, +y, -y, +z, -z that the
+// surface faced at rest. So surfaces that faced in opposite directions, such as the two sides of a
+// thin sheet or the lips of a cut, are not mixed.
 using AreaBySide = std::array<Vec3f, 6>;
 
 // Mean normal, unit, outwards, at a point whose normal at rest is `normal`.
@@ -23,9 +24,9 @@ Vec3 meanNormal(const AreaBySide& around, const Vec3f& normal);
 
 class MeanNormals {
  public:
-  // Forgets all cells; to be called when the state has changed.
+  // Discards the sums of all cells. Call when the state has changed.
   void clear(const ElasticState& state);
-  // Of the surface as it is now, over three cells in each direction from that one.
+  // The sums over the present surface of all cells up to three cells from `cell` along each axis.
   AreaBySide around(const ElasticState& state, const ContactPoints& points,
                     ChunkGradients& gradients, std::int32_t cell);
 

@@ -1,12 +1,12 @@
 // The points at which elastic tissue touches obstacles.
 //
-// Points lie on the surface at rest, and each stands for a patch of it. The patches are
-// those given by setSurface(), and parts of the faces that edits have bared.
-// Without an organ they lie on all faces of cells that have no neighbour.
+// Points lie on the surface at rest, and each stands for a patch of it. The patches are those given
+// to setSurface(), and parts of the cell faces that edits have bared. If setSurface() was not
+// called, the patches are parts of all cell faces without a neighbour.
 //
 // A point belongs to a cell. It follows the mean of that cell and of the neighbours bonded to it,
 // with the weights of quadratic splines. These weights spread a force equally far wherever the
-// point lies in its cell. So tissue yields alike everywhere, although its cells are large.
+// point lies in its cell. So tissue yields equally everywhere, although its cells are large.
 #pragma once
 
 #include <array>
@@ -27,18 +27,18 @@ struct ContactPoint {
 // Cells are given by their index in the CellBox.
 class ContactPoints {
  public:
-  // patches: ascending by cell; those of cells that are not solid are left out.
+  // As TissueModel::setSurface(). Patches of cells that are not solid are left out.
   void setSurface(const ElasticState& state, const Lattice& lattice,
                   std::span<const SurfacePatch> patches);
 
-  // Appends the points of a cell. lips: also on the faces of cuts.
+  // Appends the points of a cell. lips: whether to include points on the faces of cuts.
   void fine(const ElasticState& state, std::int32_t cell, bool lips,
             std::vector<ContactPoint>& points) const;
-  // The same with few points: one for each bare face, and one for all the organ's patches.
+  // The same with few points: one for each bared face, and one for all patches of setSurface().
+  // Faces of cuts have none.
   void coarse(const ElasticState& state, std::int32_t cell,
               std::vector<ContactPoint>& points) const;
-  // Calls visit(const ContactPoint&) for the patches of the organ's surface that belong to the
-  // cell.
+  // Calls visit(const ContactPoint&) for the patches of setSurface() that belong to the cell.
   template <typename Visit>
   void visitPatches(std::int32_t cell, Visit visit) const {
     for (const Owned& one : patchesOf(cell)) visit(one.point);
@@ -57,9 +57,9 @@ class ContactPoints {
                 std::vector<ContactPoint>& points) const;
 
   std::vector<Owned> told_;  // ascending by cell
-  // Per cell of the box: its first patch in told_, or one of the two numbers below 0. Empty if no
-  // surface was told.
-  static constexpr std::int32_t kInside = -1, kOutside = -2;  // at rest, before all edits
+  // Per cell of the box: index of its first patch in told_; if it has none, kInside for a cell that
+  // was solid before all edits, kOutside for any other. Empty if setSurface() was not called.
+  static constexpr std::int32_t kInside = -1, kOutside = -2;
   std::vector<std::int32_t> first_;
 };
 

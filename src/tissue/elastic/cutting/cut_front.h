@@ -1,11 +1,12 @@
-// Cutting by energy: where the edge of an instrument is in elastic tissue, it cuts only as far as
-// it has done the work that a cut takes. docs/methods/cutting.md derives the method.
+// Cutting by energy: the edge of an instrument cuts elastic tissue only as far as it has done the
+// work that the cut needs. docs/methods/cutting.md derives the method.
 //
 // The edge is sampled at points at most half a spacing apart. A sample in tissue is tied to a point
-// of the tissue by a stiff spring. When the spring bears more than the cut energy times the length
-// of the edge, the tie moves on through the tissue at rest, and that is the cut. What the ties
-// sweep in a frame is handed on as a blade in rest space. The tissue between the tie and its place
-// at rest is indented: the front of the cut lags behind the hand.
+// of the tissue at rest by a stiff spring, the tie. If the force of the spring would exceed the cut
+// energy (J/m^2) times the length of edge that the sample stands for, the tied point moves on
+// through the tissue at rest. This motion is the cut: the surface that the tied points sweep in a
+// frame is passed on as a blade in rest space. Until a tied point moves on, the edge only indents
+// the tissue. So the front of the cut lags behind the instrument.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +18,14 @@
 
 namespace resect {
 
-// A sample of an edge; the state between two frames.
+// The state of a sample of an edge between two frames.
 struct CutSample {
-  bool known = false;          // whether `place` is known: tissue is near
-  bool tied = false;           // whether the edge is held by tissue there
+  bool known = false;          // whether tissue is near, so that `place` is known
+  bool tied = false;           // whether the sample is tied to the tissue at `place`
   bool cutting = false;        // whether it swept through tissue at the end of the last frame
-  Vec3 place = Vec3::Zero();   // the point of the tissue at rest where the edge is, m
-  Vec3 motion = Vec3::Zero();  // of the hand at the sample, m/s, smoothed over kHandTime
-  double lean = 1;             // cosine of the angle between that motion and the cut's direction
+  Vec3 place = Vec3::Zero();   // where the sample is in the tissue: a point of rest space, m
+  Vec3 motion = Vec3::Zero();  // velocity of the instrument there, m/s, smoothed over 0.03 s
+  double lean = 1;             // cosine of the angle between `motion` and the cut's direction
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -35,7 +36,7 @@ struct CutSample {
 
 struct CutFront {
   std::int32_t tool = -1, edge = 0;  // which edge of which instrument
-  std::vector<CutSample> samples;    // in the order of the edge
+  std::vector<CutSample> samples;    // in order along the edge
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -43,35 +44,36 @@ struct CutFront {
   }
 };
 
-// What the edges have done in a frame. What was given, neither taken nor held, went into the cut.
+// Work and energy of all edges in a frame. The cut took the work `given`, less `taken` and less the
+// growth of `held` since the frame before.
 struct CutWork {
-  double area = 0;   // cut, m^2, at rest
-  double given = 0;  // work of the hand on the ties, J
+  double area = 0;   // area that was cut, in rest space, m^2
+  double given = 0;  // work of the instruments on the ties, J
   double taken = 0;  // work of the ties on the tissue, J
-  double held = 0;   // energy in the ties at the end of the frame, J
-  double cut = 0;    // cut energy times area, J: what the cut should take
+  double held = 0;   // elastic energy of the ties at the end of the frame, J
+  double cut = 0;    // energy that the cut should take, J: cut energy per area times area
 };
 
 class CutFronts {
  public:
-  // Once per frame: finds where the edges of the obstacles are in the tissue. duration: of the
+  // Call once per frame: finds where the edges of the obstacles are in the tissue. duration: of the
   // frame, s. dt: the tissue's longest substep, s.
   void list(const RestTissue& rest, double duration, double dt,
             std::span<const Obstacle> obstacles);
-  // After each substep: pulls the tissue with the edges, and lets ties move on. share: when it
-  // ends, as a fraction of the frame, 0 to 1. dt: length of the substep, s. lookAhead:
-  // SubstepConstants::lookAhead.
+  // Call after each substep: pulls the tissue with the edges, and lets ties move on. share: the
+  // fraction of the frame at which the substep ends, 0 to 1. dt: length of the substep, s.
+  // lookAhead: SubstepConstants::lookAhead.
   void push(const RestTissue& rest, ElasticState& state, double share, double dt, double lookAhead);
-  // Appends what was cut since list().
+  // Appends the cuts made since list(), one for each edge that cut.
   void appendCuts(std::vector<TissueCut>& cuts) const;
   // Sets everything back to the state after list(), for another attempt at the frame.
   void startAgain(const RestTissue& rest);
 
-  // Per obstacle: momentum that tissue has given to it since list(), kg m/s.
+  // Per obstacle: momentum that the ties have given to it since list(), kg m/s.
   std::span<const Vec3> impulse() const { return impulse_; }
   CutWork work() const { return work_; }
   std::span<const CutFront> fronts() const { return fronts_; }
-  // Throws nothing: whether a loaded state is sound.
+  // Whether a loaded state is valid: all numbers are finite.
   bool fit() const;
 
   template <class Visitor>
@@ -87,18 +89,18 @@ class CutFronts {
   // A sample in this frame.
   struct Sample {
     Vec3 point, tangent, outwards;  // in the edge's coordinates; m, unit, unit
-    Vec3 start;                     // of the sweep: the tie at rest when it began, m
-    bool swept = false;             // it has cut since `start`, without a break
-    bool inside = false;            // it stood for edge in tissue when it was looked at last
-    bool spent = false;  // it was let go in this frame, and is not tied again before the next
+    Vec3 start;                     // CutSample::place when the present sweep began, m
+    bool swept = false;             // whether it has cut since `start` without a break
+    bool inside = false;            // whether edge that it stands for was last found in tissue
+    bool spent = false;  // whether it was untied in this frame; then it is not tied again in it
     Mat3 toRest = Mat3::Identity();  // inverse of F at the tie
     PointCells cells;
-    Vec3 cellsAt, askedAt, lengthAt;  // where `cells`, `ahead` and `length` were found
-    bool ahead = false;               // an intact bond lies ahead
-    double length = 0;                // of the edge in tissue that the sample stands for, m
-    double toughness = 0;             // J of the tissue there times the edge's bluntness, J/m^2
+    Vec3 cellsAt, askedAt, lengthAt;  // CutSample::place when `cells`, `ahead`, `length` were found
+    bool ahead = false;               // whether an intact bond lies ahead (tissueAhead())
+    double length = 0;                // length of edge in tissue that the sample stands for, m
+    double toughness = 0;             // cut energy of the tissue times the edge's bluntness, J/m^2
     Vec3 force = Vec3::Zero();        // on the tissue, N
-    Vec3 motion = Vec3::Zero();       // of the hand, m/s
+    Vec3 motion = Vec3::Zero();       // velocity of the instrument at the sample, m/s
   };
   struct Edge {
     CuttingEdge edge;
@@ -106,7 +108,7 @@ class CutFronts {
     double step = 0;  // length of edge that a sample stands for, m
     std::vector<Sample> samples;
   };
-  static constexpr double kStretchedSteps = 3;  // samples farther apart are not neighbours
+  static constexpr double kStretchedSteps = 3;  // steps; samples farther apart are not joined
   // A cell near an edge.
   struct Candidate {
     std::int32_t cell;
@@ -117,7 +119,7 @@ class CutFronts {
   void findCandidates(const RestTissue& rest, const CuttingEdge& edge);
   void locate(const RestTissue& rest, const Vec3& point, double reach, CutSample& sample,
               Sample& now) const;
-  // In cut_tie.cpp: what happens to the samples of an edge in a substep. pose: of the edge.
+  // In cut_tie.cpp: computes a substep of an edge's samples. pose: of the edge.
   struct Pull;
   void pullSamples(const RestTissue& rest, Edge& edge, CutFront& front, const Pose& pose,
                    double dt);

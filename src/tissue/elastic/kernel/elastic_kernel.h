@@ -15,15 +15,16 @@
 namespace resect {
 
 // Limit of |cof F|^2, where cof F is the cofactor matrix of F; the value at rest is 3. Beyond the
-// limit the response to volume change is multiplied by the limit / |cof F|^2, so that one length of
-// the substep is stable for any deformation. Shorter substeps allow a higher limit
+// limit the response to volume change and the stress of the Maxwell branches are multiplied by
+// limit / |cof F|^2, and the stiffening b x by its square, so that one length of the substep is
+// stable for any deformation. Shorter substeps allow a higher limit
 // (ElasticTissue::chooseFineness()).
 inline constexpr float kCofactorLimit = 6;
 
-// Most that the shear modulus grows by: b x of tissue/material.h.
+// Upper limit of the relative growth of the shear modulus: of b x in tissue/material.h.
 inline constexpr float kMostStiffening = 3;
 
-// The stress of Maxwell branches changes slowly, so branches are advanced once for this many
+// The stress of Maxwell branches changes slowly, so branches are advanced only once in this many
 // substeps.
 inline constexpr int kSubstepsPerRelaxation = 4;
 
@@ -48,13 +49,14 @@ struct SubstepConstants {
   float gravity[3] = {};                 // m/s^2
   float mostSpeedSquared = 0;            // m^2/s^2; beyond it a cell counts as exploded
   float cofactorLimit = kCofactorLimit;  // see above
-  float lessCofactorLimit = kCofactorLimit;  // of the next longer substep
-  // The stress pass advances the branches by this time, s, and counts stiff cells.
+  float lessCofactorLimit = kCofactorLimit;  // the limit that goes with the next longer substep
+  // relaxes: whether the stress pass advances the Maxwell branches, by relaxTime, s, and counts
+  // stiff cells.
   bool relaxes = false;
   float relaxTime = 0;
 };
 
-// Numbers of cells whose |cof F|^2 is beyond the two limits.
+// Numbers of cells whose |cof F|^2 exceeds cofactorLimit, and lessCofactorLimit.
 struct StiffCells {
   std::int64_t beyond = 0, beyondLess = 0;
 };
@@ -78,8 +80,9 @@ ElasticView viewOf(ElasticState& state);
 
 struct ElasticKernel {
   const char* name;
-  // For the chunks [begin, end): computes stress and bondForce from `ahead`; with
-  // SubstepConstants::relaxes also advances the branches. Returns the counts then, else zeros.
+  // For the chunks [begin, end): computes stress and bondForce from `ahead`. If
+  // SubstepConstants::relaxes is true, also advances the branches, and returns the numbers of stiff
+  // cells; if not, returns zeros.
   StiffCells (*stressPass)(const ElasticView& s, const SubstepConstants& c, std::size_t begin,
                            std::size_t end);
   // For the chunks [begin, end): computes v, u and `ahead` from stress and bondForce. Returns false
