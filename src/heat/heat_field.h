@@ -15,7 +15,6 @@
 // Only cells of this lattice that are warm or changed, or beside warm ones, are stored (as
 // HeatedSpot); elsewhere the tissue is at 37 C. No heat flows through the tissue's surface. Single
 // vessels do not cool the tissue; the perfusion w stands for all of them.
-// the tissue's surface. Vessels do not cool it (an estimate of their effect is the perfusion).
 #pragma once
 
 #include <cstdint>

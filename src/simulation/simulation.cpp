@@ -330,7 +330,6 @@ void Simulation::updateSurface(const FrameInput& input) {
   }
 }
 
-// Blood leaves cut vessels and tissue, and runs.
 // Updates time and frame, and reports faults.
 void Simulation::measure(const FrameInput& input, StepReport& report) {
   if (input.iso && !(*input.iso >= kMinIso && *input.iso <= kMaxIso))

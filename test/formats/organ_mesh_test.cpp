@@ -128,7 +128,7 @@ TEST_CASE("inner shells are told: cavities, and those that face outwards, with t
   CHECK(
       organ.notes[1] ==
       "1 inner shell of 64 ml facing outwards (part 'tumour'), so that what it encloses is tissue; "
-      "if it is a cavity, turn its faces inwards");
+      "if it is a cavity, say so by --structure cavity=PART, or turn its faces inwards");
   flip(inner);
   TriangleMesh both = outer;
   append(both, inner);

@@ -7,7 +7,7 @@ from resect.envs.operation_env import UNIT, OperationEnv
 class ResectTumour(OperationEnv):
     """Cut off the end of the left lobe with a tumour in it, with a margin of 5 mm or more, and as little else as can be.
 
-    The tumour is a ball of 12 mm radius, a label of the organ (its tissue is that of the liver), always at the same
+    The tumour is a ball of 12 mm radius, a label of the organ (three times as stiff as the liver), always at the same
     place. Reward per decision: 0.05 per cm^2 of new cut, if the tip is within 60 mm of the tumour seen from above, else
     minus as much; minus 0.1 per N above 3 N; minus 5 once when the tumour is cut. When all of the tumour is in pieces
     that have come off: 10, or 5 with a smaller margin, minus 0.02 per ml of liver in them; this ends the episode, as a

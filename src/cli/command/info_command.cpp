@@ -116,9 +116,10 @@ void addInfoCommand(Command app) {
   auto options = std::make_shared<Options>();
   Command command = app.subcommand("info", "Tell what a file holds and whether it is sound");
   command
-      .option("FILE", options->file,
-              ".iv .wrl .obj .stl .ply .off .glb .gltf .3mf .vtk; label images: .nii .nrrd .mha .dcm; "
-              "particles: .dis .resect-cells")
+      .option(
+          "FILE", options->file,
+          ".iv .wrl .obj .stl .ply .off .glb .gltf .3mf .vtk; label images: .nii .nrrd .mha .dcm; "
+          "particles: .dis .resect-cells")
       .required();
   addPartOption(command, options->part);
   command
