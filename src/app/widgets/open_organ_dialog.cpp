@@ -16,6 +16,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScreen>
+#include <QSignalBlocker>
+#include <QSpinBox>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
@@ -131,7 +133,17 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   spacing_->setSuffix(" mm");
   spacing_->setValue(before.spacing.value_or(0.005) * 1e3);
   spacing_->setToolTip("Side of the cells: smaller shows and cuts finer, and costs more");
+  connect(spacing_, &QDoubleSpinBox::valueChanged, this, [this] { spacingChosen_ = true; });
   form->addRow("Spacing", spacing_);
+  axes_ = new QComboBox;
+  axes_->addItem("x left, y front, z feet: as the room", "");
+  axes_->addItem("x left, y back, z head: LPS, as DICOM", "LPS");
+  axes_->addItem("x right, y front, z head: RAS, as 3D Slicer", "RAS");
+  axes_->addItem("x left, y head, z front: as glTF", "LSA");
+  axes_->setToolTip("Where the file's axes point in the patient, who lies on the back");
+  connect(axes_, &QComboBox::currentIndexChanged, this, [this] { showSurface(); });
+  form->addRow("Axes of the file", axes_);
+  form->addRow("Turn about X, Y, Z", turnRow());
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel);
   open_ = buttons->button(QDialogButtonBox::Open);
   open_->setEnabled(false);
@@ -179,20 +191,44 @@ void OpenOrganDialog::readSurface() {
   const std::string ply = folder_.filePath("surface.ply").toStdString();
   surfaceReader_.writeSurface(file_, part, ply, [this, ply](const std::string& problem) {
     busy_->setRange(0, 1);
-    if (problem.empty()) showSurface(ply);
+    if (!problem.empty()) return;
+    mesh_ = merged(readPlainMesh(ply));
+    showSurface();
+    if (surfaceShown && surface_->pictures() > 0) surfaceShown();
   });
 }
 
 // Without OpenGL there is no picture, and the organ can be opened all the same.
-void OpenOrganDialog::showSurface(const std::string& ply) {
+void OpenOrganDialog::showSurface() {
+  if (mesh_.triangles.empty()) return;
   try {
-    const TriangleMesh mesh = merged(readPlainMesh(ply));
-    const Pose upright{Vec3::Zero(),
-                       isImage_ ? orientationOf("LPS") : Eigen::Quaterniond::Identity()};
-    surface_->setSurface(transformed(mesh, upright));
-    if (surfaceShown) surfaceShown();
+    surface_->setSurface(transformed(mesh_, {Vec3::Zero(), lying()}));
   } catch (const Error&) {
   }
+}
+
+QHBoxLayout* OpenOrganDialog::turnRow() {
+  auto* row = new QHBoxLayout;
+  const char* axes[] = {"the patient's left", "up", "the patient's feet"};
+  for (int a = 0; a < 3; ++a) {
+    QSpinBox* turn = turns_[std::size_t(a)] = new QSpinBox;
+    turn->setRange(-180, 180);
+    turn->setSingleStep(90);
+    turn->setSuffix("\u00b0");
+    turn->setToolTip(QString("Turns the organ about the axis that points to %1").arg(axes[a]));
+    connect(turn, &QSpinBox::valueChanged, this, [this] { showSurface(); });
+    row->addWidget(turn);
+  }
+  return row;
+}
+
+Eigen::Quaterniond OpenOrganDialog::lying() const {
+  const std::string letters = isImage_ ? "LPS" : axes_->currentData().toString().toStdString();
+  const auto own = letters.empty() ? Eigen::Quaterniond::Identity() : orientationOf(letters);
+  return (turnOf(
+              fmt::format("{},{},{}", turns_[0]->value(), turns_[1]->value(), turns_[2]->value())) *
+          own)
+      .normalized();
 }
 
 // Shows text and enlarges the dialog for it.
@@ -213,11 +249,21 @@ void OpenOrganDialog::unitChanged() {
                      .arg(area_ * metres * metres * 1e4, 0, 'g', 4);
   if (volume_ > 0) size += QString(", %1 ml").arg(volume_ * std::pow(metres, 3) * 1e6, 0, 'g', 5);
   size_->setText(size);
+  if (!spacingChosen_ && volume_ > 0) proposeSpacing(volume_ * std::pow(metres, 3));
   // An open part has none.
   for (std::size_t i = 0; roles_->filled() && i < partVolumes_.size(); ++i)
     if (partVolumes_[i] > 0)
       roles_->setAbout(int(i),
                        QString("%1 ml").arg(partVolumes_[i] * std::pow(metres, 3), 0, 'g', 4));
+}
+
+// That of the scenario, or less for a small organ, which would have too few particles to show its
+// shape. volume: m^3.
+void OpenOrganDialog::proposeSpacing(double volume) {
+  constexpr double kParticles = 2000;
+  const double small = 1e-4 * std::floor(1e4 * std::cbrt(volume / kParticles));
+  const QSignalBlocker quiet(spacing_);
+  spacing_->setValue(1e3 * std::min(before_.spacing.value_or(0.005), small));
 }
 
 // False if the result changes the choice of part, so that another examination follows.
@@ -284,6 +330,7 @@ void OpenOrganDialog::listRoles(const QJsonObject& info) {
   }
   if (isImage_) {  // whose numbers are metres, and whose surfaces are closed
     unit_->setEnabled(false);
+    form_->setRowVisible(axes_, false);
     repair_->setEnabled(false);
     form_->setRowVisible(part_, false);
   } else {
@@ -343,8 +390,8 @@ OrganSource OpenOrganDialog::source() const {
   source.repair = repair_->isChecked();
   source.spacing = spacing_->value() * 1e-3;
   source.settings = before_.settings;
-  if (!isImage_) return source;
-  takeLabels(source);
+  if (isImage_) takeLabels(source);
+  source.pose.rotation = lying();
   return source;
 }
 

@@ -4,6 +4,7 @@
 
 #include <QDialog>
 #include <QTemporaryDir>
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -16,9 +17,11 @@ class QDoubleSpinBox;
 class QFormLayout;
 class QJsonArray;
 class QJsonObject;
+class QHBoxLayout;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QSpinBox;
 
 namespace resect {
 
@@ -47,6 +50,7 @@ class OpenOrganDialog : public QDialog {
   bool show(const std::string& json, const std::string& problem);
   void tell(const QString& text);
   void unitChanged();
+  void proposeSpacing(double volume);
   void examine();
   int likelyUnit() const;
   bool listParts(const QJsonArray& parts);
@@ -55,7 +59,9 @@ class OpenOrganDialog : public QDialog {
   std::string chosenPart() const;  // as OrganSource::part
   void showSlices();
   void readSurface();
-  void showSurface(const std::string& ply);
+  void showSurface();
+  QHBoxLayout* turnRow();
+  Eigen::Quaterniond lying() const;  // of the file's axes in the room
 
   std::string file_;
   OrganSource before_;
@@ -63,10 +69,12 @@ class OpenOrganDialog : public QDialog {
   QTemporaryDir folder_;                    // for the picture of slices and the surface
   std::optional<std::string> surfacePart_;  // whose surface is shown, or read now
   SurfaceView* surface_;
+  TriangleMesh mesh_;  // what the picture shows, as it lies in the file
   QProgressBar* busy_;
   QLabel *report_, *slices_, *size_;
   QFormLayout* form_;
-  QComboBox *unit_, *part_;
+  QComboBox *unit_, *part_, *axes_;
+  std::array<QSpinBox*, 3> turns_;  // degrees about the room's axes
   PartsTable* roles_;
   QCheckBox* repair_;
   QDoubleSpinBox* spacing_;
@@ -75,6 +83,7 @@ class OpenOrganDialog : public QDialog {
   double area_ = 0, volume_ = 0;     // in units squared and units cubed; volume 0: open surface
   std::vector<double> partVolumes_;  // of a model's parts, ml if one unit is 1 m; 0: open
   bool unitChosen_ = false;          // the user has chosen a unit
+  bool spacingChosen_ = false;       // the user has chosen a spacing
   bool isImage_ = false;             // a label image
 };
 

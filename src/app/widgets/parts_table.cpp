@@ -38,6 +38,14 @@ void PartsTable::fill(const std::vector<FilePart>& parts, bool image) {
   parts_ = parts;
   const bool told =
       std::ranges::any_of(parts, [](const FilePart& part) { return proposed(part) == kOrgan; });
+  // The parts of a model whose names tell nothing are the organ then.
+  const bool others =
+      std::ranges::any_of(parts, [](const FilePart& part) { return proposed(part) == kLeftOut; });
+  const auto roleFor = [&](const FilePart& part) {
+    const int role = proposed(part);
+    if (told || image) return told ? role : kLeftOut;
+    return others && role != kLeftOut ? role : kOrgan;
+  };
   setRowCount(int(parts.size()));
   for (int row = 0; row < int(parts.size()); ++row) {
     const FilePart& part = parts[std::size_t(row)];
@@ -50,8 +58,7 @@ void PartsTable::fill(const std::vector<FilePart>& parts, bool image) {
       const std::string word(wordOf(StructureKind(k)));
       role->addItem(QString::fromStdString(word).replace('-', ' '), 1 + k);
     }
-    const int choice = told ? proposed(part) : image ? kLeftOut : kOrgan;
-    role->setCurrentIndex(std::max(0, role->findData(choice)));
+    role->setCurrentIndex(std::max(0, role->findData(roleFor(part))));
     connect(role, &QComboBox::activated, this, [this] {
       if (changed) changed();
     });

@@ -21,8 +21,9 @@ class PartsTable : public QTableWidget {
  public:
   explicit PartsTable(QWidget* parent = nullptr);
 
-  // Fills the table and proposes a role for each part by its name. If no name means an organ, all
-  // parts of a model together are proposed as the organ, and all labels of an image as left out.
+  // Proposes a role for each part by its name. If no name means an organ, the parts of a model
+  // whose names mean nothing are the organ; all of them are if there is no such part. No label of
+  // an image is the organ then.
   void fill(const std::vector<FilePart>& parts, bool image);
   void setAbout(int row, const QString& about) { item(row, 1)->setText(about); }
   bool filled() const { return !parts_.empty(); }

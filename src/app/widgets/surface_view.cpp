@@ -16,7 +16,6 @@ namespace resect {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi / 12;  // rad/s: a turn in twelve seconds
-constexpr double kSlope = 0.25;                      // rad: seen a little from above
 constexpr int kPause = 40;                           // ms between pictures, besides drawing
 constexpr double kPerPixel = 0.01;                   // rad that the mouse turns
 constexpr double kCamera = 2.7;                      // distance, in radii of the surface
@@ -68,7 +67,6 @@ void SurfaceView::setSurface(const TriangleMesh& mesh) {
   TriangleMesh unit = mesh;
   for (Vec3& p : unit.points) p = (p - box.centre()) / radius;
   root_->addChild(makeModel(unit, 60));
-  angle_ = 0, slope_ = kSlope;
   clock_.start();
   draw();
   timer_.start();
@@ -87,7 +85,7 @@ void SurfaceView::draw() {
   picture_ =
       QImage(image.pixels.data(), image.width, image.height, 3 * image.width, QImage::Format_RGB888)
           .copy();
-  ++turned_;
+  ++pictures_;
   update();
 }
 

@@ -26,7 +26,7 @@ class SurfaceView : public QWidget {
   // mesh: +Y is up in the picture, +Z towards the viewer. Coordinates in any unit. Throws Error if
   // OpenGL is missing.
   void setSurface(const TriangleMesh& mesh);
-  int turned() const { return turned_; }  // number of pictures drawn, for tests
+  int pictures() const { return pictures_; }  // drawn so far
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -44,8 +44,8 @@ class SurfaceView : public QWidget {
   QTimer timer_;
   QElapsedTimer clock_;
   QPoint grabbed_;
-  double angle_ = 0, slope_ = 0;  // rad
-  int turned_ = 0;
+  double angle_ = 0, slope_ = 0.25;  // rad; at first seen a little from above
+  int pictures_ = 0;
 };
 
 }  // namespace resect

@@ -247,6 +247,11 @@ bool startsAsDicom(std::string_view bytes) {
   return bytes.size() > 132 && bytes.substr(128, 4) == "DICM";
 }
 
+bool startsAsSegmentation(std::string_view bytes) {
+  return startsAsDicom(bytes) &&
+         bytes.substr(0, kDicomHead).find(UID_SegmentationStorage) != bytes.npos;
+}
+
 void prepareDicom() {
   dcmDataDict.rdlock();
   dcmDataDict.rdunlock();

@@ -13,6 +13,10 @@ namespace resect {
 
 // Whether the bytes begin like a DICOM file.
 bool startsAsDicom(std::string_view bytes);
+// Whether they begin like a DICOM segmentation, by the class of the object in the file's header.
+// bytes: at least the first kDicomHead of the file, or all if it is shorter.
+bool startsAsSegmentation(std::string_view bytes);
+inline constexpr std::size_t kDicomHead = 512;
 
 // Loads DCMTK's dictionary, which DCMTK would otherwise load at its first use. To be called in a
 // child process before it loses the right to open files.

@@ -1,12 +1,14 @@
 #include "formats/labels/brought_organ.h"
 
 #include <algorithm>
+#include <fstream>
 #include <optional>
 
 #include "base/crc32.h"
 #include "base/error.h"
 #include "base/text/shown_text.h"
 #include "formats/child/foreign_file.h"
+#include "formats/images/dicom_file.h"
 #include "formats/labels/label_file.h"
 #include "formats/labels/label_model.h"
 #include "formats/meshes/word_reader.h"
@@ -60,18 +62,39 @@ std::vector<Found> labelsOf(const std::string& file, OrganSource& source) {
   return all;
 }
 
-// The label images of a folder, by name.
-std::vector<std::string> imagesIn(const std::string& folder) {
+std::string beginningOf(const fs::path& file) {
+  std::string start(kDicomHead, '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(start.data(), std::streamsize(start.size()));
+  start.resize(std::size_t(in.gcount()));
+  return start;
+}
+
+// The label images of the source's folder, by name. Studies of DICOM have folders for their series,
+// so segmentations are looked for in all of them; slices of scans are left out.
+std::vector<std::string> imagesIn(OrganSource& source) {
   std::vector<std::string> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && isImageFile(entry.path()))
-      files.push_back(entry.path().string());
+  int slices = 0;
+  const fs::recursive_directory_iterator folder(source.file,
+                                                fs::directory_options::skip_permission_denied);
+  for (auto entry = begin(folder); entry != end(folder); ++entry) {
+    if (!entry->is_regular_file() || !isImageFile(entry->path())) continue;
+    const std::string start = beginningOf(entry->path());
+    if (startsAsDicom(start) && !startsAsSegmentation(start))
+      ++slices;
+    else if (startsAsDicom(start) || entry.depth() == 0)
+      files.push_back(entry->path().string());
+  }
   std::ranges::sort(files);
+  if (files.empty() && slices > 0)
+    throw error("{}: holds {} DICOM files of a scan and no segmentation; make one with {}",
+                source.file, slices, kLabelMakers);
   if (files.empty())
     throw error(
         "{}: is a folder without label images; choose one of .nii, .nrrd, .mha or DICOM "
         "files",
-        folder);
+        source.file);
+  if (slices > 0) source.notes.push_back(fmt::format("left out: {} DICOM files of a scan", slices));
   return files;
 }
 
@@ -206,7 +229,7 @@ bool isLabelled(const fs::path& path) {
 
 void takeLabels(OrganSource& source) {
   layAsInPatient(source);
-  if (fs::is_directory(source.file)) return takeFiles(source, imagesIn(source.file));
+  if (fs::is_directory(source.file)) return takeFiles(source, imagesIn(source));
   if (!source.part.empty() || !source.structures.empty()) return;
   const std::vector<Found> all = labelsOf(source.file, source);
   if (all.empty()) return;  // its reader says so

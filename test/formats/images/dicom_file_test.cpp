@@ -9,6 +9,7 @@
 #include <dcmtk/dcmdata/dcuid.h>
 #include <doctest/doctest.h>
 
+#include "formats/labels/brought_organ.h"
 #include "image_bytes.h"
 #include "io/whole_file.h"
 #include "support/sentence.h"
@@ -143,4 +144,26 @@ TEST_CASE("DICOM files that are no segmentation, uneven slices and torn files ar
   SegForm skipped;  // a slice without frames between others
   skipped.gap = 2;
   CHECK(readDicomFile("a.dcm", segBytes(plain, skipped)).dims.z() == plain.dims.z() + 1);
+}
+
+TEST_CASE("of a study of DICOM, the segmentation is taken, in whatever folder it lies") {
+  const TemporaryFolder study;
+  SegForm scan;
+  scan.kind = UID_CTImageStorage;
+  std::filesystem::create_directories(study / "series 1");
+  std::filesystem::create_directories(study / "series 2");
+  for (const char* slice : {"series 1/IM0001", "series 1/IM0002", "slice.dcm"})
+    study.write(slice, segBytes(twoBoxes(), scan));
+  OrganSource source;
+  source.file = study.path().string();
+  CHECK(tells(sentenceOf([&] { takeLabels(source); }),
+              "holds 3 DICOM files of a scan and no segmentation"));
+  study.write("series 2/IM0001", segBytes(twoBoxes()));
+  source = {};
+  source.file = study.path().string();
+  takeLabels(source);
+  CHECK(source.file == (study / "series 2/IM0001").string());
+  CHECK(source.part == "1");  // the liver
+  REQUIRE_FALSE(source.notes.empty());
+  CHECK(source.notes[0] == "left out: 3 DICOM files of a scan");
 }
