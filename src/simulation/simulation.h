@@ -64,14 +64,14 @@ struct StepReport {
   double time = 0;                     // at the end of the frame, s
   std::int64_t removed = 0;            // number of particles removed
   double removedVolume = 0;            // volume removed, m^3
-  std::int64_t severed = 0, torn = 0;  // number of bonds severed by cuts and edits; that tore
+  std::int64_t severed = 0, torn = 0;  // bonds severed by cuts and edits; bonds torn by load
   std::int64_t touchedBricks = 0;      // number of bricks evaluated and meshed again
   // One entry per tool and organ: tool after tool, and for each tool organ after organ. The entry
   // of a tool that is not in hand has no particles.
   std::vector<ToolContacts> contacts;
   std::vector<TissueEdit> edits;  // of input and tools, in order, with skipped ones (apply_edits.h)
   std::vector<TissueEdit>
-      caused;  // edits that follow from the motion of tissue and edges: cuts, tears, slipped grips
+      caused;  // by the motion of tissue and of instruments: cuts, tears, slipped grips
   std::vector<TissueStep> tissue;   // one per organ
   std::vector<CutVessel> vessels;   // vessels that were cut further in the frame
   BloodReport blood;                // if any organ has vessels

@@ -16,7 +16,8 @@ struct Branch {
   std::string name;
 };
 
-// The end of a frame of a branch. A frame's number is Simulation::frame() after its step.
+// The end of a frame of a branch. Frames count from 1: a frame's number is Simulation::frame()
+// after the step that computes the frame; 0 is the start.
 struct Moment {
   std::int64_t branch = 0, frame = 0;
   bool operator==(const Moment&) const = default;

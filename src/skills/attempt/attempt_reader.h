@@ -42,7 +42,7 @@ class AttemptReader {
   Attempt& attempt_;
   std::vector<Pose> rests_;  // of the instruments
   LedgerBooks books_;
-  std::int64_t second_;  // frames
+  std::int64_t second_;  // number of frames in a second
   VesselWatch vessels_;
   std::optional<GoalWatch> goal_;
   std::size_t targetOrgan_ = 0;  // of the goal

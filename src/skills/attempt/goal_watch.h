@@ -19,8 +19,8 @@ class GoalWatch {
   // Forgets all but the first `frames` frames.
   void rewind(std::size_t frames, Attempt& attempt) const;
 
-  // The targets, the point of the plane, or points of the line every few millimetres, in the world
-  // after the last frame; empty before the first frame.
+  // Positions in the world after the last frame: of the targets, or of the point through which the
+  // task's plane is laid, or of points along the task's line. Empty before the first frame.
   const std::vector<TissuePoint>& present() const { return present_; }
 
  private:
