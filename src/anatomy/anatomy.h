@@ -1,8 +1,8 @@
 // The anatomy of an organ: its vessels, as trees of straight segments in rest space.
 //
-// Vessels are far thinner than cells, so cells cannot represent them. A segment has its own
-// position and radius, to the micrometre, whatever the lattice. Segments of one kind are stored
-// together, and each segment comes after its parent.
+// Vessels are far thinner than the cells of the tissue's lattice, so cells cannot represent them. A
+// segment has a position and a radius of its own, which do not depend on the lattice. Segments of
+// one kind are stored together, and each segment comes after its parent.
 #pragma once
 
 #include <array>
@@ -61,12 +61,12 @@ Anatomy makeAnatomy(std::vector<VesselSegment> segments);
 Anatomy transformed(Anatomy anatomy, const Pose& pose);
 
 // The points of the segments p-q and a-b that are nearest to each other, as fractions of the
-// lengths: first from p to q, second from a to b.
+// segments' lengths, 0 to 1: `first` from p to q, `second` from a to b.
 struct NearestPlaces {
   double first = 0, second = 0;
 };
 NearestPlaces nearestPlaces(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b);
-// Distance between these points, m.
+// Distance between the two nearest points, m.
 double segmentDistance(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b);
 
 }  // namespace resect

@@ -6,17 +6,16 @@
 // the liver is divided into three territories, each supplied by branches of the portal vein. The
 // leftmost branch supplies the left liver. In the right liver, the rightmost branch supplies the
 // posterior section (VI, VII), the other branches the anterior section (V, VIII). A point belongs
-// to the territory to which most of the branch ends near it belong. The plane of the left hepatic
-// vein divides the left liver into IV and II with III. Planes at the height of the portal vein's
-// fork divide VI from VII, V from VIII, and III from II; a plane is moved up or down until at least
-// 30 % of the terminals concerned lie on each side. The caudate, I, lies round the line from the
-// fork to the vena cava, behind that line.
+// to the territory that gets most votes of the 12 nearest branch ends; nearer ends count more. The
+// plane of the left hepatic vein divides the left liver into IV and II with III. Planes at the
+// height of the portal vein's fork divide VI from VII, V from VIII, and III from II; a plane is
+// moved up or down until at least 30 % of the terminals that it divides lie on each side. The
+// caudate, I, lies round the line from the fork to the vena cava, behind that line.
 //
 // The axis of the vena cava is the line from the portal vein's fork to the point where the hepatic
 // veins meet. The right is the side of the middle hepatic vein with more terminals of the portal
 // vein. So left and right are exchanged for a liver whose left half is the larger one, and for a
 // mirrored liver.
-// whose left half is the larger one gets its sides wrong; so does a mirrored one.
 #pragma once
 
 #include <array>
@@ -41,7 +40,7 @@ class LiverSegments {
   // branches.
   static std::optional<LiverSegments> find(const Anatomy& anatomy);
 
-  // The number, 1 to 8, of the segment in which a point in rest space lies.
+  // The number, 1 to 8, of Couinaud's segment in which a point in rest space lies.
   int at(const Vec3& place) const;
   // The name of a vessel by what it supplies or drains, such as "right anterior portal vein" or
   // "portal branch of segment VI". segment: index in the anatomy, of any piece of the vessel.
@@ -68,7 +67,7 @@ class LiverSegments {
 
   Vec3 fork_ = Vec3::Zero(), cava_ = Vec3::Zero();  // the fork; the hepatic veins' meeting point; m
   Vec3 up_ = Vec3::Zero(), ahead_ = Vec3::Zero(), left_ = Vec3::Zero();  // unit; up_: cava's axis
-  std::array<double, 3> veins_{};   // angles of the right, middle and left hepatic vein
+  std::array<double, 3> veins_{};   // angle() of the right, middle and left hepatic vein
   std::array<double, 2> levels_{};  // heights, m, of the planes: [0] right liver, [1] left liver
   std::vector<Terminal> terminals_;
   std::vector<std::uint8_t> territory_;

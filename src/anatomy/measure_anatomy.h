@@ -17,14 +17,16 @@ struct VesselMeasures {
   double volume = 0;                  // of the lumina, m^3
   double length = 0;                  // m
   std::vector<double> radiusByOrder;  // mean radius per Strahler order, m; [0]: order 1, the leaves
-  double outside = 0;  // length along which the wall sticks out of the organ, without stems, m
+  // Length along which the wall sticks out of the organ, m. Stems are not counted: a stem is the
+  // piece of a vessel from its root to the place where it enters the organ.
+  double outside = 0;
 };
 
 struct AnatomyMeasures {
   std::array<VesselMeasures, kVesselKinds> kinds;
   // Per pair of kinds: the number of pairs of segments that overlap, and the least gap between
-  // their walls, m. A gap is negative where vessels overlap, and 5 mm at most. Stems outside the
-  // organ are left out.
+  // their walls, m. A gap is negative where vessels overlap; gaps above 5 mm count as 5 mm. Stems
+  // are left out.
   std::array<std::array<int, kVesselKinds>, kVesselKinds> crossings{};
   std::array<std::array<double, kVesselKinds>, kVesselKinds> gaps{};
 };
@@ -36,13 +38,14 @@ AnatomyMeasures measure(const Anatomy& anatomy, const TriangleMesh& surface);
 std::array<double, kLiverSegments> segmentVolumes(const LiverSegments& segments,
                                                   const TriangleMesh& surface);
 
-// A vessel with a name of its own: all segments of this name from its first one on.
+// A vessel with a name: a segment whose parent has another name or none, and all segments after it
+// in the tree that have the same name.
 struct NamedVessel {
   std::string name;
   VesselKind kind = VesselKind::PortalVein;
-  std::int32_t segment = -1;  // its first segment
-  double radius = 0;          // of this segment, m
-  std::int32_t terminals = 0;
+  std::int32_t segment = -1;   // its first segment
+  double radius = 0;           // of the first segment, m
+  std::int32_t terminals = 0;  // in the subtree that begins with the first segment
 };
 // The vessels with at least `terminals` terminals, ordered as their first segments in the anatomy.
 std::vector<NamedVessel> namedVessels(const Anatomy& anatomy, const LiverSegments& segments,

@@ -29,10 +29,10 @@ enum class VesselEnd : std::uint8_t { Root, Far };
 struct VesselInjury {
   std::int32_t segment = -1;
   std::uint32_t cut = 0;    // bit f: filament f is cut
-  double from = 1, to = 0;  // fractions of its length between which the wall is open
+  double from = 1, to = 0;  // the wall is open between these fractions of the segment's length
   std::uint8_t sealed = 0;  // bit 0: the end towards the root; bit 1: the far end
-  double flow[2] = {0, 0};  // out of the ends in the last frame, m^3/s
-  double bled = 0;          // volume since it was cut, m^3
+  double flow[2] = {0, 0};  // per VesselEnd: flow out of it in the last frame, m^3/s
+  double bled = 0;          // volume of blood lost since the cut, m^3
 
   double share() const { return double(std::popcount(cut)) / kFilaments; }
   bool severed() const { return share() > kSevered; }
@@ -58,12 +58,12 @@ struct VesselClip {
   }
 };
 
-// A segment that lies in another part of the organ's tissue than the body.
+// A segment whose tissue has been separated from the body, the main part of the organ.
 struct SegmentPart {
   std::int32_t segment = -1;
-  std::int32_t part = kCrumb;  // from 1 on: a piece; or kCrumb
+  std::int32_t part = kCrumb;  // number of the separated piece, from 1 on; or kCrumb
 
-  static constexpr std::int32_t kCrumb = -1;  // debris, or no tissue is left there
+  static constexpr std::int32_t kCrumb = -1;  // the segment lies in debris or in no tissue
 
   template <class Visitor>
   void visit(Visitor& v) {
@@ -74,13 +74,13 @@ struct SegmentPart {
 struct VesselState {
   std::vector<VesselInjury> injuries;  // ascending by segment
   std::vector<VesselClip> clips;       // ascending by segment and share
-  std::vector<std::int32_t> bared;     // bare segments, ascending
+  std::vector<std::int32_t> bared;     // segments that lie bare of tissue somewhere; ascending
   std::vector<SegmentPart> apart;      // ascending by segment
   bool inflowClamped = false;          // portal vein and artery are closed outside the organ
   double clampedTime = 0;              // how long they have been closed in all, s
 
   const VesselInjury* injury(std::int32_t segment) const;
-  // Whether a clip closes an end of an injured vessel.
+  // Whether a clip closes this end of an injured vessel; whether a segment has any clip.
   bool clipped(const VesselInjury& injury, VesselEnd end) const;
   bool clipped(std::int32_t segment) const;
   void addClip(const VesselClip& clip);
@@ -99,8 +99,8 @@ struct Filament {
 Filament filamentOf(const VesselSegment& segment, int filament);
 
 // The next three functions cut the filaments that a blade, a box or a face crosses (rest space, m).
-// They append the segments of which they cut a filament for the first time to `cut`. Cost:
-// proportional to the number of segments near.
+// They append to `cut` each segment of which they cut a filament that was whole. Cost: proportional
+// to the number of segments near the blade, box or face.
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& blade,
                 VesselState& state, std::vector<std::int32_t>& cut);
 // Cuts the vessels with a radius below `spared`, m, where they run in the box. The others become
@@ -108,8 +108,8 @@ void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBla
 void cutVessels(const Anatomy& anatomy, const VesselIndex& index, const Aabb& box, double spared,
                 VesselState& state, std::vector<std::int32_t>& cut);
 
-// face: along which tissue tore. Cuts the vessels with a radius below `spared`, m, that cross it.
-// The others become bare there.
+// face: the face along which tissue tore. Cuts the vessels with a radius below `spared`, m, that
+// cross it. The others become bare there.
 void tearVessels(const Anatomy& anatomy, const VesselIndex& index, const SweptBlade& face,
                  double spared, VesselState& state, std::vector<std::int32_t>& cut);
 

@@ -42,7 +42,7 @@ class Viewer;
 
 // A place that a teacher has marked on the organ.
 struct MadeMark {
-  Vec3 rest, seen;                    // in rest space, m; in the world, m
+  Vec3 rest, seen;                    // the place in rest space; the place in the world; m
   Vec3 normal;                        // of the surface there, unit
   std::optional<VesselPlace> vessel;  // the vessel to be divided there
   Vec3 view = Vec3::UnitZ();          // camera's direction when it was marked, unit
@@ -145,8 +145,8 @@ class MainWindow : public QMainWindow {
   void openPage(const std::filesystem::path& page);
   std::filesystem::path attemptsFolder() const;
   std::string learner() const;
-  // Whether an exercise is in progress; and whether it forbids going back to an earlier moment. If
-  // it does, refusesGoingBack() tells the user.
+  // exercising(): whether an exercise is in progress. refusesGoingBack(): whether the exercise
+  // forbids going back to an earlier moment; if it does, the user is told.
   bool exercising() const { return attempt_ && !attemptEnded_; }
   bool refusesGoingBack();
   void endExerciseUnscored();
@@ -193,7 +193,7 @@ class MainWindow : public QMainWindow {
   HintBar* hint_;
   OperationPanel* operation_;
   QList<QDockWidget*> traineePanels_, laboratoryPanels_;
-  std::optional<bool> laboratoryChosen_;  // whether the user wants the laboratory; none: not chosen
+  std::optional<bool> laboratoryChosen_;  // whether to show the laboratory; none: not chosen yet
   QMenu* instrumentMenu_;
   std::vector<QAction*> instrumentActions_;
   InstrumentsPanel* instruments_;
@@ -214,15 +214,17 @@ class MainWindow : public QMainWindow {
   bool marking_ = false;                  // the next click marks a place
   std::shared_ptr<LiveAttempt> attempt_;  // at the exercise begun last; null: none
   bool attemptEnded_ = false;
-  bool waitsForHand_ = false;  // an exercise's time starts when an instrument is taken
-  // Number of clips on vessels, and the bleeding ends, before the clip applier was closed.
+  bool waitsForHand_ = false;  // the exercise's time has not started: no instrument was taken
+  // Number of clips on vessels, and the bleeding ends, when the clip applier was last open.
   int clipsBefore_ = 0;
   std::vector<BleedingEnd> endsBefore_;
   bool clipperClosed_ = false;
   int clipperHeld_ = -1;
-  double jawsOpen_ = 0;     // last time when the jaws of the instrument in hand were open, s
-  double clipPlaced_ = -1;  // time of a clip whose effect is still to be reported, s; -1: none
-  bool asTest_ = false, startedAsTest_ = false;  // for this exercise; for the one being loaded
+  // Simulated times, s: when the jaws of the instrument in hand were last open; when a clip was
+  // placed whose effect is still to be reported, -1: none.
+  double jawsOpen_ = 0;
+  double clipPlaced_ = -1;
+  bool asTest_ = false, startedAsTest_ = false;  // is this exercise a test; is the one loading
   std::filesystem::path page_;                   // report of the last attempt
   std::int64_t attemptBranch_ = 0;               // branch on which that attempt ended
   std::int64_t replayUntil_ = -1;                // frame where the replay stops; -1: no replay runs
@@ -230,8 +232,8 @@ class MainWindow : public QMainWindow {
   QSize videoSize_;
   qint64 panelsShown_ = 0, pictureTaken_ = 0;  // times, ms since 1970
   // The members whose names end in Said hold what was last reported to a script, or last shown.
-  std::int64_t removedSaid_ = 0;    // particles
-  std::uint64_t uploadedSaid_ = 0;  // vertices
+  std::int64_t removedSaid_ = 0;    // number of removed particles
+  std::uint64_t uploadedSaid_ = 0;  // number of uploaded vertices
   double forceSaid_ = 0;            // largest force on a tool since the last report, N
   int heldSaid_ = -2;               // number of the tool in hand; -1: none; -2: nothing said yet
   ToolHandling::Hold howSaid_ = ToolHandling::Hold::None;
@@ -241,14 +243,14 @@ class MainWindow : public QMainWindow {
   std::string operationFile_;  // file where the user saved the operation; empty: none yet
   std::string madeFrom_;       // recording that the operation was opened from; empty: none
   static constexpr std::size_t kNoTarget = ~std::size_t(0);
-  std::size_t targetSaid_ = kNoTarget;       // number of the exercise's next target
+  std::size_t targetSaid_ = kNoTarget;       // number of the exercise's next target, from 0
   std::size_t strokesBefore_ = 0;            // strokes that the operation had when it was opened
   std::optional<std::size_t> strokesNoted_;  // number of strokes at the last noteRecording()
   bool lookingAt_ = false;  // the next click chooses the point that the camera looks at
   bool readySaid_ = false, pictureSaid_ = false;
   bool playingSaid_ = false, showingSaid_ = false;
   bool waitingSaid_ = false;
-  qint64 slowSince_ = 0;  // when the simulation became too slow, ms since 1970; 0: it is not
+  qint64 slowSince_ = 0;  // when the simulation became too slow, ms since 1970; 0: not slow
   Moment momentSaid_;
   std::shared_ptr<const Ledger> ledgerSaid_;
   bool keepsView_ = false;  // the same organ is being loaded again: the camera stays

@@ -19,9 +19,9 @@ double steadySecondsOf(std::uint64_t stamp);
 class Pace {
  public:
   void inputCame(double at);
-  // To be called when the drawing of a picture begins. The picture shows all inputs that came
-  // before this call. looked: when the changes in the picture were taken from the operation.
-  // lastRemoval: time of the newest removal of tissue in the picture.
+  // To be called when the drawing of a picture begins. The picture shows the effects of all inputs
+  // that came before this call. looked: when the changes in the picture were taken from the
+  // operation. lastRemoval: time of the newest removal of tissue in the picture.
   void pictureBegins(double looked, double lastRemoval);
   void pictureIsDrawn();
   void pictureShown();
@@ -51,7 +51,7 @@ class Pace {
     bool inPicture;
   };
   std::vector<Input> waiting_;
-  std::vector<double> begun_, shown_;  // when the last 64 pictures began; when they were shown
+  std::vector<double> begun_, shown_;  // times when the last 64 pictures were begun, were shown
   std::vector<double> latencies_;
   int pictures_ = 0, late_ = 0, removal_ = 0, count_ = 0;
   double seenRemoval_ = 0, since_ = 0, drawing_ = 0;

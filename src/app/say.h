@@ -1,5 +1,5 @@
-// Makes foreign text safe to show in the window. Prints the window's reports to scripts on standard
-// output, one line per event, flushed at once.
+// Makes foreign text (from files and names) safe to show in the window. Prints the window's reports
+// to scripts on standard output, one line per event, flushed at once.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ inline QString shown(const std::string& text, std::size_t most = kLongestShown) 
   return QString::fromStdString(shownText(text, most));
 }
 
-// The same for tool tips and labels that interpret HTML: marks of HTML in the text are escaped.
+// The same for tool tips and labels that interpret HTML: HTML tags in the text are escaped.
 inline QString shownInHtml(const std::string& text) { return shown(text).toHtmlEscaped(); }
 
 template <typename... Args>

@@ -3,8 +3,8 @@
 // waits for a whole picture.
 //
 // The picture is drawn offscreen, and only changed pixels go to the screen. A QOpenGLWidget would
-// compose the whole window for each picture. In software rendering that takes two fifths of all
-// shading (docs/decisions/0003).
+// compose the whole window for each picture. With software rendering, composing took two fifths of
+// all shading (docs/decisions/0003).
 #pragma once
 
 #include <QElapsedTimer>
@@ -91,15 +91,15 @@ class Viewer : public QWidget {
   // Sets of strips of the picture: bit i is strip i, counted from below.
   std::uint32_t rough_ = 0;   // strips that are not antialiased yet
   std::uint32_t behind_ = 0;  // strips still to be antialiased while other strips move
-  int sinceStrip_ = 0;        // pictures drawn since the last strip
+  int sinceStrip_ = 0;        // number of pictures drawn since the last strip was drawn
   bool shadowsDue_ = false;   // the next strip also draws the changed shadows
-  double slowDrawn_ = 0;      // last time when slow damage was taken, s
+  double slowDrawn_ = 0;      // last time when Damage::slow was drawn again, s
   double stripDrawn_ = 0;     // last time when a strip was drawn while something moved, s
   double lastInput_ = 0;      // time of the last input, s
   double pauseEnds_ = 0;      // time before which no sharp picture of moving parts is begun, s
   QString waiting_;           // text shown in place of a picture
   Qt::MouseButtons down_;
-  // For each of the last pictures: when it was finished, and how long it took, s.
+  // For each of the last pictures, at most 240: when it was finished, and how long it took, s.
   std::vector<std::pair<double, double>> drawn_;
   double due_ = 0;  // when the next update is due, s
   Pace pace_;

@@ -14,7 +14,7 @@ struct WindowOptions {
   int width = 1280, height = 720;  // of the window, pixels
   int historyMemory = 512;         // most memory for showing earlier moments, MB
   double fpsLimit = 60;            // most pictures per second
-  bool exercises = false;          // begin with the list of exercises
+  bool exercises = false;          // show the list of exercises first
   // Obey the commands of a script on standard input, and report to it on standard output.
   bool reports = false;
   // True: dark colours. False: light colours. Without a value: those chosen last, or dark ones if

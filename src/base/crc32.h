@@ -1,5 +1,5 @@
 // The checksum CRC-32 of ISO 3309, which gzip and PNG use: polynomial 0x04c11db7, bits reflected.
-// Cost: one table look-up per byte; some 400 MB/s.
+// Cost: one table look-up per byte; about 400 MB/s.
 #pragma once
 
 #include <array>

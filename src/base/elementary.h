@@ -7,9 +7,10 @@
 // give NaN for |x| > 1e6, acos() for |x| > 1; every function gives NaN for NaN. Cost: 20 to 60
 // operations per call.
 //
-// Method: sin(), cos() and exp() reduce x to a short interval (Cody and Waite 1980), the arc
-// functions to the distance from one of three tabulated angles. There the Taylor series is summed
-// until the rest is below a hundredth of a unit in the last place. cbrt() uses Halley's iteration.
+// Method: sin(), cos() and exp() reduce x to a short interval (Cody and Waite 1980). The arc
+// functions reduce their result to its difference from one of three tabulated angles. For the
+// reduced number, the Taylor series is summed until its remainder is below a hundredth of a unit in
+// the last place. cbrt() uses Halley's iteration.
 #pragma once
 
 namespace resect::math {

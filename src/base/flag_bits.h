@@ -13,8 +13,8 @@ namespace resect {
 
 #ifdef __SSE2__
 
-// compared16() passes its test four consecutive numbers at a time. The test returns one lane for
-// each: all bits set where the comparison is true, else 0.
+// compared16() passes four consecutive numbers at a time to its test. The test returns one lane per
+// number: all bits of the lane are set if the comparison is true, none if it is false.
 typedef float FourValues __attribute__((vector_size(16)));
 typedef std::int32_t FourFlags __attribute__((vector_size(16)));
 
@@ -50,7 +50,7 @@ inline std::uint64_t compared16(const float* values, Test test) {
 
 #endif
 
-// As compared16(), for 64 values.
+// The same as compared16() for 64 values.
 template <typename Test>
 [[gnu::always_inline]] inline std::uint64_t compared64(const float* values, Test test) {
   return compared16(values, test) | compared16(values + 16, test) << 16 |

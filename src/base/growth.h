@@ -20,8 +20,8 @@ void reserveFor(std::vector<T, Allocator>& array, std::size_t size) {
 }
 
 // Calls array.resize(size). If the capacity is too small, it becomes size + size / 32; this holds
-// for the first call too. A cut adds a little surface, which nearly always fits the spare capacity.
-// Without spare capacity a cut would copy tens of megabytes, which takes as long as a frame. New
+// for the first call too. A cut adds a little surface, which nearly always fits into the spare
+// capacity. Without it, a cut would copy tens of megabytes, which takes as long as a frame. New
 // elements are uninitialised; the caller writes them.
 template <typename T>
 void growTo(RawArray<T>& array, std::size_t size) {

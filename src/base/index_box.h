@@ -20,7 +20,7 @@ struct IndexBox {
   IndexBox widened(int margin) const {  // larger by `margin` points on every side
     return {low - Vec3i::Constant(margin), dims + Vec3i::Constant(2 * margin)};
   }
-  // The points are numbered with x fastest. The box must hold fewer than 2^31 points. step():
+  // Points are numbered from 0, x fastest. The box must hold fewer than 2^31 points. step():
   // difference between the indices of two points that are neighbours along the axis. index(): the
   // point must lie in the box.
   std::int32_t step(int axis) const {

@@ -27,8 +27,8 @@ class ThreadLimit {
 // changes results.
 std::size_t threadsAllowed();
 
-// A reference to the function (begin, end) that parallelFor runs. The function object must exist
-// until the loop ends. Unlike a std::function, a RangeBody never allocates.
+// A reference to the function body(begin, end) that parallelFor runs. The function object must
+// exist until the loop ends. Unlike a std::function, a RangeBody never allocates.
 class RangeBody {
  public:
   template <typename Callable>
@@ -44,9 +44,9 @@ class RangeBody {
   void (*call_)(const void*, std::size_t, std::size_t);
 };
 
-// grain >= 1: indices per block; the last block may have fewer. With count = 0 nothing is called.
-// An exception that `body` throws is thrown again to the caller. The loop can be stopped as
-// described in base/stop.h.
+// grain: number of indices per block, at least 1; the last block may have fewer. With count = 0
+// nothing is called. An exception that `body` throws is thrown again to the caller. The loop can be
+// stopped as described in base/stop.h.
 void parallelFor(std::size_t count, std::size_t grain, const RangeBody& body);
 
 }  // namespace resect

@@ -41,7 +41,7 @@ struct BloodReport {
   BloodLedger ledger;
   double rate = 0;                // flow out of vessels and tissue, mean over the frame, m^3/s
   double airRate = 0;             // flow of air drawn into open hepatic veins, m^3/s
-  std::vector<BleedingEnd> ends;  // those that bleed, sorted by organ and segment
+  std::vector<BleedingEnd> ends;  // ends that bleed now, sorted by organ and segment
 };
 
 // Grade of bleeding for a rate in m^3/s: from 0 (none) to 4 (life-threatening), on the VIBe scale
@@ -55,10 +55,10 @@ class Bleeding {
   explicit Bleeding(std::span<const OperatedOrgan> organs, const Circulation& circulation = {});
   bool any() const { return any_; }
 
-  // Computes a frame of `duration`, s, after the tissue has moved. organs: those of the
-  // constructor; the flows out of their injured vessels are updated. edits: all edits applied in
-  // the frame. time: at the end of the frame, s. table: whether there is a table. report: is
-  // overwritten.
+  // Computes a frame of `duration`, s, after the tissue has moved. organs: the organs that
+  // the constructor got; the flows out of their injured vessels are updated. edits: all edits
+  // applied in the frame. time: simulated time at the end of the frame, s. table: whether there is
+  // a table. `report` is overwritten.
   void step(std::span<OperatedOrgan> organs, std::span<const TissueEdit> edits, double duration,
             double time, bool table, BloodReport& report);
 
@@ -76,7 +76,7 @@ class Bleeding {
   void remake(std::span<const OperatedOrgan> organs);  // after a state was loaded
 
  private:
-  // A cell with cut faces that ooze.
+  // A cell with cut faces out of which blood oozes.
   struct Oozing {
     std::int64_t cell = -1;
     double area = 0;        // of the cut faces, m^2
@@ -91,7 +91,7 @@ class Bleeding {
   struct OrganBlood {
     BloodFilm film;
     std::vector<Oozing> oozing;
-    std::vector<double> sinusoids;  // their pressures, Pa, by part of the tissue (as Oozing::part)
+    std::vector<double> sinusoids;  // pressures in them, Pa, per part of the tissue (Oozing::part)
     std::int32_t unsought = 0;      // frames since an edit that may have divided tissue; 0: none
     VesselFlow flow;                // set up once
 

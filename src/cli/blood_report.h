@@ -13,8 +13,8 @@ nlohmann::ordered_json toJson(const BloodSummary& summary);
 std::string toText(const BloodSummary& summary);  // lines, each ends with a line break
 
 nlohmann::ordered_json toJson(const std::vector<SegmentAmount>& segments);
-// A line about the segments of Couinaud of which 1 ml or more was separated from the body of the
-// organ; "" if there are none.
+// A line about Couinaud's segments of which 1 ml or more of tissue was separated from the body of
+// the organ; "" if there are no such segments.
 std::string toText(const std::vector<SegmentAmount>& segments);
 
 }  // namespace resect

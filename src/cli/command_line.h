@@ -20,7 +20,7 @@ class Option {
   explicit Option(CLI::Option* option) : option_(option) {}
 
   Option required() const;
-  Option showDefault() const;                                   // the help shows the present value
+  Option showDefault() const;                                   // the help shows the default value
   Option range(int least, int most) const;                      // both included
   Option range(double least, double most) const;                // both included
   Option notNegative() const;                                   // a number, 0 or more
@@ -35,7 +35,7 @@ class Option {
   CLI::Option* option_;
 };
 
-// A command, as "run" in `resect run`. Handles may be copied.
+// A command, such as "run" in `resect run`. Handles may be copied.
 class Command {
  public:
   explicit Command(CLI::App* command) : command_(command) {}

@@ -24,9 +24,9 @@ inline void printNotes(std::FILE* file, const std::vector<std::string>& notes) {
   for (const std::string& note : notes) printLine(file, "note: {}", shownSentence(note));
 }
 
-// target: name of the file, or "-" for standard output. Indents by two spaces and keeps the order
-// in which keys were added. Characters that are not ASCII become \uXXXX, so that a terminal can
-// show them. A file is written atomically (io/atomic_file.h).
+// Writes the JSON to `target`: the name of a file, or "-" for standard output. Indents by two
+// spaces and keeps the order in which keys were added. Characters that are not ASCII become \uXXXX,
+// so that a terminal can show them. A file is written atomically (io/atomic_file.h).
 void writeJson(const std::string& target, const nlohmann::ordered_json& json);
 
 }  // namespace resect

@@ -13,7 +13,7 @@ namespace resect {
 nlohmann::ordered_json toJson(const Ledger& ledger);
 
 // Rows of a summary. Each begins with two spaces and a name of ten characters, and ends with a line
-// feed. The numbers add up, to the rounding of each: organ = remains + pieces + debris + removed.
+// feed. Except for rounding, organ = remains + pieces + debris + removed.
 std::string toText(const Ledger& ledger);
 
 }  // namespace resect

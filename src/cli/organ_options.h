@@ -14,7 +14,7 @@ namespace resect {
 struct OrganOptions {
   // As the user wrote them; "": option not given.
   std::string part, unit, spacing, dims, orientation, rotate;
-  std::vector<std::string> structures;  // of --structure
+  std::vector<std::string> structures;  // the values of --structure
   bool repair = false;                  // whether --repair was given
 
   // Overwrites those settings of `source` for which an option was given.

@@ -16,11 +16,12 @@ struct PictureSettings {
   std::string video;   // name of an .mp4 file; "": no video
   std::string size;    // in pixels, as "1280x720"
   double rate = 10;    // pictures per simulated second
-  // The numbered pictures that are in the folder are removed before the first is written.
+  // Whether numbered pictures that are already in the folder are removed before the first new one
+  // is written.
   bool overwrite = false;
 };
 
-// The files that are written to the folder.
+// The numbered pictures that a PictureWriter writes to the folder.
 NumberedOutputs framesIn(const std::string& folder);
 
 class PictureWriter {

@@ -15,7 +15,7 @@ namespace resect {
 // Options about the pictures of an operation: their files and how they look, as the user wrote
 // them.
 struct PictureOptions {
-  std::string frames, video;  // folder, file; "": no such pictures
+  std::string frames, video;  // folder of numbered pictures; video file; "": none
   std::string size = "1280x720", view, setting;
   double rate = 10;  // pictures per simulated second
 
@@ -55,7 +55,7 @@ void addRecordingOption(Command command, std::string& file);
 
 // A part of a recorded operation.
 struct RecordedPart {
-  double from = 0, to = INFINITY;  // s
+  double from = 0, to = INFINITY;  // simulated times, s
   std::int64_t branch = -1;        // -1: the branch of RecordingFile::moment()
 
   void check() const;                                // throws a usage Error unless 0 <= from <= to

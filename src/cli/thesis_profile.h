@@ -1,6 +1,7 @@
-// A flat profile of an operation in the form of gprof: the stages sorted by time, with the number
-// of calls. For each stage it also lists the functions of the thesis's program that did the same
-// work, and their share of that program's time (appendix A of the thesis, 2004).
+// A flat profile of an operation in the form of gprof: the stages sorted by the time that they
+// took, with the number of calls. For each stage it also lists the functions of the thesis's
+// program that did the same work, and their share of that program's time (appendix A of the thesis,
+// 2004).
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -5,12 +5,12 @@
 
 namespace resect {
 
-inline constexpr double kMostLostTissue = 0.02;   // share of the tissue's volume
-inline constexpr double kFewestParticles = 2000;  // of a whole organ: fewer do not show its shape
+inline constexpr double kMostLostTissue = 0.02;   // largest lost share of the tissue's volume
+inline constexpr double kFewestParticles = 2000;  // of a whole organ; fewer do not show its shape
 
 // Side, m, of the largest cubic cells that lose no more than kMostLostTissue of the tissue
-// (WallThickness::lostAt()) and make at least kFewestParticles particles; in whole hundredths of a
-// millimetre, 0.01 to 100 mm. The mesh must be closed and oriented outwards. Cost: that of
+// (WallThickness::lostAt()) and make at least kFewestParticles particles. The side is a multiple of
+// 0.01 mm, from 0.01 to 100 mm. The mesh must be closed and oriented outwards. Cost: that of
 // wallThickness().
 double coarsestCell(const TriangleMesh& surface);
 

@@ -12,7 +12,7 @@
 //     volume(both);
 //
 // For single points use insideFlags(), for moving tools sweptInside() (both in collision/inside.h).
-// These two are exact, whereas a look-up in the nearest pixel is not.
+// Both functions are exact; a look-up in the nearest pixel is not.
 //
 // A pixel stands for the column along z through its centre. It holds the intervals of this column
 // that are inside the body, clipped to the volume of interest. All columns run along z, so one
@@ -38,7 +38,8 @@ struct DepthInterval {
 
 struct LayeredDepthImage {
   ColumnGrid pixels;
-  // Per pixel the index of its first interval; then one entry more, the number of intervals.
+  // Per pixel: the index of its first interval in `intervals`. One more entry follows, the number
+  // of all intervals.
   std::vector<std::uint32_t> offsets{0};
   std::vector<DepthInterval> intervals;
   // Number of pixels at which the mesh is open: the pixel's column does not enter the mesh as often
@@ -55,7 +56,7 @@ struct LayeredDepthImage {
 // Rasterises the inside of a mesh within the box. The mesh must be closed, oriented outwards and
 // finite, except that it may be incomplete over pixels that are not wanted. wanted: one flag per
 // pixel, or empty if all pixels are wanted. Pixels that are not wanted get no intervals. Cost: a
-// pass over the mesh and the crossings.
+// pass over the mesh and its crossings with the pixels' columns.
 LayeredDepthImage layeredDepthImage(const TriangleMesh& mesh, const Aabb& box,
                                     const ColumnGrid& pixels,
                                     std::span<const std::uint8_t> wanted = {});

@@ -1,7 +1,7 @@
 // Scanline rasteriser: finds all crossings of columns (lines along +z) with a closed mesh. First
 // the x and y of the mesh's points and of the columns are snapped to an integer raster. Then the
-// rasteriser decides exactly which triangles of the snapped mesh a column crosses. Only the depth
-// of a crossing is rounded, as any floating-point number.
+// rasteriser decides exactly which triangles of the snapped mesh a column crosses. Of a crossing
+// only the depth is inexact: it is computed in floating point.
 //
 // The raster has 2^30 steps over the larger of the mesh's extents in x and y; on a liver a step is
 // 0.2 nm. With these integers every edge function is an exact 64-bit integer. A column through an
@@ -11,10 +11,10 @@
 // the mesh alone. So a column has the same crossings whether it is cast alone or with others, in a
 // grid or in a list, at any number of threads.
 //
-// Cost: a pass over the mesh's points and triangles; then a few operations for each column in a
-// triangle's bounding box, and a few for each crossing. Sources: layered depth images for
-// collisions (Heidelberger, Teschner, Gross 2003); symbolic perturbation, for columns through edges
-// and vertices (Edelsbrunner, Muecke 1990).
+// Cost: a pass over the mesh's points and triangles; then O(1) for each pair of a triangle and a
+// column in its bounding box, and sorting the crossings of each column by depth. Sources: layered
+// depth images for collisions (Heidelberger, Teschner, Gross 2003); symbolic perturbation, for
+// columns through edges and vertices (Edelsbrunner, Muecke 1990).
 #pragma once
 
 #include <Eigen/Core>
@@ -34,8 +34,8 @@ struct Crossing {
   std::int32_t sign;  // as z grows: +1 enters the body, -1 leaves it
 };
 
-// The crossings of many columns. Those of one column are sorted by depth; at equal depths those of
-// sign +1 come first.
+// The crossings of a number of columns. The crossings of one column are sorted by depth; at equal
+// depths, crossings with sign +1 come first.
 struct Crossings {
   // Per column: index in `all` of its first crossing. The last element is all.size().
   std::vector<std::uint32_t> offsets;
@@ -90,7 +90,8 @@ Crossings castColumns(const SnappedMesh& mesh, const ColumnGrid& grid);
 Crossings castColumns(const SnappedMesh& mesh, std::span<const Vec2> columns);
 
 // For each point, the sum of the signs of the crossings below it (those with depth < z of the
-// point). This is the number of closed shells that surround the point: 0 outside, > 0 inside.
+// point). If all shells of the mesh face outwards, this is the number of shells that surround the
+// point: 0 outside, > 0 inside.
 std::vector<std::int32_t> windingNumbers(const SnappedMesh& mesh, std::span<const Vec3> points);
 
 // Calls visit(z0, z1) for every interval of a column that lies inside the body (winding number >
@@ -119,8 +120,9 @@ struct SampleLine {
 };
 
 // As forEachInside() above, but for the points of `line`: calls visit(i0, i1) for every interval
-// that contains some of them, in ascending order. The interval contains the points i0 to i1 - 1; i0
-// < i1. If no point lies between two intervals, i1 of the first equals i0 of the second.
+// that contains at least one of these points, in ascending order. The interval contains the points
+// i0 to i1 - 1; i0 < i1. If no point lies between two intervals, i1 of the first equals i0 of the
+// second.
 template <typename Visit>
 void forEachInside(std::span<const Crossing> column, const SampleLine& line, Visit&& visit) {
   forEachInside(column, [&](double entered, double left) {

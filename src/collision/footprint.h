@@ -1,5 +1,5 @@
-// Triangle setup for the rasteriser of collision/columns.h, which alone uses it: edge functions,
-// fill rule and depth of one triangle.
+// Prepares one triangle for the rasteriser of collision/columns.h: edge functions, fill rule and
+// depth. No other code uses this file.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +8,7 @@
 
 namespace resect {
 
+// Raster steps over the larger of the mesh's extents in x and y.
 inline constexpr std::int32_t kRaster = 1 << 30;
 // Raster coordinates of a column that lies beside the mesh: below its extent, or above it. No
 // triangle covers this column.
@@ -59,8 +60,9 @@ class Footprint {
 
  private:
   // The edge function of edge i, which is opposite to corner i. dx, dy: the edge as a vector.
-  // start: the value at corner 0, less `notOwned`. The function is not negative if the column lies
-  // to the left of the edge, or on it and notOwned is 0. Its absolute value is below 2^62.
+  // start: the value at corner 0, minus `notOwned`. The function is not negative if the column lies
+  // to the left of the edge, or if it lies on the edge and notOwned is 0. Its absolute value is
+  // below 2^62.
   struct Edge {
     std::int64_t dx, dy, start;
     std::int64_t notOwned = 0;  // 1: columns on the edge belong to the triangle beyond it

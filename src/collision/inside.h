@@ -1,9 +1,9 @@
 // Inside tests: which points lie in a closed body, and which points a moving tool touches.
 //
-// Columns are cast through the points themselves (collision/columns.h); there are no pixels. Meshes
-// must be closed and oriented outwards; overlapping shells count as their union. Along z a point on
-// a lower face is outside and a point on an upper face is inside. So bodies that share a face share
-// no point.
+// Columns (lines along +z) are cast through the points themselves (collision/columns.h), not
+// through the nodes of a grid. Meshes must be closed and oriented outwards; overlapping shells
+// count as their union. A point on a face whose normal points to -z is outside; a point on a face
+// whose normal points to +z is inside. So bodies that share a face share no point.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +28,10 @@ std::vector<std::uint8_t> insideFlags(const TriangleMesh& mesh, std::span<const 
 // rotate, the answer is exact: in the tool's frame all points move along one direction, and columns
 // are cast along this direction. If the tool rotates, the motion is divided into steps of at most 2
 // degrees. The steps are smaller if the path of a point, in the tool's frame, would otherwise leave
-// its chord by more than 1e-4 of the tool's diagonal. In each step the chord replaces the path, and
-// is tested against the tool's faces with exact integer edge functions. The cost grows with the
-// number of points in the box round the whole motion.
+// its chord by more than 1e-4 of the diagonal of the tool's bounding box. There are at most 4096
+// steps. In each step the chord replaces the path, and is tested against the tool's faces with
+// exact integer edge functions. The cost grows with the number of points in the box round the whole
+// motion.
 std::vector<std::uint8_t> sweptInside(const TriangleMesh& toolInToolFrame, const Pose& from,
                                       const Pose& to, std::span<const Vec3> worldPoints);
 

@@ -3,8 +3,8 @@
 // A regular grid in the body's frame holds the distance to a closed mesh; inside the mesh it is
 // negative. At grid nodes within one and a half cells of the surface the distance is exact. Farther
 // away it is approximate: the nearest triangles are propagated from node to node, after Danielsson
-// 1980. Between nodes the distance is interpolated trilinearly. A body thinner than a cell of the
-// grid is not lost, but the distance is not negative everywhere inside it.
+// 1980. Between nodes the distance is interpolated trilinearly. Near a body thinner than a cell of
+// the grid the distance is small, but it is not negative everywhere inside the body.
 #pragma once
 
 #include <vector>

@@ -1,14 +1,14 @@
 // The surface that a cutting edge sweeps between two poses, and where a segment crosses it.
 //
 // The edge is a poly-line in the tool's frame. It sweeps a strip of triangles; neighbouring
-// triangles have exactly the same corners. A motion with rotation is divided into steps, so that
-// the strip stays within `flatness` of the edge's true path.
+// triangles have exactly the same corners at their common side. A motion with rotation is divided
+// into steps, so that the strip stays within `flatness` of the edge's true path.
 //
 // No segment slips through between two triangles, since each triangle extends beyond its sides by
-// kBladeReach of its size. An end of a segment may lie on the strip. It counts as above the strip
-// (on the side of the normals) if it is within rounding error of the plane of the triangle. So if
-// two segments come from opposite sides and end at the same point of the strip, only the one from
-// below crosses.
+// kBladeReach of its size. An end of a segment that lies on the strip (within rounding error of a
+// triangle's plane) counts as above the strip, that is, on the side to which the normals point. So
+// if two segments come from opposite sides and end at the same point of the strip, only the one
+// from below crosses.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Files in the same folder that a model or image refers to: the buffers of a .gltf, or the voxels
-// of an image whose header is a separate file.
+// Files that a model or image refers to and that lie in its folder: the buffers of a .gltf, or the
+// voxels of an image whose header is a separate file.
 #pragma once
 
 #include <filesystem>
@@ -22,12 +22,13 @@ struct LacksFile {
   std::string name;
 };
 
-// For each file that may refer to others, appends all files in its folder that it may refer to.
-// Only a reader in its sandbox parses the file, so this function cannot know which of them it uses.
+// For each of `files` that may refer to others (.gltf, .hdr, .nhdr, .mhd), appends all files of its
+// folder that it may refer to. The files are not opened here (only a sandboxed reader parses them),
+// so some of the appended files may not be needed.
 void addFilesBeside(std::vector<std::filesystem::path>& files);
 
-// Whether the file at `path` may refer to a file with this name. Only the extensions of both are
-// compared.
+// Whether the file at `path` may refer to a file with this name. Looks only at the extensions of
+// the two names.
 bool mayReferTo(const std::filesystem::path& path, const std::filesystem::path& name);
 
 // Whether a file with this name may hold voxels: its extension is .raw, .zraw, .img or .gz.

@@ -50,7 +50,7 @@ ModelInfo modelInfo(const Model& model, const OrganMeshOptions& options = {});
 // The fields of `resect info --json`, lengths in m, area in m^2, volume in ml.
 nlohmann::ordered_json toJson(const ModelInfo& info);
 
-// A few lines for a person.
+// The same facts as text for a person, one in each line.
 std::string toText(const ModelInfo& info);
 
 }  // namespace resect

@@ -13,7 +13,7 @@ namespace resect {
 // format.
 nlohmann::ordered_json toJson(const KeptCells& kept, const std::string& path);
 
-// The report as a few lines of text.
+// The report as text, one fact in each line.
 std::string toText(const KeptCells& kept, const std::string& path);
 
 }  // namespace resect

@@ -2,7 +2,7 @@
 //
 // The points are divided into clusters. A query searches only the clusters whose bounding boxes
 // reach far enough; the reach of a box is its largest p.dot(direction). Cost: a few passes over the
-// points to build, then a pass over some thousand boxes per query.
+// points to build, then a pass over the boxes (at most 24^3) per query.
 #pragma once
 
 #include <cstdint>

@@ -30,21 +30,21 @@ class ForceRenderer {
   explicit ForceRenderer(double mostForce = 20);
 
   // Takes over a new model. hand, now: the same as for the render() that follows. The force does
-  // not jump: its change fades in over the time between the last two models, which is limited to 1
-  // to 4 frames.
+  // not jump: its change fades in over the time between the arrivals of the last two models, but
+  // over at least 1 and at most 4 durations of a frame.
   void take(const LocalModel& model, const HandState& hand, double now);
   // The force on the hand. now: time of a steady clock, s, not before the time of earlier calls.
   Wrench render(const HandState& hand, double now) const;
 
   const LocalModel& model() const { return model_; }
-  // The difference between the forces of the last two models at the hand's pose when the last one
-  // arrived: its magnitude, N.
+  // Magnitude of the difference between the forces, N, that the last two models give at the pose
+  // that the hand had when the last model arrived.
   double correction() const { return correction_; }
 
  private:
   double mostForce_;
   LocalModel model_;
-  Wrench fading_;  // difference from the previous force when the model arrived
+  Wrench fading_;  // previous force minus new force when the model arrived
   double taken_ = 0, fadeTime_ = 0, correction_ = 0;
 };
 

@@ -5,7 +5,7 @@
 // (tissue/touch.h). It holds the force on the instrument, the planes that the instrument touches,
 // and the change of the force when the instrument moves. Its size is fixed, so that it can be
 // handed over by a TripleBuffer. docs/methods/haptics.md derives the stiffness. World coordinates,
-// m, N, s. Cost: that of one substep for the points of one instrument.
+// m, N, s. Cost: as much as one substep spends on the contact points of one instrument.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ struct LocalModel {
   std::int64_t frame = -1;  // number of the simulated frame, from 0; -1: no frame yet
   double time = 0;          // simulated time at the end of the frame, s
   double duration = 0;      // of the frame, s
-  bool inHand = false;      // false: all members after `pose` are zero
+  bool inHand = false;      // the instrument is in a hand; if not, all after `pose` is zero
   Pose pose;                // of the instrument in the simulation, at the end of the frame
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  // mean in the frame, m/s and rad/s
 
@@ -49,7 +49,7 @@ struct LocalModel {
   // is the force on a blade or a grip.
   Vec3 rest = Vec3::Zero();
   Vec3 restPlace = Vec3::Zero();  // where `rest` acts
-  double restStiffness = 0;       // N/m, in all directions; with planes and no grip: along them
+  double restStiffness = 0;       // N/m, in all directions; if planes and no grip: along the planes
   double friction = 0;            // Coulomb's coefficient
   bool held = false;              // the instrument grips tissue
 

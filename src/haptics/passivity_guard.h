@@ -5,7 +5,7 @@
 // next one is written, so the work of a cycle is exactly the force times the displacement of the
 // hand. From this work the controller keeps an account of the energy that the hand may still
 // receive. It looks one cycle ahead: it reduces the force before the account becomes negative, and
-// lets the force grow again slowly.
+// then lets the force grow again within 30 ms.
 #pragma once
 
 #include "haptics/force_renderer.h"
@@ -34,12 +34,12 @@ class PassivityGuard {
   double mostForce_;
   bool started_ = false;
   Pose last_;
-  Vec3 way_ = Vec3::Zero(), turn_ = Vec3::Zero();  // of the hand in the last cycle, m and rad
-  double largestWay_ = 0;                          // largest way in recent cycles, m
-  double share_ = 1;                               // of the wanted force that is written
+  Vec3 way_ = Vec3::Zero(), turn_ = Vec3::Zero();  // hand's motion in the last cycle, m and rad
+  double largestWay_ = 0;                          // largest |way_|, m; decays by 5 % in a cycle
+  double share_ = 1;                               // fraction of the wanted force that is written
   Wrench written_;
   // The account: energy that the hand may still receive, J. It changes as -energy_ does, but is at
-  // most kMostAccount.
+  // most 0.5 J (kMostAccount).
   double account_ = 0;
   double energy_ = 0, most_ = 0;
   std::int64_t interventions_ = 0;

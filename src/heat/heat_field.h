@@ -2,7 +2,8 @@
 // coagulated, dried out and charred.
 //
 // The bioheat equation (Pennes 1948) is solved for the tissue at rest, on a lattice that does not
-// depend on the size of the organ's cells (T in C; the other symbols are named at the constants
+// depend on the size of the organ's cells (T in degrees Celsius, written C below; source: heat
+// brought in, W/m^3; coagulated: share, 0 to 1; the other symbols are named at the constants
 // below):
 //
 //     rho c dT/dt = k laplacian(T) - w rho_b c_b (1 - coagulated) (T - 37) + source
@@ -12,9 +13,10 @@
 // enthalpy and entropy that Jacques, Newman and He (1991) measured on pig liver. Dry tissue chars
 // above 150 C.
 //
-// Only cells of this lattice that are warm or changed, or beside warm ones, are stored (as
-// HeatedSpot); elsewhere the tissue is at 37 C. No heat flows through the tissue's surface. Single
-// vessels do not cool the tissue; the perfusion w stands for all of them.
+// A cell of this lattice is stored (as HeatedSpot) while it is warm (at least 0.01 K above 37 C),
+// is beside a warm cell, or its tissue has changed by heat. Elsewhere the tissue is at 37 C and
+// unchanged. No heat flows through the tissue's surface. Single vessels do not cool the tissue; the
+// perfusion w stands for all of them.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +43,7 @@ double coagulationRate(double temperature);
 struct HeatedSpot {
   std::int64_t index = -1;                // in HeatField::lattice()
   double temperature = kBodyTemperature;  // C
-  double water = 1;                       // share of its water that is left, 0 to 1
+  double water = 1;                       // share of the cell's water that is left, 0 to 1
   double coagulated = 0, charred = 0;     // shares, 0 to 1
 
   template <class Visitor>
@@ -66,9 +68,9 @@ class HeatField {
   // box: the bounding box of the organ at rest, m.
   explicit HeatField(const Aabb& box);
 
-  // Computes a frame. duration: of the frame, s. isTissue: whether there is tissue at a point in
-  // rest space. Cost: proportional to the number of spots; nothing if no spot is warm and there is
-  // no source.
+  // Computes a frame. duration: of the frame, s. isTissue: whether there is tissue at a point,
+  // given in the coordinates of the organ at rest (rest space). Cost: proportional to the number of
+  // spots; nothing if no spot is warm and there is no source.
   void step(std::span<const HeatSource> sources, double duration,
             const std::function<bool(const Vec3&)>& isTissue);
 
@@ -81,7 +83,7 @@ class HeatField {
   double charred(const Vec3& place) const;
 
   const Lattice& lattice() const { return lattice_; }
-  std::span<const HeatedSpot> spots() const { return spots_; }  // ascending
+  std::span<const HeatedSpot> spots() const { return spots_; }  // by ascending index
   bool empty() const { return spots_.empty(); }
   // Whether the coagulated or charred share of any spot has grown in the last step().
   bool changed() const { return changed_; }
@@ -118,8 +120,8 @@ class HeatField {
   Lattice lattice_;
   bool changed_ = false;
   double steam_ = 0;
-  std::vector<std::int64_t> added_;  // work of step()
-  std::vector<double> flux_;         // work of step(): heat flow into each spot, W
+  std::vector<std::int64_t> added_;  // temporary, of step()
+  std::vector<double> flux_;         // temporary, of step(): heat flow into each spot, W
 };
 
 }  // namespace resect

@@ -13,14 +13,14 @@ namespace resect {
 
 struct OrganMeshOptions {
   std::string part;          // names of the parts to join, one per line; empty: all parts
-  bool repair = false;       // holes are closed; false: an open surface is an error
+  bool repair = false;       // true: holes are closed; false: an open surface is an error
   double metresPerUnit = 1;  // > 0; metres per unit of the model's coordinates
 };
 
 struct OrganMesh {
   TriangleMesh mesh;          // welded, closed, consistently oriented outwards
   MeshHealth health;          // of `mesh`
-  double volume = 0;          // of its tissue, m^3: without cavities; overlaps count once
+  double volume = 0;          // of its tissue, m^3; cavities are left out, overlaps count once
   std::vector<Shell> shells;  // of `mesh`, if it has more than one
   RepairReport repairs;
   std::vector<std::string> notes;  // one sentence for people about each repair or doubt
@@ -37,10 +37,10 @@ struct WeldedSurface {
 // of the original only up to rounding.
 WeldedSurface weldSurface(const TriangleMesh& mesh);
 
-// Joins the chosen parts, or all parts, and scales and welds the surface. In components whose
-// triangles are all there more than once, drops the copies (dropDoubled()). Then closes the holes
-// if `repair` is on, drops specks (components without volume) and orients the rest outwards. Throws
-// Error in these cases:
+// Joins the chosen parts, or all parts, and scales and welds the surface. In components in
+// which every triangle occurs more than once, drops the copies (dropDoubled()). Then closes the
+// holes if `repair` is on, drops specks (components without volume) and orients the rest outwards.
+// Throws Error in these cases:
 // - The surface is open and `repair` is off. The Error gives the number of boundary edges and the
 //   position of the first one. If several parts were joined, it also gives their names. If the size
 //   is not that of an organ, it ends with a sentence about this (sizeDoubt()).

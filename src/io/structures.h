@@ -13,9 +13,9 @@
 namespace resect {
 
 // Adds the surfaces of the source's cavities to the organ's surface, with triangles that face into
-// the cavities. So a cavity contains no tissue, also where it extends beyond the organ. All in the
-// coordinates of the files, m. `notes` gets a sentence for each cavity. Throws Error if a cavity
-// and the organ have no volume in common.
+// the cavities. So a cavity contains no tissue, also where it extends beyond the organ. All
+// coordinates are those of the files, m. `notes` gets a sentence for each cavity. Throws Error if a
+// cavity and the organ have no volume in common.
 TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const ModelReader& readModel,
                       std::vector<std::string>* notes);
 

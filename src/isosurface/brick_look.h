@@ -30,7 +30,8 @@ constexpr float kRimShare = -1;
 
 // Writes the normal (unit, towards less tissue) and the cut share of each vertex. edges: the number
 // of the grid edge that each vertex lies on, as written by brickVertices(). `normals` and `cut`
-// must have room up to the next multiple of CrossedEdges::kStep; the rest is overwritten.
+// must have room up to the next multiple of CrossedEdges::kStep; elements beyond the last vertex
+// are overwritten.
 void brickLook(const ColourField& field, const NodeGrid& grid, std::int64_t brick,
                std::span<const std::uint8_t> edges, Vec3f* normals, float* cut);
 

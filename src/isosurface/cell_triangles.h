@@ -32,7 +32,8 @@ struct EdgeTable {
 // memory from that end to `limit` may be overwritten.
 Triangle* drawCells(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                     Triangle* out, const Triangle* limit);
-// The same, one corner after the other, for machines without AVX2. Overwrites nothing else.
+// The same, one corner after the other, for machines without AVX2. Overwrites nothing beyond the
+// returned end.
 Triangle* drawCellsPlainly(const EdgeTable& table, const CellKinds& kinds, std::uint64_t cells,
                            Triangle* out);
 

@@ -3,8 +3,8 @@
 // A vertex belongs to the grid edge that it lies on, and the edge to the brick of its lower node.
 // Within a brick an edge has the number 64 * axis + lower node. The crossed edges are stored as one
 // 64-bit mask per axis. Vertices are numbered in the order of their edges. So the number of a
-// vertex is the number of crossed edges before its own. To find it, bits of a mask are counted; no
-// search and no table is needed.
+// vertex is the number of crossed edges before the edge that it lies on. To find it, bits of a mask
+// are counted; no search and no table is needed.
 #pragma once
 
 #include <array>

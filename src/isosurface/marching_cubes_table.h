@@ -10,7 +10,7 @@
 // lines there, and the surface is closed. The lines of a cell link up to loops, and each loop is
 // triangulated. Triangulations with a diagonal in a face of the cell are excluded; of the others,
 // the one with the best-shaped triangles is taken. Source: Lorensen and Cline 1987 (the method);
-// Durst 1988 (its ambiguity).
+// Durst 1988 (its ambiguous faces).
 #pragma once
 
 #include <array>
@@ -19,8 +19,9 @@
 namespace resect {
 
 struct CellTriangles {
-  std::uint8_t count = 0;  // triangles, 0 to 5
-  // Of each triangle: three cell edges, counter-clockwise seen from outside the tissue.
+  std::uint8_t count = 0;  // number of triangles, 0 to 5
+  // Per triangle: the numbers of the cell edges on which its corners lie, in counter-clockwise
+  // order as seen from outside the tissue.
   std::array<std::array<std::uint8_t, 3>, 5> edges{};
 };
 

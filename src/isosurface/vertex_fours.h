@@ -30,9 +30,9 @@ typedef float FourFloats __attribute__((vector_size(16)));
   std::memcpy(to + 8, &third, sizeof third);
 }
 
-// Position of each of four vertices along its edge: from 0 at the lower node to 1 at the upper
-// node. lower, upper: the values of the field at these nodes. The position is found by linear
-// interpolation and kept in [margin, 1 - margin].
+// Position of each of four vertices along its grid edge: from 0 at the lower node to 1 at the upper
+// node. lower, upper: the values of the field at these nodes. The field has the value `iso` at the
+// vertex. The position is found by linear interpolation and then limited to [margin, 1 - margin].
 [[gnu::always_inline]] inline FourFloats wayAlong(const FourFloats& lower, const FourFloats& upper,
                                                   float iso, float margin) {
   const FourFloats crossing = (iso - lower) / (upper - lower);

@@ -1,7 +1,8 @@
 // Measures the speed of an operation on this machine, and searches for the largest organ with which
 // the operation keeps real time.
 //
-// An operation keeps real time if at least 95 % of its frames are computed within their duration.
+// An operation keeps real time if at least 95 % of its frames are each computed within the duration
+// of a frame.
 #pragma once
 
 #include <functional>
@@ -22,23 +23,23 @@ struct BenchReport {
   };
   // Frames in which edits changed the surface.
   struct Updates {
-    std::int64_t frames = 0, bricks = 0;  // bricks: those evaluated again in these frames
+    std::int64_t frames = 0, bricks = 0;  // bricks: number evaluated again in them
     double seconds = 0;  // time of the stages updateField and updateSurface in these frames
   };
   double spacing = 0;  // cube root of a cell's volume in the first organ, m
   // Counts before the operation. bytes: memory that the simulation holds then.
   std::int64_t particles = 0, triangles = 0, bytes = 0;
   bool tissueMoves = false;
-  std::int64_t frames = 0, missed = 0;  // missed: frames computed slower than frameDuration
+  std::int64_t frames = 0, missed = 0;  // missed: frames that took longer to compute
   double frameDuration = 0;             // s
   TimeSummary frame;                    // computing time of a frame: sum of all stages
   std::vector<Stage> stages;            // in the order in which a step runs them
   std::int64_t inHand = 0;              // frames with an instrument in hand
   Updates updates;
   std::int64_t substeps = 0;         // of moving tissue, sum over all organs
-  double perParticleAndSubstep = 0;  // mean time of the stage moveTissue, s; 0 for still tissue
-  std::string instructionSet;        // that the kernels for moving tissue use
-  std::uint64_t stateHash = 0;       // at the end; the same as after runScenario()
+  double perParticleAndSubstep = 0;  // mean time in the stage moveTissue, s; 0 for still tissue
+  std::string instructionSet;        // used by the kernels for moving tissue
+  std::uint64_t stateHash = 0;       // at the end; runScenario() gives the same
 
   double bytesPerParticle() const { return double(bytes) / double(particles); }
   bool realTime() const { return frame.p95 <= frameDuration; }
@@ -58,8 +59,8 @@ struct RealTimeLimit {
 // Searches for the largest organ that keeps real time. `first`: the report of the operation with
 // the present spacing. `measure`: runs the operation with another spacing, m, and reports. Tries at
 // most `trials` more spacings, with at most `mostParticles` particles. Ends earlier if `fails` has
-// at most 15 % more particles than `holds`, or if the next spacing would be almost that of the
-// previous run.
+// at most 15 % more particles than `holds`, or if the next organ would differ by less than 2 % in
+// its number of particles from the previous one.
 RealTimeLimit findRealTimeLimit(const BenchReport& first,
                                 const std::function<BenchReport(double spacing)>& measure,
                                 int trials = 4, double mostParticles = 1e6);

@@ -34,7 +34,8 @@ struct RunSummary {
   // Largest volume that a tool and still tissue shared at the end of a frame, m^3.
   double deepestOverlap = 0;
   // touched: whether any instrument touched, removed or cut tissue. toolTouched: for each tool,
-  // whether it touched tissue or, if tissue moves, came near it.
+  // whether it touched tissue or, if tissue moves, had an organ in its volume of interest
+  // (ToolContacts).
   bool touched = false;
   std::vector<bool> toolTouched;
   std::int64_t frames = 0;
@@ -47,10 +48,10 @@ struct RunSummary {
   std::vector<std::string> faults;         // each sentence once
   bool tissueMoves = false;                // whether any tissue is elastic
   std::vector<ToolForces> forces;          // one per tool; empty if no tissue moves
-  std::int64_t severed = 0, torn = 0;      // bonds that edits severed; bonds that tore
+  std::int64_t severed = 0, torn = 0;      // number of bonds: severed by edits; torn by load
   std::int64_t substeps = 0, retries = 0;  // sums over all frames and organs
-  std::optional<BloodSummary> blood;       // if any organ has vessels
-  std::vector<SegmentAmount> segments;     // of the first organ with segmentAmounts()
+  std::optional<BloodSummary> blood;       // set if any organ has vessels
+  std::vector<SegmentAmount> segments;     // of the first organ that has Couinaud's segments
   std::uint64_t stateHash = 0;
 
   // Simulated time divided by the time spent in the steps.

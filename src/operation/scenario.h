@@ -97,7 +97,7 @@ struct OrganSource {
   }
 };
 
-// The organs that come with Resect; and whether the source is one of these.
+// kBuiltInOrgans: the organs that come with Resect. isBuiltIn(): whether the source is one of them.
 inline constexpr std::string_view kBuiltInOrgans[] = {"liver", "gallbladder"};
 inline bool isBuiltIn(const OrganSource& source) {
   return std::ranges::find(kBuiltInOrgans, source.file) != std::end(kBuiltInOrgans);
@@ -167,7 +167,7 @@ struct TissueSetup {
   TissueSettings settings;
   std::vector<TissueAttachment> attachments;
   std::vector<LabelMaterial> materials;  // at most one per label
-  // A sentence for people about each outdated key that was read. Not kept in recordings.
+  // A sentence for people about each outdated key in the scenario file. Not kept in recordings.
   std::vector<std::string> notes;
 
   // The material of the cells with a label.
@@ -228,7 +228,7 @@ struct Scenario {
   // no effect on the simulation. A recording keeps this word as text.
   std::string setting = "table";
   std::string view = "surgeon";  // name of the camera's view (docs/scenarios.md)
-  std::optional<Aabb> closeUp;   // box that fills the pictures, world, m; none: the organs do
+  std::optional<Aabb> closeUp;   // box that fills the pictures, world, m; none: organs fill them
   // The task, if any. A recording keeps it as text (RecordingFile::task()), not among the fields.
   std::optional<Task> task;
 
@@ -250,7 +250,8 @@ void requireSound(const Scenario& scenario);
 
 // Whether any tissue moves.
 bool moves(const Scenario& scenario);
-// The values of Scenario::setting, for messages; and whether a word is one of them.
+// kSettingNames: the values of Scenario::setting, for messages. isSetting(): whether a word is one
+// of these values.
 constexpr const char* kSettingNames = "table or field";
 bool isSetting(std::string_view name);
 // Whether pictures show the opened abdomen. In thesis mode they always show the table.
@@ -280,7 +281,8 @@ void makeThesis(Scenario& scenario);
 ToolInput toolInputAt(const ScenarioTool& tool, double time);
 
 // Input of the frame with number `frame`, counted from 0. The frame ends at (frame + 1) /
-// frameRate, s. In thesis mode only one tool is in hand: the first tool whose keys say so.
+// frameRate, s. In thesis mode only one tool is in hand: the first tool that its keys put in hand
+// at the frame's end.
 FrameInput frameInput(const Scenario& scenario, std::int64_t frame);
 // Number of frames, at least 1.
 std::int64_t frameCount(const Scenario& scenario);

@@ -1,6 +1,6 @@
 // The allowed ranges of a scenario's numbers. They are wide enough for any tissue, organ or
-// instrument, and narrow enough to detect a wrong unit. docs/scenarios.md, "Ranges", has the same
-// table.
+// instrument, and narrow enough to detect a wrong unit. The comment after a range gives its unit; 1
+// stands for a number without a unit. docs/scenarios.md, "Ranges", has the same table.
 #pragma once
 
 #include "tissue/material.h"
@@ -27,7 +27,7 @@ inline constexpr SettingRange kCutEnergy{0, 1e6};            // J/m^2
 inline constexpr SettingRange kCapsuleCutEnergy{0, 1e4};     // J/m
 inline constexpr SettingRange kStiffening{0, 20};            // 1
 inline constexpr SettingRange kRelaxationShare{0, 10};       // 1
-inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; substeps resolve no shorter one
+inline constexpr SettingRange kRelaxationTime{0.005, 1000};  // s; substeps cannot resolve less
 inline constexpr double kFastestWave = 5000;        // m/s, of pressure waves; liver 1600, bone 4000
 inline constexpr SettingRange kGravity{-100, 100};  // m/s^2
 inline constexpr SettingRange kDrag{0, 1000};       // 1/s

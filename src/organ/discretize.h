@@ -8,7 +8,7 @@
 
 namespace resect {
 
-// Largest number of cells of a lattice. More give an Error.
+// Largest number of cells of a lattice. A larger lattice is an Error.
 inline constexpr std::int64_t kMaxCells = 200'000'000;
 
 // The lattice of cubic cells of side `spacing` > 0, m, that covers the box. The first cell begins

@@ -42,7 +42,7 @@ struct SetLabel {   // the cell gets another label (organ/cell_fields.h)
 
 struct PlaceClip {  // closes a vessel at a point of a segment
   std::int32_t segment = -1;
-  double share = 0;  // of the segment's length, 0 to 1
+  double share = 0;  // distance from the segment's start as a fraction of its length, 0 to 1
 };
 struct Heat {                 // heats tissue for the whole frame (heat/heat_field.h)
   Vec3 place = Vec3::Zero();  // centre of the heated ball, rest space, m
@@ -66,7 +66,7 @@ struct Press {                // presses on bleeding vessels for the whole frame
 };
 struct DivideVessel {  // cuts through a vessel at a point of a segment
   std::int32_t segment = -1;
-  double share = 0;  // of the segment's length, 0 to 1
+  double share = 0;  // distance from the segment's start as a fraction of its length, 0 to 1
 };
 
 // As SeverBond, but vessels with a radius of `spares` (m) or more are not cut; they are left bare.

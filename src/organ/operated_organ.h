@@ -16,7 +16,7 @@ namespace resect {
 struct VesselCord {
   TissueCord cord;
   std::int32_t segment = -1;  // index in the organ's anatomy
-  double share = 0;           // where the segment enters cell b of `cord`: fraction of its length
+  double share = 0;           // where the segment enters cord.b: 0 at its start, 1 at its end
 };
 
 struct OperatedOrgan {
@@ -51,8 +51,8 @@ OperatedOrgan operatedOrgan(std::string name, Organ organ,
                             std::unique_ptr<TissueModel> tissue = nullptr);
 
 // Call after a state was loaded into `organ.organ` and `organ.tissue`. Derives field, surface and
-// skin from the state; if keepsLook is true, also normals and cut shares. Throws Error if the state
-// does not fit the organ.
+// skin from the state; if keepsLook is true, also normals and cut shares (isosurface/brick_look.h).
+// Throws Error if the state does not fit the organ.
 void remake(OperatedOrgan& organ, bool keepsLook);
 
 // Fingerprint of the organ before the operation. A state saved from an organ can be restored into

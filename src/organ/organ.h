@@ -19,8 +19,8 @@ namespace resect {
 
 struct OrganSettings {
   // Nodes of the colour field per cell along each axis, 1 to 4. Memory and time grow with the
-  // square of this number. 1 is coarse and fast, 2 gives the surface to a tenth of a cell, 3 and 4
-  // improve little.
+  // square of this number. With 1 the surface is coarse, with 2 accurate to a tenth of a cell; 3
+  // and 4 improve it little.
   int refine = 2;
   // Iso level of the surface, kMinIso to kMaxIso. A lower level enlarges the organ, a higher one
   // shrinks it; 50 keeps the volume.
@@ -46,7 +46,7 @@ struct Organ {
   std::int64_t particles = 0;       // number of particles now
   std::int64_t removed = 0;         // number of particles removed since the organ was made
   double removedVolume = 0;         // volume removed since the organ was made, m^3
-  float iso = 50;                   // level of the surface
+  float iso = 50;                   // iso level of the surface
   CellFields fields;
   std::shared_ptr<const VesselMap> map;  // vessels at rest; null: none are known
   VesselState vessels;                   // injuries, clips and bared segments
@@ -75,9 +75,9 @@ struct Organ {
 Organ makeOrgan(Discretization cells, const OrganSettings& settings);
 
 // The particle that a cell with tissue belongs to. A particle belongs to itself. A skin cell
-// belongs to the nearest of its neighbouring particles; of several equally near ones to the
-// fullest; of several equally full ones to the first. A skin cell without a neighbouring particle
-// belongs to itself.
+// belongs to the nearest of its neighbouring particles. If several are equally near, it belongs to
+// the fullest of these, and if several are equally full, to the one of lowest index. A skin cell
+// without a neighbouring particle belongs to itself.
 std::int64_t ownerCell(const Discretization& rest, std::int64_t cell);
 
 // Volume of the tissue in a particle and in its skin cells, m^3.
@@ -86,7 +86,7 @@ double particleVolume(const Discretization& rest, std::int64_t cell);
 // Result of removeParticle().
 struct RemovedParticle {
   std::int64_t particles = 0;  // 1; 0 if a skin cell was removed that had no particle
-  double volume = 0;           // m^3, with its skin cells
+  double volume = 0;           // of the particle and its skin cells, m^3
 };
 // Removes the particle in `cell`; there must be one. The next updateField() updates the field. The
 // caller must remove the cell from the tissue model.
@@ -96,7 +96,8 @@ RemovedParticle removeParticle(Organ& organ, std::int64_t cell);
 void setParticle(Organ& organ, std::int64_t cell, bool there);
 
 // Severs the grid edges along the blade without removing anything. The surface shows the cut after
-// the next updateSurface(). blade: in rest space. Returns the number of grid edges severed.
+// the next updateSurface(). blade: in rest space. cuts: see wound/blade_raster.h. Returns the
+// number of grid edges severed.
 std::int64_t incise(Organ& organ, const SweptBlade& blade,
                     CutsBetweenCells cuts = CutsBetweenCells::Any);
 

@@ -11,17 +11,17 @@
 namespace resect {
 
 // The remaining particle whose cell centre is nearest to a point of rest space; of several equally
-// near ones the first in the lattice. -1 if there is none among the cells up to two away, along
-// each axis, from the cell at the point. alive: as in Organ.
+// near ones the first in the lattice. -1 if no particle is left in the cells that are at most two
+// cells away, along each axis, from the cell that contains the point. alive: as in Organ.
 std::int64_t nearestParticle(const Lattice& lattice, std::span<const std::uint8_t> alive,
                              const Vec3& point);
 
 // One label per vertex of organ.surface.points(); the surface must be up to date. A vertex beside
-// an incision has the label of the particle with the greatest weight in the vertex's binding, which
-// is a particle on its own side (wound/vertex_binding.h). Holes, which no triangle uses, and
-// vertices without a particle near have label 0. In an organ that was made without labels
-// all vertices have label 0, even if edits have set labels since. Cost: 27 to 125 cells are
-// examined per vertex.
+// an incision has the label of the particle with the greatest weight in the vertex's binding; this
+// particle is on the vertex's own side of the incision (wound/vertex_binding.h). Holes, which no
+// triangle uses, and vertices for which nearestParticle() returns -1 have label 0. In an organ that
+// was made without labels all vertices have label 0, even if edits have set labels since. Cost: 27
+// to 152 cells are examined per vertex.
 std::vector<std::uint8_t> vertexLabels(const Organ& organ);
 
 }  // namespace resect

@@ -19,14 +19,14 @@ struct CourseSpan {
 // has no such branch, or if no frame leads to the branch's end.
 std::vector<CourseSpan> courseOf(RecordingFile& file, std::int64_t branch);
 
-// The course that leads to a moment. If the moment's frame is 0 or after the end of its branch, the
-// course to the end of the branch. For an attempt that the window has ended, the moment is
+// The course that leads to a moment. If the moment's frame is 0 or after the end of its branch,
+// returns the course to the end of the branch. For an attempt that was ended in the window, pass
 // RecordingFile::moment().
 std::vector<CourseSpan> courseTo(RecordingFile& file, const Moment& moment);
 
 // The part of a course from frame `first` to frame `last`; both are clamped to the course. If the
-// course has spans, the part has at least one. If first equals last, that span holds a single
-// state.
+// course is not empty, the part is not empty either. If then first equals last, the part is one
+// span with the same first and last frame: a single state.
 std::vector<CourseSpan> partOf(std::vector<CourseSpan> course, std::int64_t first,
                                std::int64_t last);
 

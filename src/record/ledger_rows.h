@@ -15,12 +15,13 @@ bool ledgerIsDue(std::int64_t frame, double frameRate);
 
 // Number of pieces in a ledger, of all organs together.
 std::int64_t piecesIn(const RecordedLedger& ledger);
-// The event "piece" if the ledger has more pieces than `before`; otherwise nothing.
+// The event "piece", with the number of new pieces as its amount, if the ledger has more pieces
+// than `before`; otherwise nothing.
 std::optional<OperationEvent> pieceEvent(const RecordedLedger& ledger, std::int64_t before);
 
-// The rows of `ledger`, which must be that of the simulation's present state. Amounts with the
-// volume 0 are left out. Infinite margins are left out, that is, all margins before anything was
-// cut or bared.
+// The rows of `ledger`, which must describe the simulation's present state. Amounts with the volume
+// 0 are left out. Infinite margins are left out, that is, all margins before anything was cut or
+// bared.
 RecordedLedger rowsOf(const Ledger& ledger, std::int64_t branch, const Simulation& simulation);
 
 }  // namespace resect

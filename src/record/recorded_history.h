@@ -9,7 +9,7 @@ namespace resect {
 
 struct RecordedOperation {
   RecordedSetup setup;
-  std::unique_ptr<Simulation> simulation;  // at history.now()
+  std::unique_ptr<Simulation> simulation;  // in the state at the moment history.now()
   OperationHistory history;
 };
 

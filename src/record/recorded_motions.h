@@ -10,17 +10,17 @@
 
 namespace resect {
 
-// Greatest deviation of the motion by keys from the recorded motion.
+// Greatest allowed deviation of the motion that the keys give from the recorded motion.
 struct MotionTolerance {
-  double distance = 3e-4;  // m, of the tip
+  double distance = 3e-4;  // m, of Pose::position
   double angle = 0.01;     // rad
-  double share = 0.02;     // of squeeze and pedal
+  double share = 0.02;     // of squeeze and pedal, which are 0 to 1
 };
 
 // For each tool of RecordingFile::setup().scenario, its keys along the course that leads to the
 // moment (courseTo()). The keys begin when the tool is in hand for the first time and end when it
-// is in hand for the last time; a tool that is never in hand has no keys. While the tool was put
-// back in between, the keys keep it in the pose in which it was put. Throws Error if the recording
+// is in hand for the last time; a tool that is never in hand has no keys. For periods in between in
+// which the tool is not in hand, the keys follow its recorded pose. Throws Error if the recording
 // is damaged.
 std::vector<std::vector<ToolKey>> recordedMotions(RecordingFile& file, const Moment& moment,
                                                   const MotionTolerance& tolerance = {});

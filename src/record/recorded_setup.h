@@ -15,7 +15,7 @@ struct RecordedSetup {
   Scenario scenario;
   std::vector<Discretization> cells;  // one per organ, at its final position and with labels
   std::vector<ToolModel> tools;       // one per tool, with its meshes
-  std::vector<Anatomy> anatomies;     // one per organ, at its final position; empty: no vessels
+  std::vector<Anatomy> anatomies;     // one per organ, at its final position; may have no vessels
 };
 
 // The name of a tool, for people; empty if there is no tool with that number.
@@ -25,8 +25,8 @@ inline std::string toolName(const RecordedSetup& setup, std::int64_t tool) {
 }
 
 // The setup of a simulation that was made from `scenario`. The simulation's organs and tools must
-// still be those with which it was made. Throws Error if their numbers differ from those in the
-// scenario.
+// still be those with which it was made. Throws Error if the number of organs or of tools is not
+// that in the scenario.
 RecordedSetup setupOf(const Scenario& scenario, const Simulation& simulation);
 
 // Makes the simulation at the start of the operation. With equal inputs it computes the same bits

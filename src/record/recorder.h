@@ -62,8 +62,8 @@ class Recorder {
   Recorder& operator=(const Recorder&) = delete;
 
   // begin(), rename(), stood() and record() must be called by the thread that steps the simulation.
-  // begin(): a branch begins at the present state of `simulation`. rename(): a branch has a new
-  // name.
+  // begin() records that a branch begins at the present state of `simulation`, and rename() that a
+  // branch has a new name.
   void begin(const Branch& branch, const Simulation& simulation);
   void rename(const Branch& branch);
   // To be called when operating pauses at the end of a branch. Records the ledger of this moment.
@@ -111,8 +111,8 @@ class Recorder {
   RecordingFile file_;
   LedgerBooks books_;
   double frameRate_;
-  Moment last_{-1, 0};                  // a frame that does not follow this one is written in full
-  FrameInput before_;                   // the input of that frame, without edits
+  Moment last_{-1, 0};                  // last frame; one that does not follow it is written whole
+  FrameInput before_;                   // input of the frame last_, without edits
   EventMemory events_;                  // for record() without events
   std::vector<std::int64_t> keyFrame_;  // frame of the last key state, by branch
   struct LastLedger {

@@ -64,18 +64,18 @@ struct StepReport {
   double time = 0;                     // at the end of the frame, s
   std::int64_t removed = 0;            // number of particles removed
   double removedVolume = 0;            // volume removed, m^3
-  std::int64_t severed = 0, torn = 0;  // bonds severed by cuts and edits; bonds torn by load
+  std::int64_t severed = 0, torn = 0;  // number of bonds: severed by cuts and edits; torn by load
   std::int64_t touchedBricks = 0;      // number of bricks evaluated and meshed again
   // One entry per tool and organ: tool after tool, and for each tool organ after organ. The entry
   // of a tool that is not in hand has no particles.
   std::vector<ToolContacts> contacts;
-  std::vector<TissueEdit> edits;  // of input and tools, in order, with skipped ones (apply_edits.h)
+  std::vector<TissueEdit> edits;  // of the input, then the tools, skipped ones too (apply_edits.h)
   std::vector<TissueEdit>
-      caused;  // by the motion of tissue and of instruments: cuts, tears, slipped grips
+      caused;  // edits caused by the motion of tissue and blades: cuts, tears, slipped grips
   std::vector<TissueStep> tissue;   // one per organ
   std::vector<CutVessel> vessels;   // vessels that were cut further in the frame
   BloodReport blood;                // if any organ has vessels
-  std::vector<Smoke> smoke;         // one per edit Heat, in organs whose tissue boils
+  std::vector<Smoke> smoke;         // one per edit Heat in an organ whose tissue boils
   std::vector<Vec3> toolForce;      // on each tool, mean over the frame, N; zero if no tissue moves
   std::vector<std::string> faults;  // sentences: what went out of range, and what to change
 };
@@ -117,8 +117,8 @@ class Simulation {
   // cannot enter. Call before the first step. Has no effect if no tissue moves.
   void addObstacle(const TriangleMesh& shape, const Pose& pose);
 
-  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name. In these
-  // cases it throws Error and changes nothing:
+  // Computes one frame. `clock`, if given, gets a lap per stage, under the stage's name. In the
+  // following cases step() throws Error and changes nothing:
   //
   //   - the number of tools in the input is not that of tools();
   //   - the input's duration is out of range;

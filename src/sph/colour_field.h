@@ -10,11 +10,12 @@
 // at the outermost nodes is always 0.
 //
 // Nodes are held in bricks of 4 x 4 x 4. A brick is stored only if the surface can pass through it.
-// In all other bricks the values of the nodes are known: all cells in the brick's reach are empty,
-// or all are full. A change of a cell is never added to the field or subtracted from it. Instead,
-// the bricks in the cell's reach are evaluated again. So the field depends on the present cells
-// alone, bit for bit. The cost of a change is that of the bricks in reach, whatever the size of the
-// organ. The first change also writes 5 bytes for each brick of the grid.
+// In all other bricks the values of the nodes are known: all cells in the brick's reach (the cells
+// that have a weight at one of its nodes) are empty, or all are full. A change of a cell is never
+// added to the field or subtracted from it. Instead, the bricks in the cell's reach are evaluated
+// again. So the field depends on the present cells alone, bit for bit. The cost of a change is that
+// of the bricks in reach, whatever the size of the organ. The first change also writes 5 bytes for
+// each brick of the grid.
 #pragma once
 
 #include <array>

@@ -1,11 +1,11 @@
 // Colour values of a lattice's cells: the percentage of each cell that is tissue, 0 to 100.
 //
-// As long as every value is a whole number of 128ths of 100, the values are stored as these
-// numbers, called levels, in one byte each. This holds for an organ that is made from a mesh:
-// discretize() counts 4 x 4 x 4 samples, fitSurface() rounds its corrections, and tools empty
-// cells. The value of a level is exact as a float, since 100/128 has few binary digits. Once a
-// value is set that is no whole level, all values are stored as floats from then on. Levels need a
-// quarter of the memory traffic of floats.
+// As long as every value is k * 100/128 with a whole number k, the numbers k, called levels, are
+// stored in one byte each. This holds for an organ that is made from a mesh: discretize() counts
+// 4 x 4 x 4 samples, fitSurface() rounds its corrections, and tools only set cells to 0. The value
+// of a level is exact as a float, since 100/128 has few binary digits. Once a value is set that is
+// no whole level, all values are stored as floats from then on. Levels need a quarter of the memory
+// traffic of floats.
 #pragma once
 
 #include <cmath>
@@ -20,8 +20,8 @@ namespace resect {
 constexpr float kLevel = 100.f / 128;  // the colour value of one level
 constexpr std::uint8_t kFullLevel = 128;
 
-// Sets `level` to the level nearest to `value`, which is in [0, 100]. False if the value is no
-// whole level.
+// Sets `level` to the level nearest to `value`, which is in [0, 100]. Returns false if the value is
+// no whole level.
 inline bool toLevel(float value, std::uint8_t& level) {
   level = std::uint8_t(std::lround(value / kLevel));
   return float(level) * kLevel == value;

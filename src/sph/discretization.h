@@ -27,7 +27,8 @@ struct Discretization {
   // Label of each cell: the structure that it belongs to; 0 is the organ's own parenchyma. If the
   // array is empty, all cells have label 0.
   std::vector<std::uint8_t> label;
-  // Names by label; empty for a label without a name. Labels beyond the end have no name either.
+  // Names, indexed by label; empty for a label without a name. Labels beyond the end have no name
+  // either.
   std::vector<std::string> labelNames;
   std::vector<Landmark> landmarks;
 

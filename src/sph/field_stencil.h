@@ -34,6 +34,8 @@ struct FieldStencil {
     int offset;
   };
 
+  // Phase of a brick along an axis: position of its first node within the node's cell, from 0 to
+  // refine - 1.
   int refine;  // nodes per cell along each axis, 1 to 4
   int phases;  // number of phases that bricks can have along an axis: 3 for refine 3, else 1
   // For refine 1 and 2: weights of the mirrored sums. First index: 1 if the nodes lie midway

@@ -67,10 +67,10 @@ struct Lattice {
 // fastest.
 template <typename Visit>
 void visitCellsIn(const Lattice& lattice, const Aabb& box, Visit visit) {
-  constexpr double kOnSide = 1e-9;  // spacings
+  constexpr double kOnSide = 1e-9;  // tolerance, in spacings
   Vec3i first, last;
   for (int a = 0; a < 3; ++a) {
-    const double most = lattice.dims[a];  // before the conversion: a box may be huge
+    const double most = lattice.dims[a];  // double: huge boxes are clamped before conversion
     first[a] = int(std::ceil(std::clamp(lattice.toCellSpace(box.min)[a] - kOnSide, 0.0, most)));
     last[a] =
         int(std::floor(std::clamp(lattice.toCellSpace(box.max)[a] + kOnSide, -1.0, most - 1)));

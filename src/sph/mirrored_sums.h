@@ -17,7 +17,7 @@
 namespace resect {
 
 // Row: one value for each of the four nodes of a row of a brick. Half: the values of two rows, that
-// is, of half a plane of a brick; for machines with eight lanes.
+// is, of half a plane of a brick; for processors with vectors of eight floats.
 typedef float Row __attribute__((vector_size(16)));
 typedef float Half __attribute__((vector_size(32)));
 
@@ -75,7 +75,7 @@ using SumsBetween = Half[2][kCellsBetween][4];
 
 // Evaluates planes of a brick from the mirrored sums along x and y: plane z if bit z of `planes` is
 // set. Processes eight nodes at a time. It makes about 19 additions and products per node. With
-// the sums along x and y, which the caller makes, there are about 27.
+// the sums along x and y, which the caller computes, the total is about 27 per node.
 [[gnu::always_inline]] inline void weighBetween(const FieldStencil& stencil,
                                                 const SumsBetween& sumsOf, unsigned planes,
                                                 float* out) {

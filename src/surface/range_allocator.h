@@ -6,8 +6,8 @@
 
 namespace resect {
 
-// Hands out ranges of indices. Sizes are rounded up to multiples of 8, so that a range can take a
-// few elements more without moving. take() gives the range that was released last among those with
+// Hands out ranges of indices. Sizes are rounded up to multiples of 8, so that a range can take up
+// to 7 more elements without moving. take() gives the range that was released last among those with
 // the rounded size asked for. If there is none, it gives new indices at the end. Each call costs
 // O(1). The same sequence of calls gives the same ranges.
 class RangeAllocator {

@@ -12,7 +12,7 @@
 // usual.
 //
 // points(), normals(), cut() and triangles() are arrays for viewers. Each brick owns a range of the
-// vertices and one of the triangles. It keeps these ranges as long as their rounded sizes
+// vertices and a range of the triangles. It keeps these ranges as long as their rounded sizes
 // (surface/range_allocator.h) stay the same. So the arrays have unused elements ("holes"); an
 // unused triangle is (0, 0, 0). changes() lists the ranges that a viewer must copy again. Only
 // pictures need normals and cut shares (isosurface/brick_look.h), so updateLook() computes them on

@@ -53,8 +53,8 @@ void addMovedVertices(SurfaceUpdate& update, IndexRange range, std::span<const V
                       std::span<const Vec3f> normals);
 void addNewTriangles(SurfaceUpdate& update, IndexRange range, std::span<const Triangle> triangles);
 
-// The update that turns any copy into this surface. The spans have one element per vertex, except
-// `triangles`. `rest` may be empty: then the tissue is at rest.
+// The update that turns any copy into the surface that the spans describe. The spans have one
+// element per vertex, except `triangles`. `rest` may be empty: then the tissue is at rest.
 SurfaceUpdate wholeSurface(std::span<const Vec3f> points, std::span<const Vec3f> normals,
                            std::span<const float> cut, std::span<const Triangle> triangles,
                            std::span<const Vec3f> rest = {});

@@ -15,8 +15,9 @@ struct TissueMap {
 
   // Texel (0, 0, 0) is at `low` in rest space, the next ones `spacing` apart, x fastest; m. The two
   // bytes of a texel, in a map of blood: thickness of liquid and of clotted blood, as the weighted
-  // mean over the skin at and beside the texel. Of heat: coagulated and charred share, 255 for all.
-  // Of structures: share of tumour, and of any other structure, 255 for all.
+  // mean over the skin at and beside the texel. In a map of heat: share of the tissue that is
+  // coagulated, and share that is charred. In a map of structures: share of the tissue that is
+  // tumour, and share that is any other structure. For shares, 255 means all of the tissue.
   Vec3f low = Vec3f::Zero();
   Vec3f spacing = Vec3f::Ones();
   Vec3i dims = Vec3i::Zero();

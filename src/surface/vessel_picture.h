@@ -15,7 +15,7 @@ struct VesselPicture {
   Vec3f low = Vec3f::Zero();
   float bin = 0.005f;
   Vec3i dims = Vec3i::Zero();
-  // Per bin, x fastest: the index of its first entry, and the number of its entries.
+  // Per bin, x fastest: the index in `entries` of its first entry, and the number of its entries.
   std::vector<std::array<float, 2>> bins;
   // A segment: start (x, y, z), radius, end (x, y, z), and VesselKind as a number; rest space, m.
   std::vector<std::array<float, 8>> entries;

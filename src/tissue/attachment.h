@@ -1,5 +1,5 @@
 // Attachments: regions of an organ that are pinned or held by a ligament. A region is given by
-// geometry in rest space, so an attachment can be used at any spacing.
+// geometry in rest space, so an attachment can be used with any size of the tissue's cells.
 #pragma once
 
 #include "sph/region.h"
@@ -10,7 +10,7 @@ namespace resect {
 // attachment is given to ElasticTissue::attach().
 struct TissueAttachment : Region {
   enum class Kind {
-    Pin,      // cells wholly in the region do not move; a spring holds each that is partly in it
+    Pin,      // cells wholly in the region do not move; a spring holds each cell partly in it
     Ligament  // a spring pulls each cell to its rest position, if its centre is in the region
   };
   Kind kind = Kind::Pin;

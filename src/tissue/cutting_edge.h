@@ -14,7 +14,7 @@ namespace resect {
 struct CuttingEdge {
   std::span<const Vec3> points;  // corners of the edge, m, in its own coordinates; at least two
   Vec3 normal;                   // of the blade's plane, unit, in the same coordinates
-  Pose from, to;                 // world, at the start and at the end of the frame
+  Pose from, to;                 // of these coordinates in the world, at the frame's start and end
   double bluntness = 1;          // factor on the energy that a cut needs, 0 or more
   // Whether the points are taken in reverse order, so that the cuts of two edges that meet have
   // normals on the same side.

@@ -17,7 +17,7 @@
 namespace resect {
 
 struct TissueJoint {
-  std::array<std::int32_t, 2> organ{};  // organ numbers, different
+  std::array<std::int32_t, 2> organ{};  // numbers of two different organs
   std::array<std::int64_t, 2> cell{};   // index of each cell in the lattice of its organ
   Vec3 rest = Vec3::Zero();             // from the first cell to the second at rest, m
   double stiffness = 0;                 // N/m

@@ -42,7 +42,7 @@ struct Relaxation {
 struct TissueMaterial {
   std::string name = "liver";
   double young = 5000;               // Young's modulus under a lasting load, Pa, 1 to 1e9
-  double poisson = 0.45;             // 0 to 0.4999; near 0.5 waves are fast and substeps short
+  double poisson = 0.45;             // 0 to 0.4999; near 0.5 waves are fast, so substeps are short
   double density = 1060;             // kg/m^3, 1 to 1e5
   double stiffening = 0;             // b, 0 to 20
   std::vector<Relaxation> branches;  // at most kMostBranches

@@ -24,7 +24,7 @@ struct MovingTissue {
 // stop was requested (base/stop.h).
 void moveTissues(std::span<const MovingTissue> tissues, std::span<const TissueJoint> joints,
                  std::span<const JoinedOrgan> organs, double duration);
-// The same for one tissue without joints.
+// As moveTissues(), for one tissue without joints.
 void moveTissue(TissueModel& tissue, std::span<const Obstacle> obstacles, double duration,
                 TissueStep& step);
 

@@ -17,7 +17,7 @@ struct Obstacle {
   // Used if `shape` is null. True: the obstacle is the half space below y = 0 in its own
   // coordinates. False: the obstacle has no extent, and tissue never touches it.
   bool halfSpace = false;
-  Pose from, to;  // at the start and at the end of the frame
+  Pose from, to;  // in the world, at the start and at the end of the frame
   // True for blades and hooks: only cell centres, not the tissue's surface, are kept out of it.
   bool enters = false;
   double friction = 0.3;  // Coulomb's coefficient

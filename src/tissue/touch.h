@@ -18,7 +18,7 @@ struct PressedPoint {
   double area;                     // part of the patch that the instrument covers, m^2, at rest
   double force;                    // on the tissue along `outwards`, N, > 0
   double stiffness;                // of the patch's spring at this depth, N/m
-  double damping;                  // of the patch, N s/m
+  double damping;                  // of the patch's spring, N s/m
   const TissueMaterial* material;  // of the tissue below the patch; valid until the next step
 };
 

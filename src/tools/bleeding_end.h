@@ -16,8 +16,8 @@ struct VesselAtTip {
 
 // The nearest bleeding end of a vessel within `reach`, m, of `place`, a point in the world. Among
 // ends at almost the same distance, returns the one that bleeds most. Distances are measured to the
-// present positions of the ends, so the result is an end that a viewer marks, even if the tissue is
-// pulled. accepts: whether a vessel of this radius, m, counts.
+// present positions of the ends, so the result is an end that viewers mark, even if the tissue is
+// displaced. accepts: whether a vessel of this radius, m, counts.
 std::optional<VesselAtTip> bleedingEndNear(const Organ& organ, const TissueModel& tissue,
                                            const Vec3& place, double reach,
                                            const std::function<bool(double radius)>& accepts);

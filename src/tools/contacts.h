@@ -1,9 +1,9 @@
 // Contacts: the particles that a tool's body touches on its way from one pose to the next.
 //
 // The broad phase finds the particles whose present positions are in the box round the tool's
-// motion. For still tissue away from the tool, it costs one box test. The particles found are then
-// tested exactly against the tool's sweep (collision/inside.h). No particle is missed, however far
-// the tool moves in a frame and however thin the tool is.
+// motion. For still tissue away from the tool, this phase costs one box test. The particles found
+// are then tested exactly against the tool's sweep (collision/inside.h). No particle is missed,
+// however far the tool moves in a frame and however thin the tool is.
 #pragma once
 
 #include "tools/tool.h"

@@ -13,7 +13,7 @@
 
 namespace resect {
 
-// Two blades that rotate against each other about a pivot. In the tool's frame.
+// Two blades that rotate against each other about a pivot. Coordinates are in the tool's frame.
 struct Jaws {
   Vec3 pivot = Vec3::Zero();  // m
   Vec3 axis = Vec3::UnitX();  // unit
@@ -30,7 +30,7 @@ struct DrawnPart {
   TriangleMesh mesh;
   std::vector<Vec3f> normals{};    // unit, one for each point; none: viewers compute them
   std::optional<Finish> finish{};  // none: steel
-  bool closed = false;             // closed and outwards: back faces are never seen
+  bool closed = false;             // mesh closed, oriented outwards: back faces are never seen
   // Angle by which the part is turned about the jaws' pivot and axis when the jaws are wide open,
   // rad; 0 for a part that is not a jaw.
   double opens = 0;
@@ -65,7 +65,7 @@ struct ToolModel {
   // instruments of the thesis did.
   std::string response;
   double friction = 0.3;  // Coulomb's coefficient, on tissue
-  // Of its edges: energy that a cut takes, divided by what a new blade takes; 0 or more.
+  // Energy that a cut with the tool's edges takes, divided by that with a new blade; 0 or more.
   double bluntness = 1;
   double slipForce = 6.0;  // N: pull at which a hook or forceps release their cells; 0: never
 };

@@ -4,7 +4,7 @@
 // The edges are tested against the triangles of the blade's sweep. The test is the same exact test
 // as for bonds between particles (collision/swept_blade.h): triangles include their borders, and a
 // node on the plane of a triangle counts as above it. Cost: some microseconds for each pair of a
-// brick and a triangle that meet.
+// brick and a triangle of the sweep that meet.
 #pragma once
 
 #include "collision/swept_blade.h"

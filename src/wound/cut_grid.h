@@ -25,7 +25,7 @@ struct CutGrid {
   // Per axis, and by the index of an edge's lower node: the cut's position along the edge, 0 to 1,
   // or kWhole.
   std::array<const float*, 3> severed{};
-  const SeveredEdges* wound = nullptr;  // has the traces and the normals of cuts; null: neither
+  const SeveredEdges* wound = nullptr;  // traces and normals of the cuts; null: there are none
 
   int stride(int axis) const { return axis == 0 ? 1 : axis == 1 ? dims.x() : dims.x() * dims.y(); }
   int index(const Vec3i& n) const { return (n.z() * dims.y() + n.y()) * dims.x() + n.x(); }

@@ -39,7 +39,7 @@ class SeveredEdges {
   SeveredEdges(const Vec3i& brickDims, int refine) : brickDims_(brickDims), refine_(refine) {}
 
   bool empty() const { return records_.empty(); }
-  std::int64_t count() const { return count_; }  // severed edges
+  std::int64_t count() const { return count_; }  // number of severed edges
 
   // Severs the edge from `node` along `axis` at the fraction t of its length; t is clamped to
   // [kCutMargin, 1 - kCutMargin]. normal: the blade's normal in rest space, of any length and sign.
@@ -81,8 +81,8 @@ class SeveredEdges {
     return r ? r->share[std::size_t(axis)].data() : nullptr;
   }
   // True if a blade severed an edge or left a trace in a lattice cube that contains a grid cell of
-  // the brick, and for a few more bricks round the blade. Where it is false, the surface is that of
-  // an uncut organ.
+  // the brick; may also be true for other bricks round the blade. Where near() is false, the
+  // surface is that of an uncut organ.
   bool near(std::int64_t brick) const { return !near_.empty() && near_[std::size_t(brick)] != 0; }
 
   // The bricks whose surface depends on edges severed or traces recorded since the last update(),

@@ -42,7 +42,7 @@ class VertexBinder {
   // 3. without regard to cuts, up to two cells away from p along each axis.
   // If no particle is found, `count` of the result is 0. The window must be that of a brick.
   VertexBinding bind(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
-  // The same, but searches only in the first way. The window may be any that contains the cube.
+  // As bind(), but searches only in the first way. The window may be any that contains the cube.
   VertexBinding bindWithin(const Vec3& p, const Vec3i& place, NearbyNodes anchors);
   // Whether any search so far went beyond the lattice cube of its vertex.
   bool lookedFar() const { return lookedFar_; }

@@ -33,14 +33,14 @@ struct FaceLine {
   // of the ring edge (see RingEdge) + EdgeNode. Tissue lies to the left of the line for a viewer at
   // whom the face's axis points.
   std::uint8_t end = 0, start = 0;
-  bool bent = false;      // has a vertex at the face's point
+  bool bent = false;      // whether the line has a vertex at the face's point
   NearbyNodes anchors{};  // of that vertex (wound/vertex_binding.h), relative to the face's node
 };
 
 struct FaceLines {
-  static constexpr int kMost = 5;  // lines of a face
+  static constexpr int kMost = 5;  // number of lines of a face
   std::array<FaceLine, kMost> line;
-  int count = 0;  // of `line`
+  int count = 0;  // number of entries of `line` in use
   FacePoint kind = FacePoint::None;
   Vec3 point = Vec3::Zero();  // where lines bend, in the coordinates of the CutGrid's nodes
   int points() const {        // number of vertices at the face's point

@@ -34,7 +34,7 @@ struct CellLoops {
   struct Vertex {
     CellVertex vertex;
     bool iso;             // an edge point at the iso level
-    NearbyNodes anchors;  // those of the corner and of the line that begins here
+    NearbyNodes anchors;  // anchors of the corner and of the line that begins there
   };
 
   // Finds the loops of the cell with lowest node i. faces: the lines of the cell's faces; a face

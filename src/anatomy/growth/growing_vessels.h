@@ -19,7 +19,7 @@ namespace resect {
 struct GrowingNode {
   Vec3 place;
   int parent;     // node at the other end of the segment; -1: this is a root
-  int terminals;  // of the subtree that begins at this node
+  int terminals;  // number of terminals in the subtree that begins at this node
   int tree;       // 0: portal vein; from 1 on: one of the hepatic veins
   bool leaf;
   // Radii of the segment that ends at this node, m. given: the radius of a vessel that was not
@@ -43,11 +43,11 @@ class GrowingVessels {
   // Adds a main branch with one terminal, which runs from a node to a place, past other vessels and
   // through the middle of the organ.
   void addTrunk(int from, const Vec3& to);
-  // The point nearest to p that is at least `depth` deep and where a main branch of the tree has
-  // room; if there is none, the nearest point that is deep enough.
+  // The point nearest to p that is at least `depth`, m, deep and where a main branch of the tree
+  // has room; if there is none, the nearest point that is deep enough.
   Vec3 openPlace(const Vec3& p, double depth, int tree) const;
   // Adds a terminal to the portal vein (kind 0) or to one of the hepatic veins (kind 1). Returns
-  // false if no segment can be found to which it fits.
+  // false, and adds nothing, if it can be joined to no segment.
   bool grow(const Vec3& place, int kind);
 
   static int kindOf(int tree) { return tree > 0 ? 1 : 0; }
@@ -61,13 +61,14 @@ class GrowingVessels {
   std::vector<double> finalRadii() const;
 
  private:
-  struct Join {  // of a new terminal with a segment
+  struct Join {  // a way to join a new terminal to a segment
     double cost;
     int node;   // node at the segment's end
     Vec3 fork;  // where the new branch leaves; for a given segment, its end
   };
 
-  double radius(int terminals, int kind) const;  // scaled to the final number of terminals
+  // Radius, m, that a segment will have when its tree is fully grown, if it has `terminals` now.
+  double radius(int terminals, int kind) const;
   // Present radius of the segment that ends at a node, m, if `more` terminals are added to it.
   double radiusOf(const GrowingNode& node, int more = 0) const;
   double checkRadius(const GrowingNode& node) const;
@@ -79,7 +80,7 @@ class GrowingVessels {
   struct Obstacle {  // for a main branch: a vessel of another tree, and the distance to keep
     Vec3 start, end;
     double keep;
-    bool stem;  // it comes from outside the organ
+    bool stem;  // the vessel comes from outside the organ
   };
   std::vector<Obstacle> obstacles(int tree) const;
   std::vector<Vec3> route(const Vec3& from, const Vec3& to, int tree) const;
@@ -100,7 +101,9 @@ class GrowingVessels {
   std::array<int, 2> terminals_{};
   std::array<double, 2> leafRadius_{};
   double widest_ = 0;  // m: outer radius of the widest vessel
-  struct KnownRadii {  // cache: radius by terminals, valid for `grown` terminals in all; 0: unknown
+  // Cache of radius(): radius[n], m, for n terminals; 0: not computed yet. It is valid as long as
+  // the kind has `grown` terminals in all.
+  struct KnownRadii {
     int grown = 0;
     std::vector<double> radius;
   };

@@ -19,11 +19,11 @@ struct VesselGrowth {
   Vec3 cava = Vec3::Zero();      // where the hepatic veins leave the organ, m
   Vec3 cavaOut = Vec3::Zero();   // a point outside, in the vena cava, m
   double portalRadius = 0.006;   // of the portal vein where it enters, m
-  double trunkRadius = 0.005;    // of each of three hepatic veins, m
-  double arteryShare = 0.38, ductShare = 0.33;  // radius, divided by that of the portal branch
+  double trunkRadius = 0.005;    // of each of the three hepatic veins, m
+  double arteryShare = 0.38, ductShare = 0.33;  // their radii / radius of the portal branch
   double gap = 0.0004;                          // least gap between vessels, m
   double margin = 0.001;                        // least depth below the organ's surface, m
-  double sheath = 1.95;                         // radius of a portal triad, divided by its vein's
+  double sheath = 1.95;                         // radius of a portal triad / radius of its vein
 };
 
 // Portal vein and hepatic veins grow in competition for the organ; artery and duct accompany the

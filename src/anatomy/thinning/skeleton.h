@@ -2,8 +2,8 @@
 //
 // Method: TEASAR (Sato et al. 2000, 10.1109/PCCGA.2000.883951). In each connected part, paths from
 // a root to the farthest cells are found one after another. A path ends where it meets an earlier
-// one. After each path, the cells round it are no longer considered as ends of paths. Steps cost
-// more the nearer they are to the wall, so paths run in the middle of the shape.
+// path. After each path, the cells round it are no longer considered as ends of paths. Steps cost
+// more the nearer they are to the wall of the shape, so paths run in the middle of the shape.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace resect {
 // A tree of neighbouring cells. Cell 0 is the root; every other cell comes after its parent. A
 // branch ends before the end of the shape, by about the depth of its last cell.
 struct Skeleton {
-  std::vector<std::int64_t> cells;  // of the shape's lattice
+  std::vector<std::int64_t> cells;  // indices of cells in the shape's lattice
   std::vector<int> parents;         // index in `cells`; -1 for the root
 };
 

@@ -17,8 +17,8 @@ struct SolidShape {
 
 // The shape contains all points inside any component of a closed surface, whichever way the
 // component faces. So a vessel whose wall is drawn as two surfaces is filled, and vessels may
-// overlap. Cells have the side `cell`, m, or a larger one if there would be more than two million
-// of them.
+// overlap. The side of the cells is `cell`, m. If this would give more than two million cells, the
+// side is larger.
 SolidShape solidShape(const TriangleMesh& surface, double cell);
 
 }  // namespace resect

@@ -10,11 +10,12 @@
 
 namespace resect {
 
-// Where attempts are kept unless another folder was chosen: beside the window's recordings.
+// Where attempts are kept unless another folder was chosen: the folder "attempts" beside the
+// window's folder of recordings.
 std::filesystem::path usualAttemptsFolder();
 
-// The text as the name of a folder, without characters that a file system might refuse. "learner"
-// if nothing is left, or more than 60 bytes.
+// The text as the name of a folder, without characters that a file system might refuse. If the name
+// would be empty or longer than 60 bytes, it is "learner".
 std::string learnerName(const std::string& text);
 
 // Names of the learners' sub-folders, in alphabetical order.

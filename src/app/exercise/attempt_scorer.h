@@ -15,7 +15,7 @@
 
 namespace resect {
 
-// A fault of an attempt, as Deduction (skills/score/verdict.h).
+// A fault in an attempt; the fields mean the same as in Deduction (skills/score/verdict.h).
 struct Evidence {
   std::optional<double> time;  // s from the start of the recording
   QString fact, question, next;
@@ -39,7 +39,7 @@ class AttemptScorer {
   struct Attempt {
     std::filesystem::path recording, page, history;
     std::string learner;
-    bool graded = true;  // true: it is graded even if it is the learner's first
+    bool graded = true;  // true: the attempt is graded even if it is the learner's first
   };
   // Scores the attempt and writes its debrief to `page`. `done` gets the result as soon as it is
   // known. `written` is called when the page has been written. `failed` gets an error message. A

@@ -27,15 +27,16 @@ class ExercisePanel : public QWidget {
   // exercise has a reference run, which can be shown as ghosts. draft: whether the user is still
   // making the exercise.
   void begin(const QString& title, const Task& task, bool guided, bool ghosts, bool draft);
-  // Shows the present figures. seconds: time of the attempt. distance, keeping: how the instrument
-  // in hand keeps to the goal's marks (distanceFrom(), m, and keepingOf() of guide_marks.h). No
-  // distance: there is nothing to keep to.
+  // Shows the present figures. seconds: time of the attempt. distance: from the instrument in
+  // hand to the goal's marks, m (distanceFrom() of guide_marks.h); empty if the goal has no marks
+  // now. keeping: whether the instrument is near enough to them (keepingOf()).
   void follow(const LiveState& state, double seconds, const AttemptProgress& progress,
               std::optional<double> distance, Keeping keeping);
-  // Whether the user wants guidance, and ghosts, and the exercise has them.
+  // Whether guidance is to be shown, and whether ghosts are: the user wants them and the exercise
+  // has them.
   bool guidance() const;
   bool ghosts() const;
-  QString nextStep() const;  // empty: none is to be shown
+  QString nextStep() const;  // empty: no next step is to be shown
 
   // Says why the attempt is over, and that it is being scored.
   void showEnd(const QString& why);
@@ -51,7 +52,7 @@ class ExercisePanel : public QWidget {
   void clearResult();
   void showAmounts(std::optional<double> seconds, std::optional<double> blood,
                    std::optional<double> force,
-                   std::optional<double> bleeding);  // s, ml, N, s
+                   std::optional<double> bleeding);  // in s, ml, N and s
   void addResult(QWidget* widget);
   void addEvidence(const Evidence& one, const QString& number);
 

@@ -22,8 +22,8 @@ class ExercisesPage : public QWidget {
  public:
   explicit ExercisesPage(QWidget* parent);
 
-  // Fills the page and its cards. done: the learner's scored attempts. folder: where the attempts
-  // are kept.
+  // Fills the page and its cards. done: the learner's scored attempts. folder: path of the folder
+  // of attempts.
   void show(const std::vector<Exercise>& exercises, const std::vector<HistoryEntry>& done,
             const QStringList& learners, const QString& learner, const QString& folder);
   QString learner() const;

@@ -1,5 +1,5 @@
-// The teacher's panel, which makes an exercise of the operation on the screen. The window, not the
-// panel, keeps the marks that the teacher makes on the organ.
+// The teacher's panel, which makes an exercise out of the operation on the screen. The window, not
+// the panel, keeps the marks that the teacher makes on the organ.
 #pragma once
 
 #include <QWidget>
@@ -25,8 +25,8 @@ class TaskMakerPanel : public QWidget {
  public:
   explicit TaskMakerPanel(QWidget* parent = nullptr);
 
-  // Fills the fields for an operation. instruments: names of their models. structures: names.
-  // vessels: whether an organ has any.
+  // Fills the fields for an operation. instruments: names of the instruments' models. structures:
+  // names of the structures in the organs. vessels: whether any organ has vessels.
   void begin(const std::vector<std::string>& instruments,
              const std::vector<std::string>& structures, bool vessels);
   // marks: number of marked places. marking: whether a click now marks a place.
@@ -39,16 +39,16 @@ class TaskMakerPanel : public QWidget {
   double structureRadius() const;  // m, of the new tumour
   double structureDepth() const;   // m, of the new tumour's centre below the surface
   // The task from the panel's fields. The window adds the goal's places, normal and vessel, and the
-  // bands.
+  // bands within which a passing attempt's figures must lie (skills/score/bands.h).
   Task task() const;
   std::string title() const;
 
-  // Adds one of the teacher's own attempts to the list. The checked attempts are the reference.
-  // good: whether it is checked at first.
+  // Adds one of the teacher's own attempts to the list, with the text `words`. The checked attempts
+  // are the references. good: whether the attempt is checked at first.
   void addTry(const QString& words, bool good);
   void clearTries();
   std::vector<std::size_t> references() const;  // indices of the checked tries, ascending
-  bool bandWanted() const;                      // to pass, figures must be near the references'
+  bool bandWanted() const;                      // whether a pass must come near the references
 
   std::function<void(bool)> markingWanted;
   std::function<void()> goalChanged, lastMarkRemoved, tried, saved, closed;

@@ -20,9 +20,9 @@
 
 namespace resect {
 
-// If the scenario has no instruments, gives it those that come with Resect, without those that stop
-// bleeding if no organ can bleed. Sets the rest pose of every instrument to its place in the tool
-// box.
+// If the scenario has no instruments, gives it the instruments that come with Resect; if no organ
+// can bleed, the instruments that stop bleeding are left out. Sets the rest pose of every
+// instrument to its place in the tool box.
 Scenario withInstruments(Scenario scenario);
 
 // Returns the setup with half of the processor's threads for the tissue, which leaves the other
@@ -69,17 +69,17 @@ class OrganLoader {
   std::function<void(double)> progress_;
   std::function<void(Result)> done_;
   std::unique_ptr<QProcess> reader_;
-  std::vector<ModelToRead> toRead_;     // the pointers lead into the job's scenario
+  std::vector<ModelToRead> toRead_;     // its pointers point into the job's scenario
   std::size_t next_ = 0;                // index in toRead_ of the file being read
   std::vector<std::string> converted_;  // files that the reading processes wrote
-  int files_ = 0;                       // files converted so far; it numbers the next
+  int files_ = 0;                       // number of files converted so far
   std::unique_ptr<Job> job_;
   std::vector<std::unique_ptr<Job>> givenUp_;  // abandoned jobs whose threads are still running
   QTimer timer_;
 };
 
-// Examines a file in a separate process, one at a time: a new call ends the one before, whose
-// `done` is then not called. examine() runs `resect info` on the file, or on one of its parts.
+// Examines one file at a time in a separate process. A new call ends the call before, whose `done`
+// is then not called. examine() runs `resect info` on the file, or on one of its parts.
 // `done` gets the JSON that the process prints, and an empty `problem`. On failure it gets an empty
 // `json`, and the sentence of the error as `problem`. slices: where a picture of a label image's
 // slices is to be written; "": nowhere.
@@ -89,8 +89,8 @@ class FileExaminer {
   void examine(
       const std::string& file, const std::string& part, const std::string& slices,
       const std::function<void(const std::string& json, const std::string& problem)>& done);
-  // Writes the surface of the file, or of its parts, to `ply`, by `resect convert`. `done`
-  // gets an empty `problem`, or the sentence of the error.
+  // Writes the surface of the file, or of the parts that `part` names, to the file `ply` with
+  // `resect convert`. `done` gets an empty `problem`, or the sentence of the error.
   void writeSurface(const std::string& file, const std::string& part, const std::string& ply,
                     const std::function<void(const std::string& problem)>& done);
   void cancel();

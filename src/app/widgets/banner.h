@@ -1,4 +1,4 @@
-// An error message over the picture. It disappears by itself when it no longer holds.
+// An error message over the picture. It disappears by itself when it is no longer true.
 #pragma once
 
 #include <QFrame>
@@ -14,8 +14,8 @@ class Banner : public QFrame {
   // Shows the sentence until the user closes it or holds() is false. Without holds(), the sentence
   // disappears 8 s after the first call of userWentOn().
   void say(const QString& sentence, std::function<bool()> holds = {});
-  void userWentOn();  // to be called when there was input elsewhere
-  // Hides the banner if its time is over; returns whether it has been hidden now.
+  void userWentOn();  // to be called when the user gave input elsewhere than to the banner
+  // Hides the banner if its time is over, and returns whether this call hid it.
   bool leaves();
   // Places the banner at the top of this area of the parent, as wide as its sentence needs.
   void place(const QRect& area);

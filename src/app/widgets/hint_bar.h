@@ -1,5 +1,5 @@
-// The bar over the picture. It says what to do next, and has a button for the exercises and one
-// that makes a slow simulation faster.
+// The bar over the picture. It says what to do next. One button shows the exercises; another makes
+// a slow simulation faster.
 #pragma once
 
 #include <QWidget>
@@ -33,7 +33,8 @@ class HintBar : public QWidget {
   QPushButton* exercises_;
   QLabel* sentence_;
   QPushButton* mend_;
-  // The offered side, mm; present number of lines; its minimum: most sentences fit into two lines.
+  // The offered side of the cells, mm; the present number of lines; the least number of lines, 2,
+  // since most sentences fit into two.
   int offered_ = 0, lines_ = 1, fewest_ = 2;
 };
 

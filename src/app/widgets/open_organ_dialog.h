@@ -1,5 +1,5 @@
-// Dialog shown before a file is opened as an organ. It shows the health of the mesh and asks for
-// unit, part, repair and spacing.
+// Dialog shown before a file is opened as an organ. It shows what is wrong with the mesh (open
+// edges, wrong orientation) and asks for unit, part, repair, axes and spacing.
 #pragma once
 
 #include <QDialog>
@@ -30,7 +30,8 @@ class SurfaceView;
 
 class OpenOrganDialog : public QDialog {
  public:
-  // before: source of an earlier organ. The dialog proposes its spacing and keeps its `settings`.
+  // before: source of the organ opened before. The dialog proposes the spacing of that organ and
+  // keeps its `settings`.
   OpenOrganDialog(const std::string& file, const OrganSource& before, QWidget* parent = nullptr);
 
   // The user's choices; valid after accept(). For a label image, they include the structures in the
@@ -43,7 +44,7 @@ class OpenOrganDialog : public QDialog {
   // Called after the file, or the chosen part, was examined. Gets the text that the dialog shows
   // about the file: a report or an error.
   std::function<void(const std::string&)> examined;
-  // Called when the surface of what is opened turns in the dialog.
+  // Called once the dialog shows the turning surface of the file or of the chosen part.
   std::function<void()> surfaceShown;
 
  private:
@@ -61,15 +62,15 @@ class OpenOrganDialog : public QDialog {
   void readSurface();
   void showSurface();
   QHBoxLayout* turnRow();
-  Eigen::Quaterniond lying() const;  // of the file's axes in the room
+  Eigen::Quaterniond lying() const;  // rotation from the file's axes to the room's axes
 
   std::string file_;
   OrganSource before_;
   FileExaminer examiner_, surfaceReader_;
   QTemporaryDir folder_;                    // for the picture of slices and the surface
-  std::optional<std::string> surfacePart_;  // whose surface is shown, or read now
+  std::optional<std::string> surfacePart_;  // part whose surface is shown or being read
   SurfaceView* surface_;
-  TriangleMesh mesh_;  // what the picture shows, as it lies in the file
+  TriangleMesh mesh_;  // the surface that is shown, in the coordinates of the file
   QProgressBar* busy_;
   QLabel *report_, *slices_, *size_;
   QFormLayout* form_;

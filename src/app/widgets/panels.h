@@ -85,7 +85,7 @@ class RemovedPanel : public QWidget {
 class ForcePanel : public QWidget {
  public:
   explicit ForcePanel(QWidget* parent = nullptr);
-  void begin(const std::vector<QString>& tools);  // their names, for a new operation
+  void begin(const std::vector<QString>& tools);  // names of a new operation's tools
   void follow(const LiveState& state, int held);
 
  protected:

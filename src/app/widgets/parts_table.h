@@ -1,4 +1,5 @@
-// A table with the role of each part of a file: the organ, a structure in the organ, or left out.
+// A table in which the user gives each part of a file its role: it is the organ, it is a structure
+// in the organ, or it is left out.
 #pragma once
 
 #include <QTableWidget>
@@ -14,16 +15,17 @@ namespace resect {
 struct FilePart {
   std::string part;   // as OrganSource::part names it
   std::string name;   // for people
-  std::string about;  // "1378 ml", "open, 12 edges"
+  std::string about;  // its volume, or why it has none: "1378 ml", "open, 12 edges"
 };
 
 class PartsTable : public QTableWidget {
  public:
   explicit PartsTable(QWidget* parent = nullptr);
 
-  // Proposes a role for each part by its name. If no name means an organ, the parts of a model
-  // whose names mean nothing are the organ; all of them are if there is no such part. No label of
-  // an image is the organ then.
+  // Proposes a role for each part by its name (structureKind()). Parts whose names tell no kind,
+  // and gallbladders, are left out. If no part's name means the organ, then: in an image, all
+  // labels are left out; in a model, the parts that would be left out are the organ, or, if there
+  // are none, all parts are.
   void fill(const std::vector<FilePart>& parts, bool image);
   void setAbout(int row, const QString& about) { item(row, 1)->setText(about); }
   bool filled() const { return !parts_.empty(); }

@@ -1,5 +1,5 @@
-// A small picture of a closed or open surface that turns about the vertical, so that a person sees
-// what a file holds before it becomes an organ. The mouse turns it, too.
+// A small picture of a closed or open surface. The surface turns about the vertical, so that a
+// person sees what a file holds before it becomes an organ. Dragging with the mouse turns it, too.
 #pragma once
 
 #include <Inventor/nodes/SoRotation.h>
@@ -26,7 +26,7 @@ class SurfaceView : public QWidget {
   // mesh: +Y is up in the picture, +Z towards the viewer. Coordinates in any unit. Throws Error if
   // OpenGL is missing.
   void setSurface(const TriangleMesh& mesh);
-  int pictures() const { return pictures_; }  // drawn so far
+  int pictures() const { return pictures_; }  // number of pictures drawn so far
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -44,7 +44,7 @@ class SurfaceView : public QWidget {
   QTimer timer_;
   QElapsedTimer clock_;
   QPoint grabbed_;
-  double angle_ = 0, slope_ = 0.25;  // rad; at first seen a little from above
+  double angle_ = 0, slope_ = 0.25;  // rad: about the vertical; tilt towards the viewer
   int pictures_ = 0;
 };
 

@@ -32,9 +32,10 @@ class TimelinePanel : public QWidget {
   // requests are done.
   void follow(const LiveState& state, bool showing, bool answered);
 
-  // step() shows the moment `frames` frames after the one shown or requested; before it if `frames`
-  // is negative. toStart() shows the start, toEnd() the end of the branch. While the user operates,
-  // there is no later moment: then toEnd(), and step() with frames >= 0, do nothing.
+  // step() shows the moment that is `frames` frames later than the moment shown or requested;
+  // earlier if `frames` is negative. toStart() shows the start, toEnd() the end of the branch.
+  // While the user operates, there is no later moment: then toEnd(), and step() with frames >= 0,
+  // do nothing.
   void step(std::int64_t frames);
   void toStart() { ask(0); }
   void toEnd();
@@ -50,8 +51,8 @@ class TimelinePanel : public QWidget {
   // The bar's ends, in pixels of the screen: the start and the end of the operation.
   std::pair<QPoint, QPoint> barEnds() const;
 
-  // Called when the user asks to show a moment, to play, to operate from the moment shown, or to
-  // compare branches.
+  // Called when the user asks to show a moment (wanted), to play (playback), to operate from the
+  // moment shown (goOn), or to compare branches (compare).
   std::function<void(Moment)> wanted;
   std::function<void(double speed)> playback;
   std::function<void()> goOn, compare;
@@ -60,7 +61,7 @@ class TimelinePanel : public QWidget {
   friend class TimelineBar;
   void listBranches();
   static bool isListed(const Timeline::Course& course);
-  // Listed branches that begin at a moment on the course of the branch that is shown.
+  // The listed branches that leave the course of the branch that is shown.
   std::vector<const Timeline::Course*> branchesBeside() const;
   void ask(std::int64_t frame);
 

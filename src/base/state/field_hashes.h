@@ -1,9 +1,9 @@
 // One digest per named field of a state, cheap enough for every frame.
 //
 // With the digests two states can be compared field by field although neither state is kept. A
-// recording holds the digests of each frame; the first digest that differs names the field. Fields
-// with the same path, such as the displacements of several organs, share a digest. Cost: 0.1 ms per
-// MB of state.
+// recording holds the digests of each frame; the first digest that differs shows which field
+// differs. Fields with the same path, such as the displacements of several organs, share a digest.
+// Cost: 0.1 ms per MB of state.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ class FieldHashes final : public StateVisitor {
   // another version of the program.
   bool strange() const { return strange_; }
 
-  // Paths as "organs.tissue.u", in the order in which visit() first names them.
+  // Paths, such as "organs.tissue.u", in the order in which visit() first names them.
   const std::vector<std::string>& paths() const { return paths_; }
   // One digest per path.
   const std::vector<std::uint64_t>& values() const { return values_; }
@@ -48,11 +48,12 @@ class FieldHashes final : public StateVisitor {
 
   bool sealed_ = false, strange_ = false;
   std::vector<char> leaf_;  // 1: no path lies below this one
-  // Depth inside a list that is one field, and the number of that field.
+  // While inside a list that counts as a single field: the nesting depth (0: outside such a list),
+  // and the number of that field.
   std::size_t inField_ = 0, field_ = 0;
   std::uint64_t ignored_ = 0;
   std::string path_;
-  std::vector<std::size_t> lengths_;  // of path_ before each enter()
+  std::vector<std::size_t> lengths_;  // length of path_ before each enter()
   std::vector<std::string> paths_;
   std::vector<std::uint64_t> values_;
   std::size_t next_ = 0;  // expected index of the next field: all visits have the same order

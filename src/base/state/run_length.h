@@ -9,7 +9,7 @@
 //   3: nothing follows; all words are 1
 //
 // h is written with 7 bits per byte, the lowest bits first. The eighth bit is set in all bytes but
-// the last. Cost: some ns per word.
+// the last. Cost: a few nanoseconds per word.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,8 @@ class ByteReader {
   explicit ByteReader(std::span<const std::byte> bytes) : rest_(bytes) {}
   std::uint64_t number();
   std::span<const std::byte> bytes(std::size_t count);  // the next `count` bytes, as they are
-  // Unpacks the next runs and appends their words to `to`. `bytes`: size of these words in all.
+  // Unpacks the next runs and appends their words to `to`. `bytes`: total size of these words.
+  // `word`: bytes per word.
   void runs(Bytes& to, std::size_t bytes, std::size_t word);
   bool atEnd() const { return rest_.empty(); }
 

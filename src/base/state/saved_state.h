@@ -11,8 +11,8 @@
 // - the version,
 // - a fingerprint of the operation that the state belongs to,
 // - the columns: each column is followed at once by the columns of its own fields,
-// - a digest of all bytes before it (base/state/state_hash.h). If it does not match, the bytes are
-//   refused as truncated or damaged.
+// - a digest of all bytes before the digest (base/state/state_hash.h). If it does not match, the
+//   bytes are refused as truncated or damaged.
 // Numbers are packed by base/state/run_length.h in the byte order of the processor (little endian
 // on all machines that Resect runs on).
 #pragma once
@@ -37,7 +37,7 @@ struct StateColumn {
   std::vector<std::uint64_t> counts;
   bool isList = false;
   Bytes data;                       // the numbers; empty for a struct
-  std::vector<StateColumn> fields;  // of a struct
+  std::vector<StateColumn> fields;  // the columns of a struct's fields; else empty
   // For a list with one entry per cell: how the coordinates of cells map to positions in the list,
   // one CellOrder for each entry of `counts`. Not saved.
   std::vector<CellOrder> orders;
@@ -57,19 +57,20 @@ Bytes toBytes(const SavedState& saved);
 // Throws Error if the bytes are not a saved state, or are truncated or damaged.
 SavedState stateFromBytes(std::span<const std::byte> bytes);
 
-// Overwrites the fields of `state`. If `saved` lacks a field, an Error names the field. There is
-// one exception: if `saved` is of an older version than kStateVersion, the field of `state` keeps
-// the value that it had before the call. If `saved` has a field that `state` does not have, an
-// Error names it, for every version. Whether the values make sense is for the caller to check.
+// Overwrites the fields of `state`. If `saved` lacks a field, throws an Error that names it.
+// There is one exception: if `saved` is of an older version than kStateVersion, the field of
+// `state` keeps the value that it had before the call. If `saved` has a field that `state` does not
+// have, throws an Error that names it, for every version. Whether the values make sense is for the
+// caller to check.
 template <typename State>
 void loadState(State& state, const SavedState& saved);
 
 // The name of the first field in which two states differ; nothing if the states are equal. In a
 // list with one entry per cell the cell is named too: "organs.tissue.u.1, cell (12, 3, 40)". If
-// this list occurs in several structs (as with several organs), its number follows the field:
-// "organs.tissue.u.1, list 0, cell (12, 3, 40)". If both states were made by stateFromBytes(), the
-// cells are not known. Then the position of the value in its column follows the field, from 0:
-// "organs.tissue.u.1, number 4711".
+// this list occurs in several structs (as with several organs), its number, from 0, follows the
+// field: "organs.tissue.u.1, list 0, cell (12, 3, 40)". If both states were made by
+// stateFromBytes(), the cells are not known. Then the position of the value in its column follows
+// the field, from 0: "organs.tissue.u.1, number 4711".
 std::optional<std::string> firstDifference(const SavedState& a, const SavedState& b);
 
 class ColumnWriter final : public StateVisitor {

@@ -3,10 +3,11 @@
 //
 //     template <class Visitor> void visit(Visitor& v) { v("time", time); v("poses", poses); ... }
 //
-// Every operation on all fields is a StateVisitor: the digest (HashVisitor), saving and loading
-// (base/state/saved_state.h), the memory held (HeldBytes). Fields that are derived, or set up once
-// and never changed, are not state. They are named in visitMade(), by v.made(field, another, ...),
-// so that their memory is counted. A test finds fields that neither visit() nor visitMade() names.
+// Every operation on all fields is a StateVisitor: computing the digest (HashVisitor), saving and
+// loading (base/state/saved_state.h), counting the memory held (HeldBytes). Fields that are
+// derived, or set up once and never changed, are not state. They are named in visitMade(), by
+// v.made(field, another, ...), so that their memory is counted. A test finds fields that neither
+// visit() nor visitMade() names.
 //
 // A field may be:
 //
@@ -35,7 +36,7 @@
 namespace resect {
 
 // Layout of an array with an entry per cell. Cell (x, y, z) has the index front + x + strideY * y +
-// strideZ * z. With it a difference between two states can be reported by cell.
+// strideZ * z. With this layout a difference between two states can be reported by cell.
 struct CellOrder {
   std::int64_t front = 0, strideY = 0, strideZ = 0;
 };

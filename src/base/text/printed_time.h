@@ -5,7 +5,8 @@
 
 namespace resect {
 
-// Rounds to nanoseconds, so that a sum of frames such as 9.200000000000037 s is printed as 9.2.
+// Rounds a time in s to nanoseconds, so that a sum of frames such as 9.200000000000037 s is printed
+// as 9.2.
 inline double printedTime(double seconds) { return std::round(seconds * 1e9) / 1e9; }
 
 }  // namespace resect

@@ -12,13 +12,13 @@
 
 namespace resect {
 
-// The most characters that are shown.
+// The largest number of characters that are shown.
 inline constexpr std::size_t kLongestShown = 200;       // of a name or a title
 inline constexpr std::size_t kLongestSentence = 900;    // of a sentence that contains foreign text
 inline constexpr std::size_t kLongestShownPath = 4200;  // of a path, or of a line of output
 
-// Only the beginning and the end of a text of more than `most` characters are shown, with
-// " ... " between them.
+// Of a text of more than `most` characters, only the beginning and the end are shown, with " ... "
+// between them.
 std::string shownText(std::string_view text, std::size_t most = kLongestShown);
 
 // The same for the sentence of an error, a note or a fault.

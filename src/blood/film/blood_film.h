@@ -2,11 +2,11 @@
 //
 // The volume of blood on each skin cell is a whole number of picolitres. In a frame the wet cells
 // are visited from the highest to the lowest. Each cell passes on to its lower neighbours what a
-// film of its thickness h carries down the slope: q = rho g h^3 sin(slope) / (3 mu) per width. This
-// flow is solved implicitly, so one sweep over the cells is a step of the kinematic wave equation.
-// Dry skin is wetted only by a film thicker than a threshold, so blood runs in rivulets. Where
-// there is no lower outlet, blood gathers in level ponds. Under an overhang blood hangs until it
-// drips.
+// film of its thickness h carries down the slope: q = rho g h^3 sin(slope) / (3 mu) per unit of
+// width. This flow is solved implicitly, so one sweep over the cells is a step of the kinematic
+// wave equation. Dry skin is wetted only by a film thicker than a threshold, so blood runs in
+// rivulets. Where a cell has no lower neighbour, blood gathers in level ponds. Under an overhang
+// blood hangs until it drips.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace resect {
 
-// Blood on one cell.
+// Blood on one skin cell.
 struct WetCell {
   std::int64_t cell = -1;
   Picolitres liquid = 0, clotted = 0;
@@ -62,7 +62,7 @@ class BloodFilm {
   // height 0.
   void step(double duration, bool table, std::vector<BloodDrop>& drops);
 
-  // Call this at the end of a frame: it lists the wet cells as state.
+  // Call this at the end of a frame. It writes the wet cells to wet(), which is the state.
   void collect();
 
   void add(std::int64_t cell, Picolitres volume);
@@ -71,8 +71,9 @@ class BloodFilm {
   Picolitres take(const Vec3& place, double radius, Picolitres most);
 
   // The skin cell nearest to a point in rest space, at most three cells away along each axis; -1 if
-  // there is none. beside: a direction, or zero for none. A cell whose centre lies on the other
-  // side of the point than `beside` shows counts as one spacing farther away.
+  // there is none. beside: the preferred direction from the point, or zero for none. If the
+  // direction to a cell's centre is more than 90 degrees from `beside`, the cell counts as one
+  // spacing farther away.
   std::int64_t skinNear(const Vec3& rest, const Vec3& beside) const;
   // The present position of a cell's skin, world, m, and its normal. The cell must be a skin cell.
   struct SkinPlace {
@@ -82,7 +83,7 @@ class BloodFilm {
 
   FilmVolumes volumes() const;
   const std::vector<WetCell>& wet() const { return wet_; }  // ascending by cell
-  // The volumes on a cell, given by its number in skin().
+  // The volumes of blood on the cell with this number in skin().
   Picolitres liquidAt(std::int32_t number) const { return liquid_[std::size_t(number)]; }
   Picolitres clottedAt(std::int32_t number) const { return clotted_[std::size_t(number)]; }
   const SkinCells& skin() const { return skin_; }

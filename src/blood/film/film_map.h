@@ -8,7 +8,7 @@
 
 namespace resect {
 
-// Cost: proportional to the number of wet cells and of those beside them, and clearing the map.
+// Cost: clearing the map, and a term proportional to the number of wet cells and their neighbours.
 std::shared_ptr<const TissueMap> filmMap(const BloodFilm& film, const OperatedOrgan& organ);
 
 }  // namespace resect

@@ -38,15 +38,15 @@ struct PaddedNumbers {
 };
 
 struct SkinCell {
-  // Both at rest. normal: unit, pointing out of the tissue. offset: from the cell's centre to its
-  // skin, m.
+  // Both in rest space. normal: unit, pointing out of the tissue. offset: vector from the cell's
+  // centre to its skin, m.
   Vec3f normal = Vec3f::Zero(), offset = Vec3f::Zero();
   float area = 0;          // of the skin at this cell, at rest, m^2
   std::uint32_t free = 0;  // bit d: a particle lies in direction d, but its bond is severed
   std::uint32_t ways = 0;  // bit d: blood can run to the skin cell in direction d
   std::uint32_t open = 0;  // bit d: the face in direction d is free (6 face neighbours)
   bool skin = false;
-  bool slit = false;  // all its free faces are lips of closed cuts
+  bool slit = false;  // all free faces of the cell are lips of closed cuts
 };
 
 // How many faces of a cell are free after an edit but were not free before it.
@@ -68,7 +68,7 @@ class SkinCells {
   const SkinCell& operator[](std::int32_t number) const { return cells_[std::size_t(number)]; }
   bool isSkin(std::int32_t number) const { return cells_[std::size_t(number)].skin; }
   const PaddedNumbers& numbers() const { return numbers_; }
-  const std::int32_t* steps() const { return steps_.data(); }  // offset of numbers, by direction
+  const std::int32_t* steps() const { return steps_.data(); }  // numbers_.step() per direction
   std::int32_t numberOf(std::int64_t cell) const { return numbers_.of(lattice_.cell(cell)); }
   std::int64_t latticeCell(std::int32_t number) const {
     return lattice_.index(numbers_.cell(number));

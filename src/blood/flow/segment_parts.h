@@ -9,9 +9,9 @@
 
 namespace resect {
 
-// The part of the tissue that each cell belongs to: 0 for the body, from 1 on for a piece,
-// SegmentPart::kCrumb for debris and where there is no tissue. Cost: that of tissueParts()
-// (organ/parts/tissue_parts.h).
+// The part of the tissue that each cell belongs to: 0 for the body, from 1 on the number of a
+// separated piece, SegmentPart::kCrumb for debris and where there is no tissue. Cost: that of
+// tissueParts() (organ/parts/tissue_parts.h).
 std::vector<std::int32_t> partOfCells(const OperatedOrgan& organ);
 
 // The segments that belong to another part than the body, ascending. A segment belongs to the part

@@ -37,11 +37,11 @@ class VesselFlow {
 
   // Computes the flows out of all open ends and writes them to state.injuries; a flow is never
   // below 0. outside: one entry per injury. sources: the present pressures of the sources, divided
-  // by those at rest. sinusoids: the pressures in the sinusoids, Pa, one per part of the tissue
-  // (SegmentPart), the body first; the caller passes those of the last call, and solve() updates
-  // them. The pressure loss at an end depends on the flow, so each call does some iterations that
-  // start from the last flows; after a change it takes some calls until the flow is steady. Returns
-  // the flow of air into open hepatic veins, m^3/s.
+  // by their values at rest. sinusoids: the pressures in the sinusoids, Pa, one per part of the
+  // tissue (SegmentPart), the body first; the caller passes the pressures that the last call gave,
+  // and solve() updates them. The pressure loss at an end depends on the flow, so each call does
+  // four iterations that start from the last flows; after a change it takes several calls until the
+  // flow is steady. Returns the flow of air into open hepatic veins, m^3/s.
   double solve(VesselState& state, std::span<const EndOutside> outside, const SourceShares& sources,
                std::vector<double>& sinusoids) const;
 
@@ -74,7 +74,8 @@ class VesselFlow {
                  std::span<const double> sinusoids, bool keep, std::span<double> into,
                  double& air) const;
 
-  // Work of solve(): per injury, the ends closed because the pressure outside is the higher one.
+  // Used by solve(): per injury and VesselEnd, whether the end is closed because the pressure
+  // outside is higher than inside.
   mutable std::vector<std::array<bool, 2>> collapsed_;
   std::shared_ptr<const VesselMap> map_;
   const Anatomy* anatomy_ = nullptr;  // of map_

@@ -7,17 +7,18 @@
 
 namespace resect {
 
-// To be called first. If one of the three is closed, opens /dev/null in its place, for reading
-// only, so that printing to it fails. Otherwise a file that is opened later would get its
-// descriptor, and printed text would be written into that file.
+// To be called first in main(). If one of the three streams is closed, opens /dev/null in its
+// place, for reading only, so that printing to it fails. Otherwise a file that is opened later
+// would get its descriptor, and printed text would be written into that file.
 void openStandardStreams();
 
-// To be called last. Closes standard output. Throws Error if not all of the printed text was
-// written.
+// To be called last in main(). Closes standard output. Throws Error if not all of the printed text
+// was written.
 void finishStandardOutput();
 
-// The stream for text to people. This is standard output. If one of the outputs goes to standard
-// output (isStandardOutput()), it is standard error instead, so that the two do not mix.
+// The stream for text to people. This is standard output. If one of `outputs` goes to standard
+// output (isStandardOutput()), the text goes to standard error instead, so that text and output do
+// not mix.
 std::FILE* placeForText(std::initializer_list<std::filesystem::path> outputs);
 
 }  // namespace resect

@@ -16,7 +16,7 @@ namespace resect {
 struct ChildLimits {
   double cpuSeconds = 5;    // computing time of the child; > 0
   double wallSeconds = 20;  // from the start to the last byte of the result; > 0
-  std::size_t memoryBytes = std::size_t(2) << 30;  // address space beyond this process's;
+  std::size_t memoryBytes = std::size_t(2) << 30;  // most address space beyond this process's;
                                                    // no limit in sanitized builds
   std::size_t answerBytes = std::size_t(2) << 30;  // most bytes of the result
   // What an Error advises the user to do: ifTooLarge if a limit was reached, ifDamaged if the
@@ -25,10 +25,10 @@ struct ChildLimits {
   const char* ifDamaged = "export it again";
 };
 
-// Runs `work` in a child and returns the bytes that `work` returns. If `work` throws an Error, an
-// Error with that sentence and status is thrown here. Any other failure (crash, limit, other
-// exception) gives an Error that names `subject`, the file's name, and says what happened and what
-// to do.
+// Runs `work` in a child and returns the bytes that `work` returns. If `work` throws an Error,
+// runInChild() throws an Error with the same sentence and status. Any other failure (crash, limit,
+// other exception) gives an Error that names `subject`, the file's name, and says what happened and
+// what to do.
 //
 // The child has a copy of the calling thread only. So `work` must not wait for other threads, nor
 // take locks that other threads of this process may hold. What `work` changes in memory is lost.
@@ -38,8 +38,8 @@ struct ChildLimits {
 // files of their own at their first use. It must not look at untrusted bytes.
 //
 // `meanwhile` is called in this process about ten times a second until the child is done. It is
-// called once more if the child ended without an answer. If it throws, the child is killed and the
-// exception is passed on.
+// called once more if the child ended without sending a result or an Error. If it throws, the child
+// is killed and the exception is passed on.
 std::string runInChild(const std::string& subject, const ChildLimits& limits,
                        const std::function<std::string()>& work,
                        const std::function<void()>& meanwhile = {},

@@ -11,9 +11,9 @@ namespace resect {
 
 enum class Links { Followed, Refused };
 
-// Returns all bytes of the file. Throws Error if it is not an ordinary file (or a link to one where
-// links are followed), if it has more than `most` bytes, or if it cannot be read. Never waits: a
-// FIFO or a device is refused at once.
+// Returns all bytes of the file. Throws Error if it is not an ordinary file (or, with
+// Links::Followed, a link to an ordinary file), if it has more than `most` bytes, or if it cannot
+// be read. Never waits: a FIFO or a device is refused at once.
 RawArray<char> readForeignFile(const std::filesystem::path& path, std::size_t most,
                                Links links = Links::Followed);
 

@@ -14,13 +14,13 @@ namespace resect {
 
 struct ForeignFile {
   std::string_view bytes;     // content of the file
-  const BesideFiles& beside;  // files it refers to, as far as known yet
-  SharedNumber& share;        // share read, 0 to 1; the reader sets it
+  const BesideFiles& beside;  // the files it refers to that are loaded so far
+  SharedNumber& share;        // fraction read so far, 0 to 1; -1: unknown; the reader sets it
 };
 
 struct ForeignReading {
   double seconds = 5;      // limit of processor time; 1 s is added for each MB of the files
-  Progress progress = {};  // gets the share, or -1 while none is known
+  Progress progress = {};  // gets ForeignFile::share
   // Runs in the child before the sandbox is entered (runInChild()).
   std::function<void(std::string_view bytes)> prepare = {};
 };

@@ -14,7 +14,7 @@ struct SandboxWalls {
   // Landlock. Refuses access to files (Linux 5.13 and later), TCP (6.7 and later) and signals to
   // other processes (6.12 and later).
   bool landlock = true;
-  bool systemCalls = true;  // seccomp: only the calls that computing and answering need
+  bool systemCalls = true;  // seccomp: allows only calls for computing and answering
 };
 
 // Enters the sandbox, for good. Of the open files only `answerPipe` stays open; standard input,

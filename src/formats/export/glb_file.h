@@ -2,7 +2,8 @@
 //
 // Source: Khronos, "glTF 2.0 Specification". Arrays are written to the disk as they are added, into
 // a temporary file beside the target. Only the JSON description stays in memory. So a long
-// animation takes little memory. While finish() runs, it takes twice its size on the disk.
+// animation takes little memory. While finish() runs, the temporary file and the target together
+// take twice the file's size on the disk.
 #pragma once
 
 #include <array>
@@ -39,7 +40,7 @@ struct GlbMesh {
 struct GlbNode {
   std::string name;
   Pose pose;
-  bool shown = true;  // false: scale 0, by which the specification hides a node
+  bool shown = true;  // false: its scale is 0, which hides the node
   int mesh = -1;
   std::vector<int> children = {};
 };
@@ -53,10 +54,11 @@ class GlbFile {
   GlbFile& operator=(const GlbFile&) = delete;
 
   // Each of these functions adds an array, which must not be empty, and returns its number. Throws
-  // Error if the disk is full, or if the file would exceed 4 GB.
+  // Error if the disk is full, or if the file would exceed 4 GB. addTriangles(): `points` is the
+  // number of points of the mesh. addVectors(): translations, m, or scales.
   int addPoints(std::span<const Vec3f> points);    // m
   int addNormals(std::span<const Vec3f> normals);  // unit
-  int addColours(std::span<const Rgba8> colours);  // linear
+  int addColours(std::span<const Rgba8> colours);  // linear RGB, alpha
   int addTriangles(std::span<const Triangle> triangles, std::size_t points);
   int addTimes(std::span<const float> times);  // s, ascending, from 0
   int addVectors(std::span<const Vec3f> vectors);
@@ -67,10 +69,10 @@ class GlbFile {
   int addNode(const GlbNode& node);  // its children must have been added before
   void addToScene(int node);
 
-  // Motion::Shown: the node's scale, which keeps each value until the next time.
+  // Motion::Shown: the node's scale, (1, 1, 1) or (0, 0, 0); each value holds until the next time.
   enum class Motion { Translation, Rotation, Shown };
-  // Adds the motion of a node to the animation; a file has only one. times, values: numbers of
-  // arrays, as the functions above return them.
+  // Adds the motion of a node to the file's only animation. times, values: numbers of arrays, as
+  // the functions above return them.
   void animate(int node, Motion motion, int times, int values);
 
   // Writes the file, atomically (io/atomic_file.h), and returns its size in bytes. To be called

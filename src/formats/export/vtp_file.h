@@ -16,9 +16,9 @@ namespace resect {
 
 // All arrays but `triangles` have one element per point.
 struct VtpSurface {
-  std::vector<Vec3f> points, normals;  // m; unit
-  std::vector<float> cutShare;         // 0 capsule to 1 cut
-  std::vector<std::int32_t> organ;     // number of the organ
+  std::vector<Vec3f> points, normals;  // points in m, unit normals
+  std::vector<float> cutShare;         // 0: capsule, 1: cut surface, -1: capsule at rim of a cut
+  std::vector<std::int32_t> organ;     // number of the organ, from 0
   std::vector<Triangle> triangles;
 };
 
@@ -27,7 +27,7 @@ void writeVtp(const std::filesystem::path& path, const VtpSurface& surface, doub
 
 struct PvdEntry {
   double time = 0;   // s
-  std::string file;  // a name in the folder of the .pvd
+  std::string file;  // name of a .vtp in the folder of the .pvd
 };
 void writePvd(const std::filesystem::path& path, std::span<const PvdEntry> entries);
 

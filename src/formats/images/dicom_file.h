@@ -13,19 +13,20 @@ namespace resect {
 
 // Whether the bytes begin like a DICOM file.
 bool startsAsDicom(std::string_view bytes);
-// Whether they begin like a DICOM segmentation, by the class of the object in the file's header.
-// bytes: at least the first kDicomHead of the file, or all if it is shorter.
+// Whether the bytes begin like a DICOM segmentation, according to the object class in the header.
+// bytes: at least the first kDicomHead bytes of the file, or the whole file if it is shorter.
 bool startsAsSegmentation(std::string_view bytes);
 inline constexpr std::size_t kDicomHead = 512;
 
 // Loads DCMTK's dictionary, which DCMTK would otherwise load at its first use. To be called in a
-// child process before it loses the right to open files.
+// child process before the process loses the right to open files.
 void prepareDicom();
 
 // Throws Error, which says what to do, if the file is not a segmentation, has compressed frames or
 // has unevenly spaced slices. In a fractional segment, voxels with a fraction of at least a half
-// belong to the segment. The positions of the slices determine where they lie; the slice thickness
-// in the file is ignored.
+// belong to the segment. Slices are placed by their positions in the file; the slice thickness is
+// used only if all frames have the same position and the file does not give the spacing between
+// slices.
 LabelImage readDicomFile(const std::string& path, std::string_view bytes);
 
 }  // namespace resect

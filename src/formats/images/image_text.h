@@ -12,12 +12,12 @@
 
 namespace resect {
 
-std::vector<std::string> words(std::string_view text);  // separated by blanks
+std::vector<std::string> words(std::string_view text);  // split at spaces, tabs, line ends
 
 // Reads "1, 0.5, 2" or "1 0.5 2". Throws Error if the text is not three finite numbers.
 Vec3 threeNumbers(const std::string& path, std::string_view text);
 
-// Converts numbers written as text to binary numbers of this type, little-endian.
+// Converts numbers written as text to binary numbers of the type `type`, little-endian.
 std::string numbersFromText(const std::string& path, std::string_view text, VoxelType type);
 
 // The content of the file of voxels that a header names. Throws Error unless isVoxelFile(name);

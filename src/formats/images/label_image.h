@@ -17,7 +17,7 @@ namespace resect {
 
 inline constexpr std::int64_t kMostVoxels = std::int64_t(1) << 28;    // of an image
 inline constexpr std::size_t kMostImageBytes = std::size_t(1) << 30;  // of its voxels, unpacked
-inline constexpr double kImageSeconds = 60;  // of processor time to read an image
+inline constexpr double kImageSeconds = 60;  // of processor time, for one image
 inline constexpr int kMostLabels = 1000;     // of an image
 inline constexpr int kMostLayers = 64;       // of an image
 
@@ -29,12 +29,12 @@ struct ImageLabel {
 };
 
 struct LabelImage {
-  std::string format;            // "NIfTI-1"
+  std::string format;            // for example "NIfTI-1"
   Vec3i dims = Vec3i::Zero();    // voxels along each axis, > 0
   Vec3 origin = Vec3::Zero();    // centre of the first voxel, m
   Mat3 step = Mat3::Identity();  // column a: from one voxel to the next along axis a, m
-  // Voxels, the first axis fastest: 0, or 1 + index in `labels`. Labels that overlap are in
-  // different layers.
+  // Voxels, the first axis fastest: 0 if the voxel has no label, else 1 + index in `labels`. Labels
+  // that overlap are in different layers.
   std::vector<RawArray<std::uint16_t>> layers;
   std::vector<ImageLabel> labels;  // each has at least one voxel
   // Whether the file may lack slices without labels before its first and after its last slice
@@ -52,16 +52,17 @@ inline constexpr const char* kLabelMakers = "TotalSegmentator, 3D Slicer or ITK-
 // Converts coordinates of NIfTI ("RAS": x to the patient's right, y to the front) to LPS, and back.
 inline Vec3 turnedRasLps(const Vec3& p) { return {-p.x(), -p.y(), p.z()}; }
 
-// Throws Error unless dims and step are those of an image: 1 to kMostVoxels voxels, and axes of
-// 1 um to 1 m a voxel that do not lie in one plane. `path`: for the message.
+// Throws Error unless dims and step are those of an image: 1 to kMostVoxels voxels, spaced by 1 um
+// to 1 m along each axis, and axes that do not lie in one plane. `path`: for the message.
 void checkGrid(const std::string& path, const LabelImage& image);
 
-// The direction nearest to each axis of the image, as three of the letters L, R, P, A, S, I, such
-// as "LPS"; and the largest angle between an axis and its direction, degrees.
+// orientation(): for each axis of the image the nearest direction of the body, as one of the
+// letters L, R, P, A, S, I; for example "LPS". obliqueness(): the largest angle between an axis of
+// the image and that direction, degrees.
 std::string orientation(const LabelImage& image);
 double obliqueness(const LabelImage& image);
 
-// "NIfTI-1 label image, 512 x 512 x 90 voxels of 0.8 x 0.8 x 5 mm, axes LPS"
+// A line such as "NIfTI-1 label image, 512 x 512 x 90 voxels of 0.8 x 0.8 x 5 mm, axes LPS"
 std::string description(const LabelImage& image);
 
 // The label's name, or "label 5" if it has none.

@@ -1,7 +1,7 @@
 // Reads label images in MetaImage files (.mha, or .mhd with a separate file of voxels).
 //
-// Source: "MetaIO" (itk.org/Wiki/MetaIO/Documentation). Coordinates are left, posterior, superior
-// in mm, as ITK writes them.
+// Source: "MetaIO" (itk.org/Wiki/MetaIO/Documentation). Coordinates in the file are left,
+// posterior, superior, in mm, as ITK writes them.
 #pragma once
 
 #include <string>

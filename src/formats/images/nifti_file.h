@@ -13,7 +13,7 @@
 
 namespace resect {
 
-// Whether the bytes begin like a NIfTI file; decompressed.
+// Whether the bytes, which must be decompressed, begin like a NIfTI file.
 bool startsAsNifti(std::string_view bytes);
 
 // The orientation is taken from the sform if it is set, otherwise from the qform. Names of labels

@@ -1,8 +1,8 @@
 // Reads label images in NRRD files (.nrrd, .seg.nrrd, or .nhdr with a separate file of voxels).
 //
-// Source: "Definition of NRRD File Format" (teem.sourceforge.net/nrrd/format.html); names, values
-// and layers of segments as 3D Slicer writes them (keys Segment0_Name, Segment0_LabelValue,
-// Segment0_Layer). Reads the encodings raw, gzip and text.
+// Source: "Definition of NRRD File Format" (teem.sourceforge.net/nrrd/format.html). Names, values
+// and layers of segments are read from the keys that 3D Slicer writes (Segment0_Name,
+// Segment0_LabelValue, Segment0_Layer). Reads the encodings raw, gzip and text.
 #pragma once
 
 #include <string>

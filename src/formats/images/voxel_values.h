@@ -13,7 +13,7 @@ namespace resect {
 
 enum class VoxelType : std::uint8_t { U8, I8, U16, I16, U32, I32, U64, I64, F32, F64 };
 
-std::size_t bytesOf(VoxelType type);  // size of a number
+std::size_t bytesOf(VoxelType type);  // size of one number of this type
 
 // Numbers of an image as they are stored in a file.
 struct VoxelNumbers {
@@ -26,10 +26,10 @@ struct VoxelNumbers {
   double slope = 1, intercept = 0;  // value = slope * number + intercept
 };
 
-// Appends a layer, and the labels in it, to the image, whose dims must be set. names: of the
-// labels, by value. Throws Error if bytes are missing, or if the values cannot be labels:
-// fractions, negative values, more than kMostLabels different values, or many values of which most
-// neighbours differ.
+// Appends a layer, and the labels in it, to the image, whose dims must be set. names: the name of
+// the label with each value. Throws Error if bytes are missing, or if the values cannot be labels:
+// fractions, negative values, more than kMostLabels different values, or more than 20 different
+// values while most labelled voxels differ from the voxel before them.
 void addLayer(const std::string& path, LabelImage& image, const VoxelNumbers& numbers,
               const std::map<std::int64_t, std::string>& names);
 

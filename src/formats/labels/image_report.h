@@ -12,7 +12,8 @@ namespace resect {
 // implies, and whether the label reaches the border of the image.
 std::string toText(const LabelFacts& facts, const std::string& path);
 
-// {"file", "format", "labels": [{"value", "name", "voxels", "volume_ml", "kind", "cut_off"}]}
+// The report as JSON with the fields {"file", "format", "labels": [{"value", "name", "voxels",
+// "volume_ml", "kind", "cut_off"}]}
 nlohmann::ordered_json toJson(const LabelFacts& facts, const std::string& path);
 
 }  // namespace resect

@@ -1,4 +1,4 @@
-// Label image files of all kinds.
+// Reads label images of all supported file formats.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +15,7 @@
 namespace resect {
 
 // Whether the file is a label image or a scan, judged by its name. DICOM files often have no
-// extension, so they are recognised by their first bytes. The content may turn out to be something
-// else.
+// extension, so they are recognised by their first bytes. The rest of the content is not checked.
 bool isImageFile(const std::filesystem::path& path);
 
 // kind: one for which isImage() is true. bytes: content of the file, decompressed.
@@ -28,8 +27,8 @@ struct LabelFacts {
   std::string description;  // description() of the image
   double voxelVolume = 0;   // m^3
   std::vector<ImageLabel> labels;
-  // Whether the labels' names are guessed to be TotalSegmentator's: the image has no names, and
-  // more than 20 labels, which nobody draws by hand.
+  // Whether the names in `labels` are guesses: if an image has more than 20 labels, none with a
+  // name, their numbers are taken for those of TotalSegmentator.
   bool guessed = false;
   std::vector<bool> cutOff;  // for each label: whether it reaches the border of the image
 
@@ -43,7 +42,7 @@ std::string inImageReader(const std::filesystem::path& path, const Progress& pro
                           const std::function<std::string(const LabelImage&)>& work);
 
 // Reads the file in a sandboxed child process. A single label without a name gets the name of the
-// file.
+// file, without folder and extension.
 LabelFacts readLabelFacts(const std::filesystem::path& path, const Progress& progress = {});
 
 }  // namespace resect

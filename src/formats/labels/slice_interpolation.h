@@ -1,6 +1,6 @@
-// Interpolates thin slices of a label between thick ones: the border between two slices is found
-// from the distances to the borders in both ("shape-based interpolation", Raya and Udupa 1990,
-// 10.1109/42.52980).
+// Interpolates thin slices of a label between thick ones: between two slices, the border of the
+// label is found from the distances to its borders in the two slices ("shape-based interpolation",
+// Raya and Udupa 1990, 10.1109/42.52980).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace resect {
 
-// For each voxel whether it belongs to a label; the first axis fastest.
+// Says for each voxel whether it belongs to a label. The first axis varies fastest.
 struct Mask {
   Vec3i dims = Vec3i::Zero();
   std::vector<std::uint8_t> inside;  // 0 or 1
@@ -21,9 +21,10 @@ struct Mask {
   }
 };
 
-// Divides each voxel into `parts` >= 1 along `axis`. spacing: lengths of the voxels of `mask`.
-// Beside a slice without any inside voxel, the body ends between the slices: where it is thickest
-// it reaches halfway to the empty slice.
+// Divides each voxel into `parts` >= 1 along `axis`. spacing: side lengths of the voxels of `mask`,
+// in any unit. If a slice has inside voxels and the next slice has none, the body ends between the
+// two: it reaches halfway to the empty slice at the voxel that lies deepest inside, and less far
+// elsewhere.
 Mask withThinSlices(const Mask& mask, const Vec3& spacing, int axis, int parts);
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Extensions of glTF that change a model's shape. Each is refused by name, or applied before the
-// library reads the file.
+// Extensions of glTF that change a model's shape. Each is either refused with an Error that names
+// it, or applied before the library (assimp) reads the file.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct PlainGltf {
   std::string positions;  // content of the buffer kPlainPositions that `bytes` refers to
 };
 
-// No file beside a model has such a name (formats/child/foreign_file.h).
+// Contains a slash, so no file beside a model can have this name (formats/child/foreign_file.h).
 inline constexpr const char* kPlainPositions = "resect/positions.bin";
 
 // Checks the lengths in a .glb file, and reads the JSON of a .glb or .gltf file. Undoes

@@ -10,8 +10,8 @@
 
 namespace resect {
 
-// Whether the first word is that of a .off file: OFF, also with letters for the points' further
-// values, as in COFF.
+// Whether the first word is that of a .off file: OFF, which may be preceded by letters for further
+// values of the points, as in COFF.
 bool startsAsOff(std::string_view bytes);
 
 // The model has one part, without a name. Each point and each face has a line of its own. The rest

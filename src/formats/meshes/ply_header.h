@@ -11,7 +11,7 @@ namespace resect {
 
 enum class PlyNumber : std::uint8_t { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
 
-std::size_t bytesOf(PlyNumber type);  // size of a number
+std::size_t bytesOf(PlyNumber type);  // size of one number of this type
 
 struct PlyProperty {
   std::string name;  // in small letters

@@ -18,9 +18,10 @@
 namespace resect {
 
 // Converts a word to a number; nothing if the word is not a number. A value too large for a double
-// becomes infinite, one too small becomes 0.
+// becomes infinite, a value too small becomes 0.
 std::optional<double> numberOf(std::string_view word);
-// The same for a whole number. Some programs print these as "3.0" or "1e+06"; they are accepted.
+// The same for a whole number. Forms such as "3.0" and "1e+06", in which some programs print whole
+// numbers, are accepted.
 std::optional<std::int64_t> wholeNumberOf(std::string_view word);
 
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of UTF-8
@@ -38,13 +39,14 @@ std::string_view plainText(const std::string& path, std::string_view bytes);
 
 class WordReader {
  public:
-  // `path` is for messages; both must outlive the reader. A byte order mark of UTF-8 is skipped.
+  // `path` is for messages. The reader keeps references to `path` and to the bytes, which must
+  // outlive it. A byte order mark of UTF-8 is skipped.
   WordReader(const std::string& path, std::string_view bytes);
 
   std::string_view word();  // empty at the end
   std::string_view line();  // the rest of the line, without its end; empty at the end
-  // Both read the next word and throw Error if it is not a number. what: what it should be, for the
-  // message, such as "a coordinate".
+  // Both read the next word and throw Error if it is not a number. what: what the word should be,
+  // for the message, such as "a coordinate".
   double number(const char* what);
   std::int64_t wholeNumber(const char* what);
   Vec3 point();  // three numbers
@@ -52,7 +54,7 @@ class WordReader {
   bool atEnd() const { return at_ >= bytes_.size(); }
   std::size_t place() const { return at_; }                 // offset of the next byte
   void goTo(std::size_t place) { at_ = read_ = place; }     // place <= number of bytes
-  std::size_t left() const { return bytes_.size() - at_; }  // bytes
+  std::size_t left() const { return bytes_.size() - at_; }  // bytes not yet read
 
   std::string where() const;  // "path:line" of what was read last
 

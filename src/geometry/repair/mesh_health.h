@@ -18,7 +18,7 @@ struct MeshHealth {
   int specks = 0;      // components with isSpeck(); 0 unless closed and oriented
   bool closed = false;
   bool oriented = false;
-  bool insideOut = false;    // closed and oriented, but an outermost body faces inwards
+  bool insideOut = false;    // closed and oriented, but an outermost component faces inwards
   int boundaryEdges = 0;     // edges of an odd number of triangles
   int nonManifoldEdges = 0;  // edges of more than two triangles
   std::optional<Vec3> firstBoundaryPoint;  // midpoint of the first boundary edge, m

@@ -22,8 +22,8 @@ struct Shell {
 
 // One shell for each component, in the order of splitComponents() (geometry/topology.h). Tissue is
 // where the winding number is above zero (crossings.h). The mesh must be closed and oriented. Its
-// components must be disjoint or nested, and none may be a speck. Cost: O(n log n), and
-// O(components^2) tests of boxes.
+// components must be disjoint or nested, and none may be a speck. Cost: O(n log n) for n triangles,
+// and O(components^2) tests of boxes.
 std::vector<Shell> shellsOf(const TriangleMesh& mesh);
 
 // The volume of tissue that the shells bound, m^3. It can be less than the volume of the mesh

@@ -22,8 +22,8 @@ struct WeldReport {
 // relativeTolerance >= 0: also merges points whose distance is at most this share of the diagonal
 // of the bounding box. Merged points take the position of the first of them. With 0 only points at
 // equal positions merge. If each point of a chain is near the next, the whole chain merges, so the
-// merging distance must be far smaller than the edges. (1e-6 is enough for rounding.) Positions
-// must be finite.
+// merging distance must be far smaller than the edges. (1e-6 merges points that differ only by
+// rounding.) Positions must be finite.
 TriangleMesh weld(const TriangleMesh& mesh, double relativeTolerance = 0,
                   WeldReport* report = nullptr);
 

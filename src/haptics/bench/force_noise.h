@@ -9,9 +9,10 @@ namespace resect {
 
 // Noise is measured in windows of 200 consecutive samples (0.2 s). A sample counts if its force is
 // at least 0.05 N and the hand wants to hold the instrument still (HapticSample::still). In each
-// window a polynomial of degree 4 in time is fitted to every component of the force. It follows
-// changes up to about 8 Hz, such as relaxation and the swinging of an organ. The noise is the rms
-// of the difference between force and polynomial, divided by the mean magnitude of the force.
+// window a polynomial of degree 4 in time is fitted to every component of the force. The polynomial
+// follows changes up to about 8 Hz, such as relaxation and the swinging of an organ. The noise is
+// the rms of the difference between force and polynomial, divided by the mean magnitude of the
+// force.
 struct ForceNoise {
   std::int64_t windows = 0;
   double typical = 0;  // rms of the noise over all windows, a share of the force

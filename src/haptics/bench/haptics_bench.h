@@ -30,9 +30,9 @@ struct HandReport {
 struct HapticsReport {
   double seconds = 0;                   // duration of the run
   std::int64_t cycles = 0, missed = 0;  // of the loop, as in HapticTimes
-  double p50 = 0, p99 = 0, latest = 0;  // jitter, s: how late cycles began; latest: maximum
+  double p50 = 0, p99 = 0, latest = 0;  // how late cycles began, s: quantiles; maximum
   RealTimeRights rights;
-  std::int64_t frames = 0;      // of the simulation
+  std::int64_t frames = 0;      // computed by the simulation
   std::int64_t lateFrames = 0;  // frames whose computation took longer than frameDuration
   double frameDuration = 0;     // s
   TimeSummary frame;            // computing time of a frame and its local models
@@ -48,11 +48,13 @@ struct HapticsSetup {
   std::string tool;     // the only instrument held by a device; "": all that the scenario moves
 };
 
-// The scenario's motions are repeated until the time is over. Each repetition begins with the
-// simulation's initial state. A device that plays a person is told where the scenario wants the
-// instrument, in world coordinates. With other devices a person moves the instrument: the origin of
-// the device's workspace is at the instrument's first key. `progress` gets the elapsed share of the
-// time, 0 to 1. Throws Error if the scenario moves no such instrument, or if a device fails.
+// The scenario's motions are repeated until setup.seconds have passed. Each repetition begins with
+// the simulation's initial state. A device that plays a person (HapticDevice::plays()) is told the
+// pose that the instrument has in the scenario, in world coordinates. With other devices a person
+// moves the instrument: the origin of the device's workspace is at the position of the instrument
+// at the first key of its motion (ToolKey). `progress` gets the elapsed share of the time, 0 to 1.
+// Throws Error if the scenario does not move setup.tool, or moves no instrument, or if a device
+// fails.
 HapticsReport benchHaptics(Simulation& simulation, const Scenario& scenario,
                            const HapticPlugin& plugin, const HapticsSetup& setup,
                            const std::function<void(double)>& progress = {});

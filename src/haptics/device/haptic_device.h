@@ -50,9 +50,9 @@ class HapticDevice {
   HapticDevice& operator=(const HapticDevice&) = delete;
 
   double mostForce() const { return limits_.most_force; }  // N
-  // Whether the device plays a person.
+  // Whether the device plays a person: it simulates the hand that holds the instrument.
   bool plays() const { return functions_->intend != nullptr; }
-  // Tells a device that plays a person where that person wants the tip, in the device's
+  // Tells a device that plays a person at which pose that person wants the tip, in the device's
   // coordinates. Does nothing for other devices.
   void intend(const Pose& pose);
   // The present pose of the instrument, in the device's coordinates, m. Throws Error if the plug-in

@@ -53,10 +53,10 @@ typedef struct {
   // The force acts until the next write().
   int (*write)(ResectHapticDevice* device, const ResectHapticForce* force);
   // One sentence about the last failure. device: null after a failed open(). The text is valid
-  // until the next call.
+  // until the next call of a function of this table.
   const char* (*last_error)(ResectHapticDevice* device);
-  // For devices that play a person: called before each read() with the pose that this person wants
-  // the tip to have. Null for real devices.
+  // For devices that play a person (simulate the hand that holds the instrument): called before
+  // each read() with the pose that this person wants the tip to have. Null for real devices.
   void (*intend)(ResectHapticDevice* device, const ResectHapticPose* pose);
 } ResectHapticDeviceFunctions;
 

@@ -1,5 +1,5 @@
 // Inventor node that passes the blood on the table to the shaders of the nodes after it
-// (data/shaders/cloth.frag). In .iv files: `BloodPool {}`, without blood.
+// (data/shaders/cloth.frag). In .iv files: `BloodPool {}`, which has no blood.
 #pragma once
 
 #include <Inventor/fields/SoSFInt32.h>
@@ -24,7 +24,8 @@ class SoBloodPool : public SoNode {
 
   SoSFInt32 revision;  // number of changes so far; set() writes it
 
-  // Sets the depths of the blood: a square of bytes, x fastest. Empty: no blood.
+  // Sets the depths of the blood on a square of 1 m round the origin: n * n bytes, x fastest; 255
+  // stands for 5 mm. Empty: no blood.
   void set(std::vector<std::uint8_t> depths);
 
  protected:

@@ -12,7 +12,7 @@ namespace resect {
 inline constexpr int kVesselBinsUnit = 9, kVesselListUnit = 10;  // texture units
 
 struct VesselTexture {
-  GLuint textures[2] = {};                    // bins and entries
+  GLuint textures[2] = {};                    // VesselPicture::bins and VesselPicture::entries
   float rows[2] = {1, 1};                     // heights of these textures, texels
   std::shared_ptr<const VesselPicture> sent;  // the vessels that the textures hold
 

@@ -8,8 +8,8 @@
 //     }
 //
 // Every change costs a pass over the whole grid. For an organ in an operation use SurfaceTracker
-// (surface/surface_tracker.h), which updates only the bricks round a change. Source: Lorensen and
-// Cline 1987.
+// (surface/surface_tracker.h), which updates only the part of the grid round a change. Source:
+// Lorensen and Cline 1987.
 #pragma once
 
 #include <Inventor/engines/SoEngine.h>
@@ -34,7 +34,7 @@ class SoMarchingCubes : public SoEngine {
   // Number of nodes along x, y and z. The surface is empty if one of the numbers is below 2, or if
   // there are more than 512^3 nodes in all.
   SoSFVec3s dims;
-  SoMFFloat value;  // one per node, x fastest; missing ones are 0, surplus ones are ignored
+  SoMFFloat value;  // one per node, x fastest; missing values are 0, surplus values are ignored
   SoSFVec3f min;    // position of the first node
   SoSFVec3f max;    // position of the last node
   // A node is inside if its value >= iso. The surface is open where inside nodes lie on the border

@@ -44,7 +44,7 @@ class SoOrganShape : public SoShape {
   SoMFVec3f points;      // m
   SoMFVec3f normals;     // unit, outwards, one per point
   SoMFFloat cut;         // cut share per point: 0 capsule, 1 cut parenchyma, -1 capsule at the
-                         // rim of a cut; missing ones are 0
+                         // rim of a cut; missing values are 0
   SoMFInt32 coordIndex;  // triangles: three indices, then -1
 
   // Number of changes so far. update() writes it.
@@ -58,8 +58,8 @@ class SoOrganShape : public SoShape {
   int vertexCount() const { return int(surface_.points.size()); }
   int triangleCount() const { return int(surface_.triangles.size()); }  // see drawnTriangles()
 
-  // Binds blood, heat and vessels for a program that draws this shape in another way (SoShadeOnce).
-  // The context and the program must be current.
+  // Binds the textures of blood, heat, structures and vessels for a program that draws this shape
+  // in another way (SoShadeOnce). The context and the program must be current.
   void bindInside(std::uint32_t context, unsigned program);
 
   // Boxes, in object space, m, round what has changed since the last call of this function.
@@ -73,7 +73,7 @@ class SoOrganShape : public SoShape {
   // The first point, in object space, where a ray meets the present surface; none if there is no
   // such point.
   std::optional<SurfacePoint> firstPointOn(const Ray& ray);
-  // A copy of the present surface, for rays that are to meet it later.
+  // A copy of the present surface, on which points along rays can be found later.
   std::pair<SurfaceCopy, TriangleBlocks> snapshot();
 
   // Triangles drawn at the last rendering, unused elements of the array included. (An unused

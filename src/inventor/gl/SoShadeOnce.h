@@ -7,9 +7,9 @@
 // a second program (data/shaders/gathered.frag) shades each pixel once.
 //
 // The group does this if a shader program is in use and the framebuffer is single-sampled and has a
-// depth renderbuffer. Otherwise it is a plain group: in shadow maps, for picking, and in
-// antialiased pictures. On a graphics card all pictures are antialiased. The children of the group
-// must be shapes with the attributes of SoOrganShape.
+// depth renderbuffer. Otherwise it acts as a plain SoGroup: in antialiased pictures, in shadow maps
+// and for picking. On a graphics card all pictures are antialiased, so there it is always a plain
+// group. Its children must be shapes with the attributes of SoOrganShape.
 #pragma once
 
 #include <Inventor/nodes/SoGroup.h>
@@ -30,7 +30,7 @@ class SoShadeOnce : public SoGroup {
   static void initClass();
   SoShadeOnce();
 
-  int pictures() const { return pictures_; }  // drawn with deferred shading so far
+  int pictures() const { return pictures_; }  // number drawn so far with deferred shading
 
  protected:
   ~SoShadeOnce() override;

@@ -69,7 +69,8 @@ class SoShadowMaps : public SoNode {
   // they are drawn once even then.
   void hold(bool held) { held_ = held; }
 
-  // How often the maps were redrawn, in part or as a whole; and how often as a whole.
+  // redraws(): how often the maps were redrawn, in part or as a whole. wholeRedraws(): how often
+  // they were redrawn as a whole.
   int redraws() const { return redraws_; }
   int wholeRedraws() const { return wholeRedraws_; }
 

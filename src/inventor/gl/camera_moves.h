@@ -33,7 +33,7 @@ class CameraMoves {
   // Handles an event that nothing else has used. Returns true if the event belongs to a drag or to
   // the wheel, even if the camera did not move.
   bool handle(const SoEvent& event, const SbViewportRegion& viewport);
-  bool dragging() const { return drag_ != Drag::None; }  // the camera
+  bool dragging() const { return drag_ != Drag::None; }  // a drag moves the camera
 
   // Moves the camera round the point of interest, so that the scene seems to turn to the right and
   // upwards by these angles, rad.
@@ -53,8 +53,10 @@ class CameraMoves {
   void lookAt(const Vec3& point);
   Vec3 pointOfInterest() const;
 
-  // Gives the point that is seen at a pixel, which the wheel zooms to. If it is not set, or gives
-  // none, the wheel zooms to a point that is as far as the point of interest.
+  // Gives the point that is seen at a pixel; the wheel zooms to this point. If the function is not
+  // set or gives no point, or if the point is more than twice as far from the camera as the point
+  // of interest, the wheel zooms to the point of the pixel's line of sight that is at the same
+  // depth as the point of interest.
   std::function<std::optional<Vec3>(const SbVec2s& pixel, const SbViewportRegion&)> pointUnder;
 
  private:

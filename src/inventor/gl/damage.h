@@ -25,7 +25,7 @@ struct Damage {
   // Region whose content changes too slowly for the eye to follow, such as settling tissue. It may
   // be drawn a fraction of a second later, but then at full resolution.
   Aabb slow = {};
-  // Whether there is nothing to draw now, `slow` aside.
+  // Whether there is nothing to draw now. `slow` is ignored.
   bool empty() const { return !everything && boxes.empty() && shadows.empty(); }
   void add(const Damage& other);
 };

@@ -10,7 +10,8 @@ struct MapTexture {
   GLuint texture = 0, framebuffer = 0;
   GLsizei size = 0;  // texels along each side
 
-  // Leaves the texture and the framebuffer bound.
+  // Creates the texture (isDepth: of depths; otherwise of colours) and its framebuffer. Both are
+  // bound afterwards.
   void make(GLsizei texels, bool isDepth);
   void use() const;  // renders into the texture from now on; sets the viewport to all of it
   void free() const;

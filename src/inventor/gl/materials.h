@@ -16,7 +16,7 @@ enum class RoomMaterial {
   Liver,   // wet capsule and cut parenchyma, for SoOrganShape
   Gather,  // per pixel, the inputs for shading Liver later; for SoShadeOnce
   Steel,   // instruments; drawn as plastic where the specular colour is dark
-  Cloth,   // the drape on the table, and those of the operative field
+  Cloth,   // the drape on the table, and the drapes of the operative field
   Skin,    // still tissue of the operative field: skin, fat, muscle, stomach and bowel
   Fat,
   Muscle,
@@ -33,7 +33,7 @@ SoShaderProgram* makeMaterial(RoomMaterial material);
 
 // A separator that keeps no render cache: its contents change often, or are drawn by shaders.
 SoSeparator* uncachedSeparator();
-// The same, with the material and then these nodes.
+// Such a separator whose children are the material's shader program and then these nodes.
 SoSeparator* withMaterial(RoomMaterial material, std::initializer_list<SoNode*> nodes);
 
 // GLSL source: the version line, followed by the given files of data/shaders. parts: their names.

@@ -3,8 +3,8 @@
 //
 // The triangles are divided into blocks of 128 consecutive ones. For each block its bounding box
 // and the range of its vertices are stored. A query tests every box and returns only the blocks
-// that can matter. For a few pixels these are few, whatever the size of the surface. Only changed
-// blocks are updated.
+// that can matter. For a part of a few pixels it returns few blocks, however large the surface is.
+// Only changed blocks are updated.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ namespace resect {
 
 class TriangleBlocks {
  public:
-  static constexpr std::size_t kTriangles = 128;  // per block
+  static constexpr std::size_t kTriangles = 128;  // number of triangles in a block
 
   // An entry (a, b, c, d) stands for the half space a * x + b * y + c * z + d >= 0.
   using HalfSpaces = std::array<Eigen::Vector4f, 6>;
@@ -54,7 +54,7 @@ class TriangleBlocks {
   // After refresh(): runs, in ascending order. They include every triangle that has a point which
   // lies in all half spaces at once.
   std::vector<Run> within(const HalfSpaces& spaces) const;
-  // After refresh(): runs, in order, that include every triangle that the ray meets.
+  // After refresh(): runs, in ascending order. They include every triangle that the ray meets.
   std::vector<Run> along(const Ray& ray) const;
 
  private:

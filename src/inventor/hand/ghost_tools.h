@@ -23,9 +23,9 @@ class GhostTools {
   GhostTools& operator=(const GhostTools&) = delete;
 
   bool any() const { return !ghosts_.empty(); }  // whether the scenario has motions
-  // Shows the motions at `time`, s from their start; they repeat when they are over. hide() hides
-  // the ghosts. Both return the box that must be drawn again, world, m: empty if nothing changed
-  // visibly.
+  // Shows the motions at `time`, s from their start; after their end they start again. hide()
+  // hides the ghosts. Both return the box that must be drawn again, world, m; it is empty if
+  // nothing changed visibly.
   Aabb show(double time);
   Aabb hide();
 
@@ -42,7 +42,7 @@ class GhostTools {
   SoSwitch* root_;
   std::vector<Ghost> ghosts_;
   double begin_ = 0, end_ = 0;  // start and end of the motions, s
-  Aabb box_;                    // of the ghosts as shown now
+  Aabb box_;                    // bounds of the ghosts as shown now, world, m
 };
 
 }  // namespace resect

@@ -16,9 +16,9 @@ class SoTranslate1Dragger;
 
 namespace resect {
 
-// A place for the scale beside the organ, at the left in the picture, where the scale does not hide
-// the organ. World, m. towardsCamera: direction from the organ to the camera; it is rounded to
-// steps of 10 degrees about the vertical.
+// A place (world, m) for the lower end of the scale: beside the organ, at the left in the picture,
+// where the scale does not hide the organ. towardsCamera: direction from the organ to the camera;
+// it is rounded to steps of 10 degrees about the vertical.
 Vec3 scaleFoot(const Aabb& organ, const Vec3& towardsCamera);
 
 class IsoDragger {
@@ -36,7 +36,7 @@ class IsoDragger {
   // Hides the scale, so that it can neither be seen nor dragged, or shows it again.
   void show(bool shown);
   bool shown() const;
-  void moveTo(const Vec3& foot);  // as `foot` of the constructor
+  void moveTo(const Vec3& foot);  // foot: the new lower end; world, m
 
   std::function<void(float)> changed;  // called with the new value when a person moved the dragger
 

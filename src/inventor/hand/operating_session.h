@@ -44,9 +44,9 @@ class OperatingSession {
   // Takes from the operation what has changed since the last call of update(), and runs Inventor's
   // sensors. Returns the damage since that call.
   Damage update();
-  // Tells the operation which tips are in the picture.
+  // Tells the operation which tools have their tips in the picture.
   void noteSight(const SbViewportRegion& viewport);
-  bool pending() const { return !damage_.empty(); }  // there is damage to draw
+  bool pending() const { return !damage_.empty(); }  // whether there is damage to draw
 
   // Plays the scenario's motions, frame by frame, up to the scenario time `until`, s. Begins where
   // the last call ended. If the motions are over or were stopped, begins at their start, with the
@@ -62,6 +62,7 @@ class OperatingSession {
   void undo();
   void redo();
   void show(Moment moment);
+  // As LiveOperation::setPlayback().
   void setPlayback(double speed, std::int64_t branch) { operation_.setPlayback(speed, branch); }
   void goOn();
   // Whether bleeding ends of vessels are marked, and an instrument in hand that can stop bleeding
@@ -76,14 +77,15 @@ class OperatingSession {
   // or guide.
   std::optional<double> guideDistance() const;
   void setIso(float iso);                                      // also calls goOn()
-  bool answered() const { return asked_ == state_.answered; }  // all requests are done
+  bool answered() const { return asked_ == state_.answered; }  // whether all requests are done
   // Whether a moment of the history is shown, or has been requested.
   bool showing() const { return asked_ > state_.answered || (state_.showing && !goingOn_); }
 
   // Moves and turns the tool in hand. If there is none, moves the camera.
   void follow(const ViewMotion& motion);
   // Places the camera for one of the fixed views of the room. The surgeon's view is a close-up: the
-  // organs fill about half of the picture. In thesis mode it includes the tool box and the scale.
+  // organs fill about half of the picture. In thesis mode the surgeon's view also shows the tool
+  // box and the scale.
   void look(RoomView view, double aspect);
   // Moves the camera, without turning it, so that organs, tool box and iso scale are in the
   // picture.

@@ -8,8 +8,8 @@
 
 namespace resect {
 
-// Deflection of the cap along and about each axis, in counts of the device: 0 at rest, some 350 at
-// most.
+// Deflection of the cap along and about each axis, in counts of the device: 0 at rest, at most
+// about 350 in either direction.
 struct SixAxes {
   Vec3 push = Vec3::Zero();  // right, up, away
   Vec3 turn = Vec3::Zero();  // about the axes of `push`, right-handed

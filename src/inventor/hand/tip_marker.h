@@ -1,5 +1,5 @@
 // Depth cues for an instrument's tip: a plumb line from the tip down to what lies below it, a ring
-// at the line's lower end, and a glow at the tip when tissue is near or touched.
+// at the line's lower end, and a glow at the tip if tissue is touched or nearer than 8 mm.
 #pragma once
 
 #include "base/vec.h"

@@ -3,14 +3,15 @@
 // A tool can be held with a manipulator, as in the original thesis. A left click on a tool replaces
 // its SoTransform by a handle box, which moves the tool. A middle click replaces the handle box by
 // a trackball, which turns the tool; another middle click brings back the handle box. The next left
-// click on a tool brings whichever of these two was used last. A click beside all tools lets go of
-// the tool and restores its SoTransform. If the user scales the tool with the handle box, the scale
-// is ignored: the tool keeps its size and its position.
+// click on a tool gives it the manipulator of these two that was used last. A click beside all
+// tools lets go of the tool and restores its SoTransform. If the user scales the tool with the
+// handle box, the scale is ignored: the tool keeps its size and its position.
 //
 // A tool can also be held directly. Dragging the tool moves it in the plane of the view; the wheel
 // moves it in depth. With Shift, dragging or the wheel turns the tool about its tip. The arrow keys
-// do the same as dragging, the page keys the same as the wheel. Keys 1 to 9 take a tool, Escape
-// puts the tool in hand back; its jaws close while C is held down, its pedal is pressed while P is.
+// do the same as dragging, the page keys the same as the wheel. The keys of
+// inventor/hand/tool_keys.h take a tool; Escape puts the tool in hand back. The tool's jaws are
+// closed while C is held down, and its pedal is pressed while P is held down.
 //
 // If guide() was called, a tool that is taken follows the organ's surface instead
 // (operation/hand/surface_hand.h): it hovers over the point under the pointer, and works while the
@@ -59,12 +60,13 @@ class ToolHandling {
 
   int toolCount() const { return int(rests_.size()); }
   int held() const { return held_; }             // number of the tool in hand; -1: none
-  Hold how() const { return how_; }              // how it is held
-  bool squeezing() const;                        // whether the hand closes its jaws
+  Hold how() const { return how_; }              // how the tool in hand is held
+  bool squeezing() const;                        // whether the hand closes this tool's jaws
   bool pedalling() const { return pedalling_; }  // whether the foot presses the pedal
   bool hasPedal() const;                         // whether the tool in hand has a pedal
   bool pressing() const { return how_ == Hold::Guided && hand_.pressing; }
-  // Whether the tool was left holding or pressing; left(): the same for all tools, 1: it was.
+  // isLeft(): whether the tool was left holding or pressing. left(): one value per tool; 1: it was
+  // left so, 0: it was not.
   bool isLeft(int tool) const { return left_[std::size_t(tool)] != 0; }
   const std::vector<std::uint8_t>& left() const { return left_; }
   // Working depth of a guided tool below the surface, m.

@@ -36,7 +36,7 @@ class LivePicture {
 
   bool processorDraws() const;             // whether OpenGL renders in software
   void setProcessorDraws(bool draws);      // for tests: sets processorDraws()
-  void setLongestPicture(double seconds);  // a longer drawing time reduces the resolution
+  void setLongestPicture(double seconds);  // the resolution is reduced if drawing takes longer
   void setSharp(bool sharp);  // sharp: the resolution is never reduced, and no shadow is late
 
   // Whether draw(), if it is called with this damage, will draw the changed soft shadows too. If

@@ -16,7 +16,7 @@ class OffscreenContext {
   // missing.
   OffscreenContext();
   // Lets Coin free the OpenGL objects that it made in this context. The caller must delete its own
-  // framebuffers before.
+  // framebuffers before the context is destroyed.
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;

@@ -14,9 +14,9 @@ namespace resect {
 
 class OffscreenView {
  public:
-  // `width`, `height`: 16 to 8192 pixels. `samples`: per pixel; 1: no antialiasing. If the driver
-  // supports fewer samples, its largest number is used. Throws Error if EGL or OpenGL is missing,
-  // or if the size is refused.
+  // `width`, `height`: 16 to 8192 pixels. `samples`: number of samples per pixel; 1: no
+  // antialiasing. If the driver supports only fewer samples, its largest number is used. Throws
+  // Error if EGL or OpenGL is missing, or if the size is refused.
   OffscreenView(int width, int height, int samples = 4);
   ~OffscreenView();
   OffscreenView(const OffscreenView&) = delete;

@@ -1,8 +1,8 @@
 // Triangles of FaceSet and QuadMesh nodes.
 //
 // Resect converts these two kinds of node itself, with range checks. Coin would read out of bounds
-// if an index or a count is wrong. The three kinds of shape that the thesis used have headers of
-// their own in this folder.
+// if an index or a count is wrong. The three kinds of shape that the thesis used (IndexedFaceSet,
+// TriangleStripSet and IndexedTriangleStripSet) have headers of their own in this folder.
 #pragma once
 
 #include <span>

@@ -15,8 +15,8 @@ namespace resect {
 
 // `bytes`: the file's content, decompressed. `path`: for messages only. `tell`: called after every
 // 10 000 numbers with the fraction of the bytes that has been read. After a read error Coin returns
-// a partial scene; so each read error that it reports throws an Error with the line. Only a texture
-// that cannot be read is ignored. Not thread-safe.
+// a partial scene; so each read error that Coin reports throws an Error with the line. Only a
+// texture that cannot be read is ignored. Not thread-safe.
 Model readInventorFile(const std::string& path, std::string_view bytes,
                        ShapeReading reading = ShapeReading::Converted,
                        const std::function<void(double share)>& tell = {});

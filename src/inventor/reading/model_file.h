@@ -16,8 +16,8 @@ namespace resect {
 // extension (formats/model_kind.h). The model is in metres: Inventor's Units nodes are applied, the
 // millimetres of images are converted, and all other numbers are taken as metres.
 //
-// parts: as a ModelReader takes it (io/operation_setup.h). It has an effect only for label images
-// (formats/labels/label_model.h).
+// parts: as a ModelReader takes it (io/operation_setup.h). The argument has an effect only for
+// label images (formats/labels/label_model.h).
 //
 // A child process (formats/child/foreign_reading.h) reads the file. It may use 2 GB of memory. Its
 // processor time is limited to 5 s (60 s for an image), plus 1 s for each MB of the file. If the
@@ -31,8 +31,8 @@ Model readModel(const std::filesystem::path& path, const std::string& parts = {}
 Model readModelWatched(const std::filesystem::path& path, const Progress& progress,
                        const std::string& parts = {});
 
-// The same with a limit of `seconds` > 0 of processor time instead of 5; 1 s for each MB is added
-// here too.
+// The same with a limit of `seconds` > 0 of processor time instead of 5 s; for an image the limit
+// is at least 60 s. In all cases 1 s for each MB of the file is added.
 Model readModelWithin(const std::filesystem::path& path, double seconds,
                       const Progress& progress = {}, const std::string& parts = {});
 

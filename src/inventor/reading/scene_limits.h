@@ -12,7 +12,7 @@ namespace resect {
 // reached. Throws an Error, beginning with `path`, for a node that makes Coin 4.0.0 crash or run
 // without end:
 // - an Array or MultipleCopy of more than 10 000 copies;
-// - a NURBS surface whose control points or knots are missing, too many or out of range;
+// - a NURBS surface with control points or knots that are missing, too many or out of range;
 // - a profile that uses a missing point;
 // - an elevation grid with too few heights;
 // - an extrusion without scales or orientations, or of more than 10 000 000 points.

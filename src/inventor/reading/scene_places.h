@@ -16,10 +16,10 @@ namespace resect {
 // with the name toolNode().
 constexpr const char* kSceneMark = "Resect operation";
 constexpr const char* kCameraNode = "Camera";
-std::string toolNode(int tool);  // numbered from 0
+std::string toolNode(int tool);  // tool: number of the tool, from 0
 
 // Returns nothing if Resect did not save the scene. The numbers are those in the file; checkModel()
-// (io/model.h) refuses those out of range. The caller must hold a reference to `root`
+// (io/model.h) refuses numbers out of range. The caller must hold a reference to `root`
 // (SoNode::ref()).
 std::optional<ScenePlaces> findPlaces(SoNode* root);
 

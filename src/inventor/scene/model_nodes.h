@@ -31,8 +31,9 @@ struct ToolNodes {
   std::vector<Jaw> jaws;
 };
 
-// Nodes for the tool's drawn parts, or for its mesh if it has none; its file is not read. Throws
-// Error if an index of a part is out of range, or if a part has normals, but not one per point.
+// Nodes for the tool's drawn parts, or for its mesh if it has no drawn parts. The tool's model file
+// is not read. Throws Error if an index of a part is out of range, or if a part has normals, but
+// not one per point.
 ToolNodes makeToolNodes(const ToolModel& tool);
 
 // An invisible box round a model, at least 2 cm along each axis. It makes thin models easy to

@@ -96,7 +96,8 @@ class OperatingRoom {
   int addTool(const ToolModel& tool);
   int addTool(SoNode* model);
   void setToolPose(int tool, const Pose& pose);
-  // From now on the tool is drawn only while its pose differs from `rest`; without `rest`, always.
+  // From now on the tool is drawn only while its pose differs from `rest`. Without `rest` it is
+  // always drawn.
   void hideAtRest(int tool, const std::optional<Pose>& rest);
   // Opens or closes the jaws of a tool that has any. `squeeze`: 0 wide open to 1 closed. Returns
   // false if nothing turned.
@@ -134,7 +135,7 @@ class OperatingRoom {
   Pose toolboxPose() const;
   int toolCount() const;
   SoNode* toolModel(int tool) const;
-  const SoSpotLight* lamp(int which) const { return lamps_[which]; }  // 0 or 1
+  const SoSpotLight* lamp(int which) const { return lamps_[which]; }  // which: 0 or 1
 
   // Aids for the operator that are not part of a real room: draggers, markers. They cast no shadows
   // and are drawn without shaders.
@@ -148,7 +149,7 @@ class OperatingRoom {
   const SoShadowMaps& shadows() const { return *shadows_; }
   // Texels along each side of the shadow maps: fewer are faster.
   void setShadowResolution(int texels);
-  void holdShadows(bool held);  // while held, shadows that were drawn once stay
+  void holdShadows(bool held);  // true: drawn shadows are kept until holdShadows(false)
 
   // Aims lamps and shadows at the box, world, m. Call it once per scene and when the organ's pose
   // is set, but not in every frame: the light would flicker.
@@ -157,8 +158,8 @@ class OperatingRoom {
   // Aims the camera at the box (world, m), so that all of it is in a picture. `aspect`: the
   // picture's width / height.
   void look(RoomView view, const Aabb& box, double aspect);
-  // As look(), but with the box in the middle, and with the camera as near as the box's corners
-  // allow.
+  // As look(), but the middle of the box is in the middle of the picture, and the camera is as near
+  // as it can be with all corners of the box in the picture.
   void frame(RoomView view, const Aabb& box, double aspect);
   // Aims the camera at `centre` (world, m) and places it so that an object whose silhouette in this
   // view has the area `silhouette`, m^2, fills the fraction `share` of the picture.
@@ -191,8 +192,8 @@ class OperatingRoom {
   SoSeparator* tools_;
   // Per tool: its transform and its model. Manipulators are left out, since they cast no shadow.
   SoSeparator* toolShadows_;
-  std::vector<std::vector<ToolNodes::Jaw>> jaws_;  // by tool
-  std::vector<std::optional<Pose>> hiddenAt_;      // by tool
+  std::vector<std::vector<ToolNodes::Jaw>> jaws_;  // per tool
+  std::vector<std::optional<Pose>> hiddenAt_;      // per tool: `rest` of hideAtRest()
   SoSeparator* tissue_;
   SoTransform* organPose_;
   SoBaseColor* organColour_;

@@ -46,7 +46,7 @@ class OperationView {
 
  private:
   OperatingRoom room_;
-  std::vector<double> bloody_;  // per tool, m from its tip
+  std::vector<double> bloody_;  // per tool: distance from its tip that blood covers, m
   Aabb organs_;                 // box of the organs at rest, world, m
   std::vector<Pose> rests_;
   bool table_, toolBox_;  // whether the scenario has them

@@ -18,7 +18,7 @@ struct OutputFile {
 struct NumberedOutputs {
   std::string option;             // "--frames"
   std::filesystem::path folder;   // "" = not wanted
-  std::string before, extension;  // of their names: "frame_", ".png"
+  std::string before, extension;  // begin and end of their names: "frame_", ".png"
 };
 
 struct RunOutputs {

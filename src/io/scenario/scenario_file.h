@@ -25,7 +25,7 @@ Scenario readScenario(const std::filesystem::path& path);
 // the names of files as given.
 Scenario parseScenario(const std::string& text, const std::string& name);
 
-// Reads a tool's description file, and reads the model file that it names by `readMesh`.
+// Reads a tool's description file, and calls `readMesh` to read the model file that it names.
 ToolModel readTool(const std::filesystem::path& path, const MeshReader& readMesh);
 // The same from text; `name` stands for the file in Errors.
 ToolModel parseTool(const std::string& text, const std::string& name, const MeshReader& readMesh);

@@ -9,8 +9,8 @@
 
 namespace resect {
 
-inline constexpr std::size_t kMostKeys = 1'000'000;  // keys of a tool
-inline constexpr std::size_t kMostWayKeys = 10'000;  // keys of a way, which take longer to place
+inline constexpr std::size_t kMostKeys = 1'000'000;  // most keys of a tool
+inline constexpr std::size_t kMostWayKeys = 10'000;  // most keys of a way; slower to place
 
 // t: the table of the tool. Throws Error if the table has no keys, or if it names an organ that is
 // not in `organs`.

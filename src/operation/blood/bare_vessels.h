@@ -11,10 +11,11 @@
 namespace resect {
 
 struct BareVessels {
-  // tubes: vessels, by kind. sealed: places that heat has sealed. World, m.
+  // tubes: the bare vessels, one mesh per VesselKind. sealed: the places that heat has sealed. All
+  // coordinates are in the world, m.
   std::array<TriangleMesh, kVesselKinds> tubes;
   TriangleMesh sealed, clips;
-  Aabb box;  // round all of them
+  Aabb box;  // round all these meshes
 };
 
 // Null if there are no bare vessels and no clips. The ends of the tubes lie inside tissue, which

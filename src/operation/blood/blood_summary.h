@@ -15,10 +15,10 @@ struct CutVesselSummary {
   std::string name;           // for people, such as "right portal vein"
   double diameter = 0;        // of the lumen, m
   bool severed = false;       // false: a hole in its wall
-  bool closed = false;        // clipped or sealed at both ends; if not severed, towards the root
+  bool closed = false;        // clipped or sealed: if severed, both ends; if not, towards the root
   double bled = 0;            // blood lost so far, m^3
-  double flow = 0;            // in the last frame, m^3/s
-  Vec3 place = Vec3::Zero();  // present place of its end towards the root, world, m
+  double flow = 0;            // of its blood in the last frame, m^3/s
+  Vec3 place = Vec3::Zero();  // present place of the injury's end towards the root, world, m
 };
 
 // A bare vessel: one without tissue round it.
@@ -30,12 +30,12 @@ struct BareVesselSummary {
   Vec3 along = Vec3::Zero();  // direction away from the root, unit
   double length = 0;          // of its bare part, m
   bool divided = false;
-  int closures = 0;  // clips on it, and places that heat has sealed
+  int closures = 0;  // number of clips on it and of places that heat has sealed
 };
 
 struct BloodSummary {
   BloodLedger ledger;
-  double rate = 0;                        // loss at the end, mean over about a second, m^3/s
+  double rate = 0;                        // loss, mean over about the last second, m^3/s
   double highest = 0;                     // highest value of that mean, m^3/s
   double air = 0;                         // air drawn into hepatic veins, m^3
   std::vector<CutVesselSummary> vessels;  // the widest first

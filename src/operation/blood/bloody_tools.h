@@ -7,10 +7,10 @@
 
 namespace resect {
 
-// reach: one entry per tool: the length, m along the tool's axis from its tip, that is bloody. Each
-// entry is raised to the farthest place, up to 8 cm, at which blood on an organ is within 5 mm of
-// the axis now. It never becomes smaller, since tools are not wiped. Cost: proportional to the
-// number of wet cells, for each tool in hand.
+// reach: for each tool, how far it is bloody from its tip along its axis, m. Each entry is raised
+// to the farthest place, up to 8 cm, at which blood on an organ is within 5 mm of the axis in the
+// present state. No entry becomes smaller, since tools are not wiped. Cost: proportional to the
+// number of wet cells times the number of tools in hand.
 void followBlood(const Simulation& simulation, std::vector<double>& reach);
 
 }  // namespace resect

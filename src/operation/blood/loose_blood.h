@@ -12,11 +12,11 @@ namespace resect {
 struct LooseBlood {
   static constexpr double kDeepest = 5e-3;  // m: the depth that the byte 255 stands for
 
-  // Depth of blood on the table, 0 to kDeepest, smoothed over neighbouring patches. kTableCells x
-  // kTableCells patches, x fastest.
+  // Depth of blood on each patch of the table, 0 to kDeepest, smoothed over neighbouring patches.
+  // There are kTableCells x kTableCells patches, x fastest.
   std::vector<std::uint8_t> pool;
   Aabb poolBox;              // round the puddles, world, m
-  std::vector<Vec3f> drops;  // world, m
+  std::vector<Vec3f> drops;  // positions, world, m
 };
 
 // Null if there is no such blood.

@@ -22,12 +22,12 @@ struct HandStyle {
   // The direction to the handle is `upright` times the normal plus `forward` times the heading.
   double upright = 1, forward = 0;
   double hover = 0.005;     // m: height of the tip over the surface while hovering
-  double depth = 0.01;      // m: of the tip below the surface while pressing, at first
-  double mostDepth = 0.06;  // m: deeper, a blade's edge would be below the surface and cut a tunnel
+  double depth = 0.01;      // m: depth of the tip below the surface when pressing begins
+  double mostDepth = 0.06;  // m: greatest depth; a blade that is deeper would cut a tunnel
   double turnHovering = 0;  // m of motion in which the heading turns by 63 %; 0: it never turns
   double turnPressing = 0;  // the same while pressing
   bool entersSlowly = false;  // depth grows only in proportion to the motion along the surface
-  bool headsForWay = false;   // the first millimetres of a stroke set the heading
+  bool headsForWay = false;   // the first 6 mm of a stroke set the heading
   bool closesJaws = false;    // pressing closes the jaws
   double seeks = 0;           // m: how far beside a target the hand may point (seek())
   bool staysOutside = false;  // the tip stays at the surface and does not go to a target below it
@@ -39,8 +39,8 @@ HandStyle handStyleOf(const ToolModel& tool);
 struct SurfaceHand {
   HandStyle style;
   double depth = 0.01;           // m, 0 to style.mostDepth
-  SurfacePoint at;               // at which the hand points
-  Vec3 up = Vec3::UnitY();       // unit: the surface's normal, averaged over the last 15 mm or so
+  SurfacePoint at;               // the point at which the hand points
+  Vec3 up = Vec3::UnitY();       // unit: the surface's normal, averaged over about 15 mm of path
   Vec3 heading = Vec3::UnitZ();  // unit, at right angles to `up`: the edge faces this way
   bool pointing = false;         // `at` is set
   bool pressing = false;

@@ -3,8 +3,8 @@
 // In a ledger, volume is always the volume of the tissue in cells, skin cells included
 // (Discretization::cellVolume()). The volume inside the surface differs from it a little and is no
 // part of the ledger. The ledger counts each cell under the label, and with the density, that it
-// had before the operation. Volumes are added as whole numbers of small units, so their sums do not
-// depend on the order of addition. For each label and for each organ the equation
+// had before the operation. Volumes are added as whole multiples of 2^-24 of a cell's volume, so
+// their sums do not depend on the order of addition. For each label and for each organ the equation
 //
 //   before = body + pieces + debris + removed
 //
@@ -54,7 +54,7 @@ struct LabelLedger {
   int label = 0;
   std::string name;
   TissueSplit tissue;
-  // Only for labels from 1 on that have a name. Least distance of the structure from any cut or
+  // Set only for labels from 1 on that have a name: least distance of the structure from any cut or
   // bared face, m, in the tissue at rest. It is 0 if the structure itself was cut or some of it was
   // removed. It is infinite if nothing was cut or bared. Accurate to half a cell.
   std::optional<double> margin;
@@ -70,8 +70,8 @@ struct PartLedger {
     bool operator==(const Share&) const = default;
   };
   TissueAmount tissue;
-  std::vector<Share> labels;  // the tissue by label, ascending
-  std::int64_t firstCell = -1;
+  std::vector<Share> labels;    // the tissue by label, ascending
+  std::int64_t firstCell = -1;  // lowest index of its cells
 
   bool operator==(const PartLedger&) const = default;
 };
@@ -84,7 +84,7 @@ struct OrganLedger {
   std::vector<PartLedger> parts;
   std::int64_t debrisParts = 0;
   double cut = 0;    // area of cuts, one side counted, m^2 (operation/ledger/wound_faces.h)
-  double bared = 0;  // area of faces that removed tissue has bared, m^2
+  double bared = 0;  // area of faces that removal of tissue has laid open, m^2
 
   bool operator==(const OrganLedger&) const = default;
 };
@@ -116,7 +116,7 @@ class LedgerBooks {
  private:
   struct Odd {  // a particle that does not have exactly one full cell of tissue
     std::int64_t cell = 0;
-    std::int64_t units = 0;  // its volume minus that of a full cell, in small units
+    std::int64_t units = 0;  // its volume minus that of a full cell, in 2^-24 of a full cell
     // -1: a skin cell that Organ treats as a particle; it is not counted as one.
     std::int32_t particles = 0;
   };

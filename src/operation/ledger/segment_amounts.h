@@ -9,7 +9,7 @@ namespace resect {
 
 struct SegmentAmount {
   int segment = 0;              // 1 to 8 (anatomy/liver_segments.h)
-  double before = 0, body = 0;  // its volume before the operation; in the largest part now; m^3
+  double before = 0, body = 0;  // its volume, m^3: before the operation; now in the body
 };
 
 // One entry per segment, ascending; empty if the segments cannot be found from the organ's vessels.

@@ -1,12 +1,12 @@
 // The shape of a labelled structure, such as a tumour, and its distance from points, which gives
 // the margin.
 //
-// The shape is a smooth surface through the lattice: the label's flags are averaged over each cell
-// and its neighbours (weights 1, 2, 1 along each axis), and the surface lies where the average is
-// one half. The centres of labelled cells always lie inside it, those of other cells outside.
-// Distances are accurate to a quarter of a cell. Along an axis of the lattice they are accurate
-// only to half a cell, since the flags do not tell how far a structure extends beyond its last
-// cells.
+// The shape is a smooth surface through the lattice. Each cell has a flag: 1 if it has the label,
+// otherwise 0. The flags are averaged over each cell and its neighbours (weights 1, 2, 1 along each
+// axis), and the surface lies where the average is one half. The centres of labelled cells always
+// lie inside it, those of other cells outside. Distances are accurate to a quarter of a cell. Along
+// an axis of the lattice they are accurate only to half a cell, since the flags do not tell how far
+// a structure extends beyond its last cells.
 #pragma once
 
 #include <cstdint>

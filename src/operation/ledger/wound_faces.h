@@ -19,7 +19,8 @@ struct WoundFaces {
   // Area of bared faces, that is, of faces that removed tissue has laid open. A face counts as
   // bared if tissue was removed three quarters of a cell in front of it. Accurate to 7 %.
   double bared = 0;
-  // Per structure: its least distance from any cut or bared face, m; infinite if there is none.
+  // Per structure: its least distance from any cut or bared face, m; infinite if there is no such
+  // face.
   std::vector<double> margins;
 };
 

@@ -25,7 +25,7 @@ constexpr double kArrived = 0.004;     // m: a tip this near to the place has ar
 
 constexpr double kHandTime = 0.04;    // s: time in which a hand covers 63 % of the remaining way
 constexpr double kHandTurning = 12;   // rad/s: largest angular speed of a hand
-constexpr double kTurnsFirst = 0.35;  // rad: if a larger turn is left, the hand moves only after it
+constexpr double kTurnsFirst = 0.35;  // rad: while a larger turn is left, the hand turns in place
 
 // How a hand moves a tool to its pose.
 struct HandMotion {

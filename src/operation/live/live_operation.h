@@ -2,8 +2,9 @@
 //
 // The thread steps the simulation at `frameRate` frames per second of real time. The caller never
 // waits for a frame, except in surface() and look(). Inputs can be set at any moment and apply from
-// the next frame on. take() gives surface changes as updates. Time lost by slow frames is not made
-// up: the operation then runs slower than the clock, and StepTimes::realTimeFactor is below 1.
+// the next frame on. take() gives the changes of the surfaces since its last call. Time lost by
+// slow frames is not made up: the operation then runs slower than the clock, and
+// StepTimes::realTimeFactor is below 1.
 #pragma once
 
 #include <atomic>
@@ -51,8 +52,8 @@ class LiveOperation {
   // Starts at once, with all tools out of hand at their rest poses (`rests`, one per tool).
   // frameRate: simulated frames per second, 1 to 1000. history: that of an operation which is to go
   // on; `simulation` must be at history.now(). That moment is then shown until goOn() is called.
-  // ledger: computes LiveState::ledger; without it there is none. paused: as setPaused(), from
-  // before the first frame.
+  // ledger: computes LiveState::ledger; without it there is none. paused: whether the operation is
+  // paused (setPaused()) before its first frame.
   LiveOperation(std::unique_ptr<Simulation> simulation, const std::vector<Pose>& rests,
                 double frameRate = 60, OperationWatch watch = {},
                 std::optional<OperationHistory> history = {},
@@ -140,7 +141,7 @@ class LiveOperation {
     std::vector<std::pair<std::int64_t, std::string>> names;  // new names for branches
     double playback = 0;       // > 0: plays the next frame of the history, at this speed
     std::int64_t towards = 0;  // number of the branch to whose end the playback leads
-    bool operated = false;     // no moment of the history was shown before
+    bool operated = false;     // before this task no moment of the history was shown
     FrameInput input;
     std::vector<std::optional<HandMotion>> motions;  // as setTool() got them
     std::vector<Sight> sight;
@@ -169,7 +170,7 @@ class LiveOperation {
   std::int64_t timelineFrame_ = 0;
   const OperationWatch watch_;
   const double frameRate_;
-  const double wholeVolume_;  // m^3, before the operation
+  const double wholeVolume_;  // volume of the tissue before the operation, m^3
   mutable std::mutex mutex_;  // guards all members below; between frames, also simulation_
   std::condition_variable newFrame_, wake_;
   FrameInput input_;
@@ -190,7 +191,8 @@ class LiveOperation {
   bool motionComes_ = false;  // the request that is being answered has a motion
   bool stepping_ = false;     // a frame is being computed: only the thread may use the simulation
   int readers_ = 0;  // callers waiting for the end of the frame; the next frame waits for them
-  // Set to abandon the frame, or the way to a moment, that is being computed.
+  // Set in order to stop the computation of the present frame, or of the frames that lead to a
+  // moment.
   std::atomic<bool> stop_ = false;
   std::vector<SurfacePublisher> publishers_;  // one per organ
   LiveState state_;

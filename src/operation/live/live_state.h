@@ -23,7 +23,7 @@ struct LiveState {
   std::int64_t frame = 0;
   double time = 0;         // simulated, s
   double lastRemoval = 0;  // steadySeconds() at the last removal of particles, s; 0: none
-  // Particles left; particles removed so far; triangles of the surface.
+  // Numbers of particles left, of particles removed so far, and of triangles of the surfaces.
   std::int64_t particles = 0, removed = 0, triangles = 0;
   std::shared_ptr<const Ledger> ledger;  // at most about a second old; null without LedgerWatch
   double removedVolume = 0, volume = 0;  // volume of removed tissue; volume of the tissue left; m^3
@@ -36,18 +36,18 @@ struct LiveState {
   Moment moment;         // the place of this state in the history
   bool showing = false;  // a moment of the history is shown: no new frame begins until goOn()
   double playback = 0;   // while showing: seconds of the operation per second; 0: no playback
-  int undoable = 0, redoable = 0;  // number of strokes that can be undone; that can be redone
+  int undoable = 0, redoable = 0;  // number of strokes: that can be undone; that can be redone
   std::int64_t answered = 0;     // number of the last request that was done (LiveOperation::undo())
   std::size_t historyBytes = 0;  // memory for the states of the history
-  std::shared_ptr<const Timeline> timeline;  // renewed several times a second
+  std::shared_ptr<const Timeline> timeline;  // at most 15 frames old
   StepTimes times;
   bool bleeds = false;                      // whether any organ has vessels
-  double bled = 0, bleedingRate = 0;        // loss so far, m^3; mean over about a second, m^3/s
-  double bloodTime = 0;                     // simulated time of these two, s
+  double bled = 0, bleedingRate = 0;        // blood lost, m^3; loss per time, mean of 1 s, m^3/s
+  double bloodTime = 0;                     // simulated time of bled and bleedingRate, s
   std::vector<BleedingEnd> bleedingEnds;    // vessels' ends that bleed
   int clips = 0;                            // number of clips on vessels
   std::shared_ptr<const LooseBlood> loose;  // blood on no organ; null: none
-  std::shared_ptr<const BareVessels> bare;  // null: none
+  std::shared_ptr<const BareVessels> bare;  // null: no bare vessels and no clips
   // The lists below have one element per tool.
   std::vector<Pose> poses;           // its present pose, world
   std::vector<std::uint8_t> inHand;  // 1: it is in hand, or left at work
@@ -56,7 +56,7 @@ struct LiveState {
   std::vector<double> squeeze;       // of its jaws: 0 wide open, 1 closed
   std::vector<double> bloody;        // bloody length from its tip, m (followBlood())
   std::vector<double> forces;        // smoothed force of the tissue on the tool, N
-  std::vector<double> peakForces;    // largest mean force of a frame so far, N
+  std::vector<double> peakForces;    // largest value so far of a frame's mean force, N
   std::vector<double> lastTouch;  // simulated time when the tool last touched tissue, s; -1: never
   std::vector<std::uint8_t> touching;  // 1: the tool touched tissue in the last 0.1 s
 };

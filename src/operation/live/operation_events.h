@@ -16,7 +16,7 @@ struct OperationEvent {
   std::int64_t tool = -1, organ = -1;  // -1: none
   std::string kind;   // touch, release, take, put_back, remove, cut, tear, piece, fault,
                       // smoke, smoke_clears; in_view, out_of_view (sight.h)
-  double amount = 0;  // remove: particles; cut, tear: bonds; piece: number of new pieces
+  double amount = 0;  // number of: particles (remove), bonds (cut, tear), new pieces (piece)
   std::string text;   // fault: the sentence
 };
 

@@ -10,16 +10,16 @@ namespace resect {
 
 struct StageTime {
   std::string name;
-  double median = 0;  // median duration of the stage, s
+  double median = 0;  // median computing time of the stage, s
 };
 
 struct StepTimes {
   std::vector<StageTime> stages;
-  double median = 0, worst = 0;  // median and longest duration of whole steps, s
+  double median = 0, worst = 0;  // median and longest computing time of whole steps, s
   double realTimeFactor = 1;     // simulated time / elapsed time
 };
 
-// Keeps the times of the last steps, `frameRate` of them (rounded up).
+// Keeps the times of the last n steps; n is `frameRate`, rounded up.
 class LastSecond {
  public:
   explicit LastSecond(double frameRate);  // simulated frames per second

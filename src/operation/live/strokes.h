@@ -18,8 +18,8 @@ namespace resect {
 
 struct Stroke {
   std::int64_t from = 0, to = 0;  // last frame before contact; last frame in contact
-  std::int64_t tool = -1;         // the first tool that touched; -1: a blade cut without touching
-  // Numbers so far: particles removed, bonds cut by instruments, bonds torn.
+  std::int64_t tool = -1;         // number of the first tool that touched; -1: a cut without touch
+  // Numbers in this stroke so far: particles removed, bonds cut by instruments, bonds torn.
   std::int64_t removed = 0, severed = 0, torn = 0;
 };
 

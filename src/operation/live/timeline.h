@@ -14,9 +14,9 @@ namespace resect {
 struct Timeline {
   struct Course {
     Branch branch;
-    std::int64_t end = 0;  // its last frame
+    std::int64_t end = 0;  // number of its last frame
     std::vector<Stroke> strokes;
-    std::vector<std::int64_t> faults;  // frames
+    std::vector<std::int64_t> faults;  // numbers of the frames in which faults occurred
     // As in OperationHistory::Course.
     double removedVolume = 0, piecesVolume = 0, cut = 0, bared = 0;
     std::int64_t pieces = 0;

@@ -43,7 +43,7 @@ struct TaskGoal {
   std::string structure;        // name of a label of the organ
   double margin = 0.01;         // m: least margin round `structure`
   double rate = 5e-6 / 60;      // m^3/s: a smaller blood flow counts as no bleeding
-  double from = 20e-6 / 60;     // m^3/s: least flow before, so that bleeding can count as stopped
+  double from = 20e-6 / 60;     // m^3/s: only bleeding that reached this flow can be stopped
   Vec3 normal = Vec3::UnitX();  // of the plane; unit, world
   VesselKind vessel = VesselKind::PortalVein;
   double thinnest = 0.002;  // m: least diameter of the vessel
@@ -88,10 +88,10 @@ struct Task {
   std::string forceLimitSource = "setting of the task";
   std::vector<TaskLimit> limits;                 // for all levels
   std::array<std::vector<TaskLimit>, 3> levels;  // per level; replace limits of the same measure
-  std::vector<TaskBand> bands;                   // the task's own
+  std::vector<TaskBand> bands;                   // set by the task itself; see also `published`
   double bandWidth = 2;                // largest deviation that passes, in standard deviations
   int bandRuns = 0;                    // number of reference runs that gave `bands`
-  std::vector<std::string> published;  // names of files in data/bands
+  std::vector<std::string> published;  // names of files in data/bands with published bands
   // What a pass needs besides the goal: `id`s of measures whose limits and bands must be kept;
   // {"all"}: every limit and band must be kept.
   std::vector<std::string> pass = {"all"};

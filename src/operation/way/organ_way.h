@@ -24,7 +24,7 @@ struct WayKey {
     Box,       // `place`, in fractions of the organ's box
     Landmark,  // the organ's landmark with the name `landmark`
     Over       // over the organ: place.x as a fraction of its box; place.z as a fraction of the
-               // organ's extent from back to front in that section (operation/way/organ_section.h)
+               // organ's extent from back to front at that x (operation/way/organ_section.h)
   };
   Place kind = Place::Same;
   Vec3 place = Vec3::Zero();

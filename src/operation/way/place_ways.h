@@ -25,7 +25,8 @@ bool hasWays(const Scenario& scenario);
 // scenario. The way is kept, so that it can be placed anew when the organ is replaced.
 // - Depths are limited: to kDeepestShare, and to the lowest point of the section.
 // - Positions are rounded to 0.01 mm and times to 0.01 ms, so that the keys do not depend on the
-//   last bits of the surface. A key that is reached with a speed falls on a frame.
+//   last bits of the surface. The time from the previous key to a key with a speed is a whole
+//   number of frames.
 // Throws Error if a way names a landmark that is not there, or if the organ has no surface.
 void placeWays(Scenario& scenario, std::size_t organ, const LaidOrgan& laid);
 

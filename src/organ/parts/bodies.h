@@ -15,7 +15,7 @@ std::vector<TriangleMesh> bodies(const TriangleMesh& surface);
 struct Body {
   TriangleMesh mesh;           // closed
   std::int64_t particles = 0;  // 0: a fragment that no particle belongs to
-  double tissue = 0;           // of its particles with their skin cells, m^3
+  double tissue = 0;           // volume of its particles and their skin cells, m^3
   // Per label, up to the highest label in the body: the part of `tissue` that has this label, m^3.
   // The body's mass is the sum over the labels of this volume times the density of the label's
   // material.

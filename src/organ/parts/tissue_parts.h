@@ -27,9 +27,9 @@ struct TissueParts {
 };
 
 // Of the parts of an organ, the largest is its body. Another part is a piece if it has at least the
-// volume kPieceVolume, m^3, and also that of kPieceCells cells: so one or two large cells are not a
-// piece. A part that has at least the share kPieceShare of the organ's volume is
-// always a piece. All others are debris.
+// volume kPieceVolume, m^3, and also at least the volume of kPieceCells cells. So one or two large
+// cells are not a piece. A part that has at least the share kPieceShare of the organ's volume is
+// always a piece. All other parts are debris.
 inline constexpr double kPieceVolume = 0.5e-6, kPieceShare = 0.01;
 inline constexpr int kPieceCells = 4;
 // The least volume of a piece. organ, cell: volumes; all m^3.

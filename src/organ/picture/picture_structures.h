@@ -9,7 +9,8 @@
 namespace resect {
 
 // The cells whose present label is above 0, in two classes: tumours (by structureKind() of the
-// label's name) and all others. Without texels if there are none. Cost: a pass over all cells.
+// label's name) and all others. The map has no texels if there are no such cells. Cost: a pass over
+// all cells.
 std::shared_ptr<const TissueMap> pictureStructures(const Organ& organ);
 
 }  // namespace resect

@@ -14,7 +14,7 @@ namespace resect {
 double wallOf(VesselKind kind, double radius);
 
 // Null for an anatomy without vessels. Cost: proportional to the number of segments and of the bins
-// near each.
+// of the picture's grid near each segment.
 std::shared_ptr<const VesselPicture> pictureVessels(const Anatomy& anatomy);
 
 }  // namespace resect

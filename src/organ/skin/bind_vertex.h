@@ -2,8 +2,8 @@
 //
 // They are the particle nearest to the vertex, and the nearest of those bonded to it. So a vertex
 // never follows particles on both sides of a cut. Weights fall to zero with distance, so that
-// neighbouring vertices move alike. This holds at a thin margin too, where a vertex has few
-// particles, all on one side of it.
+// neighbouring vertices move alike. They do so also at a thin margin, where a vertex follows few
+// particles, which all lie on one side of it.
 #pragma once
 
 #include "sph/lattice.h"

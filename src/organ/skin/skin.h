@@ -4,11 +4,12 @@
 // A vertex with rest position X follows up to eight particles (organ/skin/bind_vertex.h). Its
 // present position is x = sum w_i (x_i + F_i (X - X_i)). Here X_i, x_i and F_i are the rest
 // position, present position and deformation gradient of particle i, w_i its weight; the weights
-// add up to 1. For a particle with few bonds, as at a thin margin, the mean of F over the particle
-// and those bonded to it takes the place of F_i. Beside a wound, vertices use the surface
-// tracker's bindings, which hold only particles on the vertex's own side (wound/vertex_binding.h).
-// Normals are transformed by the cofactor matrix of the weighted mean of the F_i. Cost: a few
-// products per vertex and frame, and a search for each vertex that changed.
+// add up to 1. For a particle with at most 13 bonds, as at a thin margin, F_i is replaced by the
+// mean of F over the particle and the particles bonded to it. Beside a wound, vertices use the
+// surface tracker's bindings, which hold only particles on the vertex's own side
+// (wound/vertex_binding.h). Normals are transformed by the cofactor matrix of the weighted mean of
+// the F_i. Cost per frame: a weighted mean of up to eight motions for each vertex, and a search for
+// particles for each vertex that is new or whose particles were removed or lost or gained bonds.
 #pragma once
 
 #include <array>
@@ -26,8 +27,8 @@ namespace resect {
 class SurfaceSkin {
  public:
   // Moves the vertices. Call after surface.update() and moveTissues() (tissue/move_tissues.h).
-  // `changedCells`: particles removed since follow() was last called. withLook: whether to compute
-  // normals too; surface.updateLook() must then have been called before.
+  // changedCells: cells whose particles were removed since follow() was last called. withLook:
+  // whether to compute normals too; surface.updateLook() must then have been called before.
   void follow(const SurfaceTracker& surface, const Lattice& lattice, const TissueModel& tissue,
               std::span<const std::int64_t> changedCells, bool withLook);
   // Computes normals for the positions that follow() computed last.
@@ -54,7 +55,7 @@ class SurfaceSkin {
   std::vector<std::int64_t> cells_;         // the particles that vertices follow
   std::vector<std::int32_t> entryOfCell_;   // per lattice cell: index into cells_, or -1
   std::vector<Vec3f> restOfCell_;           // rest positions of cells_, m
-  std::vector<std::uint32_t> bondsOfCell_;  // bonds of cells_ when their vertices were bound
+  std::vector<std::uint32_t> bondsOfCell_;  // bonds of cells_ (bit masks) at the last follow()
   std::vector<CellPlacement> placements_;
   std::vector<ParticleMotion> motions_;
   std::vector<Vec3f> points_, normals_;

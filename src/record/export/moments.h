@@ -17,14 +17,15 @@ struct ExportedPart {
 };
 
 // Plays the part. Calls visit() for its first state and after its last frame. In between, calls
-// visit() after each frame that is the first to end at or after a time k / rate, where k is a whole
-// number. If withLook is set, first calls Simulation::keepLook(). each(), if given, is called for
-// every frame, before visit().
+// visit() after each frame that is the first to end at or after a simulated time of k / rate
+// seconds, where k is a whole number; if the rate is 0, after every frame. If withLook is set,
+// first calls Simulation::keepLook(). each(), if given, is called for every frame, before visit().
 void playMoments(Replay& replay, const ExportedPart& part, bool withLook,
                  const std::function<void(const Simulation&)>& visit, const Progress& progress,
                  const std::function<void(const StepReport&)>& each = {});
 
-// Whether playMoments() calls visit() at the end of that frame.
+// Whether playMoments() calls visit() at the end of that frame. frameRate: frames per simulated
+// second.
 bool isDue(std::int64_t frame, double frameRate, const ExportedPart& part);
 
 }  // namespace resect

@@ -10,20 +10,20 @@
 
 namespace resect {
 
-// A kind of table. To add one, write a function that writes its header and rows, and add a line to
-// the list in tables.cpp.
+// A kind of table. To add a kind, write a function that writes the table's header and rows, and add
+// a line to the list in tables.cpp.
 struct RecordingTable {
   std::string name;    // the argument of --table
-  std::string oneRow;  // what a row contains, for people
-  bool rated;          // whether ExportedPart::rate thins its rows
+  std::string oneRow;  // what a row contains, as text for users
+  bool rated;          // whether ExportedPart::rate limits the number of rows
   // Writes the table and returns the number of its rows, without the header.
   std::int64_t (*write)(Replay&, const ExportedPart&, CsvWriter&, const Progress&);
 };
 std::span<const RecordingTable> recordingTables();
 
 // Writes the table as CSV, atomically (io/atomic_file.h), and returns the number of its rows
-// without the header. Memory: a few numbers for the table `frames`; for the others, all rows of one
-// branch.
+// without the header. Memory: for the table `frames`, a few numbers; for each other table, all rows
+// of one branch.
 std::int64_t exportTable(Replay& replay, const ExportedPart& part, const RecordingTable& table,
                          const std::filesystem::path& path, const Progress& progress = {});
 

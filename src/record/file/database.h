@@ -16,17 +16,17 @@ struct sqlite3_stmt;
 
 namespace resect {
 
-// Any member function that fails throws an Error whose sentence begins with the file's name.
+// Any member function that fails throws an Error whose message begins with the file's name.
 class Database {
  public:
   // Opens a database file that this program has written itself. If the file is empty or missing,
   // the database is empty. Fails if `path` is a symbolic link. name: the file's name in messages.
   Database(const std::filesystem::path& path, const std::string& name);
   // Throws Error if a file exists at `path`, or under a name that SQLite uses beside it (`path`
-  // with -wal, -shm or -journal at its end). SQLite would remove these files.
+  // plus -wal, -shm or -journal). SQLite would remove the latter.
   static void requireNothingAt(const std::filesystem::path& path);
-  // Removes the files `path` with -wal, -shm or -journal at its end. To be called before the
-  // database file at `path` is replaced: SQLite would take them for files of the new database.
+  // Removes the files named `path` plus -wal, -shm or -journal. To be called before the database
+  // file at `path` is replaced: SQLite would take them for files of the new database.
   static void removeBeside(const std::filesystem::path& path);
   // An empty database in memory. name: used in messages.
   static Database inMemory(const std::string& name);
@@ -37,7 +37,7 @@ class Database {
 
   // Runs statements that return nothing.
   void run(const std::string& sql);
-  // Writes the whole database into an empty file.
+  // Writes the whole database into the file at `path`, which must be empty.
   void copyTo(const std::filesystem::path& path);
   // Runs a query. Returns the first value of the first row of the result; 0 if there is no row.
   std::int64_t number(const std::string& sql);

@@ -24,7 +24,7 @@ struct RecordingShape {
     std::vector<std::string> types;  // one per column: INTEGER, REAL, TEXT or BLOB
   };
   std::int64_t application = 0, version = 0;
-  std::string definition;  // type, name and SQL text of everything in sqlite_master
+  std::string definition;  // type, name and SQL text of each row of sqlite_master
   std::vector<Table> tables;
 };
 RecordingShape shapeOf(Database& own);
@@ -32,9 +32,9 @@ RecordingShape shapeOf(Database& own);
 // Adds all rows of the recording at `path`, including those in its write-ahead log (-wal), to the
 // tables of `own`, which must be empty. Returns the errors that SQLite's integrity check finds in
 // the file, in one line; empty if there are none. Throws Error if the file is not a recording, if
-// its schema version or its tables are not those of `own`, if file and log have more than 1 GB, or
-// if a value is of another type than its column. Throws Cancelled if `progress` returns false.
-// Memory while it runs: about three times the file's size.
+// its schema version or its tables are not those of `own`, if file and log together have more than
+// 1 GB, or if a value is of another type than its column. Throws Cancelled if `progress` returns
+// false. Memory while it runs: about three times the file's size.
 std::string addForeignRows(const std::filesystem::path& path, Database& own,
                            const Progress& progress = {});
 

@@ -1,7 +1,7 @@
 // Converts the input of a frame to bytes and back. A recording keeps these bytes for each frame.
 //
-// Only tools whose input differs from that in the previous frame are written. Reading gives the
-// same bits.
+// Only tools whose input differs from that in the previous frame are written. The input that is
+// read back equals the input that was written, bit for bit.
 #pragma once
 
 #include <span>

@@ -29,13 +29,13 @@ inline constexpr std::size_t kLargestRecording = std::size_t(1) << 30;
 // was killed.
 std::vector<std::filesystem::path> filesOfRecording(const std::filesystem::path& path);
 
-// A frame as stored. Frames of a branch are numbered by Simulation::frame() after the step.
+// A frame as stored. `frame` is Simulation::frame() after the step that computes the frame.
 struct RecordedFrame {
   std::int64_t branch = 0, frame = 0;
   double time = 0;     // simulated time at the frame's end, s
   bool whole = false;  // `input` is complete, not the difference from the previous frame
   Bytes input;         // record/file/frame_bytes.h
-  // The digest of `input`, then one per field of the state (RecordingInfo::fields).
+  // The digest of `input`, then one digest per field of the state (RecordingInfo::fields).
   std::vector<std::uint64_t> hashes;
 };
 
@@ -57,7 +57,7 @@ struct RecordedSample {
 struct RecordedLedger {
   struct Amount {
     std::int64_t organ = 0, label = 0;
-    std::string part;         // before, body, piece, debris, removed
+    std::string part;         // before, body, piece, debris or removed
     std::int64_t number = 0;  // of a piece, from 1 on, the largest first; otherwise 0
     std::int64_t particles = 0;
     double ml = 0, g = 0;
@@ -65,7 +65,7 @@ struct RecordedLedger {
   };
   struct Wound {
     std::int64_t organ = 0, label = -1;  // -1: none
-    std::string kind;                    // cut, bared (cm^2); margin (mm)
+    std::string kind;                    // cut or bared: amount in cm^2; margin: amount in mm
     double amount = 0;
     bool operator==(const Wound&) const = default;
   };
@@ -117,7 +117,7 @@ class RecordingFile {
   // Replaces the stored name of the program that recorded (for tests).
   void setProgram(const std::string& program);
 
-  void begin();  // of a transaction
+  void begin();  // begins a transaction
   void commit();
   void rollback();  // removes everything that was added since begin()
   void add(const Branch& branch);
@@ -147,8 +147,8 @@ class RecordingFile {
   std::vector<OperationEvent> events(std::int64_t branch);
   std::vector<RecordedSample> samples(std::int64_t branch);  // in the order of frames
   std::vector<RecordedLedger> ledgers(std::int64_t branch);
-  // Whether finish() or copyTo() has marked the recording as complete. They have not if, for
-  // example, the program was killed.
+  // Whether finish() or copyTo() has marked the recording as complete. False if, for example, the
+  // program was killed during the recording.
   bool complete();
   // What SQLite's integrity check found at open(), in one line; empty if it found nothing.
   std::string damagedPage();

@@ -46,12 +46,12 @@ struct VesselStory {
   double diameter = 0;                           // m
   Vec3 place = Vec3::Zero();                     // middle of the cut, at rest, m
   double cut = 0;                                // s: when it was first cut
-  int tool = -1;                                 // the tool that cut then; -1: not known
+  int tool = -1;                                 // number of the tool that cut first; -1: unknown
   bool before = false;                           // it was cut before the operation began
-  bool clippedRoot = false, clippedFar = false;  // this end was closed before the cut
+  bool clippedRoot = false, clippedFar = false;  // root end, far end: closed before the cut
   bool severed = false;
   std::optional<double> closed;  // s: since when all its ends have been closed by clips or heat
-  double bled = 0;               // m^3, lost by the vessel
+  double bled = 0;               // m^3 of blood lost by the vessel
 };
 
 struct ClipPlaced {
@@ -62,7 +62,7 @@ struct ClipPlaced {
   double diameter = 0;        // of the vessel, m
 };
 
-// Amounts of tissue after a frame; taken once a second, and at the end.
+// Amounts of tissue after a frame; recorded once per simulated second, and at the end.
 struct TissueMoment {
   double time = 0;                           // s
   double body = 0, pieces = 0, removed = 0;  // m^3, all organs; removed includes debris
@@ -73,7 +73,7 @@ struct TissueMoment {
 struct Specimen {
   std::int32_t organ = 0;
   double volume = 0, mass = 0;  // m^3, kg
-  double target = 0;            // m^3, part of the goal's structure in the piece
+  double target = 0;            // m^3: volume of the goal's structure in the piece
 };
 
 // A frame in which the goal's instrument was at work, with its position relative to the goal's line
@@ -89,12 +89,13 @@ struct GoalTrace {
   // Per target and frame: distance of the nearest tip of an instrument in hand that the goal
   // accepts, m; infinite if no such instrument is in hand.
   std::vector<std::vector<float>> distance;
-  // Points of the targets, line or plane, m: in rest space; and in the world, when the first
-  // instrument begins to work. By then the tissue has settled.
+  // The targets, points along the line at most 3 mm apart, or the point of the plane; m.
+  // restPlaces: in rest space. places: in the world, after the last frame before an instrument
+  // first works; by then the tissue has settled.
   std::vector<Vec3> restPlaces, places;
   double lineLength = 0;  // m
   std::vector<WorkMoment> work;
-  std::vector<char> held;  // per frame: the goal's holding instrument grips tissue
+  std::vector<char> held;  // per frame: 1 if the goal's holding instrument grips tissue
 };
 
 struct Attempt {
@@ -108,25 +109,26 @@ struct Attempt {
   std::vector<InstrumentRecord> instruments;
 
   bool bleeds = false;               // an organ has vessels
-  std::vector<double> bled;          // per frame: lost so far, m^3
+  std::vector<double> bled;          // per frame: blood lost so far, m^3
   std::vector<VesselStory> vessels;  // in the order in which they were cut
   std::vector<ClipPlaced> clips;
   double inflowOccluded = 0;  // time with occluded inflow, s
-  int inflowCycles = 0;       // number of occlusions
+  int inflowCycles = 0;       // number of times the inflow was occluded
 
   bool tissueMoves = false;
   std::vector<TissueMoment> tissue;
   std::vector<Specimen> specimens;  // the largest first
-  // Structures other than the goal's: whether there are any, and the names of those that a cut or a
-  // removal of tissue reached. For organs other than the goal's: of those that were cut or lost
-  // tissue.
+  // otherStructures: whether there are structures or organs besides the goal's own. hurt: names of
+  // those structures that a cut or a removal of tissue reached, and of those organs that were cut
+  // or lost tissue.
   bool otherStructures = false;
   std::vector<std::string> hurt;
   std::int64_t torn = 0;         // number of torn bonds
   double targetBefore = 0;       // m^3 of the goal's structure before the operation
   std::optional<double> margin;  // margin of the goal's structure, m; none if nothing was cut
-  // Places where the cuts came near the goal's structure; centre of this structure, and largest
-  // distance of its cells from the centre; at rest, m.
+  // margins: points of cut or bared faces that are nearer to the goal's structure than 2.5 times
+  // TaskGoal::margin. targetMiddle: mean of the structure's cell centres. targetReach: largest
+  // distance of a cell centre from targetMiddle. All at rest, m.
   std::vector<MarginPlace> margins;
   Vec3 targetMiddle = Vec3::Zero();
   double targetReach = 0;
@@ -141,7 +143,7 @@ std::vector<Track> tracksOf(const Attempt& attempt, const InstrumentRecord& inst
 std::optional<SampleRange> workOf(const Attempt& attempt);
 // Rate of bleeding at the end of a frame, mean over the second before it, m^3/s.
 double bleedingRate(const Attempt& attempt, std::size_t frame);
-// The frame at whose end this rate was largest; nothing if nothing bled.
+// The frame at whose end bleedingRate() was largest; nothing if nothing bled.
 std::optional<std::size_t> worstBleeding(const Attempt& attempt);
 
 }  // namespace resect

@@ -19,9 +19,11 @@ class AttemptReader {
   // this object. Throws Error if the organ lacks what the task names.
   AttemptReader(Attempt& attempt, const Scenario& scenario, const Simulation& simulation);
 
-  // To be called after each step. Cost: a few microseconds, and once a second that of a ledger.
+  // To be called after each step. Cost: a few microseconds, and once per simulated second the cost
+  // of a ledger.
   void add(const Simulation& simulation, const StepReport& report);
-  // Brings the figures up to date that are otherwise taken only once a second.
+  // Updates the amounts of tissue, which add() updates only once per simulated second, and the
+  // amounts that each vessel has bled.
   void finish(const Simulation& simulation);
   // Finds the places where the cuts came near the goal's structure (Attempt::margins). Cost: up to
   // a second.
@@ -40,12 +42,12 @@ class AttemptReader {
   void addHurt(const OrganLedger& organ, std::size_t number);
 
   Attempt& attempt_;
-  std::vector<Pose> rests_;  // of the instruments
+  std::vector<Pose> rests_;  // rest poses of the instruments
   LedgerBooks books_;
   std::int64_t second_;  // number of frames in a second
   VesselWatch vessels_;
   std::optional<GoalWatch> goal_;
-  std::size_t targetOrgan_ = 0;  // of the goal
+  std::size_t targetOrgan_ = 0;  // index of the goal's organ
   int targetLabel_ = 0;
 };
 

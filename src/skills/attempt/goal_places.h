@@ -22,8 +22,8 @@ std::vector<TissuePoint> goalPlaces(const std::vector<TaskPlace>& places, const 
 // The TissuePoint at a position in rest space, m.
 TissuePoint tissuePoint(const Vec3& rest, const Organ& organ);
 
-// The point's present position (in `rest`) and normal, in the world. If its particle was removed,
-// returns `point` unchanged.
+// Returns the point with its present position (in `rest`) and present normal, both in the world. If
+// the point has no particle, or its particle was removed, returns `point` unchanged.
 TissuePoint presentPoint(const TissuePoint& point, const OperatedOrgan& organ);
 
 // Throws Error if the organ lacks what the goal names: its landmarks, its structure, its vessels.

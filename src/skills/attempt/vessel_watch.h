@@ -27,8 +27,9 @@ class VesselWatch {
 };
 
 // Whether an end of a cut vessel cannot bleed: the end is sealed, or a clip closes it. The clip is
-// on the vessel's segment, or at most `reach`, m, away: for the end towards the root on a segment
-// that feeds it, for the far end on a segment that it feeds.
+// on the cut segment, or on another segment at most `reach`, m, away along the vessels: for the
+// root end, on a segment that feeds the cut one; for the far end, on a segment that the cut one
+// feeds.
 bool isClosed(const Organ& organ, const VesselInjury& injury, VesselEnd end, double reach = 0.03);
 
 }  // namespace resect

@@ -39,16 +39,16 @@ struct ClassBook {
   std::vector<std::string> refused;  // error messages: recordings that could not be scored
 };
 
-// A recording in the folder of a class, and its learner. The learner's name is that of the
-// sub-folder, or for a file in the folder itself its name without the last number ("anna" for
-// "anna-2.resect").
+// A recording in the folder of a class, and its learner. The learner's name is the name of the
+// sub-folder. For a file in the folder itself, it is the file's name without the number at its end
+// ("anna" for "anna-2.resect").
 struct ClassFile {
   std::filesystem::path path;
   std::string learner;  // for output: `name`, or a pseudonym
   std::string name;     // the learner's name
 };
-// All recordings in the folder and its sub-folders, by learner and then by path in natural order (2
-// before 10). Throws Error if there is no such folder, or no recording in it.
+// All recordings in the folder and its sub-folders, sorted by learner and then by path in natural
+// order (2 before 10). Throws Error if there is no such folder, or no recording in it.
 std::vector<ClassFile> classFiles(const std::filesystem::path& folder);
 
 // Replaces the learners' names by "learner 1" and so on, in the order of the names.

@@ -1,6 +1,7 @@
 // The history of learners: their scored attempts, in a SQLite file on this machine.
 //
-// A class keeps its scores there too, so that a recording is played and scored only once.
+// The scores of a class are kept in such a file too, so that each recording is played and scored
+// only once.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,7 @@ struct HistoryEntry {
   std::string learner;  // name as it was given
   std::string scenario, title;
   std::int64_t written = 0;     // when the recording was last written, s since 1970
-  bool familiarisation = true;  // the task's: a first attempt is not graded
+  bool familiarisation = true;  // Task::familiarisation: the first attempt is not graded
   ClassAttempt attempt;
 };
 
@@ -44,7 +45,7 @@ class LearnerHistory {
   void keep(const HistoryEntry& entry);
   std::optional<HistoryEntry> find(const std::string& key, const std::string& learner);
   // The entries of one learner, or of all if `learner` is empty; sorted by learner, scenario and
-  // time.
+  // HistoryEntry::written.
   std::vector<HistoryEntry> entries(const std::string& learner = "");
   // Deletes all entries of a learner, without traces in the file, and returns their number.
   std::int64_t remove(const std::string& learner);

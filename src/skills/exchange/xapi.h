@@ -13,7 +13,7 @@ struct XapiContext {
   // The actor's account. The name is a pseudonym; the home page says whose pseudonyms they are.
   std::string actor = "learner";
   std::string home = "https://resect.invalid/learners";
-  // Tasks have the IRI activities + name of the scenario.
+  // The IRI of a task is `activities` followed by the scenario's name.
   std::string activities = "https://resect.invalid/tasks/";
   std::chrono::system_clock::time_point time;  // of the attempt's end
   // A text that is unique to this attempt, such as the digest of its recording.

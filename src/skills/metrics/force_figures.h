@@ -10,9 +10,9 @@ namespace resect {
 
 struct ForceFigures {
   double peak = 0;       // N
-  double p95 = 0;        // N: of the forces above 0, the value that 95 % do not exceed
-  double mean = 0;       // N: of the forces above 0
-  double deviation = 0;  // N: standard deviation of these
+  double p95 = 0;        // N: 95th percentile of the forces above 0
+  double mean = 0;       // N: mean of the forces above 0
+  double deviation = 0;  // N: standard deviation of the forces above 0
 };
 // force: magnitudes of the force, N, at equal intervals. All figures are 0 if no value is above 0.
 ForceFigures forceFigures(std::span<const double> force);

@@ -7,8 +7,8 @@
 
 namespace resect {
 
-// Cumulative sum of the differences from a target: S_i = S_(i-1) + (x_i - target). The curve turns
-// where a learner's values cross the target.
+// Cumulative sum of the differences from a target: S_i = S_(i-1) + (x_i - target), where x_i is the
+// i-th value. The curve turns where a learner's values cross the target.
 std::vector<double> cusum(std::span<const double> values, double target);
 
 // LC-CUSUM, a test whether a trainee has become competent (Biau, Williams, Schlup, Nizard and
@@ -16,7 +16,7 @@ std::vector<double> cusum(std::span<const double> values, double target);
 // - inadequate)) after a success and ln(adequate / inadequate) after a failure.
 struct LearningTest {
   double inadequate = 0.3;  // failure rate of a learner who is not competent; a setting
-  double adequate = 0.1;    // failure rate of one who is, less than `inadequate`; a setting
+  double adequate = 0.1;    // failure rate of a competent learner, < `inadequate`; a setting
   double signal = 1.25;     // S at which competence is shown; a setting
 };
 std::vector<double> learningCusum(const std::vector<bool>& passed, const LearningTest& test = {});

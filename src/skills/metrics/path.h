@@ -7,11 +7,12 @@
 
 namespace resect {
 
-inline constexpr double kIdleSpeed = 0.005;  // m/s: slower counts as idle; a setting of ours
+inline constexpr double kIdleSpeed = 0.005;  // m/s: a slower tip counts as idle; a setting of ours
 
 // Sum of the distances between successive samples, m.
 double pathLength(std::span<const Vec3> tip);
-// Sum of the parts of these distances along the instrument's axis, m. Needs Track::turn.
+// Sum of the distances that the tip moves along the instrument's axis, in either direction, from
+// sample to sample, m. Needs Track::turn.
 double depthMovement(const Track& track);
 // Sum of the angles by which the instrument turned from sample to sample, rad. Needs Track::turn.
 double totalRotation(const Track& track);
@@ -20,7 +21,7 @@ double totalRotation(const Track& track);
 std::vector<double> speeds(const Track& track);
 // The same for the angular speed, rad/s. Needs Track::turn.
 std::vector<double> angularSpeeds(const Track& track);
-// Time at which the speed was below `slow`, m/s, in s.
+// Total time, s, during which the speed was below `slow`, m/s.
 double idleTime(const Track& track, double slow = kIdleSpeed);
 
 }  // namespace resect

@@ -9,13 +9,15 @@
 namespace resect {
 
 // Spectral arc length: minus the length of the curve of the speed's normalised magnitude spectrum,
-// from 0 to the last frequency, at most 10 Hz, at which it reaches 0.05. The spectrum is padded
-// with zeros to 2^(ceil(log2 N) + 4) points. Nothing if the instrument does not move or fewer than
-// 3 values are given. interval: s between values.
+// from frequency 0 to the highest frequency, at most 10 Hz, at which the normalised magnitude is at
+// least 0.05. The N speeds are padded with zeros to 2^(ceil(log2 N) + 4) values before the
+// transform. Nothing if the instrument does not move or fewer than 3 values are given. interval: s
+// between values.
 std::optional<double> spectralArcLength(std::span<const double> speed, double interval);
 
-// Log dimensionless jerk: -ln(T^3 / v_peak^2 times the integral of (d2v/dt2)^2). Nothing in the
-// same cases, and for a speed that changes linearly.
+// Log dimensionless jerk: -ln(T^3 / v_peak^2 times the integral of (d2v/dt2)^2), where v is the
+// speed and T the duration. Nothing in the cases named above, and for a speed that changes linearly
+// with time.
 std::optional<double> logDimensionlessJerk(std::span<const double> speed, double interval);
 
 }  // namespace resect

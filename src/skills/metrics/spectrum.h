@@ -12,8 +12,8 @@ namespace resect {
 // Eigen contains.
 std::vector<double> magnitudes(std::span<const double> values, std::size_t size);
 
-// Frequency, Hz, below which 95 % of the power of the speed's variation lies: its mean is taken
-// away first. Nothing if the speed does not vary. interval: s between values.
+// Frequency, Hz, below which 95 % of the power of the speed lies, after the mean speed has been
+// subtracted. Nothing if the speed does not vary. interval: s between values.
 std::optional<double> frequency95(std::span<const double> speed, double interval);
 
 }  // namespace resect

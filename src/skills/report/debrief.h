@@ -17,8 +17,8 @@ namespace resect {
 struct Debrief {
   std::span<const Scored> attempts;    // of one learner, oldest first; the last is debriefed
   std::span<const Scored> references;  // attempts to compare with
-  // Attempts at the same task from a history of scores: the learner's before `attempts`, the oldest
-  // first; and those of all other learners.
+  // Attempts at the same task from a history of scores. earlier: the learner's own attempts before
+  // `attempts`, the oldest first. others: the attempts of all other learners.
   std::vector<ClassAttempt> earlier = {}, others = {};
   std::vector<PublishedStudy> studies = {};
   // Per deduction of the last attempt: a PNG file's bytes, or empty.

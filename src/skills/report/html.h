@@ -23,7 +23,7 @@ std::string htmlPage(std::string_view title, const std::string& body, std::strin
 
 struct HtmlCell {
   std::string html;
-  const char* style = "";  // class of the cell: "number", "kept", "missed"
+  const char* style = "";  // CSS class of the cell: "number", "kept", "missed", or none
 };
 struct HtmlTable {
   std::vector<HtmlCell> head;

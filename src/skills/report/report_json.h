@@ -20,7 +20,7 @@ void writeAttemptRows(CsvWriter& csv, std::span<const Scored> attempts);
 void writeSampleRows(CsvWriter& csv, const Attempt& attempt);
 
 // The number rounded to the six significant digits that are printed, so that it is the same on
-// every machine; 0 if it is not finite or below 1e-9 in size.
+// every machine; 0 if it is not finite or its absolute value is below 1e-9.
 double printed(double value);
 
 }  // namespace resect

@@ -24,7 +24,7 @@ struct PublishedBand {
 };
 
 struct PublishedStudy {
-  std::string name;    // of the file
+  std::string name;    // of the file, without .toml
   std::string study;   // "Lefor 2022"
   std::string source;  // DOI or address
   std::string about;   // the task of the study, and how far it can be compared
@@ -32,7 +32,7 @@ struct PublishedStudy {
 };
 
 // Reads the study data/bands/<name>.toml. Throws Error if there is no such file (the Error lists
-// the files), or if a value in the file is wrong.
+// the files that exist), or if a value in the file is wrong.
 PublishedStudy readPublishedStudy(const std::string& name);
 
 // A task's own bands from runs that a teacher marked as reference: mean and sample standard

@@ -15,8 +15,8 @@ struct GoalResult {
   std::string sentence;            // what was reached or missed, for people
   std::optional<double> time;      // s: when the goal was reached or was missed
   std::vector<Measured> measures;  // measures that only this goal has
-  std::string missing;             // text: parts of the line that were not followed
-  std::vector<std::pair<double, double>> unfollowed;  // these parts: begin, end, m
+  std::string missing;             // as text: parts of the line that were not followed
+  std::vector<std::pair<double, double>> unfollowed;  // their begins and ends, m along it
 };
 
 // A line counts as followed if at least this share of its length was followed.

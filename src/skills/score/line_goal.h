@@ -7,8 +7,8 @@
 
 namespace resect {
 
-// Mean and largest distance of the work from the goal's line or plane, m, and the time of the
-// largest distance, s.
+// Mean and largest distance of the instrument, while it works, from the goal's line or plane, m,
+// and the time of the largest distance, s.
 struct OffLine {
   double mean = 0, most = 0, time = 0;
 };
@@ -18,7 +18,7 @@ OffLine offLine(const Attempt& attempt);
 GoalResult followResult(const Attempt& attempt, const TaskGoal& goal);
 
 // How near the line is to be followed, as text: "no farther than 8 mm from it", or two distances if
-// most of the line has a stricter limit than its farthest place.
+// 90 % of the line (kLineFollowed) has a stricter limit than the rest.
 std::string nearText(const Task& task);
 
 }  // namespace resect

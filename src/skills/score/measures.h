@@ -18,11 +18,11 @@ struct Measured {
   double value = 0;        // in the measure's unit
 };
 
-// Vessels thinner than this are not counted one by one; a setting of ours.
+// Vessels of a smaller diameter than this are not counted one by one; a setting of ours.
 inline constexpr double kNotableVessel = 0.002;  // m
 
-// A vessel that was cut before the operation began counts as open only if it has lost more than
-// this: a nick in a vein that does not bleed need not be closed. A setting of ours.
+// A vessel that was cut before the operation began counts as open only if it has lost more blood
+// than this: a nick in a vein that does not bleed need not be closed. A setting of ours.
 inline constexpr double kBleeds = 1e-7;  // m^3
 
 // Measures that cannot be computed are left out, for example forces if no tissue moves. The goal's

@@ -50,8 +50,8 @@ struct Scored {
   Verdict verdict;
 };
 
-// Scores the attempt; attempt.task must be given. level: empty: the task's own. graded: false for a
-// familiarisation run.
+// Scores the attempt; attempt.task must be given. level: if empty, the task's own level counts.
+// graded: false for a familiarisation run.
 Scored score(Attempt attempt, std::optional<TaskLevel> level = {}, bool graded = true);
 
 }  // namespace resect

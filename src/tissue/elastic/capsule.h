@@ -20,10 +20,10 @@
 
 namespace resect {
 
-// Sets the normal and the area of each cell's skin from its patches. They are summed as tensors,
-// area * n n^T with the normal n, so that both faces of a thin margin count although their normals
-// are opposite. patches: ascending by cell. Cells that have all 26 bonds get no skin. Does nothing
-// if no material has a capsule.
+// Sets the normal and the area of each cell's skin from its patches. The patches are summed as
+// tensors, area * n n^T with the normal n, so that both faces of a thin margin count although their
+// normals are opposite. patches: ascending by cell. Cells that have all 26 bonds get no skin. Does
+// nothing if no material has a capsule.
 void setSkin(ElasticState& state, std::span<const SurfacePatch> patches);
 
 // Updates ElasticState::capsule of the cells from their materials, bonds and tears.

@@ -4,8 +4,8 @@
 // material has n Maxwell branches; 20 more with a capsule (48 if there are no branches). Lengths
 // are in m, masses in kg; offsets to neighbours are in spacings. The symbols A_i, q_i and M_i are
 // those of docs/methods/tissue.md. L_i is the inverse of M_i, and S_i the sum over j of w_ij X_ij.
-// w is the weight of an edge neighbour (bondWeights()). Sums are formed with weights in units of w.
-// The remaining factors are contained in the arrays.
+// w is the weight of an edge neighbour (bondWeights()). The passes form sums with weights in units
+// of w; the arrays contain the factors w and 1 / spacing that such a sum lacks.
 #pragma once
 
 #include <array>
@@ -56,17 +56,18 @@ struct ElasticState {
   // weights. [1], [2]: sums of the weights times the offsets from the middle cell along y and z.
   std::array<FloatArray, 3> planeWeight;
   std::array<FloatArray, 3> load;  // external force on the cell, N
-  // Empty unless a material has Maxwell branches or a capsule (relaxed: branches only). relaxed[k]:
-  // the symmetric matrix B of branch k, whose stress is mu share (F (I + B) - cof F), as xx yy zz
-  // xy xz yz. viscous: sum over the branches of modulus times V times B, J, where B is the mean
-  // over the substeps until the branches are advanced again.
+  // relaxed is empty unless a material has Maxwell branches; viscous is empty unless a material has
+  // Maxwell branches or a capsule. relaxed[k]: the symmetric matrix B of branch k, whose stress is
+  // mu share (F (I + B) - cof F), as xx yy zz xy xz yz. viscous: sum over the branches of modulus
+  // times V times B, J, where B is the mean over the substeps until the branches are advanced
+  // again.
   std::array<std::array<FloatArray, 6>, kMostBranches> relaxed;
   std::array<FloatArray, 6> viscous;
   FloatArray inverseMass;  // 1/kg; 0 where there is no tissue
   // shearVolume: mu V, J; V: volume of a cell. lameVolume: V times lambda + mu + a third of the
   // branches' moduli, J.
   FloatArray shearVolume, lameVolume;
-  FloatArray stiffening;     // b
+  FloatArray stiffening;     // b of tissue/material.h
   FloatArray viscousVolume;  // sum of the branches' moduli times V, J; empty as `viscous`
   std::array<FloatArray, kMostBranches> branchVolume;  // modulus of branch k times V, J
   std::array<FloatArray, kMostBranches> branchRate;    // 1 / relaxation time, 1/s

@@ -26,7 +26,8 @@
 
 namespace resect {
 
-// How many times the substep may be halved. If tissue still explodes, it is stopped.
+// How many times the substep may be halved. If tissue still explodes (tissue/tissue_model.h), it is
+// stopped.
 inline constexpr int kMostHalvings = 6;
 // How many times the substep may be divided by 1.26 for stiff cells.
 inline constexpr int kMostFineness = 3;
@@ -127,7 +128,7 @@ class ElasticTissue final : public TissueModel {
   Mat3 stress(std::int64_t cell) const;                // first Piola-Kirchhoff stress, Pa
   Vec3 elasticForce(std::int64_t cell) const;          // as the last stress pass computed it, N
   TissueEnergy energy();
-  // The cutting edges with tissue near, and their work in the last frame.
+  // The cutting edges that are near tissue, and the work of all edges in the last frame.
   std::span<const CutFront> fronts() const { return fronts_.fronts(); }
   CutWork cutWork() const { return fronts_.work(); }
   void place(std::span<const std::int64_t> cells, std::span<CellPlacement> places) const override;
@@ -187,14 +188,14 @@ class ElasticTissue final : public TissueModel {
   ElasticState state_;
   int fineness_ = 0;    // for stiff cells: substeps are divided by kFinerBy to this power
   int halvings_ = 0;    // how many times the substep is halved at present
-  int calmFrames_ = 0;  // frames since `halvings_` last changed, all calm
+  int calmFrames_ = 0;  // number of calm frames since `halvings_` last changed
   CutFaces cutFaces_;
   CutFronts fronts_;
   TissueSprings springs_;
   std::vector<Fibre> fibres_;
-  std::vector<std::int32_t> cut_;     // both cells of each severed bond
+  std::vector<std::int32_t> cut_;     // indices of both cells of each severed bond
   std::vector<std::int32_t> pulled_;  // cells that joints may pull, ascending
-  double sinceTear_ = 0;  // time that a crack has to advance, s; at most enough for two cells
+  double sinceTear_ = 0;  // time left for the advance of cracks, s; at most that of two cells
 
   // Data that are set up once, and data derived from the state.
   Lattice lattice_;

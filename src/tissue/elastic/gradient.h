@@ -15,11 +15,12 @@ std::array<double, 4> edgeWeights();
 // ElasticState::inverseMoment of a cell as a matrix, 1/m.
 Mat3 inverseMomentAt(const ElasticState& state, std::int32_t cell);
 
-// H = F - I; zero for a cell without a gradient.
+// F - I, with the deformation gradient F; zero for a cell without one.
 Mat3 gradientAt(const ElasticState& state, std::int32_t cell);
 
-// The same in single precision, for many cells: at() computes all cells of a chunk together, and
-// keeps them until it is called for another chunk. The state must not change meanwhile.
+// As gradientAt(), in single precision and for many cells: at() computes all cells of a chunk
+// together, and keeps them until it is called for another chunk. The state must not change
+// meanwhile.
 class ChunkGradients {
  public:
   ChunkGradients(const ElasticState& state, const ElasticKernel& kernel);

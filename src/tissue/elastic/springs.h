@@ -1,7 +1,7 @@
 // Springs on single cells, for ligaments and for the grips of tools.
 //
-// Each is a damped spring from a cell to an anchor. The anchor is fixed in the world or in a tool's
-// coordinates. While a cell has springs, its load (ElasticState::load) is computed anew in
+// Each spring is damped and leads from a cell to an anchor. The anchor is fixed in the world or in
+// a tool's coordinates. While a cell has springs, its load (ElasticState::load) is computed anew in
 // each substep from the forces of these springs and of the cell's joints.
 #pragma once
 
@@ -65,7 +65,7 @@ class TissueSprings {
 
  private:
   std::vector<TissueSpring> springs_;
-  std::vector<Vec3> impulse_;  // per obstacle
+  std::vector<Vec3> impulse_;  // per obstacle, kg m/s
 };
 
 }  // namespace resect

@@ -1,5 +1,5 @@
-// Conditions under which elastic tissue tears: docs/methods/tissue.md, "Tearing". A further one,
-// kTearLength, is in tissue/material.h.
+// Conditions under which elastic tissue tears: docs/methods/tissue.md, "Tearing". A further
+// constant of these conditions, kTearLength, is in tissue/material.h.
 #pragma once
 
 #include "base/vec.h"
@@ -14,8 +14,8 @@ inline constexpr double kCrackShare = 0.28;
 inline constexpr double kTearSpeed = 0.3;
 // How far from a gripped cell tissue without a crack may tear, m.
 inline constexpr double kGripReach = 0.02;
-// A cell at a cut, with its neighbours, becomes a candidate for a tear when it holds this share of
-// the energy per volume that tears the weakest material at a crack.
+// A cell at a cut and the cells bonded to it become candidates for a tear when the cell's energy
+// per volume is at least this share of the one at which the weakest material tears at a crack.
 inline constexpr double kScreen = 0.3;
 // Two cells, or two bonds, count as equally loaded if the lower energy is at least this share of
 // the higher. So bonds along a crack's front tear in the same frame, even if rounding makes their

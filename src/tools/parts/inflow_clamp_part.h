@@ -1,5 +1,6 @@
 // Working part of a clamp for the inflow of the liver (Pringle 1908). When it is closed near the
-// liver's hilum, it shuts portal vein and artery. They stay shut until it is opened there again.
+// liver's hilum, it shuts the portal vein and the hepatic artery. They stay shut until it is opened
+// there again.
 #pragma once
 
 #include "tools/working_part.h"

@@ -1,5 +1,5 @@
-// Marks the ends at which vessels bleed, for an instrument that can stop them: a ring round each
-// end, which is larger the more the end bleeds.
+// Marks the ends at which vessels bleed, for an instrument that can stop the bleeding: a ring round
+// each end. The more the end bleeds, the larger is its ring.
 #pragma once
 
 #include <optional>

@@ -12,17 +12,17 @@ namespace resect {
 struct Guide {
   enum class Kind {
     Targets,  // touch places[next] within `radius`
-    Line,     // keep within `radius` of the line through `places`
+    Line,     // keep within `radius` of the polyline through `places`
     Plane,    // keep within `radius` of the plane through places[0]
-    Ball      // keep `margin` away from a structure: the ball of `radius` round places[0]
+    Ball      // keep `margin` away from a structure: a ball with `radius` round places[0]
   };
   Kind kind = Kind::Targets;
-  std::vector<Vec3> places;  // world, m
-  std::size_t next = 0;
+  std::vector<Vec3> places;     // world, m
+  std::size_t next = 0;         // index in `places` of the next target
   double radius = 0.006;        // m
   double margin = 0;            // m
   Vec3 normal = Vec3::UnitX();  // of the plane, unit
-  Aabb box;                     // within which a plane is drawn
+  Aabb box;                     // the part of a plane that is drawn covers this box; world, m
 };
 
 // The instrument in hand: its tip, and a point of its shaft, world, m.
@@ -34,10 +34,12 @@ struct GuidedTip {
 // structure's surface (negative: within it). None if there is nothing to keep to.
 std::optional<double> distanceFrom(const Guide& guide, const GuidedTip& tip);
 
-// How an instrument keeps to a guide. Targets: Well within the radius, otherwise Far. Line and
-// Plane: Well within the radius, Near within twice the radius, Wrong farther off, but Far beyond 30
-// mm. Ball: Wrong in the structure, Near within the margin, Well up to 10 mm outside it, Far
-// beyond.
+// How an instrument keeps to a guide, by its distance (distanceFrom()):
+// - Targets: Well up to the radius, otherwise Far.
+// - Line and Plane: Well up to the radius, Near up to twice the radius, Wrong up to 30 mm, Far
+//   beyond 30 mm.
+// - Ball: Wrong in the structure, Near up to the margin, Well up to 10 mm more than the margin, Far
+//   beyond that.
 enum class Keeping { Far, Well, Near, Wrong };
 Keeping keepingOf(const Guide& guide, double distance);
 

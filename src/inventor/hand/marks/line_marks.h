@@ -18,7 +18,7 @@ struct MarkLine {
   std::vector<Vec3> points;  // world, m
 };
 
-// The points of a closed circle perpendicular to `axis` (unit); m.
+// Points along a closed circle in the plane perpendicular to `axis` (unit); middle and radius in m.
 std::vector<Vec3> circle(const Vec3& middle, double radius, const Vec3& axis);
 
 class LineMarks {
@@ -47,7 +47,7 @@ class LineMarks {
   SoLineSet* lines_;
   double seen_;
   std::vector<MarkLine> shown_;
-  Aabb box_;  // of the lines as shown now
+  Aabb box_;  // bounds of the lines as shown now, world, m
 };
 
 }  // namespace resect

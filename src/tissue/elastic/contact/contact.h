@@ -7,10 +7,10 @@
 // between the outermost centres and the surface, and dents smaller than a cell
 // (docs/methods/tissue.md).
 //
-// Friction is computed cell by cell: a pressed cell loses its velocity tangential to and relative
-// to the obstacle, up to Coulomb's limit; the displacement that this velocity caused in the substep
-// is undone. The momentum that cells lose, divided by the frame's duration, is the force on the
-// obstacle.
+// Friction is computed cell by cell: a pressed cell loses the tangential part of its velocity
+// relative to the obstacle, up to Coulomb's limit; the displacement that this velocity caused in
+// the substep is undone. The momentum that cells lose, divided by the frame's duration, is the
+// force on the obstacle.
 //
 // As a last resort, the centre of a cell is moved out if it lies inside the table or the tool box,
 // or more than one spacing deep inside an instrument. Blades and hooks must be able to enter
@@ -38,8 +38,8 @@ class TissueContacts {
 
   // Call once per frame: lists the points and cells that can come near an obstacle in the frame.
   // duration: of the frame, s. origin: rest position of cell (0, 0, 0), m. gripper: for each cell
-  // of the box the tool that grips it, or -1; may be empty. A tool does not push the cells that it
-  // grips.
+  // of the box the number of the tool that grips it, or -1; may be empty. A tool does not push the
+  // cells that it grips.
   void list(const ElasticState& state, const ElasticKernel& kernel, const Vec3& origin,
             double duration, std::span<const Obstacle> obstacles,
             std::span<const std::int32_t> gripper);
@@ -73,7 +73,7 @@ class TissueContacts {
   // A cell that an obstacle may push.
   struct Cell {
     std::int32_t cell;
-    bool near;  // true: its centre may come near the obstacle; false: only points that follow it
+    bool near;  // true: its centre may come near the obstacle; false: only its points may
     Vec3 rest;  // rest position, m
   };
   // A point that an obstacle may press. Its position is `base` plus the mean displacement of the
@@ -98,7 +98,7 @@ class TissueContacts {
     std::vector<Point> points;
     std::vector<Share> shares;
     Pose back;   // from the world to the obstacle's coordinates at the end of the frame
-    Aabb box;    // where the obstacle can touch cells in the frame, in these coordinates
+    Aabb box;    // where the obstacle can touch cells; in its coordinates at the frame's end
     Aabb world;  // bounds of `box` in the world
     Vec3 up[2];  // outward normal of a half-space at the start and at the end of the frame
   };

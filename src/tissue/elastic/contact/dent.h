@@ -20,9 +20,9 @@ struct Dent {
 struct WayOut {
   double deepest;   // m; larger depths are reduced to this
   double farthest;  // m; if the way out is longer, the patch is edge-on and there is no contact
-  // Also no contact if the way out is longer than `deepest` and the cosine of the angle between the
-  // way and the obstacle's normal is below this. Example: the side of a block is edge-on to a plate
-  // that lies on the block.
+  // There is also no contact if the way out is longer than `deepest` and the cosine of the angle
+  // between the way and the obstacle's normal is below this. Example: the side of a block is
+  // edge-on to a plate that lies on the block.
   double leastSlope;
 };
 

@@ -1,8 +1,9 @@
 // The normal of the tissue's surface, as a mean over several cells.
 //
 // A tip that is narrower than a cell makes a dent that the lattice does not resolve: the computed
-// surface under the tip is as steep as that of a much wider dent, and turns further as the tip goes
-// deeper. The area-weighted mean over the surrounding cells depends on the dent's rim alone.
+// normals under the tip are inclined like those of a much wider dent, and incline further as the
+// tip goes deeper. The area-weighted mean normal over the surrounding cells depends on the dent's
+// rim alone.
 #pragma once
 
 #include <array>

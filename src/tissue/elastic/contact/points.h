@@ -34,8 +34,8 @@ class ContactPoints {
   // Appends the points of a cell. lips: whether to include points on the faces of cuts.
   void fine(const ElasticState& state, std::int32_t cell, bool lips,
             std::vector<ContactPoint>& points) const;
-  // The same with few points: one for each bared face, and one for all patches of setSurface().
-  // Faces of cuts have none.
+  // As fine(), but with fewer points: one for each bared face, and one for all patches of
+  // setSurface(). Faces of cuts have none.
   void coarse(const ElasticState& state, std::int32_t cell,
               std::vector<ContactPoint>& points) const;
   // Calls visit(const ContactPoint&) for the patches of setSurface() that belong to the cell.
@@ -43,7 +43,7 @@ class ContactPoints {
   void visitPatches(std::int32_t cell, Visit visit) const {
     for (const Owned& one : patchesOf(cell)) visit(one.point);
   }
-  std::size_t bytes() const {  // memory held
+  std::size_t bytes() const {  // of memory held
     return told_.capacity() * sizeof(Owned) + first_.capacity() * sizeof(std::int32_t);
   }
 

@@ -44,8 +44,8 @@ struct CutFront {
   }
 };
 
-// Work and energy of all edges in a frame. The cut took the work `given`, less `taken` and less the
-// growth of `held` since the frame before.
+// Work and energy of all edges in a frame. The work that the cut took is `given` minus `taken`,
+// minus the increase of `held` since the previous frame.
 struct CutWork {
   double area = 0;   // area that was cut, in rest space, m^2
   double given = 0;  // work of the instruments on the ties, J
@@ -91,9 +91,9 @@ class CutFronts {
     Vec3 point, tangent, outwards;  // in the edge's coordinates; m, unit, unit
     Vec3 start;                     // CutSample::place when the present sweep began, m
     bool swept = false;             // whether it has cut since `start` without a break
-    bool inside = false;            // whether edge that it stands for was last found in tissue
-    bool spent = false;  // whether it was untied in this frame; then it is not tied again in it
-    Mat3 toRest = Mat3::Identity();  // inverse of F at the tie
+    bool inside = false;            // whether its length of edge was last found in tissue
+    bool spent = false;  // untied in this frame: it is not tied again before the next frame
+    Mat3 toRest = Mat3::Identity();  // inverse of the deformation gradient at the tie
     PointCells cells;
     Vec3 cellsAt, askedAt, lengthAt;  // CutSample::place when `cells`, `ahead`, `length` were found
     bool ahead = false;               // whether an intact bond lies ahead (tissueAhead())
@@ -108,7 +108,7 @@ class CutFronts {
     double step = 0;  // length of edge that a sample stands for, m
     std::vector<Sample> samples;
   };
-  static constexpr double kStretchedSteps = 3;  // steps; samples farther apart are not joined
+  static constexpr double kStretchedSteps = 3;  // greatest distance of joined samples / Edge::step
   // A cell near an edge.
   struct Candidate {
     std::int32_t cell;

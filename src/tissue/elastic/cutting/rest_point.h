@@ -33,8 +33,9 @@ class RestTissue {
   void findCells(const Vec3& point, PointCells& cells) const;
   Vec3 displacement(const Vec3& point, const PointCells& cells) const;  // m
   Vec3 velocity(const PointCells& cells) const;                         // m/s
-  // Distance, m, of the point's present position, as the mean of all its cells gives it, from that
-  // which its nearest cell alone gives. Between the lips of an open cut this is half of the gap.
+  // The distance, m, between two estimates of the point's present position: from the mean of all
+  // its cells, and from its nearest cell alone. Between the lips of an open cut this is half of the
+  // gap.
   double apart(const Vec3& point, const PointCells& cells) const;
   // Whether the point lies in tissue: below the organ's surface, in a cell that was not removed.
   bool inside(const Vec3& point) const { return depth(point) > 0; }

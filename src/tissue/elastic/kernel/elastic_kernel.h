@@ -29,9 +29,9 @@ inline constexpr float kMostStiffening = 3;
 inline constexpr int kSubstepsPerRelaxation = 4;
 
 // Components of velocity up to this size, m/s, are set to zero. At the front of a wave that enters
-// tissue at rest, velocities become smaller and smaller until they are denormal numbers. These
-// would make a pass ten times slower. Some machines flush them to zero, in different ways; others
-// do not.
+// tissue at rest, velocities become smaller and smaller until they are denormal numbers, which
+// would make a pass ten times slower. Some machines replace denormal numbers by zero, in different
+// ways; others do not.
 inline constexpr float kAtRest = 1e-12f;
 
 // Poisson's ratio nu of the capsule, and 1 / (1 - nu^2).
@@ -48,8 +48,8 @@ struct SubstepConstants {
   float keep = 1;                        // drag multiplies velocities by this in a substep
   float gravity[3] = {};                 // m/s^2
   float mostSpeedSquared = 0;            // m^2/s^2; beyond it a cell counts as exploded
-  float cofactorLimit = kCofactorLimit;  // see above
-  float lessCofactorLimit = kCofactorLimit;  // the limit that goes with the next longer substep
+  float cofactorLimit = kCofactorLimit;  // see kCofactorLimit
+  float lessCofactorLimit = kCofactorLimit;  // limit for the next longer substep
   // relaxes: whether the stress pass advances the Maxwell branches, by relaxTime, s, and counts
   // stiff cells.
   bool relaxes = false;
