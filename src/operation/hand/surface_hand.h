@@ -21,11 +21,11 @@ namespace resect {
 struct HandStyle {
   // The direction to the handle is `upright` times the normal plus `forward` times the heading.
   double upright = 1, forward = 0;
-  double hover = 0.005;     // m: height of the tip over the surface while hovering
-  double depth = 0.01;      // m: depth of the tip below the surface when pressing begins
-  double mostDepth = 0.06;  // m: greatest depth; a blade that is deeper would cut a tunnel
-  double turnHovering = 0;  // m of motion in which the heading turns by 63 %; 0: it never turns
-  double turnPressing = 0;  // the same while pressing
+  double hover = 0.005;       // m: height of the tip over the surface while hovering
+  double depth = 0.01;        // m: depth of the tip below the surface when pressing begins
+  double mostDepth = 0.06;    // m: greatest depth; a blade that is deeper would cut a tunnel
+  double turnHovering = 0;    // m of motion in which the heading turns by 63 %; 0: it never turns
+  double turnPressing = 0;    // the same while pressing
   bool entersSlowly = false;  // depth grows only in proportion to the motion along the surface
   bool headsForWay = false;   // the first 6 mm of a stroke set the heading
   bool closesJaws = false;    // pressing closes the jaws
