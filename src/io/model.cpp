@@ -201,13 +201,35 @@ std::string partLines(const std::vector<std::string>& names) {
   return lines;
 }
 
+void leaveOut(std::string& lines, const std::string& out) {
+  std::vector<std::string> all = partNames(lines);
+  for (const std::string& name : partNames(out)) {
+    const std::string line = std::string(kWithout) + name;
+    if (std::ranges::count(all, line) == 0) all.push_back(line);
+  }
+  lines = partLines(all);
+}
+
 Model chosenParts(const Model& model, const std::string& lines) {
   if (lines.empty() || (model.parts.size() == 1 && model.parts[0].name == lines)) return model;
-  const std::vector<std::string> names = partNames(lines);
-  for (const std::string& name : names) partNamed(model, name);
+  std::vector<std::string> names, out;
+  for (const std::string& line : partNames(lines)) {
+    // A part may have a name that begins so.
+    const bool without =
+        line.starts_with(kWithout) &&
+        std::ranges::find(model.parts, line, &ModelPart::name) == model.parts.end();
+    (without ? out : names).push_back(without ? line.substr(kWithout.size()) : line);
+    partNamed(model, (without ? out : names).back());
+  }
   Model chosen{model.path, model.format, {}};
   for (const ModelPart& part : model.parts)
-    if (std::ranges::count(names, part.name) > 0) chosen.parts.push_back(part);
+    if ((names.empty() || std::ranges::count(names, part.name) > 0) &&
+        std::ranges::count(out, part.name) == 0)
+      chosen.parts.push_back(part);
+  if (chosen.parts.empty())
+    throw error(
+        "{}: no part is left for the organ's surface; give some of its parts no other role: {}",
+        model.path, partList(model));
   return chosen;
 }
 

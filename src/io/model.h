@@ -57,10 +57,15 @@ void addToPart(Model& model, ModelPart piece);
 // gives the names in such a text, partLines() the text for such names.
 std::vector<std::string> partNames(const std::string& lines);
 std::string partLines(const std::vector<std::string>& names);
+// A line that begins with kWithout names a part that is left out, whatever the other lines name.
+inline constexpr std::string_view kWithout = "without ";
+// Adds lines to `lines` that leave out the parts named by `out`, if they are not there yet.
+void leaveOut(std::string& lines, const std::string& out);
 
 // The model with only the parts that `lines` names (partNames()), in the order of the file. Returns
-// all parts if `lines` is empty, or if the model has only one part and `lines` is its name. If
-// there is no part with one of the names, throws an Error that lists the names of the parts.
+// all parts if `lines` is empty, or if the model has only one part and `lines` is its name; if all
+// lines leave parts out, returns the other parts. If there is no part with one of the names, or if
+// no part is left, throws an Error that lists the names of the parts.
 Model chosenParts(const Model& model, const std::string& lines);
 
 // The part with that name. If there is none, throws an Error that lists the names of the parts.

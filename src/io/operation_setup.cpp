@@ -152,8 +152,12 @@ TriangleMesh loadOrganMesh(const OrganSource& source, const ModelReader& readMod
   if (isBuiltIn(source)) {
     mesh = builtInMesh(source.file);
   } else {
-    const OrganMesh organ = prepareOrganMesh(readModel(source.file, source.part),
-                                             {source.part, source.repair, source.unit});
+    std::vector<std::string> structures;
+    for (const BroughtStructure& one : source.structures)
+      if (one.file == source.file) structures.push_back(one.part);
+    const OrganMesh organ =
+        prepareOrganMesh(readModel(source.file, source.part),
+                         {source.part, source.repair, source.unit, partLines(structures)});
     mesh = organ.mesh;
     if (notes) notes->insert(notes->end(), organ.notes.begin(), organ.notes.end());
   }
@@ -217,7 +221,7 @@ Discretization loadCells(const OrganSource& source, const ModelReader& readModel
   TriangleMesh sampled;
   Discretization cells = sourceCells(source, readModel, progress, notes, place, sampled);
   if (surface) *surface = std::move(sampled);
-  doubting(source, particleBox(cells), [&] { addLabels(cells, source, *place, readModel); });
+  doubting(source, particleBox(cells), [&] { addLabels(cells, source, *place, readModel, notes); });
   return cells;
 }
 

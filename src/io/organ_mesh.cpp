@@ -1,5 +1,6 @@
 #include "io/organ_mesh.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/error.h"
@@ -33,36 +34,45 @@ Error openSurface(const Model& model, const OrganMeshOptions& options, const Mes
 
 const char* plural(int count) { return count == 1 ? "" : "s"; }
 
-// The part that fills the box of the shell, as "part 'tumour'"; otherwise its place.
-std::string nameOf(const Shell& shell, const Model& model, double metresPerUnit) {
+// Name of the part that fills the box of the shell; "" if none does.
+std::string partOf(const Shell& shell, const Model& model, double metresPerUnit) {
   const double close = 1e-5 * shell.box.size().norm();
   for (const ModelPart& part : model.parts) {
     Aabb box = bounds(part.mesh);
     box.min *= metresPerUnit;
     box.max *= metresPerUnit;
-    if (model.parts.size() > 1 && !part.name.empty() && (box.min - shell.box.min).norm() < close &&
+    if (model.parts.size() > 1 && (box.min - shell.box.min).norm() < close &&
         (box.max - shell.box.max).norm() < close)
-      return fmt::format("part '{}'", shownText(part.name, kLongestName));
+      return part.name;
   }
-  return "the one round " + place(shell.box.centre());
+  return "";
 }
 
 // What the shells of an organ mean, which a person may have meant otherwise.
-void addShellNotes(const Model& model, double metresPerUnit, OrganMesh& organ) {
+void addShellNotes(const Model& model, const OrganMeshOptions& options, OrganMesh& organ) {
+  const std::vector<std::string> known = partNames(options.structures);
+  const auto nameOf = [&](const Shell& shell) {
+    const std::string part = partOf(shell, model, options.metresPerUnit);
+    return part.empty() ? "the one round " + place(shell.box.centre())
+                        : fmt::format("part '{}'", shownText(part, kLongestName));
+  };
   const auto tell = [&](ShellKind kind, const char* what, const char* meaning) {
     double all = 0;
     int count = 0;
     const Shell* largest = nullptr;
     for (const Shell& shell : organ.shells) {
-      if (shell.kind != kind) continue;
+      if (shell.kind != kind ||
+          (!known.empty() &&
+           std::ranges::count(known, partOf(shell, model, options.metresPerUnit)) > 0))
+        continue;
       ++count, all += shell.volume;
       if (!largest || shell.volume > largest->volume) largest = &shell;
     }
     if (count == 0) return;
     organ.notes.push_back(fmt::format("{} inner shell{} of {:.4g} ml{} {} ({}{}){}", count,
                                       plural(count), all * 1e6, count > 1 ? " in all" : "", what,
-                                      count > 1 ? "the largest is " : "",
-                                      nameOf(*largest, model, metresPerUnit), meaning));
+                                      count > 1 ? "the largest is " : "", nameOf(*largest),
+                                      meaning));
   };
   tell(ShellKind::Cavity, "facing inwards: a cavity without tissue", "");
   tell(ShellKind::Within, "facing outwards",
@@ -167,7 +177,7 @@ OrganMesh prepareOrganMesh(const Model& all, const OrganMeshOptions& options) {
   organ.volume = organ.shells.empty() ? volumeAbout(organ.mesh, organ.health.bounds.centre())
                                       : tissueVolume(organ.shells);
   addNotes(options, organ);
-  addShellNotes(model, options.metresPerUnit, organ);
+  addShellNotes(model, options, organ);
   return organ;
 }
 

@@ -15,6 +15,9 @@ struct OrganMeshOptions {
   std::string part;          // names of the parts to join, one per line; empty: all parts
   bool repair = false;       // true: holes are closed; false: an open surface is an error
   double metresPerUnit = 1;  // > 0; metres per unit of the model's coordinates
+  // Names of the parts, one per line, that are known to be structures within the organ's tissue:
+  // there is no doubt about their shells, so no note either.
+  std::string structures = {};
 };
 
 struct OrganMesh {

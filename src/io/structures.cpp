@@ -169,7 +169,8 @@ TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const Model
 }
 
 void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,
-               const ModelReader& readModel) {
+               const ModelReader& readModel, std::vector<std::string>* notes) {
+  constexpr std::int64_t kFew = 30;  // about three cells across
   cells.landmarks.insert(cells.landmarks.end(), source.landmarks.begin(), source.landmarks.end());
   RegionPlacer placer(cells);
   for (const OrganLabel& one : source.labels) {
@@ -182,11 +183,17 @@ void addLabels(Discretization& cells, const OrganSource& source, const std::opti
   for (const BroughtStructure& one : source.structures) {
     if (one.label == 0) continue;
     const TriangleMesh surface = placedSurface(one, place, readModel);
+    const std::int64_t marked = markInside(cells, one.label, surface);
     requireMarked(
-        markInside(cells, one.label, surface), cells,
+        marked, cells,
         fmt::format("{}: the {} fills {} and", one.file, one.name, boxText(bounds(surface))),
         "check its unit, and whether it was made in the organ's coordinates");
     cells.nameLabel(one.label, one.name);
+    if (notes && marked < kFew)
+      notes->push_back(fmt::format(
+          "{}: the {} has only {} particle{}, which hardly show{} its shape; use smaller cells "
+          "(--spacing)",
+          one.file, one.name, marked, marked == 1 ? "" : "s", marked == 1 ? "s" : ""));
   }
   if (!source.labels.empty() || !source.structures.empty()) labelSkin(cells);
 }

@@ -20,10 +20,11 @@ TriangleMesh hollowed(TriangleMesh organ, const OrganSource& source, const Model
                       std::vector<std::string>* notes);
 
 // Adds the source's landmarks, labels and structures to the cells. place: pose of the organ's file
-// in the world; empty for a file of particles. Throws Error if a label or structure marks no
-// particle, or if a structure has a file and `place` is empty.
+// in the world; empty for a file of particles. `notes` gets a sentence for each structure that
+// marks so few particles that they hardly show its shape. Throws Error if a label or structure
+// marks no particle, or if a structure has a file and `place` is empty.
 void addLabels(Discretization& cells, const OrganSource& source, const std::optional<Pose>& place,
-               const ModelReader& readModel);
+               const ModelReader& readModel, std::vector<std::string>* notes);
 
 // The organ's vessels, in the world. They come from the source's file of vessels, from its file of
 // cells or from the built-in organ. Vessels that the source gives as model files

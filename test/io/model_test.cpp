@@ -116,3 +116,23 @@ TEST_CASE("a piece with normals joins a part without, and the first piece's fini
   addToPart(model, "a", boxMesh({{4, 0, 0}, {5, 1, 1}}));
   CHECK(model.parts[0].normals.size() == model.parts[0].mesh.points.size());
 }
+
+TEST_CASE("parts are left out of a model, whatever else is chosen of it") {
+  Model model{"m.glb", "glTF", {}};
+  for (const char* name : {"wall", "lumen", "within it", "without lumen"})
+    model.parts.push_back({name, sphereMesh(Vec3::Zero(), 1, 8)});
+  const auto names = [&](const std::string& lines) {
+    std::string all;
+    for (const ModelPart& part : chosenParts(model, lines).parts) all += part.name + ";";
+    return all;
+  };
+  std::string lines;
+  leaveOut(lines, "wall");
+  leaveOut(lines, "wall");
+  CHECK(lines == "without wall");
+  CHECK(names(lines) == "lumen;within it;without lumen;");
+  CHECK(names("lumen\nwall\nwithout wall") == "lumen;");
+  CHECK(names("without lumen") == "without lumen;");  // which is the name of a part
+  CHECK(test::refuses([&] { names("without bone"); }, "has no part 'bone'"));
+  CHECK(test::refuses([&] { names("wall\nwithout wall"); }, "no part is left"));
+}

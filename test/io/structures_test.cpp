@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <numbers>
 
@@ -186,4 +187,34 @@ TEST_CASE("no tissue lies in a cavity, also where it reaches out of the organ") 
   CHECK(whole - tissue(load(cavity("lumen.stl") + cavity("lumen.stl"))) ==
         doctest::Approx(ball).epsilon(0.02));
   CHECK(test::refuses([&] { load(cavity("elsewhere.stl")); }, "where the organ has no tissue"));
+}
+
+TEST_CASE("a cavity that is a part of the organ's own file is no part of the organ's body") {
+  const auto readParts = [](const std::filesystem::path& path, const std::string&) {
+    return Model{path.string(),
+                 "glTF",
+                 {{"wall", boxMesh(kBox)},
+                  {"lumen", sphereMesh(kBox.centre(), 0.03, 64)},
+                  {"tumour", sphereMesh(kTumour, 0.012, 32)}}};
+  };
+  const std::string cavity =
+      "[[organ.structure]]\nkind = \"cavity\"\nfile = \"organ.stl\"\npart = \"lumen\"\n";
+  Scenario scenario = parseScenario(kStart + cavity, "test.toml");
+  OrganSource& source = scenario.organs[0].source;
+  CHECK(source.part == "without lumen");
+  const double ball = 4 * std::numbers::pi / 3 * std::pow(0.03, 3);
+  const double box = kBox.size().prod();
+  CHECK(volume(loadOrganMesh(source, readParts)) ==
+        doctest::Approx(box - ball + volume(sphereMesh(kTumour, 0.012, 32))).epsilon(1e-3));
+  std::vector<std::string> notes;
+  loadOrganMesh(source, readParts, &notes);
+  CHECK(test::tells(fmt::format("{}", fmt::join(notes, "\n")), "facing outwards (part 'tumour')"));
+  const std::string tumour =
+      "[[organ.structure]]\nkind = \"tumour\"\nfile = \"organ.stl\"\npart = \"tumour\"\n";
+  notes.clear();
+  loadOrganMesh(parseScenario(kStart + cavity + tumour, "test.toml").organs[0].source, readParts,
+                &notes);
+  CHECK_FALSE(test::tells(fmt::format("{}", fmt::join(notes, "\n")), "facing outwards"));
+  source.part = "wall\nwithout lumen";
+  CHECK(volume(loadOrganMesh(source, readParts)) == doctest::Approx(box - ball).epsilon(1e-3));
 }

@@ -12,6 +12,7 @@
 #include "formats/labels/label_file.h"
 #include "formats/labels/label_model.h"
 #include "formats/meshes/word_reader.h"
+#include "io/model.h"
 #include "io/scenario/orientation.h"
 
 namespace resect {
@@ -274,6 +275,7 @@ void addStructure(OrganSource& source, StructureKind kind, const std::string& na
             part);
     source.part += "\n" + (vessel ? std::string(kWithin) + part : part);
   }
+  if (kind == StructureKind::Cavity && file.empty()) leaveOut(source.part, part);
   source.structures.push_back(
       {kind, labelled ? label + 1 : 0, name, file.empty() ? source.file : file, part, source.unit});
 }

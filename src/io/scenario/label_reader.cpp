@@ -46,6 +46,7 @@ void addStructure(const TomlTable& t, StructureKind kind, OrganSource& organ) {
     BroughtStructure one{kind, label, name, t.text("file"), "", organ.unit};
     one.part = partLines(t.isList("part") ? t.texts("part") : partNames(t.text("part", "")));
     if (t.has("unit")) one.unit = parseUnit(t.text("unit"), "unit");
+    if (kind == StructureKind::Cavity && one.file == organ.file) leaveOut(organ.part, one.part);
     organ.structures.push_back(std::move(one));
   } else {
     organ.labels.push_back({label, name, readRegion(t)});
