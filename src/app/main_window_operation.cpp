@@ -196,7 +196,9 @@ bool MainWindow::begin(OrganLoader::Result result) {
   for (const ToolModel& tool : session_->toolModels()) tools.push_back(shown(tool.name));
   timeline_->begin(tools, session_->scenario().frameRate);
   force_->begin(tools);
-  operation_->begin(session_->scenario(), tools);
+  QString notes;
+  for (const std::string& note : result.notes) notes += shown(note, kLongestSentence) + "\n";
+  operation_->begin(session_->scenario(), notes.trimmed(), tools);
   beginExercise();
   const bool thesis = session_->scenario().mode == OperationMode::Thesis;
   thesis_->setChecked(thesis);
@@ -205,8 +207,6 @@ bool MainWindow::begin(OrganLoader::Result result) {
   laboratory_->setChecked(laboratoryChosen_.value_or(thesis));
   QTimer::singleShot(0, this, [this] { arrangePanels(); });
   const ScenarioOrgan& organ = session_->scenario().organs[0];
-  QString notes;
-  for (const std::string& note : result.notes) notes += shown(note, kLongestSentence) + "\n";
   organ_->setOrgans(session_->scenario().organs, session_->cells().lattice.spacing.x(),
                     notes.trimmed());
   organ_->setIso(session_->iso().value());

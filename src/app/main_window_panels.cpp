@@ -225,7 +225,7 @@ void MainWindow::showLaboratory(bool shown) {
 
 // Heights for what the panels show; the last one gets what is left. Called once they are laid out.
 void MainWindow::arrangePanels() {
-  const int told = session_ && !session_->scenario().description.empty() ? 8 : 0;
+  const int told = operation_->explains() ? 8 : 0;
   const int operation = 13 + told, organ = 19;  // lines, with all rows that may appear
   const int line = fontMetrics().height();
   QList<QDockWidget*> panels = traineePanels_;

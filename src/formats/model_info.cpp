@@ -1,5 +1,6 @@
 #include "formats/model_info.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -68,6 +69,8 @@ ModelInfo modelInfo(const Model& whole, const OrganMeshOptions& options) {
   try {
     OrganMesh organ = prepareOrganMesh(whole, options);
     info.organVolume = organ.volume;
+    info.cavities = int(std::ranges::count(organ.shells, ShellKind::Cavity, &Shell::kind));
+    info.shellsWithin = int(std::ranges::count(organ.shells, ShellKind::Within, &Shell::kind));
     info.notes = std::move(organ.notes);
   } catch (const Error& e) {
     info.refusal = e.what();
@@ -104,6 +107,8 @@ nlohmann::ordered_json toJson(const ModelInfo& info) {
           {"non_manifold_edges", info.nonManifoldEdges},
           {"unit_hint", info.unitHint.empty() ? Json() : Json(info.unitHint)},
           {"organ_ml", info.organVolume ? Json(*info.organVolume * 1e6) : Json()},
+          {"cavities", info.cavities},
+          {"shells_within", info.shellsWithin},
           {"notes", info.notes},
           {"refusal", info.refusal.empty() ? Json() : Json(info.refusal)}};
 }

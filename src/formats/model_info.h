@@ -37,9 +37,11 @@ struct ModelInfo {
   bool closed = false, oriented = false, insideOut = false;
   int boundaryEdges = 0, nonManifoldEdges = 0;
   std::string unitHint;  // unit in which the model would have an organ's size; empty: metres
-  // Result of prepareOrganMesh() for the model: the volume of the organ's tissue, m^3, and the
-  // notes about it; or the error message with which it refuses the model.
+  // Result of prepareOrganMesh() for the model: the volume of the organ's tissue, m^3, how many of
+  // its shells bound a cavity and how many lie within tissue (ShellKind), and the notes about it;
+  // or the error message with which it refuses the model.
   std::optional<double> organVolume;
+  int cavities = 0, shellsWithin = 0;
   std::vector<std::string> notes;
   std::string refusal;
 };

@@ -56,7 +56,7 @@ struct OtherKind {
   std::string_view start;  // its first bytes, or nothing
   std::size_t at;          // where these are
   const char* what;
-  const char* todo;
+  const char* advice;
 };
 constexpr std::array<OtherKind, 14> kOthers{{
     {".vtp", "", 0, "a surface in VTK's XML form", kBySlicer},
@@ -126,7 +126,7 @@ ModelKind modelKind(const fs::path& path, std::string_view bytes) {
   };
   const auto other = std::ranges::find_if(kOthers, isThis);
   if (other != kOthers.end())
-    throw error("{}: is {}, which is not read; {}", path.string(), other->what, other->todo);
+    throw error("{}: is {}, which is not read; {}", path.string(), other->what, other->advice);
   if (ours != kEndings.end()) return ours->kind;
   throw error(
       "{}: is of no kind that can be read; use .iv, .wrl, .obj, .stl, .ply, .off, .glb, .gltf, "

@@ -49,8 +49,10 @@ void replaceOrgans(Scenario& scenario, const OrganSource& source) {
   ScenarioOrgan& organ = scenario.organs[0];
   const OrganSource before = organ.source;
   if (source.file != before.file) {  // what was said of the other organ, and where it was looked at
+    scenario.title = std::filesystem::path(source.file).stem().string();
     scenario.description.clear();
     scenario.closeUp.reset();
+    scenario.setting = "table";  // the field was made for a liver
   }
   organ.source = source;
   organ.source.name = before.name;

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "app/say.h"
 #include "app/widgets/parts_table.h"
@@ -37,8 +38,8 @@
 namespace resect {
 namespace {
 
-// Text about the health of a surface.
-QString reportOf(const QJsonObject& info) {
+// Text about the health of a surface. roles: whether the user can give its parts roles.
+QString reportOf(const QJsonObject& info, bool roles) {
   const auto count = [&](const char* field, const char* one, const char* many) {
     const int n = info[field].toInt();
     return QString("%L1 %2").arg(n).arg(n == 1 ? one : many);
@@ -51,13 +52,27 @@ QString reportOf(const QJsonObject& info) {
   if (info["inside_out"].toBool()) text += ", inside out (will be turned)";
   if (info["non_manifold_edges"].toInt() > 0)
     text += ", " + count("non_manifold_edges", "edge", "edges") + " of more than two triangles";
+  if (info["cavities"].toInt() > 0)
+    text += "\n" + count("cavities", "inner shell faces", "inner shells face") +
+            " inwards: a cavity without tissue";
+  if (info["shells_within"].toInt() > 0)
+    text += "\n" + count("shells_within", "inner shell faces", "inner shells face") +
+            " outwards, so that what it encloses is tissue; " +
+            (roles ? "if it is a cavity or a tumour, say so in the table"
+                   : "if it is a cavity, turn its faces inwards in the program that made it");
   return text;
 }
 
 // What keeps a part from having a volume; "" if nothing does.
 std::string openText(int boundaryEdges) {
   if (boundaryEdges == 0) return "";
-  return fmt::format("open, {} edge{}", boundaryEdges, boundaryEdges == 1 ? "" : "s");
+  return fmt::format("open, {} boundary edge{}", boundaryEdges, boundaryEdges == 1 ? "" : "s");
+}
+
+// Two figures of a count, the others 0.
+qint64 twoFigures(double count) {
+  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 1));
+  return qint64(unit * std::round(count / unit));
 }
 
 // What was taken from a label image: the notes about it.
@@ -133,8 +148,16 @@ OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& bef
   spacing_->setSuffix(" mm");
   spacing_->setValue(before.spacing.value_or(0.005) * 1e3);
   spacing_->setToolTip("Side of the cells: smaller shows and cuts finer, and costs more");
-  connect(spacing_, &QDoubleSpinBox::valueChanged, this, [this] { spacingChosen_ = true; });
-  form->addRow("Spacing", spacing_);
+  connect(spacing_, &QDoubleSpinBox::valueChanged, this, [this] {
+    spacingChosen_ = true;
+    tellParticles();
+  });
+  particles_ = new QLabel;
+  particles_->setToolTip("Particles that the organ will have; more of them cost more time");
+  auto* cells = new QHBoxLayout;
+  cells->addWidget(spacing_, 1);
+  cells->addWidget(particles_, 1);
+  form->addRow("Spacing", cells);
   axes_ = new QComboBox;
   axes_->addItem("x left, y front, z feet: as the room", "");
   axes_->addItem("x left, y back, z head: LPS, as DICOM", "LPS");
@@ -248,22 +271,45 @@ void OpenOrganDialog::unitChanged() {
                      .arg(longest_ * metres * 1e3, 0, 'g', 4)
                      .arg(area_ * metres * metres * 1e4, 0, 'g', 4);
   if (volume_ > 0) size += QString(", %1 ml").arg(volume_ * std::pow(metres, 3) * 1e6, 0, 'g', 5);
+  const double cavities = cavityVolume();
+  if (volume_ > 0 && cavities > 0) size += " with its cavities";
   size_->setText(size);
-  if (!spacingChosen_ && volume_ > 0) proposeSpacing(volume_ * std::pow(metres, 3));
+  // An open surface will enclose about what an ellipsoid in its box does.
+  const double about = (volume_ > 0 ? volume_ : std::numbers::pi / 6 * boxVolume_) - cavities;
+  if (!spacingChosen_ && about > 0)
+    proposeSpacing(about * std::pow(metres, 3), cavities > 0 ? metres * about / area_ : 0);
   // An open part has none.
   for (std::size_t i = 0; roles_->filled() && i < partVolumes_.size(); ++i)
     if (partVolumes_[i] > 0)
       roles_->setAbout(int(i),
                        QString("%1 ml").arg(partVolumes_[i] * std::pow(metres, 3), 0, 'g', 4));
+  tellParticles();
+}
+
+void OpenOrganDialog::tellParticles() {
+  const double cells = (volume_ - cavityVolume()) *
+                       std::pow(unit_->currentData().toDouble() / (1e-3 * spacing_->value()), 3);
+  particles_->setText(cells > 0 ? QString("about %L1 particles").arg(twoFigures(cells)) : "");
+}
+
+// The volume of the parts that are cavities, in units cubed.
+double OpenOrganDialog::cavityVolume() const {
+  double volume = 0;
+  for (std::size_t i = 0; hasRoles() && i < partVolumes_.size(); ++i)
+    if (roles_->isCavity(int(i))) volume += 1e-6 * partVolumes_[i];
+  return volume;
 }
 
 // That of the scenario, or less for a small organ, which would have too few particles to show its
-// shape. volume: m^3.
-void OpenOrganDialog::proposeSpacing(double volume) {
-  constexpr double kParticles = 2000;
-  const double small = 1e-4 * std::floor(1e4 * std::cbrt(volume / kParticles));
+// shape, or for a hollow one, whose wall has to be two cells thick. volume: of tissue, m^3. wall:
+// mean thickness of a hollow organ's wall, m; 0: it is not hollow.
+void OpenOrganDialog::proposeSpacing(double volume, double wall) {
+  constexpr double kFewest = 2000, kMost = 30000;  // particles
+  const double large = std::cbrt(volume / kFewest), small = std::cbrt(volume / kMost);
+  double spacing = std::min(before_.spacing.value_or(0.005), large);
+  if (wall > 0) spacing = std::min(spacing, std::max(wall / 2, small));
   const QSignalBlocker quiet(spacing_);
-  spacing_->setValue(1e3 * std::min(before_.spacing.value_or(0.005), small));
+  spacing_->setValue(0.1 * std::floor(1e4 * spacing));
 }
 
 // False if the result changes the choice of part, so that another examination follows.
@@ -285,21 +331,26 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
                     : shown(info["refusal"].toString().toStdString(), kLongestSentence));
     return true;
   }
-  tell(isImage_ ? aboutImage(info) : reportOf(info));
+  tell(isImage_ ? aboutImage(info) : reportOf(info, hasRoles()));
   repair_->setChecked(!info["closed"].toBool());
   const QJsonArray bounds = info["bounds_m"].toArray();
   area_ = info["area_m2"].toDouble();
-  volume_ = info["closed"].toBool() ? std::abs(info["volume_ml"].toDouble()) * 1e-6 : 0;
-  longest_ = 0;
-  for (int a = 0; a < 3; ++a)
-    longest_ =
-        std::max(longest_, bounds[1].toArray()[a].toDouble() - bounds[0].toArray()[a].toDouble());
-  if (!isImage_ && part_->count() == 1 && listParts(info["parts"].toArray())) {
-    form_->setRowVisible(roles_, hasRoles());
-    return false;
+  volume_ = info["organ_ml"].toDouble() * 1e-6;  // 0 if it is refused
+  longest_ = 0, boxVolume_ = 1;
+  for (int a = 0; a < 3; ++a) {
+    const double side = bounds[1].toArray()[a].toDouble() - bounds[0].toArray()[a].toDouble();
+    longest_ = std::max(longest_, side);
+    boxVolume_ *= side;
   }
-  // In a scene that was saved from here the organ is in metres.
-  if (isImage_ || part_->currentData().toString() == kOrganNode)
+  if (!isImage_ && part_->count() == 1) {
+    listParts(info["parts"].toArray());
+    form_->setRowVisible(roles_, hasRoles());
+    if (!chosenPart().empty()) return false;
+  }
+  // In a scene that was saved from here the organ is in metres, and a .3mf tells its unit.
+  const bool toldByFile = info["format"].toString() == "3MF";
+  if (toldByFile) unit_->setEnabled(false);
+  if (isImage_ || toldByFile || part_->currentData().toString() == kOrganNode)
     unit_->setCurrentIndex(0);
   else if (!unitChosen_)
     unit_->setCurrentIndex(likelyUnit());
@@ -342,6 +393,7 @@ void OpenOrganDialog::listRoles(const QJsonObject& info) {
   }
   if (parts.size() < 2) return;
   roles_->fill(parts, isImage_);
+  part_->setItemText(0, "by their roles");
   form_->setRowVisible(roles_, hasRoles());
 }
 
@@ -364,15 +416,14 @@ int OpenOrganDialog::likelyUnit() const {
   return std::max(at, 0);
 }
 
-// True if one was chosen automatically: in a saved scene the organ is known by its name.
-bool OpenOrganDialog::listParts(const QJsonArray& parts) {
-  if (parts.size() < 2) return false;
+// Chooses the organ of a saved scene, which is known by its name.
+void OpenOrganDialog::listParts(const QJsonArray& parts) {
+  if (parts.size() < 2) return;
   for (const QJsonValue part : parts) {
     const QString name = part.isString() ? part.toString() : part["name"].toString();
     part_->addItem(shown(name.toStdString()), name);
     if (name == kOrganNode) part_->setCurrentIndex(part_->count() - 1);
   }
-  return part_->currentIndex() > 0;
 }
 
 QPoint OpenOrganDialog::openButton() const { return open_->mapToGlobal(open_->rect().center()); }

@@ -51,10 +51,12 @@ class OpenOrganDialog : public QDialog {
   bool show(const std::string& json, const std::string& problem);
   void tell(const QString& text);
   void unitChanged();
-  void proposeSpacing(double volume);
+  void proposeSpacing(double volume, double wall);
+  double cavityVolume() const;
+  void tellParticles();
   void examine();
   int likelyUnit() const;
-  bool listParts(const QJsonArray& parts);
+  void listParts(const QJsonArray& parts);
   void listRoles(const QJsonObject& info);
   bool hasRoles() const;           // whether source() uses the table of roles
   std::string chosenPart() const;  // as OrganSource::part
@@ -79,9 +81,11 @@ class OpenOrganDialog : public QDialog {
   PartsTable* roles_;
   QCheckBox* repair_;
   QDoubleSpinBox* spacing_;
+  QLabel* particles_;
   QPushButton* open_;
   double longest_ = 0;               // longest side of the bounding box, in units of the file
-  double area_ = 0, volume_ = 0;     // in units squared and units cubed; volume 0: open surface
+  double boxVolume_ = 0;             // of the bounding box, in units cubed
+  double area_ = 0, volume_ = 0;     // in units squared and units cubed; volume 0: it encloses none
   std::vector<double> partVolumes_;  // of a model's parts, ml if one unit is 1 m; 0: open
   bool unitChosen_ = false;          // the user has chosen a unit
   bool spacingChosen_ = false;       // the user has chosen a spacing

@@ -71,13 +71,15 @@ void OperationPanel::set(const Row& row, const QString& value) {
     form_->setRowVisible(row.value, !value.isEmpty());
 }
 
-void OperationPanel::begin(const Scenario& scenario, const std::vector<QString>& tools) {
+void OperationPanel::begin(const Scenario& scenario, const QString& notes,
+                           const std::vector<QString>& tools) {
   tools_ = tools;
   frameRate_ = scenario.frameRate;
   title_->setText(shown(scenario.title, kLongestSentence));
   title_->setVisible(!scenario.title.empty());
-  task_->setText(shown(scenario.description, kLongestSentence));
-  task_->setVisible(!scenario.description.empty());
+  task_->setText(scenario.description.empty() ? notes
+                                              : shown(scenario.description, kLongestSentence));
+  task_->setVisible(!task_->text().isEmpty());
 }
 
 void OperationPanel::follow(const LiveState& state, int held) {

@@ -2,6 +2,7 @@
 // the force on the instrument in hand.
 #pragma once
 
+#include <QLabel>
 #include <QWidget>
 #include <vector>
 
@@ -9,15 +10,16 @@
 #include "operation/scenario.h"
 
 class QFormLayout;
-class QLabel;
 
 namespace resect {
 
 class OperationPanel : public QWidget {
  public:
   explicit OperationPanel(QWidget* parent = nullptr);
-  // For a new operation. tools: names of its instruments.
-  void begin(const Scenario& scenario, const std::vector<QString>& tools);
+  // For a new operation. notes: of its loading, shown if the scenario has no description; may be
+  // empty. tools: names of its instruments.
+  void begin(const Scenario& scenario, const QString& notes, const std::vector<QString>& tools);
+  bool explains() const { return !task_->text().isEmpty(); }  // shows a description or notes
   // held: number of the tool whose force is shown; -1: none.
   void follow(const LiveState& state, int held);
 

@@ -79,6 +79,8 @@ bool PartsTable::hasOrgan() const {
   return false;
 }
 
+bool PartsTable::isCavity(int row) const { return roleOf(row) == 1 + int(StructureKind::Cavity); }
+
 QPoint PartsTable::rolePlace(int row) const {
   const QWidget* role = cellWidget(row, 2);
   return role->mapToGlobal(role->rect().center());

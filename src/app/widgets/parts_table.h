@@ -15,7 +15,7 @@ namespace resect {
 struct FilePart {
   std::string part;   // as OrganSource::part names it
   std::string name;   // for people
-  std::string about;  // its volume, or why it has none: "1378 ml", "open, 12 edges"
+  std::string about;  // its volume, or why it has none: "1378 ml", "open, 12 boundary edges"
 };
 
 class PartsTable : public QTableWidget {
@@ -31,6 +31,7 @@ class PartsTable : public QTableWidget {
   bool filled() const { return !parts_.empty(); }
 
   bool hasOrgan() const;  // whether any part has the role of the organ
+  bool isCavity(int row) const;
   // Sets source.part and source.structures by the roles. The file of `source` has these parts.
   void applyTo(OrganSource& source) const;
 

@@ -31,7 +31,9 @@ SoDirectionalLight* lightFrom(float x, float y, float z, float intensity) {
 
 SurfaceView::SurfaceView(QWidget* parent) : QWidget(parent) {
   setFixedSize(kSide, kSide);
-  setToolTip("What is opened; drag to turn it");
+  setToolTip(
+      "What is opened; drag to turn it. L, R: the patient's left and right; A, P: front and back; "
+      "H, F: head and feet");
   setCursor(Qt::OpenHandCursor);
   timer_.setSingleShot(true);
   timer_.setInterval(kPause);
@@ -54,6 +56,7 @@ void SurfaceView::setSurface(const TriangleMesh& mesh) {
   root_->addChild(camera);
   root_->addChild(lightFrom(-0.4f, 0.7f, 0.6f, 0.8f));
   root_->addChild(lightFrom(0.8f, 0.1f, 0.5f, 0.35f));
+  root_->addChild(lightFrom(0, -0.8f, 0.6f, 0.3f));
   auto* material = new SoMaterial;
   material->diffuseColor.setValue(0.72f, 0.36f, 0.30f);
   material->specularColor.setValue(0.15f, 0.15f, 0.15f);
@@ -90,7 +93,24 @@ void SurfaceView::draw() {
 }
 
 void SurfaceView::paintEvent(QPaintEvent*) {
-  if (!picture_.isNull()) QPainter(this).drawImage(rect(), picture_);
+  if (picture_.isNull()) return;
+  QPainter painter(this);
+  painter.drawImage(rect(), picture_);
+  // Where the patient's directions point, as radiologists mark them; those away from the viewer are
+  // darker.
+  const std::pair<const char*, SbVec3f> directions[] = {{"L", {1, 0, 0}}, {"R", {-1, 0, 0}},
+                                                        {"A", {0, 1, 0}}, {"P", {0, -1, 0}},
+                                                        {"F", {0, 0, 1}}, {"H", {0, 0, -1}}};
+  for (const auto& [letter, direction] : directions) {
+    SbVec3f turned;
+    about_->rotation.getValue().multVec(direction, turned);
+    tilt_->rotation.getValue().multVec(turned, turned);
+    const double radius = 0.45 * kSide;
+    const QPointF at(0.5 * kSide + radius * turned[0], 0.5 * kSide - radius * turned[1]);
+    const int bright = turned[2] > -0.1f ? 220 : 110;
+    painter.setPen(QColor(bright, bright, bright));
+    painter.drawText(QRectF(at - QPointF(8, 8), QSizeF(16, 16)), Qt::AlignCenter, letter);
+  }
 }
 
 void SurfaceView::mousePressEvent(QMouseEvent* event) {

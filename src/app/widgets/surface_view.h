@@ -23,8 +23,8 @@ class SurfaceView : public QWidget {
   explicit SurfaceView(QWidget* parent = nullptr);
   ~SurfaceView() override;
 
-  // mesh: +Y is up in the picture, +Z towards the viewer. Coordinates in any unit. Throws Error if
-  // OpenGL is missing.
+  // mesh: in the room's axes (+X the patient's left, +Y the front, up in the picture, +Z the feet,
+  // towards the viewer at first). Coordinates in any unit. Throws Error if OpenGL is missing.
   void setSurface(const TriangleMesh& mesh);
   int pictures() const { return pictures_; }  // number of pictures drawn so far
 

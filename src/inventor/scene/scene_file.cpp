@@ -33,7 +33,7 @@ SoSeparator* placed(const Pose& pose, SoNode* model) {
   return separator;
 }
 
-// Materials for cut shares in a few steps from the capsule's colour to the parenchyma's.
+// Materials for cut shares in five steps from the capsule's colour to the parenchyma's.
 SoSeparator* organNode(const SurfaceTracker::Compact& organ) {
   constexpr int kShades = 5;
   auto* separator = new SoSeparator;
