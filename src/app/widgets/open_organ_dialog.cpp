@@ -24,6 +24,7 @@
 #include <filesystem>
 #include <numbers>
 
+#include "app/loading/organ_report.h"
 #include "app/say.h"
 #include "app/widgets/parts_table.h"
 #include "app/widgets/surface_view.h"
@@ -36,55 +37,6 @@
 #include "io/scenario/orientation.h"
 
 namespace resect {
-namespace {
-
-// Text about the health of a surface. roles: whether the user can give its parts roles.
-QString reportOf(const QJsonObject& info, bool roles) {
-  const auto count = [&](const char* field, const char* one, const char* many) {
-    const int n = info[field].toInt();
-    return QString("%L1 %2").arg(n).arg(n == 1 ? one : many);
-  };
-  const bool closed = info["closed"].toBool();
-  QString text = count("triangles", "triangle", "triangles") + ", " +
-                 count("components", "component", "components") + ", ";
-  text += closed ? "closed" : "open: " + count("boundary_edges", "boundary edge", "boundary edges");
-  if (!info["oriented"].toBool()) text += ", not wound one way";
-  if (info["inside_out"].toBool()) text += ", inside out (will be turned)";
-  if (info["non_manifold_edges"].toInt() > 0)
-    text += ", " + count("non_manifold_edges", "edge", "edges") + " of more than two triangles";
-  if (info["cavities"].toInt() > 0)
-    text += "\n" + count("cavities", "inner shell faces", "inner shells face") +
-            " inwards: a cavity without tissue";
-  if (info["shells_within"].toInt() > 0)
-    text += "\n" + count("shells_within", "inner shell faces", "inner shells face") +
-            " outwards, so that what it encloses is tissue; " +
-            (roles ? "if it is a cavity or a tumour, say so in the table"
-                   : "if it is a cavity, turn its faces inwards in the program that made it");
-  return text;
-}
-
-// What keeps a part from having a volume; "" if nothing does.
-std::string openText(int boundaryEdges) {
-  if (boundaryEdges == 0) return "";
-  return fmt::format("open, {} boundary edge{}", boundaryEdges, boundaryEdges == 1 ? "" : "s");
-}
-
-// Two figures of a count, the others 0.
-qint64 twoFigures(double count) {
-  const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(std::max(count, 1.0))) - 1));
-  return qint64(unit * std::round(count / unit));
-}
-
-// What was taken from a label image: the notes about it.
-QString aboutImage(const QJsonObject& info) {
-  QString text = info["format"].toString();
-  for (const QJsonValue note : info["notes"].toArray())
-    text += "\n" + shown(note.toString().toStdString(), kLongestSentence);
-  return text;
-}
-
-}  // namespace
-
 OpenOrganDialog::OpenOrganDialog(const std::string& file, const OrganSource& before,
                                  QWidget* parent)
     : QDialog(parent), file_(file), before_(before) {
@@ -277,7 +229,8 @@ void OpenOrganDialog::unitChanged() {
   // An open surface will enclose about what an ellipsoid in its box does.
   const double about = (volume_ > 0 ? volume_ : std::numbers::pi / 6 * boxVolume_) - cavities;
   if (!spacingChosen_ && about > 0)
-    proposeSpacing(about * std::pow(metres, 3), cavities > 0 ? metres * about / area_ : 0);
+    propose(proposedSpacing(before_.spacing.value_or(0.005), about * std::pow(metres, 3),
+                            cavities > 0 ? metres * about / area_ : 0));
   // An open part has none.
   for (std::size_t i = 0; roles_->filled() && i < partVolumes_.size(); ++i)
     if (partVolumes_[i] > 0)
@@ -287,9 +240,13 @@ void OpenOrganDialog::unitChanged() {
 }
 
 void OpenOrganDialog::tellParticles() {
-  const double cells = (volume_ - cavityVolume()) *
-                       std::pow(unit_->currentData().toDouble() / (1e-3 * spacing_->value()), 3);
-  particles_->setText(cells > 0 ? QString("about %L1 particles").arg(twoFigures(cells)) : "");
+  const double cells = std::pow(unit_->currentData().toDouble() / (1e-3 * spacing_->value()), 3);
+  particles_->setText(particlesText(cells * (volume_ - cavityVolume())));
+}
+
+void OpenOrganDialog::propose(double spacing) {
+  const QSignalBlocker quiet(spacing_);
+  spacing_->setValue(0.1 * std::floor(1e4 * spacing));
 }
 
 // The volume of the parts that are cavities, in units cubed.
@@ -298,18 +255,6 @@ double OpenOrganDialog::cavityVolume() const {
   for (std::size_t i = 0; hasRoles() && i < partVolumes_.size(); ++i)
     if (roles_->isCavity(int(i))) volume += 1e-6 * partVolumes_[i];
   return volume;
-}
-
-// That of the scenario, or less for a small organ, which would have too few particles to show its
-// shape, or for a hollow one, whose wall has to be two cells thick. volume: of tissue, m^3. wall:
-// mean thickness of a hollow organ's wall, m; 0: it is not hollow.
-void OpenOrganDialog::proposeSpacing(double volume, double wall) {
-  constexpr double kFewest = 2000, kMost = 30000;  // particles
-  const double large = std::cbrt(volume / kFewest), small = std::cbrt(volume / kMost);
-  double spacing = std::min(before_.spacing.value_or(0.005), large);
-  if (wall > 0) spacing = std::min(spacing, std::max(wall / 2, small));
-  const QSignalBlocker quiet(spacing_);
-  spacing_->setValue(0.1 * std::floor(1e4 * spacing));
 }
 
 // False if the result changes the choice of part, so that another examination follows.
@@ -331,7 +276,7 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
                     : shown(info["refusal"].toString().toStdString(), kLongestSentence));
     return true;
   }
-  tell(isImage_ ? aboutImage(info) : reportOf(info, hasRoles()));
+  tell(isImage_ ? imageReport(info) : surfaceReport(info, hasRoles()));
   repair_->setChecked(!info["closed"].toBool());
   const QJsonArray bounds = info["bounds_m"].toArray();
   area_ = info["area_m2"].toDouble();
@@ -388,7 +333,7 @@ void OpenOrganDialog::listRoles(const QJsonObject& info) {
     for (const QJsonValue part : info["part_health"].toArray()) {
       partVolumes_.push_back(part["volume_ml"].toDouble());
       parts.push_back({part["name"].toString().toStdString(), part["name"].toString().toStdString(),
-                       openText(part["boundary_edges"].toInt())});
+                       openEdges(part["boundary_edges"].toInt()).toStdString()});
     }
   }
   if (parts.size() < 2) return;

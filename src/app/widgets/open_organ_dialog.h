@@ -51,7 +51,7 @@ class OpenOrganDialog : public QDialog {
   bool show(const std::string& json, const std::string& problem);
   void tell(const QString& text);
   void unitChanged();
-  void proposeSpacing(double volume, double wall);
+  void propose(double spacing);  // m
   double cavityVolume() const;
   void tellParticles();
   void examine();

@@ -1,0 +1,60 @@
+#include "app/loading/organ_report.h"
+
+#include <QJsonArray>
+#include <algorithm>
+#include <cmath>
+
+#include "app/say.h"
+
+namespace resect {
+
+QString surfaceReport(const QJsonObject& info, bool roles) {
+  const auto count = [&](const char* field, const char* one, const char* many) {
+    const int n = info[field].toInt();
+    return QString("%L1 %2").arg(n).arg(n == 1 ? one : many);
+  };
+  const bool closed = info["closed"].toBool();
+  QString text = count("triangles", "triangle", "triangles") + ", " +
+                 count("components", "component", "components") + ", ";
+  text += closed ? "closed" : "open: " + count("boundary_edges", "boundary edge", "boundary edges");
+  if (!info["oriented"].toBool()) text += ", not wound one way";
+  if (info["inside_out"].toBool()) text += ", inside out (will be turned)";
+  if (info["non_manifold_edges"].toInt() > 0)
+    text += ", " + count("non_manifold_edges", "edge", "edges") + " of more than two triangles";
+  if (info["cavities"].toInt() > 0)
+    text += "\n" + count("cavities", "inner shell faces", "inner shells face") +
+            " inwards: a cavity without tissue";
+  if (info["shells_within"].toInt() > 0)
+    text += "\n" + count("shells_within", "inner shell faces", "inner shells face") +
+            " outwards, so that what it encloses is tissue; " +
+            (roles ? "if it is a cavity or a tumour, say so in the table"
+                   : "if it is a cavity, turn its faces inwards in the program that made it");
+  return text;
+}
+
+QString openEdges(int boundaryEdges) {
+  if (boundaryEdges == 0) return "";
+  return QString("open, %L1 boundary edge%2").arg(boundaryEdges).arg(boundaryEdges == 1 ? "" : "s");
+}
+
+QString imageReport(const QJsonObject& info) {
+  QString text = info["format"].toString();
+  for (const QJsonValue note : info["notes"].toArray())
+    text += "\n" + shown(note.toString().toStdString(), kLongestSentence);
+  return text;
+}
+
+QString particlesText(double particles) {
+  if (!(particles >= 1)) return "";
+  const double digit = std::pow(10, std::max(0.0, std::floor(std::log10(particles)) - 1));
+  return QString("about %L1 particles").arg(qint64(digit * std::round(particles / digit)));
+}
+
+double proposedSpacing(double usual, double volume, double wall) {
+  constexpr double kFewest = 2000, kMost = 30000;  // particles
+  const double large = std::cbrt(volume / kFewest), small = std::cbrt(volume / kMost);
+  const double spacing = std::min(usual, large);
+  return wall > 0 ? std::min(spacing, std::max(wall / 2, small)) : spacing;
+}
+
+}  // namespace resect
