@@ -9,6 +9,7 @@
 #include "cli/progress_bar.h"
 #include "cli/shared_options.h"
 #include "formats/labels/brought_organ.h"
+#include "formats/labels/label_model.h"
 #include "inventor/reading/model_file.h"
 #include "io/cells/particle_file.h"
 #include "io/scenario/length.h"
@@ -52,8 +53,12 @@ void addGiven(OrganSource& source, const std::string& given) {
         given, structureWords());
   const std::string what = given.substr(sign + 1);
   const bool isNumber = std::ranges::all_of(what, [](char c) { return c >= '0' && c <= '9'; });
-  if (std::filesystem::exists(what))
-    addStructure(source, *kind, std::filesystem::path(what).stem().string(), what, "");
+  std::string file = std::filesystem::exists(what) ? what : "";
+  if (std::filesystem::is_directory(source.file))  // of files, each with a structure
+    for (const auto& entry : std::filesystem::directory_iterator(source.file))
+      if (stemOf(entry.path().string()) == what) file = entry.path().string();
+  if (!file.empty())
+    addStructure(source, *kind, stemOf(file), file, "");
   else
     addStructure(source, *kind, isNumber ? word : what, "", what);
 }

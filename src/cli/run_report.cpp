@@ -11,6 +11,7 @@
 #include "cli/blood_report.h"
 #include "cli/ledger_report.h"
 #include "operation/promises.h"
+#include "operation/way/place_ways.h"
 
 namespace resect {
 namespace {
@@ -102,13 +103,17 @@ std::string toText(const RunSummary& summary, const Scenario& scenario,
       scenario.tools, [](const ScenarioTool& tool) { return !tool.keys.empty(); });
   if (!summary.touched && anyMoves) {
     const Aabb& box = summary.surfaceBefore.box;
+    const std::string why =
+        hasWays(scenario) ? "cells may be too large for it, or the ways on it too short"
+                          : "their ways lie in the room, where the scenario puts them; move the "
+                            "organ or the ways";
     row("note",
-        fmt::format("no instrument met an organ: their ways lie in the room, where the scenario "
-                    "puts them, and {} {} to {} m from left to right, {} to {} m in height and {} "
-                    "to {} m towards the surgeon; move the organ or the ways",
+        fmt::format("no instrument met an organ: {} {} to {} m from left to right, {} to {} m in "
+                    "height and {} to {} m towards the surgeon; {}",
                     summary.ledger.organs.size() > 1 ? "the organs fill" : "the organ fills",
                     coordinate(box.min.x()), coordinate(box.max.x()), coordinate(box.min.y()),
-                    coordinate(box.max.y()), coordinate(box.min.z()), coordinate(box.max.z())));
+                    coordinate(box.max.y()), coordinate(box.min.z()), coordinate(box.max.z()),
+                    why));
   }
   for (const std::string& finding : findings(summary, scenario)) row("note", finding);
   row("time",

@@ -83,7 +83,7 @@ Discretization sample(const TriangleMesh& surface, const OrganSource& source,
   if (!source.dims && !source.spacing && notes)
     notes->push_back(
         fmt::format("cells of {}, the largest that keep {:.0f} % of the tissue and "
-                    "make {:.0f} particles",
+                    "make about {:.0f} particles",
                     lengthText(spacing), 100 * (1 - kMostLostTissue), kFewestParticles));
   tellThinWalls(surface, source, lattice.spacing.maxCoeff(), notes);
   Discretization cells = discretize(surface, lattice, progress);

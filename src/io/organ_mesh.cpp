@@ -75,9 +75,24 @@ void addShellNotes(const Model& model, const OrganMeshOptions& options, OrganMes
                                       meaning));
   };
   tell(ShellKind::Cavity, "facing inwards: a cavity without tissue", "");
+  const bool named = model.parts.size() > 1 && !model.parts[0].name.empty();
   tell(ShellKind::Within, "facing outwards",
-       ", so that what it encloses is tissue; if it is a cavity, say so by --structure "
-       "cavity=PART, or turn its faces inwards");
+       named ? ": what it encloses is tissue; give a part that is a cavity or a tumour this role "
+               "(--structure cavity=PART)"
+             : ": what it encloses is tissue; if it is a cavity, turn its faces inwards in the "
+               "program that made it");
+}
+
+// Leaves out the shells that have tissue on both sides, or on neither: they bound nothing, and the
+// lattice's surface would be fitted to them.
+void leaveOutWithin(OrganMesh& organ) {
+  if (std::ranges::count(organ.shells, ShellKind::Within, &Shell::kind) == 0) return;
+  const std::vector<TriangleMesh> bodies = splitComponents(organ.mesh);
+  TriangleMesh kept;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (organ.shells[i].kind != ShellKind::Within) append(kept, bodies[i]);
+  organ.mesh = std::move(kept);
+  organ.health = examine(organ.mesh);
 }
 
 void addNotes(const OrganMeshOptions& options, OrganMesh& organ) {
@@ -97,7 +112,7 @@ void addNotes(const OrganMeshOptions& options, OrganMesh& organ) {
         "{} hole{} closed with {} triangle{} ({:.3g} mm^2), which changed the volume by {:+.4g} ml "
         "({:+.3g} %)",
         r.holesClosed, plural(r.holesClosed), r.trianglesAdded, plural(r.trianglesAdded),
-        r.areaAdded * 1e6, change * 1e6, r.volumeAfter != 0 ? 100 * change / r.volumeAfter : 0.0);
+        r.areaAdded * 1e6, change * 1e6, r.volumeBefore != 0 ? 100 * change / r.volumeBefore : 0.0);
   }
   if (r.specksDropped > 0)
     note("{} speck{} without volume dropped", r.specksDropped, plural(r.specksDropped));
@@ -153,6 +168,8 @@ TriangleMesh chosenSurface(const Model& model, const std::string& part, double m
 OrganMesh prepareOrganMesh(const Model& all, const OrganMeshOptions& options) {
   const Model chosen = options.part.empty() ? Model() : chosenParts(all, options.part);
   const Model& model = options.part.empty() ? all : chosen;
+  if (model.format == "3MF" && options.metresPerUnit != 1)
+    throw usageError("{}: a .3mf tells its unit itself; leave the unit out", model.path);
   OrganMesh organ;
   WeldedSurface welded = weldSurface(chosenSurface(model, "", options.metresPerUnit));
   organ.mesh = std::move(welded.mesh);
@@ -173,7 +190,10 @@ OrganMesh prepareOrganMesh(const Model& all, const OrganMeshOptions& options) {
   } catch (const Error& e) {
     throw withDoubt(e, doubt);
   }
-  if (organ.health.components > 1) organ.shells = shellsOf(organ.mesh);
+  if (organ.health.components > 1) {
+    organ.shells = shellsOf(organ.mesh);
+    leaveOutWithin(organ);
+  }
   organ.volume = organ.shells.empty() ? volumeAbout(organ.mesh, organ.health.bounds.centre())
                                       : tissueVolume(organ.shells);
   addNotes(options, organ);

@@ -21,10 +21,12 @@ struct OrganMeshOptions {
 };
 
 struct OrganMesh {
-  TriangleMesh mesh;          // welded, closed, consistently oriented outwards
-  MeshHealth health;          // of `mesh`
-  double volume = 0;          // of its tissue, m^3; cavities are left out, overlaps count once
-  std::vector<Shell> shells;  // of `mesh`, if it has more than one
+  TriangleMesh mesh;  // welded, closed, consistently oriented outwards
+  MeshHealth health;  // of `mesh`
+  double volume = 0;  // of its tissue, m^3; cavities are left out, overlaps count once
+  // Of the surface as it was read, if it has more than one. Those of kind Within are left out of
+  // `mesh`, since they bound no tissue.
+  std::vector<Shell> shells;
   RepairReport repairs;
   std::vector<std::string> notes;  // one sentence for people about each repair or doubt
 };

@@ -9,7 +9,7 @@
 namespace resect {
 namespace {
 
-constexpr double kSecondsPerSubstep = 20e-9;  // and particle, on one thread
+constexpr double kSecondsPerSubstep = 380e-9;  // and chunk of cells, on one thread
 
 struct Work {
   double substeps = 0;  // of the tissue with the most
@@ -26,7 +26,7 @@ Work workOf(const Simulation& simulation, double duration) {
                                  ? std::size_t(elastic->settings().threads)
                                  : threadsAllowed();
     work.substeps = std::max(work.substeps, substeps);
-    work.seconds += substeps * double(o.organ.particles) * kSecondsPerSubstep /
+    work.seconds += substeps * double(elastic->state().chunks.size()) * kSecondsPerSubstep /
                     double(std::min(most, threadsAllowed()));
   }
   return work;

@@ -44,12 +44,17 @@ void keepFirstOrgan(Scenario& scenario) {
   scenario.joints.clear();
 }
 
+std::string titleOf(const OrganSource& source) {
+  const std::string name = std::filesystem::path(source.file).filename().string();
+  return name.substr(0, name.find('.', 1));
+}
+
 void replaceOrgans(Scenario& scenario, const OrganSource& source) {
   keepFirstOrgan(scenario);
   ScenarioOrgan& organ = scenario.organs[0];
   const OrganSource before = organ.source;
   if (source.file != before.file) {  // what was said of the other organ, and where it was looked at
-    scenario.title = std::filesystem::path(source.file).stem().string();
+    scenario.title = titleOf(source);
     scenario.description.clear();
     scenario.closeUp.reset();
     scenario.setting = "table";  // the field was made for a liver

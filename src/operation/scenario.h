@@ -258,10 +258,13 @@ bool isSetting(std::string_view name);
 bool showsField(const Scenario& scenario);
 // Removes all organs but the first, and all joints.
 void keepFirstOrgan(Scenario& scenario);
+// The name of the organ's file without folder and endings: "liver" of "/scans/liver.nii.gz".
+std::string titleOf(const OrganSource& source);
 // Replaces all organs by one. The new organ gets the name and the tissue of the first organ and, if
 // it lies on the table, its position. It does not get the materials of labels, nor attachments
 // unless their regions are given in fractions of the organ's box. If the new organ comes from
-// another file, the scenario's description and close-up are removed, too.
+// another file, it lies on the table, the scenario's title becomes titleOf(), and its description
+// and close-up are removed.
 void replaceOrgans(Scenario& scenario, const OrganSource& source);
 // Sets the spacing of the first organ, m, and removes its dims. Scales the spacings of the other
 // organs in proportion; an organ with dims keeps its dims. before: the first organ's spacing until

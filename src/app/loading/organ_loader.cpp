@@ -4,6 +4,8 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QJsonDocument>
+#include <QJsonValue>
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
@@ -32,6 +34,11 @@ std::string sentenceOf(QProcess& process) {
   std::string text = process.readAllStandardError().trimmed().toStdString();
   if (text.starts_with(kPrefix)) text.erase(0, std::string_view(kPrefix).size());
   return text.empty() ? "the file's reader ended without a word; try another file" : text;
+}
+
+// As the reader's JSON says.
+int holesClosed(QProcess& process) {
+  return QJsonDocument::fromJson(process.readAllStandardOutput())["holes_closed"].toInt();
 }
 
 void addParts(const std::string& part, QStringList& arguments) {
@@ -213,6 +220,7 @@ void OrganLoader::readNext() {
                            .toStdString());
   QStringList arguments = convertArguments(*model.file, *model.part, converted_.back());
   if (model.repair) arguments << "--repair";
+  arguments << "--json";
   reader_ = std::make_unique<QProcess>();
   reader_->start(QCoreApplication::applicationFilePath(), arguments);
 }
@@ -222,9 +230,13 @@ void OrganLoader::poll() {
     if (reader_->state() != QProcess::NotRunning) return progress_(-1);
     const bool fine = reader_->exitStatus() == QProcess::NormalExit && reader_->exitCode() == 0;
     if (!fine) job_->problem = sentenceOf(*reader_);
+    const int holes = holesClosed(*reader_);
     reader_.reset();
     if (fine) {
       const ModelToRead& model = toRead_[next_++];
+      if (holes > 0)
+        job_->notes.push_back(fmt::format("{}: {} hole{} closed", *model.file, holes,
+                                          holes == 1 ? " was" : "s were"));
       *model.file = converted_.back();
       model.part->clear();
       return readNext();

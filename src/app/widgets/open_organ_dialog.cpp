@@ -225,12 +225,14 @@ void OpenOrganDialog::unitChanged() {
   if (volume_ > 0) size += QString(", %1 ml").arg(volume_ * std::pow(metres, 3) * 1e6, 0, 'g', 5);
   const double cavities = cavityVolume();
   if (volume_ > 0 && cavities > 0) size += " with its cavities";
+  if (!isOrganSized({Vec3::Zero(), Vec3::Constant(longest_ * metres)}))
+    size += "; no organ is so " + QString(longest_ * metres > 0.1 ? "large" : "small");
   size_->setText(size);
   // An open surface will enclose about what an ellipsoid in its box does.
   const double about = (volume_ > 0 ? volume_ : std::numbers::pi / 6 * boxVolume_) - cavities;
   if (!spacingChosen_ && about > 0)
     propose(proposedSpacing(before_.spacing.value_or(0.005), about * std::pow(metres, 3),
-                            cavities > 0 ? metres * about / area_ : 0));
+                            metres * wallThickness()));
   // An open part has none.
   for (std::size_t i = 0; roles_->filled() && i < partVolumes_.size(); ++i)
     if (partVolumes_[i] > 0)
@@ -247,6 +249,15 @@ void OpenOrganDialog::tellParticles() {
 void OpenOrganDialog::propose(double spacing) {
   const QSignalBlocker quiet(spacing_);
   spacing_->setValue(0.1 * std::floor(1e4 * spacing));
+}
+
+// Mean thickness of a hollow organ's wall, in units; 0 if the organ is not hollow.
+double OpenOrganDialog::wallThickness() const {
+  if (cavities_ > 0) return volume_ / (area_ / 2);  // inner and outer surface are in the area
+  const double hollow = volume_ > 0 ? cavityVolume() / volume_ : 0;
+  if (hollow <= 0 || hollow >= 1) return 0;
+  const double inner = std::pow(hollow, 2.0 / 3);  // area of a cavity of the same shape
+  return volume_ * (1 - hollow) / (area_ * (1 + inner) / 2);
 }
 
 // The volume of the parts that are cavities, in units cubed.
@@ -281,6 +292,7 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
   const QJsonArray bounds = info["bounds_m"].toArray();
   area_ = info["area_m2"].toDouble();
   volume_ = info["organ_ml"].toDouble() * 1e-6;  // 0 if it is refused
+  cavities_ = info["cavities"].toInt();
   longest_ = 0, boxVolume_ = 1;
   for (int a = 0; a < 3; ++a) {
     const double side = bounds[1].toArray()[a].toDouble() - bounds[0].toArray()[a].toDouble();
@@ -293,9 +305,12 @@ bool OpenOrganDialog::show(const std::string& json, const std::string& problem) 
     if (!chosenPart().empty()) return false;
   }
   // In a scene that was saved from here the organ is in metres, and a .3mf tells its unit.
-  const bool toldByFile = info["format"].toString() == "3MF";
-  if (toldByFile) unit_->setEnabled(false);
-  if (isImage_ || toldByFile || part_->currentData().toString() == kOrganNode)
+  const bool toldByFile = isImage_ || info["format"].toString() == "3MF";
+  if (toldByFile && unit_->isEnabled()) {
+    unit_->setEnabled(false);
+    unit_->insertItem(0, "metre, converted from the file's own unit", 1.0);
+  }
+  if (toldByFile || part_->currentData().toString() == kOrganNode)
     unit_->setCurrentIndex(0);
   else if (!unitChosen_)
     unit_->setCurrentIndex(likelyUnit());
@@ -324,8 +339,7 @@ void OpenOrganDialog::listRoles(const QJsonObject& info) {
     parts.push_back({value, name.empty() ? "label " + value : name,
                      fmt::format("{:.4g} ml", label["volume_ml"].toDouble())});
   }
-  if (isImage_) {  // whose numbers are metres, and whose surfaces are closed
-    unit_->setEnabled(false);
+  if (isImage_) {  // whose surfaces are closed
     form_->setRowVisible(axes_, false);
     repair_->setEnabled(false);
     form_->setRowVisible(part_, false);

@@ -53,6 +53,7 @@ class OpenOrganDialog : public QDialog {
   void unitChanged();
   void propose(double spacing);  // m
   double cavityVolume() const;
+  double wallThickness() const;
   void tellParticles();
   void examine();
   int likelyUnit() const;
@@ -87,6 +88,7 @@ class OpenOrganDialog : public QDialog {
   double boxVolume_ = 0;             // of the bounding box, in units cubed
   double area_ = 0, volume_ = 0;     // in units squared and units cubed; volume 0: it encloses none
   std::vector<double> partVolumes_;  // of a model's parts, ml if one unit is 1 m; 0: open
+  int cavities_ = 0;                 // shells of the surface that bound cavities
   bool unitChosen_ = false;          // the user has chosen a unit
   bool spacingChosen_ = false;       // the user has chosen a spacing
   bool isImage_ = false;             // a label image

@@ -36,10 +36,12 @@ void convert(const Options& options) {
   const Model model = readModelWatched(options.in, progressBar("reading"), options.part);
   TriangleMesh mesh;
   std::vector<std::string> notes;
+  int holes = 0;
   if (options.repair) {
     OrganMesh organ = prepareOrganMesh(model, {options.part, true, metres});
     mesh = std::move(organ.mesh);
     notes = std::move(organ.notes);
+    holes = organ.repairs.holesClosed;
   } else {
     mesh = weldSurface(chosenSurface(model, options.part, metres)).mesh;
     if (mesh.triangles.empty())
@@ -53,6 +55,7 @@ void convert(const Options& options) {
                     {"triangles", mesh.triangles.size()},
                     {"vertices", mesh.points.size()},
                     {"volume_ml", volume(mesh) * 1e6},
+                    {"holes_closed", holes},
                     {"notes", notes}});
     return;
   }

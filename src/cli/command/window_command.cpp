@@ -42,6 +42,10 @@ void window(const Options& options, const OrganOptions& organOptions) {
   else if (options.thesis)
     window.scenario.organs[0].source.spacing = 0.005;
   organOptions.applyTo(window.scenario, options.organ);
+  if (options.scenario.empty() && !options.organ.empty()) {  // its words are about another organ
+    window.scenario.title = titleOf(window.scenario.organs[0].source);
+    window.scenario.description.clear();
+  }
   requireSetting(options.setting);
   if (!options.setting.empty()) window.scenario.setting = options.setting;
   if (options.thesis) makeThesis(window.scenario);

@@ -243,10 +243,19 @@ void takeFiles(OrganSource& source, const std::vector<std::string>& files) {
     if (isImageFile(files[0])) takeLabels(source);
     return;
   }
-  const std::vector<Found> all = measured(structuresIn(files, source), source);
+  if (source.part.find('\n') != source.part.npos)
+    throw usageError("{}: of several files one is the organ; give only one --part", source.file);
+  std::vector<Found> named = structuresIn(files, source);
+  const auto isOrgan = [](const Found& one) { return one.kind == StructureKind::Parenchyma; };
+  if (source.part.empty() && std::ranges::none_of(named, isOrgan)) named.clear();
+  const std::string first = named.empty() ? "" : named[0].file;
+  const std::vector<Found> all = measured(std::move(named), source);
   if (all.empty()) {
     std::vector<std::string> stems;
     for (const std::string& file : files) stems.push_back(stemOf(file));
+    if (!first.empty())
+      throw error("{}: nothing is labelled in it; choose another organ with --part: {}", first,
+                  nameList(stems));
     throw error("{}: none of {} files {}; choose the organ with --part: {}", source.file,
                 files.size(),
                 source.part.empty() ? "is named as an organ is"
@@ -263,6 +272,12 @@ void addStructure(OrganSource& source, StructureKind kind, const std::string& na
                   const std::string& file, const std::string& part) {
   // What an image labels otherwise is none of the organ's tissue.
   if (kind == StructureKind::Cavity && file.empty() && isImageFile(source.file)) return;
+  const std::string& from = file.empty() ? source.file : file;
+  for (const BroughtStructure& one : source.structures)
+    if (one.file == from && one.part == part)
+      throw usageError(
+          "{}{} is given two roles, {} and {}; leave one out", part.empty() ? from : "part ",
+          part.empty() ? "" : shownText(part, kLongestName), wordOf(one.kind), wordOf(kind));
   int label = 0;
   for (const OrganLabel& one : source.labels) label = std::max(label, one.label);
   for (const BroughtStructure& one : source.structures) label = std::max(label, one.label);
@@ -276,8 +291,7 @@ void addStructure(OrganSource& source, StructureKind kind, const std::string& na
     source.part += "\n" + (vessel ? std::string(kWithin) + part : part);
   }
   if (kind == StructureKind::Cavity && file.empty()) leaveOut(source.part, part);
-  source.structures.push_back(
-      {kind, labelled ? label + 1 : 0, name, file.empty() ? source.file : file, part, source.unit});
+  source.structures.push_back({kind, labelled ? label + 1 : 0, name, from, part, source.unit});
 }
 
 std::vector<CellsInput> inputsOf(const OrganSource& source) {

@@ -7,21 +7,22 @@ namespace resect {
 namespace {
 
 constexpr double kReach = 0.025;  // m
-constexpr int kMostOpen = 1;      // directions in which the organ may be missing
+constexpr int kFewestAxes = 2;    // along which the organ lies on both sides
 
 enum : std::uint8_t { kOutside, kVessel, kOrgan };
 
-// Adds one to `met` of each vessel voxel from which the organ lies within `reach` voxels down
-// (step < 0) or up one line of voxels.
+// Adds `direction` to `met` of each vessel voxel from which the organ lies within `reach` voxels
+// against the direction of `step`.
 void lookAlong(const std::vector<std::uint8_t>& kind, std::vector<std::uint8_t>& met,
-               std::size_t first, std::ptrdiff_t step, int count, int reach) {
+               std::size_t first, std::ptrdiff_t step, int count, int reach,
+               std::uint8_t direction) {
   int since = reach + 1;  // voxels since the organ
   std::ptrdiff_t at = std::ptrdiff_t(first);
   for (int i = 0; i < count; ++i, at += step) {
     if (kind[std::size_t(at)] == kOrgan)
       since = 0;
     else if (++since <= reach && kind[std::size_t(at)] == kVessel)
-      ++met[std::size_t(at)];
+      met[std::size_t(at)] |= direction;
   }
 }
 
@@ -45,15 +46,21 @@ LabelImage withEnclosed(LabelImage image, std::span<const int> organ,
     for (int j = 0; j < n[v]; ++j)
       for (int i = 0; i < n[u]; ++i) {
         const std::size_t low = steps[u] * std::size_t(i) + steps[v] * std::size_t(j);
-        lookAlong(kind, met, low, step, n[axis], reach);
-        lookAlong(kind, met, low + steps[axis] * std::size_t(n[axis] - 1), -step, n[axis], reach);
+        lookAlong(kind, met, low, step, n[axis], reach, std::uint8_t(1 << 2 * axis));
+        lookAlong(kind, met, low + steps[axis] * std::size_t(n[axis] - 1), -step, n[axis], reach,
+                  std::uint8_t(2 << 2 * axis));
       }
   }
   const auto organNumber = std::uint16_t(organ[0] + 1);
   RawArray<std::uint16_t>& layer =
       image.layers[std::size_t(image.labels[std::size_t(organ[0])].layer)];
+  const auto axesBetween = [](int directions) {
+    int axes = 0;
+    for (int axis = 0; axis < 3; ++axis) axes += (directions >> 2 * axis & 3) == 3;
+    return axes;
+  };
   for (std::size_t i = 0; i < kind.size(); ++i)
-    if (kind[i] == kVessel && met[i] >= 6 - kMostOpen) layer[i] = organNumber;
+    if (kind[i] == kVessel && axesBetween(met[i]) >= kFewestAxes) layer[i] = organNumber;
   return image;
 }
 

@@ -8,8 +8,9 @@
 namespace resect {
 
 // Returns the image in which the vessels' voxels inside the organ have the organ's first label. A
-// voxel is inside if, in at least five of the six directions along the axes, a voxel of the organ
-// lies within 25 mm. organ, vessels: indices in image.labels, not empty.
+// voxel is inside if, along at least two of the three axes, voxels of the organ lie within 25 mm in
+// both directions. So a straight vein that runs along an axis is inside too. organ, vessels:
+// indices in image.labels, not empty.
 LabelImage withEnclosed(LabelImage image, std::span<const int> organ, std::span<const int> vessels);
 
 }  // namespace resect
