@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/text/shown_text.h"
 #include "geometry/measures.h"
+#include "geometry/repair/crossings.h"
 #include "geometry/repair/weld.h"
 #include "geometry/topology.h"
 #include "io/organ_size.h"
@@ -84,13 +85,20 @@ void addShellNotes(const Model& model, const OrganMeshOptions& options, OrganMes
 }
 
 // Leaves out the shells that have tissue on both sides, or on neither: they bound nothing, and the
-// lattice's surface would be fitted to them.
+// lattice's surface would be fitted to them. Shells that reach through others stay.
 void leaveOutWithin(OrganMesh& organ) {
   if (std::ranges::count(organ.shells, ShellKind::Within, &Shell::kind) == 0) return;
   const std::vector<TriangleMesh> bodies = splitComponents(organ.mesh);
-  TriangleMesh kept;
+  TriangleMesh bounding;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (organ.shells[i].kind != ShellKind::Within) append(kept, bodies[i]);
+    if (organ.shells[i].kind != ShellKind::Within) append(bounding, bodies[i]);
+  TriangleMesh kept = bounding;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (organ.shells[i].kind != ShellKind::Within) continue;
+    const std::vector<int> rounds = crossingNumbers(bounding, bodies[i].points);
+    if (std::ranges::count(rounds, rounds[0]) != std::ptrdiff_t(rounds.size()))
+      append(kept, bodies[i]);
+  }
   organ.mesh = std::move(kept);
   organ.health = examine(organ.mesh);
 }

@@ -24,8 +24,8 @@ struct OrganMesh {
   TriangleMesh mesh;  // welded, closed, consistently oriented outwards
   MeshHealth health;  // of `mesh`
   double volume = 0;  // of its tissue, m^3; cavities are left out, overlaps count once
-  // Of the surface as it was read, if it has more than one. Those of kind Within are left out of
-  // `mesh`, since they bound no tissue.
+  // Of the surface as it was read, if it has more than one. Those of kind Within bound no
+  // tissue and are left out of `mesh`, unless they reach through other shells.
   std::vector<Shell> shells;
   RepairReport repairs;
   std::vector<std::string> notes;  // one sentence for people about each repair or doubt

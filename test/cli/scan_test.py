@@ -158,6 +158,26 @@ class Scan(unittest.TestCase):
         self.assertEqual([one["name"] for one in about["labels"]], ["parenchyma", "tumour"])
         self.assertAlmostEqual(about["volume_ml"], self.ml["liver"], delta=0.005 * self.ml["liver"])
 
+    def test_a_folder_that_names_no_organ_asks_for_it_and_says_what_is_empty(self):
+        names = {"Leber": "liver", "Tumor_1": "liver_tumor", "Pfortader": "liver_vessels", "leer": "liver_cyst"}
+        for name, structure in names.items():
+            write(f"german/{name}.nii.gz", nifti(self.voxels[structure]))
+        german = FOLDER / "german"
+        for args, sentence in (
+                ((), "none of 4 files is named as an organ is; choose the organ with --part: "),
+                (("--label", "leer"), "leer.nii.gz: nothing is labelled in it; choose another organ with --part: "),
+                (("--label", "Leber", "--label", "Tumor_1"), "of several files one is the organ; give only one --part"),
+                (("--label", "Leber", "--structure", "tumour=Tumor_1", "--structure", "cyst=Tumor_1"),
+                 "is given two roles, tumour and cyst; leave one out")):
+            done = resect("run", "cut-120", "--organ", german, *args)
+            self.assertIn(done.returncode, (1, 2), args)
+            self.assertIn(sentence, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        done = resect("run", "cut-120", "--organ", german, "--label", "Leber", "--structure", "tumour=Tumor_1",
+                      "--spacing", "6mm")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"\n +labels +.*Tumor_1: |\n +Tumor_1: ")
+
     def test_what_is_no_label_image_is_refused_with_what_to_do(self):
         empty = FOLDER / "nothing"
         empty.mkdir(parents=True, exist_ok=True)

@@ -82,6 +82,10 @@ TEST_CASE("an open ball is refused with its edges and the place of the first, un
   REQUIRE(organ.notes.size() == 1);
   CHECK(test::tells(organ.notes[0], "1 hole closed with 1 triangle"));
   CHECK(test::tells(organ.notes[0], "changed the volume by +"));
+  // In per cent of the volume before, from the middle of the box.
+  const double before = volumeAbout(openBall(), bounds(openBall()).centre());
+  CHECK(
+      test::tells(organ.notes[0], fmt::format("({:+.3g} %)", 100 * (volume(ball()) / before - 1))));
 }
 
 TEST_CASE("parts that make no body together are listed, and one can be chosen") {
@@ -124,11 +128,14 @@ TEST_CASE("inner shells are told: cavities, and those that face outwards, with t
   const TriangleMesh outer = boxMesh({{0, 0, 0}, {0.1, 0.1, 0.1}});
   OrganMesh organ = prepareOrganMesh(modelOf({{"liver", outer}, {"tumour", inner}}));
   CHECK(organ.volume == doctest::Approx(1e-3));
-  REQUIRE(organ.notes.size() == 2);
-  CHECK(
-      organ.notes[1] ==
-      "1 inner shell of 64 ml facing outwards (part 'tumour'), so that what it encloses is tissue; "
-      "if it is a cavity, say so by --structure cavity=PART, or turn its faces inwards");
+  CHECK(organ.mesh.triangles.size() == outer.triangles.size());  // the shell bounds no tissue
+  REQUIRE(organ.notes.size() == 1);
+  CHECK(organ.notes[0] ==
+        "1 inner shell of 64 ml facing outwards (part 'tumour'): what it encloses is tissue; give "
+        "a part that is a cavity or a tumour this role (--structure cavity=PART)");
+  organ =
+      prepareOrganMesh(modelOf({{"liver", outer}, {"tumour", inner}}), {"", false, 1, "tumour"});
+  CHECK(organ.notes.empty());
   flip(inner);
   TriangleMesh both = outer;
   append(both, inner);
@@ -145,6 +152,12 @@ TEST_CASE("inner shells are told: cavities, and those that face outwards, with t
   REQUIRE(organ.notes.size() == 3);
   CHECK(test::tells(organ.notes[2], "2 inner shells of"));
   CHECK(test::tells(organ.notes[2], "(the largest is the one round (0.085, 0.015, 0.015) m)"));
+}
+
+TEST_CASE("a .3mf tells its unit itself, and another one is refused") {
+  Model model = modelOf({{"ball", ball()}});
+  model.format = "3MF";
+  CHECK(test::tells(sentence(model, {"", false, 0.001}), "tells its unit itself"));
 }
 
 TEST_CASE("a face and its back are one face, and that is said") {
