@@ -57,4 +57,11 @@ double proposedSpacing(double usual, double volume, double wall) {
   return wall > 0 ? std::min(spacing, std::max(wall / 2, small)) : spacing;
 }
 
+double wallThickness(double volume, double area, double cavities, bool innerShells) {
+  if (innerShells && area > 0) return volume / (area / 2);  // of both sides
+  if (cavities <= 0 || cavities >= volume || area <= 0) return 0;
+  const double inner = std::pow(cavities / volume, 2.0 / 3);  // area of a cavity of the same shape
+  return (volume - cavities) / (area * (1 + inner) / 2);
+}
+
 }  // namespace resect

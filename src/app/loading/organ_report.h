@@ -24,4 +24,9 @@ QString particlesText(double particles);
 // m^3, > 0. wall: mean thickness of a hollow organ's wall, m; 0: the organ is not hollow.
 double proposedSpacing(double usual, double volume, double wall);
 
+// Mean thickness of a hollow organ's wall; 0 if the organ is not hollow. In any unit of length: the
+// organ's volume and the area of its surface, and the volume of the cavities that are to be taken
+// from it. innerShells: whether shells of the surface bound cavities already.
+double wallThickness(double volume, double area, double cavities, bool innerShells);
+
 }  // namespace resect

@@ -232,7 +232,7 @@ void OpenOrganDialog::unitChanged() {
   const double about = (volume_ > 0 ? volume_ : std::numbers::pi / 6 * boxVolume_) - cavities;
   if (!spacingChosen_ && about > 0)
     propose(proposedSpacing(before_.spacing.value_or(0.005), about * std::pow(metres, 3),
-                            metres * wallThickness()));
+                            metres * wallThickness(volume_, area_, cavities, cavities_ > 0)));
   // An open part has none.
   for (std::size_t i = 0; roles_->filled() && i < partVolumes_.size(); ++i)
     if (partVolumes_[i] > 0)
@@ -249,15 +249,6 @@ void OpenOrganDialog::tellParticles() {
 void OpenOrganDialog::propose(double spacing) {
   const QSignalBlocker quiet(spacing_);
   spacing_->setValue(0.1 * std::floor(1e4 * spacing));
-}
-
-// Mean thickness of a hollow organ's wall, in units; 0 if the organ is not hollow.
-double OpenOrganDialog::wallThickness() const {
-  if (cavities_ > 0) return volume_ / (area_ / 2);  // inner and outer surface are in the area
-  const double hollow = volume_ > 0 ? cavityVolume() / volume_ : 0;
-  if (hollow <= 0 || hollow >= 1) return 0;
-  const double inner = std::pow(hollow, 2.0 / 3);  // area of a cavity of the same shape
-  return volume_ * (1 - hollow) / (area_ * (1 + inner) / 2);
 }
 
 // The volume of the parts that are cavities, in units cubed.
@@ -386,7 +377,6 @@ void OpenOrganDialog::listParts(const QJsonArray& parts) {
 }
 
 QPoint OpenOrganDialog::openButton() const { return open_->mapToGlobal(open_->rect().center()); }
-
 const PartsTable* OpenOrganDialog::roles() const { return hasRoles() ? roles_ : nullptr; }
 
 OrganSource OpenOrganDialog::source() const {

@@ -53,7 +53,6 @@ class OpenOrganDialog : public QDialog {
   void unitChanged();
   void propose(double spacing);  // m
   double cavityVolume() const;
-  double wallThickness() const;
   void tellParticles();
   void examine();
   int likelyUnit() const;
